@@ -1,0 +1,77 @@
+/*
+ * The predictive space in the manner of <ode/odecpp_collision.h>.
+ *
+ * Copyright (c) the ode_predictive_space developers. BSD-3-Clause, see LICENSE.
+ */
+
+#ifndef ODE_PREDICTIVE_SPACE_PREDICTIVE_SPACE_HPP
+#define ODE_PREDICTIVE_SPACE_PREDICTIVE_SPACE_HPP
+
+#include <ode/ode.h>
+#include <ode/odecpp.h>
+#include <ode/odecpp_collision.h>
+#include <ode_predictive_space/predictive_space.h>
+
+/**
+ * A predictive space, owned by this object as dSimpleSpace, dHashSpace and dQuadTreeSpace own theirs.
+ *
+ * id() is 0 when the ODE library in this process does not fit (see dPredictiveSpaceCreate()).
+ */
+class dPredictiveSpace : public dSpace
+{
+    // Spaces are owned handles: copying one would destroy it twice.
+    dPredictiveSpace(const dPredictiveSpace &) = delete;
+    void operator=(const dPredictiveSpace &) = delete;
+
+public:
+    dPredictiveSpace()
+    {
+        _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(0));
+    }
+
+    explicit dPredictiveSpace(dSpace &parent)
+    {
+        _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(parent.id()));
+    }
+
+    explicit dPredictiveSpace(dSpaceID parent)
+    {
+        _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(parent));
+    }
+
+    void setProximity(int proximity) { dPredictiveSpaceSetProximity(id(), proximity); }
+    int getProximity() const { return dPredictiveSpaceGetProximity(id()); }
+
+    void setGeomRole(dGeomID geom, int role) { dPredictiveSpaceSetGeomRole(id(), geom, role); }
+    int getGeomRole(dGeomID geom) const { return dPredictiveSpaceGetGeomRole(id(), geom); }
+
+    void setDeviation(int role, dReal a, dReal b, dReal c) { dPredictiveSpaceSetDeviation(id(), role, a, b, c); }
+    int getDeviation(int role, dReal *a, dReal *b, dReal *c) const
+    {
+        return dPredictiveSpaceGetDeviation(id(), role, a, b, c);
+    }
+
+    void setHorizon(int min_ticks, int max_ticks) { dPredictiveSpaceSetHorizon(id(), min_ticks, max_ticks); }
+    void getHorizon(int *min_ticks, int *max_ticks) const { dPredictiveSpaceGetHorizon(id(), min_ticks, max_ticks); }
+
+    int getTimeOfProximity(dGeomID first, dGeomID second, dReal *ticks) const
+    {
+        return dPredictiveSpaceGetTimeOfProximity(id(), first, second, ticks);
+    }
+
+    int getEncounters(dGeomID geom, dPredictiveEncounter *out, int max) const
+    {
+        return dPredictiveSpaceGetEncounters(id(), geom, out, max);
+    }
+
+    dPredictiveSpaceStats getStats() const
+    {
+        dPredictiveSpaceStats stats;
+        dPredictiveSpaceGetStats(id(), &stats);
+        return stats;
+    }
+
+    int validate() const { return dPredictiveSpaceValidate(id()); }
+};
+
+#endif
