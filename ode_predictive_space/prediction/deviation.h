@@ -1,0 +1,25 @@
+// How far from its estimated path an object may be: R(t) = a + b t + c t^2.
+
+#ifndef ODE_PREDICTIVE_SPACE_PREDICTION_DEVIATION_H
+#define ODE_PREDICTIVE_SPACE_PREDICTION_DEVIATION_H
+
+namespace ode_predictive_space
+{
+/// A distance that grows with time; a, b, c >= 0, in the scene's unit, per tick, per tick^2.
+///
+/// As c >= 0, R is convex: over any interval its chord lies above it, and no chord error is owed for it.
+struct Deviation
+{
+    double a = 0;
+    double b = 0;
+    double c = 0;
+
+    /// R(t).
+    double at(double t) const { return a + t * (b + t * c); }
+
+    /// The same deviation with its time counted from t >= 0 on.
+    Deviation advanced(double t) const { return {at(t), b + 2 * c * t, c}; }
+};
+} // namespace ode_predictive_space
+
+#endif

@@ -1,0 +1,43 @@
+// The estimated path of a geom: s(t) = p + v t + 1/2 a t^2 (Vogiannou et al., section 3).
+
+#ifndef ODE_PREDICTIVE_SPACE_PREDICTION_PATH_H
+#define ODE_PREDICTIVE_SPACE_PREDICTION_PATH_H
+
+#include <Eigen/Core>
+
+namespace ode_predictive_space
+{
+using Vector3 = Eigen::Vector3d;
+
+/// A curve of second degree in time. Lengths in the scene's unit, times in ticks.
+struct Path
+{
+    Vector3 position = Vector3::Zero();     ///< p, at time 0
+    Vector3 velocity = Vector3::Zero();     ///< v, per tick
+    Vector3 acceleration = Vector3::Zero(); ///< a, per tick^2
+
+    /// The point at time t.
+    Vector3 at(double t) const { return position + t * (velocity + (0.5 * t) * acceleration); }
+
+    /// The same curve with its time counted from t on.
+    Path advanced(double t) const { return {at(t), velocity + t * acceleration, acceleration}; }
+};
+
+/// The path of `second` as seen from `first`.
+inline Path relative_path(const Path &first, const Path &second)
+{
+    return {second.position - first.position, second.velocity - first.velocity,
+            second.acceleration - first.acceleration};
+}
+
+/// Largest distance between a path and its chord over [0, T], at equal times: 1/8 |a| T^2.
+///
+/// The paper's equation 4 keeps only the part of it that is perpendicular to the chord. That bounds the swept volume, but
+/// not the time: an object that accelerates along its own line is ahead of or behind its chord by up to the whole of it.
+inline double chord_error(const Vector3 &acceleration, double duration)
+{
+    return 0.125 * duration * duration * acceleration.norm();
+}
+} // namespace ode_predictive_space
+
+#endif

@@ -1,0 +1,44 @@
+// The time of proximity: when two envelopes may first overlap (Vogiannou et al., equations 1 to 6, with two corrections).
+
+#ifndef ODE_PREDICTIVE_SPACE_PREDICTION_PROXIMITY_H
+#define ODE_PREDICTIVE_SPACE_PREDICTION_PROXIMITY_H
+
+#include <optional>
+
+#include "ode_predictive_space/prediction/envelope.h"
+
+namespace ode_predictive_space
+{
+/// First m >= 0 at which A m^2 + 2 B m + C <= 0, or none.
+///
+/// C <= 0 gives 0. Otherwise, with D = B^2 - A C, the root is C / (sqrt(D) - B) if D >= 0 and sqrt(D) > B. This one form
+/// holds for every sign of A and B, also for A = 0, and does not cancel.
+std::optional<double> first_root(double A, double B, double C);
+
+/// The paper's P(m) = A m^2 + 2 B m + C over a horizon, m = t / duration (equation 6): the squared distance of two paths'
+/// chords less the square of what proximity allows them.
+struct ProximityPolynomial
+{
+    double A, B, C;
+    double at(double m) const { return (A * m + 2 * B) * m + C; }
+};
+
+/// P(m) of two envelopes' bounding spheres; both radii finite. `error` is e, what the chords owe to the paths.
+ProximityPolynomial proximity_polynomial(const Envelope &first, const Envelope &second, double duration, double error);
+
+/// The e that makes P(m) <= 0 necessary for proximity: the chord error of the relative path (see chord_error()). It is zero
+/// for two bodies in free fall, and never more than the sum of both paths' own errors.
+double sphere_chord_error(const Envelope &first, const Envelope &second, double duration);
+
+/// Earliest time in [0, duration] at which the bounding spheres, grown by the deviations, may touch.
+///
+/// Never late: before it, they are apart as long as both objects keep to their envelopes. None: apart until `duration`.
+/// A pair of which one radius is infinite is near at once.
+std::optional<double> sphere_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
+
+/// The same for the axis-aligned boxes of both envelopes: the latest of the entries into the three slabs
+/// |distance along the axis| <= half extents + R(t), if all three overlap at that time.
+std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
+} // namespace ode_predictive_space
+
+#endif

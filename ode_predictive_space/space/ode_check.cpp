@@ -1,0 +1,105 @@
+#include "ode_predictive_space/space/ode_check.h"
+
+#include <cstdint>
+#include <cstring>
+#include <set>
+
+#include <dlfcn.h>
+#include <link.h>
+
+#include "ode_predictive_space/space/ode_internals.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+bool precision_differs()
+{
+    const char *wanted = sizeof(dReal) == sizeof(double) ? "ODE_double_precision" : "ODE_single_precision";
+    return dCheckConfiguration(wanted) == 0;
+}
+
+int collect_ode_copies(dl_phdr_info *object, size_t, void *data)
+{
+    // The main program has an empty name, for which dlopen wants a null pointer.
+    const char *name = object->dlpi_name && object->dlpi_name[0] ? object->dlpi_name : nullptr;
+    void *handle = dlopen(name, RTLD_LAZY | RTLD_NOLOAD);
+    if (handle)
+    {
+        if (void *symbol = dlsym(handle, "dSpaceCollide2"))
+            static_cast<std::set<void *> *>(data)->insert(symbol);
+        dlclose(handle);
+    }
+    return 0;
+}
+
+bool several_copies()
+{
+    std::set<void *> copies;
+    dl_iterate_phdr(collect_ode_copies, &copies);
+    return copies.size() > 1;
+}
+
+// A geom with a value of its own in every member that the public API can set.
+bool geom_layout_differs(dSpaceID space)
+{
+    int data = 0;
+    dGeomID geom = dCreateBox(space, 2, 4, 6);
+    dGeomSetData(geom, &data);
+    dGeomSetCategoryBits(geom, 0x1234UL);
+    dGeomSetCollideBits(geom, 0x5678UL);
+    dGeomSetPosition(geom, 10, 20, 30);
+    dReal aabb[6];
+    dGeomGetAABB(geom, aabb);
+    const dReal expected[6] = {9, 11, 18, 22, 27, 33};
+    const dxBox *box = static_cast<const dxBox *>(geom);
+    const bool agrees = box->type == dBoxClass && box->data == &data && box->body == nullptr &&
+                        box->offset_posr == nullptr && box->final_posr->pos[2] == 30 && box->next_ex == nullptr &&
+                        box->tome_ex == nullptr && box->parent_space == space &&
+                        std::memcmp(box->aabb, expected, sizeof expected) == 0 &&
+                        std::memcmp(aabb, expected, sizeof expected) == 0 && box->category_bits == 0x1234UL &&
+                        box->collide_bits == 0x5678UL && box->side[0] == 2 && box->side[2] == 6 &&
+                        box->gflags == (GEOM_DIRTY | GEOM_PLACEABLE | GEOM_ENABLED);
+    dGeomDestroy(geom);
+    return !agrees;
+}
+
+bool space_layout_differs(dSpaceID space)
+{
+    dSpaceSetCleanup(space, 0);
+    dSpaceSetSublevel(space, 77);
+    dGeomID geom = dCreateSphere(space, 3);
+    const bool agrees = space->type == dSimpleSpaceClass && space->count == 1 && space->first == geom &&
+                        space->cleanup == 0 && space->sublevel == 77 && space->lock_count == 0 &&
+                        geom->tome == &space->first && static_cast<const dxSphere *>(geom)->radius == 3 &&
+                        space->getGeom(0) == geom && space->current_geom == geom;
+    dGeomDestroy(geom);
+    return !agrees || space->count != 0;
+}
+
+bool layout_differs()
+{
+    dSpaceID space = dSimpleSpaceCreate(nullptr);
+    const bool differs = geom_layout_differs(space) || space_layout_differs(space);
+    dSpaceDestroy(space);
+    return differs;
+}
+
+const char *find_mismatch()
+{
+    if (precision_differs())
+        return "it has another precision (dSINGLE, dDOUBLE) than this plugin was built for";
+    if (several_copies())
+        return "there is more than one copy of ODE in this process";
+    if (layout_differs())
+        return "its geoms or spaces are laid out otherwise than in the ODE this plugin was built for (a fork?)";
+    return nullptr;
+}
+} // namespace
+
+const char *ode_mismatch()
+{
+    static const char *const mismatch = find_mismatch();
+    return mismatch;
+}
+} // namespace ode_predictive_space
