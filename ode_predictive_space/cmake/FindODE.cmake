@@ -1,0 +1,36 @@
+# Finds the Open Dynamics Engine that is installed, with or without a CMake package of its own.
+#
+# Defines the imported target ODE::ODE and ODE_VERSION, ODE_INCLUDE_DIR, ODE_LIBRARY.
+# This file is installed beside the CMake package of ode_predictive_space, which uses it too.
+
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+    pkg_check_modules(PC_ODE QUIET ode)
+endif()
+
+find_path(
+    ODE_INCLUDE_DIR
+    NAMES ode/ode.h
+    HINTS ${PC_ODE_INCLUDEDIR} ${PC_ODE_INCLUDE_DIRS})
+find_library(
+    ODE_LIBRARY
+    NAMES ode ode_double
+    HINTS ${PC_ODE_LIBDIR} ${PC_ODE_LIBRARY_DIRS})
+mark_as_advanced(ODE_INCLUDE_DIR ODE_LIBRARY)
+
+if(ODE_INCLUDE_DIR AND EXISTS "${ODE_INCLUDE_DIR}/ode/version.h")
+    file(STRINGS "${ODE_INCLUDE_DIR}/ode/version.h" ODE_VERSION REGEX "define +dODE_VERSION")
+    string(REGEX REPLACE ".*\"([^\"]+)\".*" "\\1" ODE_VERSION "${ODE_VERSION}")
+endif()
+
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(
+    ODE
+    REQUIRED_VARS ODE_LIBRARY ODE_INCLUDE_DIR
+    VERSION_VAR ODE_VERSION)
+
+if(ODE_FOUND AND NOT TARGET ODE::ODE)
+    add_library(ODE::ODE UNKNOWN IMPORTED)
+    set_target_properties(ODE::ODE PROPERTIES IMPORTED_LOCATION "${ODE_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES
+                                                                                 "${ODE_INCLUDE_DIR}")
+endif()

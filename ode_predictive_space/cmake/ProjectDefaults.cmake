@@ -1,0 +1,37 @@
+# What holds for every target of the project: language, warnings, visibility, sanitizers, ccache.
+
+set(ODE_PREDICTIVE_SPACE_SANITIZERS
+    ""
+    CACHE STRING "Sanitizers to build with, separated by commas (address,undefined or thread)")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE
+        Release
+        CACHE STRING "Build type" FORCE)
+endif()
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_C_VISIBILITY_PRESET hidden)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+
+add_compile_options(-Wall -Wextra)
+if(ODE_PREDICTIVE_SPACE_WARNINGS_AS_ERRORS)
+    add_compile_options(-Werror)
+endif()
+
+if(ODE_PREDICTIVE_SPACE_SANITIZERS)
+    add_compile_options(-fsanitize=${ODE_PREDICTIVE_SPACE_SANITIZERS} -fno-sanitize-recover=all
+                        -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${ODE_PREDICTIVE_SPACE_SANITIZERS})
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+mark_as_advanced(CCACHE_PROGRAM)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_C_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
