@@ -1,0 +1,34 @@
+# What `cmake --install` puts into the prefix: headers, library, CMake package, pkg-config file. All of it can be moved.
+
+include(CMakePackageConfigHelpers)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ode_predictive_space")
+
+install(TARGETS ode_predictive_space EXPORT ode_predictive_space-targets)
+install(
+    DIRECTORY "${PROJECT_SOURCE_DIR}/include/ode_predictive_space"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+    FILES_MATCHING
+    PATTERN "*.h"
+    PATTERN "*.hpp")
+
+install(
+    EXPORT ode_predictive_space-targets
+    NAMESPACE ode_predictive_space::
+    DESTINATION "${package_dir}")
+configure_package_config_file(
+    "${CMAKE_CURRENT_LIST_DIR}/ode_predictive_space-config.cmake.in"
+    "${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space-config.cmake"
+    INSTALL_DESTINATION "${package_dir}"
+    NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space-config-version.cmake"
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space-config.cmake"
+              "${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space-config-version.cmake"
+              "${CMAKE_CURRENT_LIST_DIR}/FindODE.cmake" DESTINATION "${package_dir}")
+
+# From the folder of the pkg-config file to the prefix.
+file(RELATIVE_PATH prefix_from_pkg_config "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/ode_predictive_space.pc.in"
+               "${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space.pc" @ONLY)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")

@@ -1,0 +1,13 @@
+#!/bin/sh
+# Fails when the library exports other names than the header declares.
+# Usage: compare_exports.sh <library> <header>
+set -eu
+
+exported=$(nm --dynamic --defined-only "$1" | awk '$3 !~ /^__/ { print $3 }' | sort)
+declared=$(sed -nE 's/^ODE_PREDICTIVE_API .*[ *](d[A-Za-z]+)\(.*/\1/p' "$2" | sort)
+
+if [ "$exported" != "$declared" ]; then
+    printf 'exported:\n%s\n\ndeclared:\n%s\n' "$exported" "$declared"
+    exit 1
+fi
+printf '%s names\n' "$(printf '%s\n' "$exported" | wc -l)"
