@@ -15,11 +15,20 @@ struct Deviation
     double c = 0;
 
     /// R(t).
-    double at(double t) const { return a + t * (b + t * c); }
+    double at(double t) const { return a + growth(t); }
+
+    /// R(t) - R(0).
+    double growth(double t) const { return t * (b + t * c); }
 
     /// The same deviation with its time counted from t >= 0 on.
     Deviation advanced(double t) const { return {at(t), b + 2 * c * t, c}; }
 };
+
+/// How far two objects together may be from where they are expected relative to each other.
+inline Deviation operator+(const Deviation &first, const Deviation &second)
+{
+    return {first.a + second.a, first.b + second.b, first.c + second.c};
+}
 } // namespace ode_predictive_space
 
 #endif

@@ -1,5 +1,7 @@
 #include "ode_predictive_space/prediction/envelope.h"
 
+#include <algorithm>
+
 namespace ode_predictive_space
 {
 Box Envelope::at(double t) const
@@ -24,7 +26,11 @@ Box Envelope::swept(double duration) const
             centres.max()[axis] = std::max(centres.max()[axis], extreme);
         }
     }
+    // at() rounds otherwise than this: without a margin its box could stick out by a hair.
     const Vector3 growth = Vector3::Constant(deviation.at(duration));
-    return Box(centres.min() + low - growth, centres.max() + high + growth);
+    const Vector3 terms = size_of_terms(path, duration) + growth;
+    const Vector3 margin_below = rounding_per_size * (terms + low.cwiseAbs());
+    const Vector3 margin_above = rounding_per_size * (terms + high.cwiseAbs());
+    return Box(centres.min() + low - growth - margin_below, centres.max() + high + growth + margin_above);
 }
 } // namespace ode_predictive_space

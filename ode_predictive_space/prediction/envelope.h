@@ -30,7 +30,7 @@ struct Envelope
     /// The box at time t.
     Box at(double t) const;
 
-    /// A box that holds the envelope from time 0 to `duration`.
+    /// A box that holds at(t), rounding included, for every t from 0 to `duration` >= 0.
     Box swept(double duration) const;
 };
 } // namespace ode_predictive_space

@@ -3,6 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_PREDICTION_PATH_H
 #define ODE_PREDICTIVE_SPACE_PREDICTION_PATH_H
 
+#include <limits>
+
 #include <Eigen/Core>
 
 namespace ode_predictive_space
@@ -38,6 +40,20 @@ inline double chord_error(const Vector3 &acceleration, double duration)
 {
     return 0.125 * duration * duration * acceleration.norm();
 }
+
+/// Per axis, the sum of the sizes of the terms that make a coordinate of the path anywhere in [0, duration].
+///
+/// The terms may cancel, but the rounding errors that they bring along do not: those are in proportion to this.
+inline Vector3 size_of_terms(const Path &path, double duration)
+{
+    return path.position.cwiseAbs() + duration * (path.velocity.cwiseAbs() + duration * path.acceleration.cwiseAbs());
+}
+
+/// Times the sum of the sizes of all terms of a distance, this is more than rounding can add to that distance.
+///
+/// A bound of an envelope, and likewise a distance between two paths, takes a dozen operations, each of which is off by at
+/// most half an epsilon; moving the origin of time (`advanced()`) takes four more.
+constexpr double rounding_per_size = 16 * std::numeric_limits<double>::epsilon();
 } // namespace ode_predictive_space
 
 #endif

@@ -2,31 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ode_predictive_space
 {
 namespace
 {
-constexpr double epsilon = 8 * std::numeric_limits<double>::epsilon();
-
-// What rounding can add to a distance between points of these paths.
-double rounding(const Path &first, const Path &second, int axis, double duration)
-{
-    const double travel = std::abs(first.velocity[axis]) + std::abs(second.velocity[axis]) +
-                          duration * (std::abs(first.acceleration[axis]) + std::abs(second.acceleration[axis]));
-    return epsilon * (std::abs(first.position[axis]) + std::abs(second.position[axis]) + duration * travel);
-}
-
-// The part of [0, 1] in which linear functions are <= 0; each call cuts it by one of them.
+// The part of [0, 1] in which every one of some linear functions is <= 0.
 struct Overlap
 {
     double enter = 0;
     double leave = 1;
+    bool known = true; // false as soon as a function is not a number
 
-    // f(m) = from + (to - from) m. Infinite values are at the same sign at both ends.
+    // f(m) = from + (to - from) m. An infinite function has the same sign at both ends.
     void restrict_to_negative(double from, double to)
     {
+        known = known && !std::isunordered(from, to);
         if (from > 0 && to > 0)
             leave = -1;
         else if (from > 0)
@@ -35,30 +26,40 @@ struct Overlap
             leave = std::min(leave, from / (from - to));
     }
 };
+
+// Lowers P(m), for all m >= 0, by more than rounding can have raised it or can raise its discriminant. Without that, paths
+// that only just graze each other could be taken for apart.
+ProximityPolynomial lowered_by_rounding(const ProximityPolynomial &P, double A_terms, double B_terms, double C_terms)
+{
+    return {P.A - rounding_per_size * A_terms, P.B - rounding_per_size * B_terms, P.C - rounding_per_size * C_terms};
+}
 } // namespace
 
 std::optional<double> first_root(double A, double B, double C)
 {
-    if (C <= 0)
+    if (!(C > 0))
         return 0.0;
+    if (A >= 0 && B >= 0)
+        return std::nullopt;
     const double D = B * B - A * C;
     if (D < 0)
         return std::nullopt;
-    const double denominator = std::sqrt(D) - B;
-    if (!(denominator > 0))
-        return std::nullopt;
-    return C / denominator;
+    const double m = B > 0 ? (B + std::sqrt(D)) / -A : C / (std::sqrt(D) - B);
+    return m >= 0 ? m : 0.0;
 }
 
 ProximityPolynomial proximity_polynomial(const Envelope &first, const Envelope &second, double duration, double error)
 {
     const Path path = relative_path(first.path, second.path);
-    const Vector3 chord = path.at(duration) - path.position;
-    const double reach = first.deviation.a + second.deviation.a + first.radius + second.radius + error;
-    const double growth = first.deviation.at(duration) - first.deviation.a + second.deviation.at(duration) -
-                          second.deviation.a;
-    return {chord.squaredNorm() - growth * growth, path.position.dot(chord) - reach * growth,
-            path.position.squaredNorm() - reach * reach};
+    const Vector3 chord = duration * (path.velocity + (0.5 * duration) * path.acceleration);
+    const Deviation deviation = first.deviation + second.deviation;
+    const double reach = deviation.a + first.radius + second.radius + error;
+    const double growth = deviation.growth(duration);
+    const ProximityPolynomial P = {chord.squaredNorm() - growth * growth, path.position.dot(chord) - reach * growth,
+                                   path.position.squaredNorm() - reach * reach};
+    return lowered_by_rounding(P, chord.squaredNorm() + growth * growth,
+                               path.position.cwiseAbs().dot(chord.cwiseAbs()) + reach * growth,
+                               path.position.squaredNorm() + reach * reach);
 }
 
 double sphere_chord_error(const Envelope &first, const Envelope &second, double duration)
@@ -70,34 +71,45 @@ std::optional<double> sphere_time_of_proximity(const Envelope &first, const Enve
 {
     if (!std::isfinite(first.radius) || !std::isfinite(second.radius))
         return 0.0;
-    double error = sphere_chord_error(first, second, duration);
-    for (int axis = 0; axis < 3; ++axis)
-        error += rounding(first.path, second.path, axis, duration);
+    const Vector3 terms = size_of_terms(first.path, duration) + size_of_terms(second.path, duration);
+    const double error = sphere_chord_error(first, second, duration) + rounding_per_size * terms.sum();
     const ProximityPolynomial P = proximity_polynomial(first, second, duration, error);
     const std::optional<double> m = first_root(P.A, P.B, P.C);
-    if (!m || *m > 1 + epsilon)
+    if (!m || *m > 1 + rounding_per_size)
         return std::nullopt;
-    return std::min(*m * (1 - epsilon), 1.0) * duration;
+    return std::min(*m * (1 - rounding_per_size), 1.0) * duration;
 }
 
 std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration)
 {
     const Path path = relative_path(first.path, second.path);
     const Vector3 end = path.at(duration);
-    const double reach = first.deviation.a + second.deviation.a;
-    const double reach_at_end = first.deviation.at(duration) + second.deviation.at(duration);
+    const Deviation deviation = first.deviation + second.deviation;
+    const double reach = deviation.a;
+    const double reach_at_end = deviation.at(duration);
+    const Vector3 terms = size_of_terms(first.path, duration) + size_of_terms(second.path, duration);
+    const double eighth = 0.125 * duration * duration;
     Overlap overlap;
     for (int axis = 0; axis < 3; ++axis)
     {
-        const double error = 0.125 * duration * duration * std::abs(path.acceleration[axis]) +
-                             rounding(first.path, second.path, axis, duration);
-        const double above = second.low[axis] - first.high[axis] - error;
-        const double below = first.low[axis] - second.high[axis] - error;
+        // On each side the gap is of second degree, and apart means that it is positive. Where its chord lies above it,
+        // lower the chord; where the gap is concave, it lies above its chord anyway.
+        const double bend_above = std::max(0.0, path.acceleration[axis] - 2 * deviation.c);
+        const double bend_below = std::max(0.0, -path.acceleration[axis] - 2 * deviation.c);
+        const double size_above = std::abs(second.low[axis]) + std::abs(first.high[axis]);
+        const double size_below = std::abs(first.low[axis]) + std::abs(second.high[axis]);
+        const double size = terms[axis] + reach_at_end;
+        const double above =
+            second.low[axis] - first.high[axis] - eighth * bend_above - rounding_per_size * (size + size_above);
+        const double below =
+            first.low[axis] - second.high[axis] - eighth * bend_below - rounding_per_size * (size + size_below);
         overlap.restrict_to_negative(above + path.position[axis] - reach, above + end[axis] - reach_at_end);
         overlap.restrict_to_negative(below - path.position[axis] - reach, below - end[axis] - reach_at_end);
     }
-    if (overlap.enter > overlap.leave + epsilon)
+    if (!overlap.known)
+        return 0.0;
+    if (overlap.enter > overlap.leave + rounding_per_size)
         return std::nullopt;
-    return overlap.enter * (1 - epsilon) * duration;
+    return overlap.enter * (1 - rounding_per_size) * duration;
 }
 } // namespace ode_predictive_space

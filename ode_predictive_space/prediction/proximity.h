@@ -11,8 +11,9 @@ namespace ode_predictive_space
 {
 /// First m >= 0 at which A m^2 + 2 B m + C <= 0, or none.
 ///
-/// C <= 0 gives 0. Otherwise, with D = B^2 - A C, the root is C / (sqrt(D) - B) if D >= 0 and sqrt(D) > B. This one form
-/// holds for every sign of A and B, also for A = 0, and does not cancel.
+/// C <= 0 gives 0. Otherwise, with D = B^2 - A C, the root is C / (sqrt(D) - B) if D >= 0 and sqrt(D) > B: for every sign of
+/// A and B, also for A = 0. It does not cancel, except when B > 0, where a root needs A < 0; there the same root is
+/// (B + sqrt(D)) / -A. Anything that is not a number gives 0: nothing is known to be apart.
 std::optional<double> first_root(double A, double B, double C);
 
 /// The paper's P(m) = A m^2 + 2 B m + C over a horizon, m = t / duration (equation 6): the squared distance of two paths'
@@ -23,21 +24,23 @@ struct ProximityPolynomial
     double at(double m) const { return (A * m + 2 * B) * m + C; }
 };
 
-/// P(m) of two envelopes' bounding spheres; both radii finite. `error` is e, what the chords owe to the paths.
+/// P(m) of two envelopes' bounding spheres; both radii finite. `error` is e, what the chords owe to the paths. P is rounded
+/// down: for m >= 0 it is never above the true one.
 ProximityPolynomial proximity_polynomial(const Envelope &first, const Envelope &second, double duration, double error);
 
 /// The e that makes P(m) <= 0 necessary for proximity: the chord error of the relative path (see chord_error()). It is zero
 /// for two bodies in free fall, and never more than the sum of both paths' own errors.
 double sphere_chord_error(const Envelope &first, const Envelope &second, double duration);
 
-/// Earliest time in [0, duration] at which the bounding spheres, grown by the deviations, may touch.
+/// Earliest time in [0, duration] at which the bounding spheres, grown by the deviations, may touch; `duration` >= 0.
 ///
-/// Never late: before it, they are apart as long as both objects keep to their envelopes. None: apart until `duration`.
-/// A pair of which one radius is infinite is near at once.
+/// Never late: before it, they are apart as long as both objects keep to their envelopes. None: apart until `duration`, that
+/// included. A pair of which one radius is infinite, or anything not a number, is near at once.
 std::optional<double> sphere_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 
 /// The same for the axis-aligned boxes of both envelopes: the latest of the entries into the three slabs
-/// |distance along the axis| <= half extents + R(t), if all three overlap at that time.
+/// |distance along the axis| <= half extents + R(t), if all three overlap at that time. Infinite bounds are never apart on
+/// their side. Never late with respect to Envelope::at() as computed, rounding included.
 std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 } // namespace ode_predictive_space
 
