@@ -1,0 +1,177 @@
+// Contract 12: geoms of every class, moved, turned, offset, resized and carried.
+
+#include "tests/contract/support/geom_zoo.h"
+#include "tests/contract/support/scenario.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+using Contract = OdeTest;
+
+// A field of small boxes that every geom passes.
+void put_posts(Scenario &scene)
+{
+    for (int i = 0; i < 117; ++i)
+        scene.box(0.4, i % 13 - 6.0, 2.0 * (i / 13 % 3) - 2, 2.0 * (i / 39) - 2);
+}
+
+void turn(dGeomID geom, dReal angle)
+{
+    dMatrix3 rotation;
+    dRFromAxisAndAngle(rotation, 1, 2, 3, angle);
+    dGeomSetRotation(geom, rotation);
+}
+
+class EveryClass : public OdeTest, public ::testing::WithParamInterface<int>
+{
+protected:
+    static GeomKind kind() { return static_cast<GeomKind>(GetParam()); }
+};
+
+class EveryPlaceableClass : public EveryClass
+{};
+
+TEST_P(EveryClass, 12_StandsStillAmongMovers)
+{
+    expect_as_simple([](Scenario &scene) {
+        scene.numbered(create_geom(kind(), 1, scene.space()));
+        std::vector<dGeomID> movers;
+        for (int i = 0; i < 10; ++i)
+        {
+            movers.push_back(scene.sphere(0.3, 0, 0, 0));
+            scene.body(movers.back(), 0, 0, -0.05 * i);
+            dBodySetPosition(dGeomGetBody(movers.back()), 0.5 * i - 2, 0.3 * i - 1, 3);
+        }
+        for (int tick = 0; tick < 400; ++tick)
+        {
+            scene.step(0.05);
+            scene.tick();
+        }
+    });
+}
+
+TEST_P(EveryClass, 12_IsResizedAmongOthers)
+{
+    expect_as_simple([](Scenario &scene) {
+        put_posts(scene);
+        dGeomID geom = scene.numbered(create_geom(kind(), 1, scene.space()));
+        for (int tick = 0; tick < 60; ++tick)
+        {
+            if (tick % 5 == 0)
+                resize_geom(geom, kind(), tick % 3 ? 3 : 0.3);
+            scene.tick();
+        }
+    });
+}
+
+TEST_P(EveryPlaceableClass, 12_MovesAndTurnsByItself)
+{
+    expect_as_simple([](Scenario &scene) {
+        put_posts(scene);
+        dGeomID geom = scene.numbered(create_geom(kind(), 1, scene.space()));
+        for (int tick = 0; tick < 300; ++tick)
+        {
+            dGeomSetPosition(geom, 0.05 * tick - 7, 0.1, 0.002 * tick);
+            if (tick % 100 > 50)
+                turn(geom, 0.1 * tick);
+            scene.tick();
+        }
+    });
+}
+
+TEST_P(EveryPlaceableClass, 12_IsCarriedBySpinningBody)
+{
+    expect_as_simple([](Scenario &scene) {
+        put_posts(scene);
+        dGeomID geom = scene.numbered(create_geom(kind(), 1, scene.space()));
+        dGeomSetPosition(geom, -7, 0, 0);
+        dBodyID body = scene.body(geom, 1, 0, 0);
+        dBodySetAngularVel(body, 1, 3, 2);
+        for (int tick = 0; tick < 400; ++tick)
+        {
+            scene.step(0.04);
+            scene.tick();
+        }
+    });
+}
+
+TEST_P(EveryPlaceableClass, 12_IsCarriedWithAnOffset)
+{
+    expect_as_simple([](Scenario &scene) {
+        put_posts(scene);
+        dGeomID geom = scene.numbered(create_geom(kind(), 1, scene.space()));
+        dGeomID hub = scene.sphere(0.2, 0, 0, 0);
+        dBodyID body = scene.body(geom, 1, 0, 0);
+        dGeomSetBody(hub, body);
+        dBodySetPosition(body, -7, 0, 0);
+        dBodySetAngularVel(body, 0, 0, 2);
+        for (int tick = 0; tick < 400; ++tick)
+        {
+            if (tick % 90 == 10)
+                dGeomSetOffsetPosition(geom, 0, 2 + 0.01 * tick, 0);
+            if (tick % 90 == 70)
+                dGeomClearOffset(geom);
+            scene.step(0.04);
+            scene.tick();
+        }
+    });
+}
+
+TEST_P(EveryPlaceableClass, 12_GrowsWhileFarAndMoving)
+{
+    // The size changes without a new place: what was predicted for the smaller one does not hold.
+    expect_as_simple([](Scenario &scene) {
+        put_posts(scene);
+        dGeomID geom = scene.numbered(create_geom(kind(), 0.3, scene.space()));
+        dGeomSetPosition(geom, 0, -8, 0);
+        scene.body(geom, 0, 0.5, 0);
+        for (int tick = 0; tick < 400; ++tick)
+        {
+            if (tick == 150)
+                resize_geom(geom, kind(), 3);
+            scene.step(0.04);
+            scene.tick();
+        }
+    });
+}
+
+std::string kind_of_parameter(const ::testing::TestParamInfo<int> &info)
+{
+    return geom_kind_name(static_cast<GeomKind>(info.param));
+}
+
+INSTANTIATE_TEST_SUITE_P(Contract, EveryClass, ::testing::Range(0, geom_kind_count), kind_of_parameter);
+INSTANTIATE_TEST_SUITE_P(Contract, EveryPlaceableClass, ::testing::Range(0, static_cast<int>(GeomKind::plane)),
+                         kind_of_parameter);
+
+TEST_F(Contract, 12_PlanesAreMovedByTheirParameters)
+{
+    expect_as_simple([](Scenario &scene) {
+        put_posts(scene);
+        dGeomID plane = scene.numbered(dCreatePlane(scene.space(), 0, 0, 1, -9));
+        dGeomID other = scene.numbered(dCreatePlane(scene.space(), -1, 0, 0, -9));
+        for (int tick = 0; tick < 200; ++tick)
+        {
+            dGeomPlaneSetParams(plane, tick % 40 == 7 ? 0.6 : 0, 0, tick % 40 == 7 ? 0.8 : 1, 0.1 * tick - 9);
+            dGeomPlaneSetParams(other, tick % 50 < 25 ? -1 : 1, 0, 0, 9 - 0.1 * tick);
+            scene.tick();
+        }
+    });
+}
+
+TEST_F(Contract, 12_RaysAreSetAnewEachTick)
+{
+    expect_as_simple([](Scenario &scene) {
+        put_posts(scene);
+        dGeomID ray = scene.numbered(dCreateRay(scene.space(), 1));
+        for (int tick = 0; tick < 200; ++tick)
+        {
+            dGeomRaySet(ray, 0, 0, 0, std::cos(0.1 * tick), std::sin(0.1 * tick), 0.1);
+            dGeomRaySetLength(ray, 0.05 * tick);
+            scene.tick();
+        }
+    });
+}
+} // namespace
+} // namespace ode_predictive_space

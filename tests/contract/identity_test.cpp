@@ -1,0 +1,104 @@
+// Contract 17 and 18: what the space says it is; the tiny scenes that many programs have.
+
+#include <random>
+
+#include <ode_predictive_space/predictive_space.h>
+
+#include "tests/contract/support/geom_zoo.h"
+#include "tests/contract/support/scenario.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+using Contract = OdeTest;
+
+TEST_F(Contract, 17_TheClassIsThatOfASimpleSpace)
+{
+    dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    EXPECT_EQ(dSpaceGetClass(space), static_cast<int>(dSimpleSpaceClass));
+    EXPECT_EQ(dGeomGetClass(as_geom(space)), static_cast<int>(dSimpleSpaceClass));
+    EXPECT_EQ(dGeomIsSpace(as_geom(space)), 1);
+    // No setter of another class of space may take it for its own.
+    EXPECT_NE(ode_complaint([=] { dHashSpaceSetLevels(space, -2, 2); }), "");
+    dSpaceDestroy(space);
+}
+
+TEST_F(Contract, 17_OnlyPredictiveSpacesArePredictive)
+{
+    dSpaceID predictive = dPredictiveSpaceCreate(nullptr);
+    const dVector3 centre = {0, 0, 0};
+    const dVector3 extents = {1, 1, 1};
+    dSpaceID others[] = {dSimpleSpaceCreate(predictive), dHashSpaceCreate(nullptr),
+                         dQuadTreeSpaceCreate(nullptr, centre, extents, 2),
+                         dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ)};
+    EXPECT_EQ(dSpaceIsPredictive(predictive), 1);
+    for (dSpaceID other : others)
+    {
+        EXPECT_EQ(dSpaceIsPredictive(other), 0);
+        dSpaceDestroy(other);
+    }
+    dSpaceDestroy(predictive);
+}
+
+TEST_F(Contract, 17_AParentHoldsTheNewSpace)
+{
+    dSpaceID parent = dHashSpaceCreate(nullptr);
+    dSpaceID space = dPredictiveSpaceCreate(parent);
+    EXPECT_EQ(dSpaceQuery(parent, as_geom(space)), 1);
+    EXPECT_EQ(dSpaceGetNumGeoms(parent), 1);
+    dSpaceDestroy(parent);
+}
+
+class TinyScene : public OdeTest, public ::testing::WithParamInterface<int>
+{};
+
+TEST_P(TinyScene, 18_TinyScenesAreExactFromTheFirstTick)
+{
+    const int n = GetParam();
+    expect_as_simple([=](Scenario &scene) {
+        std::mt19937 random(static_cast<unsigned>(n));
+        std::uniform_real_distribution<dReal> anywhere(-1, 1);
+        scene.numbered(dCreatePlane(scene.space(), 0, 0, 1, 0));
+        scene.box(2, 0, 0, 0);
+        std::vector<dBodyID> bodies;
+        for (int i = 2; i < n; ++i)
+        {
+            dGeomID geom = scene.sphere(0.2, 2 * anywhere(random), 2 * anywhere(random), anywhere(random));
+            bodies.push_back(scene.body(geom, anywhere(random), anywhere(random), anywhere(random)));
+        }
+        for (int tick = 0; tick < 200; ++tick)
+        {
+            for (dBodyID body : bodies)
+            {
+                const dReal *position = dBodyGetPosition(body);
+                dBodyAddForce(body, -10 * position[0], -10 * position[1], -10 * position[2]);
+            }
+            scene.step(0.01);
+            scene.tick();
+        }
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(Contract, TinyScene, ::testing::Values(2, 3, 9, 20, 50, 100));
+
+TEST_F(Contract, 18_NothingMovesNothingIsDone)
+{
+    Scenario scene(SpaceKind::predictive);
+    for (int i = 0; i < 9; ++i)
+        scene.sphere(0.6, i, 0, 0);
+    scene.tick();
+    dPredictiveSpaceStats before;
+    dPredictiveSpaceGetStats(scene.space(), &before);
+    for (int tick = 0; tick < 100; ++tick)
+        scene.tick();
+    dPredictiveSpaceStats after;
+    dPredictiveSpaceGetStats(scene.space(), &after);
+    EXPECT_EQ(after.moved, before.moved);
+    EXPECT_EQ(after.repredictions, before.repredictions);
+    EXPECT_EQ(after.violations, before.violations);
+    EXPECT_EQ(after.reported, before.reported + 100 * 8);
+    EXPECT_EQ(scene.log().back().size(), 8u);
+}
+} // namespace
+} // namespace ode_predictive_space

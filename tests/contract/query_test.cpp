@@ -1,0 +1,177 @@
+// Contract 9: dSpaceCollide2() as the built-in spaces have it.
+
+#include <ode_predictive_space/predictive_space.h>
+
+#include "tests/contract/support/geom_zoo.h"
+#include "tests/contract/support/scenario.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+using Contract = OdeTest;
+
+TEST_F(Contract, 09_TheGeomOnTheSideOfTheSpaceKeepsItsPlace)
+{
+    Scenario scene(SpaceKind::predictive);
+    scene.sphere(1, 0, 0, 0);
+    dGeomID outside = number_geom(dCreateSphere(nullptr, 1), 7);
+    EXPECT_EQ(collide2(as_geom(scene.space()), outside), Pairs({{0, 7}}));
+    EXPECT_EQ(collide2(outside, as_geom(scene.space())), Pairs({{7, 0}}));
+
+    dSpaceID other = dPredictiveSpaceCreate(nullptr);
+    number_geom(dCreateSphere(other, 1), 20);
+    number_geom(dCreateSphere(other, 1), 21);
+    for (const Pair &pair : collide2(as_geom(scene.space()), as_geom(other)))
+        EXPECT_LT(pair.first, pair.second);
+    for (const Pair &pair : collide2(as_geom(other), as_geom(scene.space())))
+        EXPECT_GT(pair.first, pair.second);
+    dSpaceDestroy(other);
+    dGeomDestroy(outside);
+}
+
+TEST_F(Contract, 09_TheEnabledFlagOfTheOutsideGeomIsNotTested)
+{
+    expect_as_simple([](Scenario &scene) {
+        dGeomID inside = scene.sphere(1, 0, 0, 0);
+        dGeomID outside = scene.numbered(dCreateSphere(nullptr, 1));
+        dGeomDisable(outside);
+        scene.query(as_geom(scene.space()), outside);
+        EXPECT_EQ(scene.log().back().size(), 1u);
+        dGeomSphereSetRadius(outside, 0);
+        scene.query(as_geom(scene.space()), outside);
+        EXPECT_EQ(scene.log().back().size(), 1u);
+        dGeomDisable(inside);
+        scene.query(as_geom(scene.space()), outside);
+        EXPECT_TRUE(scene.log().back().empty());
+        dGeomDestroy(outside);
+    });
+}
+
+TEST_F(Contract, 09_AGeomOfTheSpaceMeetsItselfUnlessItHasABody)
+{
+    expect_as_simple([](Scenario &scene) {
+        dGeomID geom = scene.sphere(1, 0, 0, 0);
+        scene.sphere(1, 0.5, 0, 0);
+        scene.query(as_geom(scene.space()), geom);
+        EXPECT_EQ(scene.log().back(), Pairs({{0, 0}, {1, 0}}));
+        scene.query(geom, as_geom(scene.space()));
+        scene.body(geom, 0, 0, 0);
+        scene.query(as_geom(scene.space()), geom);
+        EXPECT_EQ(scene.log().back(), Pairs({{1, 0}}));
+    });
+}
+
+TEST_F(Contract, 09_BitsAndBodiesCountInQueries)
+{
+    expect_as_simple([](Scenario &scene) {
+        dGeomID inside = scene.sphere(1, 0, 0, 0);
+        scene.sphere(1, 0, 0, 0);
+        dGeomID outside = scene.numbered(dCreateSphere(nullptr, 1));
+        dBodyID body = scene.body(inside, 0, 0, 0);
+        dGeomSetBody(outside, body);
+        scene.query(as_geom(scene.space()), outside);
+        dGeomSetBody(outside, nullptr);
+        scene.query(as_geom(scene.space()), outside);
+        dGeomSetCategoryBits(inside, 2);
+        dGeomSetCollideBits(inside, 4);
+        dGeomSetCategoryBits(outside, 1);
+        dGeomSetCollideBits(outside, 2);
+        scene.query(as_geom(scene.space()), outside);
+        dGeomSetCollideBits(outside, 1);
+        scene.query(as_geom(scene.space()), outside);
+        dGeomDestroy(outside);
+    });
+}
+
+TEST_F(Contract, 09_QueriesSeeMovesThatNoTickHasSeen)
+{
+    expect_as_simple([](Scenario &scene) {
+        std::vector<dGeomID> geoms;
+        for (int i = 0; i < 40; ++i)
+            geoms.push_back(scene.sphere(0.5, 3 * i, 0, 0));
+        dGeomID probe = scene.numbered(create_geom(GeomKind::ray, 1, nullptr));
+        scene.query(probe, as_geom(scene.space()));
+        scene.tick();
+        for (int round = 0; round < 80; ++round)
+        {
+            const auto i = static_cast<std::size_t>(round * 7 % 40);
+            dGeomSetPosition(geoms[i], 0.02 * round, 0, 0);
+            dGeomSetPosition(probe, 0.1 * round, 0, 0);
+            scene.query(probe, as_geom(scene.space()));
+            if (round % 9 == 0)
+                scene.tick();
+            dGeomSetPosition(geoms[i], 3 * static_cast<dReal>(i), 0, round % 2);
+        }
+        dGeomDestroy(probe);
+    });
+}
+
+TEST_F(Contract, 09_EveryKindOfGeomAsksEveryKind)
+{
+    expect_as_simple([](Scenario &scene) {
+        for (int kind = 0; kind < geom_kind_count; ++kind)
+        {
+            for (int i = 0; i < 3; ++i)
+            {
+                dGeomID geom = scene.numbered(create_geom(static_cast<GeomKind>(kind), 0.5 * (i + 1), scene.space()));
+                if (is_placeable(static_cast<GeomKind>(kind)))
+                    dGeomSetPosition(geom, 2 * (kind % 4), 2 * (kind / 4), 2 * i);
+            }
+        }
+        for (int kind = 0; kind < geom_kind_count; ++kind)
+        {
+            dGeomID outside = scene.numbered(create_geom(static_cast<GeomKind>(kind), 1, nullptr));
+            for (int place = 0; place < 20; ++place)
+            {
+                if (is_placeable(static_cast<GeomKind>(kind)))
+                    dGeomSetPosition(outside, 0.4 * place, 4 - 0.3 * place, 0.1 * place);
+                scene.query(place % 2 ? outside : as_geom(scene.space()), place % 2 ? as_geom(scene.space()) : outside);
+            }
+            dGeomDestroy(outside);
+        }
+    });
+}
+
+TEST_F(Contract, 09_SpacesAgainstSpacesOfEveryKind)
+{
+    expect_as_simple([](Scenario &scene) {
+        dSpaceID others[] = {dHashSpaceCreate(nullptr), scene.make_space(nullptr),
+                             dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ)};
+        for (int i = 0; i < 12; ++i)
+        {
+            scene.sphere(0.6, i, 0, 0);
+            for (dSpaceID other : others)
+            {
+                if (i % 2 || other != others[0])
+                    dGeomSetPosition(scene.numbered(dCreateSphere(other, 0.6)), 1.5 * i, 0.5, 0);
+            }
+        }
+        dGeomDisable(dSpaceGetGeom(scene.space(), 3));
+        for (int round = 0; round < 10; ++round)
+        {
+            dGeomSetPosition(dSpaceGetGeom(others[1], 0), round, 0, 0);
+            for (dSpaceID other : others)
+            {
+                // Both ways: the space with fewer geoms is walked, the other is asked.
+                scene.query(as_geom(scene.space()), as_geom(other));
+                scene.query(as_geom(other), as_geom(scene.space()));
+            }
+            scene.tick();
+        }
+        for (dSpaceID other : others)
+            dSpaceDestroy(other);
+    });
+}
+
+TEST_F(Contract, 09_AnEmptySpaceAnswersQueries)
+{
+    Scenario scene(SpaceKind::predictive);
+    dGeomID probe = dCreateSphere(nullptr, 1);
+    EXPECT_TRUE(collide2(probe, as_geom(scene.space())).empty());
+    EXPECT_TRUE(collide(scene.space()).empty());
+    EXPECT_EQ(dPredictiveSpaceValidate(scene.space()), 1);
+    dGeomDestroy(probe);
+}
+} // namespace
+} // namespace ode_predictive_space
