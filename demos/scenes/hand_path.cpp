@@ -1,0 +1,101 @@
+#include "demos/scenes/hand_path.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space::scenes
+{
+namespace
+{
+double least_jerk(double u)
+{
+    return u * u * u * (10 + u * (-15 + 6 * u));
+}
+} // namespace
+
+HandPath::HandPath(const HandPathSettings &settings, std::uint64_t seed) : settings_(settings), random_(seed)
+{
+    for (auto &axis : tremor_)
+    {
+        for (Sine &sine : axis)
+        {
+            sine.frequency = random_.uniform(8, 12);
+            sine.phase = random_.uniform(0, 2 * pi);
+        }
+    }
+}
+
+Vector3 HandPath::position(double time)
+{
+    return intended_position(time) + settings_.scale * tremor(time);
+}
+
+Vector3 HandPath::intended_position(double time)
+{
+    const Reach &reach = reach_at(time);
+    const double u = std::clamp((time - reach.start) / reach.duration, 0.0, 1.0);
+    const Vector3 hand = reach.from + least_jerk(u) * (reach.to - reach.from);
+    return settings_.centre + settings_.scale * hand;
+}
+
+std::array<double, 2> HandPath::reach_times(double time)
+{
+    const Reach &reach = reach_at(time);
+    return {reach.start, reach.start + reach.duration};
+}
+
+double HandPath::half_extent() const
+{
+    return settings_.scale * (settings_.half_workspace + settings_.tremor);
+}
+
+const HandPath::Reach &HandPath::reach_at(double time)
+{
+    while (reaches_.empty() || time >= reaches_.back().start + reaches_.back().duration + reaches_.back().pause)
+    {
+        add_reach();
+    }
+    const auto after = std::upper_bound(reaches_.begin() + 1, reaches_.end(), time,
+                                        [](double t, const Reach &reach) { return t < reach.start; });
+    return *(after - 1);
+}
+
+void HandPath::add_reach()
+{
+    Reach reach;
+    reach.start = reaches_.empty() ? 0 : reaches_.back().start + reaches_.back().duration + reaches_.back().pause;
+    reach.from = reaches_.empty() ? Vector3::Zero() : reaches_.back().to;
+    reach.to = draw_target(reach.from);
+    const double share = ((reach.to - reach.from).norm() - settings_.shortest_reach) /
+                         (settings_.longest_reach - settings_.shortest_reach);
+    reach.duration = settings_.shortest_time + share * (settings_.longest_time - settings_.shortest_time);
+    reach.pause = random_.uniform(0, settings_.longest_pause);
+    reaches_.push_back(reach);
+}
+
+// Drawn anew until it lies in the workspace: from any point of a cube, reaches of up to its side have room in some
+// direction.
+Vector3 HandPath::draw_target(const Vector3 &from)
+{
+    while (true)
+    {
+        const double length = random_.uniform(settings_.shortest_reach, settings_.longest_reach);
+        const Vector3 target = from + length * random_.direction();
+        if (target.cwiseAbs().maxCoeff() <= settings_.half_workspace)
+        {
+            return target;
+        }
+    }
+}
+
+Vector3 HandPath::tremor(double time) const
+{
+    Vector3 sum;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const auto &[first, second] = tremor_[axis];
+        sum[axis] = std::sin(2 * pi * first.frequency * time + first.phase) +
+                    std::sin(2 * pi * second.frequency * time + second.phase);
+    }
+    return 0.5 * settings_.tremor * sum;
+}
+} // namespace ode_predictive_space::scenes

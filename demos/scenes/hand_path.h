@@ -1,0 +1,79 @@
+// The path of a hand that moves a haptic probe: reaches of least jerk, with tremor.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_HAND_PATH_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_HAND_PATH_H
+
+#include "demos/scenes/random.h"
+#include "demos/scenes/vector.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace ode_predictive_space::scenes
+{
+/// What the hand does, in its own size; `scale` maps it into the scene as a haptic program maps its device's workspace.
+struct HandPathSettings
+{
+    Vector3 centre = Vector3::Zero(); ///< middle of the workspace, in the scene, metres
+    double scale = 1;                 ///< metres in the scene per metre of the hand
+    double half_workspace = 0.15;     ///< half the side of the cube in which the hand's targets lie, metres of the hand
+    double shortest_reach = 0.1;      ///< metres of the hand
+    double longest_reach = 0.3;       ///< metres of the hand
+    double shortest_time = 0.3;       ///< seconds, for the shortest reach
+    double longest_time = 0.8;        ///< seconds, for the longest reach
+    double longest_pause = 0.2;       ///< seconds; between two reaches the hand rests up to this long
+    double tremor = 0.0002;           ///< largest tremor along each axis, metres of the hand
+};
+
+/// Position of the hand at any time. The same settings and seed give the same path.
+///
+/// A reach from A to B in time T follows A + (B - A) (10 u^3 - 15 u^4 + 6 u^5), u = t / T: the movement of least jerk,
+/// which is how people reach (Flash and Hogan, 1985). It starts and ends at rest. Tremor is the sum of two sines of 8 to
+/// 12 Hz along each axis.
+class HandPath
+{
+public:
+    HandPath(const HandPathSettings &settings, std::uint64_t seed);
+
+    /// Where the hand is `time` seconds after the start, in the scene. Not const: reaches are drawn as they are needed.
+    Vector3 position(double time);
+
+    /// The same without tremor.
+    Vector3 intended_position(double time);
+
+    /// Start and end of the reach, or the pause after it, that the hand makes at this time, in seconds.
+    std::array<double, 2> reach_times(double time);
+
+    /// Nothing that position() returns is farther from the centre than this along any axis, metres in the scene.
+    double half_extent() const;
+
+private:
+    struct Reach
+    {
+        double start; ///< seconds
+        double duration;
+        double pause; ///< seconds of rest after it
+        Vector3 from; ///< metres of the hand, from the centre
+        Vector3 to;
+    };
+
+    struct Sine
+    {
+        double frequency; ///< Hz
+        double phase;     ///< radians
+    };
+
+    const Reach &reach_at(double time);
+    Vector3 draw_target(const Vector3 &from);
+    void add_reach();
+    Vector3 tremor(double time) const;
+
+    HandPathSettings settings_;
+    Random random_;
+    std::array<std::array<Sine, 2>, 3> tremor_;
+    std::vector<Reach> reaches_; ///< in the order of time, without gaps
+};
+} // namespace ode_predictive_space::scenes
+
+#endif

@@ -1,0 +1,52 @@
+// The paper's experiment: still and moving objects in a room, and a probe that a hand moves among them.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_MIX_SCENE_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_MIX_SCENE_H
+
+#include "demos/scenes/contact_scene.h"
+#include "demos/scenes/hand_path.h"
+#include "demos/scenes/probe_force.h"
+
+namespace ode_predictive_space::scenes
+{
+constexpr double mix_wall_thickness = 0.5; ///< metres
+
+/// Half the side of the room inside its walls, in metres.
+double mix_half_room(int objects);
+
+/// Spheres, boxes, capsules and meshes in equal parts, without gravity. Half of them have no body and stay; the others float
+/// through the room, bounce off one another and off the walls, and are gently driven back to the speed that they began
+/// with, so that the scene is as lively after an hour as it was at first. The probe is the geom number 0: a sphere without
+/// a body, put where the hand is.
+class MixScene : public ContactScene
+{
+public:
+    MixScene(const SceneSpec &spec, dSpaceID space);
+
+    void advance() override;
+    void respond(const std::vector<IndexPair> &pairs) override;
+    const ProbeReport *probe() const override { return &report_; }
+
+private:
+    struct Floater
+    {
+        dBodyID body;
+        double cruising_speed; ///< m/s
+        double mass;           ///< kg
+    };
+
+    void fill(int count, Random &random);
+    void add_floater(Shape shape, const Vector3 &position, Random &random);
+    void before_step() override;
+    bool take_contacts(const IndexPair &pair, const dContactGeom *contacts, int count) override;
+
+    HandPath hand_;
+    dGeomID probe_;
+    ProbeForce force_;
+    ProbeReport report_;
+    std::vector<Floater> floaters_;
+    int tick_ = 0;
+};
+} // namespace ode_predictive_space::scenes
+
+#endif

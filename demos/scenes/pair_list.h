@@ -1,0 +1,66 @@
+// The pairs that a space reports, in a form in which spaces can be compared.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_PAIR_LIST_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_PAIR_LIST_H
+
+#include <cstddef>
+#include <cstdint>
+#include <ode/ode.h>
+#include <utility>
+#include <vector>
+
+namespace ode_predictive_space::scenes
+{
+/// Give a geom its number in the scene. It is kept in the geom's data pointer.
+void set_geom_index(dGeomID geom, std::uint32_t index);
+
+/// The number given by set_geom_index().
+std::uint32_t geom_index(dGeomID geom);
+
+/// Two geoms by their numbers, the smaller first.
+using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Collects the pairs of one dSpaceCollide(). It does as little as possible in the callback, which is inside the time that
+/// is measured.
+class PairList
+{
+public:
+    PairList() { pairs_.reserve(4096); }
+
+    /// The near callback; `list` is a PairList.
+    static void collect(void *list, dGeomID first, dGeomID second)
+    {
+        static_cast<PairList *>(list)->pairs_.emplace_back(first, second);
+    }
+
+    void clear() { pairs_.clear(); }
+    std::size_t size() const { return pairs_.size(); }
+
+    /// Forget the pairs whose bounding boxes do not overlap, and tell how many they were. Right after dSpaceCollide() only:
+    /// the boxes are those of now.
+    std::size_t drop_pairs_apart();
+
+    /// The pairs in ascending order of their geoms' numbers: the same list whichever space reported them. Valid while the
+    /// geoms live.
+    std::vector<IndexPair> sorted() const;
+
+private:
+    std::vector<std::pair<dGeomID, dGeomID>> pairs_;
+};
+
+/// A number for a set of pairs that does not depend on their order, but on how often each is in it.
+std::uint64_t hash_pairs(const std::vector<IndexPair> &pairs);
+
+/// A number for a whole run: the hashes of its ticks in their order.
+class PairHash
+{
+public:
+    void add_tick(std::uint64_t hash_of_pairs);
+    std::uint64_t value() const { return value_; }
+
+private:
+    std::uint64_t value_ = 0;
+};
+} // namespace ode_predictive_space::scenes
+
+#endif

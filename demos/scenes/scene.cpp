@@ -1,0 +1,102 @@
+#include "demos/scenes/scene.h"
+
+#include "demos/scenes/kinematic_scenes.h"
+#include "demos/scenes/mix_scene.h"
+#include "demos/scenes/pile_scene.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace ode_predictive_space::scenes
+{
+namespace
+{
+struct Description
+{
+    const char *name;
+    const char *text;
+};
+
+constexpr Description descriptions[] = {
+    {"gas", "half of the objects still, the others fly at up to 1 mm per tick and bounce off the walls"},
+    {"game", "a dense room in which everything flies, at up to 10 mm per tick"},
+    {"pile", "spheres and boxes that have settled in a pit, under gravity"},
+    {"still", "nothing moves"},
+    {"probe", "one hand-driven probe among still objects"},
+    {"mix", "half still, half moving, real contacts, some triangle meshes, a probe on a hand's path that pushes them"},
+    {"churn", "gas in which 1 % of the objects are destroyed and made anew in each tick"},
+    {"explosion", "a calm scene in which all velocities change in one tick, every 200 ticks"},
+    {"teleport", "every object jumps to a random place in each tick"},
+};
+} // namespace
+
+const std::vector<std::string> &scene_names()
+{
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> result;
+        for (const Description &description : descriptions)
+        {
+            result.emplace_back(description.name);
+        }
+        return result;
+    }();
+    return names;
+}
+
+std::string describe_scene(const std::string &name)
+{
+    for (const Description &description : descriptions)
+    {
+        if (name == description.name)
+        {
+            return description.text;
+        }
+    }
+    throw std::invalid_argument("there is no scene named \"" + name + "\"");
+}
+
+SceneFactory::SceneFactory(const SceneSpec &spec) : spec_(spec)
+{
+    describe_scene(spec.name);
+    if (spec.objects < 1)
+    {
+        throw std::invalid_argument("a scene needs at least one object");
+    }
+    if (spec.name == "pile")
+    {
+        settled_ = settle_pile(spec);
+    }
+}
+
+SceneFactory::~SceneFactory() = default;
+SceneFactory::SceneFactory(SceneFactory &&) noexcept = default;
+
+std::unique_ptr<Scene> SceneFactory::make(dSpaceID space) const
+{
+    if (spec_.name == "pile")
+    {
+        return std::make_unique<PileScene>(spec_, space, settled_);
+    }
+    if (spec_.name == "mix")
+    {
+        return std::make_unique<MixScene>(spec_, space);
+    }
+    return make_kinematic_scene(spec_, space);
+}
+
+SceneBounds SceneFactory::bounds() const
+{
+    if (spec_.name == "pile")
+    {
+        return pile_bounds(spec_.objects);
+    }
+    const double half = spec_.name == "mix" ? mix_half_room(spec_.objects) + mix_wall_thickness
+                                            : kinematic_half_room(spec_.name, spec_.objects);
+    return {Vector3::Zero(), Vector3::Constant(half)};
+}
+
+double SceneFactory::tick_seconds() const
+{
+    return spec_.name == "pile" ? PileScene::step_seconds : 0.001;
+}
+} // namespace ode_predictive_space::scenes

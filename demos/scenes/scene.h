@@ -1,0 +1,115 @@
+// The scenes in which spaces are demonstrated, tested and measured.
+//
+// A scene gives the same motion in every space: run it once per space, with the same specification, and whatever differs
+// is the space's doing.
+//
+//     SceneFactory factory({"gas", 1000, 1});
+//     dSpaceID space = dPredictiveSpaceCreate(0);
+//     std::unique_ptr<Scene> scene = factory.make(space);
+//     PairList pairs;
+//     for (...)
+//     {
+//         scene->advance();
+//         pairs.clear();
+//         dSpaceCollide(space, &pairs, &PairList::collect);
+//         scene->respond(pairs.sorted());
+//     }
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SCENE_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SCENE_H
+
+#include "demos/scenes/pair_list.h"
+#include "demos/scenes/vector.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ode_predictive_space::scenes
+{
+/// Radius of the sphere around each object of a scene, metres.
+constexpr double object_radius = 0.1;
+
+/// Which scene.
+struct SceneSpec
+{
+    std::string name;       ///< one of scene_names()
+    int objects = 100;      ///< n, >= 1; walls and the probe come on top
+    std::uint64_t seed = 1; ///< of positions, motions, the hand; scenes of the same seed are the same
+    double moving = -1;     ///< share of the objects that move, 0 … 1, in gas and churn; < 0: the scene's own, a half
+};
+
+/// A box that the scene stays in.
+struct SceneBounds
+{
+    Vector3 centre;
+    Vector3 half_extent;
+};
+
+/// What the probe of a scene did in the last tick.
+struct ProbeReport
+{
+    Vector3 position = Vector3::Zero();
+    Vector3 force = Vector3::Zero();      ///< on the probe, N
+    std::vector<std::uint32_t> touched{}; ///< numbers of the geoms that it touches, ascending
+};
+
+/// A running scene. The space that its geoms are in must live longer than it.
+class Scene
+{
+public:
+    virtual ~Scene() = default;
+
+    /// Make one tick of motion.
+    virtual void advance() = 0;
+
+    /// Take what dSpaceCollide() reported after advance(), as PairList::sorted() gives it. Scenes with contacts need every
+    /// tick's pairs; the motion of the others does not depend on it.
+    virtual void respond(const std::vector<IndexPair> &pairs) = 0;
+
+    /// Contacts that the last respond() made.
+    virtual std::size_t contacts() const = 0;
+
+    /// Whether respond() may be left out: the motion does not depend on the pairs.
+    virtual bool moves_by_itself() const = 0;
+
+    /// What the probe did in the last tick; null in a scene without one.
+    virtual const ProbeReport *probe() const = 0;
+};
+
+/// The names of all scenes.
+const std::vector<std::string> &scene_names();
+
+/// One sentence on what happens in a scene.
+std::string describe_scene(const std::string &name);
+
+struct BodyState;
+
+/// Makes copies of one scene. What takes long to prepare (a pile that has to settle) is prepared once, here.
+class SceneFactory
+{
+public:
+    /// @throws std::invalid_argument for a name that is not one of scene_names(), or for less than one object.
+    explicit SceneFactory(const SceneSpec &spec);
+    ~SceneFactory();
+    SceneFactory(SceneFactory &&) noexcept;
+
+    /// A new copy of the scene, its geoms in this space.
+    std::unique_ptr<Scene> make(dSpaceID space) const;
+
+    const SceneSpec &spec() const { return spec_; }
+
+    /// Where the scene takes place, as a quadtree space must know in advance.
+    SceneBounds bounds() const;
+
+    /// The simulated time of one tick, in seconds.
+    double tick_seconds() const;
+
+private:
+    SceneSpec spec_;
+    std::vector<BodyState> settled_; ///< of a pile: where its bodies have come to rest
+};
+} // namespace ode_predictive_space::scenes
+
+#endif

@@ -1,0 +1,167 @@
+#include "demos/scenes/scene_run.h"
+
+#include <algorithm>
+#include <ode_predictive_space/predictive_space.h>
+
+namespace ode_predictive_space::scenes
+{
+namespace
+{
+constexpr int ticks_per_turn = 100;
+constexpr double microseconds = 1e6;
+} // namespace
+
+double clock_overhead()
+{
+    std::vector<double> intervals(2001);
+    for (double &interval : intervals)
+    {
+        const Clock::time_point begin = Clock::now();
+        interval = seconds_between(begin, Clock::now());
+    }
+    return summarise(intervals).median;
+}
+
+SceneRun::SceneRun(SpaceKind kind, const SceneFactory &factory)
+    : kind_(kind), space_(make_space(kind, factory)), scene_(factory.make(space_.get())),
+      clock_overhead_(clock_overhead())
+{}
+
+void SceneRun::collide()
+{
+    list_.clear();
+    dSpaceCollide(space_.get(), &list_, &PairList::collect);
+}
+
+void SceneRun::tick()
+{
+    const Clock::time_point start = Clock::now();
+    scene_->advance();
+    const Clock::time_point moved = Clock::now();
+    collide();
+    const Clock::time_point collided = Clock::now();
+    const std::vector<IndexPair> pairs = read_pairs();
+    const Clock::time_point read = Clock::now();
+    scene_->respond(pairs);
+    const Clock::time_point responded = Clock::now();
+
+    collide_times_.push_back(microseconds * std::max(0.0, seconds_between(moved, collided) - clock_overhead_));
+    seconds_in_ticks_ += seconds_between(start, collided) + seconds_between(read, responded);
+    ++measured_;
+    pairs_ += pairs.size();
+    contacts_ += scene_->contacts();
+    tick_hashes_.push_back(hash_pairs(pairs));
+    check();
+}
+
+void SceneRun::batch(int ticks, double motion_seconds)
+{
+    const Clock::time_point start = Clock::now();
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+        scene_->advance();
+        collide();
+    }
+    const double seconds = seconds_between(start, Clock::now());
+    collide_times_.push_back(microseconds * std::max(0.0, seconds - motion_seconds) / ticks);
+    seconds_in_ticks_ += seconds;
+    measured_ += static_cast<std::size_t>(ticks);
+    check();
+}
+
+void SceneRun::start_measuring()
+{
+    collide_times_.clear();
+    seconds_in_ticks_ = 0;
+    measured_ = 0;
+}
+
+std::vector<IndexPair> SceneRun::read_pairs()
+{
+    if (kind_ == SpaceKind::sweep_and_prune)
+    {
+        false_pairs_ += list_.drop_pairs_apart();
+    }
+    return list_.sorted();
+}
+
+void SceneRun::check()
+{
+    if (checking_ && kind_ == SpaceKind::predictive && dPredictiveSpaceValidate(space_.get()) == 0)
+    {
+        invariant_held_ = false;
+    }
+}
+
+std::uint64_t SceneRun::pair_hash() const
+{
+    PairHash hash;
+    for (const std::uint64_t tick_hash : tick_hashes_)
+    {
+        hash.add_tick(tick_hash);
+    }
+    return hash.value();
+}
+
+MotionRun::MotionRun(const SceneFactory &factory)
+    : space_(make_space(SpaceKind::simple, factory)), scene_(factory.make(space_.get()))
+{}
+
+double MotionRun::batch(int ticks)
+{
+    const Clock::time_point start = Clock::now();
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+        scene_->advance();
+    }
+    return seconds_between(start, Clock::now());
+}
+
+SceneRuns make_runs(const std::vector<SpaceKind> &kinds, const SceneFactory &factory)
+{
+    SceneRuns runs;
+    for (const SpaceKind kind : kinds)
+    {
+        runs.push_back(std::make_unique<SceneRun>(kind, factory));
+    }
+    return runs;
+}
+
+void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int)> &progress)
+{
+    std::size_t first = 0;
+    for (int done = 0; done < ticks;)
+    {
+        const int turn = std::min(ticks_per_turn, ticks - done);
+        for (std::size_t i = 0; i < runs.size(); ++i)
+        {
+            SceneRun &run = *runs[(first + i) % runs.size()];
+            for (int tick = 0; tick < turn; ++tick)
+            {
+                run.tick();
+            }
+        }
+        ++first;
+        done += turn;
+        if (progress)
+        {
+            progress(done);
+        }
+    }
+}
+
+int first_difference(const SceneRuns &runs)
+{
+    for (std::size_t tick = 0; !runs.empty() && tick < runs.front()->ticks(); ++tick)
+    {
+        for (const auto &run : runs)
+        {
+            if (run->tick_hashes()[tick] != runs.front()->tick_hashes()[tick])
+            {
+                return static_cast<int>(tick);
+            }
+        }
+    }
+    return -1;
+}
+} // namespace ode_predictive_space::scenes

@@ -1,0 +1,131 @@
+// One scene running in one space, with its times, pairs and contacts; and several of them side by side.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SCENE_RUN_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SCENE_RUN_H
+
+#include "demos/scenes/scene.h"
+#include "demos/scenes/spaces.h"
+#include "demos/scenes/statistics.h"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace ode_predictive_space::scenes
+{
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_between(Clock::time_point begin, Clock::time_point end)
+{
+    return std::chrono::duration<double>(end - begin).count();
+}
+
+/// What reading the clock adds to an interval between two readings, in seconds (the median of many).
+double clock_overhead();
+
+struct SpaceDestroyer
+{
+    void operator()(dSpaceID space) const { dSpaceDestroy(space); }
+};
+
+using OwnedSpace = std::unique_ptr<dxSpace, SpaceDestroyer>;
+
+/// A space with its own copy of a scene.
+class SceneRun
+{
+public:
+    SceneRun(SpaceKind kind, const SceneFactory &factory);
+
+    /// Make one tick: motion, dSpaceCollide(), contacts.
+    void tick();
+
+    /// Make several ticks between two readings of the clock, without looking at their pairs. Only in scenes that move by
+    /// themselves.
+    ///
+    /// @param motion_seconds what the same number of ticks takes without dSpaceCollide(); it is subtracted.
+    void batch(int ticks, double motion_seconds);
+
+    /// Forget the times so far, not the pairs: what came before was warm-up.
+    void start_measuring();
+
+    /// Check the space by brute force after each tick, where it is a predictive one.
+    void check_every_tick() { checking_ = true; }
+
+    SpaceKind kind() const { return kind_; }
+    const Scene &scene() const { return *scene_; }
+
+    /// Duration of each dSpaceCollide() since start_measuring(), in microseconds; of batches the mean of each.
+    const std::vector<double> &collide_times() const { return collide_times_; }
+
+    /// Duration of all ticks since start_measuring(), in seconds: motion (with the step of the world), collide, contacts.
+    double seconds_in_ticks() const { return seconds_in_ticks_; }
+
+    std::size_t ticks() const { return tick_hashes_.size(); } ///< since the beginning, without batches
+    std::size_t measured_ticks() const { return measured_; }  ///< since start_measuring()
+    std::uint64_t pairs() const { return pairs_; }            ///< summed over ticks()
+    std::uint64_t contacts() const { return contacts_; }      ///< summed over ticks()
+    std::uint64_t pair_hash() const;                          ///< of all ticks()
+
+    /// Pairs that were reported although their boxes were apart, and are not counted in pairs(). Looked for in the
+    /// sweep-and-prune space alone: it rounds its first axis to single precision and so takes pairs whose gap is in the
+    /// eighth digit for overlapping. Of the other spaces everything is counted as it comes.
+    std::uint64_t false_pairs() const { return false_pairs_; }
+
+    bool invariant_held() const { return invariant_held_; } ///< of what check_every_tick() checked
+
+    /// One hash per tick, to find where two runs part.
+    const std::vector<std::uint64_t> &tick_hashes() const { return tick_hashes_; }
+
+private:
+    void collide();
+    void check();
+    std::vector<IndexPair> read_pairs();
+
+    SpaceKind kind_;
+    OwnedSpace space_; // before the scene, whose geoms are in it
+    std::unique_ptr<Scene> scene_;
+    PairList list_;
+    bool checking_ = false;
+    bool invariant_held_ = true;
+    double clock_overhead_;
+    double seconds_in_ticks_ = 0;
+    std::size_t measured_ = 0;
+    std::uint64_t pairs_ = 0;
+    std::uint64_t contacts_ = 0;
+    std::uint64_t false_pairs_ = 0;
+    std::vector<double> collide_times_;
+    std::vector<std::uint64_t> tick_hashes_;
+};
+
+/// A scene that moves and is never collided: what the motion alone costs.
+class MotionRun
+{
+public:
+    explicit MotionRun(const SceneFactory &factory);
+
+    /// Make several ticks; how long they took, in seconds.
+    double batch(int ticks);
+
+private:
+    OwnedSpace space_; // before the scene, whose geoms are in it
+    std::unique_ptr<Scene> scene_;
+};
+
+/// The runs of one scene in several spaces.
+using SceneRuns = std::vector<std::unique_ptr<SceneRun>>;
+
+SceneRuns make_runs(const std::vector<SpaceKind> &kinds, const SceneFactory &factory);
+
+/// Make `ticks` ticks in each run, by turns of some hundred, and each time begin with another run: what else the machine
+/// does, its clock frequency and its temperature then weigh on all of them alike, while within a turn each finds its data
+/// in the cache as it would when alone.
+///
+/// @param progress called after each round with the number of ticks done.
+void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int)> &progress = {});
+
+/// Number of the first tick in which the runs did not all report the same pairs, from 0 on; -1 when there is none.
+int first_difference(const SceneRuns &runs);
+} // namespace ode_predictive_space::scenes
+
+#endif

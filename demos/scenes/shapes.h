@@ -1,0 +1,57 @@
+// The solids of the scenes, each given by the radius of the sphere around it.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SHAPES_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SHAPES_H
+
+#include "demos/scenes/vector.h"
+
+#include <array>
+#include <vector>
+
+namespace ode_predictive_space::scenes
+{
+enum class Shape
+{
+    sphere,
+    box,
+    capsule,
+    mesh ///< a faceted ball of 80 triangles
+};
+
+/// A cube, as all boxes here are. Half of its side, in metres.
+double half_side_of_box(double bounding_radius);
+
+/// The triangles of Shape::mesh, for one radius. ODE keeps pointers into it: it must outlive the geoms made of it.
+class BallMesh
+{
+public:
+    explicit BallMesh(double radius);
+    ~BallMesh();
+    BallMesh(const BallMesh &) = delete;
+    BallMesh &operator=(const BallMesh &) = delete;
+
+    dTriMeshDataID data() const { return data_; }
+
+private:
+    using Vertex = std::array<float, 3>;
+    using Triangle = std::array<dTriIndex, 3>;
+
+    void make_icosahedron();
+    void split_triangles();
+    dTriIndex add_vertex(const Vector3 &direction);
+    Vector3 direction_of(dTriIndex vertex) const;
+
+    double radius_;
+    std::vector<Vertex> vertices_;
+    std::vector<Triangle> triangles_;
+    dTriMeshDataID data_;
+};
+
+/// Make a geom whose bounding sphere has this radius, in metres. `mesh` is needed for Shape::mesh alone.
+dGeomID make_shape(dSpaceID space, Shape shape, double bounding_radius, const BallMesh *mesh = nullptr);
+
+/// The mass of such a solid. A mesh weighs as the ball that it stands for.
+dMass mass_of_shape(Shape shape, double bounding_radius, double density);
+} // namespace ode_predictive_space::scenes
+
+#endif

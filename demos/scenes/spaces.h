@@ -1,0 +1,46 @@
+// The spaces that are compared: the predictive one and ODE's own.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SPACES_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SPACES_H
+
+#include "demos/scenes/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace ode_predictive_space::scenes
+{
+enum class SpaceKind
+{
+    predictive,
+    simple,
+    hash,
+    quadtree,
+    sweep_and_prune
+};
+
+const std::vector<SpaceKind> &all_spaces();
+
+/// As it is named on command lines and in result files.
+std::string space_name(SpaceKind kind);
+
+/// @throws std::invalid_argument when no space has this name.
+SpaceKind space_named(const std::string &name);
+
+/// A new space, fit for the scene: the quadtree must know its bounds in advance, and how finely to divide them.
+///
+/// @throws std::runtime_error when ODE refuses to make it.
+dSpaceID make_space(SpaceKind kind, const SceneFactory &factory);
+
+/// ODE, ready for use while this object lives.
+class OdeSession
+{
+public:
+    OdeSession();
+    ~OdeSession();
+    OdeSession(const OdeSession &) = delete;
+    OdeSession &operator=(const OdeSession &) = delete;
+};
+} // namespace ode_predictive_space::scenes
+
+#endif

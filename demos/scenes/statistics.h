@@ -1,0 +1,25 @@
+// What is told about a series of measured times.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_STATISTICS_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_STATISTICS_H
+
+#include <vector>
+
+namespace ode_predictive_space::scenes
+{
+/// All in the unit of the series.
+struct Statistics
+{
+    double mean = 0;
+    double median = 0;
+    double p99 = 0;  ///< 99 of 100 are not above it
+    double p999 = 0; ///< 999 of 1000 are not above it
+    double max = 0;
+};
+
+/// The statistics of a series; all 0 for an empty one. A percentile is the smallest value that enough others do not
+/// exceed (nearest rank), so it is always one that was measured.
+Statistics summarise(std::vector<double> series);
+} // namespace ode_predictive_space::scenes
+
+#endif
