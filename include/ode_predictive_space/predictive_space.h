@@ -31,30 +31,35 @@ extern "C" {
  * Time is counted in ticks. A tick is one dSpaceCollide() on the space before which something has moved: while nothing
  * moves, no time passes. Lengths are in the program's own unit (metres, say), speeds in that unit per tick.
  *
- * All functions report bad arguments through ODE's message handlers (dSetErrorHandler(), dSetDebugHandler()), naming the
- * call and the argument, and then change nothing.
+ * All functions report bad arguments through ODE's message handler (dSetMessageHandler()), naming the call and the
+ * argument, and then change nothing.
  */
 
 /** When the callback is called for a pair whose bounding boxes overlap. */
-enum {
-    dPredictiveProximityBox = 0,   /**< always: the same pairs as dSimpleSpace (default) */
-    dPredictiveProximitySphere = 1 /**< when the bounding spheres overlap too: never a contact less, fewer useless calls */
+enum
+{
+    dPredictiveProximityBox = 0, /**< always: the same pairs as dSimpleSpace (default) */
+    dPredictiveProximitySphere =
+        1 /**< when the bounding spheres overlap too: never a contact less, fewer useless calls */
 };
 
 /** How the motion of a geom is known. */
-enum {
+enum
+{
     dPredictiveRoleEnvironment = 0, /**< part of the scene: its body's velocity, or stillness, tells (default) */
     dPredictiveRoleInteractive = 1  /**< driven by a person: its path is fitted to its recent positions */
 };
 
 /** A geom that another one can meet, and when. @see dPredictiveSpaceGetEncounters */
-typedef struct dPredictiveEncounter {
+typedef struct dPredictiveEncounter
+{
     dGeomID geom; /**< the geom that can be met; owned by the space */
     dReal ticks;  /**< earliest time at which it can be near, from now, in ticks; 0 when it is near now */
 } dPredictiveEncounter;
 
 /** What a space has done since it was made, and what it holds. @see dPredictiveSpaceGetStats */
-typedef struct dPredictiveSpaceStats {
+typedef struct dPredictiveSpaceStats
+{
     unsigned long ticks;         /**< dSpaceCollide() calls */
     unsigned long moved;         /**< geoms that ODE reported as moved, summed over the ticks */
     unsigned long verified;      /**< checks of a geom against its envelope */
@@ -64,8 +69,8 @@ typedef struct dPredictiveSpaceStats {
     unsigned long woken;         /**< pairs whose time of proximity came */
     unsigned long near_pairs;    /**< pairs now in the near set */
     unsigned long reported;      /**< callbacks made by dSpaceCollide() */
-    unsigned long scans;         /**< ticks in which prediction did not pay and the space swept the whole scene instead */
-    unsigned long bytes;         /**< memory that the space now holds, in bytes, geoms not counted */
+    unsigned long scans; /**< ticks in which prediction did not pay and the space swept the whole scene instead */
+    unsigned long bytes; /**< memory that the space now holds, in bytes, geoms not counted */
 } dPredictiveSpaceStats;
 
 /**

@@ -24,20 +24,11 @@ class dPredictiveSpace : public dSpace
     void operator=(const dPredictiveSpace &) = delete;
 
 public:
-    dPredictiveSpace()
-    {
-        _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(0));
-    }
+    dPredictiveSpace() { _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(0)); }
 
-    explicit dPredictiveSpace(dSpace &parent)
-    {
-        _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(parent.id()));
-    }
+    explicit dPredictiveSpace(dSpace &parent) { _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(parent.id())); }
 
-    explicit dPredictiveSpace(dSpaceID parent)
-    {
-        _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(parent));
-    }
+    explicit dPredictiveSpace(dSpaceID parent) { _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(parent)); }
 
     void setProximity(int proximity) { dPredictiveSpaceSetProximity(id(), proximity); }
     int getProximity() const { return dPredictiveSpaceGetProximity(id()); }

@@ -24,8 +24,7 @@ FittedPath fit_path(const Sample *samples, int count)
             powers(i, term) = power;
         positions.row(i) = (samples[i].position - newest.position).transpose();
     }
-    const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, max_terms, 3> solution =
-        powers.householderQr().solve(positions);
+    const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, max_terms, 3> solution = powers.householderQr().solve(positions);
 
     FittedPath fitted;
     fitted.path.position = newest.position + solution.row(0).transpose();

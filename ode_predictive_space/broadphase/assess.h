@@ -1,0 +1,49 @@
+// Third stage of the tick: when can the pairs that were found come near each other?
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_ASSESS_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_ASSESS_H
+
+#include <optional>
+#include <vector>
+
+#include "ode_predictive_space/broadphase/event_wheel.h"
+#include "ode_predictive_space/broadphase/proxy_store.h"
+
+namespace ode_predictive_space
+{
+/// What counts as near.
+enum class Proximity
+{
+    box,   ///< bounding boxes overlap
+    sphere ///< bounding boxes and bounding spheres overlap
+};
+
+/// A pair that is tested every tick, as long as neither object has been predicted anew.
+struct NearPair
+{
+    ProxyId first;
+    ProxyId second;
+    Generation first_generation;
+    Generation second_generation;
+    bool overlaps; ///< result of the last test; still true for two objects that have not moved since
+    bool tested;   ///< has been tested at all
+};
+
+/// A pair's time of proximity, counted from now on.
+struct ScheduledPair
+{
+    std::int32_t ticks;
+    Event event;
+};
+
+/// The time of proximity of two proxies from `now` on, within the horizons of both; none when they stay apart that long.
+std::optional<double> time_of_proximity(const ProxyStore &proxies, ProxyId first, ProxyId second, Tick now,
+                                        Proximity measure);
+
+/// Sorts candidates into those that may be near before the next tick, those that sleep until their time, and those that
+/// need not be looked at (dropped).
+void assess(const ProxyStore &proxies, const std::vector<CandidatePair> &candidates, Tick now, Proximity measure,
+            std::vector<NearPair> &near, std::vector<ScheduledPair> &scheduled);
+} // namespace ode_predictive_space
+
+#endif

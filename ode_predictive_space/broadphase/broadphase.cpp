@@ -1,0 +1,232 @@
+#include "ode_predictive_space/broadphase/broadphase.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space
+{
+ProxyId Broadphase::add()
+{
+    ProxyId id;
+    if (!free_ids_.empty())
+    {
+        id = free_ids_.back();
+        free_ids_.pop_back();
+    }
+    else
+    {
+        id = static_cast<ProxyId>(proxies_.size());
+        proxies_.paths.emplace_back();
+        proxies_.bounds.emplace_back();
+        proxies_.generations.push_back(0);
+        scanned_.emplace_back();
+        for (IdSet *set : {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_})
+            set->resize(proxies_.size());
+    }
+    proxies_.paths[id] = PackedPath{};
+    proxies_.bounds[id] = PackedBounds{};
+    proxies_.bounds[id].history = no_history;
+    members_.insert(id);
+    moved_.insert(id);
+    return id;
+}
+
+void Broadphase::remove(ProxyId id)
+{
+    // Whatever speaks of the old generation, in near set, schedule or elsewhere, is stale from now on.
+    ++proxies_.generations[id];
+    index_.remove(proxies_, id);
+    predictor.forget(proxies_, id);
+    sampled_ -= interactive_.contains(id);
+    for (IdSet *set : {&members_, &moved_, &moving_, &unreported_, &has_near_, &interactive_})
+        set->erase(id);
+    due_anew_.erase(std::remove(due_anew_.begin(), due_anew_.end(), id), due_anew_.end());
+    free_ids_.push_back(id);
+}
+
+void Broadphase::set_role(ProxyId id, Role role)
+{
+    proxies_.bounds[id].role = role;
+    if (!is_interactive(role) && interactive_.contains(id))
+    {
+        interactive_.erase(id);
+        --sampled_;
+    }
+    due_anew_.push_back(id);
+}
+
+void Broadphase::predict_all_anew()
+{
+    members_.for_each([&](ProxyId id) {
+        proxies_.bounds[id].horizon =
+            std::clamp(proxies_.bounds[id].horizon, predictor.horizon.min_ticks, predictor.horizon.max_ticks);
+        due_anew_.push_back(id);
+    });
+}
+
+// While nothing moves, no time passes. A program that asks between its steps and its ticks is told by what the majority
+// of the moving objects did.
+bool Broadphase::time_passes(bool is_tick)
+{
+    bool passes = false;
+    if (!moved_.empty())
+    {
+        std::size_t moving = 0, moved = 0;
+        for (std::size_t i = 0; i < moved_.words(); ++i)
+        {
+            moving += static_cast<std::size_t>(__builtin_popcountll(moving_.word(i)));
+            moved += static_cast<std::size_t>(__builtin_popcountll(moving_.word(i) & moved_.word(i)));
+        }
+        passes = (is_tick && !ticked_early_) || (moving > 0 && 2 * moved >= moving);
+    }
+    ticked_early_ = !is_tick && (ticked_early_ || passes);
+    return passes;
+}
+
+void Broadphase::advance_clock()
+{
+    ++now_;
+    if (!policy_.scanning())
+        wheel_.advance(now_, due_);
+}
+
+void Broadphase::add_to_batch(ProxyId id)
+{
+    if (in_batch_.contains(id))
+        return;
+    in_batch_.insert(id);
+    batch_.push_back(id);
+}
+
+void Broadphase::sample(ProxyId id)
+{
+    sampled_ += !interactive_.contains(id);
+    interactive_.insert(id);
+}
+
+// Those whose horizon ends, and those that are to be predicted anew for another reason, join those that broke theirs.
+void Broadphase::expire()
+{
+    for (const Event &event : due_)
+        if (event.second == no_proxy && current(event))
+            add_to_batch(event.first);
+    for (ProxyId id : due_anew_)
+        add_to_batch(id);
+    due_anew_.clear();
+}
+
+void Broadphase::find_pairs()
+{
+    index_.find_pairs(proxies_, batch_, in_batch_, now_, candidates_);
+}
+
+void Broadphase::schedule()
+{
+    const std::size_t before = near_.size();
+    assess(proxies_, candidates_, now_, measure, near_, scheduled_);
+    for (const ScheduledPair &pair : scheduled_)
+        wheel_.schedule(now_ + static_cast<Tick>(pair.ticks), pair.event);
+    for (std::size_t i = before; i < near_.size(); ++i)
+        note_crowded(near_[i]);
+}
+
+// Pairs whose time has come, unless a newer prediction of either object has dealt with them.
+void Broadphase::wake()
+{
+    for (const Event &event : due_)
+    {
+        if (event.second == no_proxy || !current(event))
+            continue;
+        near_.push_back({event.first, event.second, event.first_generation, event.second_generation, false, false});
+        note_crowded(near_.back());
+        ++counters_.woken;
+    }
+}
+
+// An object with near pairs is worth tight bounds; it gets them with its next prediction, which is due at once. The
+// paper's measure works on spheres throughout.
+void Broadphase::note_crowded(const NearPair &pair)
+{
+    if (measure == Proximity::sphere)
+        return;
+    for (ProxyId id : {pair.first, pair.second})
+    {
+        PackedBounds &bounds = proxies_.bounds[id];
+        if (bounds.check == Check::centre && !bounds.crowded && !bounds.is_sphere)
+        {
+            bounds.crowded = true;
+            due_anew_.push_back(id);
+        }
+    }
+}
+
+void Broadphase::finish_update()
+{
+    for (ProxyId id : batch_)
+        in_batch_.erase(id);
+    batch_.clear();
+    due_.clear();
+    candidates_.clear();
+    scheduled_.clear();
+    purge_stale_events();
+}
+
+bool Broadphase::current(const Event &event) const
+{
+    return proxies_.current(event.first, event.first_generation) &&
+           (event.second == no_proxy || proxies_.current(event.second, event.second_generation));
+}
+
+std::size_t Broadphase::scheduled_pairs() const
+{
+    std::size_t count = 0;
+    wheel_.for_each([&](const Event &event) { count += event.second != no_proxy && current(event); });
+    return count;
+}
+
+std::size_t Broadphase::near_pairs() const
+{
+    return static_cast<std::size_t>(
+        std::count_if(near_.begin(), near_.end(), [this](const NearPair &pair) { return current(pair); }));
+}
+
+// Stale events wait for their tick. Where many predictions break early they would pile up.
+void Broadphase::purge_stale_events()
+{
+    if (wheel_.size() < purge_at_)
+        return;
+    wheel_.purge([this](const Event &event) { return current(event); });
+    purge_at_ = std::max<std::size_t>(least_purge, 2 * wheel_.size());
+}
+
+void Broadphase::start_scanning()
+{
+    finish_update();
+    index_.clear(proxies_);
+    wheel_.clear();
+    near_.clear();
+    due_anew_.clear();
+    moving_.clear();
+    members_.for_each([&](ProxyId id) {
+        proxies_.bounds[id].check = Check::none;
+        moved_.insert(id);
+    });
+}
+
+void Broadphase::stop_scanning()
+{
+    near_.clear();
+    wheel_.restart(now_);
+    members_.for_each([&](ProxyId id) { add_to_batch(id); });
+}
+
+std::size_t Broadphase::bytes() const
+{
+    std::size_t total = proxies_.bytes() + predictor.bytes() + index_.bytes() + wheel_.bytes() + sweep_.bytes();
+    for (const IdSet *set : {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_})
+        total += set->bytes();
+    total += (free_ids_.capacity() + batch_.capacity() + due_anew_.capacity()) * sizeof(ProxyId);
+    total += near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
+    total += candidates_.capacity() * sizeof(CandidatePair) + scheduled_.capacity() * sizeof(ScheduledPair);
+    return total + items_.capacity() * sizeof(Sweep::Item) + scanned_.capacity() * sizeof(FloatBox);
+}
+} // namespace ode_predictive_space

@@ -1,0 +1,163 @@
+// The broad phase with predictive scheduling: the tick and what it keeps.
+//
+//     moved objects -> verify -> re-predict -> envelope index -> time of proximity -> schedule -> wake -> near set
+//
+// Invariant: at each tick, after verification, every object lies inside its envelope. Therefore a pair whose envelopes are
+// apart at this tick is apart, and every pair whose bounding boxes overlap is in the near set.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BROADPHASE_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_BROADPHASE_H
+
+#include <vector>
+
+#include "ode_predictive_space/broadphase/assess.h"
+#include "ode_predictive_space/broadphase/envelope_index.h"
+#include "ode_predictive_space/broadphase/event_wheel.h"
+#include "ode_predictive_space/broadphase/id_set.h"
+#include "ode_predictive_space/broadphase/predictor.h"
+#include "ode_predictive_space/broadphase/proxy_store.h"
+#include "ode_predictive_space/broadphase/scan_policy.h"
+#include "ode_predictive_space/broadphase/sweep.h"
+
+namespace ode_predictive_space
+{
+/// What has been done so far; see dPredictiveSpaceStats.
+struct Counters
+{
+    std::uint64_t moved = 0;
+    std::uint64_t verified = 0;
+    std::uint64_t violations = 0;
+    std::uint64_t repredictions = 0;
+    std::uint64_t woken = 0;
+    std::uint64_t scans = 0;
+};
+
+/// The broad phase. It knows objects by number only; a Scene, given with each call, tells where they are:
+///
+///     Vector3 position(ProxyId)               centre, of those that are checked by it
+///     bool has_grown(ProxyId, float radius)   no longer fits into the sphere around its centre
+///     Box bounds(ProxyId)                     bounding box
+///     Observation observe(ProxyId, bool with_bounds)
+///     bool overlap(ProxyId, ProxyId)          their bounding boxes do; by the measure of sphere, the spheres too
+///     void acknowledge(ProxyId)               its move has been noticed; tell me of the next one
+class Broadphase
+{
+public:
+    Predictor predictor;
+    Proximity measure = Proximity::box;
+
+    /// A new object; it counts as moved.
+    ProxyId add();
+    void remove(ProxyId id);
+
+    /// The object's position, size or anything else about its bounds may have changed.
+    void mark_moved(ProxyId id) { moved_.insert(id); }
+
+    /// One tick: brings predictions and near set up to date. Time passes only when something has moved.
+    template <typename Scene> void tick(Scene &scene) { update(scene, true); }
+
+    /// The same without a tick: for questions between ticks.
+    template <typename Scene> void catch_up(Scene &scene) { update(scene, false); }
+
+    /// Tests the near set on the objects' bounds as they are now and appends the pairs that overlap.
+    template <typename Scene> void report(Scene &scene, std::vector<CandidatePair> &overlapping);
+
+    /// Calls visit(id) for every object whose bounds may overlap `box`; the broad phase must be caught up.
+    template <typename Visit> void query(const FloatBox &box, Visit visit) const;
+
+    /// Fixes an object's role; its next prediction, at the next tick, follows it.
+    void set_role(ProxyId id, Role role);
+
+    /// Makes new predictions for all objects at the next tick, for when settings have changed.
+    void predict_all_anew();
+
+    std::optional<double> time_of_proximity(ProxyId first, ProxyId second) const
+    {
+        return ode_predictive_space::time_of_proximity(proxies_, first, second, now_, measure);
+    }
+
+    ProxyStore &proxies() { return proxies_; }
+    const ProxyStore &proxies() const { return proxies_; }
+    const std::vector<NearPair> &near() const { return near_; }
+    const Counters &counters() const { return counters_; }
+
+    /// Pairs that sleep until their time of proximity.
+    std::size_t scheduled_pairs() const;
+    /// Pairs in the near set.
+    std::size_t near_pairs() const;
+
+    Tick now() const { return now_; }
+    bool scanning() const { return policy_.scanning(); }
+    bool consistent() const { return index_.consistent(); }
+    bool current(const NearPair &pair) const
+    {
+        return proxies_.current(pair.first, pair.first_generation) &&
+               proxies_.current(pair.second, pair.second_generation);
+    }
+    std::size_t bytes() const;
+
+private:
+    bool current(const Event &event) const;
+
+    template <typename Scene> void update(Scene &scene, bool is_tick);
+    template <typename Scene> void verify(Scene &scene, bool time_passes);
+    template <typename Scene> void remember(Scene &scene, ProxyId id);
+    template <typename Scene> void predict(Scene &scene);
+    template <typename Scene> void scan(Scene &scene);
+
+    bool time_passes(bool is_tick);
+    void advance_clock();
+    void expire();
+    void add_to_batch(ProxyId id);
+    void sample(ProxyId id);
+    void find_pairs();
+    void schedule();
+    void wake();
+    void note_crowded(const NearPair &pair);
+    void finish_update();
+    void start_scanning();
+    void stop_scanning();
+    void purge_stale_events();
+
+    ProxyStore proxies_;
+    std::vector<ProxyId> free_ids_;
+    IdSet members_;
+    IdSet moved_;       // reported since the last update
+    IdSet moving_;      // predicted to move: verified although nobody reports them, for they may have stopped
+    IdSet unreported_;  // moved since the last report()
+    IdSet has_near_;    // had near pairs at the last report()
+    IdSet in_batch_;    // members of batch_
+    IdSet interactive_; // remembered at each tick
+    Tick now_ = 0;
+    bool ticked_early_ = false; // time has already passed since the last tick, in a catch_up()
+
+    EnvelopeIndex index_;
+    EventWheel wheel_;
+    std::vector<NearPair> near_;
+    ScanPolicy policy_;
+    Sweep sweep_;
+    std::vector<FloatBox> scanned_; // while scanning: the bounds of each object
+    Counters counters_;
+
+    // Objects that are recognised as interactive are remembered at each tick while they are few; a hand is, a crowd is not.
+    static constexpr std::size_t most_sampled = 64;
+    std::size_t sampled_ = 0;
+
+    static constexpr std::size_t least_purge = 4096;
+    std::size_t purge_at_ = least_purge;
+    std::size_t broken_ = 0; // predictions that the last verification found broken
+
+    // What one stage hands to the next; empty between updates.
+    std::vector<ProxyId> batch_; // to be predicted anew
+    std::vector<Event> due_;
+    std::vector<CandidatePair> candidates_;
+    std::vector<ScheduledPair> scheduled_;
+    std::vector<Sweep::Item> items_;
+
+    std::vector<ProxyId> due_anew_; // to be predicted anew at the next update, whether or not they move
+};
+} // namespace ode_predictive_space
+
+#include "ode_predictive_space/broadphase/tick.h"
+
+#endif

@@ -1,0 +1,243 @@
+#include "ode_predictive_space/broadphase/envelope_tree.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space
+{
+namespace
+{
+float centre(const FloatBox &box, int axis)
+{
+    return 0.5f * (box.low[axis] + box.high[axis]);
+}
+} // namespace
+
+EnvelopeTree::Index EnvelopeTree::allocate_pair()
+{
+    if (!free_pairs_.empty())
+    {
+        const Index first = free_pairs_.back();
+        free_pairs_.pop_back();
+        return first;
+    }
+    const Index first = static_cast<Index>(nodes_.size());
+    nodes_.resize(nodes_.size() + 2);
+    return first;
+}
+
+void EnvelopeTree::free_pair(Index first)
+{
+    free_pairs_.push_back(first);
+}
+
+// Makes the nodes below, or the proxy in it, point to this node.
+void EnvelopeTree::adopt(Index node)
+{
+    const Node &self = nodes_[node];
+    if (self.leaf())
+        leaf_node_[self.proxy()] = node;
+    else
+        nodes_[self.content].parent = nodes_[self.content + 1].parent = node;
+}
+
+void EnvelopeTree::move_node(Index from, Index to)
+{
+    nodes_[to].box = nodes_[from].box;
+    nodes_[to].content = nodes_[from].content;
+    adopt(to);
+}
+
+void EnvelopeTree::swap_nodes(Index left, Index right)
+{
+    std::swap(nodes_[left].box, nodes_[right].box);
+    std::swap(nodes_[left].content, nodes_[right].content);
+    adopt(left);
+    adopt(right);
+}
+
+// Greedy descent: at each node, stop here (the new leaf becomes its sibling) or go into the child that grows least.
+EnvelopeTree::Index EnvelopeTree::find_sibling(const FloatBox &box) const
+{
+    Index index = 0;
+    while (!nodes_[index].leaf())
+    {
+        const Node &node = nodes_[index];
+        const float merged = node.box.merged(box).half_area();
+        const float inherited = merged - node.box.half_area();
+        float best = merged;
+        Index next = none;
+        for (Index child = node.content; child < node.content + 2; ++child)
+        {
+            const FloatBox &own = nodes_[child].box;
+            const float grown = own.merged(box).half_area();
+            const float cost = inherited + (nodes_[child].leaf() ? grown : grown - own.half_area());
+            if (cost < best)
+            {
+                best = cost;
+                next = child;
+            }
+        }
+        if (next == none)
+            return index;
+        index = next;
+    }
+    return index;
+}
+
+void EnvelopeTree::insert(ProxyId proxy, const FloatBox &box)
+{
+    if (proxy >= leaf_node_.size())
+        leaf_node_.resize(std::max<std::size_t>(proxy + 1, 2 * leaf_node_.size()), none);
+    if (nodes_.empty())
+    {
+        nodes_.resize(2);
+        nodes_[0] = {box, none, static_cast<Index>(~proxy)};
+        leaf_node_[proxy] = 0;
+        return;
+    }
+    const Index place = find_sibling(box);
+    const Index pair = allocate_pair();
+    move_node(place, pair);
+    nodes_[pair + 1].box = box;
+    nodes_[pair + 1].content = static_cast<Index>(~proxy);
+    nodes_[place].content = pair;
+    adopt(pair + 1);
+    adopt(place);
+    refit_upwards(place);
+}
+
+void EnvelopeTree::remove(ProxyId proxy)
+{
+    const Index leaf = leaf_node_[proxy];
+    leaf_node_[proxy] = none;
+    if (leaf == 0)
+    {
+        nodes_.clear();
+        free_pairs_.clear();
+        return;
+    }
+    const Index parent = nodes_[leaf].parent;
+    const Index pair = nodes_[parent].content;
+    move_node(leaf ^ 1, parent);
+    free_pair(pair);
+    if (parent != 0)
+        refit_upwards(nodes_[parent].parent);
+}
+
+void EnvelopeTree::refit_upwards(Index index)
+{
+    for (; index != none; index = nodes_[index].parent)
+    {
+        Node &node = nodes_[index];
+        node.box = nodes_[node.content].box.merged(nodes_[node.content + 1].box);
+        rotate(index);
+    }
+}
+
+// Exchanges a child with a grandchild from the other side when that makes the other child smaller.
+void EnvelopeTree::rotate(Index index)
+{
+    const Index pair = nodes_[index].content;
+    float best = 0;
+    Index best_child = none, best_grandchild = none;
+    for (Index child = pair; child < pair + 2; ++child)
+    {
+        const Index other = child ^ 1;
+        if (nodes_[other].leaf())
+            continue;
+        const Index grandchildren = nodes_[other].content;
+        const float area = nodes_[other].box.half_area();
+        for (Index grandchild = grandchildren; grandchild < grandchildren + 2; ++grandchild)
+        {
+            const float gain = area - nodes_[child].box.merged(nodes_[grandchild ^ 1].box).half_area();
+            if (gain > best)
+            {
+                best = gain;
+                best_child = child;
+                best_grandchild = grandchild;
+            }
+        }
+    }
+    if (best_child == none)
+        return;
+    swap_nodes(best_child, best_grandchild);
+    Node &changed = nodes_[best_child ^ 1];
+    changed.box = nodes_[changed.content].box.merged(nodes_[changed.content + 1].box);
+}
+
+void EnvelopeTree::build(std::vector<Leaf> &leaves)
+{
+    nodes_.clear();
+    free_pairs_.clear();
+    std::fill(leaf_node_.begin(), leaf_node_.end(), none);
+    if (leaves.empty())
+        return;
+    ProxyId largest = 0;
+    for (const Leaf &leaf : leaves)
+        largest = std::max(largest, leaf.proxy);
+    if (largest >= leaf_node_.size())
+        leaf_node_.resize(largest + 1, none);
+    nodes_.reserve(2 * leaves.size());
+    nodes_.resize(2);
+    nodes_[0].parent = none;
+    build_range(0, leaves.data(), leaves.data() + leaves.size());
+}
+
+// Splits at the median along the axis on which the centres are spread most.
+void EnvelopeTree::build_range(Index index, Leaf *begin, Leaf *end)
+{
+    if (end - begin == 1)
+    {
+        nodes_[index].box = begin->box;
+        nodes_[index].content = static_cast<Index>(~begin->proxy);
+        adopt(index);
+        return;
+    }
+    float low[3], high[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        low[axis] = high[axis] = centre(begin->box, axis);
+        for (const Leaf *leaf = begin + 1; leaf < end; ++leaf)
+        {
+            low[axis] = std::min(low[axis], centre(leaf->box, axis));
+            high[axis] = std::max(high[axis], centre(leaf->box, axis));
+        }
+    }
+    int axis = 0;
+    for (int other = 1; other < 3; ++other)
+        if (high[other] - low[other] > high[axis] - low[axis])
+            axis = other;
+    Leaf *middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end, [axis](const Leaf &a, const Leaf &b) {
+        return centre(a.box, axis) != centre(b.box, axis) ? centre(a.box, axis) < centre(b.box, axis)
+                                                          : a.proxy < b.proxy;
+    });
+    const Index pair = allocate_pair();
+    nodes_[index].content = pair;
+    adopt(index);
+    build_range(pair, begin, middle);
+    build_range(pair + 1, middle, end);
+    nodes_[index].box = nodes_[pair].box.merged(nodes_[pair + 1].box);
+}
+
+bool EnvelopeTree::consistent() const
+{
+    return nodes_.empty() || (nodes_[0].parent == none && consistent(0));
+}
+
+bool EnvelopeTree::consistent(Index index) const
+{
+    const Node &node = nodes_[index];
+    if (node.leaf())
+        return leaf_node_[node.proxy()] == index;
+    for (Index child = node.content; child < node.content + 2; ++child)
+        if (nodes_[child].parent != index || !node.box.contains(nodes_[child].box) || !consistent(child))
+            return false;
+    return true;
+}
+
+std::size_t EnvelopeTree::bytes() const
+{
+    return nodes_.capacity() * sizeof(Node) + (free_pairs_.capacity() + leaf_node_.capacity()) * sizeof(Index);
+}
+} // namespace ode_predictive_space

@@ -1,0 +1,119 @@
+// A dynamic tree of boxes: which envelopes can meet a given one.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_ENVELOPE_TREE_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_ENVELOPE_TREE_H
+
+#include <cstddef>
+#include <vector>
+
+#include "ode_predictive_space/broadphase/float_box.h"
+#include "ode_predictive_space/broadphase/types.h"
+
+namespace ode_predictive_space
+{
+/// A binary tree of bounded boxes with a proxy in each leaf.
+///
+/// Siblings are stored side by side (nodes 2k and 2k + 1), so that a visit of both touches one cache line; node 0 is the
+/// root and node 1 unused. Leaves are inserted where they enlarge the tree least, and rotations keep it shallow.
+class EnvelopeTree
+{
+public:
+    struct Leaf
+    {
+        ProxyId proxy;
+        FloatBox box;
+    };
+
+    /// Adds a proxy that is not in the tree. The box must be bounded().
+    void insert(ProxyId proxy, const FloatBox &box);
+
+    /// Removes a proxy that is in the tree.
+    void remove(ProxyId proxy);
+
+    /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
+    void build(std::vector<Leaf> &leaves);
+
+    bool empty() const { return nodes_.empty(); }
+
+    /// Calls visit(proxy) for every proxy whose box overlaps `box`.
+    template <typename Visit> void query(const FloatBox &box, Visit visit) const;
+
+    /// The box stored for a proxy that is in the tree.
+    const FloatBox &box(ProxyId proxy) const { return nodes_[leaf_node_[proxy]].box; }
+
+    /// Checks links and boxes; for tests.
+    bool consistent() const;
+
+    std::size_t bytes() const;
+
+private:
+    using Index = std::int32_t;
+    static constexpr Index none = -1;
+
+    struct Node
+    {
+        FloatBox box;
+        Index parent;
+        Index content; // >= 0: first of its two children; < 0: ~proxy of a leaf
+        bool leaf() const { return content < 0; }
+        ProxyId proxy() const { return static_cast<ProxyId>(~content); }
+    };
+    static_assert(sizeof(Node) == 32, "two siblings share a cache line");
+
+    Index allocate_pair();
+    void free_pair(Index first);
+    Index find_sibling(const FloatBox &box) const;
+    void adopt(Index node);
+    void move_node(Index from, Index to);
+    void swap_nodes(Index left, Index right);
+    void refit_upwards(Index node);
+    void rotate(Index node);
+    void build_range(Index node, Leaf *begin, Leaf *end);
+    bool consistent(Index node) const;
+
+    std::vector<Node> nodes_;
+    std::vector<Index> free_pairs_;
+    std::vector<Index> leaf_node_; // by proxy
+};
+
+template <typename Visit> void EnvelopeTree::query(const FloatBox &box, Visit visit) const
+{
+    if (nodes_.empty())
+        return;
+    // Depth first with the far child kept for later. The tree's depth is bounded only by its size, hence the fallback to
+    // the heap; in practice the fixed part suffices.
+    constexpr std::size_t fixed = 128;
+    Index stack[fixed];
+    std::vector<Index> overflow;
+    std::size_t depth = 0;
+    Index index = 0;
+    for (;;)
+    {
+        const Node &node = nodes_[static_cast<std::size_t>(index)];
+        if (node.box.overlaps(box))
+        {
+            if (!node.leaf())
+            {
+                if (depth < fixed)
+                    stack[depth++] = node.content + 1;
+                else
+                    overflow.push_back(node.content + 1);
+                index = node.content;
+                continue;
+            }
+            visit(node.proxy());
+        }
+        if (!overflow.empty())
+        {
+            index = overflow.back();
+            overflow.pop_back();
+        }
+        else if (depth > 0)
+            index = stack[--depth];
+        else
+            return;
+    }
+}
+} // namespace ode_predictive_space
+
+#endif

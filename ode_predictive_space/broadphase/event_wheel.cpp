@@ -1,0 +1,85 @@
+#include "ode_predictive_space/broadphase/event_wheel.h"
+
+namespace ode_predictive_space
+{
+EventWheel::EventWheel() : buckets_(turn, none) {}
+
+EventWheel::Index &EventWheel::bucket(Tick due)
+{
+    return ticks_between(now_, due) < static_cast<std::int32_t>(turn) ? buckets_[due % turn] : beyond_;
+}
+
+EventWheel::Index EventWheel::take_free_entry()
+{
+    if (free_list_ == none)
+    {
+        pool_.emplace_back();
+        return static_cast<Index>(pool_.size() - 1);
+    }
+    const Index index = free_list_;
+    free_list_ = pool_[index].next;
+    --free_;
+    return index;
+}
+
+void EventWheel::release(Index index)
+{
+    pool_[index].next = free_list_;
+    free_list_ = index;
+    ++free_;
+}
+
+void EventWheel::link(Index index)
+{
+    Index &head = bucket(pool_[index].due);
+    pool_[index].next = head;
+    head = index;
+}
+
+void EventWheel::schedule(Tick due, const Event &event)
+{
+    const Index index = take_free_entry();
+    pool_[index].event = event;
+    pool_[index].due = due;
+    link(index);
+}
+
+void EventWheel::advance(Tick now, std::vector<Event> &due)
+{
+    now_ = now;
+    if (now % turn == 0)
+    {
+        Index index = beyond_;
+        beyond_ = none;
+        while (index != none)
+        {
+            const Index next = pool_[index].next;
+            link(index);
+            index = next;
+        }
+    }
+    Index index = buckets_[now % turn];
+    buckets_[now % turn] = none;
+    while (index != none)
+    {
+        const Index next = pool_[index].next;
+        due.push_back(pool_[index].event);
+        release(index);
+        index = next;
+    }
+}
+
+void EventWheel::clear()
+{
+    buckets_.assign(turn, none);
+    beyond_ = none;
+    pool_.clear();
+    free_list_ = none;
+    free_ = 0;
+}
+
+std::size_t EventWheel::bytes() const
+{
+    return buckets_.capacity() * sizeof(Index) + pool_.capacity() * sizeof(Entry);
+}
+} // namespace ode_predictive_space

@@ -1,0 +1,319 @@
+#include "ode_predictive_space/broadphase/predictor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr std::uint32_t first_horizon = 16;
+
+// An object that would need longer than this to use up half of its slack is treated as still.
+constexpr double still_ticks = 64;
+
+// How far an envelope may reach along its path, in sizes of its object. Longer sweeps find more candidates than they save
+// predictions.
+constexpr double reach_alone = 4;
+constexpr double reach_crowded = 1;
+
+// Slack that every object of the environment gets once it has moved, in sizes: for jitter, and for what turning does to a
+// bounding box.
+constexpr double slack_of_centre = 0.01;
+constexpr double slack_of_bounds = 0.03;
+
+// Samples of an object whose path broke tell about its motion only when they are recent.
+constexpr std::int32_t recent_ticks = 8;
+
+// Times in a row that a body's velocity may fail to explain its motion before the positions themselves are believed.
+constexpr std::uint8_t patience = 3;
+
+double component_or(double value, double otherwise)
+{
+    return std::isfinite(value) ? value : otherwise;
+}
+
+Vector3 finite_or_zero(const Vector3 &vector)
+{
+    return vector.allFinite() && vector.squaredNorm() < 1e30 ? vector : Vector3::Zero();
+}
+
+// The middle of what is finite of a box.
+Vector3 finite_centre(const Box &box)
+{
+    Vector3 centre;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const double low = component_or(box.min()[axis], box.max()[axis]);
+        centre[axis] = component_or(0.5 * (low + component_or(box.max()[axis], low)), 0);
+    }
+    return centre;
+}
+
+void set_bounds(PackedBounds &bounds, const Observation &seen, const Vector3 &centre)
+{
+    const FloatBox box = seen.bounds
+                             ? FloatBox::around(Box(seen.bounds->min() - centre, seen.bounds->max() - centre))
+                             : FloatBox::around(Box(Vector3::Constant(-seen.radius), Vector3::Constant(seen.radius)));
+    std::copy_n(box.low, 3, bounds.low);
+    std::copy_n(box.high, 3, bounds.high);
+    const double diagonal = Vector3(std::max(-box.low[0], box.high[0]), std::max(-box.low[1], box.high[1]),
+                                    std::max(-box.low[2], box.high[2]))
+                                .norm();
+    bounds.radius = round_up(std::min(seen.radius, diagonal));
+    bounds.check = seen.bounds ? Check::bounds : Check::centre;
+    bounds.is_sphere = seen.is_sphere;
+}
+
+// Half the mean extent of the finite sides.
+double size_of(const PackedBounds &bounds)
+{
+    double sum = 0;
+    int sides = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const double extent = 0.5 * (double{bounds.high[axis]} - bounds.low[axis]);
+        if (extent < 1e15)
+        {
+            sum += extent;
+            ++sides;
+        }
+    }
+    return sides > 0 ? sum / sides : 0;
+}
+
+// Ticks until the path has gone so far. The root of speed t + 1/2 acceleration t^2 + spread t = distance.
+double ticks_to_travel(double distance, double speed, double acceleration)
+{
+    const double root = std::sqrt(speed * speed + 2 * acceleration * distance);
+    return 2 * distance / (speed + root);
+}
+
+// Objects predicted together must not expire together: lengths vary by a quarter, by number and generation.
+std::uint32_t stagger(std::uint32_t horizon, ProxyId id, Generation generation)
+{
+    const std::uint32_t mixed = (id * 2654435761u) ^ (generation * 2246822519u);
+    return horizon - (static_cast<std::uint32_t>((std::uint64_t{mixed} * (horizon / 4 + 1)) >> 32));
+}
+
+void pack(PackedPath &packed, const Path &path, const Deviation &deviation, Tick now)
+{
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        packed.position[axis] = path.position[axis];
+        packed.velocity[axis] = static_cast<float>(path.velocity[axis]);
+        packed.acceleration[axis] = static_cast<float>(path.acceleration[axis]);
+    }
+    packed.deviation[0] = round_up(deviation.a);
+    packed.deviation[1] = round_up(deviation.b);
+    packed.deviation[2] = round_up(deviation.c);
+    packed.since = now;
+}
+} // namespace
+
+// How the last prediction turned out.
+struct Predictor::Outcome
+{
+    bool fresh = true;  // there was none
+    bool moved = false; // not where it was when it was made
+    bool kept = true;   // ended within its envelope
+    double ticks = 0;   // since it was made
+    double error = 0;   // distance from the path now
+    Vector3 displacement = Vector3::Zero();
+    Vector3 before = Vector3::Zero(); // where it was
+};
+
+struct Predictor::Motion
+{
+    Vector3 velocity = Vector3::Zero();     // per tick
+    Vector3 acceleration = Vector3::Zero(); // per tick^2
+    bool brief = false;                     // a mere guess: to be seen again at the next tick
+};
+
+Predictor::Outcome Predictor::judge(const ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now) const
+{
+    Outcome outcome;
+    const PackedBounds &bounds = proxies.bounds[id];
+    if (bounds.check == Check::none)
+        return outcome;
+    const Path path = proxies.paths[id].path();
+    outcome.fresh = false;
+    outcome.ticks = std::max(1, ticks_between(proxies.paths[id].since, now));
+    outcome.before = path.position;
+    outcome.displacement = finite_or_zero(seen.centre - path.position);
+    outcome.moved = !outcome.displacement.isZero(0);
+    const double elapsed = bounds.still ? 0 : outcome.ticks;
+    const PackedPath &packed = proxies.paths[id];
+    const Deviation deviation{packed.deviation[0], packed.deviation[1], packed.deviation[2]};
+    outcome.error = finite_or_zero(seen.centre - path.at(elapsed)).lpNorm<Eigen::Infinity>();
+    outcome.kept = outcome.error <= deviation.at(elapsed);
+    return outcome;
+}
+
+Predictor::Motion Predictor::motion_of_body(PackedBounds &bounds, const Outcome &outcome, const Vector3 &velocity)
+{
+    const Vector3 last(bounds.last_velocity[0], bounds.last_velocity[1], bounds.last_velocity[2]);
+    for (int axis = 0; axis < 3; ++axis)
+        bounds.last_velocity[axis] = static_cast<float>(velocity[axis]);
+    Motion motion;
+    bool explained = true;
+    if (outcome.moved)
+    {
+        step_.add(outcome.displacement, last, velocity, outcome.ticks);
+        const Vector3 expected = (0.5 * step_.step() * outcome.ticks) * (last + velocity);
+        const double error = (outcome.displacement - expected).norm();
+        const double travelled = outcome.displacement.norm();
+        explained = error <= 0.25 * travelled;
+        // A bounce within the interval would look like an enormous acceleration: believe only what the path bears out.
+        if (error <= 0.1 * travelled)
+            motion.acceleration = (step_.step() / outcome.ticks) * (velocity - last);
+    }
+    bounds.mistrust = explained ? 0 : static_cast<std::uint8_t>(std::min<int>(bounds.mistrust + 1, patience));
+    // ODE moves a body with the velocity that it has at the end of the step, hence the half step.
+    motion.velocity = step_.step() * velocity + 0.5 * motion.acceleration;
+    return motion;
+}
+
+History &Predictor::history_of(PackedBounds &bounds)
+{
+    if (bounds.history == no_history)
+    {
+        if (free_histories_.empty())
+        {
+            bounds.history = static_cast<std::uint32_t>(histories_.size());
+            histories_.emplace_back();
+        }
+        else
+        {
+            bounds.history = free_histories_.back();
+            free_histories_.pop_back();
+            histories_[bounds.history] = History();
+        }
+    }
+    return histories_[bounds.history];
+}
+
+Predictor::Motion Predictor::motion_from_history(PackedBounds &bounds, const Outcome &outcome, const Vector3 &centre,
+                                                 Tick now)
+{
+    Motion motion;
+    if ((!outcome.moved && bounds.history == no_history) || !centre.allFinite())
+        return motion;
+    const bool was_still = bounds.still;
+    History &history = history_of(bounds);
+    if (!outcome.kept)
+    {
+        history.keep_recent(now, recent_ticks);
+        // What stood still was still there one tick ago.
+        if (was_still && history.count() == 0 && !outcome.fresh)
+            history.add(now - 1, outcome.before);
+    }
+    history.add(now, centre);
+    motion.brief = history.count() < 3;
+    const FittedPath fitted = history.fit();
+    motion.velocity = finite_or_zero(fitted.path.velocity);
+    motion.acceleration = finite_or_zero(fitted.path.acceleration);
+    return motion;
+}
+
+// Longer after a prediction that held, shorter after one that broke; the same for how closely it is believed.
+void Predictor::adapt(PackedBounds &bounds, const Outcome &outcome, double speed, double size) const
+{
+    if (outcome.fresh)
+    {
+        bounds.horizon = first_horizon;
+        bounds.spread = static_cast<float>(0.01 * speed);
+        return;
+    }
+    const double drift = outcome.error / outcome.ticks;
+    double spread = bounds.spread;
+    if (outcome.kept)
+    {
+        bounds.horizon *= 2;
+        spread = std::max(0.5 * spread, 2 * drift);
+    }
+    else
+    {
+        bounds.horizon /= 2;
+        // A jump says nothing about the drift to come.
+        if (drift * bounds.horizon < size)
+            spread = 2 * spread + drift;
+    }
+    bounds.horizon = std::clamp(bounds.horizon, horizon.min_ticks, horizon.max_ticks);
+    bounds.spread = static_cast<float>(std::clamp(spread, 0.002 * speed, std::max(0.5 * speed, 0.01 * size)));
+}
+
+Deviation Predictor::allow(const PackedBounds &bounds, const Outcome &outcome, double size) const
+{
+    if (const auto &fixed = deviation[is_interactive(bounds.role) ? 1 : 0])
+        return bounds.still ? Deviation{fixed->a, 0, 0} : *fixed;
+    if (outcome.fresh && bounds.still)
+        return {};
+    const double slack = (bounds.check == Check::centre ? slack_of_centre : slack_of_bounds) * size;
+    return bounds.still ? Deviation{slack, 0, 0} : Deviation{slack, bounds.spread, 0};
+}
+
+void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now)
+{
+    PackedBounds &bounds = proxies.bounds[id];
+    Observation now_seen = seen;
+    if (seen.bounds)
+        now_seen.centre = finite_centre(*seen.bounds);
+    const Outcome outcome = judge(proxies, id, now_seen, now);
+
+    if (!seen.velocity && outcome.moved && bounds.role == Role::environment)
+        bounds.role = Role::interactive;
+    const bool has_body = seen.velocity && bounds.role != Role::fixed_interactive;
+    Motion motion;
+    if (has_body)
+        motion = motion_of_body(bounds, outcome, finite_or_zero(*seen.velocity));
+    if (!has_body || bounds.mistrust >= patience)
+        motion = motion_from_history(bounds, outcome, now_seen.centre, now);
+
+    set_bounds(bounds, now_seen, now_seen.centre);
+    const double size = size_of(bounds);
+    const double speed = motion.velocity.norm();
+    const double acceleration = motion.acceleration.norm();
+    adapt(bounds, outcome, speed, size);
+
+    const FloatBox extents{{bounds.low[0], bounds.low[1], bounds.low[2]},
+                           {bounds.high[0], bounds.high[1], bounds.high[2]}};
+    bounds.still = true;
+    const Deviation slack = allow(bounds, outcome, size);
+    bounds.still = !extents.bounded() || !now_seen.centre.allFinite() ||
+                   speed * still_ticks + 0.5 * acceleration * still_ticks * still_ticks <= 0.5 * slack.a;
+    if (bounds.still)
+        pack(proxies.paths[id], {now_seen.centre, Vector3::Zero(), Vector3::Zero()}, slack, now);
+    else
+    {
+        pack(proxies.paths[id], {now_seen.centre, motion.velocity, motion.acceleration}, allow(bounds, outcome, size),
+             now);
+        const double reach = (bounds.crowded ? reach_crowded : reach_alone) * size;
+        const double far = std::min(1e9, ticks_to_travel(reach, speed + bounds.spread, acceleration));
+        const std::uint32_t ticks = motion.brief ? 1 : std::min(bounds.horizon, static_cast<std::uint32_t>(far));
+        const std::uint32_t staggered = stagger(ticks, id, proxies.generations[id]);
+        bounds.until = now + std::clamp(staggered, horizon.min_ticks, horizon.max_ticks);
+    }
+    ++proxies.generations[id];
+}
+
+void Predictor::remember(const ProxyStore &proxies, ProxyId id, const Vector3 &centre, Tick now)
+{
+    const std::uint32_t history = proxies.bounds[id].history;
+    if (history != no_history && centre.allFinite())
+        histories_[history].add(now, centre);
+}
+
+void Predictor::forget(ProxyStore &proxies, ProxyId id)
+{
+    std::uint32_t &history = proxies.bounds[id].history;
+    if (history != no_history)
+        free_histories_.push_back(history);
+    history = no_history;
+}
+
+std::size_t Predictor::bytes() const
+{
+    return histories_.capacity() * sizeof(History) + free_histories_.capacity() * sizeof(std::uint32_t);
+}
+} // namespace ode_predictive_space

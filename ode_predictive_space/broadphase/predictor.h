@@ -1,0 +1,71 @@
+// Second stage of the tick: a new path and envelope for an object, and how long and how closely to trust them.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICTOR_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICTOR_H
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "ode_predictive_space/broadphase/proxy_store.h"
+#include "ode_predictive_space/prediction/history.h"
+#include "ode_predictive_space/prediction/step_estimate.h"
+
+namespace ode_predictive_space
+{
+/// An object as it is now, seen by the predictor.
+struct Observation
+{
+    Vector3 centre;            ///< of its bounding sphere, or of its bounding box when `bounds` is given
+    double radius;             ///< of a bounding sphere that holds it however it turns; infinite when there is none
+    bool is_sphere = false;    ///< that sphere's box is its bounding box
+    std::optional<Box> bounds; ///< its bounding box; needed when radius is infinite
+    std::optional<Vector3> velocity; ///< in the program's unit, if it has a body that tells
+};
+
+/// Horizons in ticks.
+struct HorizonBounds
+{
+    std::uint32_t min_ticks = 1;
+    std::uint32_t max_ticks = 512;
+};
+
+class Predictor
+{
+public:
+    HorizonBounds horizon;
+
+    /// Fixed deviations for objects of the environment and for interactive ones; none: they adapt.
+    std::array<std::optional<Deviation>, 2> deviation;
+
+    /// Makes a new prediction from `now` on and raises the proxy's generation. The old prediction, if there is one, tells
+    /// how well the object keeps to its predictions.
+    void predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now);
+
+    /// Remembers where an interactive object is, between predictions.
+    void remember(const ProxyStore &proxies, ProxyId id, const Vector3 &centre, Tick now);
+
+    /// Forgets what it knows about a proxy that is removed.
+    void forget(ProxyStore &proxies, ProxyId id);
+
+    double step() const { return step_.step(); }
+    std::size_t bytes() const;
+
+private:
+    struct Outcome;
+    struct Motion;
+
+    Outcome judge(const ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now) const;
+    Motion motion_of_body(PackedBounds &bounds, const Outcome &outcome, const Vector3 &velocity);
+    Motion motion_from_history(PackedBounds &bounds, const Outcome &outcome, const Vector3 &centre, Tick now);
+    void adapt(PackedBounds &bounds, const Outcome &outcome, double speed, double size) const;
+    Deviation allow(const PackedBounds &bounds, const Outcome &outcome, double size) const;
+    History &history_of(PackedBounds &bounds);
+
+    StepEstimate step_;
+    std::vector<History> histories_;
+    std::vector<std::uint32_t> free_histories_;
+};
+} // namespace ode_predictive_space
+
+#endif

@@ -1,0 +1,133 @@
+// What the broad phase knows of each object: its predicted path and envelope.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_PROXY_STORE_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_PROXY_STORE_H
+
+#include <cstddef>
+#include <vector>
+
+#include "ode_predictive_space/broadphase/float_box.h"
+#include "ode_predictive_space/broadphase/types.h"
+#include "ode_predictive_space/prediction/envelope.h"
+
+namespace ode_predictive_space
+{
+/// The hot half of a proxy: where its centre may be. One cache line, the only one that a check of the centre reads.
+///
+/// Velocity, acceleration and deviation are floats: the path is *defined* by the rounded values.
+struct alignas(64) PackedPath
+{
+    double position[3];
+    float velocity[3];
+    float acceleration[3];
+    float deviation[3];
+    Tick since;
+
+    Path path() const
+    {
+        return {Vector3(position[0], position[1], position[2]), Vector3(velocity[0], velocity[1], velocity[2]),
+                Vector3(acceleration[0], acceleration[1], acceleration[2])};
+    }
+};
+static_assert(sizeof(PackedPath) == 64, "one cache line per checked object");
+
+/// How an object is checked against its envelope.
+enum class Check : std::uint8_t
+{
+    none,   ///< not predicted yet
+    bounds, ///< its bounding box must lie within the envelope
+    centre  ///< its centre must be within the deviation of the path, and its size must not have grown
+};
+
+/// Which part of the index an envelope is in.
+enum class Shelf : std::uint8_t
+{
+    none,
+    still,    ///< the tree of envelopes that do not move
+    moving,   ///< the tree of swept envelopes
+    unbounded ///< the list of those that no tree can hold
+};
+
+/// How the motion of an object is known, and who said so.
+enum class Role : std::uint8_t
+{
+    environment,       ///< by default
+    interactive,       ///< recognised: it moved without a body to tell its velocity
+    fixed_environment, ///< as the program said
+    fixed_interactive
+};
+
+inline bool is_interactive(Role role)
+{
+    return role == Role::interactive || role == Role::fixed_interactive;
+}
+
+/// The cold half of a proxy.
+struct alignas(64) PackedBounds
+{
+    float low[3];  ///< bounds relative to the path
+    float high[3]; ///< the same
+    float radius;  ///< of a sphere around the path that holds the object; may be infinite
+    Tick until;    ///< last tick for which the envelope is valid; meaningless for still ones
+
+    float last_velocity[3]; ///< of its body, in the program's unit, when it was last predicted
+    float spread;           ///< growth of the deviation per tick, as adapted
+    std::uint32_t horizon;  ///< in ticks, as adapted
+    std::uint32_t history;  ///< number of its history, or no_history
+    Check check;
+    Shelf shelf;
+    Role role;
+    bool still;            ///< path and deviation are constant: valid as long as it does not leave its envelope
+    bool crowded;          ///< has or had near pairs: its tight bounds pay
+    bool is_sphere;        ///< its bounding sphere's box is its bounding box: no tighter bounds are to be had
+    std::uint8_t mistrust; ///< how often in a row its body's velocity did not explain its motion
+};
+static_assert(sizeof(PackedBounds) == 64, "one cache line");
+constexpr std::uint32_t no_history = ~std::uint32_t{0};
+
+/// All proxies, by number. Plain arrays: each stage of the tick reads and writes the part that it is about.
+struct ProxyStore
+{
+    std::vector<PackedPath> paths;
+    std::vector<PackedBounds> bounds;
+    std::vector<Generation> generations;
+
+    std::size_t size() const { return generations.size(); }
+
+    /// The envelope of a proxy, its time counted from `now` on.
+    Envelope envelope(ProxyId id, Tick now) const
+    {
+        const PackedPath &path = paths[id];
+        const PackedBounds &box = bounds[id];
+        const Envelope since{path.path(),
+                             {path.deviation[0], path.deviation[1], path.deviation[2]},
+                             Vector3(box.low[0], box.low[1], box.low[2]),
+                             Vector3(box.high[0], box.high[1], box.high[2]),
+                             box.radius};
+        return box.still ? since : since.advanced(ticks_between(path.since, now));
+    }
+
+    /// Ticks from `now` on for which an envelope is valid; a very large number for still ones.
+    std::int32_t remaining(ProxyId id, Tick now) const
+    {
+        return bounds[id].still ? std::int32_t{0x7fffffff} : ticks_between(now, bounds[id].until);
+    }
+
+    /// A box that holds the envelope from `now` to its end.
+    FloatBox swept_box(ProxyId id, Tick now) const
+    {
+        const Envelope current = envelope(id, now);
+        return FloatBox::around(bounds[id].still ? current.at(0) : current.swept(remaining(id, now)));
+    }
+
+    bool current(ProxyId id, Generation generation) const { return generations[id] == generation; }
+
+    std::size_t bytes() const
+    {
+        return paths.capacity() * sizeof(PackedPath) + bounds.capacity() * sizeof(PackedBounds) +
+               generations.capacity() * sizeof(Generation);
+    }
+};
+} // namespace ode_predictive_space
+
+#endif

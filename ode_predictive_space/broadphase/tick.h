@@ -1,0 +1,155 @@
+// The stages of the tick that look at the objects themselves; included by broadphase.h alone.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_TICK_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_TICK_H
+
+#include "ode_predictive_space/broadphase/broadphase.h"
+#include "ode_predictive_space/broadphase/verify.h"
+
+namespace ode_predictive_space
+{
+template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
+{
+    const bool time_passes = this->time_passes(is_tick);
+    if (moved_.empty() && due_anew_.empty())
+        return;
+    counters_.moved += moved_.size();
+    if (time_passes)
+        advance_clock();
+    if (policy_.scanning())
+    {
+        scan(scene);
+        if (!time_passes || !policy_.scan_ends())
+            return;
+        stop_scanning();
+    }
+    verify(scene, time_passes);
+    expire();
+    if (time_passes && policy_.prediction_fails(broken_, members_.size()))
+    {
+        start_scanning();
+        scan(scene);
+        return;
+    }
+    predict(scene);
+    find_pairs();
+    schedule();
+    wake();
+    finish_update();
+}
+
+template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes)
+{
+    broken_ = 0;
+    auto check = [&](ProxyId id) {
+        scene.acknowledge(id);
+        const bool known = proxies_.bounds[id].check != Check::none;
+        counters_.verified += known;
+        if (known && prediction_holds(scene, proxies_, id, now_))
+            return;
+        broken_ += known;
+        add_to_batch(id);
+    };
+    for (std::size_t i = 0; i < moved_.words(); ++i)
+    {
+        // An object that was predicted to move has left its path by standing still, and nobody reports that.
+        const std::uint64_t predicted_to_move = time_passes ? moving_.word(i) : 0;
+        IdSet::visit_word(i, moved_.word(i) | predicted_to_move, check);
+    }
+    counters_.violations += broken_;
+    interactive_.for_each([&](ProxyId id) {
+        if (moved_.contains(id))
+            remember(scene, id);
+    });
+    unreported_ |= moved_;
+    moved_.clear();
+}
+
+// The same point of the object that is predicted.
+template <typename Scene> void Broadphase::remember(Scene &scene, ProxyId id)
+{
+    const bool by_bounds = proxies_.bounds[id].check == Check::bounds;
+    predictor.remember(proxies_, id, by_bounds ? Vector3(scene.bounds(id).center()) : scene.position(id), now_);
+}
+
+template <typename Scene> void Broadphase::predict(Scene &scene)
+{
+    for (ProxyId id : batch_)
+    {
+        PackedBounds &bounds = proxies_.bounds[id];
+        // Tight bounds are given up when they were in force and no near pair needed them.
+        bounds.crowded &= has_near_.contains(id) || bounds.check != Check::bounds;
+        predictor.predict(proxies_, id, scene.observe(id, bounds.crowded), now_);
+        if (bounds.still)
+            moving_.erase(id);
+        else
+        {
+            moving_.insert(id);
+            wheel_.schedule(bounds.until, {id, no_proxy, proxies_.generations[id], 0});
+        }
+        if (bounds.role == Role::fixed_interactive || (bounds.role == Role::interactive && sampled_ < most_sampled))
+            sample(id);
+    }
+    counters_.repredictions += batch_.size();
+    index_.update(proxies_, batch_, now_);
+}
+
+template <typename Scene> void Broadphase::scan(Scene &scene)
+{
+    if (moved_.empty())
+        return;
+    moved_.for_each([&](ProxyId id) {
+        scene.acknowledge(id);
+        scanned_[id] = FloatBox::around(scene.bounds(id));
+    });
+    ++counters_.scans;
+    unreported_ |= moved_;
+    moved_.clear();
+
+    items_.clear();
+    members_.for_each([&](ProxyId id) { items_.push_back({scanned_[id], id}); });
+    candidates_.clear();
+    sweep_.find_pairs(items_, candidates_);
+    near_.clear();
+    for (const CandidatePair &pair : candidates_)
+        near_.push_back({pair.first, pair.second, proxies_.generations[pair.first], proxies_.generations[pair.second],
+                         false, false});
+    candidates_.clear();
+}
+
+template <typename Scene> void Broadphase::report(Scene &scene, std::vector<CandidatePair> &overlapping)
+{
+    has_near_.clear();
+    std::size_t kept = 0;
+    for (NearPair &pair : near_)
+    {
+        if (!current(pair))
+            continue;
+        if (!pair.tested || unreported_.contains(pair.first) || unreported_.contains(pair.second))
+        {
+            pair.overlaps = scene.overlap(pair.first, pair.second);
+            pair.tested = true;
+        }
+        if (pair.overlaps)
+            overlapping.push_back({pair.first, pair.second});
+        has_near_.insert(pair.first);
+        has_near_.insert(pair.second);
+        near_[kept++] = pair;
+    }
+    near_.resize(kept);
+    unreported_.clear();
+}
+
+template <typename Visit> void Broadphase::query(const FloatBox &box, Visit visit) const
+{
+    if (!policy_.scanning())
+        index_.query(box, visit);
+    else
+        members_.for_each([&](ProxyId id) {
+            if (scanned_[id].overlaps(box))
+                visit(id);
+        });
+}
+} // namespace ode_predictive_space
+
+#endif

@@ -1,0 +1,65 @@
+// First stage of the tick: is every object that may have left its envelope still inside?
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_VERIFY_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_VERIFY_H
+
+#include <cmath>
+
+#include "ode_predictive_space/broadphase/id_set.h"
+#include "ode_predictive_space/broadphase/proxy_store.h"
+
+namespace ode_predictive_space
+{
+/// |x - s(t)| <= R(t) along each axis. False when anything is NaN.
+inline bool centre_inside(const PackedPath &path, const Vector3 &centre, Tick now)
+{
+    const double t = ticks_between(path.since, now);
+    const double reach = path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]);
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const double predicted = path.position[axis] + t * (path.velocity[axis] + 0.5 * t * path.acceleration[axis]);
+        inside &= std::abs(centre[axis] - predicted) <= reach;
+    }
+    return inside;
+}
+
+/// Is the box within the envelope? False when anything is NaN.
+inline bool bounds_inside(const Envelope &envelope_now, const Box &box)
+{
+    const Box allowed = envelope_now.at(0);
+    return (allowed.min().array() <= box.min().array()).all() && (box.max().array() <= allowed.max().array()).all();
+}
+
+/// Is the object where its prediction says?
+///
+/// @tparam Scene gives position(id), has_grown(id, radius) and bounds(id) of an object as they are now.
+template <typename Scene> bool envelope_holds(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
+{
+    const PackedBounds &bounds = proxies.bounds[id];
+    switch (bounds.check)
+    {
+    case Check::centre:
+        return centre_inside(proxies.paths[id], scene.position(id), bounds.still ? proxies.paths[id].since : now) &&
+               !scene.has_grown(id, bounds.radius);
+    case Check::bounds:
+        return bounds_inside(proxies.envelope(id, now), scene.bounds(id));
+    case Check::none:
+        break;
+    }
+    return false;
+}
+
+/// Need the object's prediction not be made anew?
+template <typename Scene> bool prediction_holds(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
+{
+#ifdef ODE_PREDICTIVE_SPACE_WITHOUT_VERIFY
+    // Only for the test which shows that the differential test notices when predictions are trusted blindly.
+    return proxies.bounds[id].check != Check::none;
+#endif
+    // What no tree can hold is predicted anew whenever it moves: it may have become finite again.
+    return proxies.bounds[id].shelf != Shelf::unbounded && envelope_holds(scene, proxies, id, now);
+}
+} // namespace ode_predictive_space
+
+#endif

@@ -1,0 +1,68 @@
+// The last positions of an object whose motion is not known.
+
+#ifndef ODE_PREDICTIVE_SPACE_PREDICTION_HISTORY_H
+#define ODE_PREDICTIVE_SPACE_PREDICTION_HISTORY_H
+
+#include <array>
+#include <cstdint>
+
+#include "ode_predictive_space/prediction/least_squares.h"
+
+namespace ode_predictive_space
+{
+/// A short ring of samples with tick times that may wrap around.
+class History
+{
+public:
+    static constexpr int capacity = 8;
+
+    /// Remembers where the object is now. A second position for the same tick replaces the first.
+    void add(std::uint32_t tick, const Vector3 &position)
+    {
+        if (count_ > 0 && ticks_[last()] == tick)
+            count_ -= 1;
+        else
+            newest_ = (newest_ + 1) % capacity;
+        if (count_ < capacity)
+            count_ += 1;
+        ticks_[newest_] = tick;
+        positions_[newest_] = position;
+    }
+
+    /// Forgets all but the newest samples of the last `ticks` ticks.
+    void keep_recent(std::uint32_t now, std::int32_t ticks)
+    {
+        int recent = 0;
+        while (recent < count_ && static_cast<std::int32_t>(now - ticks_[nth_newest(recent)]) <= ticks)
+            ++recent;
+        count_ = recent;
+    }
+
+    int count() const { return count_; }
+
+    /// The path through the samples, its time 0 at the newest one. At least one sample is needed.
+    FittedPath fit() const
+    {
+        std::array<Sample, capacity> samples;
+        const std::uint32_t now = ticks_[last()];
+        for (int i = 0; i < count_; ++i)
+        {
+            const int slot = nth_newest(count_ - 1 - i);
+            samples[i] = {static_cast<double>(static_cast<std::int32_t>(ticks_[slot] - now)), positions_[slot]};
+        }
+        return fit_path(samples.data(), count_);
+    }
+
+private:
+    int last() const { return newest_; }
+    int nth_newest(int n) const { return (newest_ + capacity - n) % capacity; }
+
+    std::array<Vector3, capacity> positions_;
+    std::array<std::uint32_t, capacity> ticks_;
+    int newest_ = 0;
+    int count_ = 0;
+};
+static_assert(History::capacity <= max_samples, "fit_path() takes them all");
+} // namespace ode_predictive_space
+
+#endif

@@ -1,0 +1,228 @@
+// The public C functions: arguments are checked here, and nowhere behind.
+
+#include "ode_predictive_space/predictive_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ode_predictive_space/space/ode_check.h"
+#include "ode_predictive_space/space/predictive_space.h"
+
+using namespace ode_predictive_space;
+
+namespace
+{
+constexpr int longest_horizon = 1000000;
+
+bool refuse(const char *function, const char *argument, const char *reason)
+{
+    dMessage(d_ERR_UASSERT, "%s(): bad argument %s: %s", function, argument, reason);
+    return false;
+}
+
+// The predictive space behind a handle, or 0 after a message.
+dxPredictiveSpace *checked_space(const char *function, dSpaceID space)
+{
+    if (!space)
+        refuse(function, "space", "it is null");
+    else if (!dSpaceIsPredictive(space))
+        refuse(function, "space", "it is not a predictive space");
+    else
+        return static_cast<dxPredictiveSpace *>(space);
+    return nullptr;
+}
+
+bool checked_geom(const char *function, const char *name, dxPredictiveSpace *space, dGeomID geom)
+{
+    if (!geom)
+        return refuse(function, name, "it is null");
+    if (geom->parent_space != space)
+        return refuse(function, name, "the geom is not in this space");
+    return true;
+}
+
+bool checked_role(const char *function, int role)
+{
+    return role == dPredictiveRoleEnvironment || role == dPredictiveRoleInteractive ||
+           refuse(function, "role", "it is no dPredictiveRole constant");
+}
+
+bool checked_coefficient(const char *function, const char *name, dReal value)
+{
+    return (std::isfinite(value) && value >= 0) || refuse(function, name, "it must be finite and not negative");
+}
+} // namespace
+
+dSpaceID dPredictiveSpaceCreate(dSpaceID parent)
+{
+    if (const char *mismatch = ode_mismatch())
+    {
+        dMessage(d_ERR_UASSERT, "dPredictiveSpaceCreate(): this ODE library cannot be used: %s", mismatch);
+        return nullptr;
+    }
+    if (parent && !dGeomIsSpace(reinterpret_cast<dGeomID>(parent)))
+    {
+        refuse("dPredictiveSpaceCreate", "parent", "it is not a space");
+        return nullptr;
+    }
+    return new dxPredictiveSpace(parent);
+}
+
+int dSpaceIsPredictive(dSpaceID space)
+{
+    return space && dGeomIsSpace(space) && dynamic_cast<dxPredictiveSpace *>(space) != nullptr;
+}
+
+void dPredictiveSpaceSetProximity(dSpaceID space, int proximity)
+{
+    dxPredictiveSpace *self = checked_space(__func__, space);
+    if (!self)
+        return;
+    if (proximity == dPredictiveProximityBox)
+        self->set_proximity(Proximity::box);
+    else if (proximity == dPredictiveProximitySphere)
+        self->set_proximity(Proximity::sphere);
+    else
+        refuse(__func__, "proximity", "it is no dPredictiveProximity constant");
+}
+
+int dPredictiveSpaceGetProximity(dSpaceID space)
+{
+    const dxPredictiveSpace *self = checked_space(__func__, space);
+    return self && self->broadphase().measure == Proximity::sphere ? dPredictiveProximitySphere
+                                                                   : dPredictiveProximityBox;
+}
+
+void dPredictiveSpaceSetGeomRole(dSpaceID space, dGeomID geom, int role)
+{
+    dxPredictiveSpace *self = checked_space(__func__, space);
+    if (self && checked_geom(__func__, "geom", self, geom) && checked_role(__func__, role))
+        self->set_role(geom, role == dPredictiveRoleInteractive ? Role::fixed_interactive : Role::fixed_environment);
+}
+
+int dPredictiveSpaceGetGeomRole(dSpaceID space, dGeomID geom)
+{
+    dxPredictiveSpace *self = checked_space(__func__, space);
+    if (!self || !checked_geom(__func__, "geom", self, geom))
+        return dPredictiveRoleEnvironment;
+    return is_interactive(self->role(geom)) ? dPredictiveRoleInteractive : dPredictiveRoleEnvironment;
+}
+
+void dPredictiveSpaceSetDeviation(dSpaceID space, int role, dReal a, dReal b, dReal c)
+{
+    dxPredictiveSpace *self = checked_space(__func__, space);
+    if (!self || !checked_role(__func__, role) || !checked_coefficient(__func__, "a", a) ||
+        !checked_coefficient(__func__, "b", b) || !checked_coefficient(__func__, "c", c))
+        return;
+    const Deviation deviation{a, b, c};
+    self->set_deviation(role, a == 0 && b == 0 && c == 0 ? nullptr : &deviation);
+}
+
+int dPredictiveSpaceGetDeviation(dSpaceID space, int role, dReal *a, dReal *b, dReal *c)
+{
+    const dxPredictiveSpace *self = checked_space(__func__, space);
+    if (!self || !checked_role(__func__, role))
+        return 0;
+    const auto &fixed = self->broadphase().predictor.deviation[static_cast<std::size_t>(role)];
+    const Deviation deviation = fixed.value_or(Deviation{});
+    if (a)
+        *a = static_cast<dReal>(deviation.a);
+    if (b)
+        *b = static_cast<dReal>(deviation.b);
+    if (c)
+        *c = static_cast<dReal>(deviation.c);
+    return fixed.has_value();
+}
+
+void dPredictiveSpaceSetHorizon(dSpaceID space, int min_ticks, int max_ticks)
+{
+    dxPredictiveSpace *self = checked_space(__func__, space);
+    if (!self)
+        return;
+    if (min_ticks < 1)
+        refuse(__func__, "min_ticks", "it must be at least 1");
+    else if (max_ticks < min_ticks)
+        refuse(__func__, "max_ticks", "it must not be less than min_ticks");
+    else if (max_ticks > longest_horizon)
+        refuse(__func__, "max_ticks", "it must not be more than 1000000");
+    else
+        self->set_horizon({static_cast<std::uint32_t>(min_ticks), static_cast<std::uint32_t>(max_ticks)});
+}
+
+void dPredictiveSpaceGetHorizon(dSpaceID space, int *min_ticks, int *max_ticks)
+{
+    const dxPredictiveSpace *self = checked_space(__func__, space);
+    if (!self)
+        return;
+    if (min_ticks)
+        *min_ticks = static_cast<int>(self->broadphase().predictor.horizon.min_ticks);
+    if (max_ticks)
+        *max_ticks = static_cast<int>(self->broadphase().predictor.horizon.max_ticks);
+}
+
+int dPredictiveSpaceGetTimeOfProximity(dSpaceID space, dGeomID first, dGeomID second, dReal *ticks)
+{
+    dxPredictiveSpace *self = checked_space(__func__, space);
+    if (!self || !checked_geom(__func__, "first", self, first) || !checked_geom(__func__, "second", self, second))
+        return 0;
+    self->catch_up();
+    double apart_until;
+    const std::optional<double> time = self->time_of_proximity(first, second, &apart_until);
+    if (ticks)
+        *ticks = static_cast<dReal>(time.value_or(apart_until));
+    return time.has_value();
+}
+
+int dPredictiveSpaceGetEncounters(dSpaceID space, dGeomID geom, dPredictiveEncounter *out, int max)
+{
+    dxPredictiveSpace *self = checked_space(__func__, space);
+    if (!self || !checked_geom(__func__, "geom", self, geom))
+        return 0;
+    if (max < 0 || (!out && max > 0))
+    {
+        refuse(__func__, max < 0 ? "max" : "out", max < 0 ? "it is negative" : "it is null");
+        return 0;
+    }
+    self->catch_up();
+    const std::vector<dxPredictiveSpace::Encounter> met = self->encounters(geom);
+    const int count = std::min(max, static_cast<int>(met.size()));
+    for (int i = 0; i < count; ++i)
+        out[i] = {met[static_cast<std::size_t>(i)].geom, static_cast<dReal>(met[static_cast<std::size_t>(i)].ticks)};
+    return count;
+}
+
+void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
+{
+    const dxPredictiveSpace *self = checked_space(__func__, space);
+    if (!self)
+        return;
+    if (!stats)
+    {
+        refuse(__func__, "stats", "it is null");
+        return;
+    }
+    const Counters &counters = self->broadphase().counters();
+    stats->ticks = self->ticks();
+    stats->moved = counters.moved;
+    stats->verified = counters.verified;
+    stats->violations = counters.violations;
+    stats->repredictions = counters.repredictions;
+    stats->scheduled = self->broadphase().scheduled_pairs();
+    stats->woken = counters.woken;
+    stats->near_pairs = self->broadphase().near_pairs();
+    stats->reported = self->reported();
+    stats->scans = counters.scans;
+    stats->bytes = self->bytes();
+}
+
+int dPredictiveSpaceValidate(dSpaceID space)
+{
+    dxPredictiveSpace *self = checked_space(__func__, space);
+    if (!self)
+        return 0;
+    self->catch_up();
+    const char *violation = self->find_violation();
+    if (violation)
+        dMessage(d_ERR_IASSERT, "%s(): %s", __func__, violation);
+    return violation == nullptr;
+}

@@ -1,0 +1,124 @@
+#include "ode_predictive_space/space/geom_scene.h"
+
+#include <cmath>
+
+namespace ode_predictive_space
+{
+namespace
+{
+// Rotation matrices are orthonormal but for rounding: what a turned box may stick out of its sphere.
+constexpr dReal tolerance = sizeof(dReal) == sizeof(double) ? dReal(1e-9) : dReal(1e-5);
+
+// Velocity of the geom's centre: an offset geom circles around its body.
+Vector3 velocity_of(dxGeom *geom)
+{
+    if (!dBodyIsEnabled(geom->body))
+        return Vector3::Zero();
+    const dReal *linear = dBodyGetLinearVel(geom->body);
+    if (!geom->offset_posr)
+        return Vector3(linear[0], linear[1], linear[2]);
+    dVector3 at_centre;
+    const dReal *centre = geom->final_posr->pos;
+    dBodyGetPointVel(geom->body, centre[0], centre[1], centre[2], at_centre);
+    return Vector3(at_centre[0], at_centre[1], at_centre[2]);
+}
+
+bool turns_with_body(const dxGeom *geom)
+{
+    return geom->body != nullptr && geom->offset_posr == nullptr;
+}
+
+dReal half_diagonal(const dxGeom *geom)
+{
+    const dReal *side = static_cast<const dxBox *>(geom)->side;
+    return std::sqrt(side[0] * side[0] + side[1] * side[1] + side[2] * side[2]) / 2 * (1 + tolerance);
+}
+
+// The sphere by which the measure of spheres judges: the geom's own where it has one, otherwise that around its box.
+struct JudgedSphere
+{
+    Vector3 centre;
+    double radius;
+
+    JudgedSphere(const dxGeom *geom, const Box &bounds) : centre(bounds.center()), radius(bounding_sphere(geom).radius)
+    {
+        if (!std::isfinite(radius))
+            radius = 0.5 * bounds.diagonal().norm();
+    }
+
+    // True when anything is NaN or infinite: what cannot be judged is not left out.
+    bool may_touch(const JudgedSphere &other) const
+    {
+        const double reach = (radius + other.radius) * (1 + double{tolerance});
+        return !((centre - other.centre).squaredNorm() > reach * reach);
+    }
+};
+} // namespace
+
+BoundingSphere bounding_sphere(const dxGeom *geom)
+{
+    switch (geom->type)
+    {
+    case dSphereClass:
+        return {static_cast<const dxSphere *>(geom)->radius, true};
+    case dBoxClass:
+        if (turns_with_body(geom))
+            return {half_diagonal(geom), false};
+        break;
+    case dCapsuleClass:
+        if (turns_with_body(geom))
+        {
+            const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
+            return {(capsule->radius + capsule->lz / 2) * (1 + tolerance), false};
+        }
+        break;
+    case dCylinderClass:
+        if (turns_with_body(geom))
+        {
+            const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
+            return {std::hypot(cylinder->radius, cylinder->lz / 2) * (1 + tolerance), false};
+        }
+        break;
+    default:
+        break;
+    }
+    return {dInfinity, false};
+}
+
+Box GeomScene::bounds(ProxyId id) const
+{
+    dxGeom *geom = geoms_[id];
+    if (IS_SPACE(geom))
+        static_cast<dxSpace *>(geom)->cleanGeoms();
+    geom->recomputeAABB();
+    return to_box(geom->aabb);
+}
+
+Observation GeomScene::observe(ProxyId id, bool with_bounds) const
+{
+    dxGeom *geom = geoms_[id];
+    const BoundingSphere sphere = bounding_sphere(geom);
+    Observation seen;
+    seen.radius = sphere.radius;
+    seen.is_sphere = sphere.is_sphere;
+    if (std::isfinite(sphere.radius))
+        seen.centre = position(id);
+    if (!std::isfinite(sphere.radius) || (with_bounds && !sphere.is_sphere))
+    {
+        seen.bounds = bounds(id);
+        seen.centre = Vector3::Zero();
+    }
+    if (geom->body && !dBodyIsKinematic(geom->body))
+        seen.velocity = velocity_of(geom);
+    return seen;
+}
+
+bool GeomScene::overlap(ProxyId first, ProxyId second) const
+{
+    dxGeom *one = geoms_[first], *other = geoms_[second];
+    one->recomputeAABB();
+    other->recomputeAABB();
+    return aabbs_overlap(one, other) &&
+           (!spheres_ || JudgedSphere(one, to_box(one->aabb)).may_touch(JudgedSphere(other, to_box(other->aabb))));
+}
+} // namespace ode_predictive_space

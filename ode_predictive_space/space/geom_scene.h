@@ -1,0 +1,68 @@
+// ODE's geoms as the broad phase sees them.
+
+#ifndef ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
+#define ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
+
+#include <vector>
+
+#include "ode_predictive_space/broadphase/predictor.h"
+#include "ode_predictive_space/broadphase/types.h"
+#include "ode_predictive_space/space/ode_internals.h"
+
+namespace ode_predictive_space
+{
+/// A sphere around a geom's position that holds it, however it is turned.
+struct BoundingSphere
+{
+    dReal radius;   ///< infinite for classes and geoms for which none is known
+    bool is_sphere; ///< the geom is that sphere
+};
+
+/// The bounding sphere of a sphere, box, capsule or cylinder; of the latter three only when they turn with a body, because
+/// the rotation matrix of other geoms can be anything.
+BoundingSphere bounding_sphere(const dxGeom *geom);
+
+/// Do the bounding boxes, which must be valid, overlap? The comparisons are those of ODE's collideAABBs(), so that touching
+/// and NaN mean the same.
+inline bool aabbs_overlap(const dxGeom *one, const dxGeom *other)
+{
+    const dReal *a = one->aabb, *b = other->aabb;
+    return !(a[0] > b[1] || a[1] < b[0] || a[2] > b[3] || a[3] < b[2] || a[4] > b[5] || a[5] < b[4]);
+}
+
+inline Box to_box(const dReal aabb[6])
+{
+    return Box(Vector3(aabb[0], aabb[2], aabb[4]), Vector3(aabb[1], aabb[3], aabb[5]));
+}
+
+/// The scene that Broadphase asks: geoms by proxy number. See Broadphase for what each function means.
+class GeomScene
+{
+public:
+    explicit GeomScene(const std::vector<dxGeom *> &geoms, bool spheres) : geoms_(geoms), spheres_(spheres) {}
+
+    Vector3 position(ProxyId id) const
+    {
+        dxGeom *geom = geoms_[id];
+        geom->recomputePosr();
+        const dReal *position = geom->final_posr->pos;
+        return Vector3(position[0], position[1], position[2]);
+    }
+
+    bool has_grown(ProxyId id, float radius) const { return !(bounding_sphere(geoms_[id]).radius <= radius); }
+
+    Box bounds(ProxyId id) const;
+    Observation observe(ProxyId id, bool with_bounds) const;
+    bool overlap(ProxyId first, ProxyId second) const;
+
+    /// ODE's dGeomMoved() calls dirty() only for geoms that are not dirty. The flag is cleared although the bounding box
+    /// may still be bad: it is computed when somebody needs it. remove() and cleanGeoms() restore what ODE expects.
+    void acknowledge(ProxyId id) const { geoms_[id]->gflags &= ~GEOM_DIRTY; }
+
+private:
+    const std::vector<dxGeom *> &geoms_;
+    bool spheres_;
+};
+} // namespace ode_predictive_space
+
+#endif

@@ -1,0 +1,192 @@
+#include "ode_predictive_space/space/predictive_space.h"
+
+#include <algorithm>
+#include <utility>
+
+using namespace ode_predictive_space;
+
+namespace
+{
+bool enabled(const dxGeom *geom)
+{
+    return (geom->gflags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
+}
+
+// What collideAABBs() asks beside overlap. Bodies, bits and the rest change without notice: they are read here, each time.
+bool wants_callback(dxGeom *first, dxGeom *second)
+{
+    if (first->body == second->body && first->body)
+        return false;
+    if (!(first->category_bits & second->collide_bits) && !(second->category_bits & first->collide_bits))
+        return false;
+    return first->AABBTest(second, second->aabb) != 0 && second->AABBTest(first, first->aabb) != 0;
+}
+} // namespace
+
+dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent) : dxSpace(parent)
+{
+    type = dSimpleSpaceClass;
+}
+
+// When ~dxSpace() runs, remove() is no longer ours. So this empties the space, as that would.
+dxPredictiveSpace::~dxPredictiveSpace()
+{
+    CHECK_NOT_LOCKED(this);
+    while (first)
+    {
+        if (cleanup)
+            dGeomDestroy(first);
+        else
+            remove(first);
+    }
+}
+
+ProxyId dxPredictiveSpace::proxy_of(const dxGeom *geom)
+{
+    return static_cast<ProxyId>(reinterpret_cast<std::uintptr_t>(geom->next_ex) - 1);
+}
+
+GeomScene dxPredictiveSpace::scene() const
+{
+    return GeomScene(geoms_, broadphase_.measure == Proximity::sphere);
+}
+
+// May run within the constructor of a geom, when neither its class nor its bounds exist: they are asked for at the next
+// collide.
+void dxPredictiveSpace::add(dxGeom *geom)
+{
+    dxSpace::add(geom);
+    const ProxyId id = broadphase_.add();
+    if (id >= geoms_.size())
+        geoms_.resize(id + 1, nullptr);
+    geoms_[id] = geom;
+    geom->next_ex = reinterpret_cast<dxGeom *>(static_cast<std::uintptr_t>(id) + 1);
+    geom->tome_ex = nullptr;
+}
+
+// May run within the destructor of a geom.
+void dxPredictiveSpace::remove(dxGeom *geom)
+{
+    CHECK_NOT_LOCKED(this);
+    dUASSERT(geom->parent_space == this, "object is not in this space");
+    const ProxyId id = proxy_of(geom);
+    dxSpace::remove(geom);
+    broadphase_.remove(id);
+    geoms_[id] = nullptr;
+    geom->next_ex = nullptr;
+    // In here a geom with a bad box need not be dirty (see GeomScene::acknowledge()); elsewhere it must be.
+    if (geom->gflags & GEOM_AABB_BAD)
+        geom->gflags |= GEOM_DIRTY;
+}
+
+void dxPredictiveSpace::dirty(dxGeom *geom)
+{
+    broadphase_.mark_moved(proxy_of(geom));
+}
+
+// Computes the boxes that the space itself may not need yet. What has moved is still noted, for the next collide.
+void dxPredictiveSpace::cleanGeoms()
+{
+    Lock lock(this);
+    for (dxGeom *geom = first; geom; geom = geom->next)
+    {
+        if (IS_SPACE(geom))
+            static_cast<dxSpace *>(geom)->cleanGeoms();
+        geom->recomputeAABB();
+        geom->gflags &= ~GEOM_DIRTY;
+    }
+}
+
+void dxPredictiveSpace::catch_up()
+{
+    Lock lock(this);
+    GeomScene now = scene();
+    broadphase_.catch_up(now);
+}
+
+void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
+{
+    dAASSERT(callback);
+    const bool nested_call = lock_count > 0;
+    Lock lock(this);
+    GeomScene now = scene();
+    if (nested_call)
+        broadphase_.catch_up(now);
+    else
+    {
+        ++ticks_;
+        broadphase_.tick(now);
+    }
+    std::vector<CandidatePair> pairs = std::exchange(pairs_, {});
+    pairs.clear();
+    broadphase_.report(now, pairs);
+    for (const CandidatePair &pair : pairs)
+    {
+        dxGeom *one = geoms_[pair.first], *other = geoms_[pair.second];
+        if (enabled(one) && enabled(other) && wants_callback(one, other))
+        {
+            ++reported_;
+            callback(data, one, other);
+        }
+    }
+    pairs_ = std::move(pairs);
+}
+
+void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback)
+{
+    dAASSERT(geom && callback);
+    Lock lock(this);
+    GeomScene now = scene();
+    broadphase_.catch_up(now);
+    geom->recomputeAABB();
+    std::vector<dxGeom *> found = std::exchange(found_, {});
+    found.clear();
+    broadphase_.query(FloatBox::around(to_box(geom->aabb)), [&](ProxyId id) { found.push_back(geoms_[id]); });
+    for (dxGeom *other : found)
+    {
+        if (!enabled(other))
+            continue;
+        other->recomputeAABB();
+        if (aabbs_overlap(other, geom) && wants_callback(other, geom))
+            callback(data, other, geom);
+    }
+    found_ = std::move(found);
+}
+
+void dxPredictiveSpace::set_proximity(Proximity measure)
+{
+    broadphase_.measure = measure;
+    broadphase_.predict_all_anew();
+}
+
+void dxPredictiveSpace::set_role(dxGeom *geom, Role role)
+{
+    broadphase_.set_role(proxy_of(geom), role);
+}
+
+Role dxPredictiveSpace::role(dxGeom *geom) const
+{
+    return broadphase_.proxies().bounds[proxy_of(geom)].role;
+}
+
+void dxPredictiveSpace::set_deviation(int role, const Deviation *deviation)
+{
+    auto &fixed = broadphase_.predictor.deviation[static_cast<std::size_t>(role)];
+    if (deviation)
+        fixed = *deviation;
+    else
+        fixed.reset();
+    broadphase_.predict_all_anew();
+}
+
+void dxPredictiveSpace::set_horizon(HorizonBounds horizon)
+{
+    broadphase_.predictor.horizon = horizon;
+    broadphase_.predict_all_anew();
+}
+
+std::size_t dxPredictiveSpace::bytes() const
+{
+    return sizeof(*this) + broadphase_.bytes() + (geoms_.capacity() + found_.capacity()) * sizeof(dxGeom *) +
+           pairs_.capacity() * sizeof(CandidatePair);
+}

@@ -1,0 +1,90 @@
+// The dSpace: ODE's side of the broad phase.
+
+#ifndef ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
+#define ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
+
+#include <vector>
+
+#include "ode_predictive_space/broadphase/broadphase.h"
+#include "ode_predictive_space/space/geom_scene.h"
+#include "ode_predictive_space/space/ode_internals.h"
+
+/// A space that calls its callback for exactly the pairs for which dxSimpleSpace would.
+///
+/// A geom's next_ex holds its proxy number + 1 while it is in here, and is zero when it leaves.
+struct dxPredictiveSpace : public dxSpace
+{
+    // Substituted for a hash space, this object is asked for its levels by dHashSpaceGetLevels() and the like, which
+    // expect these two members, and in this place.
+    int global_minlevel = -3;
+    int global_maxlevel = 10;
+
+    explicit dxPredictiveSpace(dxSpace *parent);
+    ~dxPredictiveSpace();
+
+    void add(dxGeom *geom) override;
+    void remove(dxGeom *geom) override;
+    void dirty(dxGeom *geom) override;
+    void cleanGeoms() override;
+    void collide(void *data, dNearCallback *callback) override;
+    void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
+
+    void set_proximity(ode_predictive_space::Proximity measure);
+    void set_role(dxGeom *geom, ode_predictive_space::Role role);
+    void set_deviation(int role, const ode_predictive_space::Deviation *deviation);
+    void set_horizon(ode_predictive_space::HorizonBounds horizon);
+    ode_predictive_space::Role role(dxGeom *geom) const;
+
+    /// Brings the broad phase up to date with what has moved, without a tick.
+    void catch_up();
+
+    /// A geom that can be met, in ticks from now.
+    struct Encounter
+    {
+        dxGeom *geom;
+        double ticks;
+    };
+
+    /// The time of proximity of two geoms of this space, in ticks from now; none when they stay apart, and then until when
+    /// that is known. The space must be caught up.
+    std::optional<double> time_of_proximity(dxGeom *first, dxGeom *second, double *apart_until) const;
+
+    /// All that a geom of this space can meet, soonest first. The space must be caught up.
+    std::vector<Encounter> encounters(dxGeom *geom) const;
+
+    /// Checks the invariant by brute force; the space must be caught up.
+    ///
+    /// @return 0 when it holds, otherwise what does not, as a sentence.
+    const char *find_violation();
+
+    const ode_predictive_space::Broadphase &broadphase() const { return broadphase_; }
+    unsigned long ticks() const { return ticks_; }
+    unsigned long reported() const { return reported_; }
+    std::size_t bytes() const;
+
+private:
+    // The space is locked while it works and while its callbacks run, as ODE's own are.
+    struct Lock
+    {
+        explicit Lock(dxSpace *space) : space(space) { ++space->lock_count; }
+        ~Lock() { --space->lock_count; }
+        dxSpace *space;
+    };
+
+    using ProxyId = ode_predictive_space::ProxyId;
+
+    static ProxyId proxy_of(const dxGeom *geom);
+    ode_predictive_space::GeomScene scene() const;
+
+    ode_predictive_space::Broadphase broadphase_;
+    std::vector<dxGeom *> geoms_; // by proxy number; 0 for gaps
+
+    // Taken by collide() and collide2() while they call back, given back afterwards: a callback may collide this space.
+    std::vector<ode_predictive_space::CandidatePair> pairs_;
+    std::vector<dxGeom *> found_;
+
+    unsigned long ticks_ = 0;
+    unsigned long reported_ = 0;
+};
+
+#endif
