@@ -49,8 +49,8 @@ struct MeshData
 
     explicit MeshData(dReal size)
     {
-        const float s = static_cast<float>(size);
-        vertices = {s, s, s, 2 * s, s, s, s, 2 * s, s, s, s, 2 * s};
+        const float h = static_cast<float>(size) / 2;
+        vertices = {h, h, h, 3 * h, h, h, h, 3 * h, h, h, h, 3 * h};
         dGeomTriMeshDataBuildSingle(id, vertices.data(), 3 * sizeof(float), 4, indices.data(), 12,
                                     3 * sizeof(dTriIndex));
     }

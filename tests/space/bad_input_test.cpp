@@ -1,0 +1,216 @@
+// Bad arguments: an ODE message that names the call and the argument, and nothing changed.
+
+#include <limits>
+
+#include <ode_predictive_space/predictive_space.h>
+
+#include "tests/contract/support/scenario.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr dReal nan_value = std::numeric_limits<dReal>::quiet_NaN();
+constexpr dReal infinite = std::numeric_limits<dReal>::infinity();
+
+// All that can be set, to see that a refused call leaves it as it was.
+struct Settings
+{
+    int proximity;
+    int role;
+    int fixed[2];
+    dReal deviation[2][3];
+    int horizon[2];
+
+    explicit Settings(dSpaceID space, dGeomID geom)
+        : proximity(dPredictiveSpaceGetProximity(space)), role(dPredictiveSpaceGetGeomRole(space, geom))
+    {
+        for (int i = 0; i < 2; ++i)
+            fixed[i] = dPredictiveSpaceGetDeviation(space, i, &deviation[i][0], &deviation[i][1], &deviation[i][2]);
+        dPredictiveSpaceGetHorizon(space, &horizon[0], &horizon[1]);
+    }
+
+    bool operator==(const Settings &other) const
+    {
+        return proximity == other.proximity && role == other.role && std::equal(fixed, fixed + 2, other.fixed) &&
+               std::equal(&deviation[0][0], &deviation[0][0] + 6, &other.deviation[0][0]) &&
+               std::equal(horizon, horizon + 2, other.horizon);
+    }
+};
+
+class BadInput : public OdeTest
+{
+protected:
+    BadInput()
+    {
+        dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
+        dPredictiveSpaceSetGeomRole(space, geom, dPredictiveRoleInteractive);
+        dPredictiveSpaceSetDeviation(space, dPredictiveRoleInteractive, 0.1, 0.2, 0.3);
+        dPredictiveSpaceSetHorizon(space, 3, 77);
+    }
+
+    ~BadInput() override
+    {
+        dSpaceDestroy(foreign);
+        dSpaceDestroy(space);
+    }
+
+    void expect_refused(const std::string &call, const std::string &argument, const std::function<void()> &bad_call)
+    {
+        const Settings before(space, geom);
+        const std::string complaint = ode_complaint(bad_call);
+        EXPECT_NE(complaint.find(call), std::string::npos) << call << " said: " << complaint;
+        EXPECT_NE(complaint.find(argument), std::string::npos) << call << " said: " << complaint;
+        EXPECT_TRUE(Settings(space, geom) == before) << call << " changed something";
+        EXPECT_EQ(collide(space).size(), 1u);
+        EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
+    }
+
+    dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    dGeomID geom = dCreateSphere(space, 1);
+    dGeomID other = dCreateSphere(space, 1);
+    dSpaceID foreign = dHashSpaceCreate(nullptr);
+    dGeomID foreign_geom = dCreateSphere(foreign, 1);
+};
+
+TEST_F(BadInput, SpacesThatAreNullOrNotPredictive)
+{
+    const dSpaceID none = nullptr;
+    for (dSpaceID bad : {none, foreign})
+    {
+        dReal ticks = 0;
+        dPredictiveEncounter encounter;
+        dPredictiveSpaceStats stats;
+        const std::pair<const char *, std::function<void()>> calls[] = {
+            {"dPredictiveSpaceSetProximity", [=] { dPredictiveSpaceSetProximity(bad, 0); }},
+            {"dPredictiveSpaceGetProximity", [=] { dPredictiveSpaceGetProximity(bad); }},
+            {"dPredictiveSpaceSetGeomRole", [=] { dPredictiveSpaceSetGeomRole(bad, geom, 0); }},
+            {"dPredictiveSpaceGetGeomRole", [=] { dPredictiveSpaceGetGeomRole(bad, geom); }},
+            {"dPredictiveSpaceSetDeviation", [=] { dPredictiveSpaceSetDeviation(bad, 0, 1, 1, 1); }},
+            {"dPredictiveSpaceGetDeviation", [=] { dPredictiveSpaceGetDeviation(bad, 0, 0, 0, 0); }},
+            {"dPredictiveSpaceSetHorizon", [=] { dPredictiveSpaceSetHorizon(bad, 1, 2); }},
+            {"dPredictiveSpaceGetHorizon", [=] { dPredictiveSpaceGetHorizon(bad, 0, 0); }},
+            {"dPredictiveSpaceGetTimeOfProximity",
+             [&, bad] { dPredictiveSpaceGetTimeOfProximity(bad, geom, other, &ticks); }},
+            {"dPredictiveSpaceGetEncounters", [&, bad] { dPredictiveSpaceGetEncounters(bad, geom, &encounter, 1); }},
+            {"dPredictiveSpaceGetStats", [&, bad] { dPredictiveSpaceGetStats(bad, &stats); }},
+            {"dPredictiveSpaceValidate", [=] { dPredictiveSpaceValidate(bad); }},
+        };
+        for (const auto &call : calls)
+            expect_refused(call.first, "space", call.second);
+    }
+}
+
+TEST_F(BadInput, ForeignSpacesKeepTheirGeoms)
+{
+    ode_complaint([=] { dPredictiveSpaceSetGeomRole(foreign, foreign_geom, 1); });
+    EXPECT_EQ(dSpaceGetNumGeoms(foreign), 1);
+    EXPECT_TRUE(collide(foreign).empty());
+}
+
+TEST_F(BadInput, GeomsThatAreNullOrElsewhere)
+{
+    dSpaceID nested = dPredictiveSpaceCreate(space);
+    dGeomID inner = dCreateSphere(nested, 1);
+    dGeomID homeless = dCreateSphere(nullptr, 1);
+    dGeomSetPosition(inner, 50, 0, 0);
+    dReal ticks = 0;
+    dPredictiveEncounter encounter;
+    for (dGeomID bad : {dGeomID(nullptr), foreign_geom, inner, homeless, as_geom(space)})
+    {
+        expect_refused("dPredictiveSpaceSetGeomRole", "geom", [=] { dPredictiveSpaceSetGeomRole(space, bad, 1); });
+        expect_refused("dPredictiveSpaceGetGeomRole", "geom", [=] { dPredictiveSpaceGetGeomRole(space, bad); });
+        expect_refused("dPredictiveSpaceGetTimeOfProximity", "first",
+                       [&, bad] { dPredictiveSpaceGetTimeOfProximity(space, bad, geom, &ticks); });
+        expect_refused("dPredictiveSpaceGetTimeOfProximity", "second",
+                       [&, bad] { dPredictiveSpaceGetTimeOfProximity(space, geom, bad, &ticks); });
+        expect_refused("dPredictiveSpaceGetEncounters", "geom",
+                       [&, bad] { dPredictiveSpaceGetEncounters(space, bad, &encounter, 1); });
+    }
+    dGeomDestroy(homeless);
+}
+
+TEST_F(BadInput, Constants)
+{
+    for (int bad : {-1, 2, 1000, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()})
+    {
+        expect_refused("dPredictiveSpaceSetProximity", "proximity", [=] { dPredictiveSpaceSetProximity(space, bad); });
+        expect_refused("dPredictiveSpaceSetGeomRole", "role", [=] { dPredictiveSpaceSetGeomRole(space, geom, bad); });
+        expect_refused("dPredictiveSpaceSetDeviation", "role",
+                       [=] { dPredictiveSpaceSetDeviation(space, bad, 1, 1, 1); });
+        expect_refused("dPredictiveSpaceGetDeviation", "role",
+                       [=] { dPredictiveSpaceGetDeviation(space, bad, nullptr, nullptr, nullptr); });
+    }
+}
+
+TEST_F(BadInput, Deviations)
+{
+    for (dReal bad : {-1.0, -1e-300, nan_value, infinite, -infinite})
+    {
+        for (int role : {0, 1})
+        {
+            expect_refused("dPredictiveSpaceSetDeviation", " a",
+                           [=] { dPredictiveSpaceSetDeviation(space, role, bad, 1, 1); });
+            expect_refused("dPredictiveSpaceSetDeviation", " b",
+                           [=] { dPredictiveSpaceSetDeviation(space, role, 1, bad, 1); });
+            expect_refused("dPredictiveSpaceSetDeviation", " c",
+                           [=] { dPredictiveSpaceSetDeviation(space, role, 1, 1, bad); });
+        }
+    }
+}
+
+TEST_F(BadInput, Horizons)
+{
+    expect_refused("dPredictiveSpaceSetHorizon", "min_ticks", [=] { dPredictiveSpaceSetHorizon(space, 0, 10); });
+    expect_refused("dPredictiveSpaceSetHorizon", "min_ticks", [=] { dPredictiveSpaceSetHorizon(space, -5, 10); });
+    expect_refused("dPredictiveSpaceSetHorizon", "max_ticks", [=] { dPredictiveSpaceSetHorizon(space, 5, 4); });
+    expect_refused("dPredictiveSpaceSetHorizon", "max_ticks", [=] { dPredictiveSpaceSetHorizon(space, 5, -4); });
+    expect_refused("dPredictiveSpaceSetHorizon", "max_ticks", [=] { dPredictiveSpaceSetHorizon(space, 5, 1000001); });
+}
+
+TEST_F(BadInput, RoomForResults)
+{
+    dPredictiveEncounter encounter = {foreign_geom, 12345};
+    expect_refused("dPredictiveSpaceGetEncounters", "max",
+                   [&] { EXPECT_EQ(dPredictiveSpaceGetEncounters(space, geom, &encounter, -1), 0); });
+    expect_refused("dPredictiveSpaceGetEncounters", "out",
+                   [&] { EXPECT_EQ(dPredictiveSpaceGetEncounters(space, geom, nullptr, 3), 0); });
+    expect_refused("dPredictiveSpaceGetStats", "stats", [&] { dPredictiveSpaceGetStats(space, nullptr); });
+    EXPECT_EQ(encounter.geom, foreign_geom);
+    EXPECT_EQ(encounter.ticks, 12345);
+    // No room asked for is no error; neither is a result that is not wanted.
+    EXPECT_EQ(dPredictiveSpaceGetEncounters(space, geom, nullptr, 0), 0);
+    dPredictiveSpaceGetHorizon(space, nullptr, nullptr);
+    dPredictiveSpaceGetDeviation(space, dPredictiveRoleInteractive, nullptr, nullptr, nullptr);
+    EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, geom, other, nullptr), 1);
+}
+
+TEST_F(BadInput, ResultsAreLeftAloneWhenACallIsRefused)
+{
+    dReal ticks = 777;
+    dReal a = 7, b = 8, c = 9;
+    int min_ticks = 5, max_ticks = 6;
+    dPredictiveSpaceStats stats;
+    stats.ticks = 4321;
+    ode_complaint([&] { dPredictiveSpaceGetTimeOfProximity(space, geom, nullptr, &ticks); });
+    ode_complaint([&] { dPredictiveSpaceGetDeviation(space, 9, &a, &b, &c); });
+    ode_complaint([&] { dPredictiveSpaceGetHorizon(foreign, &min_ticks, &max_ticks); });
+    ode_complaint([&] { dPredictiveSpaceGetStats(foreign, &stats); });
+    EXPECT_EQ(ticks, 777);
+    EXPECT_EQ(a + b + c, 24);
+    EXPECT_EQ(min_ticks + max_ticks, 11);
+    EXPECT_EQ(stats.ticks, 4321u);
+}
+
+TEST_F(BadInput, WhatOdeItselfRefuses)
+{
+    EXPECT_NE(ode_complaint([=] { dSpaceAdd(space, geom); }), "");
+    EXPECT_NE(ode_complaint([=] { dSpaceRemove(space, foreign_geom); }), "");
+    EXPECT_NE(ode_complaint([=] { dSpaceCollide(space, nullptr, nullptr); }), "");
+    EXPECT_NE(ode_complaint([=] { dPredictiveSpaceCreate(reinterpret_cast<dSpaceID>(geom)); }), "");
+    EXPECT_EQ(dSpaceGetNumGeoms(space), 2);
+    EXPECT_EQ(dSpaceGetNumGeoms(foreign), 1);
+    EXPECT_EQ(collide(space).size(), 1u);
+}
+} // namespace
+} // namespace ode_predictive_space
