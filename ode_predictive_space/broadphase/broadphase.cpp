@@ -89,6 +89,15 @@ void Broadphase::advance_clock()
         wheel_.advance(now_, due_);
 }
 
+// Those that moved, and those that were predicted to move: by standing still they leave their path, and nobody reports
+// that.
+void Broadphase::collect_suspects(bool time_passes)
+{
+    auto collect = [this](ProxyId id) { suspects_.push_back(id); };
+    for (std::size_t i = 0; i < moved_.words(); ++i)
+        IdSet::visit_word(i, moved_.word(i) | (time_passes ? moving_.word(i) : 0), collect);
+}
+
 void Broadphase::add_to_batch(ProxyId id)
 {
     if (in_batch_.contains(id))
@@ -224,7 +233,7 @@ std::size_t Broadphase::bytes() const
     std::size_t total = proxies_.bytes() + predictor.bytes() + index_.bytes() + wheel_.bytes() + sweep_.bytes();
     for (const IdSet *set : {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_})
         total += set->bytes();
-    total += (free_ids_.capacity() + batch_.capacity() + due_anew_.capacity()) * sizeof(ProxyId);
+    total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity() + due_anew_.capacity()) * sizeof(ProxyId);
     total += near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
     total += candidates_.capacity() * sizeof(CandidatePair) + scheduled_.capacity() * sizeof(ScheduledPair);
     return total + items_.capacity() * sizeof(Sweep::Item) + scanned_.capacity() * sizeof(FloatBox);

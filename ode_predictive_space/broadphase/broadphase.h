@@ -36,6 +36,7 @@ struct Counters
 ///
 ///     Vector3 position(ProxyId)               centre, of those that are checked by it
 ///     bool has_grown(ProxyId, float radius)   no longer fits into the sphere around its centre
+///     void prefetch(ProxyId), void prefetch_position(ProxyId)  both will soon be asked for, the latter after the former
 ///     Box bounds(ProxyId)                     bounding box
 ///     Observation observe(ProxyId, bool with_bounds)
 ///     bool overlap(ProxyId, ProxyId)          their bounding boxes do; by the measure of sphere, the spheres too
@@ -106,6 +107,7 @@ private:
     template <typename Scene> void scan(Scene &scene);
 
     bool time_passes(bool is_tick);
+    void collect_suspects(bool time_passes);
     void advance_clock();
     void expire();
     void add_to_batch(ProxyId id);
@@ -148,7 +150,8 @@ private:
     std::size_t broken_ = 0; // predictions that the last verification found broken
 
     // What one stage hands to the next; empty between updates.
-    std::vector<ProxyId> batch_; // to be predicted anew
+    std::vector<ProxyId> suspects_; // to be verified
+    std::vector<ProxyId> batch_;    // to be predicted anew
     std::vector<Event> due_;
     std::vector<CandidatePair> candidates_;
     std::vector<ScheduledPair> scheduled_;

@@ -11,17 +11,21 @@
 
 namespace ode_predictive_space
 {
-/// The largest float <= value; -infinity when value is NaN or below the range of float.
+/// A float <= value, at most two units in the last place below it; -infinity when value is NaN or below float's range.
 inline float round_down(double value)
 {
+    // One part in 2^23 is one or two units in the last place; the smallest float does for numbers too small for that.
+    constexpr float unit = std::numeric_limits<float>::epsilon();
     const float nearest = static_cast<float>(value);
     if (nearest <= value)
         return nearest;
-    return nearest > value ? std::nextafter(nearest, -std::numeric_limits<float>::infinity())
+    if (std::isinf(nearest))
+        return std::numeric_limits<float>::max();
+    return nearest > value ? nearest - (std::abs(nearest) * unit + std::numeric_limits<float>::denorm_min())
                            : -std::numeric_limits<float>::infinity();
 }
 
-/// The smallest float >= value; infinity when value is NaN or above the range of float.
+/// A float >= value, likewise; infinity when value is NaN or above float's range.
 inline float round_up(double value)
 {
     return -round_down(-value);

@@ -40,23 +40,27 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
 
 template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes)
 {
+    collect_suspects(time_passes);
+    // What is read of each object is scattered over memory: fetch it some objects ahead.
+    constexpr std::size_t far_ahead = 16, ahead = 8;
+    const std::size_t count = suspects_.size();
     broken_ = 0;
-    auto check = [&](ProxyId id) {
-        scene.acknowledge(id);
-        const bool known = proxies_.bounds[id].check != Check::none;
-        counters_.verified += known;
-        if (known && prediction_holds(scene, proxies_, id, now_))
-            return;
-        broken_ += known;
-        add_to_batch(id);
-    };
-    for (std::size_t i = 0; i < moved_.words(); ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
-        // An object that was predicted to move has left its path by standing still, and nobody reports that.
-        const std::uint64_t predicted_to_move = time_passes ? moving_.word(i) : 0;
-        IdSet::visit_word(i, moved_.word(i) | predicted_to_move, check);
+        if (i + far_ahead < count)
+            scene.prefetch(suspects_[i + far_ahead]);
+        if (i + ahead < count)
+            scene.prefetch_position(suspects_[i + ahead]);
+        const ProxyId id = suspects_[i];
+        scene.acknowledge(id);
+        if (prediction_holds(scene, proxies_, id, now_))
+            continue;
+        broken_ += proxies_.bounds[id].check != Check::none;
+        add_to_batch(id);
     }
+    counters_.verified += count;
     counters_.violations += broken_;
+    suspects_.clear();
     interactive_.for_each([&](ProxyId id) {
         if (moved_.contains(id))
             remember(scene, id);
