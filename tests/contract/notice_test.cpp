@@ -187,7 +187,8 @@ TEST_F(Notice, BoundsAreAskedForBetweenMoveAndTick)
     // dGeomGetAABB() and dSpaceCollide2() of two geoms bring the bounds up to date and take the mark of the move away.
     expect_as_simple([](Scenario &scene) {
         dGeomID mover = scene.sphere(0.5, 9, 0, 0);
-        for (int i = 0; i < 5; ++i)
+        dGeomID post = scene.sphere(0.5, 0, 0, 0);
+        for (int i = 1; i < 5; ++i)
             scene.sphere(0.5, i, 0, 0);
         for (int tick = 0; tick < 200; ++tick)
         {
@@ -199,7 +200,7 @@ TEST_F(Notice, BoundsAreAskedForBetweenMoveAndTick)
             else if (tick % 4 == 2)
                 dGeomGetAABB(as_geom(scene.space()), aabb);
             else
-                scene.query(mover, dSpaceGetGeom(scene.space(), 0));
+                scene.query(mover, post);
             scene.tick();
         }
     });
