@@ -4,7 +4,7 @@ set(ODE_PREDICTIVE_SPACE_SANITIZERS
     ""
     CACHE STRING "Sanitizers to build with, separated by commas (address,undefined or thread)")
 
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
     set(CMAKE_BUILD_TYPE
         Release
         CACHE STRING "Build type" FORCE)
