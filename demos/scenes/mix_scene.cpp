@@ -13,7 +13,7 @@ constexpr double density = 100;          // kg/m^3: an object weighs up to 0.4 k
 constexpr double slowest = 0.2;          // m/s
 constexpr double fastest = 1;            // m/s
 constexpr double time_to_recover = 0.2;  // seconds
-constexpr double probe_radius = 0.05;    // metres
+constexpr double probe_radius = 0.1;     // metres
 constexpr std::uint32_t probe_index = 0; // the probe is made first
 
 HandPathSettings hand_settings(int objects)

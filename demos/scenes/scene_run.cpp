@@ -22,6 +22,18 @@ double clock_overhead()
     return summarise(intervals).median;
 }
 
+void ProbeLog::add(const ProbeReport &report)
+{
+    if (report.touched.empty())
+    {
+        return;
+    }
+    touched.insert(report.touched.begin(), report.touched.end());
+    ++ticks_in_touch;
+    force_sum += report.force.norm();
+    max_force = std::max(max_force, report.force.norm());
+}
+
 SceneRun::SceneRun(SpaceKind kind, const SceneFactory &factory)
     : kind_(kind), space_(make_space(kind, factory)), scene_(factory.make(space_.get())),
       clock_overhead_(clock_overhead())
@@ -46,11 +58,15 @@ void SceneRun::tick()
     const Clock::time_point responded = Clock::now();
 
     collide_times_.push_back(microseconds * std::max(0.0, seconds_between(moved, collided) - clock_overhead_));
-    seconds_in_ticks_ += seconds_between(start, collided) + seconds_between(read, responded);
+    tick_times_.push_back(microseconds * (seconds_between(start, collided) + seconds_between(read, responded)));
     ++measured_;
     pairs_ += pairs.size();
     contacts_ += scene_->contacts();
     tick_hashes_.push_back(hash_pairs(pairs));
+    if (scene_->probe() != nullptr)
+    {
+        probe_log_.add(*scene_->probe());
+    }
     check();
 }
 
@@ -64,7 +80,6 @@ void SceneRun::batch(int ticks, double motion_seconds)
     }
     const double seconds = seconds_between(start, Clock::now());
     collide_times_.push_back(microseconds * std::max(0.0, seconds - motion_seconds) / ticks);
-    seconds_in_ticks_ += seconds;
     measured_ += static_cast<std::size_t>(ticks);
     check();
 }
@@ -72,7 +87,7 @@ void SceneRun::batch(int ticks, double motion_seconds)
 void SceneRun::start_measuring()
 {
     collide_times_.clear();
-    seconds_in_ticks_ = 0;
+    tick_times_.clear();
     measured_ = 0;
 }
 

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace ode_predictive_space::scenes
@@ -23,6 +24,17 @@ inline double seconds_between(Clock::time_point begin, Clock::time_point end)
 
 /// What reading the clock adds to an interval between two readings, in seconds (the median of many).
 double clock_overhead();
+
+/// What a probe did in the course of a run.
+struct ProbeLog
+{
+    void add(const ProbeReport &report);
+
+    std::set<std::uint32_t> touched{}; ///< numbers of all geoms that it touched
+    std::size_t ticks_in_touch = 0;
+    double force_sum = 0; ///< N, over the ticks in touch
+    double max_force = 0; ///< N
+};
 
 struct SpaceDestroyer
 {
@@ -58,8 +70,12 @@ public:
     /// Duration of each dSpaceCollide() since start_measuring(), in microseconds; of batches the mean of each.
     const std::vector<double> &collide_times() const { return collide_times_; }
 
-    /// Duration of all ticks since start_measuring(), in seconds: motion (with the step of the world), collide, contacts.
-    double seconds_in_ticks() const { return seconds_in_ticks_; }
+    /// Duration of each whole tick since start_measuring(), in microseconds: motion (with the step of the world), collide,
+    /// contacts. Batches do not give any.
+    const std::vector<double> &tick_times() const { return tick_times_; }
+
+    /// What the probe of the scene did since the beginning.
+    const ProbeLog &probe_log() const { return probe_log_; }
 
     std::size_t ticks() const { return tick_hashes_.size(); } ///< since the beginning, without batches
     std::size_t measured_ticks() const { return measured_; }  ///< since start_measuring()
@@ -89,12 +105,13 @@ private:
     bool checking_ = false;
     bool invariant_held_ = true;
     double clock_overhead_;
-    double seconds_in_ticks_ = 0;
     std::size_t measured_ = 0;
     std::uint64_t pairs_ = 0;
     std::uint64_t contacts_ = 0;
     std::uint64_t false_pairs_ = 0;
     std::vector<double> collide_times_;
+    std::vector<double> tick_times_;
+    ProbeLog probe_log_;
     std::vector<std::uint64_t> tick_hashes_;
 };
 

@@ -1,0 +1,218 @@
+#include "demos/haptic_report.h"
+
+#include "demos/scenes/result_records.h"
+#include "demos/scenes/table.h"
+
+#include <algorithm>
+#include <ostream>
+
+namespace ode_predictive_space::scenes
+{
+namespace
+{
+constexpr double longest_haptic_tick = 1000; // microseconds: haptics wants 1 kHz
+
+double mean_collide_time(const SceneRun &run)
+{
+    return summarise(run.collide_times()).mean;
+}
+
+double mean_tick_time(const SceneRun &run)
+{
+    return summarise(run.tick_times()).mean;
+}
+
+double per_tick(std::uint64_t sum, const SceneRun &run)
+{
+    return static_cast<double>(sum) / static_cast<double>(run.ticks());
+}
+
+double share_of_late_ticks(const SceneRun &run)
+{
+    const auto late = std::count_if(run.tick_times().begin(), run.tick_times().end(),
+                                    [](double time) { return time > longest_haptic_tick; });
+    return static_cast<double>(late) / static_cast<double>(run.tick_times().size());
+}
+
+/// The run in the predictive space; null when it was not asked for.
+const SceneRun *predictive_run(const SceneRuns &runs)
+{
+    const auto found =
+        std::find_if(runs.begin(), runs.end(), [](const auto &run) { return run->kind() == SpaceKind::predictive; });
+    return found == runs.end() ? nullptr : found->get();
+}
+
+/// The fastest of the other spaces; null when there is none.
+const SceneRun *best_other_run(const SceneRuns &runs)
+{
+    const SceneRun *best = nullptr;
+    for (const auto &run : runs)
+    {
+        if (run->kind() != SpaceKind::predictive &&
+            (best == nullptr || mean_collide_time(*run) < mean_collide_time(*best)))
+        {
+            best = run.get();
+        }
+    }
+    return best;
+}
+
+std::string long_name(SpaceKind kind)
+{
+    return kind == SpaceKind::sweep_and_prune ? "sweep and prune" : space_name(kind);
+}
+
+std::string gain_text(const SceneRun *ours, const SceneRun &other, double (*time)(const SceneRun &))
+{
+    return ours == nullptr || ours == &other ? "-" : fixed(gain_percent(time(*ours), time(other)), 1) + " %";
+}
+
+void print_collision_table(std::ostream &out, const SceneRuns &runs)
+{
+    out << "\nCollision detection: time in dSpaceCollide(), microseconds per tick\n\n";
+    Table table({"space", "mean", "median", "p99", "max", "gain", "pairs per tick"});
+    for (const auto &run : runs)
+    {
+        const Statistics times = summarise(run->collide_times());
+        table.add({long_name(run->kind()), fixed(times.mean, 1), fixed(times.median, 1), fixed(times.p99, 1),
+                   fixed(times.max, 1), gain_text(predictive_run(runs), *run, &mean_collide_time),
+                   fixed(per_tick(run->pairs(), *run), 1)});
+    }
+    table.print(out);
+}
+
+void print_tick_table(std::ostream &out, const SceneRuns &runs)
+{
+    out << "\nWhole tick: collision detection, contacts, forces and the step of the world\n\n";
+    Table table({"space", "ticks per second", "mean (µs)", "over 1 ms", "gain", "contacts per tick"});
+    for (const auto &run : runs)
+    {
+        const double mean = mean_tick_time(*run);
+        table.add({long_name(run->kind()), fixed(1e6 / mean, 0), fixed(mean, 1),
+                   fixed(100 * share_of_late_ticks(*run), 1) + " %",
+                   gain_text(predictive_run(runs), *run, &mean_tick_time), fixed(per_tick(run->contacts(), *run), 2)});
+    }
+    table.print(out);
+}
+
+void print_verdict(std::ostream &out, const SceneRuns &runs)
+{
+    const SceneRun *ours = predictive_run(runs);
+    const SceneRun *best = best_other_run(runs);
+    if (ours == nullptr || best == nullptr)
+    {
+        return;
+    }
+    const double ratio = mean_collide_time(*best) / mean_collide_time(*ours);
+    out << "The gain is the share of the other space's mean time that prediction saves: (T_other - T_predictive) / "
+           "T_other.\n"
+        << "The predictive space found the pairs " << fixed(ratio, 1) << " times as fast as the best of the others ("
+        << long_name(best->kind()) << ").\n";
+}
+
+void print_probe(std::ostream &out, const SceneRun &run)
+{
+    const ProbeLog &log = run.probe_log();
+    out << "The probe touched " << log.touched.size() << " objects, in " << grouped(log.ticks_in_touch) << " of "
+        << grouped(run.ticks()) << " ticks";
+    if (log.ticks_in_touch > 0)
+    {
+        out << "; it felt " << fixed(log.force_sum / static_cast<double>(log.ticks_in_touch), 1) << " N on average, "
+            << fixed(log.max_force, 1) << " N at most";
+    }
+    out << ".\n";
+}
+
+void print_false_pairs(std::ostream &out, const SceneRun &run)
+{
+    if (run.false_pairs() > 0)
+    {
+        out << "(The " << long_name(run.kind()) << " space also reported " << grouped(run.false_pairs())
+            << " pairs whose boxes are apart, as it rounds one axis to\nsingle precision. They are not counted.)\n";
+    }
+}
+
+void print_agreement(std::ostream &out, const SceneRuns &runs)
+{
+    const SceneRun &first = *runs.front();
+    const int tick = first_difference(runs);
+    if (tick >= 0)
+    {
+        out << "THE SPACES DISAGREE: from tick " << tick << " on they did not all report the same pairs.\n";
+        for (const auto &run : runs)
+        {
+            out << "  " << long_name(run->kind()) << ": hash of the pairs " << hexadecimal(run->pair_hash()) << '\n';
+        }
+        return;
+    }
+    if (runs.size() > 1)
+    {
+        out << "All " << runs.size() << " spaces reported the same pairs in each of the " << grouped(first.ticks())
+            << " ticks: ";
+    }
+    else
+    {
+        out << "The space reported ";
+    }
+    out << grouped(first.pairs()) << " pairs in all (hash " << hexadecimal(first.pair_hash()) << ").\n";
+}
+} // namespace
+
+double gain_percent(double ours, double other)
+{
+    return 100 * (other - ours) / other;
+}
+
+void print_introduction(std::ostream &out, const SceneSpec &spec, int ticks, std::size_t spaces)
+{
+    out << grouped(static_cast<std::uint64_t>(spec.objects))
+        << " objects in a room: spheres, boxes, capsules and triangle meshes; half of them still, half floating "
+           "about.\n"
+           "A simulated hand moves a probe among them, which feels and pushes what it touches.\n"
+        << grouped(static_cast<std::uint64_t>(ticks)) << " ticks of 1 ms, stepped by dWorldQuickStep(), seed "
+        << spec.seed;
+    out << (spaces > 1 ? "; the same motion in each of " + std::to_string(spaces) + " spaces, by turns.\n" : ".\n");
+    out.flush();
+}
+
+void print_report(std::ostream &out, const SceneRuns &runs)
+{
+    print_collision_table(out, runs);
+    print_tick_table(out, runs);
+    out << '\n';
+    print_verdict(out, runs);
+    print_probe(out, *runs.front());
+    print_agreement(out, runs);
+    for (const auto &run : runs)
+    {
+        print_false_pairs(out, *run);
+    }
+}
+
+nlohmann::json json_report(const SceneRuns &runs, const SceneSpec &spec)
+{
+    const SceneRun *ours = predictive_run(runs);
+    nlohmann::json records = nlohmann::json::array();
+    for (const auto &run : runs)
+    {
+        nlohmann::json record = record_of(*run, spec);
+        record["ticks_per_second"] = 1e6 / mean_tick_time(*run);
+        record["late_ticks_percent"] = 100 * share_of_late_ticks(*run);
+        if (ours != nullptr && ours != run.get())
+        {
+            record["gain_percent"] = gain_percent(mean_collide_time(*ours), mean_collide_time(*run));
+            record["whole_tick_gain_percent"] = gain_percent(mean_tick_time(*ours), mean_tick_time(*run));
+        }
+        records.push_back(record);
+    }
+    const ProbeLog &probe = runs.front()->probe_log();
+    return {{"program", "predictive_haptic_demo"},
+            {"same_pairs", first_difference(runs) < 0},
+            {"probe",
+             {{"touched", probe.touched.size()},
+              {"ticks_in_touch", probe.ticks_in_touch},
+              {"force_sum_n", probe.force_sum},
+              {"max_force_n", probe.max_force}}},
+            {"spaces", records}};
+}
+} // namespace ode_predictive_space::scenes

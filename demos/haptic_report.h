@@ -1,0 +1,26 @@
+// What predictive_haptic_demo has to say: before, after, and to a file.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_REPORT_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_REPORT_H
+
+#include "demos/scenes/scene_run.h"
+
+#include <iosfwd>
+#include <nlohmann/json.hpp>
+
+namespace ode_predictive_space::scenes
+{
+/// The gain in the sense of Vogiannou et al.: (T_other - T_ours) / T_other, in percent.
+double gain_percent(double ours, double other);
+
+/// What is going to be run.
+void print_introduction(std::ostream &out, const SceneSpec &spec, int ticks, std::size_t spaces);
+
+/// The table and its reading.
+void print_report(std::ostream &out, const SceneRuns &runs);
+
+/// The same for other programs.
+nlohmann::json json_report(const SceneRuns &runs, const SceneSpec &spec);
+} // namespace ode_predictive_space::scenes
+
+#endif

@@ -1,0 +1,38 @@
+// A line that tells how far a long run has come.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_PROGRESS_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_PROGRESS_H
+
+#include "demos/scenes/scene_run.h"
+
+#include <string>
+
+namespace ode_predictive_space::scenes
+{
+/// Writes to the standard error: on a terminal one line that is written over again and again, otherwise a line of its own
+/// for each tenth of the work, but not more than one per second.
+class Progress
+{
+public:
+    /// @param what the beginning of the line
+    /// @param ticks all that is to be done
+    Progress(std::string what, int ticks);
+    ~Progress();
+    Progress(const Progress &) = delete;
+    Progress &operator=(const Progress &) = delete;
+
+    void show(int ticks_done);
+
+private:
+    std::string line(int ticks_done) const;
+
+    std::string what_;
+    int ticks_;
+    bool terminal_;
+    int tenths_shown_ = 0;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_shown_ = start_;
+};
+} // namespace ode_predictive_space::scenes
+
+#endif

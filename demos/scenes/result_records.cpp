@@ -1,0 +1,39 @@
+#include "demos/scenes/result_records.h"
+
+#include "demos/scenes/table.h"
+
+#include <fstream>
+#include <stdexcept>
+
+namespace ode_predictive_space::scenes
+{
+nlohmann::json record_of(const SceneRun &run, const SceneSpec &spec)
+{
+    const Statistics times = summarise(run.collide_times());
+    return {{"scene", spec.name},
+            {"n", spec.objects},
+            {"space", space_name(run.kind())},
+            {"seed", spec.seed},
+            {"ticks", run.measured_ticks()},
+            {"mean_us", times.mean},
+            {"median_us", times.median},
+            {"p99_us", times.p99},
+            {"p999_us", times.p999},
+            {"max_us", times.max},
+            {"pairs", run.pairs()},
+            {"pair_hash", hexadecimal(run.pair_hash())},
+            {"false_pairs", run.false_pairs()},
+            {"contacts", run.contacts()}};
+}
+
+void write_json(const std::string &file, const nlohmann::json &value)
+{
+    std::ofstream out(file);
+    out << value.dump(2) << '\n';
+    out.close();
+    if (!out)
+    {
+        throw std::runtime_error("cannot write " + file);
+    }
+}
+} // namespace ode_predictive_space::scenes

@@ -1,0 +1,42 @@
+// Tables and numbers for people to read.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_TABLE_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_TABLE_H
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace ode_predictive_space::scenes
+{
+/// A whole number with its digits in groups of three: 1,234,567.
+std::string grouped(std::uint64_t number);
+
+/// A number with so many digits after the point, grouped before it: 1,234.5.
+std::string fixed(double number, int decimals);
+
+/// A 64-bit hash as 16 hexadecimal digits.
+std::string hexadecimal(std::uint64_t hash);
+
+/// Columns as wide as their widest cell, the first aligned on the left, the others on the right.
+class Table
+{
+public:
+    using Row = std::vector<std::string>;
+
+    explicit Table(Row head) : rows_{std::move(head)} {}
+
+    void add(Row row) { rows_.push_back(std::move(row)); }
+
+    /// Write it with a line under the head.
+    void print(std::ostream &out) const;
+
+private:
+    std::vector<std::size_t> column_widths() const;
+
+    std::vector<Row> rows_;
+};
+} // namespace ode_predictive_space::scenes
+
+#endif
