@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ode_predictive_space
 {
@@ -50,11 +51,20 @@ Vector3 finite_centre(const Box &box)
     return centre;
 }
 
+// The box relative to the centre. Rounding must not make it smaller: neither here nor when it is put back in its place.
+Box relative_to(const Vector3 &centre, const Box &box)
+{
+    const double unit = 4 * std::numeric_limits<double>::epsilon();
+    const Vector3 below = unit * (centre.cwiseAbs() + box.min().cwiseAbs());
+    const Vector3 above = unit * (centre.cwiseAbs() + box.max().cwiseAbs());
+    return Box(box.min() - centre - below, box.max() - centre + above);
+}
+
 void set_bounds(PackedBounds &bounds, const Observation &seen, const Vector3 &centre)
 {
-    const FloatBox box = seen.bounds
-                             ? FloatBox::around(Box(seen.bounds->min() - centre, seen.bounds->max() - centre))
-                             : FloatBox::around(Box(Vector3::Constant(-seen.radius), Vector3::Constant(seen.radius)));
+    const FloatBox box =
+        FloatBox::around(seen.bounds ? relative_to(centre, *seen.bounds)
+                                     : Box(Vector3::Constant(-seen.radius), Vector3::Constant(seen.radius)));
     std::copy_n(box.low, 3, bounds.low);
     std::copy_n(box.high, 3, bounds.high);
     const double diagonal = Vector3(std::max(-box.low[0], box.high[0]), std::max(-box.low[1], box.high[1]),
@@ -104,9 +114,11 @@ void pack(PackedPath &packed, const Path &path, const Deviation &deviation, Tick
         packed.velocity[axis] = static_cast<float>(path.velocity[axis]);
         packed.acceleration[axis] = static_cast<float>(path.acceleration[axis]);
     }
-    packed.deviation[0] = round_up(deviation.a);
-    packed.deviation[1] = round_up(deviation.b);
-    packed.deviation[2] = round_up(deviation.c);
+    // A limit far beyond any scene, so that no product of it with a time is infinite or NaN.
+    constexpr double limit = 1e30;
+    packed.deviation[0] = round_up(std::min(deviation.a, limit));
+    packed.deviation[1] = round_up(std::min(deviation.b, limit));
+    packed.deviation[2] = round_up(std::min(deviation.c, limit));
     packed.since = now;
 }
 } // namespace
@@ -157,7 +169,9 @@ Predictor::Motion Predictor::motion_of_body(PackedBounds &bounds, const Outcome 
         bounds.last_velocity[axis] = static_cast<float>(velocity[axis]);
     Motion motion;
     bool explained = true;
-    if (outcome.moved)
+    if (outcome.fresh)
+        motion.brief = step_.step() == 0 && !velocity.isZero(0);
+    else
     {
         step_.add(outcome.displacement, last, velocity, outcome.ticks);
         const Vector3 expected = (0.5 * step_.step() * outcome.ticks) * (last + velocity);
@@ -280,8 +294,9 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
                            {bounds.high[0], bounds.high[1], bounds.high[2]}};
     bounds.still = true;
     const Deviation slack = allow(bounds, outcome, size);
-    bounds.still = !extents.bounded() || !now_seen.centre.allFinite() ||
-                   speed * still_ticks + 0.5 * acceleration * still_ticks * still_ticks <= 0.5 * slack.a;
+    bounds.still =
+        !extents.bounded() ||
+        (!motion.brief && speed * still_ticks + 0.5 * acceleration * still_ticks * still_ticks <= 0.5 * slack.a);
     if (bounds.still)
         pack(proxies.paths[id], {now_seen.centre, Vector3::Zero(), Vector3::Zero()}, slack, now);
     else

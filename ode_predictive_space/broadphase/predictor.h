@@ -19,7 +19,7 @@ struct Observation
     Vector3 centre;            ///< of its bounding sphere, or of its bounding box when `bounds` is given
     double radius;             ///< of a bounding sphere that holds it however it turns; infinite when there is none
     bool is_sphere = false;    ///< that sphere's box is its bounding box
-    std::optional<Box> bounds; ///< its bounding box; needed when radius is infinite
+    std::optional<Box> bounds; ///< its bounding box; needed when radius or centre is not finite
     std::optional<Vector3> velocity; ///< in the program's unit, if it has a body that tells
 };
 

@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_VERIFY_H
 
 #include <cmath>
+#include <limits>
 
 #include "ode_predictive_space/broadphase/id_set.h"
 #include "ode_predictive_space/broadphase/proxy_store.h"
@@ -24,11 +25,18 @@ inline bool centre_inside(const PackedPath &path, const Vector3 &centre, Tick no
     return inside;
 }
 
-/// Is the box within the envelope? False when anything is NaN.
+/// Is the box within the envelope? A side that is NaN is so only where the envelope is infinite.
 inline bool bounds_inside(const Envelope &envelope_now, const Box &box)
 {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     const Box allowed = envelope_now.at(0);
-    return (allowed.min().array() <= box.min().array()).all() && (box.max().array() <= allowed.max().array()).all();
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        inside &= allowed.min()[axis] <= box.min()[axis] || allowed.min()[axis] == -infinity;
+        inside &= box.max()[axis] <= allowed.max()[axis] || allowed.max()[axis] == infinity;
+    }
+    return inside;
 }
 
 /// Is the object where its prediction says?

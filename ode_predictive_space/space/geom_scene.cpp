@@ -101,13 +101,14 @@ Observation GeomScene::observe(ProxyId id, bool with_bounds) const
     Observation seen;
     seen.radius = sphere.radius;
     seen.is_sphere = sphere.is_sphere;
-    if (std::isfinite(sphere.radius))
-        seen.centre = position(id);
-    if (!std::isfinite(sphere.radius) || (with_bounds && !sphere.is_sphere))
+    bool by_centre = std::isfinite(sphere.radius) && (!with_bounds || sphere.is_sphere);
+    if (by_centre)
     {
-        seen.bounds = bounds(id);
-        seen.centre = Vector3::Zero();
+        seen.centre = position(id);
+        by_centre = seen.centre.allFinite();
     }
+    if (!by_centre)
+        seen.bounds = bounds(id);
     if (geom->body && !dBodyIsKinematic(geom->body))
         seen.velocity = velocity_of(geom);
     return seen;

@@ -58,8 +58,12 @@ void dxPredictiveSpace::add(dxGeom *geom)
     dxSpace::add(geom);
     const ProxyId id = broadphase_.add();
     if (id >= geoms_.size())
+    {
         geoms_.resize(id + 1, nullptr);
+        polled_.resize(geoms_.size());
+    }
     geoms_[id] = geom;
+    unclassified_.push_back(id);
     geom->next_ex = reinterpret_cast<dxGeom *>(static_cast<std::uintptr_t>(id) + 1);
     geom->tome_ex = nullptr;
 }
@@ -73,6 +77,7 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     dxSpace::remove(geom);
     broadphase_.remove(id);
     geoms_[id] = nullptr;
+    polled_.erase(id);
     geom->next_ex = nullptr;
     // In here a geom with a bad box need not be dirty (see GeomScene::acknowledge()); elsewhere it must be.
     if (geom->gflags & GEOM_AABB_BAD)
@@ -84,6 +89,20 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
     broadphase_.mark_moved(proxy_of(geom));
 }
 
+// dGeomTriMeshSetData() marks the geom dirty and tells nobody, and ODE then keeps silent about its later moves too. (ODE's
+// own spaces miss it as well, or stop at an assertion, unless the geom happens to be the first in their list.)
+void dxPredictiveSpace::notice_unreported_moves()
+{
+    for (ProxyId id : unclassified_)
+        if (geoms_[id] && geoms_[id]->type == dTriMeshClass)
+            polled_.insert(id);
+    unclassified_.clear();
+    polled_.for_each([this](ProxyId id) {
+        if (geoms_[id]->gflags & GEOM_DIRTY)
+            broadphase_.mark_moved(id);
+    });
+}
+
 // Computes the boxes that the space itself may not need yet. What has moved is still noted, for the next collide.
 void dxPredictiveSpace::cleanGeoms()
 {
@@ -93,6 +112,8 @@ void dxPredictiveSpace::cleanGeoms()
         if (IS_SPACE(geom))
             static_cast<dxSpace *>(geom)->cleanGeoms();
         geom->recomputeAABB();
+        if (geom->gflags & GEOM_DIRTY)
+            dirty(geom);
         geom->gflags &= ~GEOM_DIRTY;
     }
 }
@@ -100,6 +121,7 @@ void dxPredictiveSpace::cleanGeoms()
 void dxPredictiveSpace::catch_up()
 {
     Lock lock(this);
+    notice_unreported_moves();
     GeomScene now = scene();
     broadphase_.catch_up(now);
 }
@@ -109,6 +131,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     dAASSERT(callback);
     const bool nested_call = lock_count > 0;
     Lock lock(this);
+    notice_unreported_moves();
     GeomScene now = scene();
     if (nested_call)
         broadphase_.catch_up(now);
@@ -135,9 +158,8 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
 void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback)
 {
     dAASSERT(geom && callback);
+    catch_up();
     Lock lock(this);
-    GeomScene now = scene();
-    broadphase_.catch_up(now);
     geom->recomputeAABB();
     std::vector<dxGeom *> found = std::exchange(found_, {});
     found.clear();
@@ -188,5 +210,5 @@ void dxPredictiveSpace::set_horizon(HorizonBounds horizon)
 std::size_t dxPredictiveSpace::bytes() const
 {
     return sizeof(*this) + broadphase_.bytes() + (geoms_.capacity() + found_.capacity()) * sizeof(dxGeom *) +
-           pairs_.capacity() * sizeof(CandidatePair);
+           pairs_.capacity() * sizeof(CandidatePair) + unclassified_.capacity() * sizeof(ProxyId) + polled_.bytes();
 }

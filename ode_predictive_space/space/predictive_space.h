@@ -75,9 +75,13 @@ private:
 
     static ProxyId proxy_of(const dxGeom *geom);
     ode_predictive_space::GeomScene scene() const;
+    void notice_unreported_moves();
 
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // by proxy number; 0 for gaps
+
+    std::vector<ProxyId> unclassified_;  // added since the last look: their class was not known then
+    ode_predictive_space::IdSet polled_; // those whose class changes them without telling their space
 
     // Taken by collide() and collide2() while they call back, given back afterwards: a callback may collide this space.
     std::vector<ode_predictive_space::CandidatePair> pairs_;
