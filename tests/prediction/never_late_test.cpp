@@ -1,0 +1,204 @@
+// The prediction against the true first contact, over more than a million random pairs for each measure of proximity.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "ode_predictive_space/prediction/proximity.h"
+#include "tests/prediction/first_contact.h"
+#include "tests/prediction/random_pairs.h"
+
+using namespace ode_predictive_space;
+
+namespace
+{
+constexpr int pairs_of_a_kind = 75000;
+static_assert(pairs_of_a_kind * pair_kinds >= 1000000, "a million pairs for each measure");
+
+// How far before the true contact the prediction was, in horizons.
+class Earliness
+{
+public:
+    static void print_heading(const char *measure)
+    {
+        std::printf("How early, in horizons, by %s:\n%-26s %7s %7s %8s %9s %9s %9s\n", measure, "pairs", "meet",
+                    "apart", "alarms", "mean", "p99", "worst");
+    }
+
+    void add(std::optional<double> predicted, std::optional<Real> contact, double duration)
+    {
+        if (contact)
+            early_.push_back(static_cast<double>(*contact - *predicted / duration));
+        else
+            ++(predicted ? false_alarms_ : apart_);
+    }
+
+    double worst() const { return early_.empty() ? 0 : *std::max_element(early_.begin(), early_.end()); }
+    std::size_t encounters() const { return early_.size(); }
+
+    void print(PairKind kind)
+    {
+        std::sort(early_.begin(), early_.end());
+        double sum = 0;
+        for (const double value : early_)
+            sum += value;
+        const double mean = early_.empty() ? 0 : sum / early_.size();
+        const double p99 = early_.empty() ? 0 : early_[early_.size() * 99 / 100];
+        std::printf("%-26s %7zu %7d %8d %9.2g %9.2g %9.2g\n", name(kind), early_.size(), apart_, false_alarms_, mean,
+                    p99, worst());
+    }
+
+private:
+    std::vector<double> early_;
+    int apart_ = 0;
+    int false_alarms_ = 0;
+};
+
+// The chord's part in being early, as a distance: a prediction needs no earlier time than this allows.
+double sphere_slack(const EnvelopePair &pair)
+{
+    const double T = pair.duration;
+    return 2 * sphere_chord_error(pair.first, pair.second, T) +
+           0.25 * (pair.first.deviation + pair.second.deviation).c * T * T;
+}
+
+double box_slack(const EnvelopePair &pair, int axis)
+{
+    const double T = pair.duration;
+    const double bend = std::abs(pair.first.path.acceleration[axis] - pair.second.path.acceleration[axis]);
+    return 0.125 * (bend + 2 * (pair.first.deviation + pair.second.deviation).c) * T * T;
+}
+
+double size(const EnvelopePair &pair)
+{
+    const Vector3 terms =
+        size_of_terms(pair.first.path, pair.duration) + size_of_terms(pair.second.path, pair.duration);
+    return terms.sum() + pair.first.radius + pair.second.radius +
+           (pair.first.deviation + pair.second.deviation).at(pair.duration);
+}
+
+// No pair is said to be near while the spheres are further apart than the chords' errors explain.
+void expect_not_needlessly_early_by_spheres(const EnvelopePair &pair, double predicted)
+{
+    const double reach = size(pair);
+    const Polynomial P = sphere_polynomial(pair.first, pair.second, pair.duration, sphere_slack(pair));
+    EXPECT_LE(P.at(predicted / pair.duration), 1e-12 * reach * reach);
+}
+
+void expect_not_needlessly_early_by_boxes(const EnvelopePair &pair, double predicted)
+{
+    const std::array<Polynomial, 6> gaps = box_gaps(pair.first, pair.second, pair.duration);
+    for (int side = 0; side < 6; ++side)
+        EXPECT_LE(gaps[side].at(predicted / pair.duration), box_slack(pair, side / 2) + 1e-12 * size(pair));
+}
+
+// The envelopes' boxes as computed, which is what the broad phase verifies geoms against.
+void expect_computed_boxes_apart(const EnvelopePair &pair, double elapsed, std::optional<double> predicted)
+{
+    const double apart_until = predicted ? std::nextafter(*predicted, -1.0) : pair.duration;
+    if (apart_until < 0)
+        return;
+    for (const double t : {0.0, std::floor(apart_until), 0.999 * apart_until, apart_until})
+        EXPECT_FALSE(pair.first.at(elapsed + t).intersects(pair.second.at(elapsed + t))) << "at " << t;
+}
+
+template <typename Property> void for_all_kinds(std::uint64_t seed, int count, Property property)
+{
+    for (int kind = 0; kind < pair_kinds; ++kind)
+    {
+        RandomPairs random(seed + kind);
+        for (int i = 0; i < count; ++i)
+        {
+            property(random.make(static_cast<PairKind>(kind)), random);
+            ASSERT_FALSE(testing::Test::HasFailure())
+                << name(static_cast<PairKind>(kind)) << ", seed " << seed + kind << ", pair " << i;
+        }
+    }
+}
+} // namespace
+
+TEST(NeverLate, time_of_proximity_of_spheres)
+{
+    Earliness::print_heading("spheres");
+    std::size_t encounters = 0;
+    for (int k = 0; k < pair_kinds; ++k)
+    {
+        const PairKind kind = static_cast<PairKind>(k);
+        Earliness earliness;
+        RandomPairs random(1000 + k);
+        for (int i = 0; i < pairs_of_a_kind; ++i)
+        {
+            const EnvelopePair pair = random.make(kind);
+            const auto predicted = sphere_time_of_proximity(pair.first, pair.second, pair.duration);
+            const auto contact = first_sphere_contact(pair.first, pair.second, pair.duration);
+            const bool in_time = !contact || (predicted && *predicted <= *contact * pair.duration);
+            ASSERT_TRUE(in_time) << name(kind) << ", pair " << i << ": contact at " << *contact << " of the horizon";
+            if (predicted)
+                expect_not_needlessly_early_by_spheres(pair, *predicted);
+            ASSERT_FALSE(HasFailure()) << name(kind) << ", pair " << i;
+            earliness.add(predicted, contact, pair.duration);
+        }
+        earliness.print(kind);
+        encounters += earliness.encounters();
+    }
+    EXPECT_GT(encounters, 200000U);
+}
+
+TEST(NeverLate, time_of_proximity_of_boxes)
+{
+    Earliness::print_heading("boxes");
+    std::size_t encounters = 0;
+    for (int k = 0; k < pair_kinds; ++k)
+    {
+        const PairKind kind = static_cast<PairKind>(k);
+        Earliness earliness;
+        RandomPairs random(2000 + k);
+        for (int i = 0; i < pairs_of_a_kind; ++i)
+        {
+            const EnvelopePair pair = random.make(kind);
+            const auto predicted = box_time_of_proximity(pair.first, pair.second, pair.duration);
+            const auto contact = first_box_contact(pair.first, pair.second, pair.duration);
+            const bool in_time = !contact || (predicted && *predicted <= *contact * pair.duration);
+            ASSERT_TRUE(in_time) << name(kind) << ", pair " << i << ": contact at " << *contact << " of the horizon";
+            if (predicted)
+                expect_not_needlessly_early_by_boxes(pair, *predicted);
+            expect_computed_boxes_apart(pair, 0, predicted);
+            ASSERT_FALSE(HasFailure()) << name(kind) << ", pair " << i;
+            earliness.add(predicted, contact, pair.duration);
+        }
+        earliness.print(kind);
+        encounters += earliness.encounters();
+    }
+    EXPECT_GT(encounters, 200000U);
+}
+
+TEST(NeverLate, when_there_is_no_chord_error_the_prediction_is_exact)
+{
+    // A straight relative path and a deviation that does not bend: the quartic is the paper's quadratic.
+    for_all_kinds(3000, 2000, [](EnvelopePair pair, RandomPairs &) {
+        pair.second.path.acceleration = pair.first.path.acceleration;
+        pair.first.deviation.c = pair.second.deviation.c = 0;
+        const auto predicted = sphere_time_of_proximity(pair.first, pair.second, pair.duration);
+        const auto contact = first_sphere_contact(pair.first, pair.second, pair.duration);
+        if (contact && *contact > 0)
+        {
+            // Rounding may make it earlier where the polynomial is flat: where they graze or hardly approach each other.
+            Polynomial P = sphere_polynomial(pair.first, pair.second, pair.duration);
+            P.coefficient[0] -= 1e-13 * size(pair) * size(pair);
+            EXPECT_LE(static_cast<double>(*first_not_positive(P)), *predicted / pair.duration + 1e-12);
+        }
+    });
+}
+
+TEST(NeverLate, predictions_made_at_different_ticks)
+{
+    for_all_kinds(4000, 5000, [](EnvelopePair pair, RandomPairs &random) {
+        const double elapsed = std::floor(random.uniform(0, pair.duration));
+        pair.duration -= elapsed;
+        const auto predicted =
+            box_time_of_proximity(pair.first.advanced(elapsed), pair.second.advanced(elapsed), pair.duration);
+        expect_computed_boxes_apart(pair, elapsed, predicted);
+    });
+}

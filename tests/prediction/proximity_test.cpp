@@ -1,0 +1,274 @@
+#include "ode_predictive_space/prediction/proximity.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/prediction/first_contact.h"
+#include "tests/prediction/random_pairs.h"
+
+using namespace ode_predictive_space;
+
+namespace
+{
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+Envelope ball(const Path &path, double radius, const Deviation &deviation = {})
+{
+    return {path, deviation, Vector3::Constant(-radius), Vector3::Constant(radius), radius};
+}
+
+Path resting_at(const Vector3 &position)
+{
+    return {position, Vector3::Zero(), Vector3::Zero()};
+}
+
+// The error e as equation 4 of the paper has it: how far a path is from the line through its ends.
+double perpendicular_chord_error(const Path &path, double duration)
+{
+    const Vector3 chord = path.at(duration) - path.position;
+    return 0.125 * duration * duration * path.acceleration.cross(chord.normalized()).norm();
+}
+
+std::optional<double> time_of_proximity_by_equation_4(const Envelope &first, const Envelope &second, double duration)
+{
+    const double error =
+        perpendicular_chord_error(first.path, duration) + perpendicular_chord_error(second.path, duration);
+    const ProximityPolynomial P = proximity_polynomial(first, second, duration, error);
+    const std::optional<double> m = first_root(P.A, P.B, P.C);
+    if (!m || *m > 1)
+        return std::nullopt;
+    return *m * duration;
+}
+
+// All members through which something that is not a number can come in.
+std::vector<double *> numbers_of(Envelope &envelope)
+{
+    std::vector<double *> numbers = {&envelope.deviation.a, &envelope.deviation.b, &envelope.deviation.c};
+    for (Vector3 *vector :
+         {&envelope.path.position, &envelope.path.velocity, &envelope.path.acceleration, &envelope.low, &envelope.high})
+        for (int axis = 0; axis < 3; ++axis)
+            numbers.push_back(&(*vector)[axis]);
+    return numbers;
+}
+} // namespace
+
+TEST(FirstRoot, near_already)
+{
+    EXPECT_EQ(first_root(1, -5, 0), 0.0);
+    EXPECT_EQ(first_root(1, 5, -1), 0.0);
+    EXPECT_EQ(first_root(0, 0, 0), 0.0);
+    EXPECT_EQ(first_root(-1, 0, -1), 0.0);
+}
+
+TEST(FirstRoot, every_sign_of_the_coefficients)
+{
+    const std::array<double, 7> values = {-4, -2.5, -1, 0, 1, 2.5, 4};
+    for (const double A : values)
+        for (const double B : values)
+            for (const double C : {0.25, 1.0, 3.0})
+            {
+                // The signs of P on a fine grid say whether there is a root, and P is zero at it.
+                const ProximityPolynomial P = {A, B, C};
+                const std::optional<double> root = first_root(A, B, C);
+                const double end = root ? *root * (1 - 1e-9) : 1000;
+                for (int i = 0; i <= 100; ++i)
+                    ASSERT_GT(P.at(end * i / 100), -1e-9 * (1 + std::abs(A) * end * end)) << A << ' ' << B << ' ' << C;
+                EXPECT_TRUE(root || A >= 0) << "P falls without bound: there is a root";
+                const double m = root.value_or(0);
+                EXPECT_NEAR(P.at(m), root ? 0 : C, 1e-12 * (1 + std::abs(A) * m * m)) << A << ' ' << B << ' ' << C;
+            }
+}
+
+TEST(FirstRoot, straight_line)
+{
+    EXPECT_DOUBLE_EQ(*first_root(0, -2, 3), 0.75);
+    EXPECT_FALSE(first_root(0, 2, 3));
+    EXPECT_FALSE(first_root(0, 0, 3));
+}
+
+TEST(FirstRoot, double_root)
+{
+    EXPECT_DOUBLE_EQ(*first_root(1, -1, 1), 1.0);
+    EXPECT_FALSE(first_root(1, -1, 1.0000001));
+    EXPECT_FALSE(first_root(1, 1, 1));
+}
+
+TEST(FirstRoot, does_not_cancel)
+{
+    // The textbook's form would subtract numbers that differ in their last digits only.
+    EXPECT_NEAR(*first_root(1e-9, -1, 1), 0.5, 1e-9);
+    EXPECT_NEAR(*first_root(1, -1e9, 1), 0.5e-9, 1e-23);
+    EXPECT_NEAR(*first_root(-1, -1e9, 1), 0.5e-9, 1e-23);
+    // With A < 0 < B it is C / (sqrt(D) - B) that would do so; it would even find no root.
+    EXPECT_DOUBLE_EQ(*first_root(-3, 1, 1e-18), 2.0 / 3);
+}
+
+TEST(FirstRoot, nothing_is_apart_that_is_not_a_number)
+{
+    EXPECT_EQ(first_root(not_a_number, 1, 1), 0.0);
+    EXPECT_EQ(first_root(1, not_a_number, 1), 0.0);
+    EXPECT_EQ(first_root(1, 1, not_a_number), 0.0);
+    EXPECT_EQ(first_root(-infinity, 1, infinity), 0.0);
+    EXPECT_EQ(first_root(1e300, -1e300, 1e300), 0.0) << "the discriminant overflows";
+}
+
+TEST(TimeOfProximity, head_on)
+{
+    // Two unit balls, 10 apart, each at 1 per tick: they touch after 4 ticks.
+    const Envelope left = ball({Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3::Zero()}, 1);
+    const Envelope right = ball({Vector3(10, 0, 0), Vector3(-1, 0, 0), Vector3::Zero()}, 1);
+    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 8), 4, 1e-12);
+    EXPECT_NEAR(*box_time_of_proximity(left, right, 8), 4, 1e-12);
+    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 4), 4, 1e-12) << "touching at the very end counts";
+    EXPECT_NEAR(*box_time_of_proximity(left, right, 4), 4, 1e-12);
+    EXPECT_FALSE(sphere_time_of_proximity(left, right, 3.999));
+    EXPECT_FALSE(box_time_of_proximity(left, right, 3.999));
+}
+
+TEST(TimeOfProximity, deviations_count)
+{
+    const Envelope left = ball({Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3::Zero()}, 1, {0.5, 0.25, 0});
+    const Envelope right = ball({Vector3(10, 0, 0), Vector3(-1, 0, 0), Vector3::Zero()}, 1, {0.5, 0.25, 0});
+    // 10 - 2 t = 2 + 1 + t / 2
+    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 8), 2.8, 1e-12);
+    EXPECT_NEAR(*box_time_of_proximity(left, right, 8), 2.8, 1e-12);
+}
+
+TEST(TimeOfProximity, box_is_the_latest_of_the_three_entries)
+{
+    const Envelope still = ball(resting_at(Vector3::Zero()), 1);
+    // Enters the slabs of x, y, z at 2, 5 and 3, and leaves that of x at 6.
+    const Envelope moving = ball({Vector3(4, 7, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
+    EXPECT_NEAR(box_time_of_proximity(still, moving, 10).value_or(-1), 5, 1e-12);
+    const Envelope passing = ball({Vector3(4, 7.9, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
+    EXPECT_NEAR(box_time_of_proximity(still, passing, 10).value_or(-1), 5.9, 1e-12);
+    const Envelope missing = ball({Vector3(4, 8.1, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
+    EXPECT_FALSE(box_time_of_proximity(still, missing, 20)) << "x is left before y is entered";
+}
+
+TEST(TimeOfProximity, no_duration)
+{
+    const Envelope first = ball({Vector3::Zero(), Vector3(5, 0, 0), Vector3(0, 9, 0)}, 1, {0.1, 2, 3});
+    const Envelope touching = ball(resting_at(Vector3(2.2, 0, 0)), 1, {0.1, 2, 3});
+    const Envelope apart = ball(resting_at(Vector3(2.21, 0, 0)), 1, {0.1, 2, 3});
+    EXPECT_EQ(sphere_time_of_proximity(first, touching, 0), 0.0);
+    EXPECT_EQ(box_time_of_proximity(first, touching, 0), 0.0);
+    EXPECT_FALSE(sphere_time_of_proximity(first, apart, 0));
+    EXPECT_FALSE(box_time_of_proximity(first, apart, 0));
+}
+
+TEST(TimeOfProximity, infinite_bounds)
+{
+    // A floor: the half space z <= 0. It has no sphere.
+    Envelope floor = ball(resting_at(Vector3::Zero()), infinity);
+    floor.high.z() = 0;
+    const Envelope falling = ball({Vector3(1e6, 0, 5), Vector3(0, 0, -1), Vector3::Zero()}, 1);
+    const Envelope hovering = ball({Vector3(1e6, 0, 5), Vector3(3, 0, 0), Vector3::Zero()}, 1);
+    EXPECT_NEAR(*box_time_of_proximity(floor, falling, 10), 4, 1e-8);
+    EXPECT_NEAR(*box_time_of_proximity(falling, floor, 10), 4, 1e-8);
+    EXPECT_FALSE(box_time_of_proximity(floor, hovering, 10));
+    EXPECT_FALSE(box_time_of_proximity(hovering, floor, 10));
+    EXPECT_EQ(sphere_time_of_proximity(floor, hovering, 10), 0.0);
+    EXPECT_EQ(box_time_of_proximity(floor, floor, 10), 0.0);
+
+    Envelope ceiling = ball(resting_at(Vector3(0, 0, 20)), infinity);
+    ceiling.low.z() = 0;
+    EXPECT_FALSE(box_time_of_proximity(floor, ceiling, 10));
+    const Envelope everywhere = ball(resting_at(Vector3::Zero()), infinity);
+    EXPECT_EQ(box_time_of_proximity(everywhere, hovering, 10), 0.0);
+}
+
+TEST(TimeOfProximity, nothing_is_apart_that_is_not_a_number)
+{
+    const Envelope first = ball(resting_at(Vector3::Zero()), 1);
+    const Envelope far = ball({Vector3(50, 60, 70), Vector3(1, 2, 3), Vector3(1, 0, 0)}, 1, {0.1, 0.1, 0.1});
+    ASSERT_FALSE(box_time_of_proximity(first, far, 10));
+    ASSERT_FALSE(sphere_time_of_proximity(first, far, 10));
+    Envelope broken = far;
+    const std::vector<double *> numbers = numbers_of(broken);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+        *numbers[i] = not_a_number;
+        EXPECT_EQ(box_time_of_proximity(first, broken, 10), 0.0) << "number " << i;
+        EXPECT_EQ(box_time_of_proximity(broken, first, 10), 0.0) << "number " << i;
+        const bool has_part_in_sphere = i < 12;
+        EXPECT_EQ(sphere_time_of_proximity(first, broken, 10).has_value(), has_part_in_sphere) << "number " << i;
+        broken = far;
+    }
+    broken.radius = not_a_number;
+    EXPECT_EQ(sphere_time_of_proximity(first, broken, 10), 0.0);
+}
+
+TEST(TimeOfProximity, infinite_and_huge_positions_are_not_apart_by_mistake)
+{
+    const Envelope first = ball(resting_at(Vector3::Zero()), 1);
+    const Envelope lost = ball(resting_at(Vector3(infinity, 0, 0)), 1);
+    EXPECT_EQ(box_time_of_proximity(first, lost, 10), 0.0);
+    EXPECT_EQ(sphere_time_of_proximity(first, lost, 10), 0.0);
+    EXPECT_EQ(box_time_of_proximity(lost, lost, 10), 0.0);
+    const Envelope huge = ball(resting_at(Vector3(1e200, 0, 0)), 1);
+    EXPECT_EQ(sphere_time_of_proximity(huge, huge, 10), 0.0);
+    const Envelope far = ball({Vector3(1e12, 0, 0), Vector3(1e6, 0, 0), Vector3::Zero()}, 1);
+    EXPECT_FALSE(box_time_of_proximity(first, far, 10));
+    EXPECT_FALSE(sphere_time_of_proximity(first, far, 10));
+}
+
+TEST(ChordError, braking_and_turning_back_is_missed_by_equation_4)
+{
+    // s(t) = t - t^2 / 100 runs ahead to 25 at t = 50 and is back at 16 after 80 ticks. All along its own line: equation 4
+    // finds no error at all, and the chord never comes nearer than 16 to the ball that is hit at s = 20.
+    const Envelope braking = ball({Vector3::Zero(), Vector3(1, 0, 0), Vector3(-0.02, 0, 0)}, 1);
+    const Envelope still = ball(resting_at(Vector3(22, 0, 0)), 1);
+    const double duration = 80;
+    const double contact = duration * static_cast<double>(*first_sphere_contact(braking, still, duration));
+    EXPECT_NEAR(contact, (1 - std::sqrt(0.2)) / 0.02, 1e-9);
+
+    EXPECT_EQ(perpendicular_chord_error(braking.path, duration), 0);
+    EXPECT_FALSE(time_of_proximity_by_equation_4(braking, still, duration));
+
+    const std::optional<double> ours = sphere_time_of_proximity(braking, still, duration);
+    ASSERT_TRUE(ours);
+    EXPECT_LE(*ours, contact);
+    ASSERT_TRUE(box_time_of_proximity(braking, still, duration));
+    EXPECT_LE(*box_time_of_proximity(braking, still, duration), contact);
+}
+
+TEST(ChordError, braking_is_late_by_equation_4)
+{
+    // It meets the other ball within the chord as well, but sooner than the chord says.
+    const Envelope braking = ball({Vector3::Zero(), Vector3(1, 0, 0), Vector3(-0.02, 0, 0)}, 1);
+    const Envelope still = ball(resting_at(Vector3(17, 0, 0)), 1);
+    const double duration = 50;
+    const double contact = duration * static_cast<double>(*first_sphere_contact(braking, still, duration));
+    EXPECT_GT(*time_of_proximity_by_equation_4(braking, still, duration), contact + 5);
+    EXPECT_LE(*sphere_time_of_proximity(braking, still, duration), contact);
+    EXPECT_LE(*box_time_of_proximity(braking, still, duration), contact);
+}
+
+TEST(ChordError, same_gravity_owes_nothing)
+{
+    const Vector3 gravity(0, 0, -0.01);
+    const Envelope left = ball({Vector3(0, 0, 100), Vector3(1, 0, 0), gravity}, 1);
+    const Envelope right = ball({Vector3(10, 0, 100), Vector3(-1, 0, 0), gravity}, 1);
+    EXPECT_EQ(sphere_chord_error(left, right, 100), 0);
+    EXPECT_GT(chord_error(gravity, 100), 12);
+    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 100), 4, 1e-9);
+    EXPECT_NEAR(*box_time_of_proximity(left, right, 100), 4, 1e-9);
+}
+
+TEST(ChordError, of_the_relative_path_is_at_most_the_sum)
+{
+    RandomPairs random(21);
+    for (int i = 0; i < 100 * pair_kinds; ++i)
+    {
+        const EnvelopePair pair = random.make(static_cast<PairKind>(i % pair_kinds));
+        const double sum = chord_error(pair.first.path.acceleration, pair.duration) +
+                           chord_error(pair.second.path.acceleration, pair.duration);
+        EXPECT_LE(sphere_chord_error(pair.first, pair.second, pair.duration), sum * (1 + 1e-14));
+    }
+}
