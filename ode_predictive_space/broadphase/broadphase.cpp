@@ -19,7 +19,8 @@ ProxyId Broadphase::add()
         proxies_.bounds.emplace_back();
         proxies_.generations.push_back(0);
         scanned_.emplace_back();
-        for (IdSet *set : {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_})
+        for (IdSet *set :
+             {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_, &due_anew_})
             set->resize(proxies_.size());
     }
     proxies_.paths[id] = PackedPath{};
@@ -36,22 +37,26 @@ void Broadphase::remove(ProxyId id)
     ++proxies_.generations[id];
     index_.remove(proxies_, id);
     predictor.forget(proxies_, id);
-    sampled_ -= interactive_.contains(id);
-    for (IdSet *set : {&members_, &moved_, &moving_, &unreported_, &has_near_, &interactive_})
+    sample(id, false);
+    for (IdSet *set : {&members_, &moved_, &moving_, &unreported_, &has_near_, &interactive_, &due_anew_})
         set->erase(id);
-    due_anew_.erase(std::remove(due_anew_.begin(), due_anew_.end(), id), due_anew_.end());
     free_ids_.push_back(id);
 }
 
 void Broadphase::set_role(ProxyId id, Role role)
 {
     proxies_.bounds[id].role = role;
-    if (!is_interactive(role) && interactive_.contains(id))
-    {
-        interactive_.erase(id);
-        --sampled_;
-    }
-    due_anew_.push_back(id);
+    if (!is_interactive(role))
+        sample(id, false);
+    due_anew_.insert(id);
+}
+
+void Broadphase::set_measure(Proximity measure)
+{
+    measure_ = measure;
+    for (NearPair &pair : near_)
+        pair.tested = false;
+    predict_all_anew();
 }
 
 void Broadphase::predict_all_anew()
@@ -59,7 +64,7 @@ void Broadphase::predict_all_anew()
     members_.for_each([&](ProxyId id) {
         proxies_.bounds[id].horizon =
             std::clamp(proxies_.bounds[id].horizon, predictor.horizon.min_ticks, predictor.horizon.max_ticks);
-        due_anew_.push_back(id);
+        due_anew_.insert(id);
     });
 }
 
@@ -106,10 +111,15 @@ void Broadphase::add_to_batch(ProxyId id)
     batch_.push_back(id);
 }
 
-void Broadphase::sample(ProxyId id)
+void Broadphase::sample(ProxyId id, bool wanted)
 {
-    sampled_ += !interactive_.contains(id);
-    interactive_.insert(id);
+    if (wanted == interactive_.contains(id))
+        return;
+    if (wanted)
+        interactive_.insert(id);
+    else
+        interactive_.erase(id);
+    sampled_ = interactive_.size();
 }
 
 // Those whose horizon ends, and those that are to be predicted anew for another reason, join those that broke theirs.
@@ -118,8 +128,7 @@ void Broadphase::expire()
     for (const Event &event : due_)
         if (event.second == no_proxy && current(event))
             add_to_batch(event.first);
-    for (ProxyId id : due_anew_)
-        add_to_batch(id);
+    due_anew_.for_each([this](ProxyId id) { add_to_batch(id); });
     due_anew_.clear();
 }
 
@@ -131,7 +140,7 @@ void Broadphase::find_pairs()
 void Broadphase::schedule()
 {
     const std::size_t before = near_.size();
-    assess(proxies_, candidates_, now_, measure, near_, scheduled_);
+    assess(proxies_, candidates_, now_, measure_, near_, scheduled_);
     for (const ScheduledPair &pair : scheduled_)
         wheel_.schedule(now_ + static_cast<Tick>(pair.ticks), pair.event);
     for (std::size_t i = before; i < near_.size(); ++i)
@@ -155,7 +164,7 @@ void Broadphase::wake()
 // paper's measure works on spheres throughout.
 void Broadphase::note_crowded(const NearPair &pair)
 {
-    if (measure == Proximity::sphere)
+    if (measure_ == Proximity::sphere)
         return;
     for (ProxyId id : {pair.first, pair.second})
     {
@@ -163,7 +172,7 @@ void Broadphase::note_crowded(const NearPair &pair)
         if (bounds.check == Check::centre && !bounds.crowded && !bounds.is_sphere)
         {
             bounds.crowded = true;
-            due_anew_.push_back(id);
+            due_anew_.insert(id);
         }
     }
 }
@@ -177,6 +186,7 @@ void Broadphase::finish_update()
     candidates_.clear();
     scheduled_.clear();
     purge_stale_events();
+    purge_stale_near();
 }
 
 bool Broadphase::current(const Event &event) const
@@ -201,10 +211,20 @@ std::size_t Broadphase::near_pairs() const
 // Stale events wait for their tick. Where many predictions break early they would pile up.
 void Broadphase::purge_stale_events()
 {
-    if (wheel_.size() < purge_at_)
+    if (wheel_.size() < purge_events_at_)
         return;
     wheel_.purge([this](const Event &event) { return current(event); });
-    purge_at_ = std::max<std::size_t>(least_purge, 2 * wheel_.size());
+    purge_events_at_ = std::max(least_purge, 2 * wheel_.size());
+}
+
+// Stale near pairs wait for the next report. A program that only asks, and never collides, makes none.
+void Broadphase::purge_stale_near()
+{
+    if (near_.size() < purge_near_at_)
+        return;
+    near_.erase(std::remove_if(near_.begin(), near_.end(), [this](const NearPair &pair) { return !current(pair); }),
+                near_.end());
+    purge_near_at_ = std::max(least_purge, 2 * near_.size());
 }
 
 void Broadphase::start_scanning()
@@ -215,6 +235,7 @@ void Broadphase::start_scanning()
     near_.clear();
     due_anew_.clear();
     moving_.clear();
+    scouts_.choose(members_);
     members_.for_each([&](ProxyId id) {
         proxies_.bounds[id].check = Check::none;
         moved_.insert(id);
@@ -231,9 +252,10 @@ void Broadphase::stop_scanning()
 std::size_t Broadphase::bytes() const
 {
     std::size_t total = proxies_.bytes() + predictor.bytes() + index_.bytes() + wheel_.bytes() + sweep_.bytes();
-    for (const IdSet *set : {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_})
+    for (const IdSet *set :
+         {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_, &due_anew_})
         total += set->bytes();
-    total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity() + due_anew_.capacity()) * sizeof(ProxyId);
+    total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity()) * sizeof(ProxyId);
     total += near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
     total += candidates_.capacity() * sizeof(CandidatePair) + scheduled_.capacity() * sizeof(ScheduledPair);
     return total + items_.capacity() * sizeof(Sweep::Item) + scanned_.capacity() * sizeof(FloatBox);

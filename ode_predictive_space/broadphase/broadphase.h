@@ -17,6 +17,7 @@
 #include "ode_predictive_space/broadphase/predictor.h"
 #include "ode_predictive_space/broadphase/proxy_store.h"
 #include "ode_predictive_space/broadphase/scan_policy.h"
+#include "ode_predictive_space/broadphase/scouts.h"
 #include "ode_predictive_space/broadphase/sweep.h"
 
 namespace ode_predictive_space
@@ -45,7 +46,9 @@ class Broadphase
 {
 public:
     Predictor predictor;
-    Proximity measure = Proximity::box;
+
+    Proximity measure() const { return measure_; }
+    void set_measure(Proximity measure);
 
     /// A new object; it counts as moved.
     ProxyId add();
@@ -74,7 +77,7 @@ public:
 
     std::optional<double> time_of_proximity(ProxyId first, ProxyId second) const
     {
-        return ode_predictive_space::time_of_proximity(proxies_, first, second, now_, measure);
+        return ode_predictive_space::time_of_proximity(proxies_, first, second, now_, measure_);
     }
 
     ProxyStore &proxies() { return proxies_; }
@@ -111,7 +114,7 @@ private:
     void advance_clock();
     void expire();
     void add_to_batch(ProxyId id);
-    void sample(ProxyId id);
+    void sample(ProxyId id, bool wanted);
     void find_pairs();
     void schedule();
     void wake();
@@ -120,7 +123,9 @@ private:
     void start_scanning();
     void stop_scanning();
     void purge_stale_events();
+    void purge_stale_near();
 
+    Proximity measure_ = Proximity::box;
     ProxyStore proxies_;
     std::vector<ProxyId> free_ids_;
     IdSet members_;
@@ -130,6 +135,7 @@ private:
     IdSet has_near_;    // had near pairs at the last report()
     IdSet in_batch_;    // members of batch_
     IdSet interactive_; // remembered at each tick
+    IdSet due_anew_;    // to be predicted anew at the next update, whether or not they move
     Tick now_ = 0;
     bool ticked_early_ = false; // time has already passed since the last tick, in a catch_up()
 
@@ -137,6 +143,7 @@ private:
     EventWheel wheel_;
     std::vector<NearPair> near_;
     ScanPolicy policy_;
+    Scouts scouts_;
     Sweep sweep_;
     std::vector<FloatBox> scanned_; // while scanning: the bounds of each object
     Counters counters_;
@@ -146,7 +153,8 @@ private:
     std::size_t sampled_ = 0;
 
     static constexpr std::size_t least_purge = 4096;
-    std::size_t purge_at_ = least_purge;
+    std::size_t purge_events_at_ = least_purge;
+    std::size_t purge_near_at_ = least_purge;
     std::size_t broken_ = 0; // predictions that the last verification found broken
 
     // What one stage hands to the next; empty between updates.
@@ -156,8 +164,6 @@ private:
     std::vector<CandidatePair> candidates_;
     std::vector<ScheduledPair> scheduled_;
     std::vector<Sweep::Item> items_;
-
-    std::vector<ProxyId> due_anew_; // to be predicted anew at the next update, whether or not they move
 };
 } // namespace ode_predictive_space
 

@@ -236,6 +236,12 @@ bool EnvelopeTree::consistent(Index index) const
     return true;
 }
 
+int EnvelopeTree::depth(Index index) const
+{
+    const Node &node = nodes_[index];
+    return node.leaf() ? 1 : 1 + std::max(depth(node.content), depth(node.content + 1));
+}
+
 std::size_t EnvelopeTree::bytes() const
 {
     return nodes_.capacity() * sizeof(Node) + (free_pairs_.capacity() + leaf_node_.capacity()) * sizeof(Index);

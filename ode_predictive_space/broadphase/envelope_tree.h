@@ -41,8 +41,11 @@ public:
     /// The box stored for a proxy that is in the tree.
     const FloatBox &box(ProxyId proxy) const { return nodes_[leaf_node_[proxy]].box; }
 
-    /// Checks links and boxes; for tests.
+    /// Checks links and boxes.
     bool consistent() const;
+
+    /// Nodes on the longest way from the root to a leaf.
+    int depth() const { return nodes_.empty() ? 0 : depth(0); }
 
     std::size_t bytes() const;
 
@@ -70,6 +73,7 @@ private:
     void rotate(Index node);
     void build_range(Index node, Leaf *begin, Leaf *end);
     bool consistent(Index node) const;
+    int depth(Index node) const;
 
     std::vector<Node> nodes_;
     std::vector<Index> free_pairs_;

@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space
 {
-/// A float <= value, at most two units in the last place below it; -infinity when value is NaN or below float's range.
+/// A float <= value, at most three units in the last place below it; -infinity when value is NaN or below float's range.
 inline float round_down(double value)
 {
     // One part in 2^23 is one or two units in the last place; the smallest float does for numbers too small for that.

@@ -132,7 +132,8 @@ struct Predictor::Outcome
     double ticks = 0;   // since it was made
     double error = 0;   // distance from the path now
     Vector3 displacement = Vector3::Zero();
-    Vector3 before = Vector3::Zero(); // where it was
+    Vector3 before = Vector3::Zero();       // where it was
+    Vector3 acceleration = Vector3::Zero(); // that it was thought to have
 };
 
 struct Predictor::Motion
@@ -150,11 +151,12 @@ Predictor::Outcome Predictor::judge(const ProxyStore &proxies, ProxyId id, const
         return outcome;
     const Path path = proxies.paths[id].path();
     outcome.fresh = false;
-    outcome.ticks = std::max(1, ticks_between(proxies.paths[id].since, now));
+    outcome.ticks = ticks_between(proxies.paths[id].since, now);
     outcome.before = path.position;
     outcome.displacement = finite_or_zero(seen.centre - path.position);
     outcome.moved = !outcome.displacement.isZero(0);
     const double elapsed = bounds.still ? 0 : outcome.ticks;
+    outcome.acceleration = path.acceleration;
     const PackedPath &packed = proxies.paths[id];
     const Deviation deviation{packed.deviation[0], packed.deviation[1], packed.deviation[2]};
     outcome.error = finite_or_zero(seen.centre - path.at(elapsed)).lpNorm<Eigen::Infinity>();
@@ -171,6 +173,8 @@ Predictor::Motion Predictor::motion_of_body(PackedBounds &bounds, const Outcome 
     bool explained = true;
     if (outcome.fresh)
         motion.brief = step_.step() == 0 && !velocity.isZero(0);
+    else if (outcome.ticks == 0)
+        motion.acceleration = outcome.kept ? outcome.acceleration : Vector3::Zero();
     else
     {
         step_.add(outcome.displacement, last, velocity, outcome.ticks);
@@ -239,6 +243,8 @@ void Predictor::adapt(PackedBounds &bounds, const Outcome &outcome, double speed
         bounds.spread = static_cast<float>(0.01 * speed);
         return;
     }
+    if (outcome.ticks == 0)
+        return;
     const double drift = outcome.error / outcome.ticks;
     double spread = bounds.spread;
     if (outcome.kept)

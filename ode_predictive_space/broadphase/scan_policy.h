@@ -1,58 +1,63 @@
-// When does prediction not pay?
+// When does prediction not pay, and when does it again?
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SCAN_POLICY_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SCAN_POLICY_H
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 
 namespace ode_predictive_space
 {
 /// Counts how many objects break their predictions. When it is a large part of the scene for several ticks in a row, the
-/// scene is swept as a whole instead, for a while that doubles as long as prediction keeps failing afterwards.
+/// scene is swept as a whole instead, until it has been calm for some ticks; for more, each time that calm did not last.
 class ScanPolicy
 {
 public:
-    bool scanning() const { return remaining_ > 0; }
+    bool scanning() const { return scanning_; }
 
     /// Says how a tick of prediction went; the first prediction of an object does not count as broken.
     ///
-    /// @return true when the next ticks are to be scans, starting with this one.
+    /// @return true when scanning begins, with this tick.
     bool prediction_fails(std::size_t broken, std::size_t objects)
     {
         const bool bad = broken * bad_part > objects;
-        bad_ticks_ = bad ? bad_ticks_ + 1 : 0;
-        good_ticks_ = bad ? 0 : good_ticks_ + 1;
-        if (good_ticks_ > proven)
-            length_ = first_length;
-        if (bad_ticks_ < tolerated)
+        streak_ = bad == was_bad_ ? streak_ + 1 : 1;
+        was_bad_ = bad;
+        if (!bad && streak_ >= proven)
+            required_calm_ = first_calm;
+        scanning_ = bad && streak_ >= tolerated;
+        if (scanning_)
+            streak_ = 0;
+        return scanning_;
+    }
+
+    /// Says how a tick of scanning went: whether enough objects moved as could have been predicted.
+    ///
+    /// @return true when scanning ends, with this tick.
+    bool calm_returns(bool calm)
+    {
+        streak_ = calm ? streak_ + 1 : 0;
+        if (streak_ < required_calm_)
             return false;
-        remaining_ = length_;
-        length_ = std::min(2 * length_, last_length);
-        bad_ticks_ = 0;
+        scanning_ = false;
+        streak_ = 0;
+        required_calm_ = std::min(2 * required_calm_, last_calm);
         return true;
     }
 
-    /// Counts a tick of scanning.
-    ///
-    /// @return true when it was the last one.
-    bool scan_ends() { return --remaining_ == 0; }
-
-    void stop() { remaining_ = 0; }
+    /// A prediction costs about as much as sweeping so many objects.
+    static constexpr std::size_t bad_part = 6;
 
 private:
-    // A prediction costs about as much as sweeping so many objects.
-    static constexpr std::size_t bad_part = 6;
     static constexpr int tolerated = 3;
     static constexpr int proven = 64;
-    static constexpr std::uint32_t first_length = 16;
-    static constexpr std::uint32_t last_length = 256;
+    static constexpr int first_calm = 4;
+    static constexpr int last_calm = 256;
 
-    int bad_ticks_ = 0;
-    int good_ticks_ = 0;
-    std::uint32_t remaining_ = 0;
-    std::uint32_t length_ = first_length;
+    bool scanning_ = false;
+    bool was_bad_ = false;
+    int streak_ = 0;
+    int required_calm_ = first_calm;
 };
 } // namespace ode_predictive_space
 

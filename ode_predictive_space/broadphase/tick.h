@@ -19,7 +19,7 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
     if (policy_.scanning())
     {
         scan(scene);
-        if (!time_passes || !policy_.scan_ends())
+        if (!time_passes || !policy_.calm_returns(scouts_.calm(scene, members_)))
             return;
         stop_scanning();
     }
@@ -91,8 +91,8 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
             moving_.insert(id);
             wheel_.schedule(bounds.until, {id, no_proxy, proxies_.generations[id], 0});
         }
-        if (bounds.role == Role::fixed_interactive || (bounds.role == Role::interactive && sampled_ < most_sampled))
-            sample(id);
+        sample(id, bounds.role == Role::fixed_interactive || (bounds.role == Role::interactive && !bounds.still &&
+                                                              (interactive_.contains(id) || sampled_ < most_sampled)));
     }
     counters_.repredictions += batch_.size();
     index_.update(proxies_, batch_, now_);

@@ -89,8 +89,8 @@ void dPredictiveSpaceSetProximity(dSpaceID space, int proximity)
 int dPredictiveSpaceGetProximity(dSpaceID space)
 {
     const dxPredictiveSpace *self = checked_space(__func__, space);
-    return self && self->broadphase().measure == Proximity::sphere ? dPredictiveProximitySphere
-                                                                   : dPredictiveProximityBox;
+    return self && self->broadphase().measure() == Proximity::sphere ? dPredictiveProximitySphere
+                                                                     : dPredictiveProximityBox;
 }
 
 void dPredictiveSpaceSetGeomRole(dSpaceID space, dGeomID geom, int role)

@@ -48,7 +48,7 @@ ProxyId dxPredictiveSpace::proxy_of(const dxGeom *geom)
 
 GeomScene dxPredictiveSpace::scene() const
 {
-    return GeomScene(geoms_, broadphase_.measure == Proximity::sphere);
+    return GeomScene(geoms_, broadphase_.measure() == Proximity::sphere);
 }
 
 // May run within the constructor of a geom, when neither its class nor its bounds exist: they are asked for at the next
@@ -177,8 +177,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
 
 void dxPredictiveSpace::set_proximity(Proximity measure)
 {
-    broadphase_.measure = measure;
-    broadphase_.predict_all_anew();
+    broadphase_.set_measure(measure);
 }
 
 void dxPredictiveSpace::set_role(dxGeom *geom, Role role)
