@@ -1,0 +1,59 @@
+// The differential test itself: one history in two universes, and what differs.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_DIFFERENTIAL_COMPARISON_H
+#define ODE_PREDICTIVE_SPACE_TESTS_DIFFERENTIAL_COMPARISON_H
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "tests/differential/generator.h"
+
+namespace ode_predictive_space
+{
+enum class Measure
+{
+    boxes,  ///< the predictive space must report the same pairs
+    spheres ///< it may leave out pairs, but none that has a contact
+};
+
+enum class FailureKind
+{
+    none,
+    pairs,             ///< other pairs than expected
+    invariant,         ///< dPredictiveSpaceValidate() said no
+    abort,             ///< an assert of ODE with the predictive space
+    abort_in_reference ///< an assert of ODE with the simple space: the history is not legal
+};
+
+struct Failure
+{
+    FailureKind kind = FailureKind::none;
+    std::size_t operation = 0; ///< index of the operation during which it was seen
+    std::string text;
+};
+
+/// Totals, to see that a history is about something.
+struct Tally
+{
+    std::size_t ticks = 0;
+    std::size_t pairs = 0;
+    std::size_t left_out = 0; ///< by the measure of spheres
+};
+
+/// Runs a history in a simple and in a predictive space; after every tick and query both must have reported the same pairs
+/// and the invariant must hold. ODE's asserts must stay silent.
+std::optional<Failure> compare(const History &history, Measure measure = Measure::boxes, Tally *tally = nullptr);
+
+/// Drops operations and shortens calms as long as the history still fails in the same way.
+///
+/// @param most_runs how often at most it is tried.
+History shrink(const History &history, Measure measure, int most_runs = 2000);
+
+/// Runs the history of a profile and a seed. When it fails: what differed, how to replay it, and the shrunk history;
+/// otherwise an empty text.
+std::string report_of(const Profile &profile, std::uint64_t seed, Measure measure = Measure::boxes,
+                      Tally *tally = nullptr);
+} // namespace ode_predictive_space
+
+#endif

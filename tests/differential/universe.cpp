@@ -1,0 +1,529 @@
+#include "tests/differential/universe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include <ode_predictive_space/predictive_space.h>
+
+namespace ode_predictive_space
+{
+namespace
+{
+// What programs do with nested spaces. The lower number comes first, because dSpaceCollide2() of two spaces of the same
+// size does not test whether the geoms of the second are enabled.
+void record_and_recurse(void *data, dGeomID first, dGeomID second)
+{
+    static_cast<Pairs *>(data)->push_back({geom_number(first), geom_number(second)});
+    if (!dGeomIsSpace(first) && !dGeomIsSpace(second))
+        return;
+    if (geom_number(second) < geom_number(first))
+        std::swap(first, second);
+    dSpaceCollide2(first, second, data, record_and_recurse);
+}
+
+template <typename Slot> Slot &slot_at(std::vector<Slot> &slots, int index)
+{
+    if (static_cast<std::size_t>(index) >= slots.size())
+        slots.resize(static_cast<std::size_t>(index) + 1);
+    return slots[static_cast<std::size_t>(index)];
+}
+
+template <typename Slot> bool has_slot(const std::vector<Slot> &slots, int index)
+{
+    return index >= 0 && static_cast<std::size_t>(index) < slots.size();
+}
+
+void rotation_of(const Operation &operation, dMatrix3 rotation)
+{
+    dRFromAxisAndAngle(rotation, operation.value[0], operation.value[1], operation.value[2], operation.value[3]);
+}
+
+bool is_within(dSpaceID space, dGeomID maybe_ancestor)
+{
+    for (dGeomID each = as_geom(space); each; each = as_geom(dGeomGetSpace(each)))
+    {
+        if (each == maybe_ancestor)
+            return true;
+    }
+    return false;
+}
+} // namespace
+
+Universe::Universe(SpaceKind kind, const History &history)
+    : kind_(kind), setup_(history), world_(dWorldCreate()), contacts_(dJointGroupCreate(0))
+{
+    setup_.operations.clear();
+    dWorldSetGravity(world_, 0, 0, -history.gravity);
+    dWorldSetAutoDisableFlag(world_, history.auto_disable);
+    dWorldSetContactMaxCorrectingVel(world_, 3);
+    Operation outermost;
+    outermost.subject = 0;
+    outermost.number = static_cast<int>(NestedKind::of_same_kind) + 16;
+    make_space(outermost);
+}
+
+Universe::~Universe()
+{
+    // After an abort of ODE spaces are still locked, and destroying them would abort again.
+    if (std::uncaught_exceptions() > 0)
+        return;
+    for (std::size_t i = 0; i < spaces_.size(); ++i)
+        destroy_space(static_cast<int>(i));
+    for (GeomSlot &geom : geoms_)
+    {
+        if (geom.id)
+            dGeomDestroy(geom.id);
+    }
+    dJointGroupDestroy(contacts_);
+    dWorldDestroy(world_);
+}
+
+Universe::GeomSlot *Universe::find_geom(int slot)
+{
+    return has_slot(geoms_, slot) && geoms_[static_cast<std::size_t>(slot)].id ? &geoms_[static_cast<std::size_t>(slot)]
+                                                                               : nullptr;
+}
+
+dBodyID Universe::find_body(int slot) const
+{
+    return has_slot(bodies_, slot) ? bodies_[static_cast<std::size_t>(slot)] : nullptr;
+}
+
+Universe::SpaceSlot *Universe::find_space(int slot)
+{
+    return has_slot(spaces_, slot) && spaces_[static_cast<std::size_t>(slot)].id
+               ? &spaces_[static_cast<std::size_t>(slot)]
+               : nullptr;
+}
+
+dGeomID Universe::find_reference(int reference)
+{
+    if (reference >= first_space_reference)
+    {
+        const SpaceSlot *space = find_space(reference - first_space_reference);
+        return space ? as_geom(space->id) : nullptr;
+    }
+    const GeomSlot *geom = find_geom(reference);
+    return geom ? geom->id : nullptr;
+}
+
+std::size_t Universe::geom_count() const
+{
+    return static_cast<std::size_t>(
+        std::count_if(geoms_.begin(), geoms_.end(), [](const GeomSlot &geom) { return geom.id != nullptr; }));
+}
+
+void Universe::make_geom(const Operation &operation)
+{
+    GeomSlot &geom = slot_at(geoms_, operation.subject);
+    if (geom.id)
+        return;
+    const SpaceSlot *space = find_space(operation.object);
+    geom = GeomSlot();
+    geom.kind = static_cast<GeomKind>(operation.number);
+    geom.id = number_geom(create_geom(geom.kind, operation.value[0], space ? space->id : nullptr), operation.subject);
+    if (is_placeable(geom.kind))
+        dGeomSetPosition(geom.id, operation.value[1], operation.value[2], operation.value[3]);
+}
+
+void Universe::make_body(const Operation &operation)
+{
+    dBodyID &body = slot_at(bodies_, operation.subject);
+    if (body)
+        return;
+    body = dBodyCreate(world_);
+    dBodySetPosition(body, operation.value[0], operation.value[1], operation.value[2]);
+    if (operation.number == 1)
+        dBodySetGravityMode(body, 0);
+    if (operation.number == 2)
+        dBodySetKinematic(body);
+}
+
+void Universe::make_space(const Operation &operation)
+{
+    SpaceSlot &space = slot_at(spaces_, operation.subject);
+    if (space.id)
+        return;
+    const SpaceSlot *found = operation.object == operation.subject ? nullptr : find_space(operation.object);
+    dSpaceID parent = found ? found->id : nullptr;
+    const auto nested_kind = static_cast<NestedKind>(operation.number % 16);
+    SpaceSlot made;
+    made.predictive = nested_kind == NestedKind::of_same_kind && kind_ == SpaceKind::predictive;
+    made.needs_cleaning = !made.predictive;
+    if (nested_kind == NestedKind::hash)
+        made.id = dHashSpaceCreate(parent);
+    else
+        made.id = made.predictive ? dPredictiveSpaceCreate(parent) : dSimpleSpaceCreate(parent);
+    if (spheres_ && made.predictive)
+        dPredictiveSpaceSetProximity(made.id, dPredictiveProximitySphere);
+    dSpaceSetCleanup(made.id, operation.number / 16);
+    number_geom(as_geom(made.id), space_reference(operation.subject));
+    spaces_[static_cast<std::size_t>(operation.subject)] = made;
+}
+
+// Clears the slots of what goes with a space that cleans up.
+void Universe::forget_contents(dSpaceID space)
+{
+    for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
+    {
+        dGeomID geom = dSpaceGetGeom(space, i);
+        const int number = geom_number(geom);
+        if (number < first_space_reference)
+        {
+            geoms_[static_cast<std::size_t>(number)] = GeomSlot();
+            continue;
+        }
+        if (dSpaceGetCleanup(as_space(geom)))
+            forget_contents(as_space(geom));
+        spaces_[static_cast<std::size_t>(number - first_space_reference)] = SpaceSlot();
+    }
+}
+
+void Universe::destroy_space(int slot)
+{
+    SpaceSlot *space = find_space(slot);
+    if (!space)
+        return;
+    dSpaceID id = space->id;
+    if (dSpaceGetCleanup(id))
+        forget_contents(id);
+    spaces_[static_cast<std::size_t>(slot)] = SpaceSlot();
+    dSpaceDestroy(id);
+}
+
+void Universe::destroy_body(int slot)
+{
+    // Contacts wait for the next step and hold on to their bodies.
+    dJointGroupEmpty(contacts_);
+    dBodyDestroy(bodies_[static_cast<std::size_t>(slot)]);
+    bodies_[static_cast<std::size_t>(slot)] = nullptr;
+}
+
+void Universe::put_in(dGeomID geom, SpaceSlot &space)
+{
+    if (dGeomGetSpace(geom) || (dGeomIsSpace(geom) && is_within(space.id, geom)))
+        return;
+    if (space.needs_cleaning)
+        dSpaceClean(space.id);
+    dSpaceAdd(space.id, geom);
+}
+
+void Universe::put_offset(dGeomID geom, const Operation &operation)
+{
+    if (!dGeomGetBody(geom))
+        return;
+    dMatrix3 rotation;
+    dRFromAxisAndAngle(rotation, 1, 2, 3, operation.value[3]);
+    dGeomSetOffsetPosition(geom, operation.value[0], operation.value[1], operation.value[2]);
+    dGeomSetOffsetRotation(geom, rotation);
+}
+
+void Universe::apply(const Operation &operation)
+{
+    switch (operation.action)
+    {
+    case Action::make_geom:
+        return make_geom(operation);
+    case Action::make_body:
+        return make_body(operation);
+    case Action::make_space:
+        if (operation.subject > 0)
+            make_space(operation);
+        return;
+    case Action::destroy_body:
+        if (find_body(operation.subject))
+            destroy_body(operation.subject);
+        return;
+    case Action::destroy_space:
+        if (operation.subject > 0)
+            destroy_space(operation.subject);
+        return;
+    case Action::step:
+        return step(operation.value[0]);
+    default:
+        break;
+    }
+    if (GeomSlot *geom = find_geom(operation.subject))
+        apply_to_geom(operation, *geom);
+    if (dBodyID body = find_body(operation.subject))
+        apply_to_body(operation, body);
+    if (SpaceSlot *space = find_space(operation.subject))
+        apply_to_space(operation, *space);
+    if (dGeomID geom = find_reference(operation.subject))
+        apply_to_reference(operation, geom);
+}
+
+void Universe::apply_to_geom(const Operation &operation, GeomSlot &geom)
+{
+    const auto &value = operation.value;
+    dMatrix3 rotation;
+    const bool placeable = is_placeable(geom.kind);
+    switch (operation.action)
+    {
+    case Action::destroy_geom:
+        dJointGroupEmpty(contacts_);
+        dGeomDestroy(geom.id);
+        geom = GeomSlot();
+        break;
+    case Action::attach:
+        if (placeable && (operation.object < 0 || find_body(operation.object)))
+            dGeomSetBody(geom.id, find_body(operation.object));
+        break;
+    case Action::offset:
+        if (placeable)
+            put_offset(geom.id, operation);
+        break;
+    case Action::clear_offset:
+        if (placeable)
+            dGeomClearOffset(geom.id);
+        break;
+    case Action::move_geom:
+        if (placeable)
+            dGeomSetPosition(geom.id, value[0], value[1], value[2]);
+        break;
+    case Action::turn_geom:
+        rotation_of(operation, rotation);
+        if (placeable)
+            dGeomSetRotation(geom.id, rotation);
+        break;
+    case Action::resize:
+        resize_geom(geom.id, geom.kind, value[0]);
+        break;
+    case Action::enable_geom:
+        (operation.number ? dGeomEnable : dGeomDisable)(geom.id);
+        break;
+    case Action::drive:
+        geom.drive = {static_cast<DriveMode>(operation.number), {value[0], value[1], value[2]}};
+        break;
+    case Action::role:
+        if (dGeomGetSpace(geom.id) && dSpaceIsPredictive(dGeomGetSpace(geom.id)))
+            dPredictiveSpaceSetGeomRole(dGeomGetSpace(geom.id), geom.id, operation.number);
+        break;
+    default:
+        break;
+    }
+}
+
+void Universe::apply_to_body(const Operation &operation, dBodyID body)
+{
+    const auto &value = operation.value;
+    dMatrix3 rotation;
+    switch (operation.action)
+    {
+    case Action::move_body:
+        dBodySetPosition(body, value[0], value[1], value[2]);
+        break;
+    case Action::turn_body:
+        rotation_of(operation, rotation);
+        dBodySetRotation(body, rotation);
+        break;
+    case Action::enable_body:
+        (operation.number ? dBodyEnable : dBodyDisable)(body);
+        break;
+    case Action::velocity:
+        dBodySetLinearVel(body, value[0], value[1], value[2]);
+        dBodySetAngularVel(body, value[3], -0.5 * value[3], 0.25 * value[3]);
+        break;
+    case Action::force:
+        dBodyAddForce(body, value[0], value[1], value[2]);
+        break;
+    case Action::kinematic:
+        (operation.number ? dBodySetKinematic : dBodySetDynamic)(body);
+        break;
+    default:
+        break;
+    }
+}
+
+void Universe::apply_to_space(const Operation &operation, SpaceSlot &space)
+{
+    switch (operation.action)
+    {
+    case Action::clean:
+        dSpaceClean(space.id);
+        break;
+    case Action::deviation:
+        if (space.predictive)
+            dPredictiveSpaceSetDeviation(space.id, operation.number, operation.value[0], operation.value[1],
+                                         operation.value[2]);
+        break;
+    case Action::horizon:
+        if (space.predictive)
+            dPredictiveSpaceSetHorizon(space.id, operation.number, operation.object);
+        break;
+    default:
+        break;
+    }
+}
+
+void Universe::apply_to_reference(const Operation &operation, dGeomID geom)
+{
+    dReal aabb[6];
+    switch (operation.action)
+    {
+    case Action::bits:
+        dGeomSetCategoryBits(geom, static_cast<unsigned long>(operation.number % 256));
+        dGeomSetCollideBits(geom, static_cast<unsigned long>(operation.number / 256));
+        break;
+    case Action::take_out:
+        if (dGeomGetSpace(geom))
+            dSpaceRemove(dGeomGetSpace(geom), geom);
+        break;
+    case Action::put_in:
+        if (SpaceSlot *space = find_space(operation.object))
+            put_in(geom, *space);
+        break;
+    case Action::ask_bounds:
+        dGeomGetAABB(geom, aabb);
+        break;
+    default:
+        break;
+    }
+}
+
+void Universe::move_driven()
+{
+    for (GeomSlot &geom : geoms_)
+    {
+        if (!geom.id || geom.drive.mode == DriveMode::none || !is_placeable(geom.kind))
+            continue;
+        if (geom.drive.mode == DriveMode::jerking && steps_ % 7 > 2)
+            continue;
+        const double factor = geom.drive.mode == DriveMode::swinging ? std::sin(0.05 * static_cast<double>(steps_)) : 1;
+        dVector3 position;
+        dGeomCopyPosition(geom.id, position);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            const bool outside = std::fabs(position[axis]) > setup_.extent;
+            if (outside && position[axis] * geom.drive.velocity[axis] > 0)
+                geom.drive.velocity[axis] = -geom.drive.velocity[axis];
+            position[axis] += factor * geom.drive.velocity[axis];
+        }
+        dGeomSetPosition(geom.id, position[0], position[1], position[2]);
+    }
+}
+
+void Universe::turn_back()
+{
+    for (dBodyID body : bodies_)
+    {
+        if (!body)
+            continue;
+        const dReal *position = dBodyGetPosition(body);
+        const dReal *velocity = dBodyGetLinearVel(body);
+        dReal turned[3] = {velocity[0], velocity[1], velocity[2]};
+        bool turns = false;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            if (std::fabs(position[axis]) > setup_.extent && position[axis] * velocity[axis] > 0)
+            {
+                turned[axis] = -velocity[axis];
+                turns = true;
+            }
+        }
+        if (turns)
+            dBodySetLinearVel(body, turned[0], turned[1], turned[2]);
+    }
+}
+
+void Universe::step(double seconds)
+{
+    ++steps_;
+    move_driven();
+    turn_back();
+    dRandSetSeed(steps_);
+    dWorldQuickStep(world_, seconds);
+    dJointGroupEmpty(contacts_);
+}
+
+bool Universe::can_touch(int number) const
+{
+    if (number >= first_space_reference)
+        return false;
+    const GeomSlot &geom = geoms_[static_cast<std::size_t>(number)];
+    if (geom.kind == GeomKind::plane)
+        return true;
+    if (geom.kind != GeomKind::sphere && geom.kind != GeomKind::box && geom.kind != GeomKind::capsule)
+        return false;
+    const dReal *position = dGeomGetPosition(geom.id);
+    // Not at the ends of the world, where a contact would be as deep as it is far; false also for NaN.
+    return std::fabs(position[0]) + std::fabs(position[1]) + std::fabs(position[2]) < 10 * setup_.extent;
+}
+
+void Universe::make_contacts(const Pairs &pairs)
+{
+    dJointGroupEmpty(contacts_);
+    for (const Pair &pair : pairs)
+    {
+        if (!can_touch(pair.first) || !can_touch(pair.second))
+            continue;
+        dGeomID first = geoms_[static_cast<std::size_t>(pair.first)].id;
+        dGeomID second = geoms_[static_cast<std::size_t>(pair.second)].id;
+        if (!dGeomGetBody(first) && !dGeomGetBody(second))
+            continue;
+        dContact contacts[3] = {};
+        const int count = dCollide(first, second, 3, &contacts[0].geom, sizeof(dContact));
+        for (int i = 0; i < count; ++i)
+        {
+            contacts[i].surface.mode = dContactApprox1;
+            contacts[i].surface.mu = 0.5;
+            dJointID joint = dJointCreateContact(world_, contacts_, &contacts[i]);
+            dJointAttach(joint, dGeomGetBody(first), dGeomGetBody(second));
+        }
+    }
+}
+
+Pairs Universe::tick()
+{
+    ++ticks_;
+    Pairs pairs;
+    dSpaceCollide(spaces_[0].id, &pairs, record_and_recurse);
+    pairs = unordered(pairs);
+    if (setup_.contacts)
+        make_contacts(pairs);
+    for (std::size_t i = 1; i < spaces_.size(); ++i)
+    {
+        if (spaces_[i].id && ticks_ % i == 0)
+            dSpaceCollide(spaces_[i].id, &pairs, record_and_recurse);
+    }
+    return unordered(pairs);
+}
+
+Pairs Universe::query(int first, int second)
+{
+    dGeomID one = find_reference(first);
+    dGeomID other = find_reference(second);
+    if (!one || !other)
+        return {};
+    Pairs pairs = collide2(one, other);
+    if (one == other)
+        return unordered(pairs);
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+bool Universe::valid() const
+{
+    return std::all_of(spaces_.begin(), spaces_.end(), [](const SpaceSlot &space) {
+        return !space.id || !space.predictive || dPredictiveSpaceValidate(space.id);
+    });
+}
+
+void Universe::measure_by_spheres()
+{
+    spheres_ = true;
+    for (const SpaceSlot &space : spaces_)
+    {
+        if (space.id && space.predictive)
+            dPredictiveSpaceSetProximity(space.id, dPredictiveProximitySphere);
+    }
+}
+
+int Universe::contacts_between(int first, int second) const
+{
+    dContactGeom contacts[8];
+    return dCollide(geoms_[static_cast<std::size_t>(first)].id, geoms_[static_cast<std::size_t>(second)].id, 8,
+                    contacts, sizeof(dContactGeom));
+}
+} // namespace ode_predictive_space

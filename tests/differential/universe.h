@@ -1,0 +1,104 @@
+// A world, its geoms and its spaces, in which a history happens.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_DIFFERENTIAL_UNIVERSE_H
+#define ODE_PREDICTIVE_SPACE_TESTS_DIFFERENTIAL_UNIVERSE_H
+
+#include "tests/contract/support/geom_zoo.h"
+#include "tests/contract/support/scenario.h"
+#include "tests/differential/operation.h"
+
+namespace ode_predictive_space
+{
+/// One of two universes in which the same history happens: all that differs is the kind of the outermost space (and of the
+/// nested ones of the same kind).
+///
+/// Two worlds rather than one with twins on its bodies: so the geoms of a body exclude each other in each universe as in a
+/// real program, and contacts can feed back into the motion. Both worlds move alike to the last bit, because contacts are
+/// made in the order of the geoms' numbers and the random numbers of dWorldQuickStep() are seeded before each step.
+class Universe
+{
+public:
+    Universe(SpaceKind kind, const History &history);
+    ~Universe();
+    Universe(const Universe &) = delete;
+    Universe &operator=(const Universe &) = delete;
+
+    /// Anything but a tick, a calm or a query. An operation on what does not exist does nothing.
+    void apply(const Operation &operation);
+
+    void step(double seconds);
+
+    /// dSpaceCollide() of the outermost space, with recursion into the nested ones, and in some ticks dSpaceCollide() of
+    /// these. Pairs without order, sorted.
+    Pairs tick();
+
+    /// dSpaceCollide2(), sorted, each pair as it came. Nothing when one of the two does not exist.
+    Pairs query(int first, int second);
+
+    /// dPredictiveSpaceValidate() of all predictive spaces.
+    bool valid() const;
+
+    /// For the measure of spheres: in all predictive spaces, now and later.
+    void measure_by_spheres();
+
+    /// How many contacts dCollide() finds between two geoms.
+    int contacts_between(int first, int second) const;
+
+    std::size_t geom_count() const;
+
+private:
+    struct Drive
+    {
+        DriveMode mode = DriveMode::none;
+        std::array<double, 3> velocity{};
+    };
+    struct GeomSlot
+    {
+        dGeomID id = nullptr;
+        GeomKind kind = GeomKind::sphere;
+        Drive drive;
+    };
+    struct SpaceSlot
+    {
+        dSpaceID id = nullptr;
+        bool predictive = false;
+        bool needs_cleaning =
+            false; ///< a simple or hash space, which aborts when a clean geom is added among dirty ones
+    };
+
+    GeomSlot *find_geom(int slot);
+    dBodyID find_body(int slot) const;
+    SpaceSlot *find_space(int slot);
+    dGeomID find_reference(int reference);
+
+    void apply_to_geom(const Operation &operation, GeomSlot &geom);
+    void apply_to_body(const Operation &operation, dBodyID body);
+    void apply_to_space(const Operation &operation, SpaceSlot &space);
+    void apply_to_reference(const Operation &operation, dGeomID geom);
+    void make_geom(const Operation &operation);
+    void make_body(const Operation &operation);
+    void make_space(const Operation &operation);
+    void destroy_body(int slot);
+    void destroy_space(int slot);
+    void forget_contents(dSpaceID space);
+    void put_in(dGeomID geom, SpaceSlot &space);
+    void put_offset(dGeomID geom, const Operation &operation);
+    void move_driven();
+    void turn_back();
+    void make_contacts(const Pairs &pairs);
+    bool can_touch(int number) const;
+
+    SpaceKind kind_;
+    History setup_;
+    dWorldID world_;
+    dJointGroupID contacts_;
+    std::vector<GeomSlot> geoms_;
+    std::vector<dBodyID> bodies_;
+    std::vector<SpaceSlot> spaces_;
+    bool spheres_ = false;
+    unsigned long steps_ = 0;
+    unsigned long ticks_ = 0;
+};
+} // namespace ode_predictive_space
+
+#endif
