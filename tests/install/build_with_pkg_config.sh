@@ -9,7 +9,7 @@ libdir=$1
 program=$2
 shift 2
 
-# The output of pkg-config is meant to be split into words.
-# shellcheck disable=SC2046
-"$@" -o "$program" $(pkg-config --cflags --libs ode_predictive_space) -Wl,-rpath,"$libdir"
+# pkg-config quotes its output for a shell to read.
+flags=$(pkg-config --cflags --libs ode_predictive_space)
+eval "\"\$@\" -o \"\$program\" $flags -Wl,-rpath,\"\$libdir\""
 exec "$program"
