@@ -1,0 +1,206 @@
+#include "ode_predictive_space/broadphase/envelope_index.h"
+
+#include <limits>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/pairs.h"
+#include "tests/broadphase/support/proxies.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+// An index over random predictions, and which of them are in it.
+class IndexWorld
+{
+public:
+    explicit IndexWorld(std::size_t count, double spread) : random_(count), spread_(spread)
+    {
+        for (std::size_t i = 0; i < count; ++i)
+            add_empty_proxy(store_);
+    }
+
+    // New predictions for some proxies, some of them in it before.
+    void update(std::size_t count)
+    {
+        std::set<ProxyId> chosen;
+        while (chosen.size() < count)
+            chosen.insert(static_cast<ProxyId>(random_.index(store_.size())));
+        batch_.assign(chosen.begin(), chosen.end());
+        for (ProxyId id : batch_)
+            predict(id);
+        present_.insert(chosen.begin(), chosen.end());
+        index_.update(store_, batch_, now_);
+    }
+
+    void remove_some()
+    {
+        for (ProxyId id = 0; id < store_.size(); ++id)
+            if (random_.chance(0.1))
+            {
+                index_.remove(store_, id);
+                EXPECT_EQ(store_.bounds[id].shelf, Shelf::none);
+                present_.erase(id);
+            }
+    }
+
+    void clear()
+    {
+        index_.clear(store_);
+        present_.clear();
+    }
+
+    void pass_time()
+    {
+        ++now_;
+        // As in the tick, no horizon is outlived.
+        std::vector<ProxyId> expired;
+        for (ProxyId id : present_)
+            if (store_.remaining(id, now_) <= 0)
+                expired.push_back(id);
+        for (ProxyId id : expired)
+            predict(id);
+        index_.update(store_, expired, now_);
+    }
+
+    void expect_pairs_of_batch() const
+    {
+        IdSet in_batch;
+        in_batch.resize(store_.size());
+        for (ProxyId id : batch_)
+            in_batch.insert(id);
+        std::vector<CandidatePair> found;
+        index_.find_pairs(store_, batch_, in_batch, now_, found);
+        const Pairs pairs = sorted_pairs(found);
+        ASSERT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end()) << "a pair is found twice";
+        for (const auto &[first, second] : pairs)
+        {
+            ASSERT_TRUE(first != second && (in_batch.contains(first) || in_batch.contains(second)));
+            ASSERT_TRUE(present_.count(first) == 1 && present_.count(second) == 1);
+        }
+        for (ProxyId first : present_)
+            for (ProxyId second : present_)
+                if (first < second && (in_batch.contains(first) || in_batch.contains(second)) &&
+                    store_.swept_box(first, now_).overlaps(store_.swept_box(second, now_)))
+                {
+                    ASSERT_TRUE(std::binary_search(pairs.begin(), pairs.end(), std::make_pair(first, second)));
+                }
+    }
+
+    void expect_query()
+    {
+        const FloatBox box = random_.box(spread_, 1);
+        std::vector<ProxyId> found;
+        index_.query(box, [&](ProxyId id) { found.push_back(id); });
+        std::sort(found.begin(), found.end());
+        ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+        for (ProxyId id : found)
+            ASSERT_EQ(present_.count(id), 1u);
+        for (ProxyId id : present_)
+            if (store_.swept_box(id, now_).overlaps(box))
+            {
+                ASSERT_TRUE(std::binary_search(found.begin(), found.end(), id));
+            }
+    }
+
+    void expect_shelves() const
+    {
+        ASSERT_TRUE(index_.consistent());
+        for (ProxyId id = 0; id < store_.size(); ++id)
+        {
+            const Shelf shelf = store_.bounds[id].shelf;
+            if (present_.count(id) == 0)
+            {
+                ASSERT_EQ(shelf, Shelf::none);
+                continue;
+            }
+            const bool bounded = store_.swept_box(id, now_).bounded();
+            ASSERT_EQ(shelf, !bounded ? Shelf::unbounded : store_.bounds[id].still ? Shelf::still : Shelf::moving);
+        }
+    }
+
+private:
+    void predict(ProxyId id)
+    {
+        ProxyStore made;
+        add_random_proxy(made, random_, spread_, now_);
+        if (random_.chance(0.03))
+        {
+            made.bounds[0].still = true;
+            made.bounds[0].low[random_.index(3)] = -std::numeric_limits<float>::infinity();
+        }
+        made.bounds[0].shelf = store_.bounds[id].shelf;
+        store_.paths[id] = made.paths[0];
+        store_.bounds[id] = made.bounds[0];
+    }
+
+    Random random_;
+    double spread_;
+    Tick now_ = 0xfffffff0u;
+    ProxyStore store_;
+    EnvelopeIndex index_;
+    std::vector<ProxyId> batch_;
+    std::set<ProxyId> present_;
+};
+
+TEST(EnvelopeIndex, FindsWhatBruteForceFindsWhateverIsUpdated)
+{
+    for (std::size_t count : {2, 10, 40, 200})
+    {
+        IndexWorld world(count, 1.5);
+        for (int step = 0; step < 150; ++step)
+        {
+            // One by one, some, most and all.
+            world.update(std::max<std::size_t>(1, count * static_cast<std::size_t>(step % 5) / 4));
+            ASSERT_NO_FATAL_FAILURE(world.expect_shelves());
+            ASSERT_NO_FATAL_FAILURE(world.expect_pairs_of_batch());
+            for (int query = 0; query < 5; ++query)
+                ASSERT_NO_FATAL_FAILURE(world.expect_query());
+            if (step % 7 == 0)
+                world.remove_some();
+            if (step % 70 == 69)
+                world.clear();
+            world.pass_time();
+            ASSERT_NO_FATAL_FAILURE(world.expect_shelves());
+        }
+    }
+}
+
+TEST(EnvelopeIndex, KeepsWhatNoTreeCanHoldInAList)
+{
+    ProxyStore store;
+    EnvelopeIndex index;
+    const ProxyId ball = add_still_proxy(store, {0, 0, 0}, 1, 0);
+    const ProxyId floor = add_still_proxy(store, {0, 0, 0}, 1, 0);
+    store.bounds[floor].low[2] = -std::numeric_limits<float>::infinity();
+    const ProxyId lost = add_still_proxy(store, {0, 0, std::numeric_limits<double>::quiet_NaN()}, 1, 0);
+    for (ProxyId id : {ball, floor, lost})
+        index.update(store, id, 0);
+    EXPECT_EQ(store.bounds[ball].shelf, Shelf::still);
+    EXPECT_EQ(store.bounds[floor].shelf, Shelf::unbounded);
+    EXPECT_EQ(store.bounds[lost].shelf, Shelf::unbounded);
+    std::vector<ProxyId> found;
+    index.query({{0, 0, -100}, {1, 1, -99}}, [&](ProxyId id) { found.push_back(id); });
+    EXPECT_EQ(found, (std::vector<ProxyId>{floor, lost}));
+    index.remove(store, floor);
+    store.bounds[floor].low[2] = -1;
+    index.update(store, floor, 0);
+    EXPECT_EQ(store.bounds[floor].shelf, Shelf::still) << "it has become finite";
+}
+
+TEST(EnvelopeIndex, RemovingWhatIsNotInItDoesNothing)
+{
+    ProxyStore store;
+    EnvelopeIndex index;
+    const ProxyId id = add_still_proxy(store, {0, 0, 0}, 1, 0);
+    index.remove(store, id);
+    index.update(store, id, 0);
+    index.remove(store, id);
+    index.remove(store, id);
+    EXPECT_EQ(store.bounds[id].shelf, Shelf::none);
+    EXPECT_TRUE(index.consistent());
+}
+} // namespace
+} // namespace ode_predictive_space

@@ -1,0 +1,266 @@
+#include "ode_predictive_space/broadphase/envelope_tree.h"
+
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/random.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+// A tree and the list of what must be in it.
+class CheckedTree
+{
+public:
+    void insert(ProxyId proxy, const FloatBox &box)
+    {
+        tree_.insert(proxy, box);
+        boxes_[proxy] = box;
+    }
+
+    void remove(ProxyId proxy)
+    {
+        tree_.remove(proxy);
+        boxes_.erase(proxy);
+    }
+
+    void rebuild()
+    {
+        std::vector<EnvelopeTree::Leaf> leaves;
+        for (const auto &[proxy, box] : boxes_)
+            leaves.push_back({proxy, box});
+        tree_.build(leaves);
+    }
+
+    bool contains(ProxyId proxy) const { return boxes_.count(proxy) == 1; }
+    std::size_t size() const { return boxes_.size(); }
+    const EnvelopeTree &tree() const { return tree_; }
+
+    void expect_found(const FloatBox &box) const
+    {
+        std::vector<ProxyId> found, expected;
+        tree_.query(box, [&](ProxyId proxy) { found.push_back(proxy); });
+        std::sort(found.begin(), found.end());
+        for (const auto &[proxy, stored] : boxes_)
+            if (stored.overlaps(box))
+                expected.push_back(proxy);
+        ASSERT_EQ(found, expected);
+    }
+
+    void expect_consistent() const
+    {
+        ASSERT_TRUE(tree_.consistent());
+        ASSERT_EQ(tree_.empty(), boxes_.empty());
+    }
+
+    void expect_all_found() const
+    {
+        expect_consistent();
+        expect_found({{-1e15f, -1e15f, -1e15f}, {1e15f, 1e15f, 1e15f}});
+        for (const auto &[proxy, box] : boxes_)
+        {
+            expect_found(box);
+            ASSERT_EQ(tree_.box(proxy).low[0], box.low[0]);
+        }
+    }
+
+private:
+    EnvelopeTree tree_;
+    std::map<ProxyId, FloatBox> boxes_;
+};
+
+struct Shape
+{
+    const char *name;
+    double spread;
+    double size;
+    std::size_t proxies;
+};
+
+class AnyTree : public testing::TestWithParam<Shape>
+{};
+
+TEST_P(AnyTree, AnswersAsBruteForceDoesAfterEveryChange)
+{
+    const Shape shape = GetParam();
+    Random random(1);
+    CheckedTree checked;
+    for (int step = 0; step < 6000; ++step)
+    {
+        const ProxyId proxy = static_cast<ProxyId>(random.index(shape.proxies));
+        const FloatBox box = random.box(shape.spread, shape.size);
+        if (random.chance(0.003))
+            checked.rebuild();
+        else if (checked.contains(proxy))
+            checked.remove(proxy);
+        else
+            checked.insert(proxy, box);
+        ASSERT_NO_FATAL_FAILURE(checked.expect_consistent()) << "step " << step;
+        ASSERT_NO_FATAL_FAILURE(checked.expect_found(box)) << "step " << step;
+        if (step % 500 == 0)
+        {
+            ASSERT_NO_FATAL_FAILURE(checked.expect_all_found()) << "step " << step;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(EnvelopeTree, AnyTree,
+                         testing::Values(Shape{"few", 1, 1, 4}, Shape{"some", 1, 0.5, 60}, Shape{"many", 10, 1, 1000},
+                                         Shape{"crowded", 0.1, 1, 200}, Shape{"huge", 1e14, 1e12, 200},
+                                         Shape{"points", 1, 0, 200}, Shape{"all_in_one_point", 0, 0, 200}),
+                         [](const auto &info) { return info.param.name; });
+
+TEST(EnvelopeTree, IsEmptyAtFirst)
+{
+    CheckedTree checked;
+    EXPECT_TRUE(checked.tree().empty());
+    checked.expect_all_found();
+    checked.rebuild();
+    EXPECT_TRUE(checked.tree().empty());
+}
+
+TEST(EnvelopeTree, MayBeASingleLeafAndNothingAgain)
+{
+    CheckedTree checked;
+    for (ProxyId proxy : {0u, 1000u, 5u})
+    {
+        checked.insert(proxy, {{0, 0, 0}, {1, 1, 1}});
+        ASSERT_NO_FATAL_FAILURE(checked.expect_all_found());
+        checked.remove(proxy);
+        ASSERT_NO_FATAL_FAILURE(checked.expect_all_found());
+    }
+}
+
+TEST(EnvelopeTree, IsEmptiedInAnyOrder)
+{
+    for (int order = 0; order < 3; ++order)
+    {
+        Random random(static_cast<std::uint64_t>(order));
+        CheckedTree checked;
+        std::vector<ProxyId> proxies;
+        for (ProxyId proxy = 0; proxy < 200; ++proxy)
+        {
+            checked.insert(proxy, random.box(1, 0.2));
+            proxies.push_back(proxy);
+        }
+        if (order == 1)
+            std::reverse(proxies.begin(), proxies.end());
+        if (order == 2)
+            for (std::size_t i = proxies.size(); i > 1; --i)
+                std::swap(proxies[i - 1], proxies[random.index(i)]);
+        for (ProxyId proxy : proxies)
+        {
+            checked.remove(proxy);
+            ASSERT_NO_FATAL_FAILURE(checked.expect_consistent());
+            ASSERT_NO_FATAL_FAILURE(checked.expect_found({{-1, -1, -1}, {1, 1, 1}}));
+        }
+        EXPECT_TRUE(checked.tree().empty());
+    }
+}
+
+TEST(EnvelopeTree, HoldsAnyNumberOfIdenticalBoxes)
+{
+    CheckedTree checked;
+    const FloatBox box = {{1, 2, 3}, {4, 5, 6}};
+    for (ProxyId proxy = 0; proxy < 3000; ++proxy)
+        checked.insert(proxy, box);
+    checked.expect_consistent();
+    checked.expect_found(box);
+    checked.rebuild();
+    checked.expect_consistent();
+    checked.expect_found(box);
+    for (ProxyId proxy = 0; proxy < 3000; proxy += 2)
+        checked.remove(proxy);
+    checked.expect_consistent();
+    checked.expect_found(box);
+}
+
+TEST(EnvelopeTree, BuildForgetsWhatWasThere)
+{
+    CheckedTree checked;
+    checked.insert(7, {{0, 0, 0}, {1, 1, 1}});
+    EnvelopeTree tree = checked.tree();
+    std::vector<EnvelopeTree::Leaf> leaves = {{3, {{0, 0, 0}, {1, 1, 1}}}, {900, {{5, 5, 5}, {6, 6, 6}}}};
+    tree.build(leaves);
+    std::vector<ProxyId> found;
+    tree.query({{-9, -9, -9}, {9, 9, 9}}, [&](ProxyId proxy) { found.push_back(proxy); });
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, (std::vector<ProxyId>{3, 900}));
+    tree.insert(7, {{0, 0, 0}, {1, 1, 1}});
+    EXPECT_TRUE(tree.consistent());
+}
+
+TEST(EnvelopeTree, TouchingBoxesAreFound)
+{
+    CheckedTree checked;
+    for (ProxyId proxy = 0; proxy < 100; ++proxy)
+    {
+        const float x = static_cast<float>(proxy);
+        checked.insert(proxy, {{x, 0, 0}, {x + 1, 1, 1}});
+    }
+    std::size_t found = 0;
+    checked.tree().query({{10, 1, 1}, {20, 2, 2}}, [&](ProxyId) { ++found; });
+    EXPECT_EQ(found, 12u) << "those from 9 to 10 and from 20 to 21 touch";
+}
+
+// Depth of a tree that splits in the middle each time.
+int ideal_depth(std::size_t leaves)
+{
+    return 1 + static_cast<int>(std::ceil(std::log2(static_cast<double>(leaves))));
+}
+
+TEST(EnvelopeTree, StaysShallowWhenFilledInOrder)
+{
+    constexpr int generous = 4;
+    for (std::size_t count : {100, 1000, 10000})
+        for (int axes = 1; axes <= 3; ++axes)
+        {
+            EnvelopeTree tree;
+            for (std::size_t i = 0; i < count; ++i)
+            {
+                FloatBox box = {{0, 0, 0}, {1, 1, 1}};
+                for (int axis = 0; axis < axes; ++axis)
+                {
+                    box.low[axis] = 1.5f * static_cast<float>(i);
+                    box.high[axis] = box.low[axis] + 1;
+                }
+                tree.insert(static_cast<ProxyId>(i), box);
+            }
+            EXPECT_LE(tree.depth(), generous * ideal_depth(count)) << count << " boxes along a line";
+        }
+}
+
+TEST(EnvelopeTree, IsAsShallowAsCanBeWhenBuiltAtOnce)
+{
+    Random random(3);
+    for (std::size_t count : {1, 2, 3, 1000, 1024, 1025})
+    {
+        std::vector<EnvelopeTree::Leaf> leaves;
+        for (std::size_t i = 0; i < count; ++i)
+            leaves.push_back({static_cast<ProxyId>(i), i % 3 == 0 ? FloatBox{} : random.box(1, 0.1)});
+        EnvelopeTree tree;
+        tree.build(leaves);
+        EXPECT_EQ(tree.depth(), ideal_depth(count));
+    }
+}
+
+TEST(EnvelopeTree, UsesTheMemoryOfRemovedLeavesAgain)
+{
+    Random random(2);
+    CheckedTree checked;
+    for (ProxyId proxy = 0; proxy < 500; ++proxy)
+        checked.insert(proxy, random.box(1, 0.1));
+    const std::size_t before = checked.tree().bytes();
+    for (int step = 0; step < 20000; ++step)
+    {
+        const ProxyId proxy = static_cast<ProxyId>(random.index(500));
+        checked.remove(proxy);
+        checked.insert(proxy, random.box(1, 0.1));
+    }
+    EXPECT_LE(checked.tree().bytes(), before + 64 * 1024 / 8);
+}
+} // namespace
+} // namespace ode_predictive_space

@@ -1,0 +1,105 @@
+#include "ode_predictive_space/broadphase/id_set.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/random.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+std::vector<ProxyId> members(const IdSet &set)
+{
+    std::vector<ProxyId> found;
+    set.for_each([&](ProxyId id) { found.push_back(id); });
+    return found;
+}
+
+TEST(IdSet, BehavesAsASetDoes)
+{
+    Random random(1);
+    IdSet set;
+    std::set<ProxyId> reference;
+    std::size_t room = 0;
+    for (int step = 0; step < 20000; ++step)
+    {
+        if (room == 0 || random.chance(0.01))
+            set.resize(room += 1 + random.index(70));
+        const ProxyId id = static_cast<ProxyId>(random.index(room));
+        if (random.chance(0.5))
+        {
+            set.insert(id);
+            reference.insert(id);
+        }
+        else
+        {
+            set.erase(id);
+            reference.erase(id);
+        }
+        if (random.chance(0.001))
+        {
+            set.clear();
+            reference.clear();
+        }
+        ASSERT_EQ(set.contains(id), reference.count(id) == 1);
+        ASSERT_EQ(set.size(), reference.size());
+        ASSERT_EQ(set.empty(), reference.empty());
+        if (step % 64 == 0)
+        {
+            ASSERT_EQ(members(set), std::vector<ProxyId>(reference.begin(), reference.end()));
+        }
+    }
+}
+
+TEST(IdSet, IsWalkedInAscendingOrderWhateverOrderItWasFilledIn)
+{
+    IdSet set;
+    set.resize(200);
+    for (ProxyId id : {199u, 64u, 0u, 63u, 127u, 128u, 65u})
+        set.insert(id);
+    EXPECT_EQ(members(set), (std::vector<ProxyId>{0, 63, 64, 65, 127, 128, 199}));
+}
+
+TEST(IdSet, HasRoomForExactlyTheNumbersAskedFor)
+{
+    IdSet set;
+    EXPECT_EQ(set.words(), 0u);
+    EXPECT_TRUE(set.empty());
+    set.resize(64);
+    EXPECT_EQ(set.words(), 1u);
+    set.insert(63);
+    set.resize(65);
+    EXPECT_EQ(set.words(), 2u);
+    EXPECT_TRUE(set.contains(63)) << "members stay when the set grows";
+    EXPECT_FALSE(set.contains(64));
+}
+
+TEST(IdSet, UnitesWithAnother)
+{
+    IdSet one, other;
+    one.resize(130);
+    other.resize(130);
+    one.insert(3);
+    one.insert(129);
+    other.insert(3);
+    other.insert(70);
+    one |= other;
+    EXPECT_EQ(members(one), (std::vector<ProxyId>{3, 70, 129}));
+    EXPECT_EQ(members(other), (std::vector<ProxyId>{3, 70}));
+}
+
+TEST(IdSet, ChangesPlacesWithAnother)
+{
+    IdSet one, other;
+    one.resize(64);
+    other.resize(128);
+    one.insert(1);
+    other.insert(100);
+    one.swap(other);
+    EXPECT_EQ(members(one), std::vector<ProxyId>{100});
+    EXPECT_EQ(members(other), std::vector<ProxyId>{1});
+}
+} // namespace
+} // namespace ode_predictive_space

@@ -1,0 +1,118 @@
+#include "ode_predictive_space/broadphase/scouts.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space
+{
+namespace
+{
+// Objects on straight paths, some of which jump.
+struct Flock
+{
+    std::vector<Vector3> centres;
+    IdSet members;
+    std::size_t jumping = 0;
+    int ticks = 0;
+
+    explicit Flock(std::size_t count) : centres(count, Vector3::Zero())
+    {
+        members.resize(count);
+        for (ProxyId id = 0; id < count; ++id)
+            members.insert(id);
+    }
+
+    void move()
+    {
+        ++ticks;
+        for (std::size_t i = 0; i < centres.size(); ++i)
+            if (i % 100 < jumping)
+                centres[i] = Vector3::Constant(5 * std::sin(1.0 * ticks * ticks));
+            else
+                centres[i] += Vector3(0.1, 0.2, 0);
+    }
+
+    Box bounds(ProxyId id) const { return Box(centres[id].array() - 0.5, centres[id].array() + 0.5); }
+};
+
+bool calm_after(Scouts &scouts, Flock &flock, int ticks)
+{
+    bool calm = false;
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+        flock.move();
+        calm = scouts.calm(flock, flock.members);
+    }
+    return calm;
+}
+
+TEST(Scouts, AreCalmWhenTheFlockIs)
+{
+    for (std::size_t count : {1, 10, 31, 33, 64, 1000})
+    {
+        Flock flock(count);
+        Scouts scouts;
+        scouts.choose(flock.members);
+        EXPECT_TRUE(calm_after(scouts, flock, 3)) << count;
+    }
+}
+
+TEST(Scouts, AreNotCalmWhenTheFlockJumps)
+{
+    for (std::size_t count : {1, 10, 31, 33, 64, 1000})
+    {
+        Flock flock(count);
+        flock.jumping = 100;
+        Scouts scouts;
+        scouts.choose(flock.members);
+        for (int tick = 0; tick < 20; ++tick)
+            EXPECT_FALSE(calm_after(scouts, flock, 1)) << count;
+    }
+}
+
+TEST(Scouts, StandForThePartOfTheFlockThatJumps)
+{
+    Flock flock(1000);
+    Scouts scouts;
+    scouts.choose(flock.members);
+    flock.jumping = 60;
+    EXPECT_FALSE(calm_after(scouts, flock, 5));
+    flock.jumping = 0;
+    EXPECT_TRUE(calm_after(scouts, flock, 3));
+}
+
+TEST(Scouts, AStillFlockIsCalm)
+{
+    Flock flock(50);
+    Scouts scouts;
+    scouts.choose(flock.members);
+    for (int tick = 0; tick < 3; ++tick)
+        scouts.calm(flock, flock.members);
+    EXPECT_TRUE(scouts.calm(flock, flock.members));
+}
+
+TEST(Scouts, WhatIsNotANumberIsNotCalm)
+{
+    Flock flock(10);
+    for (Vector3 &centre : flock.centres)
+        centre.x() = std::numeric_limits<double>::quiet_NaN();
+    Scouts scouts;
+    scouts.choose(flock.members);
+    EXPECT_FALSE(calm_after(scouts, flock, 5));
+}
+
+TEST(Scouts, ThatAreGoneAreNotAsked)
+{
+    Flock flock(10);
+    Scouts scouts;
+    scouts.choose(flock.members);
+    for (ProxyId id = 0; id < 9; ++id)
+    {
+        flock.members.erase(id);
+        flock.centres[id].x() = std::numeric_limits<double>::quiet_NaN();
+    }
+    EXPECT_TRUE(calm_after(scouts, flock, 3));
+}
+} // namespace
+} // namespace ode_predictive_space

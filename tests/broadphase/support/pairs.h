@@ -1,0 +1,38 @@
+// Sets of pairs, in a form that can be compared.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_PAIRS_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_PAIRS_H
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "ode_predictive_space/broadphase/types.h"
+
+namespace ode_predictive_space
+{
+using Pairs = std::vector<std::pair<ProxyId, ProxyId>>;
+
+/// The pairs with their smaller number first, in ascending order. A pair that is there twice stays so.
+template <typename Source> Pairs sorted_pairs(const Source &source)
+{
+    Pairs pairs;
+    for (const auto &pair : source)
+        pairs.emplace_back(std::min(pair.first, pair.second), std::max(pair.first, pair.second));
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+/// All pairs of 0 to count - 1 for which overlap(first, second) holds, in ascending order.
+template <typename Overlap> Pairs all_pairs(std::size_t count, Overlap overlap)
+{
+    Pairs pairs;
+    for (ProxyId first = 0; first < count; ++first)
+        for (ProxyId second = first + 1; second < count; ++second)
+            if (overlap(first, second))
+                pairs.emplace_back(first, second);
+    return pairs;
+}
+} // namespace ode_predictive_space
+
+#endif

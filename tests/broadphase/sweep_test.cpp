@@ -1,0 +1,142 @@
+#include "ode_predictive_space/broadphase/sweep.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/pairs.h"
+#include "tests/broadphase/support/random.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+using Items = std::vector<Sweep::Item>;
+
+void expect_all_pairs(Sweep &sweep, const Items &items)
+{
+    std::vector<CandidatePair> found;
+    sweep.find_pairs(items, found);
+    for (const CandidatePair &pair : found)
+        ASSERT_LT(pair.first, pair.second);
+    Pairs expected;
+    for (std::size_t i = 0; i < items.size(); ++i)
+        for (std::size_t j = i + 1; j < items.size(); ++j)
+            if (items[i].box.overlaps(items[j].box))
+                expected.push_back(std::minmax(items[i].proxy, items[j].proxy));
+    std::sort(expected.begin(), expected.end());
+    ASSERT_EQ(sorted_pairs(found), expected) << items.size() << " boxes";
+}
+
+Items random_items(Random &random, std::size_t count, double spread, double size)
+{
+    Items items;
+    for (std::size_t i = 0; i < count; ++i)
+        items.push_back({random.box(spread, size), static_cast<ProxyId>(3 * (count - i))});
+    return items;
+}
+
+TEST(Sweep, FindsTheOverlappingPairsOfAnyNumberOfBoxes)
+{
+    Random random(1);
+    Sweep sweep;
+    for (std::size_t count : {0, 1, 2, 3, 10, 100, 255, 256, 257, 1000, 3000})
+        expect_all_pairs(sweep, random_items(random, count, 1, 0.3));
+    for (std::size_t count = 0; count < 60; ++count)
+        for (int repetition = 0; repetition < 20; ++repetition)
+            expect_all_pairs(sweep, random_items(random, count, 1, 1));
+}
+
+TEST(Sweep, FindsThemWhicheverAxisIsWidest)
+{
+    Random random(2);
+    Sweep sweep;
+    for (int axis = 0; axis < 3; ++axis)
+        for (std::size_t count : {50, 400})
+        {
+            Items items = random_items(random, count, 1, 0.5);
+            for (Sweep::Item &item : items)
+            {
+                const float shift = static_cast<float>(random.uniform(-20, 20));
+                item.box.low[axis] += shift;
+                item.box.high[axis] += shift;
+            }
+            expect_all_pairs(sweep, items);
+        }
+}
+
+TEST(Sweep, TouchingBoxesOverlap)
+{
+    Items items;
+    for (ProxyId z = 0; z < 7; ++z)
+        for (ProxyId y = 0; y < 7; ++y)
+            for (ProxyId x = 0; x < 7; ++x)
+            {
+                const float low[] = {static_cast<float>(x) - 3, static_cast<float>(y) - 3, static_cast<float>(z) - 3};
+                items.push_back({{{low[0], low[1], low[2]}, {low[0] + 1, low[1] + 1, low[2] + 1}},
+                                 static_cast<ProxyId>(items.size())});
+            }
+    Sweep sweep;
+    expect_all_pairs(sweep, items);
+    std::vector<CandidatePair> found;
+    sweep.find_pairs(items, found);
+    // Along each axis there are 7 equal places and 2 * 6 ordered pairs of neighbours.
+    EXPECT_EQ(found.size(), (19u * 19u * 19u - 343u) / 2u);
+}
+
+TEST(Sweep, NegativeAndPositiveZeroTouch)
+{
+    Sweep sweep;
+    expect_all_pairs(sweep, {{{{-1, -1, -1}, {-0.0f, -0.0f, -0.0f}}, 0}, {{{0, 0, 0}, {1, 1, 1}}, 1}});
+    expect_all_pairs(sweep, {{{{0, 0, 0}, {0, 0, 0}}, 0}, {{{-0.0f, -0.0f, -0.0f}, {-0.0f, -0.0f, -0.0f}}, 1}});
+}
+
+TEST(Sweep, IdenticalBoxesAllOverlap)
+{
+    Sweep sweep;
+    for (std::size_t count : {5, 300})
+    {
+        Items items;
+        for (std::size_t i = 0; i < count; ++i)
+            items.push_back({{{0.1f, 0.2f, 0.3f}, {0.4f, 0.5f, 0.6f}}, static_cast<ProxyId>(i)});
+        expect_all_pairs(sweep, items);
+    }
+}
+
+TEST(Sweep, InfiniteBoxesMeetAllThatIsInTheirReach)
+{
+    Random random(3);
+    Sweep sweep;
+    for (std::size_t count : {20, 500})
+    {
+        Items items = random_items(random, count, 2, 0.5);
+        for (int i = 0; i < 8; ++i)
+        {
+            FloatBox half_space = random.box(2, 0.5);
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                if (random.chance(0.5))
+                    half_space.low[axis] = -infinity;
+                if (random.chance(0.5))
+                    half_space.high[axis] = infinity;
+            }
+            items.push_back({half_space, static_cast<ProxyId>(10000 + i)});
+        }
+        items.push_back({{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}, 20000});
+        items.push_back({{{infinity, infinity, infinity}, {infinity, infinity, infinity}}, 20001});
+        items.push_back({{{-infinity, -infinity, -infinity}, {-infinity, -infinity, -infinity}}, 20002});
+        expect_all_pairs(sweep, items);
+    }
+}
+
+TEST(Sweep, AppendsToWhatIsThere)
+{
+    Sweep sweep;
+    std::vector<CandidatePair> pairs = {{7, 8}};
+    sweep.find_pairs({{{{0, 0, 0}, {1, 1, 1}}, 1}, {{{0, 0, 0}, {1, 1, 1}}, 2}}, pairs);
+    EXPECT_EQ(sorted_pairs(pairs), (Pairs{{1, 2}, {7, 8}}));
+}
+} // namespace
+} // namespace ode_predictive_space

@@ -1,0 +1,198 @@
+#include "ode_predictive_space/broadphase/verify.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/proxies.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// One object, wherever the test says.
+struct OneObject
+{
+    Vector3 centre = Vector3::Zero();
+    double radius = 1;
+
+    Vector3 position(ProxyId) const { return centre; }
+    bool has_grown(ProxyId, float allowed) const { return !(radius <= allowed); }
+    Box bounds(ProxyId) const { return Box(centre.array() - radius, centre.array() + radius); }
+};
+
+const Path straight = {{1, 2, 3}, {0.5, 0, 0}, {0, 0.25, 0}};
+const Deviation some = {0.25, 0.125, 0};
+
+TEST(Verify, TheCentreMayBeAsFarFromThePathAsTheDeviation)
+{
+    ProxyStore store;
+    add_proxy(store, straight, some, 1, 100, 50);
+    for (Tick now : {100u, 104u, 150u})
+    {
+        const double t = now - 100.0;
+        for (int axis = 0; axis < 3; ++axis)
+            for (double sign : {-1.0, 1.0})
+            {
+                Vector3 centre = straight.at(t);
+                centre[axis] += sign * some.at(t);
+                EXPECT_TRUE(centre_inside(store.paths[0], centre, now));
+                centre[axis] += sign * 1e-9;
+                EXPECT_FALSE(centre_inside(store.paths[0], centre, now));
+            }
+    }
+}
+
+TEST(Verify, NoCentreThatIsNotANumberIsInside)
+{
+    ProxyStore store;
+    add_proxy(store, straight, some, 1, 100, 50);
+    for (double bad : {nan, infinity, -infinity})
+        EXPECT_FALSE(centre_inside(store.paths[0], {1, 2, bad}, 100));
+}
+
+TEST(Verify, BoundsMustBeInsideOnEverySide)
+{
+    const Envelope envelope = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0.5, 0, 0}, {-1, -1, -1}, {1, 1, 1}, 2};
+    const Box allowed = envelope.at(0);
+    EXPECT_TRUE(bounds_inside(envelope, allowed)) << "closed";
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        Box lower = allowed, higher = allowed;
+        lower.min()[axis] -= 1e-12;
+        higher.max()[axis] += 1e-12;
+        EXPECT_FALSE(bounds_inside(envelope, lower));
+        EXPECT_FALSE(bounds_inside(envelope, higher));
+        Box lost = allowed;
+        lost.min()[axis] = nan;
+        EXPECT_FALSE(bounds_inside(envelope, lost));
+    }
+}
+
+TEST(Verify, InfiniteSidesHoldInfiniteBounds)
+{
+    const Envelope floor = {
+        {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {}, {-infinity, -infinity, -infinity}, {infinity, infinity, 0}, infinity};
+    Box plane(Vector3::Constant(-infinity), Vector3(infinity, infinity, 0));
+    EXPECT_TRUE(bounds_inside(floor, plane));
+    plane.max().z() = 0.001;
+    EXPECT_FALSE(bounds_inside(floor, plane));
+}
+
+TEST(Verify, AnObjectCheckedByItsCentreMayTurnButNotGrow)
+{
+    ProxyStore store;
+    add_proxy(store, straight, some, 1, 100, 50);
+    OneObject object;
+    object.centre = straight.at(10);
+    EXPECT_TRUE(envelope_holds(object, store, 0, 110));
+    object.radius = 0.5;
+    EXPECT_TRUE(envelope_holds(object, store, 0, 110)) << "shrinking does no harm";
+    object.radius = 1.001;
+    EXPECT_FALSE(envelope_holds(object, store, 0, 110));
+    object.radius = nan;
+    EXPECT_FALSE(envelope_holds(object, store, 0, 110));
+}
+
+TEST(Verify, AnObjectCheckedByItsBoundsMustHaveThemInside)
+{
+    ProxyStore store;
+    add_proxy(store, straight, some, 1, 100, 50);
+    store.bounds[0].check = Check::bounds;
+    OneObject object;
+    object.centre = straight.at(10);
+    object.radius = 1 + some.at(10);
+    EXPECT_TRUE(envelope_holds(object, store, 0, 110));
+    EXPECT_FALSE(envelope_holds(object, store, 0, 108));
+    object.radius += 1e-9;
+    EXPECT_FALSE(envelope_holds(object, store, 0, 110));
+}
+
+TEST(Verify, AStillObjectMayStayForAnyTime)
+{
+    for (Check check : {Check::centre, Check::bounds})
+    {
+        ProxyStore store;
+        add_still_proxy(store, {4, 5, 6}, 1, 0.25);
+        store.bounds[0].check = check;
+        OneObject object;
+        object.centre = {4.25, 4.75, 6};
+        for (Tick now : {0u, 1000u, 0x7fffffffu, 0x80000000u, 0xffffffffu})
+            EXPECT_TRUE(envelope_holds(object, store, 0, now));
+        object.centre.z() += 0.2501;
+        EXPECT_FALSE(envelope_holds(object, store, 0, 1000));
+    }
+}
+
+TEST(Verify, NothingHoldsForAnObjectWithoutPrediction)
+{
+    ProxyStore store;
+    add_empty_proxy(store);
+    OneObject object;
+    EXPECT_FALSE(envelope_holds(object, store, 0, 0));
+    EXPECT_FALSE(prediction_holds(object, store, 0, 0));
+}
+
+TEST(Verify, WhatNoTreeCanHoldIsPredictedAnewWheneverItMoves)
+{
+    ProxyStore store;
+    add_still_proxy(store, {0, 0, 0}, 1, 0.25);
+    OneObject object;
+    store.bounds[0].shelf = Shelf::still;
+    EXPECT_TRUE(prediction_holds(object, store, 0, 0));
+    store.bounds[0].shelf = Shelf::unbounded;
+    EXPECT_TRUE(envelope_holds(object, store, 0, 0));
+    EXPECT_FALSE(prediction_holds(object, store, 0, 0));
+}
+
+TEST(Verify, TimeMayWrapAround)
+{
+    ProxyStore store;
+    const Tick since = 0xfffffffau;
+    add_proxy(store, straight, some, 1, since, 50);
+    EXPECT_TRUE(centre_inside(store.paths[0], straight.at(20), since + 20));
+    EXPECT_FALSE(centre_inside(store.paths[0], straight.at(0), since + 20));
+}
+
+// Whatever passes the check must be held by the box that the index has for it: to the last bit.
+TEST(Verify, WhatPassesIsInTheBoxOfTheIndex)
+{
+    Random random(1);
+    int passed = 0;
+    for (int i = 0; i < 300000; ++i)
+    {
+        ProxyStore store;
+        const Tick now = 1000;
+        add_random_proxy(store, random, i % 2 == 0 ? 2 : 1000, now);
+        const bool still = store.bounds[0].still;
+        const std::int32_t t =
+            still ? 0 : static_cast<std::int32_t>(random.index(static_cast<std::size_t>(store.remaining(0, now)) + 1));
+        const Tick then = now + static_cast<Tick>(t);
+        const Envelope predicted = store.envelope(0, then);
+        OneObject object;
+        object.centre = predicted.path.position;
+        object.radius = store.bounds[0].radius;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            object.centre[axis] += (random.chance(0.5) ? 1 : -1) * predicted.deviation.a;
+            for (std::size_t steps = random.index(3); steps > 0; --steps)
+                object.centre[axis] = std::nextafter(object.centre[axis], random.chance(0.5) ? infinity : -infinity);
+        }
+        if (!envelope_holds(object, store, 0, then))
+            continue;
+        ++passed;
+        const FloatBox indexed = store.swept_box(0, now);
+        const Box bounds = object.bounds(0);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            ASSERT_LE(indexed.low[axis], bounds.min()[axis]) << "object " << i << (still ? ", still" : "");
+            ASSERT_GE(indexed.high[axis], bounds.max()[axis]) << "object " << i << (still ? ", still" : "");
+        }
+    }
+    EXPECT_GT(passed, 30000);
+}
+} // namespace
+} // namespace ode_predictive_space
