@@ -10,8 +10,9 @@
 
 namespace ode_predictive_space::scenes
 {
-/// {scene, n, space, seed, ticks, mean_us, median_us, p99_us, p999_us, max_us, pairs, pair_hash, false_pairs, contacts}:
-/// times in microseconds per dSpaceCollide(), the rest summed over the ticks; the hash in hexadecimal digits.
+/// {scene, n, space, seed, ticks, measured_ticks, mean_us, median_us, p99_us, p999_us, max_us, pairs, pair_hash,
+/// false_pairs, contacts}: times in microseconds per dSpaceCollide() over the measured ticks; the rest summed over all
+/// ticks, with the warm-up; the hash in hexadecimal digits.
 nlohmann::json record_of(const SceneRun &run, const SceneSpec &spec);
 
 /// Write a value to a file.

@@ -1,0 +1,120 @@
+// predictive_haptic_demo as a user meets it: exit status, output, result file.
+
+#include "demos/haptic_report.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <sys/wait.h>
+
+namespace ode_predictive_space::scenes
+{
+namespace
+{
+struct Outcome
+{
+    int status = -1;
+    std::string output;
+};
+
+Outcome run(const std::string &program, const std::string &arguments)
+{
+    Outcome outcome;
+    const std::string command = "'" + program + "' " + arguments + " 2>&1";
+    FILE *pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr)
+    {
+        return outcome;
+    }
+    char buffer[4096];
+    for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+    {
+        outcome.output.append(buffer, got);
+    }
+    const int status = pclose(pipe);
+    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+}
+
+bool contains(const std::string &text, const std::string &part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+TEST(HapticDemo, EndsWellAndSaysThatAllSpacesAgree)
+{
+    const Outcome outcome = run(HAPTIC_DEMO, "--objects 40 --seconds 0.4");
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "All 5 spaces reported the same pairs in each of the 400 ticks"))
+        << outcome.output;
+    for (const char *name : {"predictive", "simple", "hash", "quadtree", "sweep and prune"})
+    {
+        EXPECT_TRUE(contains(outcome.output, name)) << name << " is missing in\n" << outcome.output;
+    }
+}
+
+TEST(HapticDemo, FailsWhenTheSpacesDisagree)
+{
+    const Outcome outcome = run(HAPTIC_DEMO_THAT_LOSES_PAIRS, "--objects 40 --seconds 0.4 --space predictive,simple");
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "THE SPACES DISAGREE: from tick ")) << outcome.output;
+}
+
+TEST(HapticDemo, WritesItsResultsForOtherPrograms)
+{
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "haptic_demo_test_results.json";
+    const Outcome outcome = run(HAPTIC_DEMO, "--objects 30 --seconds 0.2 --seed 7 --headless --space predictive,hash "
+                                             "--json '" +
+                                                 file.string() + "'");
+    ASSERT_EQ(outcome.status, 0) << outcome.output;
+    const nlohmann::json results = nlohmann::json::parse(std::ifstream(file));
+    std::filesystem::remove(file);
+
+    EXPECT_TRUE(results.at("same_pairs").get<bool>());
+    ASSERT_EQ(results.at("spaces").size(), 2u);
+    const nlohmann::json &predictive = results.at("spaces").at(0);
+    const nlohmann::json &hash = results.at("spaces").at(1);
+    EXPECT_EQ(predictive.at("space"), "predictive");
+    EXPECT_EQ(hash.at("space"), "hash");
+    EXPECT_EQ(predictive.at("pair_hash"), hash.at("pair_hash"));
+    EXPECT_EQ(predictive.at("pairs"), hash.at("pairs"));
+    EXPECT_EQ(predictive.at("contacts"), hash.at("contacts"));
+    EXPECT_EQ(predictive.at("n"), 30);
+    EXPECT_EQ(predictive.at("seed"), 7);
+    EXPECT_EQ(predictive.at("ticks"), 200);
+    EXPECT_GT(hash.at("mean_us").get<double>(), 0);
+    EXPECT_LE(hash.at("median_us").get<double>(), hash.at("p99_us").get<double>());
+    EXPECT_LE(hash.at("p99_us").get<double>(), hash.at("max_us").get<double>());
+    EXPECT_FALSE(predictive.contains("gain_percent"));
+    EXPECT_DOUBLE_EQ(hash.at("gain_percent").get<double>(),
+                     gain_percent(predictive.at("mean_us").get<double>(), hash.at("mean_us").get<double>()));
+}
+
+TEST(HapticDemo, RunsInOneSpaceAlone)
+{
+    const Outcome outcome = run(HAPTIC_DEMO, "--objects 20 --seconds 0.1 --space quadtree");
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "The space reported ")) << outcome.output;
+}
+
+TEST(HapticDemo, RefusesWhatItCannotDo)
+{
+    EXPECT_GT(run(HAPTIC_DEMO, "--objects 0").status, 1);
+    EXPECT_GT(run(HAPTIC_DEMO, "--seconds -1").status, 1);
+    EXPECT_GT(run(HAPTIC_DEMO, "--space octree").status, 1);
+    const Outcome outcome = run(HAPTIC_DEMO, "--objects 5 --seconds 0.05 --json /no/such/folder/results.json");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(contains(outcome.output, "cannot write /no/such/folder/results.json")) << outcome.output;
+}
+
+TEST(HapticDemo, GainIsThePapers)
+{
+    EXPECT_DOUBLE_EQ(gain_percent(1, 4), 75);
+    EXPECT_DOUBLE_EQ(gain_percent(4, 4), 0);
+    EXPECT_DOUBLE_EQ(gain_percent(8, 4), -100);
+}
+} // namespace
+} // namespace ode_predictive_space::scenes

@@ -1,0 +1,103 @@
+#include "demos/scenes/result_records.h"
+#include "demos/scenes/scene_run.h"
+
+#include <gtest/gtest.h>
+#include <sstream>
+#include <stdexcept>
+
+namespace ode_predictive_space::scenes
+{
+namespace
+{
+class SceneRunTest : public testing::Test
+{
+protected:
+    OdeSession ode_;
+    SceneFactory factory_{{"gas", 80, 1}};
+};
+
+TEST_F(SceneRunTest, FindsTheFirstTickInWhichRunsDiffer)
+{
+    SceneRuns runs = make_runs({SpaceKind::simple, SpaceKind::hash}, factory_);
+    run_by_turns(runs, 150);
+    EXPECT_EQ(first_difference(runs), -1);
+
+    SceneRuns different;
+    different.push_back(std::make_unique<SceneRun>(SpaceKind::simple, factory_));
+    different.push_back(std::make_unique<SceneRun>(SpaceKind::simple, SceneFactory({"gas", 80, 2})));
+    run_by_turns(different, 150);
+    EXPECT_EQ(first_difference(different), 0);
+}
+
+TEST_F(SceneRunTest, TurnsAddUpAlsoWhenTheyDoNotDivideTheTicks)
+{
+    const SceneRuns runs = make_runs({SpaceKind::simple, SpaceKind::hash}, factory_);
+    std::vector<int> done;
+    run_by_turns(runs, 250, [&](int ticks) { done.push_back(ticks); });
+    EXPECT_EQ(done, (std::vector<int>{100, 200, 250}));
+    for (const auto &run : runs)
+    {
+        EXPECT_EQ(run->ticks(), 250u);
+        EXPECT_EQ(run->collide_times().size(), 250u);
+        EXPECT_EQ(run->tick_times().size(), 250u);
+    }
+}
+
+TEST_F(SceneRunTest, WarmUpLeavesThePairsAndNoTimes)
+{
+    SceneRun run(SpaceKind::simple, factory_);
+    for (int tick = 0; tick < 10; ++tick)
+    {
+        run.tick();
+    }
+    run.start_measuring();
+    EXPECT_TRUE(run.collide_times().empty());
+    EXPECT_EQ(run.ticks(), 10u);
+    run.tick();
+    EXPECT_EQ(run.measured_ticks(), 1u);
+    EXPECT_EQ(run.ticks(), 11u);
+}
+
+TEST_F(SceneRunTest, BatchesCountTheirTicksAndSubtractTheMotion)
+{
+    SceneRun run(SpaceKind::simple, factory_);
+    MotionRun motion(factory_);
+    EXPECT_GT(motion.batch(64), 0);
+    run.batch(64, 0);
+    run.batch(64, 1e6);
+    EXPECT_EQ(run.measured_ticks(), 128u);
+    ASSERT_EQ(run.collide_times().size(), 2u);
+    EXPECT_GT(run.collide_times()[0], 0);
+    EXPECT_EQ(run.collide_times()[1], 0) << "never less than nothing";
+}
+
+TEST_F(SceneRunTest, ChecksThePredictiveSpace)
+{
+    SceneRun run(SpaceKind::predictive, factory_);
+    run.check_every_tick();
+    for (int tick = 0; tick < 300; ++tick)
+    {
+        run.tick();
+    }
+    EXPECT_TRUE(run.invariant_held());
+}
+
+TEST_F(SceneRunTest, ARecordHasAllThatAReaderNeeds)
+{
+    SceneRun run(SpaceKind::sweep_and_prune, factory_);
+    run.tick();
+    const nlohmann::json record = record_of(run, factory_.spec());
+    EXPECT_EQ(record.at("scene"), "gas");
+    EXPECT_EQ(record.at("space"), "sap");
+    EXPECT_EQ(record.at("n"), 80);
+    EXPECT_EQ(record.at("seed"), 1);
+    EXPECT_EQ(record.at("ticks"), 1);
+    EXPECT_EQ(record.at("pair_hash").get<std::string>().size(), 16u);
+    for (const char *name : {"mean_us", "median_us", "p99_us", "p999_us", "max_us", "pairs"})
+    {
+        EXPECT_TRUE(record.contains(name)) << name;
+    }
+    EXPECT_THROW(write_json("/no/such/folder/file.json", record), std::runtime_error);
+}
+} // namespace
+} // namespace ode_predictive_space::scenes

@@ -1,0 +1,104 @@
+#include "demos/scenes/random.h"
+#include "demos/scenes/scene.h"
+#include "demos/scenes/shapes.h"
+#include "demos/scenes/spaces.h"
+
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::scenes
+{
+namespace
+{
+constexpr Shape all_shapes[] = {Shape::sphere, Shape::box, Shape::capsule, Shape::mesh};
+
+class ShapesTest : public testing::Test
+{
+protected:
+    ~ShapesTest() override { dSpaceDestroy(space_); }
+
+    int contacts_of(dGeomID first, dGeomID second)
+    {
+        dContactGeom contacts[8];
+        return dCollide(first, second, 8, contacts, sizeof(dContactGeom));
+    }
+
+    static double half_width(dGeomID geom)
+    {
+        dReal box[6];
+        dGeomGetAABB(geom, box);
+        return (box[1] - box[0]) / 2;
+    }
+
+    OdeSession ode_;
+    dSpaceID space_ = dSimpleSpaceCreate(nullptr);
+    BallMesh mesh_{object_radius};
+};
+
+TEST_F(ShapesTest, FitTheirBoundingSphere)
+{
+    for (const Shape shape : all_shapes)
+    {
+        const dGeomID geom = make_shape(space_, shape, object_radius, &mesh_);
+        dReal box[6];
+        dGeomGetAABB(geom, box);
+        double longest = 0;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            EXPECT_LE(box[2 * axis + 1], object_radius * 1.0001);
+            EXPECT_GE(box[2 * axis], -object_radius * 1.0001);
+            longest = std::max(longest, box[2 * axis + 1]);
+        }
+        EXPECT_GT(longest, 0.5 * object_radius);
+    }
+}
+
+TEST_F(ShapesTest, CornersOfTheBoxLieOnItsBoundingSphere)
+{
+    EXPECT_NEAR(std::sqrt(3.0) * half_side_of_box(object_radius), object_radius, 1e-12);
+}
+
+TEST_F(ShapesTest, MeshIsClosedAndFacesOutwards)
+{
+    const dGeomID mesh = make_shape(space_, Shape::mesh, object_radius, &mesh_);
+    EXPECT_EQ(dGeomTriMeshGetTriangleCount(mesh), 80);
+    // Every ray from outside to the centre meets it once, at a face that looks at the ray's beginning.
+    Random random(1);
+    const dGeomID ray = dCreateRay(nullptr, 1);
+    for (int i = 0; i < 200; ++i)
+    {
+        const Vector3 from = random.direction();
+        const Vector3 towards = -from;
+        dGeomRaySet(ray, from.x(), from.y(), from.z(), towards.x(), towards.y(), towards.z());
+        dGeomRaySetBackfaceCull(ray, 1);
+        ASSERT_GE(contacts_of(ray, mesh), 1) << "ray " << i;
+    }
+    dGeomDestroy(ray);
+}
+
+TEST_F(ShapesTest, TouchOneAnother)
+{
+    for (const Shape one : all_shapes)
+    {
+        for (const Shape other : all_shapes)
+        {
+            const dGeomID first = make_shape(space_, one, object_radius, &mesh_);
+            const dGeomID second = make_shape(space_, other, object_radius, &mesh_);
+            // Not deep: a mesh is hollow, and what lies inside it touches nothing.
+            dGeomSetPosition(second, half_width(first) + half_width(second) - 0.01, 0.001, 0.002);
+            EXPECT_GT(contacts_of(first, second), 0)
+                << "shapes " << static_cast<int>(one) << " and " << static_cast<int>(other);
+            dGeomSetPosition(second, 0.21, 0, 0);
+            EXPECT_EQ(contacts_of(first, second), 0);
+        }
+    }
+}
+
+TEST_F(ShapesTest, HaveTheMassOfTheirVolume)
+{
+    const dMass box = mass_of_shape(Shape::box, object_radius, 1000);
+    EXPECT_NEAR(box.mass, 1000 * std::pow(2 * half_side_of_box(object_radius), 3), 1e-9);
+    const dMass ball = mass_of_shape(Shape::sphere, object_radius, 1000);
+    EXPECT_NEAR(ball.mass, 1000 * 4.0 / 3.0 * pi * std::pow(object_radius, 3), 1e-9);
+}
+} // namespace
+} // namespace ode_predictive_space::scenes
