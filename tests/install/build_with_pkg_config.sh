@@ -11,5 +11,6 @@ shift 2
 
 # pkg-config quotes its output for a shell to read.
 flags=$(pkg-config --cflags --libs ode_predictive_space)
-eval "\"\$@\" -o \"\$program\" $flags -Wl,-rpath,\"\$libdir\""
+eval "set -- \"\$@\" $flags"
+"$@" -o "$program" -Wl,-rpath,"$libdir"
 exec "$program"
