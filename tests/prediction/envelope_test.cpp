@@ -45,7 +45,9 @@ TEST(Envelope, swept_holds_the_envelope_at_every_time)
     RandomPairs random(41);
     for (int i = 0; i < 10000 * pair_kinds; ++i)
     {
-        const EnvelopePair pair = random.make(static_cast<PairKind>(i % pair_kinds));
+        EnvelopePair pair = random.make(static_cast<PairKind>(i % pair_kinds));
+        if (i % 3 == 0) // nothing that would hide a rounding error
+            pair.second.deviation = {};
         const Box swept = pair.second.swept(pair.duration);
         for (int k = 0; k <= 8; ++k)
             ASSERT_TRUE(swept.contains(pair.second.at(pair.duration * k / 8))) << "pair " << i << " at " << k << "/8";
