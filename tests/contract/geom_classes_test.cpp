@@ -173,5 +173,28 @@ TEST_F(Contract, 12_RaysAreSetAnewEachTick)
         }
     });
 }
+
+TEST_F(Contract, 12_AMeshIsGivenOtherTrianglesWithoutASign)
+{
+    // dGeomTriMeshSetData() marks the geom dirty and tells nobody, so that ODE is silent about its later moves, too. A simple
+    // space stops at an assertion here unless the mesh is the first in its list.
+    Scenario scene(SpaceKind::predictive);
+    dGeomID mesh = scene.numbered(create_geom(GeomKind::trimesh, 0.3, scene.space()));
+    scene.box(0.5, 3, 3, 3);
+    scene.box(0.5, -20, 1, 1);
+    scene.tick();
+    EXPECT_TRUE(scene.log().back().empty());
+    dGeomTriMeshSetData(mesh, mesh_data(3));
+    scene.tick();
+    EXPECT_EQ(scene.log().back(), Pairs({{0, 1}}));
+    for (int tick = 0; tick < 10; ++tick)
+    {
+        dGeomTriMeshSetData(mesh, mesh_data(tick % 2 ? 3 : 1));
+        dGeomSetPosition(mesh, tick % 3 ? -20.5 : 1.5, 0, 0);
+        scene.tick();
+        // The small mesh meets the far box, the large one the near box.
+        EXPECT_EQ(scene.log().back().size(), (tick % 3 == 0) == (tick % 2 == 1) ? 1u : 0u) << tick;
+    }
+}
 } // namespace
 } // namespace ode_predictive_space

@@ -182,6 +182,28 @@ TEST_F(Notice, ABodyGoesFromUnderItsGeom)
     });
 }
 
+TEST_F(Notice, ABodyGoesFromUnderATurningGeom)
+{
+    expect_as_simple([](Scenario &scene) {
+        for (GeomKind kind : {GeomKind::box, GeomKind::capsule, GeomKind::cylinder})
+        {
+            dGeomID rider = scene.numbered(create_geom(kind, 1, scene.space()));
+            dBodyID body = scene.body(rider, 0.5, 0, 0);
+            dBodySetAngularVel(body, 1, 2, 0);
+            scene.box(0.5, 1, 0, 0);
+            for (int tick = 0; tick < 120; ++tick)
+            {
+                if (tick == 60)
+                    dBodyDestroy(body);
+                if (tick > 90)
+                    dGeomSetPosition(rider, 0.1 * tick - 9, 0, 0);
+                scene.step(0.02);
+                scene.tick();
+            }
+        }
+    });
+}
+
 TEST_F(Notice, BoundsAreAskedForBetweenMoveAndTick)
 {
     // dGeomGetAABB() and dSpaceCollide2() of two geoms bring the bounds up to date and take the mark of the move away.

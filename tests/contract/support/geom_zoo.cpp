@@ -80,12 +80,16 @@ const ConvexData &convex_data(dReal size)
     return data[nearest_mesh(size)];
 }
 
+} // namespace
+
 dTriMeshDataID mesh_data(dReal size)
 {
     static const MeshData data[] = {MeshData(mesh_sizes[0]), MeshData(mesh_sizes[1]), MeshData(mesh_sizes[2])};
     return data[nearest_mesh(size)].id;
 }
 
+namespace
+{
 dHeightfieldDataID height_data(dReal size, bool endless)
 {
     static const HeightData finite[] = {{mesh_sizes[0], false}, {mesh_sizes[1], false}, {mesh_sizes[2], false}};
@@ -150,6 +154,18 @@ dGeomID create_ball(dReal size, dSpaceID space)
     if (space)
         dSpaceAdd(space, geom);
     return geom;
+}
+
+// dGeomTriMeshSetData() marks the geom dirty and tells nobody: in a space, ODE would then be silent about its later moves,
+// and a simple space would stop at an assertion. So it is done outside.
+void set_mesh(dGeomID geom, dReal size)
+{
+    dSpaceID space = dGeomGetSpace(geom);
+    if (space)
+        dSpaceRemove(space, geom);
+    dGeomTriMeshSetData(geom, mesh_data(size));
+    if (space)
+        dSpaceAdd(space, geom);
 }
 
 void fill_transform(dGeomID transform, dReal size)
@@ -262,7 +278,7 @@ void resize_geom(dGeomID geom, GeomKind kind, dReal size)
         set_convex(geom, size);
         break;
     case GeomKind::trimesh:
-        dGeomTriMeshSetData(geom, mesh_data(size));
+        set_mesh(geom, size);
         break;
     case GeomKind::heightfield:
         dGeomHeightfieldSetHeightfieldData(geom, height_data(size, false));

@@ -37,6 +37,8 @@ dGeomID create_geom(GeomKind kind, dReal size, dSpaceID space);
 /// Gives a geom that create_geom() made another size and tells the space by setting its position anew: ODE gives no notice
 /// of its own when a convex, a mesh, a heightfield or a transform is changed.
 void resize_geom(dGeomID geom, GeomKind kind, dReal size);
+/// The triangles of a mesh of that size.
+dTriMeshDataID mesh_data(dReal size);
 } // namespace ode_predictive_space
 
 #endif
