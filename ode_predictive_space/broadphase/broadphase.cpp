@@ -134,7 +134,7 @@ void Broadphase::expire()
 
 void Broadphase::find_pairs()
 {
-    index_.find_pairs(proxies_, batch_, in_batch_, now_, candidates_);
+    index_.find_pairs(swept_, in_batch_, candidates_);
 }
 
 void Broadphase::schedule()
@@ -182,6 +182,7 @@ void Broadphase::finish_update()
     for (ProxyId id : batch_)
         in_batch_.erase(id);
     batch_.clear();
+    swept_.clear();
     due_.clear();
     candidates_.clear();
     scheduled_.clear();
@@ -256,6 +257,7 @@ std::size_t Broadphase::bytes() const
          {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_, &due_anew_})
         total += set->bytes();
     total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity()) * sizeof(ProxyId);
+    total += swept_.capacity() * sizeof(SweptProxy);
     total += near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
     total += candidates_.capacity() * sizeof(CandidatePair) + scheduled_.capacity() * sizeof(ScheduledPair);
     return total + items_.capacity() * sizeof(Sweep::Item) + scanned_.capacity() * sizeof(FloatBox);

@@ -160,6 +160,7 @@ private:
     // What one stage hands to the next; empty between updates.
     std::vector<ProxyId> suspects_; // to be verified
     std::vector<ProxyId> batch_;    // to be predicted anew
+    std::vector<SweptProxy> swept_; // the same, predicted
     std::vector<Event> due_;
     std::vector<CandidatePair> candidates_;
     std::vector<ScheduledPair> scheduled_;

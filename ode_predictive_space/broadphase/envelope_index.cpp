@@ -14,52 +14,55 @@ Shelf shelf_for(const PackedBounds &bounds, const FloatBox &box)
 }
 } // namespace
 
-void EnvelopeIndex::update(ProxyStore &proxies, ProxyId id, Tick now)
-{
-    remove(proxies, id);
-    const FloatBox box = proxies.swept_box(id, now);
-    const Shelf shelf = shelf_for(proxies.bounds[id], box);
-    if (shelf == Shelf::unbounded)
-        unbounded_.push_back({id, box});
-    else
-        tree(shelf).insert(id, box);
-    proxies.bounds[id].shelf = shelf;
-}
-
-void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now)
+void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now)
 {
     // Building costs about a quarter of inserting one by one, and leaves a better tree.
     if (batch.size() >= 16 && 4 * batch.size() >= proxies.size())
     {
-        for (ProxyId id : batch)
-            if (proxies.bounds[id].shelf == Shelf::unbounded)
-                remove(proxies, id);
-            else
-                proxies.bounds[id].shelf = Shelf::none;
-        for (ProxyId id : batch)
-        {
-            const FloatBox box = proxies.swept_box(id, now);
-            proxies.bounds[id].shelf = shelf_for(proxies.bounds[id], box);
-            if (proxies.bounds[id].shelf == Shelf::unbounded)
-                unbounded_.push_back({id, box});
-        }
-        rebuild(proxies, now);
+        rebuild(proxies, batch, now);
         return;
     }
-    for (ProxyId id : batch)
-        update(proxies, id, now);
+    for (const SweptProxy &swept : batch)
+    {
+        remove(proxies, swept.proxy);
+        put(proxies, swept);
+    }
 }
 
-void EnvelopeIndex::rebuild(ProxyStore &proxies, Tick now)
+void EnvelopeIndex::put(ProxyStore &proxies, const SweptProxy &swept)
 {
+    const Shelf shelf = shelf_for(proxies.bounds[swept.proxy], swept.box);
+    if (shelf == Shelf::unbounded)
+        unbounded_.push_back(swept);
+    else
+        tree(shelf).insert(swept.proxy, swept.box);
+    proxies.bounds[swept.proxy].shelf = shelf;
+}
+
+void EnvelopeIndex::rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now)
+{
+    // Off the shelves with the batch; the trees themselves are thrown away below.
+    for (const SweptProxy &swept : batch)
+        if (proxies.bounds[swept.proxy].shelf == Shelf::unbounded)
+            remove(proxies, swept.proxy);
+        else
+            proxies.bounds[swept.proxy].shelf = Shelf::none;
     for (Shelf shelf : {Shelf::still, Shelf::moving})
     {
         leaves_.clear();
         for (ProxyId id = 0; id < proxies.size(); ++id)
             if (proxies.bounds[id].shelf == shelf)
                 leaves_.push_back({id, proxies.swept_box(id, now)});
+        for (const SweptProxy &swept : batch)
+            if (shelf_for(proxies.bounds[swept.proxy], swept.box) == shelf)
+                leaves_.push_back(swept);
         tree(shelf).build(leaves_);
+        for (const SweptProxy &leaf : leaves_)
+            proxies.bounds[leaf.proxy].shelf = shelf;
     }
+    for (const SweptProxy &swept : batch)
+        if (proxies.bounds[swept.proxy].shelf == Shelf::none)
+            put(proxies, swept);
 }
 
 void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)
@@ -67,7 +70,7 @@ void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)
     Shelf &shelf = proxies.bounds[id].shelf;
     if (shelf == Shelf::unbounded)
         unbounded_.erase(std::find_if(unbounded_.begin(), unbounded_.end(),
-                                      [id](const EnvelopeTree::Leaf &leaf) { return leaf.proxy == id; }));
+                                      [id](const SweptProxy &leaf) { return leaf.proxy == id; }));
     else if (shelf != Shelf::none)
         tree(shelf).remove(id);
     shelf = Shelf::none;
@@ -83,11 +86,11 @@ void EnvelopeIndex::clear(ProxyStore &proxies)
         bounds.shelf = Shelf::none;
 }
 
-void EnvelopeIndex::find_pairs(const ProxyStore &proxies, const std::vector<ProxyId> &batch, const IdSet &in_batch,
-                               Tick now, std::vector<CandidatePair> &pairs) const
+void EnvelopeIndex::find_pairs(const std::vector<SweptProxy> &batch, const IdSet &in_batch,
+                               std::vector<CandidatePair> &pairs) const
 {
-    for (ProxyId id : batch)
-        query(proxies.swept_box(id, now), [&](ProxyId other) {
+    for (const SweptProxy &swept : batch)
+        query(swept.box, [&, id = swept.proxy](ProxyId other) {
             // Two of the batch find each other twice.
             if (other != id && (other > id || !in_batch.contains(other)))
                 pairs.push_back({id, other});
@@ -96,6 +99,6 @@ void EnvelopeIndex::find_pairs(const ProxyStore &proxies, const std::vector<Prox
 
 std::size_t EnvelopeIndex::bytes() const
 {
-    return still_.bytes() + moving_.bytes() + (unbounded_.capacity() + leaves_.capacity()) * sizeof(EnvelopeTree::Leaf);
+    return still_.bytes() + moving_.bytes() + (unbounded_.capacity() + leaves_.capacity()) * sizeof(SweptProxy);
 }
 } // namespace ode_predictive_space

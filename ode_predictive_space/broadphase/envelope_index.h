@@ -14,11 +14,9 @@ namespace ode_predictive_space
 class EnvelopeIndex
 {
 public:
-    /// Puts a predicted proxy on the shelf where its envelope belongs and notes that in proxies.bounds[id].shelf.
-    void update(ProxyStore &proxies, ProxyId id, Tick now);
-
-    /// The same for many proxies at once.
-    void update(ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now);
+    /// Puts newly predicted proxies, given with their swept boxes, on the shelves where their envelopes belong, and notes
+    /// that in proxies.bounds[id].shelf.
+    void update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now);
 
     /// Takes a proxy off its shelf, if it is on one.
     void remove(ProxyStore &proxies, ProxyId id);
@@ -31,7 +29,7 @@ public:
     {
         still_.query(box, visit);
         moving_.query(box, visit);
-        for (const EnvelopeTree::Leaf &leaf : unbounded_)
+        for (const SweptProxy &leaf : unbounded_)
             if (leaf.box.overlaps(box))
                 visit(leaf.proxy);
     }
@@ -39,7 +37,7 @@ public:
     /// Finds all pairs of which at least one is in the batch and whose envelopes may overlap, each once.
     ///
     /// @param in_batch the batch as a set.
-    void find_pairs(const ProxyStore &proxies, const std::vector<ProxyId> &batch, const IdSet &in_batch, Tick now,
+    void find_pairs(const std::vector<SweptProxy> &batch, const IdSet &in_batch,
                     std::vector<CandidatePair> &pairs) const;
 
     bool consistent() const { return still_.consistent() && moving_.consistent(); }
@@ -47,12 +45,13 @@ public:
 
 private:
     EnvelopeTree &tree(Shelf shelf) { return shelf == Shelf::still ? still_ : moving_; }
-    void rebuild(ProxyStore &proxies, Tick now);
+    void put(ProxyStore &proxies, const SweptProxy &swept);
+    void rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now);
 
     EnvelopeTree still_;
     EnvelopeTree moving_;
-    std::vector<EnvelopeTree::Leaf> unbounded_;
-    std::vector<EnvelopeTree::Leaf> leaves_; // scratch of rebuild()
+    std::vector<SweptProxy> unbounded_;
+    std::vector<SweptProxy> leaves_; // scratch of rebuild()
 };
 } // namespace ode_predictive_space
 

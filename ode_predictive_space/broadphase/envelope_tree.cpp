@@ -129,8 +129,12 @@ void EnvelopeTree::refit_upwards(Index index)
     for (; index != none; index = nodes_[index].parent)
     {
         Node &node = nodes_[index];
-        node.box = nodes_[node.content].box.merged(nodes_[node.content + 1].box);
+        const FloatBox merged = nodes_[node.content].box.merged(nodes_[node.content + 1].box);
+        const bool unchanged = merged == node.box;
+        node.box = merged;
         rotate(index);
+        if (unchanged)
+            return;
     }
 }
 
@@ -165,7 +169,7 @@ void EnvelopeTree::rotate(Index index)
     changed.box = nodes_[changed.content].box.merged(nodes_[changed.content + 1].box);
 }
 
-void EnvelopeTree::build(std::vector<Leaf> &leaves)
+void EnvelopeTree::build(std::vector<SweptProxy> &leaves)
 {
     nodes_.clear();
     free_pairs_.clear();
@@ -173,7 +177,7 @@ void EnvelopeTree::build(std::vector<Leaf> &leaves)
     if (leaves.empty())
         return;
     ProxyId largest = 0;
-    for (const Leaf &leaf : leaves)
+    for (const SweptProxy &leaf : leaves)
         largest = std::max(largest, leaf.proxy);
     if (largest >= leaf_node_.size())
         leaf_node_.resize(largest + 1, none);
@@ -184,7 +188,7 @@ void EnvelopeTree::build(std::vector<Leaf> &leaves)
 }
 
 // Splits at the median along the axis on which the centres are spread most.
-void EnvelopeTree::build_range(Index index, Leaf *begin, Leaf *end)
+void EnvelopeTree::build_range(Index index, SweptProxy *begin, SweptProxy *end)
 {
     if (end - begin == 1)
     {
@@ -197,7 +201,7 @@ void EnvelopeTree::build_range(Index index, Leaf *begin, Leaf *end)
     for (int axis = 0; axis < 3; ++axis)
     {
         low[axis] = high[axis] = centre(begin->box, axis);
-        for (const Leaf *leaf = begin + 1; leaf < end; ++leaf)
+        for (const SweptProxy *leaf = begin + 1; leaf < end; ++leaf)
         {
             low[axis] = std::min(low[axis], centre(leaf->box, axis));
             high[axis] = std::max(high[axis], centre(leaf->box, axis));
@@ -207,8 +211,8 @@ void EnvelopeTree::build_range(Index index, Leaf *begin, Leaf *end)
     for (int other = 1; other < 3; ++other)
         if (high[other] - low[other] > high[axis] - low[axis])
             axis = other;
-    Leaf *middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end, [axis](const Leaf &a, const Leaf &b) {
+    SweptProxy *middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end, [axis](const SweptProxy &a, const SweptProxy &b) {
         return centre(a.box, axis) != centre(b.box, axis) ? centre(a.box, axis) < centre(b.box, axis)
                                                           : a.proxy < b.proxy;
     });

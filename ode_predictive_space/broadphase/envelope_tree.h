@@ -11,6 +11,13 @@
 
 namespace ode_predictive_space
 {
+/// A proxy and a box that holds its envelope to the end of its horizon.
+struct SweptProxy
+{
+    ProxyId proxy;
+    FloatBox box;
+};
+
 /// A binary tree of bounded boxes with a proxy in each leaf.
 ///
 /// Siblings are stored side by side (nodes 2k and 2k + 1), so that a visit of both touches one cache line; node 0 is the
@@ -18,12 +25,6 @@ namespace ode_predictive_space
 class EnvelopeTree
 {
 public:
-    struct Leaf
-    {
-        ProxyId proxy;
-        FloatBox box;
-    };
-
     /// Adds a proxy that is not in the tree. The box must be bounded().
     void insert(ProxyId proxy, const FloatBox &box);
 
@@ -31,7 +32,7 @@ public:
     void remove(ProxyId proxy);
 
     /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
-    void build(std::vector<Leaf> &leaves);
+    void build(std::vector<SweptProxy> &leaves);
 
     bool empty() const { return nodes_.empty(); }
 
@@ -71,7 +72,7 @@ private:
     void swap_nodes(Index left, Index right);
     void refit_upwards(Index node);
     void rotate(Index node);
-    void build_range(Index node, Leaf *begin, Leaf *end);
+    void build_range(Index node, SweptProxy *begin, SweptProxy *end);
     bool consistent(Index node) const;
     int depth(Index node) const;
 
@@ -87,6 +88,7 @@ template <typename Visit> void EnvelopeTree::query(const FloatBox &box, Visit vi
     // Depth first with the far child kept for later. The tree's depth is bounded only by its size, hence the fallback to
     // the heap; in practice the fixed part suffices.
     constexpr std::size_t fixed = 128;
+    const BoxProbe probe(box);
     Index stack[fixed];
     std::vector<Index> overflow;
     std::size_t depth = 0;
@@ -94,7 +96,7 @@ template <typename Visit> void EnvelopeTree::query(const FloatBox &box, Visit vi
     for (;;)
     {
         const Node &node = nodes_[static_cast<std::size_t>(index)];
-        if (node.box.overlaps(box))
+        if (probe.overlaps(node.box))
         {
             if (!node.leaf())
             {

@@ -7,6 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include "ode_predictive_space/prediction/envelope.h"
 
 namespace ode_predictive_space
@@ -54,6 +58,11 @@ struct FloatBox
                other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
     }
 
+    bool operator==(const FloatBox &other) const
+    {
+        return std::equal(low, low + 3, other.low) && std::equal(high, high + 3, other.high);
+    }
+
     bool contains(const FloatBox &other) const
     {
         return low[0] <= other.low[0] && low[1] <= other.low[1] && low[2] <= other.low[2] && other.high[0] <= high[0] &&
@@ -88,6 +97,40 @@ struct FloatBox
         return true;
     }
 };
+/// A box that is compared with many others: overlaps() in two vector comparisons where the machine has them.
+class BoxProbe
+{
+public:
+#if defined(__SSE2__)
+    explicit BoxProbe(const FloatBox &box)
+        : high_(_mm_setr_ps(box.high[0], box.high[1], box.high[2], infinity)),
+          low_(_mm_setr_ps(-infinity, box.low[0], box.low[1], box.low[2]))
+    {}
+
+    // The two loads overlap by two components, so that neither leaves the other box; its odd ones are compared with
+    // infinity.
+    bool overlaps(const FloatBox &other) const
+    {
+        const __m128 begins = _mm_cmple_ps(_mm_loadu_ps(other.low), high_);
+        const __m128 ends = _mm_cmple_ps(low_, _mm_loadu_ps(other.low + 2));
+        return _mm_movemask_ps(_mm_and_ps(begins, ends)) == 15;
+    }
+
+private:
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+    __m128 high_, low_;
+#else
+    explicit BoxProbe(const FloatBox &box) : box_(box) {}
+    bool overlaps(const FloatBox &other) const
+    {
+        return box_.overlaps(other);
+    }
+
+private:
+    FloatBox box_;
+#endif
+};
+static_assert(sizeof(FloatBox) == 6 * sizeof(float), "BoxProbe reads low and high as one array");
 } // namespace ode_predictive_space
 
 #endif

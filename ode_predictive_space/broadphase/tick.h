@@ -95,7 +95,9 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
                                                               (interactive_.contains(id) || sampled_ < most_sampled)));
     }
     counters_.repredictions += batch_.size();
-    index_.update(proxies_, batch_, now_);
+    for (ProxyId id : batch_)
+        swept_.push_back({id, proxies_.swept_box(id, now_)});
+    index_.update(proxies_, swept_, now_);
 }
 
 template <typename Scene> void Broadphase::scan(Scene &scene)
