@@ -4,6 +4,18 @@
 
 namespace ode_predictive_space
 {
+namespace
+{
+// Keeps the memory for the next tick, unless it was made for an exceptional one.
+template <typename T> void empty(std::vector<T> &scratch)
+{
+    constexpr std::size_t small = 1024;
+    if (scratch.capacity() > small && scratch.size() < scratch.capacity() / 8)
+        scratch = std::vector<T>();
+    scratch.clear();
+}
+} // namespace
+
 ProxyId Broadphase::add()
 {
     ProxyId id;
@@ -18,7 +30,8 @@ ProxyId Broadphase::add()
         proxies_.paths.emplace_back();
         proxies_.bounds.emplace_back();
         proxies_.generations.push_back(0);
-        scanned_.emplace_back();
+        if (policy_.scanning())
+            scanned_.resize(proxies_.size());
         for (IdSet *set :
              {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_, &due_anew_})
             set->resize(proxies_.size());
@@ -181,11 +194,11 @@ void Broadphase::finish_update()
 {
     for (ProxyId id : batch_)
         in_batch_.erase(id);
-    batch_.clear();
-    swept_.clear();
-    due_.clear();
-    candidates_.clear();
-    scheduled_.clear();
+    empty(batch_);
+    empty(swept_);
+    empty(due_);
+    empty(candidates_);
+    empty(scheduled_);
     purge_stale_events();
     purge_stale_near();
 }
@@ -236,6 +249,7 @@ void Broadphase::start_scanning()
     near_.clear();
     due_anew_.clear();
     moving_.clear();
+    scanned_.resize(proxies_.size());
     scouts_.choose(members_);
     members_.for_each([&](ProxyId id) {
         proxies_.bounds[id].check = Check::none;
@@ -246,6 +260,8 @@ void Broadphase::start_scanning()
 void Broadphase::stop_scanning()
 {
     near_.clear();
+    scanned_ = {};
+    items_ = {};
     wheel_.restart(now_);
     members_.for_each([&](ProxyId id) { add_to_batch(id); });
 }

@@ -49,15 +49,15 @@ void EnvelopeIndex::rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &
             proxies.bounds[swept.proxy].shelf = Shelf::none;
     for (Shelf shelf : {Shelf::still, Shelf::moving})
     {
-        leaves_.clear();
+        std::vector<SweptProxy> leaves;
         for (ProxyId id = 0; id < proxies.size(); ++id)
             if (proxies.bounds[id].shelf == shelf)
-                leaves_.push_back({id, proxies.swept_box(id, now)});
+                leaves.push_back({id, proxies.swept_box(id, now)});
         for (const SweptProxy &swept : batch)
             if (shelf_for(proxies.bounds[swept.proxy], swept.box) == shelf)
-                leaves_.push_back(swept);
-        tree(shelf).build(leaves_);
-        for (const SweptProxy &leaf : leaves_)
+                leaves.push_back(swept);
+        tree(shelf).build(leaves);
+        for (const SweptProxy &leaf : leaves)
             proxies.bounds[leaf.proxy].shelf = shelf;
     }
     for (const SweptProxy &swept : batch)
@@ -78,9 +78,9 @@ void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)
 
 void EnvelopeIndex::clear(ProxyStore &proxies)
 {
-    leaves_.clear();
-    still_.build(leaves_);
-    moving_.build(leaves_);
+    std::vector<SweptProxy> nothing;
+    still_.build(nothing);
+    moving_.build(nothing);
     unbounded_.clear();
     for (PackedBounds &bounds : proxies.bounds)
         bounds.shelf = Shelf::none;
@@ -99,6 +99,6 @@ void EnvelopeIndex::find_pairs(const std::vector<SweptProxy> &batch, const IdSet
 
 std::size_t EnvelopeIndex::bytes() const
 {
-    return still_.bytes() + moving_.bytes() + (unbounded_.capacity() + leaves_.capacity()) * sizeof(SweptProxy);
+    return still_.bytes() + moving_.bytes() + unbounded_.capacity() * sizeof(SweptProxy);
 }
 } // namespace ode_predictive_space

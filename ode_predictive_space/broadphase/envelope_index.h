@@ -51,7 +51,6 @@ private:
     EnvelopeTree still_;
     EnvelopeTree moving_;
     std::vector<SweptProxy> unbounded_;
-    std::vector<SweptProxy> leaves_; // scratch of rebuild()
 };
 } // namespace ode_predictive_space
 

@@ -39,34 +39,28 @@ inline bool bounds_inside(const Envelope &envelope_now, const Box &box)
     return inside;
 }
 
-/// Is the object where its prediction says?
+/// Is the object where its prediction says, so that it need not be predicted anew?
 ///
 /// @tparam Scene gives position(id), has_grown(id, radius) and bounds(id) of an object as they are now.
-template <typename Scene> bool envelope_holds(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
+template <typename Scene> bool prediction_holds(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
 {
     const PackedBounds &bounds = proxies.bounds[id];
+#ifdef ODE_PREDICTIVE_SPACE_WITHOUT_VERIFY
+    // Only for the test which shows that the differential test notices when predictions are trusted blindly.
+    return bounds.check != Check::none;
+#endif
     switch (bounds.check)
     {
     case Check::centre:
         return centre_inside(proxies.paths[id], scene.position(id), bounds.still ? proxies.paths[id].since : now) &&
                !scene.has_grown(id, bounds.radius);
     case Check::bounds:
-        return bounds_inside(proxies.envelope(id, now), scene.bounds(id));
+        // What no tree can hold is predicted anew whenever it moves: it may have become finite again.
+        return bounds.shelf != Shelf::unbounded && bounds_inside(proxies.envelope(id, now), scene.bounds(id));
     case Check::none:
         break;
     }
     return false;
-}
-
-/// Need the object's prediction not be made anew?
-template <typename Scene> bool prediction_holds(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
-{
-#ifdef ODE_PREDICTIVE_SPACE_WITHOUT_VERIFY
-    // Only for the test which shows that the differential test notices when predictions are trusted blindly.
-    return proxies.bounds[id].check != Check::none;
-#endif
-    // What no tree can hold is predicted anew whenever it moves: it may have become finite again.
-    return proxies.bounds[id].shelf != Shelf::unbounded && envelope_holds(scene, proxies, id, now);
 }
 } // namespace ode_predictive_space
 

@@ -76,6 +76,7 @@ private:
     static ProxyId proxy_of(const dxGeom *geom);
     ode_predictive_space::GeomScene scene() const;
     void notice_unreported_moves();
+    bool lies_in_envelope(ProxyId id, const ode_predictive_space::GeomScene &now) const;
 
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // by proxy number; 0 for gaps
