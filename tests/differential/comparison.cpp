@@ -34,11 +34,10 @@ Pairs without(const Pairs &pairs, const Pairs &others)
 class TwinRun
 {
 public:
-    TwinRun(const History &history, Measure measure, Tally &tally)
-        : measure_(measure), tally_(tally), reference_(SpaceKind::simple, history),
-          tested_(SpaceKind::predictive, history)
+    TwinRun(const History &history, const Terms &terms, Tally &tally)
+        : terms_(terms), tally_(tally), reference_(SpaceKind::simple, history), tested_(SpaceKind::predictive, history)
     {
-        if (measure == Measure::spheres)
+        if (terms.measure == Measure::spheres)
             tested_.measure_by_spheres();
     }
 
@@ -74,7 +73,8 @@ private:
         }
         catch (const OdeAbort &abort)
         {
-            throw Broken(kind, std::string("ODE aborted: ") + abort.what());
+            const char *where = kind == FailureKind::abort ? "predictive" : "simple";
+            throw Broken(kind, std::string("ODE aborted in the ") + where + " universe: " + abort.what());
         }
     }
 
@@ -90,7 +90,7 @@ private:
         compare_pairs([](Universe &universe) { return universe.tick(); });
         // By brute force: not at every tick of a large scene.
         const std::size_t every = 1 + reference_.geom_count() * reference_.geom_count() / 4000;
-        if (tally_.ticks % every == 0 && !tested_.valid())
+        if (terms_.with_invariant && tally_.ticks % every == 0 && !tested_.valid())
             throw Broken(FailureKind::invariant, "the invariant does not hold: " + OdeMessages::text());
     }
 
@@ -107,7 +107,7 @@ private:
             return;
         const Pairs missing = without(expected, reported);
         const Pairs extra = without(reported, expected);
-        if (measure_ == Measure::spheres && extra.empty())
+        if (terms_.measure == Measure::spheres && extra.empty())
             return expect_no_contacts(missing);
         throw Broken(FailureKind::pairs, "missing:" + to_text(missing) + "; not expected:" + to_text(extra));
     }
@@ -122,7 +122,7 @@ private:
         }
     }
 
-    Measure measure_;
+    Terms terms_;
     Tally &tally_;
     Universe reference_;
     Universe tested_;
@@ -132,8 +132,8 @@ private:
 class Shrinker
 {
 public:
-    Shrinker(const History &history, Measure measure, FailureKind kind, int most_runs)
-        : history_(history), measure_(measure), kind_(kind), runs_left_(most_runs)
+    Shrinker(const History &history, const Terms &terms, FailureKind kind, int most_runs)
+        : history_(history), terms_(terms), kind_(kind), runs_left_(most_runs)
     {}
 
     History shrink()
@@ -151,7 +151,7 @@ private:
     bool take_if_it_fails(const History &shorter)
     {
         --runs_left_;
-        const auto failure = compare(shorter, measure_);
+        const auto failure = compare(shorter, terms_);
         if (!failure || failure->kind != kind_)
             return false;
         history_ = shorter;
@@ -189,18 +189,18 @@ private:
     }
 
     History history_;
-    Measure measure_;
+    Terms terms_;
     FailureKind kind_;
     int runs_left_;
 };
 } // namespace
 
-std::optional<Failure> compare(const History &history, Measure measure, Tally *tally)
+std::optional<Failure> compare(const History &history, const Terms &terms, Tally *tally)
 {
     const OdeMessages messages;
     Tally own_tally;
     std::size_t at = 0;
-    auto run = std::make_unique<TwinRun>(history, measure, tally ? *tally : own_tally);
+    auto run = std::make_unique<TwinRun>(history, terms, tally ? *tally : own_tally);
     try
     {
         for (; at < history.operations.size(); ++at)
@@ -216,29 +216,29 @@ std::optional<Failure> compare(const History &history, Measure measure, Tally *t
     return std::nullopt;
 }
 
-History shrink(const History &history, Measure measure, int most_runs)
+History shrink(const History &history, const Terms &terms, int most_runs)
 {
-    const auto failure = compare(history, measure);
+    const auto failure = compare(history, terms);
     if (!failure)
         return history;
     History cut = history;
     cut.operations.resize(failure->operation + 1);
-    return Shrinker(cut, measure, failure->kind, most_runs).shrink();
+    return Shrinker(cut, terms, failure->kind, most_runs).shrink();
 }
 
-std::string report_of(const Profile &profile, std::uint64_t seed, Measure measure, Tally *tally)
+std::string report_of(const Profile &profile, std::uint64_t seed, const Terms &terms, Tally *tally)
 {
     const History history = make_history(profile, seed);
-    const auto failure = compare(history, measure, tally);
+    const auto failure = compare(history, terms, tally);
     if (!failure)
         return "";
     std::ostringstream text;
     text << "operation " << failure->operation << ": " << failure->text
          << "\nreplay: predictive_differential --flavour " << flavour_name(profile.flavour) << " --seed " << seed
          << " --histories 1 --geoms " << profile.geoms << " --ticks " << profile.ticks
-         << (profile.nested_spaces ? "" : " --flat") << (measure == Measure::spheres ? " --spheres" : "") << "\n";
-    const History shrunk = shrink(history, measure);
-    const auto shrunk_failure = compare(shrunk, measure);
+         << (profile.nested_spaces ? "" : " --flat") << (terms.measure == Measure::spheres ? " --spheres" : "") << "\n";
+    const History shrunk = shrink(history, terms);
+    const auto shrunk_failure = compare(shrunk, terms);
     text << "shrunk: " << (shrunk_failure ? shrunk_failure->text : std::string("fails no more")) << "\n"
          << to_text(shrunk);
     return text.str();

@@ -41,19 +41,24 @@ struct Tally
     std::size_t left_out = 0; ///< by the measure of spheres
 };
 
-/// Runs a history in a simple and in a predictive space; after every tick and query both must have reported the same pairs
+struct Terms
+{
+    Measure measure = Measure::boxes;
+    bool with_invariant = true; ///< dPredictiveSpaceValidate() must say yes, too
+};
+
+/// Runs a history in a simple and in a predictive space; after every tick and query both must have reported the same pairs,
 /// and the invariant must hold. ODE's asserts must stay silent.
-std::optional<Failure> compare(const History &history, Measure measure = Measure::boxes, Tally *tally = nullptr);
+std::optional<Failure> compare(const History &history, const Terms &terms, Tally *tally = nullptr);
 
 /// Drops operations and shortens calms as long as the history still fails in the same way.
 ///
 /// @param most_runs how often at most it is tried.
-History shrink(const History &history, Measure measure, int most_runs = 2000);
+History shrink(const History &history, const Terms &terms, int most_runs = 2000);
 
 /// Runs the history of a profile and a seed. When it fails: what differed, how to replay it, and the shrunk history;
 /// otherwise an empty text.
-std::string report_of(const Profile &profile, std::uint64_t seed, Measure measure = Measure::boxes,
-                      Tally *tally = nullptr);
+std::string report_of(const Profile &profile, std::uint64_t seed, const Terms &terms, Tally *tally = nullptr);
 } // namespace ode_predictive_space
 
 #endif

@@ -42,7 +42,7 @@ protected:
             const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
             const int geoms = std::max(2, size.geoms * (1 + i % 10) / 10);
             const Profile profile{flavour, geoms, size.ticks, measure == Measure::boxes};
-            const std::string report = report_of(profile, seed, measure, &tally);
+            const std::string report = report_of(profile, seed, {measure}, &tally);
             ASSERT_EQ(report, "") << "seed " << seed;
         }
         EXPECT_GT(tally.pairs, tally.ticks / 4) << "the histories are about nothing";

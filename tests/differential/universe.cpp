@@ -268,7 +268,11 @@ void Universe::apply_to_geom(const Operation &operation, GeomSlot &geom)
         break;
     case Action::attach:
         if (placeable && (operation.object < 0 || find_body(operation.object)))
+        {
+            // ODE drops the offset, but not the mark that its place is to be computed, and later stops at an assertion.
+            dGeomGetPosition(geom.id);
             dGeomSetBody(geom.id, find_body(operation.object));
+        }
         break;
     case Action::offset:
         if (placeable)
