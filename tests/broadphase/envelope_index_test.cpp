@@ -32,7 +32,7 @@ public:
         for (ProxyId id : batch_)
             predict(id);
         present_.insert(chosen.begin(), chosen.end());
-        index_.update(store_, batch_, now_);
+        index_.update(store_, swept(batch_), now_);
     }
 
     void remove_some()
@@ -62,7 +62,7 @@ public:
                 expired.push_back(id);
         for (ProxyId id : expired)
             predict(id);
-        index_.update(store_, expired, now_);
+        index_.update(store_, swept(expired), now_);
     }
 
     void expect_pairs_of_batch() const
@@ -72,7 +72,7 @@ public:
         for (ProxyId id : batch_)
             in_batch.insert(id);
         std::vector<CandidatePair> found;
-        index_.find_pairs(store_, batch_, in_batch, now_, found);
+        index_.find_pairs(swept(batch_), in_batch, found);
         const Pairs pairs = sorted_pairs(found);
         ASSERT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end()) << "a pair is found twice";
         for (const auto &[first, second] : pairs)
@@ -122,6 +122,14 @@ public:
     }
 
 private:
+    std::vector<SweptProxy> swept(const std::vector<ProxyId> &ids) const
+    {
+        std::vector<SweptProxy> result;
+        for (ProxyId id : ids)
+            result.push_back({id, store_.swept_box(id, now_)});
+        return result;
+    }
+
     void predict(ProxyId id)
     {
         ProxyStore made;
@@ -177,7 +185,7 @@ TEST(EnvelopeIndex, KeepsWhatNoTreeCanHoldInAList)
     store.bounds[floor].low[2] = -std::numeric_limits<float>::infinity();
     const ProxyId lost = add_still_proxy(store, {0, 0, std::numeric_limits<double>::quiet_NaN()}, 1, 0);
     for (ProxyId id : {ball, floor, lost})
-        index.update(store, id, 0);
+        index.update(store, {{id, store.swept_box(id, 0)}}, 0);
     EXPECT_EQ(store.bounds[ball].shelf, Shelf::still);
     EXPECT_EQ(store.bounds[floor].shelf, Shelf::unbounded);
     EXPECT_EQ(store.bounds[lost].shelf, Shelf::unbounded);
@@ -186,7 +194,7 @@ TEST(EnvelopeIndex, KeepsWhatNoTreeCanHoldInAList)
     EXPECT_EQ(found, (std::vector<ProxyId>{floor, lost}));
     index.remove(store, floor);
     store.bounds[floor].low[2] = -1;
-    index.update(store, floor, 0);
+    index.update(store, {{floor, store.swept_box(floor, 0)}}, 0);
     EXPECT_EQ(store.bounds[floor].shelf, Shelf::still) << "it has become finite";
 }
 
@@ -196,7 +204,7 @@ TEST(EnvelopeIndex, RemovingWhatIsNotInItDoesNothing)
     EnvelopeIndex index;
     const ProxyId id = add_still_proxy(store, {0, 0, 0}, 1, 0);
     index.remove(store, id);
-    index.update(store, id, 0);
+    index.update(store, {{id, store.swept_box(id, 0)}}, 0);
     index.remove(store, id);
     index.remove(store, id);
     EXPECT_EQ(store.bounds[id].shelf, Shelf::none);

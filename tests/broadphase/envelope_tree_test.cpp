@@ -29,7 +29,7 @@ public:
 
     void rebuild()
     {
-        std::vector<EnvelopeTree::Leaf> leaves;
+        std::vector<SweptProxy> leaves;
         for (const auto &[proxy, box] : boxes_)
             leaves.push_back({proxy, box});
         tree_.build(leaves);
@@ -183,7 +183,7 @@ TEST(EnvelopeTree, BuildForgetsWhatWasThere)
     CheckedTree checked;
     checked.insert(7, {{0, 0, 0}, {1, 1, 1}});
     EnvelopeTree tree = checked.tree();
-    std::vector<EnvelopeTree::Leaf> leaves = {{3, {{0, 0, 0}, {1, 1, 1}}}, {900, {{5, 5, 5}, {6, 6, 6}}}};
+    std::vector<SweptProxy> leaves = {{3, {{0, 0, 0}, {1, 1, 1}}}, {900, {{5, 5, 5}, {6, 6, 6}}}};
     tree.build(leaves);
     std::vector<ProxyId> found;
     tree.query({{-9, -9, -9}, {9, 9, 9}}, [&](ProxyId proxy) { found.push_back(proxy); });
@@ -238,7 +238,7 @@ TEST(EnvelopeTree, IsAsShallowAsCanBeWhenBuiltAtOnce)
     Random random(3);
     for (std::size_t count : {1, 2, 3, 1000, 1024, 1025})
     {
-        std::vector<EnvelopeTree::Leaf> leaves;
+        std::vector<SweptProxy> leaves;
         for (std::size_t i = 0; i < count; ++i)
             leaves.push_back({static_cast<ProxyId>(i), i % 3 == 0 ? FloatBox{} : random.box(1, 0.1)});
         EnvelopeTree tree;

@@ -170,7 +170,32 @@ TEST(FloatBox, OverlapIsThatOfEachAxis)
             expected = expected && std::max(a.low[axis], b.low[axis]) <= std::min(a.high[axis], b.high[axis]);
         ASSERT_EQ(a.overlaps(b), expected);
         ASSERT_EQ(b.overlaps(a), expected);
+        ASSERT_EQ(BoxProbe(a).overlaps(b), expected);
+        ASSERT_EQ(BoxProbe(b).overlaps(a), expected);
     }
+}
+
+TEST(BoxProbe, AnswersAsTheBoxDoesAtInfinityAndInTouch)
+{
+    const float sides[] = {-float_infinity, -largest, -1, -0.0f, 0, 1, largest, float_infinity};
+    Random random(6);
+    auto any_box = [&] {
+        FloatBox box;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            box.low[axis] = sides[random.index(8)];
+            box.high[axis] = sides[random.index(8)];
+        }
+        return box;
+    };
+    int overlaps = 0;
+    for (int i = 0; i < 200000; ++i)
+    {
+        const FloatBox a = any_box(), b = any_box();
+        ASSERT_EQ(BoxProbe(a).overlaps(b), a.overlaps(b)) << i;
+        overlaps += a.overlaps(b);
+    }
+    EXPECT_GT(overlaps, 1000);
 }
 
 TEST(FloatBox, MergedIsTheSmallestThatContainsBoth)

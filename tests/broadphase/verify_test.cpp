@@ -88,13 +88,13 @@ TEST(Verify, AnObjectCheckedByItsCentreMayTurnButNotGrow)
     add_proxy(store, straight, some, 1, 100, 50);
     OneObject object;
     object.centre = straight.at(10);
-    EXPECT_TRUE(envelope_holds(object, store, 0, 110));
+    EXPECT_TRUE(prediction_holds(object, store, 0, 110));
     object.radius = 0.5;
-    EXPECT_TRUE(envelope_holds(object, store, 0, 110)) << "shrinking does no harm";
+    EXPECT_TRUE(prediction_holds(object, store, 0, 110)) << "shrinking does no harm";
     object.radius = 1.001;
-    EXPECT_FALSE(envelope_holds(object, store, 0, 110));
+    EXPECT_FALSE(prediction_holds(object, store, 0, 110));
     object.radius = nan;
-    EXPECT_FALSE(envelope_holds(object, store, 0, 110));
+    EXPECT_FALSE(prediction_holds(object, store, 0, 110));
 }
 
 TEST(Verify, AnObjectCheckedByItsBoundsMustHaveThemInside)
@@ -105,10 +105,10 @@ TEST(Verify, AnObjectCheckedByItsBoundsMustHaveThemInside)
     OneObject object;
     object.centre = straight.at(10);
     object.radius = 1 + some.at(10);
-    EXPECT_TRUE(envelope_holds(object, store, 0, 110));
-    EXPECT_FALSE(envelope_holds(object, store, 0, 108));
+    EXPECT_TRUE(prediction_holds(object, store, 0, 110));
+    EXPECT_FALSE(prediction_holds(object, store, 0, 108));
     object.radius += 1e-9;
-    EXPECT_FALSE(envelope_holds(object, store, 0, 110));
+    EXPECT_FALSE(prediction_holds(object, store, 0, 110));
 }
 
 TEST(Verify, AStillObjectMayStayForAnyTime)
@@ -121,9 +121,9 @@ TEST(Verify, AStillObjectMayStayForAnyTime)
         OneObject object;
         object.centre = {4.25, 4.75, 6};
         for (Tick now : {0u, 1000u, 0x7fffffffu, 0x80000000u, 0xffffffffu})
-            EXPECT_TRUE(envelope_holds(object, store, 0, now));
+            EXPECT_TRUE(prediction_holds(object, store, 0, now));
         object.centre.z() += 0.2501;
-        EXPECT_FALSE(envelope_holds(object, store, 0, 1000));
+        EXPECT_FALSE(prediction_holds(object, store, 0, 1000));
     }
 }
 
@@ -132,7 +132,6 @@ TEST(Verify, NothingHoldsForAnObjectWithoutPrediction)
     ProxyStore store;
     add_empty_proxy(store);
     OneObject object;
-    EXPECT_FALSE(envelope_holds(object, store, 0, 0));
     EXPECT_FALSE(prediction_holds(object, store, 0, 0));
 }
 
@@ -140,11 +139,11 @@ TEST(Verify, WhatNoTreeCanHoldIsPredictedAnewWheneverItMoves)
 {
     ProxyStore store;
     add_still_proxy(store, {0, 0, 0}, 1, 0.25);
+    store.bounds[0].check = Check::bounds;
     OneObject object;
     store.bounds[0].shelf = Shelf::still;
     EXPECT_TRUE(prediction_holds(object, store, 0, 0));
     store.bounds[0].shelf = Shelf::unbounded;
-    EXPECT_TRUE(envelope_holds(object, store, 0, 0));
     EXPECT_FALSE(prediction_holds(object, store, 0, 0));
 }
 
@@ -181,7 +180,7 @@ TEST(Verify, WhatPassesIsInTheBoxOfTheIndex)
             for (std::size_t steps = random.index(3); steps > 0; --steps)
                 object.centre[axis] = std::nextafter(object.centre[axis], random.chance(0.5) ? infinity : -infinity);
         }
-        if (!envelope_holds(object, store, 0, then))
+        if (!prediction_holds(object, store, 0, then))
             continue;
         ++passed;
         const FloatBox indexed = store.swept_box(0, now);

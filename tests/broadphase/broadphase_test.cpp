@@ -1,0 +1,362 @@
+#include "ode_predictive_space/broadphase/broadphase.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/random.h"
+#include "tests/broadphase/support/world.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Kind
+{
+    const char *name;
+    std::size_t objects;
+    double spread; ///< half the side of the cube that they live in
+    double speed;  ///< largest displacement per tick and axis
+    double unrest; ///< chance that an object does something unexpected in a tick
+    double jumps;  ///< chance of a tick in which everything jumps
+    double grid;   ///< everything is a multiple of it: many objects touch exactly; 0: no grid
+};
+
+// A program that does everything a program can do to a space.
+class RandomProgram
+{
+public:
+    RandomProgram(const Kind &kind, std::uint64_t seed) : kind_(kind), random_(seed)
+    {
+        while (world_.members().size() < kind_.objects)
+            world_.add(random_object());
+    }
+
+    World &world() { return world_; }
+
+    void change_world()
+    {
+        world_.advance();
+        const bool all_jump = random_.chance(kind_.jumps);
+        for (ProxyId id : world_.members())
+        {
+            keep_inside(id);
+            if (all_jump)
+                world_.place(id, snapped(random_.vector(kind_.spread)));
+            else if (random_.chance(kind_.unrest))
+                surprise(id);
+        }
+        if (world_.members().size() < 2 * kind_.objects && random_.chance(20 * kind_.unrest))
+            world_.add(random_object());
+    }
+
+    void change_settings()
+    {
+        Broadphase &broadphase = world_.broadphase;
+        switch (random_.index(5))
+        {
+        case 0:
+            broadphase.set_measure(random_.chance(0.5) ? Proximity::box : Proximity::sphere);
+            break;
+        case 1:
+            broadphase.predictor.deviation[random_.index(2)] = Deviation{random_.uniform(0, 0.1), 0.01, 0.001};
+            broadphase.predict_all_anew();
+            break;
+        case 2:
+            broadphase.predictor.deviation = {};
+            broadphase.predict_all_anew();
+            break;
+        case 3:
+            broadphase.predictor.horizon.min_ticks = 1 + static_cast<std::uint32_t>(random_.index(5));
+            broadphase.predictor.horizon.max_ticks = 5 + static_cast<std::uint32_t>(random_.index(2000));
+            broadphase.predict_all_anew();
+            break;
+        default:
+            for (ProxyId id : world_.members())
+                if (random_.chance(0.1))
+                    broadphase.set_role(id, random_.chance(0.5) ? Role::fixed_interactive : Role::fixed_environment);
+            break;
+        }
+    }
+
+    Random &random() { return random_; }
+
+private:
+    Vector3 snapped(const Vector3 &vector) const
+    {
+        return kind_.grid > 0 ? Vector3((vector / kind_.grid).array().round() * kind_.grid) : vector;
+    }
+
+    Object random_object()
+    {
+        const Vector3 centre = snapped(random_.vector(kind_.spread));
+        const Vector3 displacement = random_.chance(0.5) ? Vector3::Zero() : snapped(random_.vector(kind_.speed));
+        const double size = kind_.grid > 0 ? 2 * kind_.grid : random_.uniform(0.05, 0.15);
+        const Vector3 half =
+            kind_.grid > 0 ? Vector3::Constant(size) : Vector3(0.5 * size * (Vector3::Ones() + random_.vector(0.5)));
+        switch (random_.index(20))
+        {
+        case 0:
+            return floor_below(-0.9 * kind_.spread);
+        case 1:
+            return box(centre, 10 * half, displacement, false);
+        case 2:
+        case 3:
+        case 4:
+            return box(centre, half, displacement, false);
+        case 5:
+        case 6:
+        case 7:
+        case 8:
+        case 9:
+        case 10:
+            return box(centre, half, displacement, true);
+        default:
+            return ball(centre, size, displacement);
+        }
+    }
+
+    void set_displacement(Object &object, const Vector3 &displacement)
+    {
+        object.displacement = displacement;
+        if (object.velocity)
+            object.velocity = displacement / World::step;
+    }
+
+    void keep_inside(ProxyId id)
+    {
+        Object &object = world_.object(id);
+        Vector3 displacement = object.displacement;
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::abs(object.centre[axis]) > kind_.spread && object.centre[axis] * displacement[axis] > 0)
+                displacement[axis] = -displacement[axis];
+        if (displacement != object.displacement)
+            set_displacement(object, displacement);
+    }
+
+    void surprise(ProxyId id)
+    {
+        Object &object = world_.object(id);
+        switch (random_.index(11))
+        {
+        case 0:
+            return world_.place(id, snapped(random_.vector(kind_.spread)));
+        case 1:
+            return set_displacement(object, Vector3::Zero());
+        case 2:
+        case 3:
+            return set_displacement(object, snapped(random_.vector(kind_.speed)));
+        case 4:
+            return world_.remove(id);
+        case 5:
+            // It turns: its box changes, its sphere does not.
+            if (std::isfinite(object.radius) && !object.is_sphere)
+                object.half = Vector3::Constant(object.radius / std::sqrt(3.0));
+            return world_.touch(id);
+        case 6:
+            object.half *= 1.25;
+            object.radius *= 1.25;
+            return world_.touch(id);
+        case 7:
+            object.half *= 0.75;
+            object.radius *= 0.75;
+            return world_.touch(id);
+        case 8:
+            // Its body tells a velocity that it does not have, or it loses its body.
+            object.velocity = random_.chance(0.5) ? std::optional<Vector3>(random_.vector(10)) : std::nullopt;
+            return world_.touch(id);
+        case 9:
+            return lose(id);
+        default:
+            return world_.touch(id);
+        }
+    }
+
+    void lose(ProxyId id)
+    {
+        const double places[] = {nan, infinity, -infinity, 1e12, -1e20, 1e200};
+        Vector3 centre = world_.object(id).centre;
+        centre[static_cast<int>(random_.index(3))] = places[random_.index(6)];
+        // Most come back at once: the lost ones all overlap each other.
+        world_.place(id, centre);
+        if (random_.chance(0.7))
+            world_.place(id, snapped(random_.vector(kind_.spread)));
+    }
+
+    Kind kind_;
+    Random random_;
+    World world_;
+};
+
+class AnyWorld : public testing::TestWithParam<Kind>
+{};
+
+TEST_P(AnyWorld, ReportsExactlyTheOverlappingPairsAtEveryTick)
+{
+    for (std::uint64_t seed = 1; seed <= 4; ++seed)
+    {
+        RandomProgram program(GetParam(), seed);
+        World &world = program.world();
+        for (int tick = 0; tick < 600; ++tick)
+        {
+            if (tick > 0)
+                program.change_world();
+            if (program.random().chance(0.01))
+                program.change_settings();
+            if (program.random().chance(0.05))
+            {
+                world.broadphase.catch_up(world);
+                ASSERT_EQ(world.violated_invariant(), "") << "seed " << seed << ", caught up before tick " << tick;
+                if (program.random().chance(0.5))
+                    program.change_world();
+            }
+            world.broadphase.tick(world);
+            ASSERT_EQ(world.violated_invariant(), "") << "seed " << seed << ", tick " << tick;
+            ASSERT_EQ(sorted_pairs(world.report()), world.overlapping()) << "seed " << seed << ", tick " << tick;
+            ASSERT_EQ(sorted_pairs(world.report()), world.overlapping()) << "seed " << seed << ", again " << tick;
+        }
+    }
+}
+
+TEST_P(AnyWorld, AnswersQueriesBetweenTicks)
+{
+    RandomProgram program(GetParam(), 9);
+    World &world = program.world();
+    for (int tick = 0; tick < 300; ++tick)
+    {
+        program.change_world();
+        world.broadphase.catch_up(world);
+        const Vector3 centre = program.random().vector(GetParam().spread);
+        const Box asked(centre - Vector3::Constant(0.2), centre + Vector3::Constant(0.2));
+        std::vector<ProxyId> found;
+        world.broadphase.query(FloatBox::around(asked), [&](ProxyId id) { found.push_back(id); });
+        std::sort(found.begin(), found.end());
+        ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+        for (ProxyId id : world.members())
+            if (world.bounds(id).intersects(asked))
+            {
+                ASSERT_TRUE(std::binary_search(found.begin(), found.end(), id)) << "tick " << tick;
+            }
+        if (tick % 3 == 0)
+        {
+            ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping()) << "tick " << tick;
+        }
+    }
+}
+
+TEST_P(AnyWorld, RunsTheSameEachTime)
+{
+    RandomProgram one(GetParam(), 5), other(GetParam(), 5);
+    for (int tick = 0; tick < 300; ++tick)
+    {
+        one.change_world();
+        other.change_world();
+        ASSERT_EQ(one.world().tick(), other.world().tick()) << "tick " << tick << ": the order counts, too";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Broadphase, AnyWorld,
+    testing::Values(Kind{"calm", 40, 1, 0.005, 0.001, 0, 0}, Kind{"restless", 40, 1, 0.02, 0.02, 0.01, 0},
+                    Kind{"crowded", 40, 0.3, 0.01, 0.005, 0, 0}, Kind{"sparse", 60, 4, 0.05, 0.005, 0.003, 0},
+                    Kind{"touching", 60, 2, 0.25, 0.01, 0.002, 0.125}, Kind{"jumping", 40, 1, 0.01, 0.01, 0.5, 0},
+                    Kind{"tiny", 3, 0.2, 0.01, 0.02, 0.01, 0}),
+    [](const auto &info) { return info.param.name; });
+
+TEST(Broadphase, WithoutObjectsNothingHappens)
+{
+    World world;
+    EXPECT_TRUE(world.tick().empty());
+    world.broadphase.catch_up(world);
+    EXPECT_EQ(world.broadphase.now(), 0u);
+    EXPECT_EQ(world.violated_invariant(), "");
+}
+
+TEST(Broadphase, NumbersAreUsedAgain)
+{
+    World world;
+    const ProxyId first = world.add(ball({0, 0, 0}, 1, {0, 0, 0}));
+    const ProxyId second = world.add(ball({1, 0, 0}, 1, {0, 0, 0}));
+    EXPECT_EQ(world.tick().size(), 1u);
+    world.remove(first);
+    EXPECT_EQ(world.add(ball({50, 0, 0}, 1, {0, 0, 0})), first);
+    EXPECT_TRUE(world.report().empty()) << "the pair of old was not one of the newcomer";
+    EXPECT_TRUE(world.tick().empty());
+    world.place(second, {51, 0, 0});
+    EXPECT_EQ(world.tick().size(), 1u);
+}
+
+TEST(Broadphase, OneThatIsRemovedBeforeTheFirstTickWasNeverThere)
+{
+    World world;
+    world.add(ball({0, 0, 0}, 1, {0, 0, 0}));
+    world.remove(world.add(ball({0, 0, 0}, 1, {0, 0, 0})));
+    EXPECT_TRUE(world.tick().empty());
+    EXPECT_EQ(world.violated_invariant(), "");
+}
+
+// A pair is scheduled once for each time of proximity; when it is predicted anew, the old schedule is stale.
+TEST(Broadphase, APairIsNearOrScheduledButNeverTwice)
+{
+    World world;
+    const ProxyId first = world.add(ball({0, 0, 0}, 0.1, {0.001, 0, 0}));
+    world.add(ball({0.5, 0, 0}, 0.1, {-0.001, 0, 0}));
+    for (int tick = 0; tick < 400; ++tick)
+    {
+        ASSERT_LE(world.broadphase.near_pairs() + world.broadphase.scheduled_pairs(), 1u);
+        if (tick % 10 == 5)
+            world.broadphase.set_role(first, Role::fixed_environment);
+        world.advance();
+        ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
+    }
+}
+
+TEST(BroadphaseMemory, StaysFlatInLongChurn)
+{
+    Random random(1);
+    World world;
+    for (int i = 0; i < 200; ++i)
+        world.add(ball(random.vector(1), 0.05, random.vector(0.002)));
+    auto churn = [&](int ticks) {
+        for (int tick = 0; tick < ticks; ++tick)
+        {
+            const ProxyId id = static_cast<ProxyId>(random.index(200));
+            world.remove(id);
+            world.add(random.chance(0.5) ? ball(random.vector(1), 0.05, random.vector(0.002))
+                                         : box(random.vector(1), {0.05, 0.04, 0.03}, random.vector(0.002), false));
+            world.advance();
+            for (ProxyId other : world.members())
+                if (world.object(other).centre.cwiseAbs().maxCoeff() > 1.5)
+                    world.place(other, random.vector(1));
+            world.tick();
+        }
+    };
+    churn(5000);
+    const std::size_t before = world.broadphase.bytes();
+    churn(20000);
+    EXPECT_LE(world.broadphase.bytes(), before + before / 2);
+}
+
+// Near pairs that had become stale were removed at a report only, and a program that never asks for one kept them all.
+TEST(BroadphaseMemory, StaysFlatWhenOnlyAskedAndNeverReported)
+{
+    World world;
+    for (int i = 0; i < 20; ++i)
+        world.add(ball({0.15 * i, 0, 0}, 0.1, {0, 0, 0}));
+    auto ask = [&](int ticks) {
+        for (int tick = 0; tick < ticks; ++tick)
+        {
+            for (ProxyId id : world.members())
+                world.place(id, {0.15 * id, 0.02 * (tick % 3), 0});
+            world.broadphase.catch_up(world);
+        }
+    };
+    ask(3000);
+    const std::size_t before = world.broadphase.bytes();
+    ask(30000);
+    EXPECT_LE(world.broadphase.bytes(), before + before / 2);
+    EXPECT_LE(world.broadphase.near().size(), 10000u);
+}
+} // namespace
+} // namespace ode_predictive_space
