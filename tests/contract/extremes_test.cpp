@@ -164,6 +164,29 @@ TEST_F(Contract, 13_ExtremeGeomsInNestedSpaces)
     }
 }
 
+TEST_F(Contract, 13_NothingIsLeftOutBySpheresForWantOfANumber)
+{
+    for (dReal extreme : extremes)
+    {
+        SCOPED_TRACE(extreme);
+        Scenario scene(SpaceKind::predictive);
+        dPredictiveSpaceSetProximity(scene.space(), dPredictiveProximitySphere);
+        dGeomID mad = scene.sphere(0.5, 0, 0, 0);
+        scene.body(mad, 0, 0, 0);
+        dGeomID still = scene.sphere(0.5, 0, 0.2, 0);
+        for (int tick = 0; tick < 20; ++tick)
+        {
+            dGeomSetPosition(mad, tick % 4 ? extreme : 0, tick % 4 == 2 ? extreme : 0.01 * tick, 0);
+            scene.tick();
+            dContactGeom contact;
+            if (dCollide(mad, still, 1, &contact, sizeof contact) > 0)
+            {
+                EXPECT_EQ(scene.log().back(), Pairs({{0, 1}})) << "tick " << tick;
+            }
+        }
+    }
+}
+
 TEST_F(Contract, 13_OthersAreNotPoisoned)
 {
     Scenario scene(SpaceKind::predictive);

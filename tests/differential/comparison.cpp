@@ -118,7 +118,9 @@ private:
         for (const Pair &pair : left_out)
         {
             if (reference_.contacts_between(pair.first, pair.second) > 0)
-                throw Broken(FailureKind::pairs, "left out, but in contact:" + to_text(Pairs{pair}));
+                throw Broken(FailureKind::pairs, "left out, but in contact:" + to_text(Pairs{pair}) + ", " +
+                                                     reference_.kind_name(pair.first) + " and " +
+                                                     reference_.kind_name(pair.second));
         }
     }
 

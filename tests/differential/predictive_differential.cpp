@@ -47,8 +47,8 @@ int run(const Options &options)
         const Profile profile = profile_of(options, seed);
         // Before it runs: a history that ends the process is known, too.
         std::cout << "seed " << seed << " (" << flavour_name(profile.flavour) << ")" << std::flush;
-        const std::string report =
-            report_of(profile, seed, {options.spheres ? Measure::spheres : Measure::boxes}, &tally);
+        const Terms terms{options.spheres ? Measure::spheres : Measure::boxes, !options.pairs_only};
+        const std::string report = report_of(profile, seed, terms, &tally);
         std::cout << (report.empty() ? ": same pairs\n" : ": DIFFERENT\n" + report) << std::flush;
         if (!report.empty())
             return 1;

@@ -527,7 +527,14 @@ void Universe::measure_by_spheres()
 int Universe::contacts_between(int first, int second) const
 {
     dContactGeom contacts[8];
-    return dCollide(geoms_[static_cast<std::size_t>(first)].id, geoms_[static_cast<std::size_t>(second)].id, 8,
-                    contacts, sizeof(dContactGeom));
+    try
+    {
+        return dCollide(geoms_[static_cast<std::size_t>(first)].id, geoms_[static_cast<std::size_t>(second)].id, 8,
+                        contacts, sizeof(dContactGeom));
+    }
+    catch (const OdeAbort &)
+    {
+        return 0;
+    }
 }
 } // namespace ode_predictive_space

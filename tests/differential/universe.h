@@ -41,8 +41,11 @@ public:
     /// For the measure of spheres: in all predictive spaces, now and later.
     void measure_by_spheres();
 
-    /// How many contacts dCollide() finds between two geoms.
+    /// How many contacts dCollide() finds between two geoms; none when it stops at an assertion, as it may where
+    /// coordinates are extreme.
     int contacts_between(int first, int second) const;
+
+    const char *kind_name(int geom) const { return geom_kind_name(geoms_[static_cast<std::size_t>(geom)].kind); }
 
     std::size_t geom_count() const;
 
