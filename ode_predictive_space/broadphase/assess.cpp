@@ -6,6 +6,19 @@
 
 namespace ode_predictive_space
 {
+namespace
+{
+// Verification keeps each coordinate within the deviation; a sphere needs the distance.
+Envelope spherical(Envelope envelope)
+{
+    constexpr double root_of_3 = 1.7320508075688774;
+    envelope.deviation.a *= root_of_3;
+    envelope.deviation.b *= root_of_3;
+    envelope.deviation.c *= root_of_3;
+    return envelope;
+}
+} // namespace
+
 std::optional<double> time_of_proximity(const ProxyStore &proxies, ProxyId first, ProxyId second, Tick now,
                                         Proximity measure)
 {
@@ -17,7 +30,7 @@ std::optional<double> time_of_proximity(const ProxyStore &proxies, ProxyId first
     if (time && measure == Proximity::sphere)
     {
         // Both must be near: not before the later of the two first times.
-        const std::optional<double> sphere_time = sphere_time_of_proximity(one, other, duration);
+        const std::optional<double> sphere_time = sphere_time_of_proximity(spherical(one), spherical(other), duration);
         if (!sphere_time)
             return std::nullopt;
         time = std::max(*time, *sphere_time);

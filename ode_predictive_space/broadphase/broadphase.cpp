@@ -173,8 +173,8 @@ void Broadphase::wake()
     }
 }
 
-// An object with near pairs is worth tight bounds; it gets them with its next prediction, which is due at once. The
-// paper's measure works on spheres throughout.
+// An object that will stay near others for long is worth tight bounds; it gets them with its next prediction, which is due
+// at once. The paper's measure works on spheres throughout.
 void Broadphase::note_crowded(const NearPair &pair)
 {
     if (measure_ == Proximity::sphere)
@@ -182,12 +182,19 @@ void Broadphase::note_crowded(const NearPair &pair)
     for (ProxyId id : {pair.first, pair.second})
     {
         PackedBounds &bounds = proxies_.bounds[id];
-        if (bounds.check == Check::centre && !bounds.crowded && !bounds.is_sphere)
+        if (bounds.check == Check::centre && !bounds.crowded && !bounds.is_sphere && lingers(id))
         {
             bounds.crowded = true;
             due_anew_.insert(id);
         }
     }
+}
+
+// Does it take many ticks to move by its own size?
+bool Broadphase::lingers(ProxyId id) const
+{
+    constexpr double many = 100;
+    return many * proxies_.paths[id].path().velocity.lpNorm<Eigen::Infinity>() < proxies_.bounds[id].radius;
 }
 
 void Broadphase::finish_update()

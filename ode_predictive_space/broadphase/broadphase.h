@@ -119,6 +119,7 @@ private:
     void schedule();
     void wake();
     void note_crowded(const NearPair &pair);
+    bool lingers(ProxyId id) const;
     void finish_update();
     void start_scanning();
     void stop_scanning();

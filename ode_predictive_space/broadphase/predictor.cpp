@@ -60,6 +60,14 @@ Box relative_to(const Vector3 &centre, const Box &box)
     return Box(box.min() - centre - below, box.max() - centre + above);
 }
 
+// Distance from the centre, which the box is relative to.
+double farthest_corner(const FloatBox &box)
+{
+    return Vector3(std::max(-box.low[0], box.high[0]), std::max(-box.low[1], box.high[1]),
+                   std::max(-box.low[2], box.high[2]))
+        .norm();
+}
+
 void set_bounds(PackedBounds &bounds, const Observation &seen, const Vector3 &centre)
 {
     const FloatBox box =
@@ -67,10 +75,9 @@ void set_bounds(PackedBounds &bounds, const Observation &seen, const Vector3 &ce
                                      : Box(Vector3::Constant(-seen.radius), Vector3::Constant(seen.radius)));
     std::copy_n(box.low, 3, bounds.low);
     std::copy_n(box.high, 3, bounds.high);
-    const double diagonal = Vector3(std::max(-box.low[0], box.high[0]), std::max(-box.low[1], box.high[1]),
-                                    std::max(-box.low[2], box.high[2]))
-                                .norm();
-    bounds.radius = round_up(std::min(seen.radius, diagonal));
+    bounds.radius = round_up(seen.box_only ? std::numeric_limits<double>::infinity()
+                             : seen.bounds ? farthest_corner(box)
+                                           : seen.radius);
     bounds.check = seen.bounds ? Check::bounds : Check::centre;
     bounds.is_sphere = seen.is_sphere;
 }

@@ -19,6 +19,7 @@ struct Observation
     Vector3 centre;            ///< of its bounding sphere, or of its bounding box when `bounds` is given
     double radius;             ///< of a bounding sphere that holds it however it turns; infinite when there is none
     bool is_sphere = false;    ///< that sphere's box is its bounding box
+    bool box_only = false;     ///< no sphere may judge it: it can be touched outside of any that holds its bounding box
     std::optional<Box> bounds; ///< its bounding box; needed when radius or centre is not finite
     std::optional<Vector3> velocity; ///< in the program's unit, if it has a body that tells
 };

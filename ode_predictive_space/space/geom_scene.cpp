@@ -34,6 +34,12 @@ dReal half_diagonal(const dxGeom *geom)
     return std::sqrt(side[0] * side[0] + side[1] * side[1] + side[2] * side[2]) / 2 * (1 + tolerance);
 }
 
+// ODE makes contacts with a heightfield for what lies beside and below its edge, too.
+bool reaches_beyond_its_box(const dxGeom *geom)
+{
+    return geom->type == dHeightfieldClass;
+}
+
 // The sphere by which the measure of spheres judges: the geom's own where it has one, otherwise that around its box.
 struct JudgedSphere
 {
@@ -42,7 +48,7 @@ struct JudgedSphere
 
     JudgedSphere(const dxGeom *geom, const Box &bounds) : centre(bounds.center()), radius(bounding_sphere(geom).radius)
     {
-        if (!std::isfinite(radius))
+        if (!std::isfinite(radius) && !reaches_beyond_its_box(geom))
             radius = 0.5 * bounds.diagonal().norm();
     }
 
@@ -101,6 +107,7 @@ Observation GeomScene::observe(ProxyId id, bool with_bounds) const
     Observation seen;
     seen.radius = sphere.radius;
     seen.is_sphere = sphere.is_sphere;
+    seen.box_only = reaches_beyond_its_box(geom);
     bool by_centre = std::isfinite(sphere.radius) && (!with_bounds || sphere.is_sphere);
     if (by_centre)
     {
