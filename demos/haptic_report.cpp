@@ -106,8 +106,10 @@ void print_verdict(std::ostream &out, const SceneRuns &runs)
     const double ratio = mean_collide_time(*best) / mean_collide_time(*ours);
     out << "The gain is the share of the other space's mean time that prediction saves: (T_other - T_predictive) / "
            "T_other.\n"
-        << "The predictive space found the pairs " << fixed(ratio, 1) << " times as fast as the best of the others ("
-        << long_name(best->kind()) << ").\n";
+        << "The predictive space "
+        << (ratio >= 1 ? "was " + fixed(ratio, 1) + " times as fast as"
+                       : "took " + fixed(1 / ratio, 1) + " times as long as")
+        << " the best of the others (" << long_name(best->kind()) << ") in finding the pairs.\n";
 }
 
 void print_probe(std::ostream &out, const SceneRun &run)

@@ -26,7 +26,7 @@ constexpr int most_warm_up_ticks = 100;
 struct Options
 {
     int objects = 1000;
-    double seconds = 3;
+    double seconds = 2;
     std::vector<std::string> spaces;
     std::uint64_t seed = 1;
     bool headless = false;

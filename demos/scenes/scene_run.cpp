@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ode_predictive_space/predictive_space.h>
+#include <utility>
 
 namespace ode_predictive_space::scenes
 {
@@ -37,6 +38,10 @@ void ProbeLog::add(const ProbeReport &report)
 SceneRun::SceneRun(SpaceKind kind, const SceneFactory &factory)
     : kind_(kind), space_(make_space(kind, factory)), scene_(factory.make(space_.get())),
       clock_overhead_(clock_overhead())
+{}
+
+SceneRun::SceneRun(SpaceKind kind, OwnedSpace space, std::unique_ptr<Scene> scene)
+    : kind_(kind), space_(std::move(space)), scene_(std::move(scene)), clock_overhead_(clock_overhead())
 {}
 
 void SceneRun::collide()

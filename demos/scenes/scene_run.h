@@ -49,6 +49,9 @@ class SceneRun
 public:
     SceneRun(SpaceKind kind, const SceneFactory &factory);
 
+    /// The same with a scene that no factory makes.
+    SceneRun(SpaceKind kind, OwnedSpace space, std::unique_ptr<Scene> scene);
+
     /// Make one tick: motion, dSpaceCollide(), contacts.
     void tick();
 

@@ -82,6 +82,70 @@ TEST_F(SceneRunTest, ChecksThePredictiveSpace)
     EXPECT_TRUE(run.invariant_held());
 }
 
+/// Two boxes whose gap single precision does not see, and a third that touches the first.
+class AlmostTouching : public Scene
+{
+public:
+    explicit AlmostTouching(dSpaceID space)
+    {
+        const double places[] = {0, 1 + 1e-9, -1};
+        for (std::uint32_t i = 0; i < 3; ++i)
+        {
+            boxes_.push_back(dCreateBox(space, 1, 1, 1));
+            dGeomSetPosition(boxes_.back(), places[i], 0, 0);
+            set_geom_index(boxes_.back(), i);
+        }
+    }
+
+    ~AlmostTouching() override
+    {
+        for (const dGeomID box : boxes_)
+        {
+            dGeomDestroy(box);
+        }
+    }
+
+    void advance() override {}
+    void respond(const std::vector<IndexPair> &) override {}
+    std::size_t contacts() const override { return 0; }
+    bool moves_by_itself() const override { return true; }
+    const ProbeReport *probe() const override { return nullptr; }
+
+private:
+    std::vector<dGeomID> boxes_;
+};
+
+std::unique_ptr<SceneRun> run_almost_touching(SpaceKind kind, dSpaceID space)
+{
+    auto scene = std::make_unique<AlmostTouching>(space);
+    auto run = std::make_unique<SceneRun>(kind, OwnedSpace(space), std::move(scene));
+    run->tick();
+    return run;
+}
+
+TEST_F(SceneRunTest, FalsePairsOfSweepAndPruneAreCountedApart)
+{
+    SceneRuns runs;
+    runs.push_back(run_almost_touching(SpaceKind::simple, dSimpleSpaceCreate(nullptr)));
+    runs.push_back(run_almost_touching(SpaceKind::sweep_and_prune, dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ)));
+    EXPECT_EQ(runs[0]->pairs(), 1u);
+    EXPECT_EQ(runs[0]->false_pairs(), 0u);
+    EXPECT_EQ(runs[1]->pairs(), 1u);
+    EXPECT_EQ(runs[1]->false_pairs(), 1u);
+    EXPECT_EQ(first_difference(runs), -1);
+}
+
+TEST_F(SceneRunTest, FalsePairsOfOtherSpacesAreNotForgiven)
+{
+    SceneRuns runs;
+    runs.push_back(run_almost_touching(SpaceKind::simple, dSimpleSpaceCreate(nullptr)));
+    // What reports too much, as a sweep-and-prune space does, under another name.
+    runs.push_back(run_almost_touching(SpaceKind::predictive, dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ)));
+    EXPECT_EQ(runs[1]->pairs(), 2u);
+    EXPECT_EQ(runs[1]->false_pairs(), 0u);
+    EXPECT_EQ(first_difference(runs), 0);
+}
+
 TEST_F(SceneRunTest, ARecordHasAllThatAReaderNeeds)
 {
     SceneRun run(SpaceKind::sweep_and_prune, factory_);
