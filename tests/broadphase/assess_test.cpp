@@ -161,6 +161,14 @@ TEST(Assess, NothingIsKnownOfWhatIsNotANumber)
     }
 }
 
+// Each centre may be anywhere in a cube around its path: the check of centres is one of coordinates.
+bool spheres_may_touch(const Envelope &one, const Envelope &other)
+{
+    const double freedom = one.deviation.a + other.deviation.a;
+    const Vector3 apart = (one.path.position - other.path.position).cwiseAbs().array() - freedom;
+    return apart.cwiseMax(0).norm() <= one.radius + other.radius;
+}
+
 // Whatever is not near now must be apart at each tick until it is looked at again.
 TEST(Assess, IsNeverLate)
 {
@@ -190,9 +198,8 @@ TEST(Assess, IsNeverLate)
         {
             const Envelope one = store.envelope(0, now + static_cast<Tick>(t));
             const Envelope other = store.envelope(1, now + static_cast<Tick>(t));
-            const double reach = one.radius + other.radius + one.deviation.a + other.deviation.a;
             const bool boxes = one.at(0).intersects(other.at(0));
-            const bool spheres = (one.path.position - other.path.position).norm() <= reach;
+            const bool spheres = spheres_may_touch(one, other);
             ASSERT_FALSE(boxes && (spheres || measure == Proximity::box)) << "pair " << i << " after " << t << " ticks";
         }
     }

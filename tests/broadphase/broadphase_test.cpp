@@ -23,6 +23,11 @@ struct Kind
     double grid;   ///< everything is a multiple of it: many objects touch exactly; 0: no grid
 };
 
+void PrintTo(const Kind &kind, std::ostream *out)
+{
+    *out << kind.name;
+}
+
 // A program that does everything a program can do to a space.
 class RandomProgram
 {

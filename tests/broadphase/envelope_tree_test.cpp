@@ -80,6 +80,11 @@ struct Shape
     std::size_t proxies;
 };
 
+void PrintTo(const Shape &shape, std::ostream *out)
+{
+    *out << shape.name;
+}
+
 class AnyTree : public testing::TestWithParam<Shape>
 {};
 
