@@ -1,6 +1,7 @@
 #include "ode_predictive_space/space/geom_scene.h"
 
 #include <cmath>
+#include <limits>
 
 namespace ode_predictive_space
 {
@@ -28,10 +29,32 @@ bool turns_with_body(const dxGeom *geom)
     return geom->body != nullptr && geom->offset_posr == nullptr;
 }
 
-dReal half_diagonal(const dxGeom *geom)
+// Radius of the sphere around the geom's position that holds it, as long as its rotation matrix is a rotation; infinite for
+// classes that have no such sphere.
+dReal circumscribed_radius(const dxGeom *geom)
 {
-    const dReal *side = static_cast<const dxBox *>(geom)->side;
-    return std::sqrt(side[0] * side[0] + side[1] * side[1] + side[2] * side[2]) / 2 * (1 + tolerance);
+    switch (geom->type)
+    {
+    case dSphereClass:
+        return static_cast<const dxSphere *>(geom)->radius;
+    case dBoxClass:
+    {
+        const dReal *side = static_cast<const dxBox *>(geom)->side;
+        return std::sqrt(side[0] * side[0] + side[1] * side[1] + side[2] * side[2]) / 2 * (1 + tolerance);
+    }
+    case dCapsuleClass:
+    {
+        const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
+        return (capsule->radius + capsule->lz / 2) * (1 + tolerance);
+    }
+    case dCylinderClass:
+    {
+        const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
+        return std::hypot(cylinder->radius, cylinder->lz / 2) * (1 + tolerance);
+    }
+    default:
+        return dInfinity;
+    }
 }
 
 // ODE makes contacts with a heightfield for what lies beside and below its edge, too.
@@ -40,15 +63,19 @@ bool reaches_beyond_its_box(const dxGeom *geom)
     return geom->type == dHeightfieldClass;
 }
 
-// The sphere by which the measure of spheres judges: the geom's own where it has one, otherwise that around its box.
+// The sphere by which the measure of spheres judges: the geom's own, if it has one and its box bears that out, otherwise
+// that around its box. Losing its body, of which ODE tells nobody, must not make it larger.
 struct JudgedSphere
 {
     Vector3 centre;
     double radius;
 
-    JudgedSphere(const dxGeom *geom, const Box &bounds) : centre(bounds.center()), radius(bounding_sphere(geom).radius)
+    JudgedSphere(const dxGeom *geom, const Box &bounds) : centre(bounds.center()), radius(circumscribed_radius(geom))
     {
-        if (!std::isfinite(radius) && !reaches_beyond_its_box(geom))
+        const bool borne_out = 0.5 * bounds.diagonal().maxCoeff() <= radius * (1 + double{tolerance});
+        if (reaches_beyond_its_box(geom))
+            radius = std::numeric_limits<double>::infinity();
+        else if (!borne_out || !std::isfinite(radius))
             radius = 0.5 * bounds.diagonal().norm();
     }
 
@@ -63,31 +90,8 @@ struct JudgedSphere
 
 BoundingSphere bounding_sphere(const dxGeom *geom)
 {
-    switch (geom->type)
-    {
-    case dSphereClass:
-        return {static_cast<const dxSphere *>(geom)->radius, true};
-    case dBoxClass:
-        if (turns_with_body(geom))
-            return {half_diagonal(geom), false};
-        break;
-    case dCapsuleClass:
-        if (turns_with_body(geom))
-        {
-            const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
-            return {(capsule->radius + capsule->lz / 2) * (1 + tolerance), false};
-        }
-        break;
-    case dCylinderClass:
-        if (turns_with_body(geom))
-        {
-            const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
-            return {std::hypot(cylinder->radius, cylinder->lz / 2) * (1 + tolerance), false};
-        }
-        break;
-    default:
-        break;
-    }
+    if (geom->type == dSphereClass || turns_with_body(geom))
+        return {circumscribed_radius(geom), geom->type == dSphereClass};
     return {dInfinity, false};
 }
 
