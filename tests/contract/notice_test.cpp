@@ -287,6 +287,9 @@ TEST_F(Notice, RemovedAndAddedAgainElsewhere)
             scene.step(0.01);
             scene.tick();
         }
+        // Some are in no space, which would destroy them.
+        for (dGeomID geom : geoms)
+            dGeomDestroy(geom);
     });
 }
 
