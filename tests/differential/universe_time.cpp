@@ -1,0 +1,178 @@
+// Universe: time passes, and what is reported.
+
+#include <algorithm>
+#include <cmath>
+
+#include <ode_predictive_space/predictive_space.h>
+
+#include "tests/differential/universe.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+// What programs do with nested spaces. The lower number comes first, because dSpaceCollide2() of two spaces of the same
+// size does not test whether the geoms of the second are enabled.
+void record_and_recurse(void *data, dGeomID first, dGeomID second)
+{
+    static_cast<Pairs *>(data)->push_back({geom_number(first), geom_number(second)});
+    if (!dGeomIsSpace(first) && !dGeomIsSpace(second))
+        return;
+    if (geom_number(second) < geom_number(first))
+        std::swap(first, second);
+    dSpaceCollide2(first, second, data, record_and_recurse);
+}
+} // namespace
+
+void Universe::move_driven()
+{
+    for (GeomSlot &geom : geoms_)
+    {
+        if (!geom.id || geom.drive.mode == DriveMode::none || !is_placeable(geom.kind))
+            continue;
+        if (geom.drive.mode == DriveMode::jerking && steps_ % 7 > 2)
+            continue;
+        const double factor = geom.drive.mode == DriveMode::swinging ? std::sin(0.05 * static_cast<double>(steps_)) : 1;
+        dVector3 position;
+        dGeomCopyPosition(geom.id, position);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            const bool outside = std::fabs(position[axis]) > setup_.extent;
+            if (outside && position[axis] * geom.drive.velocity[axis] > 0)
+                geom.drive.velocity[axis] = -geom.drive.velocity[axis];
+            position[axis] += factor * geom.drive.velocity[axis];
+        }
+        dGeomSetPosition(geom.id, position[0], position[1], position[2]);
+    }
+}
+
+void Universe::turn_back()
+{
+    for (dBodyID body : bodies_)
+    {
+        if (!body)
+            continue;
+        const dReal *position = dBodyGetPosition(body);
+        const dReal *velocity = dBodyGetLinearVel(body);
+        dReal turned[3] = {velocity[0], velocity[1], velocity[2]};
+        bool turns = false;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            if (std::fabs(position[axis]) > setup_.extent && position[axis] * velocity[axis] > 0)
+            {
+                turned[axis] = -velocity[axis];
+                turns = true;
+            }
+        }
+        if (turns)
+            dBodySetLinearVel(body, turned[0], turned[1], turned[2]);
+    }
+}
+
+void Universe::step(double seconds)
+{
+    ++steps_;
+    move_driven();
+    turn_back();
+    dRandSetSeed(steps_);
+    dWorldQuickStep(world_, seconds);
+    dJointGroupEmpty(contacts_);
+}
+
+bool Universe::can_touch(int number) const
+{
+    if (number >= first_space_reference)
+        return false;
+    const GeomSlot &geom = geoms_[static_cast<std::size_t>(number)];
+    if (geom.kind == GeomKind::plane)
+        return true;
+    if (geom.kind != GeomKind::sphere && geom.kind != GeomKind::box && geom.kind != GeomKind::capsule)
+        return false;
+    const dReal *position = dGeomGetPosition(geom.id);
+    // Not at the ends of the world, where a contact would be as deep as it is far; false also for NaN.
+    return std::fabs(position[0]) + std::fabs(position[1]) + std::fabs(position[2]) < 10 * setup_.extent;
+}
+
+void Universe::make_contacts(const Pairs &pairs)
+{
+    dJointGroupEmpty(contacts_);
+    for (const Pair &pair : pairs)
+    {
+        if (!can_touch(pair.first) || !can_touch(pair.second))
+            continue;
+        dGeomID first = geoms_[static_cast<std::size_t>(pair.first)].id;
+        dGeomID second = geoms_[static_cast<std::size_t>(pair.second)].id;
+        if (!dGeomGetBody(first) && !dGeomGetBody(second))
+            continue;
+        dContact contacts[3] = {};
+        const int count = dCollide(first, second, 3, &contacts[0].geom, sizeof(dContact));
+        for (int i = 0; i < count; ++i)
+        {
+            contacts[i].surface.mode = dContactApprox1;
+            contacts[i].surface.mu = 0.5;
+            dJointID joint = dJointCreateContact(world_, contacts_, &contacts[i]);
+            dJointAttach(joint, dGeomGetBody(first), dGeomGetBody(second));
+        }
+    }
+}
+
+Pairs Universe::tick()
+{
+    ++ticks_;
+    Pairs pairs;
+    dSpaceCollide(spaces_[0].id, &pairs, record_and_recurse);
+    pairs = unordered(pairs);
+    if (setup_.contacts)
+        make_contacts(pairs);
+    for (std::size_t i = 1; i < spaces_.size(); ++i)
+    {
+        if (spaces_[i].id && ticks_ % i == 0)
+            dSpaceCollide(spaces_[i].id, &pairs, record_and_recurse);
+    }
+    return unordered(pairs);
+}
+
+Pairs Universe::query(int first, int second)
+{
+    dGeomID one = find_reference(first);
+    dGeomID other = find_reference(second);
+    if (!one || !other)
+        return {};
+    Pairs pairs = collide2(one, other);
+    if (one == other)
+        return unordered(pairs);
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+bool Universe::valid() const
+{
+    return std::all_of(spaces_.begin(), spaces_.end(), [](const SpaceSlot &space) {
+        return !space.id || !space.predictive || dPredictiveSpaceValidate(space.id);
+    });
+}
+
+void Universe::measure_by_spheres()
+{
+    spheres_ = true;
+    for (const SpaceSlot &space : spaces_)
+    {
+        if (space.id && space.predictive)
+            dPredictiveSpaceSetProximity(space.id, dPredictiveProximitySphere);
+    }
+}
+
+int Universe::contacts_between(int first, int second) const
+{
+    dContactGeom contacts[8];
+    try
+    {
+        return dCollide(geoms_[static_cast<std::size_t>(first)].id, geoms_[static_cast<std::size_t>(second)].id, 8,
+                        contacts, sizeof(dContactGeom));
+    }
+    catch (const OdeAbort &)
+    {
+        return 0;
+    }
+}
+} // namespace ode_predictive_space
