@@ -25,7 +25,9 @@ void near_callback(void *, dGeomID first, dGeomID second)
 dBodyID drop(dSpaceID space, int number)
 {
     const dBodyID body = dBodyCreate(world);
-    dBodySetPosition(body, 0.3 * (number % 5), 0.3 * (number / 5 % 5), 0.5 + 0.4 * (number / 25));
+    const int row = number / 5 % 5;
+    const int layer = number / 25;
+    dBodySetPosition(body, 0.3 * (number % 5), 0.3 * row, 0.5 + 0.4 * layer);
     dGeomSetBody(number % 2 == 0 ? dCreateSphere(space, 0.1) : dCreateBox(space, 0.2, 0.2, 0.2), body);
     return body;
 }
@@ -38,7 +40,7 @@ int main()
     dWorldSetGravity(world, 0, 0, -9.81);
     contacts = dJointGroupCreate(0);
 
-    dSpaceID space = dPredictiveSpaceCreate(0); // before: dHashSpaceCreate(0)
+    dSpaceID space = dPredictiveSpaceCreate(nullptr); // before: dHashSpaceCreate(nullptr)
 
     dCreatePlane(space, 0, 0, 1, 0);
     dBodyID bodies[100];

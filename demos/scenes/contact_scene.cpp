@@ -8,6 +8,8 @@ namespace
 {
 // Walls touch one another at the edges of the room, which is nobody's concern.
 constexpr unsigned long wall_category = 2;
+
+constexpr int max_contacts = 8; // of one pair
 } // namespace
 
 ContactScene::ContactScene(dSpaceID space, double step_seconds, std::uint64_t seed)
@@ -38,12 +40,12 @@ void ContactScene::advance()
 void ContactScene::respond(const std::vector<IndexPair> &pairs)
 {
     contacts_ = 0;
-    std::array<dContactGeom, max_contacts_> found;
+    std::array<dContactGeom, max_contacts> found;
     for (const IndexPair &pair : pairs)
     {
         const dGeomID first = objects_.geom(pair.first);
         const dGeomID second = objects_.geom(pair.second);
-        const int count = dCollide(first, second, max_contacts_, found.data(), sizeof(dContactGeom));
+        const int count = dCollide(first, second, max_contacts, found.data(), sizeof(dContactGeom));
         contacts_ += static_cast<std::size_t>(count);
         if (count == 0 || take_contacts(pair, found.data(), count))
         {

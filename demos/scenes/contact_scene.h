@@ -38,8 +38,6 @@ protected:
     dSurfaceParameters surface_{};
 
 private:
-    static constexpr int max_contacts_ = 8; ///< of one pair
-
     double step_seconds_;
     unsigned long random_seed_;
     dJointGroupID joints_;

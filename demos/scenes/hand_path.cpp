@@ -79,7 +79,7 @@ Vector3 HandPath::draw_target(const Vector3 &from)
     while (true)
     {
         const double length = random_.uniform(settings_.shortest_reach, settings_.longest_reach);
-        const Vector3 target = from + length * random_.direction();
+        Vector3 target = from + length * random_.direction();
         if (target.cwiseAbs().maxCoeff() <= settings_.half_workspace)
         {
             return target;

@@ -32,7 +32,9 @@ std::vector<Vector3> free_places(int count, double half_room, Random &random)
     std::vector<Vector3> places;
     for (int i = 0; i < side * side * side; ++i)
     {
-        const Vector3 number(i % side, i / side % side, i / side / side);
+        const int row = i / side % side;
+        const int layer = i / side / side;
+        const Vector3 number(i % side, row, layer);
         places.emplace_back(cell * (number + Vector3::Constant(0.5)) - Vector3::Constant(half_room) +
                             random.in_box(Vector3::Constant(play)));
     }

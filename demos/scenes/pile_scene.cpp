@@ -24,7 +24,9 @@ Vector3 half_pit(int objects)
 BodyState place_in_lattice(int number, int objects, Random &random)
 {
     const int side = objects_per_side(objects);
-    const Vector3 cell(number % side, number / side % side, number / side / side);
+    const int row = number / side % side;
+    const int layer = number / side / side;
+    const Vector3 cell(number % side, row, layer);
     const Vector3 jitter = random.in_box(Vector3::Constant(0.5 * (spacing - 2 * object_radius)));
     BodyState state;
     state.position = spacing * (cell + Vector3::Constant(0.5)) - half_pit(objects) + jitter;
