@@ -258,8 +258,10 @@ void Universe::apply_to_geom(const Operation &operation, GeomSlot &geom)
     case Action::attach:
         if (placeable && (operation.object < 0 || find_body(operation.object)))
         {
-            // ODE drops the offset, but not the mark that its place is to be computed, and later stops at an assertion.
-            dGeomGetPosition(geom.id);
+            // From body to body ODE drops an offset, but neither its memory nor the mark that the place is to be computed,
+            // and later stops at an assertion.
+            if (operation.object >= 0)
+                dGeomClearOffset(geom.id);
             dGeomSetBody(geom.id, find_body(operation.object));
         }
         break;
