@@ -1,6 +1,7 @@
 #include "ode_predictive_space/broadphase/assess.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ode_predictive_space/prediction/proximity.h"
 
@@ -48,10 +49,12 @@ void assess(const ProxyStore &proxies, const std::vector<CandidatePair> &candida
             continue;
         const Generation first = proxies.generations[pair.first];
         const Generation second = proxies.generations[pair.second];
-        if (*time < 1)
+        // Objects are looked at at whole ticks only.
+        const double ticks = std::ceil(*time);
+        if (ticks < 1)
             near.push_back({pair.first, pair.second, first, second, false, false});
         else
-            scheduled.push_back({static_cast<std::int32_t>(*time), {pair.first, pair.second, first, second}});
+            scheduled.push_back({static_cast<std::int32_t>(ticks), {pair.first, pair.second, first, second}});
     }
 }
 } // namespace ode_predictive_space

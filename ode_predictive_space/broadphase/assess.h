@@ -40,7 +40,7 @@ struct ScheduledPair
 std::optional<double> time_of_proximity(const ProxyStore &proxies, ProxyId first, ProxyId second, Tick now,
                                         Proximity measure);
 
-/// Sorts candidates into those that may be near before the next tick, those that sleep until their time, and those that
+/// Sorts candidates into those that may be near now, those that sleep until their time, and those that
 /// need not be looked at (dropped).
 void assess(const ProxyStore &proxies, const std::vector<CandidatePair> &candidates, Tick now, Proximity measure,
             std::vector<NearPair> &near, std::vector<ScheduledPair> &scheduled);

@@ -27,18 +27,13 @@ ProxyId Broadphase::add()
     else
     {
         id = static_cast<ProxyId>(proxies_.size());
-        proxies_.paths.emplace_back();
-        proxies_.bounds.emplace_back();
-        proxies_.generations.push_back(0);
-        if (policy_.scanning())
-            scanned_.resize(proxies_.size());
-        for (IdSet *set :
-             {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_, &due_anew_})
+        proxies_.grow();
+        boxes_.emplace_back();
+        for (IdSet *set : {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_,
+                           &due_anew_, &measured_})
             set->resize(proxies_.size());
     }
-    proxies_.paths[id] = PackedPath{};
-    proxies_.bounds[id] = PackedBounds{};
-    proxies_.bounds[id].history = no_history;
+    proxies_.forget(id);
     members_.insert(id);
     moved_.insert(id);
     return id;
@@ -147,7 +142,7 @@ void Broadphase::expire()
 
 void Broadphase::find_pairs()
 {
-    index_.find_pairs(swept_, in_batch_, candidates_);
+    index_.find_pairs(proxies_, swept_, in_batch_, candidates_);
 }
 
 void Broadphase::schedule()
@@ -207,7 +202,9 @@ void Broadphase::finish_update()
     empty(candidates_);
     empty(scheduled_);
     purge_stale_events();
-    purge_stale_near();
+    // Stale near pairs wait for the next report. A program that only asks, and never collides, makes none.
+    if (near_.size() >= purge_near_at_)
+        drop_stale_near();
 }
 
 bool Broadphase::current(const Event &event) const
@@ -238,14 +235,19 @@ void Broadphase::purge_stale_events()
     purge_events_at_ = std::max(least_purge, 2 * wheel_.size());
 }
 
-// Stale near pairs wait for the next report. A program that only asks, and never collides, makes none.
-void Broadphase::purge_stale_near()
+void Broadphase::drop_stale_near()
 {
-    if (near_.size() < purge_near_at_)
-        return;
     near_.erase(std::remove_if(near_.begin(), near_.end(), [this](const NearPair &pair) { return !current(pair); }),
                 near_.end());
     purge_near_at_ = std::max(least_purge, 2 * near_.size());
+}
+
+// What has moved is to be tested again by the next report, on new bounds.
+void Broadphase::take_note_of_moves()
+{
+    unreported_ |= moved_;
+    measured_ -= moved_;
+    moved_.clear();
 }
 
 void Broadphase::start_scanning()
@@ -256,10 +258,9 @@ void Broadphase::start_scanning()
     near_.clear();
     due_anew_.clear();
     moving_.clear();
-    scanned_.resize(proxies_.size());
     scouts_.choose(members_);
     members_.for_each([&](ProxyId id) {
-        proxies_.bounds[id].check = Check::none;
+        proxies_.forget_prediction(id);
         moved_.insert(id);
     });
 }
@@ -267,7 +268,6 @@ void Broadphase::start_scanning()
 void Broadphase::stop_scanning()
 {
     near_.clear();
-    scanned_ = {};
     items_ = {};
     wheel_.restart(now_);
     members_.for_each([&](ProxyId id) { add_to_batch(id); });
@@ -277,12 +277,13 @@ std::size_t Broadphase::bytes() const
 {
     std::size_t total = proxies_.bytes() + predictor.bytes() + index_.bytes() + wheel_.bytes() + sweep_.bytes();
     for (const IdSet *set :
-         {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_, &due_anew_})
+         {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_, &due_anew_, &measured_})
         total += set->bytes();
     total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity()) * sizeof(ProxyId);
     total += swept_.capacity() * sizeof(SweptProxy);
     total += near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
     total += candidates_.capacity() * sizeof(CandidatePair) + scheduled_.capacity() * sizeof(ScheduledPair);
-    return total + items_.capacity() * sizeof(Sweep::Item) + scanned_.capacity() * sizeof(FloatBox);
+    total += scouts_.bytes();
+    return total + items_.capacity() * sizeof(SweptProxy) + boxes_.capacity() * sizeof(FloatBox);
 }
 } // namespace ode_predictive_space

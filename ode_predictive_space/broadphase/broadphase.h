@@ -108,6 +108,10 @@ private:
     template <typename Scene> void remember(Scene &scene, ProxyId id);
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);
+    template <typename Scene> void measure(Scene &scene, ProxyId id);
+    template <typename Scene> void test(Scene &scene, NearPair &pair);
+    void drop_stale_near();
+    void take_note_of_moves();
 
     bool time_passes(bool is_tick);
     void collect_suspects(bool time_passes);
@@ -124,7 +128,6 @@ private:
     void start_scanning();
     void stop_scanning();
     void purge_stale_events();
-    void purge_stale_near();
 
     Proximity measure_ = Proximity::box;
     ProxyStore proxies_;
@@ -136,6 +139,7 @@ private:
     IdSet has_near_;    // had near pairs at the last report()
     IdSet in_batch_;    // members of batch_
     IdSet interactive_; // remembered at each tick
+    IdSet measured_;    // have not moved since their bounds were last looked at
     IdSet due_anew_;    // to be predicted anew at the next update, whether or not they move
     Tick now_ = 0;
     bool ticked_early_ = false; // time has already passed since the last tick, in a catch_up()
@@ -146,7 +150,7 @@ private:
     ScanPolicy policy_;
     Scouts scouts_;
     Sweep sweep_;
-    std::vector<FloatBox> scanned_; // while scanning: the bounds of each object
+    std::vector<FloatBox> boxes_; // the bounds of each object, where measured_
     Counters counters_;
 
     // Objects that are recognised as interactive are remembered at each tick while they are few; a hand is, a crowd is not.
@@ -165,7 +169,7 @@ private:
     std::vector<Event> due_;
     std::vector<CandidatePair> candidates_;
     std::vector<ScheduledPair> scheduled_;
-    std::vector<Sweep::Item> items_;
+    std::vector<SweptProxy> items_;
 };
 } // namespace ode_predictive_space
 

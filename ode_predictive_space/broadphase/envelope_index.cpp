@@ -12,12 +12,17 @@ Shelf shelf_for(const PackedBounds &bounds, const FloatBox &box)
         return Shelf::unbounded;
     return bounds.still ? Shelf::still : Shelf::moving;
 }
+// Is it cheaper to deal with all than with these one by one?
+bool is_bulk(std::size_t batch, std::size_t all)
+{
+    return batch >= 16 && 4 * batch >= all;
+}
 } // namespace
 
 void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now)
 {
     // Building costs about a quarter of inserting one by one, and leaves a better tree.
-    if (batch.size() >= 16 && 4 * batch.size() >= proxies.size())
+    if (is_bulk(batch.size(), proxies.size()))
     {
         rebuild(proxies, batch, now);
         return;
@@ -86,15 +91,38 @@ void EnvelopeIndex::clear(ProxyStore &proxies)
         bounds.shelf = Shelf::none;
 }
 
-void EnvelopeIndex::find_pairs(const std::vector<SweptProxy> &batch, const IdSet &in_batch,
+void EnvelopeIndex::find_pairs(const ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch,
                                std::vector<CandidatePair> &pairs) const
 {
+    if (is_bulk(batch.size(), proxies.size()))
+    {
+        sweep_pairs(proxies, in_batch, pairs);
+        return;
+    }
     for (const SweptProxy &swept : batch)
         query(swept.box, [&, id = swept.proxy](ProxyId other) {
             // Two of the batch find each other twice.
             if (other != id && (other > id || !in_batch.contains(other)))
                 pairs.push_back({id, other});
         });
+}
+
+void EnvelopeIndex::sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch,
+                                std::vector<CandidatePair> &pairs) const
+{
+    std::vector<SweptProxy> all = unbounded_;
+    for (ProxyId id = 0; id < proxies.size(); ++id)
+    {
+        const Shelf shelf = proxies.bounds[id].shelf;
+        if (shelf == Shelf::still || shelf == Shelf::moving)
+            all.push_back({id, shelf == Shelf::still ? still_.box(id) : moving_.box(id)});
+    }
+    Sweep().find_pairs(all, pairs);
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                               [&](const CandidatePair &pair) {
+                                   return !in_batch.contains(pair.first) && !in_batch.contains(pair.second);
+                               }),
+                pairs.end());
 }
 
 std::size_t EnvelopeIndex::bytes() const

@@ -8,6 +8,7 @@
 #include "ode_predictive_space/broadphase/envelope_tree.h"
 #include "ode_predictive_space/broadphase/id_set.h"
 #include "ode_predictive_space/broadphase/proxy_store.h"
+#include "ode_predictive_space/broadphase/sweep.h"
 
 namespace ode_predictive_space
 {
@@ -37,7 +38,7 @@ public:
     /// Finds all pairs of which at least one is in the batch and whose envelopes may overlap, each once.
     ///
     /// @param in_batch the batch as a set.
-    void find_pairs(const std::vector<SweptProxy> &batch, const IdSet &in_batch,
+    void find_pairs(const ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch,
                     std::vector<CandidatePair> &pairs) const;
 
     bool consistent() const { return still_.consistent() && moving_.consistent(); }
@@ -47,6 +48,8 @@ private:
     EnvelopeTree &tree(Shelf shelf) { return shelf == Shelf::still ? still_ : moving_; }
     void put(ProxyStore &proxies, const SweptProxy &swept);
     void rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now);
+
+    void sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch, std::vector<CandidatePair> &pairs) const;
 
     EnvelopeTree still_;
     EnvelopeTree moving_;

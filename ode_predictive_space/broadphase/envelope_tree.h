@@ -7,17 +7,11 @@
 #include <vector>
 
 #include "ode_predictive_space/broadphase/float_box.h"
+#include "ode_predictive_space/broadphase/swept_proxy.h"
 #include "ode_predictive_space/broadphase/types.h"
 
 namespace ode_predictive_space
 {
-/// A proxy and a box that holds its envelope to the end of its horizon.
-struct SweptProxy
-{
-    ProxyId proxy;
-    FloatBox box;
-};
-
 /// A binary tree of bounded boxes with a proxy in each leaf.
 ///
 /// Siblings are stored side by side (nodes 2k and 2k + 1), so that a visit of both touches one cache line; node 0 is the

@@ -40,6 +40,13 @@ public:
         return *this;
     }
 
+    IdSet &operator-=(const IdSet &other)
+    {
+        for (std::size_t i = 0; i < words_.size(); ++i)
+            words_[i] &= ~other.words_[i];
+        return *this;
+    }
+
     std::size_t size() const
     {
         std::size_t members = 0;

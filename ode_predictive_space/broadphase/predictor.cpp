@@ -123,9 +123,9 @@ void pack(PackedPath &packed, const Path &path, const Deviation &deviation, Tick
     }
     // A limit far beyond any scene, so that no product of it with a time is infinite or NaN.
     constexpr double limit = 1e30;
-    packed.deviation[0] = round_up(std::min(deviation.a, limit));
-    packed.deviation[1] = round_up(std::min(deviation.b, limit));
-    packed.deviation[2] = round_up(std::min(deviation.c, limit));
+    packed.deviation[0] = static_cast<float>(std::min(deviation.a, limit));
+    packed.deviation[1] = static_cast<float>(std::min(deviation.b, limit));
+    packed.deviation[2] = static_cast<float>(std::min(deviation.c, limit));
     packed.since = now;
 }
 } // namespace
@@ -298,6 +298,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
         motion = motion_from_history(bounds, outcome, now_seen.centre, now);
 
     set_bounds(bounds, now_seen, now_seen.centre);
+    proxies.centre_radius[id] = bounds.check == Check::centre ? bounds.radius : -1;
     const double size = size_of(bounds);
     const double speed = motion.velocity.norm();
     const double acceleration = motion.acceleration.norm();

@@ -90,9 +90,36 @@ struct ProxyStore
 {
     std::vector<PackedPath> paths;
     std::vector<PackedBounds> bounds;
+    std::vector<float> centre_radius; ///< bounds[].radius of those with Check::centre, negative for the others
     std::vector<Generation> generations;
 
     std::size_t size() const { return generations.size(); }
+
+    /// Makes room for one more, without a prediction.
+    void grow()
+    {
+        paths.emplace_back();
+        bounds.emplace_back();
+        centre_radius.emplace_back();
+        generations.push_back(0);
+        forget(static_cast<ProxyId>(size() - 1));
+    }
+
+    /// Forgets everything about a proxy but its generation.
+    void forget(ProxyId id)
+    {
+        paths[id] = PackedPath{};
+        bounds[id] = PackedBounds{};
+        bounds[id].history = no_history;
+        centre_radius[id] = -1;
+    }
+
+    /// Forgets how a proxy was predicted.
+    void forget_prediction(ProxyId id)
+    {
+        bounds[id].check = Check::none;
+        centre_radius[id] = -1;
+    }
 
     /// The envelope of a proxy, its time counted from `now` on.
     Envelope envelope(ProxyId id, Tick now) const
@@ -125,7 +152,7 @@ struct ProxyStore
     std::size_t bytes() const
     {
         return paths.capacity() * sizeof(PackedPath) + bounds.capacity() * sizeof(PackedBounds) +
-               generations.capacity() * sizeof(Generation);
+               centre_radius.capacity() * sizeof(float) + generations.capacity() * sizeof(Generation);
     }
 };
 } // namespace ode_predictive_space

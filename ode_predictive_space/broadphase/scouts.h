@@ -50,6 +50,8 @@ public:
         return strayed * ScanPolicy::bad_part <= scouts_.size();
     }
 
+    std::size_t bytes() const { return scouts_.capacity() * sizeof(Scout); }
+
 private:
     static constexpr std::size_t most = 32;
 

@@ -21,11 +21,11 @@ std::uint32_t sortable(float value)
 }
 
 // The axis along which the centres vary most. Boxes with infinite sides say nothing and are left out.
-int widest_axis(const std::vector<Sweep::Item> &items)
+int widest_axis(const std::vector<SweptProxy> &items)
 {
     double sum[3] = {}, squares[3] = {};
     int count = 0;
-    for (const Sweep::Item &item : items)
+    for (const SweptProxy &item : items)
     {
         if (!item.box.bounded())
             continue;
@@ -95,7 +95,7 @@ struct Probe
 #endif
 } // namespace
 
-void Sweep::sort_along(const std::vector<Item> &items, int axis)
+void Sweep::sort_along(const std::vector<SweptProxy> &items, int axis)
 {
     const std::size_t count = items.size();
     keys_.resize(count);
@@ -113,7 +113,7 @@ void Sweep::sort_along(const std::vector<Item> &items, int axis)
     proxies_.resize(count);
     for (std::size_t i = 0; i < count; ++i)
     {
-        const Item &item = items[keys_[i] & 0xffffffffu];
+        const SweptProxy &item = items[keys_[i] & 0xffffffffu];
         low_[i] = item.box.low[axis];
         high_[i] = item.box.high[axis];
         slabs_[i] = {{item.box.low[y], item.box.low[z], -item.box.high[y], -item.box.high[z]}};
@@ -121,7 +121,7 @@ void Sweep::sort_along(const std::vector<Item> &items, int axis)
     }
 }
 
-void Sweep::find_pairs(const std::vector<Item> &items, std::vector<CandidatePair> &pairs)
+void Sweep::find_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs)
 {
     if (items.empty())
         return;

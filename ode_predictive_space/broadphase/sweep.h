@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ode_predictive_space/broadphase/float_box.h"
+#include "ode_predictive_space/broadphase/swept_proxy.h"
 #include "ode_predictive_space/broadphase/types.h"
 
 namespace ode_predictive_space
@@ -17,14 +17,8 @@ namespace ode_predictive_space
 class Sweep
 {
 public:
-    struct Item
-    {
-        FloatBox box;
-        ProxyId proxy;
-    };
-
     /// Appends every overlapping pair, each once; the smaller number first.
-    void find_pairs(const std::vector<Item> &items, std::vector<CandidatePair> &pairs);
+    void find_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs);
 
     std::size_t bytes() const;
 
@@ -36,7 +30,7 @@ private:
         float component[4];
     };
 
-    void sort_along(const std::vector<Item> &items, int axis);
+    void sort_along(const std::vector<SweptProxy> &items, int axis);
 
     std::vector<std::uint64_t> keys_;
     std::vector<std::uint64_t> other_keys_;

@@ -65,8 +65,7 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
         if (moved_.contains(id))
             remember(scene, id);
     });
-    unreported_ |= moved_;
-    moved_.clear();
+    take_note_of_moves();
 }
 
 // The same point of the object that is predicted.
@@ -100,21 +99,27 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
     index_.update(proxies_, swept_, now_);
 }
 
+template <typename Scene> void Broadphase::measure(Scene &scene, ProxyId id)
+{
+    if (measured_.contains(id))
+        return;
+    boxes_[id] = FloatBox::around(scene.bounds(id));
+    measured_.insert(id);
+}
+
 template <typename Scene> void Broadphase::scan(Scene &scene)
 {
     if (moved_.empty())
         return;
-    moved_.for_each([&](ProxyId id) {
-        scene.acknowledge(id);
-        scanned_[id] = FloatBox::around(scene.bounds(id));
-    });
+    moved_.for_each([&](ProxyId id) { scene.acknowledge(id); });
+    take_note_of_moves();
     ++counters_.scans;
-    unreported_ |= moved_;
-    moved_.clear();
 
     items_.clear();
-    members_.for_each([&](ProxyId id) { items_.push_back({scanned_[id], id}); });
-    candidates_.clear();
+    members_.for_each([&](ProxyId id) {
+        measure(scene, id);
+        items_.push_back({id, boxes_[id]});
+    });
     sweep_.find_pairs(items_, candidates_);
     near_.clear();
     for (const CandidatePair &pair : candidates_)
@@ -123,26 +128,30 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
     candidates_.clear();
 }
 
+template <typename Scene> void Broadphase::test(Scene &scene, NearPair &pair)
+{
+    if (pair.tested && !unreported_.contains(pair.first) && !unreported_.contains(pair.second))
+        return;
+    pair.tested = true;
+    pair.overlaps = boxes_[pair.first].overlaps(boxes_[pair.second]) && scene.overlap(pair.first, pair.second);
+}
+
 template <typename Scene> void Broadphase::report(Scene &scene, std::vector<CandidatePair> &overlapping)
 {
+    drop_stale_near();
     has_near_.clear();
-    std::size_t kept = 0;
-    for (NearPair &pair : near_)
+    for (const NearPair &pair : near_)
     {
-        if (!current(pair))
-            continue;
-        if (!pair.tested || unreported_.contains(pair.first) || unreported_.contains(pair.second))
-        {
-            pair.overlaps = scene.overlap(pair.first, pair.second);
-            pair.tested = true;
-        }
-        if (pair.overlaps)
-            overlapping.push_back({pair.first, pair.second});
         has_near_.insert(pair.first);
         has_near_.insert(pair.second);
-        near_[kept++] = pair;
     }
-    near_.resize(kept);
+    has_near_.for_each([&](ProxyId id) { measure(scene, id); });
+    for (NearPair &pair : near_)
+    {
+        test(scene, pair);
+        if (pair.overlaps)
+            overlapping.push_back({pair.first, pair.second});
+    }
     unreported_.clear();
 }
 
@@ -152,7 +161,7 @@ template <typename Visit> void Broadphase::query(const FloatBox &box, Visit visi
         index_.query(box, visit);
     else
         members_.for_each([&](ProxyId id) {
-            if (scanned_[id].overlaps(box))
+            if (boxes_[id].overlaps(box))
                 visit(id);
         });
 }

@@ -7,7 +7,8 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Rotation matrices are orthonormal but for rounding: what a turned box may stick out of its sphere.
+// Rotation matrices are orthonormal but for rounding: what a turned box may stick out of its sphere; and what two spheres
+// may be apart that dCollide() finds touching.
 constexpr dReal tolerance = sizeof(dReal) == sizeof(double) ? dReal(1e-9) : dReal(1e-5);
 
 // Velocity of the geom's centre: an offset geom circles around its body.
@@ -36,7 +37,7 @@ dReal circumscribed_radius(const dxGeom *geom)
     switch (geom->type)
     {
     case dSphereClass:
-        return static_cast<const dxSphere *>(geom)->radius;
+        return static_cast<const dxSphere *>(geom)->radius * (1 + tolerance);
     case dBoxClass:
     {
         const dReal *side = static_cast<const dxBox *>(geom)->side;
@@ -82,7 +83,7 @@ struct JudgedSphere
     // True when anything is NaN or infinite: what cannot be judged is not left out.
     bool may_touch(const JudgedSphere &other) const
     {
-        const double reach = (radius + other.radius) * (1 + double{tolerance});
+        const double reach = radius + other.radius;
         return !((centre - other.centre).squaredNorm() > reach * reach);
     }
 };

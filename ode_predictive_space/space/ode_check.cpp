@@ -7,6 +7,7 @@
 #include <dlfcn.h>
 #include <link.h>
 
+#include "ode_predictive_space/space/geom_scene.h"
 #include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space
@@ -58,8 +59,8 @@ bool geom_layout_differs(dSpaceID space)
                         box->tome_ex == nullptr && box->parent_space == space &&
                         std::memcmp(box->aabb, expected, sizeof expected) == 0 &&
                         std::memcmp(aabb, expected, sizeof expected) == 0 && box->category_bits == 0x1234UL &&
-                        box->collide_bits == 0x5678UL && box->side[0] == 2 && box->side[2] == 6 &&
-                        box->gflags == (GEOM_DIRTY | GEOM_PLACEABLE | GEOM_ENABLED);
+                        box->collide_bits == 0x5678UL && sizes_of(geom) == box->side && box->side[0] == 2 &&
+                        box->side[2] == 6 && box->gflags == (GEOM_DIRTY | GEOM_PLACEABLE | GEOM_ENABLED);
     dGeomDestroy(geom);
     return !agrees;
 }
@@ -72,7 +73,7 @@ bool space_layout_differs(dSpaceID space)
     const bool agrees = space->type == dSimpleSpaceClass && space->count == 1 && space->first == geom &&
                         space->cleanup == 0 && space->sublevel == 77 && space->lock_count == 0 &&
                         geom->tome == &space->first && static_cast<const dxSphere *>(geom)->radius == 3 &&
-                        space->getGeom(0) == geom && space->current_geom == geom;
+                        *sizes_of(geom) == 3 && space->getGeom(0) == geom && space->current_geom == geom;
     dGeomDestroy(geom);
     return !agrees || space->count != 0;
 }

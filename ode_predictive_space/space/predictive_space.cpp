@@ -61,9 +61,10 @@ void dxPredictiveSpace::add(dxGeom *geom)
     {
         geoms_.resize(id + 1, nullptr);
         polled_.resize(geoms_.size());
+        unclassified_.resize(geoms_.size());
     }
     geoms_[id] = geom;
-    unclassified_.push_back(id);
+    unclassified_.insert(id);
     geom->next_ex = reinterpret_cast<dxGeom *>(static_cast<std::uintptr_t>(id) + 1);
     geom->tome_ex = nullptr;
 }
@@ -78,6 +79,7 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     broadphase_.remove(id);
     geoms_[id] = nullptr;
     polled_.erase(id);
+    unclassified_.erase(id);
     geom->next_ex = nullptr;
     // In here a geom with a bad box need not be dirty (see GeomScene::acknowledge()); elsewhere it must be.
     if (geom->gflags & GEOM_AABB_BAD)
@@ -93,9 +95,10 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
 // own spaces miss it as well, or stop at an assertion, unless the geom happens to be the first in their list.)
 void dxPredictiveSpace::notice_unreported_moves()
 {
-    for (ProxyId id : unclassified_)
-        if (geoms_[id] && geoms_[id]->type == dTriMeshClass)
+    unclassified_.for_each([this](ProxyId id) {
+        if (geoms_[id]->type == dTriMeshClass)
             polled_.insert(id);
+    });
     unclassified_.clear();
     polled_.for_each([this](ProxyId id) {
         if (geoms_[id]->gflags & GEOM_DIRTY)
@@ -209,5 +212,5 @@ void dxPredictiveSpace::set_horizon(HorizonBounds horizon)
 std::size_t dxPredictiveSpace::bytes() const
 {
     return sizeof(*this) + broadphase_.bytes() + (geoms_.capacity() + found_.capacity()) * sizeof(dxGeom *) +
-           pairs_.capacity() * sizeof(CandidatePair) + unclassified_.capacity() * sizeof(ProxyId) + polled_.bytes();
+           pairs_.capacity() * sizeof(CandidatePair) + unclassified_.bytes() + polled_.bytes();
 }

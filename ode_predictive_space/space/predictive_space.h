@@ -81,8 +81,8 @@ private:
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // by proxy number; 0 for gaps
 
-    std::vector<ProxyId> unclassified_;  // added since the last look: their class was not known then
-    ode_predictive_space::IdSet polled_; // those whose class changes them without telling their space
+    ode_predictive_space::IdSet unclassified_; // added since the last look: their class was not known then
+    ode_predictive_space::IdSet polled_;       // those whose class changes them without telling their space
 
     // Taken by collide() and collide2() while they call back, given back afterwards: a callback may collide this space.
     std::vector<ode_predictive_space::CandidatePair> pairs_;

@@ -61,12 +61,15 @@ TEST(Assess, StillOnesThatAreApartAreDropped)
     EXPECT_TRUE(result.scheduled.empty());
 }
 
-TEST(Assess, WhatMeetsBeforeTheNextTickIsNear)
+TEST(Assess, WhatMeetsBeforeTheNextTickSleepsUntilThen)
 {
     ProxyStore store;
     add_still_proxy(store, {0, 0, 0}, 1, 0);
     add_proxy(store, towards({2.5, 0, 0}, {-0.6, 0, 0}), {}, 1, 10, 20);
-    EXPECT_EQ(assessed(store, 10, Proximity::box).near.size(), 1u);
+    const Assessment result = assessed(store, 10, Proximity::box);
+    EXPECT_TRUE(result.near.empty());
+    ASSERT_EQ(result.scheduled.size(), 1u);
+    EXPECT_EQ(result.scheduled[0].ticks, 1);
 }
 
 TEST(Assess, WhatMeetsLaterSleepsUntilThen)
@@ -78,12 +81,12 @@ TEST(Assess, WhatMeetsLaterSleepsUntilThen)
     const Assessment result = assessed(store, 10, Proximity::box);
     EXPECT_TRUE(result.near.empty());
     ASSERT_EQ(result.scheduled.size(), 1u);
-    EXPECT_EQ(result.scheduled[0].ticks, 10) << "they touch after 10.5 ticks";
+    EXPECT_EQ(result.scheduled[0].ticks, 11) << "they touch after 10.5 ticks";
     EXPECT_EQ(result.scheduled[0].event.first, 0u);
     EXPECT_EQ(result.scheduled[0].event.second, 1u);
     EXPECT_EQ(result.scheduled[0].event.first_generation, 5u);
     EXPECT_EQ(result.scheduled[0].event.second_generation, 8u);
-    EXPECT_EQ(assessed(store, 16, Proximity::box).scheduled.at(0).ticks, 4) << "counted from now on";
+    EXPECT_EQ(assessed(store, 16, Proximity::box).scheduled.at(0).ticks, 5) << "counted from now on";
 }
 
 TEST(Assess, WhatMeetsAfterTheHorizonIsDropped)
@@ -137,8 +140,8 @@ TEST(Assess, TheMeasureOfSpheresWaitsForTheSpheres)
     const Assessment spheres = assessed(store, 0, Proximity::sphere);
     ASSERT_EQ(boxes.scheduled.size(), 1u);
     ASSERT_EQ(spheres.scheduled.size(), 1u);
-    EXPECT_EQ(boxes.scheduled[0].ticks, 13) << "3.5 apart along x";
-    EXPECT_EQ(spheres.scheduled[0].ticks, 16) << "sqrt(4 - 2.25) from the centre, after 16.7 ticks";
+    EXPECT_EQ(boxes.scheduled[0].ticks, 14) << "3.5 apart along x";
+    EXPECT_EQ(spheres.scheduled[0].ticks, 17) << "sqrt(4 - 2.25) from the centre, after 16.7 ticks";
 }
 
 TEST(Assess, WithoutASphereTheMeasureOfSpheresIsThatOfBoxes)

@@ -72,7 +72,7 @@ public:
         for (ProxyId id : batch_)
             in_batch.insert(id);
         std::vector<CandidatePair> found;
-        index_.find_pairs(swept(batch_), in_batch, found);
+        index_.find_pairs(store_, swept(batch_), in_batch, found);
         const Pairs pairs = sorted_pairs(found);
         ASSERT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end()) << "a pair is found twice";
         for (const auto &[first, second] : pairs)

@@ -13,7 +13,7 @@ namespace
 {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-using Items = std::vector<Sweep::Item>;
+using Items = std::vector<SweptProxy>;
 
 void expect_all_pairs(Sweep &sweep, const Items &items)
 {
@@ -34,7 +34,7 @@ Items random_items(Random &random, std::size_t count, double spread, double size
 {
     Items items;
     for (std::size_t i = 0; i < count; ++i)
-        items.push_back({random.box(spread, size), static_cast<ProxyId>(3 * (count - i))});
+        items.push_back({static_cast<ProxyId>(3 * (count - i)), random.box(spread, size)});
     return items;
 }
 
@@ -57,7 +57,7 @@ TEST(Sweep, FindsThemWhicheverAxisIsWidest)
         for (std::size_t count : {50, 400})
         {
             Items items = random_items(random, count, 1, 0.5);
-            for (Sweep::Item &item : items)
+            for (SweptProxy &item : items)
             {
                 const float shift = static_cast<float>(random.uniform(-20, 20));
                 item.box.low[axis] += shift;
@@ -75,8 +75,8 @@ TEST(Sweep, TouchingBoxesOverlap)
             for (ProxyId x = 0; x < 7; ++x)
             {
                 const float low[] = {static_cast<float>(x) - 3, static_cast<float>(y) - 3, static_cast<float>(z) - 3};
-                items.push_back({{{low[0], low[1], low[2]}, {low[0] + 1, low[1] + 1, low[2] + 1}},
-                                 static_cast<ProxyId>(items.size())});
+                items.push_back({static_cast<ProxyId>(items.size()),
+                                 {{low[0], low[1], low[2]}, {low[0] + 1, low[1] + 1, low[2] + 1}}});
             }
     Sweep sweep;
     expect_all_pairs(sweep, items);
@@ -89,8 +89,8 @@ TEST(Sweep, TouchingBoxesOverlap)
 TEST(Sweep, NegativeAndPositiveZeroTouch)
 {
     Sweep sweep;
-    expect_all_pairs(sweep, {{{{-1, -1, -1}, {-0.0f, -0.0f, -0.0f}}, 0}, {{{0, 0, 0}, {1, 1, 1}}, 1}});
-    expect_all_pairs(sweep, {{{{0, 0, 0}, {0, 0, 0}}, 0}, {{{-0.0f, -0.0f, -0.0f}, {-0.0f, -0.0f, -0.0f}}, 1}});
+    expect_all_pairs(sweep, {{0, {{-1, -1, -1}, {-0.0f, -0.0f, -0.0f}}}, {1, {{0, 0, 0}, {1, 1, 1}}}});
+    expect_all_pairs(sweep, {{0, {{0, 0, 0}, {0, 0, 0}}}, {1, {{-0.0f, -0.0f, -0.0f}, {-0.0f, -0.0f, -0.0f}}}});
 }
 
 TEST(Sweep, IdenticalBoxesAllOverlap)
@@ -100,7 +100,7 @@ TEST(Sweep, IdenticalBoxesAllOverlap)
     {
         Items items;
         for (std::size_t i = 0; i < count; ++i)
-            items.push_back({{{0.1f, 0.2f, 0.3f}, {0.4f, 0.5f, 0.6f}}, static_cast<ProxyId>(i)});
+            items.push_back({static_cast<ProxyId>(i), {{0.1f, 0.2f, 0.3f}, {0.4f, 0.5f, 0.6f}}});
         expect_all_pairs(sweep, items);
     }
 }
@@ -122,11 +122,11 @@ TEST(Sweep, InfiniteBoxesMeetAllThatIsInTheirReach)
                 if (random.chance(0.5))
                     half_space.high[axis] = infinity;
             }
-            items.push_back({half_space, static_cast<ProxyId>(10000 + i)});
+            items.push_back({static_cast<ProxyId>(10000 + i), half_space});
         }
-        items.push_back({{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}, 20000});
-        items.push_back({{{infinity, infinity, infinity}, {infinity, infinity, infinity}}, 20001});
-        items.push_back({{{-infinity, -infinity, -infinity}, {-infinity, -infinity, -infinity}}, 20002});
+        items.push_back({20000, {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}});
+        items.push_back({20001, {{infinity, infinity, infinity}, {infinity, infinity, infinity}}});
+        items.push_back({20002, {{-infinity, -infinity, -infinity}, {-infinity, -infinity, -infinity}}});
         expect_all_pairs(sweep, items);
     }
 }
@@ -135,7 +135,7 @@ TEST(Sweep, AppendsToWhatIsThere)
 {
     Sweep sweep;
     std::vector<CandidatePair> pairs = {{7, 8}};
-    sweep.find_pairs({{{{0, 0, 0}, {1, 1, 1}}, 1}, {{{0, 0, 0}, {1, 1, 1}}, 2}}, pairs);
+    sweep.find_pairs({{1, {{0, 0, 0}, {1, 1, 1}}}, {2, {{0, 0, 0}, {1, 1, 1}}}}, pairs);
     EXPECT_EQ(sorted_pairs(pairs), (Pairs{{1, 2}, {7, 8}}));
 }
 } // namespace

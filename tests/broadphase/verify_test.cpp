@@ -101,7 +101,7 @@ TEST(Verify, AnObjectCheckedByItsBoundsMustHaveThemInside)
 {
     ProxyStore store;
     add_proxy(store, straight, some, 1, 100, 50);
-    store.bounds[0].check = Check::bounds;
+    check_by_bounds(store, 0);
     OneObject object;
     object.centre = straight.at(10);
     object.radius = 1 + some.at(10);
@@ -117,7 +117,8 @@ TEST(Verify, AStillObjectMayStayForAnyTime)
     {
         ProxyStore store;
         add_still_proxy(store, {4, 5, 6}, 1, 0.25);
-        store.bounds[0].check = check;
+        if (check == Check::bounds)
+            check_by_bounds(store, 0);
         OneObject object;
         object.centre = {4.25, 4.75, 6};
         for (Tick now : {0u, 1000u, 0x7fffffffu, 0x80000000u, 0xffffffffu})
@@ -139,7 +140,7 @@ TEST(Verify, WhatNoTreeCanHoldIsPredictedAnewWheneverItMoves)
 {
     ProxyStore store;
     add_still_proxy(store, {0, 0, 0}, 1, 0.25);
-    store.bounds[0].check = Check::bounds;
+    check_by_bounds(store, 0);
     OneObject object;
     store.bounds[0].shelf = Shelf::still;
     EXPECT_TRUE(prediction_holds(object, store, 0, 0));

@@ -11,10 +11,7 @@ namespace ode_predictive_space
 /// Adds a proxy that is not predicted yet.
 inline ProxyId add_empty_proxy(ProxyStore &store)
 {
-    store.paths.emplace_back();
-    store.bounds.emplace_back();
-    store.bounds.back().history = no_history;
-    store.generations.push_back(0);
+    store.grow();
     return static_cast<ProxyId>(store.size() - 1);
 }
 
@@ -40,7 +37,15 @@ inline ProxyId add_proxy(ProxyStore &store, const Path &path, const Deviation &d
     bounds.radius = round_up(radius);
     bounds.until = since + ticks;
     bounds.check = Check::centre;
+    store.centre_radius[id] = bounds.radius;
     return id;
+}
+
+/// Lets a proxy be checked by its bounds instead of its centre.
+inline void check_by_bounds(ProxyStore &store, ProxyId id)
+{
+    store.bounds[id].check = Check::bounds;
+    store.centre_radius[id] = -1;
 }
 
 /// Adds a ball that stays where it is, give or take `slack`.
