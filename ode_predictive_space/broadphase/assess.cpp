@@ -25,8 +25,8 @@ std::optional<double> time_of_proximity(const ProxyStore &proxies, ProxyId first
 {
     const bool both_still = proxies.bounds[first].still && proxies.bounds[second].still;
     const double duration = both_still ? 0 : std::min(proxies.remaining(first, now), proxies.remaining(second, now));
-    const Envelope one = proxies.envelope(first, now);
-    const Envelope other = proxies.envelope(second, now);
+    const Envelope one = proxies.outer_envelope(first, now);
+    const Envelope other = proxies.outer_envelope(second, now);
     std::optional<double> time = box_time_of_proximity(one, other, duration);
     if (time && measure == Proximity::sphere)
     {

@@ -38,6 +38,7 @@ struct Counters
 ///     Vector3 position(ProxyId)               centre, of those that are checked by it
 ///     bool has_grown(ProxyId, float radius)   no longer fits into the sphere around its centre
 ///     void prefetch(ProxyId), void prefetch_position(ProxyId)  both will soon be asked for, the latter after the former
+///     void prefetch_bounds(ProxyId)           bounds() will soon be asked for
 ///     Box bounds(ProxyId)                     bounding box
 ///     Observation observe(ProxyId, bool with_bounds)
 ///     bool overlap(ProxyId, ProxyId)          their bounding boxes do; by the measure of sphere, the spheres too
@@ -109,6 +110,7 @@ private:
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);
     template <typename Scene> void measure(Scene &scene, ProxyId id);
+    template <typename Scene> void measure_near(Scene &scene);
     template <typename Scene> void test(Scene &scene, NearPair &pair);
     void drop_stale_near();
     void take_note_of_moves();
@@ -163,7 +165,7 @@ private:
     std::size_t broken_ = 0; // predictions that the last verification found broken
 
     // What one stage hands to the next; empty between updates.
-    std::vector<ProxyId> suspects_; // to be verified
+    std::vector<ProxyId> suspects_; // to be looked at
     std::vector<ProxyId> batch_;    // to be predicted anew
     std::vector<SweptProxy> swept_; // the same, predicted
     std::vector<Event> due_;

@@ -65,7 +65,7 @@ public:
     }
 
     /// Calls visit(id) for the bits of one word; used to walk unions of sets without building them.
-    template <typename Visit> static void visit_word(std::size_t index, std::uint64_t word, Visit &visit)
+    template <typename Visit> static void visit_word(std::size_t index, std::uint64_t word, Visit &&visit)
     {
         for (; word; word &= word - 1)
             visit(static_cast<ProxyId>(index * 64 + static_cast<std::size_t>(__builtin_ctzll(word))));

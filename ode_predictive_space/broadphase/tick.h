@@ -136,6 +136,21 @@ template <typename Scene> void Broadphase::test(Scene &scene, NearPair &pair)
     pair.overlaps = boxes_[pair.first].overlaps(boxes_[pair.second]) && scene.overlap(pair.first, pair.second);
 }
 
+template <typename Scene> void Broadphase::measure_near(Scene &scene)
+{
+    constexpr std::size_t ahead = 4;
+    suspects_.clear();
+    for (std::size_t i = 0; i < has_near_.words(); ++i)
+        IdSet::visit_word(i, has_near_.word(i) & ~measured_.word(i), [this](ProxyId id) { suspects_.push_back(id); });
+    for (std::size_t i = 0; i < suspects_.size(); ++i)
+    {
+        if (i + ahead < suspects_.size())
+            scene.prefetch_bounds(suspects_[i + ahead]);
+        measure(scene, suspects_[i]);
+    }
+    suspects_.clear();
+}
+
 template <typename Scene> void Broadphase::report(Scene &scene, std::vector<CandidatePair> &overlapping)
 {
     drop_stale_near();
@@ -145,7 +160,7 @@ template <typename Scene> void Broadphase::report(Scene &scene, std::vector<Cand
         has_near_.insert(pair.first);
         has_near_.insert(pair.second);
     }
-    has_near_.for_each([&](ProxyId id) { measure(scene, id); });
+    measure_near(scene);
     for (NearPair &pair : near_)
     {
         test(scene, pair);

@@ -13,20 +13,41 @@ namespace ode_predictive_space
 {
 /// |x - s(t)| <= R(t) along each axis. False when anything is NaN.
 ///
-/// A still envelope has a path and a deviation that are constant whatever the time.
+/// Evaluated in single precision relative to the position; what that may add or hide is part of
+/// ProxyStore::outer_envelope(). A
+/// still envelope has a path and a deviation that are constant whatever the time.
+#if defined(__SSE2__)
 inline bool centre_inside(const PackedPath &path, const Vector3 &centre, Tick now)
 {
-    const double t = ticks_between(path.since, now);
-    const double half_t = 0.5 * t;
-    const double reach = path.deviation[0] + t * (path.deviation[1] + t * double{path.deviation[2]});
+    const float t = static_cast<float>(ticks_between(path.since, now));
+    const __m128 time = _mm_set1_ps(t), half_time = _mm_set1_ps(0.5f * t);
+    // Each load takes one float more than the vector has; the fourth components are never looked at.
+    const __m128 velocity = _mm_loadu_ps(path.velocity), acceleration = _mm_loadu_ps(path.acceleration);
+    const __m128 moved = _mm_mul_ps(time, _mm_add_ps(velocity, _mm_mul_ps(half_time, acceleration)));
+    const __m128d xy = _mm_add_pd(_mm_loadu_pd(path.position), _mm_cvtps_pd(moved));
+    const __m128d z = _mm_add_sd(_mm_load_sd(path.position + 2), _mm_cvtps_pd(_mm_movehl_ps(moved, moved)));
+    const __m128d sign = _mm_set1_pd(-0.0);
+    const __m128d off_xy = _mm_andnot_pd(sign, _mm_sub_pd(_mm_loadu_pd(centre.data()), xy));
+    const __m128d off_z = _mm_andnot_pd(sign, _mm_sub_sd(_mm_load_sd(centre.data() + 2), z));
+    const __m128d reach = _mm_set1_pd(path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]));
+    const int inside_xy = _mm_movemask_pd(_mm_cmple_pd(off_xy, reach));
+    const int inside_z = _mm_movemask_pd(_mm_cmple_sd(off_z, reach)) & 1;
+    return (inside_xy & (inside_z | 2)) == 3;
+}
+#else
+inline bool centre_inside(const PackedPath &path, const Vector3 &centre, Tick now)
+{
+    const float t = static_cast<float>(ticks_between(path.since, now));
+    const double reach = path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]);
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis)
     {
-        const double predicted = path.position[axis] + t * (path.velocity[axis] + half_t * path.acceleration[axis]);
-        inside &= std::abs(centre[axis] - predicted) <= reach;
+        const float moved = t * (path.velocity[axis] + 0.5f * t * path.acceleration[axis]);
+        inside &= std::abs(centre[axis] - (path.position[axis] + moved)) <= reach;
     }
     return inside;
 }
+#endif
 
 /// Is the box within the envelope? A side that is NaN is so only where the envelope is infinite.
 inline bool bounds_inside(const Envelope &envelope_now, const Box &box)
@@ -43,7 +64,8 @@ inline bool bounds_inside(const Envelope &envelope_now, const Box &box)
 }
 
 /// The check of those that have no sphere, or are predicted by tight bounds.
-template <typename Scene> bool bounds_hold(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
+template <typename Scene>
+[[gnu::noinline]] bool bounds_hold(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
 {
     const PackedBounds &bounds = proxies.bounds[id];
     // What no tree can hold is predicted anew whenever it moves: it may have become finite again.
@@ -54,7 +76,8 @@ template <typename Scene> bool bounds_hold(Scene &scene, const ProxyStore &proxi
 /// Is the object where its prediction says, so that it need not be predicted anew?
 ///
 /// @tparam Scene gives position(id), has_grown(id, radius) and bounds(id) of an object as they are now.
-template <typename Scene> bool prediction_holds(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
+template <typename Scene>
+[[gnu::always_inline]] inline bool prediction_holds(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
 {
 #ifdef ODE_PREDICTIVE_SPACE_WITHOUT_VERIFY
     // Only for the test which shows that the differential test notices when predictions are trusted blindly.

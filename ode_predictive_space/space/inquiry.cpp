@@ -47,7 +47,7 @@ bool dxPredictiveSpace::lies_in_envelope(ProxyId id, const GeomScene &now) const
     const ProxyStore &proxies = broadphase_.proxies();
     if (proxies.bounds[id].check == Check::none)
         return false;
-    Envelope envelope = proxies.envelope(id, broadphase_.now());
+    Envelope envelope = proxies.outer_envelope(id, broadphase_.now());
     // What is checked by its centre has its box computed another way: the two may differ by rounding.
     if (proxies.bounds[id].check == Check::centre)
         envelope.deviation.a += 8 * std::numeric_limits<dReal>::epsilon() *
