@@ -38,7 +38,6 @@ struct Counters
 ///     Vector3 position(ProxyId)               centre, of those that are checked by it
 ///     bool has_grown(ProxyId, float radius)   no longer fits into the sphere around its centre
 ///     void prefetch(ProxyId), void prefetch_position(ProxyId)  both will soon be asked for, the latter after the former
-///     void prefetch_bounds(ProxyId)           bounds() will soon be asked for
 ///     Box bounds(ProxyId)                     bounding box
 ///     Observation observe(ProxyId, bool with_bounds)
 ///     bool overlap(ProxyId, ProxyId)          their bounding boxes do; by the measure of sphere, the spheres too
@@ -152,7 +151,7 @@ private:
     ScanPolicy policy_;
     Scouts scouts_;
     Sweep sweep_;
-    std::vector<FloatBox> boxes_; // the bounds of each object, where measured_
+    std::vector<FloatBox> boxes_; // holds the bounds of each object, where measured_
     Counters counters_;
 
     // Objects that are recognised as interactive are remembered at each tick while they are few; a hand is, a crowd is not.

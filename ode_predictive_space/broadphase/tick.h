@@ -99,11 +99,20 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
     index_.update(proxies_, swept_, now_);
 }
 
+// A box that holds the object: the cube around its sphere where that is known, which is quicker to get than its bounds and
+// leaves fewer of them to be computed.
 template <typename Scene> void Broadphase::measure(Scene &scene, ProxyId id)
 {
     if (measured_.contains(id))
         return;
-    boxes_[id] = FloatBox::around(scene.bounds(id));
+    const float radius = proxies_.centre_radius[id];
+    if (radius < 0)
+        boxes_[id] = FloatBox::around(scene.bounds(id));
+    else
+    {
+        const Vector3 centre = scene.position(id), extent = Vector3::Constant(radius);
+        boxes_[id] = FloatBox::around(Box(centre - extent, centre + extent));
+    }
     measured_.insert(id);
 }
 
@@ -145,7 +154,7 @@ template <typename Scene> void Broadphase::measure_near(Scene &scene)
     for (std::size_t i = 0; i < suspects_.size(); ++i)
     {
         if (i + ahead < suspects_.size())
-            scene.prefetch_bounds(suspects_[i + ahead]);
+            scene.prefetch_position(suspects_[i + ahead]);
         measure(scene, suspects_[i]);
     }
     suspects_.clear();

@@ -85,13 +85,6 @@ public:
         __builtin_prefetch(sizes_of(geom));
     }
     void prefetch_position(ProxyId id) const { __builtin_prefetch(geoms_[id]->final_posr); }
-    void prefetch_bounds(ProxyId id) const
-    {
-        const dxGeom *geom = geoms_[id];
-        __builtin_prefetch(geom->aabb);
-        __builtin_prefetch(geom->aabb + 5);
-        __builtin_prefetch(geom->final_posr);
-    }
 
     Box bounds(ProxyId id) const;
     Observation observe(ProxyId id, bool with_bounds) const;

@@ -59,7 +59,6 @@ public:
     // What Broadphase asks.
     void prefetch(ProxyId) const {}
     void prefetch_position(ProxyId) const {}
-    void prefetch_bounds(ProxyId) const {}
     Vector3 position(ProxyId id) const { return objects_[id].centre; }
     bool has_grown(ProxyId id, float radius) const { return !(objects_[id].radius <= radius); }
     Box bounds(ProxyId id) const
