@@ -29,6 +29,12 @@ void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &b
     }
     for (const SweptProxy &swept : batch)
     {
+        const Shelf shelf = proxies.bounds[swept.proxy].shelf;
+        if (shelf == shelf_for(proxies.bounds[swept.proxy], swept.box) && shelf != Shelf::unbounded)
+        {
+            tree(shelf).move(swept.proxy, swept.box);
+            continue;
+        }
         remove(proxies, swept.proxy);
         put(proxies, swept);
     }

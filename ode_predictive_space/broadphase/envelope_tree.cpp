@@ -56,9 +56,9 @@ void EnvelopeTree::swap_nodes(Index left, Index right)
 }
 
 // Greedy descent: at each node, stop here (the new leaf becomes its sibling) or go into the child that grows least.
-EnvelopeTree::Index EnvelopeTree::find_sibling(const FloatBox &box) const
+EnvelopeTree::Index EnvelopeTree::find_sibling(const FloatBox &box, Index start) const
 {
-    Index index = 0;
+    Index index = start;
     while (!nodes_[index].leaf())
     {
         const Node &node = nodes_[index];
@@ -95,7 +95,12 @@ void EnvelopeTree::insert(ProxyId proxy, const FloatBox &box)
         leaf_node_[proxy] = 0;
         return;
     }
-    const Index place = find_sibling(box);
+    insert_below(proxy, box, 0);
+}
+
+void EnvelopeTree::insert_below(ProxyId proxy, const FloatBox &box, Index start)
+{
+    const Index place = find_sibling(box, start);
     const Index pair = allocate_pair();
     move_node(place, pair);
     nodes_[pair + 1].box = box;
@@ -106,7 +111,21 @@ void EnvelopeTree::insert(ProxyId proxy, const FloatBox &box)
     refit_upwards(place);
 }
 
-void EnvelopeTree::remove(ProxyId proxy)
+void EnvelopeTree::move(ProxyId proxy, const FloatBox &box)
+{
+    Index start = take_out(proxy);
+    if (start == none)
+    {
+        insert(proxy, box);
+        return;
+    }
+    while (start != 0 && !nodes_[start].box.contains(box))
+        start = nodes_[start].parent;
+    insert_below(proxy, box, start);
+}
+
+// Returns the node that took the place of the proxy's parent; none when the tree is empty now.
+EnvelopeTree::Index EnvelopeTree::take_out(ProxyId proxy)
 {
     const Index leaf = leaf_node_[proxy];
     leaf_node_[proxy] = none;
@@ -114,7 +133,7 @@ void EnvelopeTree::remove(ProxyId proxy)
     {
         nodes_.clear();
         free_pairs_.clear();
-        return;
+        return none;
     }
     const Index parent = nodes_[leaf].parent;
     const Index pair = nodes_[parent].content;
@@ -122,6 +141,7 @@ void EnvelopeTree::remove(ProxyId proxy)
     free_pair(pair);
     if (parent != 0)
         refit_upwards(nodes_[parent].parent);
+    return parent;
 }
 
 void EnvelopeTree::refit_upwards(Index index)

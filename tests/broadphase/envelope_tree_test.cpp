@@ -27,6 +27,12 @@ public:
         boxes_.erase(proxy);
     }
 
+    void move(ProxyId proxy, const FloatBox &box)
+    {
+        tree_.move(proxy, box);
+        boxes_[proxy] = box;
+    }
+
     void rebuild()
     {
         std::vector<SweptProxy> leaves;
@@ -99,10 +105,12 @@ TEST_P(AnyTree, AnswersAsBruteForceDoesAfterEveryChange)
         const FloatBox box = random.box(shape.spread, shape.size);
         if (random.chance(0.003))
             checked.rebuild();
-        else if (checked.contains(proxy))
-            checked.remove(proxy);
-        else
+        else if (!checked.contains(proxy))
             checked.insert(proxy, box);
+        else if (random.chance(0.5))
+            checked.move(proxy, box);
+        else
+            checked.remove(proxy);
         ASSERT_NO_FATAL_FAILURE(checked.expect_consistent()) << "step " << step;
         ASSERT_NO_FATAL_FAILURE(checked.expect_found(box)) << "step " << step;
         if (step % 500 == 0)
