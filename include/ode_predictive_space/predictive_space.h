@@ -67,7 +67,7 @@ typedef struct dPredictiveSpaceStats
     unsigned long repredictions; /**< new paths and envelopes */
     unsigned long scheduled;     /**< pairs that now sleep until their time of proximity */
     unsigned long woken;         /**< pairs whose time of proximity came */
-    unsigned long near_pairs;    /**< pairs now in the near set */
+    unsigned long near;          /**< pairs now in the near set */
     unsigned long reported;      /**< callbacks made by dSpaceCollide() */
     unsigned long scans; /**< ticks in which prediction did not pay and the space swept the whole scene instead */
     unsigned long bytes; /**< memory that the space now holds, in bytes, geoms not counted */

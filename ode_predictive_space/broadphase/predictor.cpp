@@ -99,6 +99,12 @@ double size_of(const PackedBounds &bounds)
     return sides > 0 ? sum / sides : 0;
 }
 
+bool is_bounded(const PackedBounds &bounds)
+{
+    return FloatBox{{bounds.low[0], bounds.low[1], bounds.low[2]}, {bounds.high[0], bounds.high[1], bounds.high[2]}}
+        .bounded();
+}
+
 // Ticks until the path has gone so far. The root of speed t + 1/2 acceleration t^2 + spread t = distance.
 double ticks_to_travel(double distance, double speed, double acceleration)
 {
@@ -148,6 +154,13 @@ struct Predictor::Motion
     Vector3 velocity = Vector3::Zero();     // per tick
     Vector3 acceleration = Vector3::Zero(); // per tick^2
     bool brief = false;                     // a mere guess: to be seen again at the next tick
+
+    // Does an object that moves so need long to get so far?
+    bool stays_within(double distance) const
+    {
+        const double travel = still_ticks * (velocity.norm() + 0.5 * still_ticks * acceleration.norm());
+        return !brief && travel <= distance;
+    }
 };
 
 Predictor::Outcome Predictor::judge(const ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now) const
@@ -188,7 +201,7 @@ Predictor::Motion Predictor::motion_of_body(PackedBounds &bounds, const Outcome 
         const Vector3 expected = (0.5 * step_.step() * outcome.ticks) * (last + velocity);
         const double error = (outcome.displacement - expected).norm();
         const double travelled = outcome.displacement.norm();
-        explained = error <= 0.25 * travelled;
+        explained = error <= 0.25 * travelled + 0.5 * slack_of_centre * size_of(bounds);
         // A bounce within the interval would look like an enormous acceleration: believe only what the path bears out.
         if (error <= 0.1 * travelled)
             motion.acceleration = (step_.step() / outcome.ticks) * (velocity - last);
@@ -280,14 +293,9 @@ Deviation Predictor::allow(const PackedBounds &bounds, const Outcome &outcome, d
     return bounds.still ? Deviation{slack, 0, 0} : Deviation{slack, bounds.spread, 0};
 }
 
-void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now)
+Predictor::Motion Predictor::estimate_motion(PackedBounds &bounds, const Outcome &outcome, const Observation &seen,
+                                             Tick now)
 {
-    PackedBounds &bounds = proxies.bounds[id];
-    Observation now_seen = seen;
-    if (seen.bounds)
-        now_seen.centre = finite_centre(*seen.bounds);
-    const Outcome outcome = judge(proxies, id, now_seen, now);
-
     if (!seen.velocity && outcome.moved && bounds.role == Role::environment)
         bounds.role = Role::interactive;
     const bool has_body = seen.velocity && bounds.role != Role::fixed_interactive;
@@ -295,33 +303,43 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     if (has_body)
         motion = motion_of_body(bounds, outcome, finite_or_zero(*seen.velocity));
     if (!has_body || bounds.mistrust >= patience)
-        motion = motion_from_history(bounds, outcome, now_seen.centre, now);
+        motion = motion_from_history(bounds, outcome, seen.centre, now);
+    return motion;
+}
 
-    set_bounds(bounds, now_seen, now_seen.centre);
+std::uint32_t Predictor::horizon_for(const PackedBounds &bounds, const Motion &motion, double size) const
+{
+    if (motion.brief)
+        return 1;
+    const double reach = (bounds.crowded ? reach_crowded : reach_alone) * size;
+    const double far = ticks_to_travel(reach, motion.velocity.norm() + bounds.spread, motion.acceleration.norm());
+    return std::min(bounds.horizon, static_cast<std::uint32_t>(std::min(1e9, far)));
+}
+
+void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &observation, Tick now)
+{
+    PackedBounds &bounds = proxies.bounds[id];
+    Observation seen = observation;
+    if (seen.bounds)
+        seen.centre = finite_centre(*seen.bounds);
+    const Outcome outcome = judge(proxies, id, seen, now);
+    const Motion motion = estimate_motion(bounds, outcome, seen, now);
+
+    set_bounds(bounds, seen, seen.centre);
     proxies.centre_radius[id] = bounds.check == Check::centre ? bounds.radius : -1;
     const double size = size_of(bounds);
-    const double speed = motion.velocity.norm();
-    const double acceleration = motion.acceleration.norm();
-    adapt(bounds, outcome, speed, size);
+    adapt(bounds, outcome, motion.velocity.norm(), size);
 
-    const FloatBox extents{{bounds.low[0], bounds.low[1], bounds.low[2]},
-                           {bounds.high[0], bounds.high[1], bounds.high[2]}};
     bounds.still = true;
     const Deviation slack = allow(bounds, outcome, size);
-    bounds.still =
-        !extents.bounded() ||
-        (!motion.brief && speed * still_ticks + 0.5 * acceleration * still_ticks * still_ticks <= 0.5 * slack.a);
+    bounds.still = !is_bounded(bounds) || motion.stays_within(0.5 * slack.a);
     if (bounds.still)
-        pack(proxies.paths[id], {now_seen.centre, Vector3::Zero(), Vector3::Zero()}, slack, now);
+        pack(proxies.paths[id], {seen.centre, Vector3::Zero(), Vector3::Zero()}, slack, now);
     else
     {
-        pack(proxies.paths[id], {now_seen.centre, motion.velocity, motion.acceleration}, allow(bounds, outcome, size),
-             now);
-        const double reach = (bounds.crowded ? reach_crowded : reach_alone) * size;
-        const double far = std::min(1e9, ticks_to_travel(reach, speed + bounds.spread, acceleration));
-        const std::uint32_t ticks = motion.brief ? 1 : std::min(bounds.horizon, static_cast<std::uint32_t>(far));
-        const std::uint32_t staggered = stagger(ticks, id, proxies.generations[id]);
-        bounds.until = now + std::clamp(staggered, horizon.min_ticks, horizon.max_ticks);
+        pack(proxies.paths[id], {seen.centre, motion.velocity, motion.acceleration}, allow(bounds, outcome, size), now);
+        const std::uint32_t ticks = stagger(horizon_for(bounds, motion, size), id, proxies.generations[id]);
+        bounds.until = now + std::clamp(ticks, horizon.min_ticks, horizon.max_ticks);
     }
     ++proxies.generations[id];
 }

@@ -41,7 +41,7 @@ public:
 
     /// Makes a new prediction from `now` on and raises the proxy's generation. The old prediction, if there is one, tells
     /// how well the object keeps to its predictions.
-    void predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now);
+    void predict(ProxyStore &proxies, ProxyId id, const Observation &observation, Tick now);
 
     /// Remembers where an interactive object is, between predictions.
     void remember(const ProxyStore &proxies, ProxyId id, const Vector3 &centre, Tick now);
@@ -59,6 +59,8 @@ private:
     Outcome judge(const ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now) const;
     Motion motion_of_body(PackedBounds &bounds, const Outcome &outcome, const Vector3 &velocity);
     Motion motion_from_history(PackedBounds &bounds, const Outcome &outcome, const Vector3 &centre, Tick now);
+    Motion estimate_motion(PackedBounds &bounds, const Outcome &outcome, const Observation &seen, Tick now);
+    std::uint32_t horizon_for(const PackedBounds &bounds, const Motion &motion, double size) const;
     void adapt(PackedBounds &bounds, const Outcome &outcome, double speed, double size) const;
     Deviation allow(const PackedBounds &bounds, const Outcome &outcome, double size) const;
     History &history_of(PackedBounds &bounds);

@@ -209,7 +209,7 @@ void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
     stats->repredictions = counters.repredictions;
     stats->scheduled = self->broadphase().scheduled_pairs();
     stats->woken = counters.woken;
-    stats->near_pairs = self->broadphase().near_pairs();
+    stats->near = self->broadphase().near_pairs();
     stats->reported = self->reported();
     stats->scans = counters.scans;
     stats->bytes = self->bytes();

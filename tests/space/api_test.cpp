@@ -283,8 +283,8 @@ TEST_F(PredictiveSpace, StatsCountWhatHappens)
         const dPredictiveSpaceStats now = stats();
         EXPECT_EQ(now.ticks, static_cast<unsigned long>(tick));
         EXPECT_EQ(now.reported, reported);
-        EXPECT_GE(now.near_pairs, pairs);
-        EXPECT_LE(now.near_pairs, 190u);
+        EXPECT_GE(now.near, pairs);
+        EXPECT_LE(now.near, 190u);
         EXPECT_LE(now.scheduled, 190u + now.woken);
     }
     EXPECT_EQ(stats().moved, 20u * 200u);
