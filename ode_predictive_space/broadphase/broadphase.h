@@ -36,6 +36,7 @@ struct Counters
 /// The broad phase. It knows objects by number only; a Scene, given with each call, tells where they are:
 ///
 ///     Vector3 position(ProxyId)               centre, of those that are checked by it
+///     const Real *coordinates(ProxyId)        the same, or null when they would have to be computed first
 ///     bool has_grown(ProxyId, float radius)   no longer fits into the sphere around its centre
 ///     void prefetch(ProxyId), void prefetch_position(ProxyId)  both will soon be asked for, the latter after the former
 ///     Box bounds(ProxyId)                     bounding box
@@ -105,6 +106,7 @@ private:
 
     template <typename Scene> void update(Scene &scene, bool is_tick);
     template <typename Scene> void verify(Scene &scene, bool time_passes);
+    template <typename Scene> void pass_centres(Scene &scene);
     template <typename Scene> void remember(Scene &scene, ProxyId id);
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);

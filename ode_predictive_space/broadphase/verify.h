@@ -13,29 +13,9 @@ namespace ode_predictive_space
 {
 /// |x - s(t)| <= R(t) along each axis. False when anything is NaN.
 ///
-/// Evaluated in single precision relative to the position; what that may add or hide is part of
-/// ProxyStore::outer_envelope(). A
-/// still envelope has a path and a deviation that are constant whatever the time.
-#if defined(__SSE2__)
-inline bool centre_inside(const PackedPath &path, const Vector3 &centre, Tick now)
-{
-    const float t = static_cast<float>(ticks_between(path.since, now));
-    const __m128 time = _mm_set1_ps(t), half_time = _mm_set1_ps(0.5f * t);
-    // Each load takes one float more than the vector has; the fourth components are never looked at.
-    const __m128 velocity = _mm_loadu_ps(path.velocity), acceleration = _mm_loadu_ps(path.acceleration);
-    const __m128 moved = _mm_mul_ps(time, _mm_add_ps(velocity, _mm_mul_ps(half_time, acceleration)));
-    const __m128d xy = _mm_add_pd(_mm_loadu_pd(path.position), _mm_cvtps_pd(moved));
-    const __m128d z = _mm_add_sd(_mm_load_sd(path.position + 2), _mm_cvtps_pd(_mm_movehl_ps(moved, moved)));
-    const __m128d sign = _mm_set1_pd(-0.0);
-    const __m128d off_xy = _mm_andnot_pd(sign, _mm_sub_pd(_mm_loadu_pd(centre.data()), xy));
-    const __m128d off_z = _mm_andnot_pd(sign, _mm_sub_sd(_mm_load_sd(centre.data() + 2), z));
-    const __m128d reach = _mm_set1_pd(path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]));
-    const int inside_xy = _mm_movemask_pd(_mm_cmple_pd(off_xy, reach));
-    const int inside_z = _mm_movemask_pd(_mm_cmple_sd(off_z, reach)) & 1;
-    return (inside_xy & (inside_z | 2)) == 3;
-}
-#else
-inline bool centre_inside(const PackedPath &path, const Vector3 &centre, Tick now)
+/// Evaluated in single precision relative to the position of the path; what that may add or hide is part of
+/// ProxyStore::outer_envelope(). A still envelope has a path and a deviation that are constant whatever the time.
+template <typename Real> inline bool centre_inside(const PackedPath &path, const Real *centre, Tick now)
 {
     const float t = static_cast<float>(ticks_between(path.since, now));
     const double reach = path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]);
@@ -46,6 +26,26 @@ inline bool centre_inside(const PackedPath &path, const Vector3 &centre, Tick no
         inside &= std::abs(centre[axis] - (path.position[axis] + moved)) <= reach;
     }
     return inside;
+}
+
+#if defined(__SSE2__)
+/// The same in a few vector instructions.
+template <> inline bool centre_inside<double>(const PackedPath &path, const double *centre, Tick now)
+{
+    const float t = static_cast<float>(ticks_between(path.since, now));
+    const __m128 time = _mm_set1_ps(t), half_time = _mm_set1_ps(0.5f * t);
+    // Each load takes one float more than the vector has; the fourth components are never looked at.
+    const __m128 velocity = _mm_loadu_ps(path.velocity), acceleration = _mm_loadu_ps(path.acceleration);
+    const __m128 moved = _mm_mul_ps(time, _mm_add_ps(velocity, _mm_mul_ps(half_time, acceleration)));
+    const __m128d xy = _mm_add_pd(_mm_loadu_pd(path.position), _mm_cvtps_pd(moved));
+    const __m128d z = _mm_add_sd(_mm_load_sd(path.position + 2), _mm_cvtps_pd(_mm_movehl_ps(moved, moved)));
+    const __m128d sign = _mm_set1_pd(-0.0);
+    const __m128d off_xy = _mm_andnot_pd(sign, _mm_sub_pd(_mm_loadu_pd(centre), xy));
+    const __m128d off_z = _mm_andnot_pd(sign, _mm_sub_sd(_mm_load_sd(centre + 2), z));
+    const __m128d reach = _mm_set1_pd(path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]));
+    const int inside_xy = _mm_movemask_pd(_mm_cmple_pd(off_xy, reach));
+    const int inside_z = _mm_movemask_pd(_mm_cmple_sd(off_z, reach)) & 1;
+    return (inside_xy & (inside_z | 2)) == 3;
 }
 #endif
 
@@ -73,20 +73,31 @@ template <typename Scene>
            bounds_inside(proxies.envelope(id, now), scene.bounds(id));
 }
 
+/// The check by the centre. False also for those that are checked by their bounds, and for those whose position has to be
+/// computed first.
+template <typename Scene>
+[[gnu::always_inline]] inline bool centre_holds(const Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
+{
+    const float radius = proxies.centre_radius[id];
+    const auto *centre = scene.coordinates(id);
+    if (radius < 0 || !centre)
+        return false;
+    return centre_inside(proxies.paths[id], centre, now) & !scene.has_grown(id, radius);
+}
+
 /// Is the object where its prediction says, so that it need not be predicted anew?
 ///
-/// @tparam Scene gives position(id), has_grown(id, radius) and bounds(id) of an object as they are now.
-template <typename Scene>
-[[gnu::always_inline]] inline bool prediction_holds(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
+/// @tparam Scene gives coordinates(id), position(id), has_grown(id, radius) and bounds(id) of an object as they are now.
+template <typename Scene> bool prediction_holds(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
 {
 #ifdef ODE_PREDICTIVE_SPACE_WITHOUT_VERIFY
     // Only for the test which shows that the differential test notices when predictions are trusted blindly.
     return proxies.bounds[id].check != Check::none;
 #endif
-    const float radius = proxies.centre_radius[id];
-    if (radius < 0)
+    if (proxies.bounds[id].check != Check::centre)
         return bounds_hold(scene, proxies, id, now);
-    return centre_inside(proxies.paths[id], scene.position(id), now) & !scene.has_grown(id, radius);
+    scene.position(id); // has it computed
+    return centre_holds(scene, proxies, id, now);
 }
 } // namespace ode_predictive_space
 

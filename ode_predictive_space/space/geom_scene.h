@@ -36,16 +36,18 @@ inline const dReal *sizes_of(const dxGeom *geom)
 inline bool fits_into_sphere(const dxGeom *geom, double radius)
 {
     static_assert(dSphereClass == 0 && dBoxClass == 1 && dCapsuleClass == 2 && dCylinderClass == 3,
-                  "the table goes by class");
-    // Which of the sizes after the members of dxGeom count: (radius), (x, y, z), (radius, length), (radius, length).
+                  "the tables go by class");
+    // Which of the sizes behind the members of dxGeom count: (radius), (x, y, z), (radius, length), (radius, length); and
+    // the square of the radius by products of these: x x, x y, y y, z z.
     static constexpr std::uint8_t second[4] = {0, 1, 1, 1}, third[4] = {0, 2, 1, 1};
+    static constexpr double factors[4][4] = {{1, 0, 0, 0}, {0.25, 0, 0.25, 0.25}, {1, 1, 0.25, 0}, {1, 0, 0.25, 0}};
     const int type = geom->type;
     const dReal *size = sizes_of(geom);
+    const double *factor = factors[type];
     const double x = size[0], y = size[second[type]], z = size[third[type]];
-    const double along = x + 0.5 * y;
-    const double squared[4] = {x * x, 0.25 * (x * x + y * y + z * z), along * along, x * x + 0.25 * y * y};
+    const double squared = x * (factor[0] * x + factor[1] * y) + factor[2] * y * y + factor[3] * z * z;
     const bool turns_safely = (type == dSphereClass) | ((geom->body != nullptr) & (geom->offset_posr == nullptr));
-    return turns_safely & (squared[type] <= radius * radius);
+    return turns_safely & (squared <= radius * radius);
 }
 
 /// Do the bounding boxes, which must be valid, overlap? The comparisons are those of ODE's collideAABBs(), so that touching
@@ -65,7 +67,8 @@ inline Box to_box(const dReal aabb[6])
 class GeomScene
 {
 public:
-    explicit GeomScene(const std::vector<dxGeom *> &geoms, bool spheres) : geoms_(geoms), spheres_(spheres) {}
+    /// @param geoms by proxy number; must stay where they are as long as the scene is used.
+    GeomScene(const std::vector<dxGeom *> &geoms, bool spheres) : geoms_(geoms.data()), spheres_(spheres) {}
 
     Vector3 position(ProxyId id) const
     {
@@ -75,9 +78,15 @@ public:
         return Vector3(position[0], position[1], position[2]);
     }
 
+    const dReal *coordinates(ProxyId id) const
+    {
+        const dxGeom *geom = geoms_[id];
+        return geom->gflags & GEOM_POSR_BAD ? nullptr : geom->final_posr->pos;
+    }
+
     bool has_grown(ProxyId id, float radius) const { return !fits_into_sphere(geoms_[id], radius); }
 
-    /// Fetches what position() and has_grown() will read; prefetch_position() some time after prefetch().
+    /// Fetches what coordinates() and has_grown() will read; prefetch_position() some time after prefetch().
     void prefetch(ProxyId id) const
     {
         const dxGeom *geom = geoms_[id];
@@ -95,7 +104,7 @@ public:
     void acknowledge(ProxyId id) const { geoms_[id]->gflags &= ~GEOM_DIRTY; }
 
 private:
-    const std::vector<dxGeom *> &geoms_;
+    dxGeom *const *geoms_;
     bool spheres_;
 };
 } // namespace ode_predictive_space

@@ -20,6 +20,7 @@ struct OneObject
     double radius = 1;
 
     Vector3 position(ProxyId) const { return centre; }
+    const double *coordinates(ProxyId) const { return centre.data(); }
     bool has_grown(ProxyId, float allowed) const { return !(radius <= allowed); }
     Box bounds(ProxyId) const { return Box(centre.array() - radius, centre.array() + radius); }
 };
@@ -39,9 +40,9 @@ TEST(Verify, TheCentreMayBeAsFarFromThePathAsTheDeviation)
             {
                 Vector3 centre = straight.at(t);
                 centre[axis] += sign * some.at(t);
-                EXPECT_TRUE(centre_inside(store.paths[0], centre, now));
+                EXPECT_TRUE(centre_inside(store.paths[0], centre.data(), now));
                 centre[axis] += sign * 1e-9;
-                EXPECT_FALSE(centre_inside(store.paths[0], centre, now));
+                EXPECT_FALSE(centre_inside(store.paths[0], centre.data(), now));
             }
     }
 }
@@ -51,7 +52,7 @@ TEST(Verify, NoCentreThatIsNotANumberIsInside)
     ProxyStore store;
     add_proxy(store, straight, some, 1, 100, 50);
     for (double bad : {nan, infinity, -infinity})
-        EXPECT_FALSE(centre_inside(store.paths[0], {1, 2, bad}, 100));
+        EXPECT_FALSE(centre_inside(store.paths[0], Vector3(1, 2, bad).data(), 100));
 }
 
 TEST(Verify, BoundsMustBeInsideOnEverySide)
@@ -153,8 +154,8 @@ TEST(Verify, TimeMayWrapAround)
     ProxyStore store;
     const Tick since = 0xfffffffau;
     add_proxy(store, straight, some, 1, since, 50);
-    EXPECT_TRUE(centre_inside(store.paths[0], straight.at(20), since + 20));
-    EXPECT_FALSE(centre_inside(store.paths[0], straight.at(0), since + 20));
+    EXPECT_TRUE(centre_inside(store.paths[0], straight.at(20).data(), since + 20));
+    EXPECT_FALSE(centre_inside(store.paths[0], straight.at(0).data(), since + 20));
 }
 
 // Whatever passes the check must be held by the box that the index has for it: to the last bit.

@@ -44,7 +44,7 @@ public:
     {
         if (seen.bounds)
             return bounds_inside(store.envelope(0, now), *seen.bounds);
-        return centre_inside(store.paths[0], seen.centre, store.bounds[0].still ? store.paths[0].since : now);
+        return centre_inside(store.paths[0], seen.centre.data(), store.bounds[0].still ? store.paths[0].since : now);
     }
 
     const PackedBounds &bounds() const { return store.bounds[0]; }

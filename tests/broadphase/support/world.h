@@ -60,6 +60,7 @@ public:
     void prefetch(ProxyId) const {}
     void prefetch_position(ProxyId) const {}
     Vector3 position(ProxyId id) const { return objects_[id].centre; }
+    const double *coordinates(ProxyId id) const { return objects_[id].centre.data(); }
     bool has_grown(ProxyId id, float radius) const { return !(objects_[id].radius <= radius); }
     Box bounds(ProxyId id) const
     {
