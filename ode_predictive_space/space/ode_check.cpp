@@ -1,7 +1,7 @@
 #include "ode_predictive_space/space/ode_check.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <set>
 
 #include <dlfcn.h>
@@ -57,10 +57,10 @@ bool geom_layout_differs(dSpaceID space)
     const bool agrees = box->type == dBoxClass && box->data == &data && box->body == nullptr &&
                         box->offset_posr == nullptr && box->final_posr->pos[2] == 30 && box->next_ex == nullptr &&
                         box->tome_ex == nullptr && box->parent_space == space &&
-                        std::memcmp(box->aabb, expected, sizeof expected) == 0 &&
-                        std::memcmp(aabb, expected, sizeof expected) == 0 && box->category_bits == 0x1234UL &&
-                        box->collide_bits == 0x5678UL && sizes_of(geom) == box->side && box->side[0] == 2 &&
-                        box->side[2] == 6 && box->gflags == (GEOM_DIRTY | GEOM_PLACEABLE | GEOM_ENABLED);
+                        std::equal(expected, expected + 6, box->aabb) && std::equal(expected, expected + 6, aabb) &&
+                        box->category_bits == 0x1234UL && box->collide_bits == 0x5678UL &&
+                        sizes_of(geom) == box->side && box->side[0] == 2 && box->side[2] == 6 &&
+                        box->gflags == (GEOM_DIRTY | GEOM_PLACEABLE | GEOM_ENABLED);
     dGeomDestroy(geom);
     return !agrees;
 }

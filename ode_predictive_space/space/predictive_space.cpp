@@ -37,7 +37,7 @@ dxPredictiveSpace::~dxPredictiveSpace()
         if (cleanup)
             dGeomDestroy(first);
         else
-            remove(first);
+            dxPredictiveSpace::remove(first);
     }
 }
 
@@ -65,6 +65,7 @@ void dxPredictiveSpace::add(dxGeom *geom)
     }
     geoms_[id] = geom;
     unclassified_.insert(id);
+    // A number, not an address, in the member that ODE gives to spaces. NOLINTNEXTLINE(performance-no-int-to-ptr)
     geom->next_ex = reinterpret_cast<dxGeom *>(static_cast<std::uintptr_t>(id) + 1);
     geom->tome_ex = nullptr;
 }
@@ -211,6 +212,6 @@ void dxPredictiveSpace::set_horizon(HorizonBounds horizon)
 
 std::size_t dxPredictiveSpace::bytes() const
 {
-    return sizeof(*this) + broadphase_.bytes() + (geoms_.capacity() + found_.capacity()) * sizeof(dxGeom *) +
+    return sizeof(*this) + broadphase_.bytes() + (geoms_.capacity() + found_.capacity()) * sizeof(void *) +
            pairs_.capacity() * sizeof(CandidatePair) + unclassified_.bytes() + polled_.bytes();
 }

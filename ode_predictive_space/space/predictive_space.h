@@ -20,7 +20,7 @@ struct dxPredictiveSpace : public dxSpace
     int global_maxlevel = 10;
 
     explicit dxPredictiveSpace(dxSpace *parent);
-    ~dxPredictiveSpace();
+    ~dxPredictiveSpace() override;
 
     void add(dxGeom *geom) override;
     void remove(dxGeom *geom) override;
