@@ -79,8 +79,10 @@ template <typename Scene>
 [[gnu::always_inline]] inline bool centre_holds(const Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
 {
     const float radius = proxies.centre_radius[id];
+    if (radius < 0)
+        return false;
     const auto *centre = scene.coordinates(id);
-    if (radius < 0 || !centre)
+    if (!centre)
         return false;
     return centre_inside(proxies.paths[id], centre, now) & !scene.has_grown(id, radius);
 }
