@@ -81,7 +81,6 @@ public:
         return ode_predictive_space::time_of_proximity(proxies_, first, second, now_, measure_);
     }
 
-    ProxyStore &proxies() { return proxies_; }
     const ProxyStore &proxies() const { return proxies_; }
     const std::vector<NearPair> &near() const { return near_; }
     const Counters &counters() const { return counters_; }

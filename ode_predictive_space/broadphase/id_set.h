@@ -31,7 +31,6 @@ public:
     }
 
     void clear() { words_.assign(words_.size(), 0); }
-    void swap(IdSet &other) { words_.swap(other.words_); }
 
     IdSet &operator|=(const IdSet &other)
     {

@@ -90,16 +90,20 @@ TEST(IdSet, UnitesWithAnother)
     EXPECT_EQ(members(other), (std::vector<ProxyId>{3, 70}));
 }
 
-TEST(IdSet, ChangesPlacesWithAnother)
+TEST(IdSet, LosesTheMembersOfAnother)
 {
     IdSet one, other;
-    one.resize(64);
-    other.resize(128);
-    one.insert(1);
-    other.insert(100);
-    one.swap(other);
-    EXPECT_EQ(members(one), std::vector<ProxyId>{100});
-    EXPECT_EQ(members(other), std::vector<ProxyId>{1});
+    one.resize(130);
+    other.resize(130);
+    one.insert(3);
+    one.insert(64);
+    one.insert(129);
+    other.insert(3);
+    other.insert(70);
+    other.insert(129);
+    one -= other;
+    EXPECT_EQ(members(one), std::vector<ProxyId>{64});
+    EXPECT_EQ(members(other), (std::vector<ProxyId>{3, 70, 129}));
 }
 } // namespace
 } // namespace ode_predictive_space
