@@ -37,8 +37,8 @@ double share_of_late_ticks(const SceneRun &run)
 /// The run in the predictive space; null when it was not asked for.
 const SceneRun *predictive_run(const SceneRuns &runs)
 {
-    const auto found =
-        std::find_if(runs.begin(), runs.end(), [](const auto &run) { return run->kind() == SpaceKind::predictive; });
+    const auto found = std::find_if(runs.begin(), runs.end(),
+                                    [](const auto &run) { return run->contender().family() == Family::predictive; });
     return found == runs.end() ? nullptr : found->get();
 }
 
@@ -48,7 +48,7 @@ const SceneRun *best_other_run(const SceneRuns &runs)
     const SceneRun *best = nullptr;
     for (const auto &run : runs)
     {
-        if (run->kind() != SpaceKind::predictive &&
+        if (run->contender().family() != Family::predictive &&
             (best == nullptr || mean_collide_time(*run) < mean_collide_time(*best)))
         {
             best = run.get();
@@ -57,9 +57,9 @@ const SceneRun *best_other_run(const SceneRuns &runs)
     return best;
 }
 
-std::string long_name(SpaceKind kind)
+std::string long_name(const SceneRun &run)
 {
-    return kind == SpaceKind::sweep_and_prune ? "sweep and prune" : space_name(kind);
+    return run.name() == space_name(SpaceKind::sweep_and_prune) ? "sweep and prune" : run.name();
 }
 
 std::string gain_text(const SceneRun *ours, const SceneRun &other, double (*time)(const SceneRun &))
@@ -74,7 +74,7 @@ void print_collision_table(std::ostream &out, const SceneRuns &runs)
     for (const auto &run : runs)
     {
         const Statistics times = summarise(run->collide_times());
-        table.add({long_name(run->kind()), fixed(times.mean, 1), fixed(times.median, 1), fixed(times.p99, 1),
+        table.add({long_name(*run), fixed(times.mean, 1), fixed(times.median, 1), fixed(times.p99, 1),
                    fixed(times.max, 1), gain_text(predictive_run(runs), *run, &mean_collide_time),
                    fixed(per_tick(run->pairs(), *run), 1)});
     }
@@ -88,7 +88,7 @@ void print_tick_table(std::ostream &out, const SceneRuns &runs)
     for (const auto &run : runs)
     {
         const double mean = mean_tick_time(*run);
-        table.add({long_name(run->kind()), fixed(1e6 / mean, 0), fixed(mean, 1),
+        table.add({long_name(*run), fixed(1e6 / mean, 0), fixed(mean, 1),
                    fixed(100 * share_of_late_ticks(*run), 1) + " %",
                    gain_text(predictive_run(runs), *run, &mean_tick_time), fixed(per_tick(run->contacts(), *run), 2)});
     }
@@ -109,7 +109,7 @@ void print_verdict(std::ostream &out, const SceneRuns &runs)
         << "The predictive space "
         << (ratio >= 1 ? "was " + fixed(ratio, 1) + " times as fast as"
                        : "took " + fixed(1 / ratio, 1) + " times as long as")
-        << " the best of the others (" << long_name(best->kind()) << ") in finding the pairs.\n";
+        << " the best of the others (" << long_name(*best) << ") in finding the pairs.\n";
 }
 
 void print_probe(std::ostream &out, const SceneRun &run)
@@ -129,7 +129,7 @@ void print_false_pairs(std::ostream &out, const SceneRun &run)
 {
     if (run.false_pairs() > 0)
     {
-        out << "(The " << long_name(run.kind()) << " space also reported " << grouped(run.false_pairs())
+        out << "(The " << long_name(run) << " space also reported " << grouped(run.false_pairs())
             << " pairs whose boxes are apart, as it rounds one axis to\nsingle precision. They are not counted.)\n";
     }
 }
@@ -143,7 +143,7 @@ void print_agreement(std::ostream &out, const SceneRuns &runs)
         out << "THE SPACES DISAGREE: from tick " << tick << " on they did not all report the same pairs.\n";
         for (const auto &run : runs)
         {
-            out << "  " << long_name(run->kind()) << ": hash of the pairs " << hexadecimal(run->pair_hash()) << '\n';
+            out << "  " << long_name(*run) << ": hash of the pairs " << hexadecimal(run->pair_hash()) << '\n';
         }
         return;
     }

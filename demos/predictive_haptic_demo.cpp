@@ -38,8 +38,15 @@ std::vector<std::string> names_of_all_spaces()
     std::vector<std::string> names;
     for (const SpaceKind kind : all_spaces())
     {
-        names.push_back(space_name(kind));
+        names.push_back(kind == SpaceKind::predictive ? "predictive" : space_name(kind));
     }
+    return names;
+}
+
+std::vector<std::string> accepted_names()
+{
+    std::vector<std::string> names = names_of_all_spaces();
+    names.push_back(space_name(SpaceKind::predictive));
     return names;
 }
 
@@ -54,7 +61,7 @@ void declare_options(CLI::App &app, Options &options)
         ->capture_default_str();
     app.add_option("--space", options.spaces, "Which spaces to run: one, or several separated by commas")
         ->delimiter(',')
-        ->check(CLI::IsMember(names_of_all_spaces()))
+        ->check(CLI::IsMember(accepted_names()))
         ->capture_default_str();
     app.add_option("--seed", options.seed, "Of the places, the motions and the hand; the same seed gives the same run")
         ->capture_default_str();

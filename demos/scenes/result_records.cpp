@@ -12,7 +12,7 @@ nlohmann::json record_of(const SceneRun &run, const SceneSpec &spec)
     const Statistics times = summarise(run.collide_times());
     return {{"scene", spec.name},
             {"n", spec.objects},
-            {"space", space_name(run.kind())},
+            {"space", run.name()},
             {"seed", spec.seed},
             {"ticks", run.ticks()},
             {"measured_ticks", run.measured_ticks()},

@@ -35,29 +35,32 @@ void ProbeLog::add(const ProbeReport &report)
     max_force = std::max(max_force, report.force.norm());
 }
 
-SceneRun::SceneRun(SpaceKind kind, const SceneFactory &factory)
-    : kind_(kind), space_(make_space(kind, factory)), scene_(factory.make(space_.get())),
-      clock_overhead_(clock_overhead())
+SceneRun::SceneRun(SpaceKind kind, const SceneFactory &factory) : SceneRun(make_contender(kind, factory), factory) {}
+
+SceneRun::SceneRun(std::unique_ptr<Contender> contender, const SceneFactory &factory)
+    : contender_(std::move(contender)), scene_(factory.make(contender_->space())), clock_overhead_(clock_overhead())
 {}
 
-SceneRun::SceneRun(SpaceKind kind, OwnedSpace space, std::unique_ptr<Scene> scene)
-    : kind_(kind), space_(std::move(space)), scene_(std::move(scene)), clock_overhead_(clock_overhead())
+SceneRun::SceneRun(std::unique_ptr<Contender> contender, std::unique_ptr<Scene> scene)
+    : contender_(std::move(contender)), scene_(std::move(scene)), clock_overhead_(clock_overhead())
 {}
 
 void SceneRun::collide()
 {
     list_.clear();
-    dSpaceCollide(space_.get(), &list_, &PairList::collect);
+    dSpaceCollide(contender_->space(), &list_, &PairList::collect);
 }
 
 void SceneRun::tick()
 {
+    contender_->prepare(1);
     const Clock::time_point start = Clock::now();
     scene_->advance();
     const Clock::time_point moved = Clock::now();
     collide();
     const Clock::time_point collided = Clock::now();
-    const std::vector<IndexPair> pairs = read_pairs();
+    false_pairs_ += contender_->finish(list_);
+    const std::vector<IndexPair> pairs = list_.sorted();
     const Clock::time_point read = Clock::now();
     scene_->respond(pairs);
     const Clock::time_point responded = Clock::now();
@@ -77,6 +80,7 @@ void SceneRun::tick()
 
 void SceneRun::batch(int ticks, double motion_seconds)
 {
+    contender_->prepare(ticks);
     const Clock::time_point start = Clock::now();
     for (int tick = 0; tick < ticks; ++tick)
     {
@@ -96,18 +100,10 @@ void SceneRun::start_measuring()
     measured_ = 0;
 }
 
-std::vector<IndexPair> SceneRun::read_pairs()
-{
-    if (kind_ == SpaceKind::sweep_and_prune)
-    {
-        false_pairs_ += list_.drop_pairs_apart();
-    }
-    return list_.sorted();
-}
-
 void SceneRun::check()
 {
-    if (checking_ && kind_ == SpaceKind::predictive && dPredictiveSpaceValidate(space_.get()) == 0)
+    const dSpaceID space = contender_->space();
+    if (checking_ && dSpaceIsPredictive(space) != 0 && dPredictiveSpaceValidate(space) == 0)
     {
         invariant_held_ = false;
     }
@@ -172,11 +168,20 @@ void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int
 
 int first_difference(const SceneRuns &runs)
 {
-    for (std::size_t tick = 0; !runs.empty() && tick < runs.front()->ticks(); ++tick)
+    const SceneRun *reference = nullptr; // the longest of the exact ones
+    for (const auto &run : runs)
+    {
+        if (run->contender().exact() && (reference == nullptr || run->ticks() > reference->ticks()))
+        {
+            reference = run.get();
+        }
+    }
+    for (std::size_t tick = 0; reference != nullptr && tick < reference->ticks(); ++tick)
     {
         for (const auto &run : runs)
         {
-            if (run->tick_hashes()[tick] != runs.front()->tick_hashes()[tick])
+            if (run->contender().exact() && tick < run->ticks() &&
+                run->tick_hashes()[tick] != reference->tick_hashes()[tick])
             {
                 return static_cast<int>(tick);
             }

@@ -36,21 +36,15 @@ struct ProbeLog
     double max_force = 0; ///< N
 };
 
-struct SpaceDestroyer
-{
-    void operator()(dSpaceID space) const { dSpaceDestroy(space); }
-};
-
-using OwnedSpace = std::unique_ptr<dxSpace, SpaceDestroyer>;
-
-/// A space with its own copy of a scene.
+/// A contender with its own copy of a scene.
 class SceneRun
 {
 public:
     SceneRun(SpaceKind kind, const SceneFactory &factory);
+    SceneRun(std::unique_ptr<Contender> contender, const SceneFactory &factory);
 
-    /// The same with a scene that no factory makes.
-    SceneRun(SpaceKind kind, OwnedSpace space, std::unique_ptr<Scene> scene);
+    /// The same with a scene that no factory makes; its geoms are in the contender's space.
+    SceneRun(std::unique_ptr<Contender> contender, std::unique_ptr<Scene> scene);
 
     /// Make one tick: motion, dSpaceCollide(), contacts.
     void tick();
@@ -67,7 +61,8 @@ public:
     /// Check the space by brute force after each tick, where it is a predictive one.
     void check_every_tick() { checking_ = true; }
 
-    SpaceKind kind() const { return kind_; }
+    const Contender &contender() const { return *contender_; }
+    const std::string &name() const { return contender_->name(); }
     const Scene &scene() const { return *scene_; }
 
     /// Duration of each dSpaceCollide() since start_measuring(), in microseconds; of batches the mean of each.
@@ -87,8 +82,7 @@ public:
     std::uint64_t pair_hash() const;                          ///< of all ticks()
 
     /// Pairs that were reported although their boxes were apart, and are not counted in pairs(). Looked for in the
-    /// sweep-and-prune space alone: it rounds its first axis to single precision and so takes pairs whose gap is in the
-    /// eighth digit for overlapping. Of the other spaces everything is counted as it comes.
+    /// sweep-and-prune space alone. Of the others everything is counted as it comes.
     std::uint64_t false_pairs() const { return false_pairs_; }
 
     bool invariant_held() const { return invariant_held_; } ///< of what check_every_tick() checked
@@ -99,10 +93,8 @@ public:
 private:
     void collide();
     void check();
-    std::vector<IndexPair> read_pairs();
 
-    SpaceKind kind_;
-    OwnedSpace space_; // before the scene, whose geoms are in it
+    std::unique_ptr<Contender> contender_; // before the scene, whose geoms are in its space
     std::unique_ptr<Scene> scene_;
     PairList list_;
     bool checking_ = false;
@@ -144,7 +136,8 @@ SceneRuns make_runs(const std::vector<SpaceKind> &kinds, const SceneFactory &fac
 /// @param progress called after each round with the number of ticks done.
 void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int)> &progress = {});
 
-/// Number of the first tick in which the runs did not all report the same pairs, from 0 on; -1 when there is none.
+/// Number of the first tick in which the exact contenders did not all report the same pairs, from 0 on; -1 when there is
+/// none. A run that was made for fewer ticks than another is compared in those it has.
 int first_difference(const SceneRuns &runs);
 } // namespace ode_predictive_space::scenes
 

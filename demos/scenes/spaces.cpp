@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ode_predictive_space/predictive_space.h>
 #include <stdexcept>
+#include <utility>
 
 namespace ode_predictive_space::scenes
 {
@@ -33,10 +34,41 @@ dSpaceID try_to_make_space(SpaceKind kind, const SceneFactory &factory)
     case SpaceKind::sweep_and_prune:
         return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
     case SpaceKind::predictive:
+    case SpaceKind::predictive_by_spheres:
         break;
     }
-    return dPredictiveSpaceCreate(nullptr);
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    if (space != nullptr && kind == SpaceKind::predictive_by_spheres)
+    {
+        dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
+    }
+    return space;
 }
+
+Family family_of(SpaceKind kind)
+{
+    return kind == SpaceKind::predictive || kind == SpaceKind::predictive_by_spheres ? Family::predictive : Family::ode;
+}
+
+class SpaceContender : public Contender
+{
+public:
+    SpaceContender(SpaceKind kind, OwnedSpace space)
+        : Contender(space_name(kind), family_of(kind), std::move(space)), kind_(kind)
+    {}
+
+    bool exact() const override { return kind_ != SpaceKind::predictive_by_spheres; }
+
+    // The sweep-and-prune space rounds its first axis to single precision and so takes pairs whose gap is in the eighth
+    // digit for overlapping.
+    std::size_t finish(PairList &list) override
+    {
+        return kind_ == SpaceKind::sweep_and_prune ? list.drop_pairs_apart() : 0;
+    }
+
+private:
+    SpaceKind kind_;
+};
 } // namespace
 
 const std::vector<SpaceKind> &all_spaces()
@@ -58,15 +90,22 @@ std::string space_name(SpaceKind kind)
         return "quadtree";
     case SpaceKind::sweep_and_prune:
         return "sap";
+    case SpaceKind::predictive_by_spheres:
+        return "predictive-sphere";
     case SpaceKind::predictive:
         break;
     }
-    return "predictive";
+    return "predictive-box";
 }
 
 SpaceKind space_named(const std::string &name)
 {
-    for (const SpaceKind kind : all_spaces())
+    if (name == "predictive")
+    {
+        return SpaceKind::predictive;
+    }
+    for (const SpaceKind kind : {SpaceKind::predictive, SpaceKind::predictive_by_spheres, SpaceKind::simple,
+                                 SpaceKind::hash, SpaceKind::quadtree, SpaceKind::sweep_and_prune})
     {
         if (space_name(kind) == name)
         {
@@ -84,6 +123,16 @@ dSpaceID make_space(SpaceKind kind, const SceneFactory &factory)
         throw std::runtime_error("ODE could not make a " + space_name(kind) + " space");
     }
     return space;
+}
+
+std::unique_ptr<Contender> make_contender(SpaceKind kind, const SceneFactory &factory)
+{
+    return make_contender(kind, OwnedSpace(make_space(kind, factory)));
+}
+
+std::unique_ptr<Contender> make_contender(SpaceKind kind, OwnedSpace space)
+{
+    return std::make_unique<SpaceContender>(kind, std::move(space));
 }
 
 OdeSession::OdeSession()

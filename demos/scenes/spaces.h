@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SPACES_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SPACES_H
 
+#include "demos/scenes/contender.h"
 #include "demos/scenes/scene.h"
 
 #include <string>
@@ -13,17 +14,21 @@ namespace ode_predictive_space::scenes
 enum class SpaceKind
 {
     predictive,
+    predictive_by_spheres,
     simple,
     hash,
     quadtree,
     sweep_and_prune
 };
 
+/// The kinds that report the same pairs: all but predictive_by_spheres.
 const std::vector<SpaceKind> &all_spaces();
 
 /// As it is named on command lines and in result files.
 std::string space_name(SpaceKind kind);
 
+/// The kind of this name; "predictive" is another name of "predictive-box".
+///
 /// @throws std::invalid_argument when no space has this name.
 SpaceKind space_named(const std::string &name);
 
@@ -31,6 +36,12 @@ SpaceKind space_named(const std::string &name);
 ///
 /// @throws std::runtime_error when ODE refuses to make it.
 dSpaceID make_space(SpaceKind kind, const SceneFactory &factory);
+
+/// The same, to take part in a comparison.
+std::unique_ptr<Contender> make_contender(SpaceKind kind, const SceneFactory &factory);
+
+/// A space that is already there, to take part as one of this kind.
+std::unique_ptr<Contender> make_contender(SpaceKind kind, OwnedSpace space);
 
 /// ODE, ready for use while this object lives.
 class OdeSession

@@ -85,7 +85,7 @@ double best_of_ode(const SceneRuns &runs)
     double best = std::numeric_limits<double>::infinity();
     for (const auto &run : runs)
     {
-        if (run->kind() != SpaceKind::predictive)
+        if (run->contender().family() == Family::ode)
         {
             best = std::min(best, mean_of(*run));
         }
@@ -148,8 +148,8 @@ void SceneCommand::print_results(const SceneRuns &runs) const
     for (const auto &run : runs)
     {
         const Statistics times = summarise(run->collide_times());
-        table.add({space_name(run->kind()), fixed(times.mean, 2), fixed(times.median, 2), fixed(times.p99, 2),
-                   fixed(times.p999, 2), fixed(times.max, 2), grouped(run->pairs()), hexadecimal(run->pair_hash()),
+        table.add({run->name(), fixed(times.mean, 2), fixed(times.median, 2), fixed(times.p99, 2), fixed(times.p999, 2),
+                   fixed(times.max, 2), grouped(run->pairs()), hexadecimal(run->pair_hash()),
                    best > 0 ? fixed(best / times.mean, 2) : "-"});
     }
     table.print(std::cout);
@@ -178,7 +178,7 @@ ExitStatus SceneCommand::judge(const SceneRuns &runs) const
     {
         if (!run->invariant_held())
         {
-            std::cerr << "The " << space_name(run->kind()) << " space did not pass its check.\n";
+            std::cerr << "The " << run->name() << " space did not pass its check.\n";
             status = exit_wrong_pairs;
         }
     }

@@ -77,7 +77,7 @@ TEST(HapticDemo, WritesItsResultsForOtherPrograms)
     ASSERT_EQ(results.at("spaces").size(), 2u);
     const nlohmann::json &predictive = results.at("spaces").at(0);
     const nlohmann::json &hash = results.at("spaces").at(1);
-    EXPECT_EQ(predictive.at("space"), "predictive");
+    EXPECT_EQ(predictive.at("space"), "predictive-box");
     EXPECT_EQ(hash.at("space"), "hash");
     EXPECT_EQ(predictive.at("pair_hash"), hash.at("pair_hash"));
     EXPECT_EQ(predictive.at("pairs"), hash.at("pairs"));

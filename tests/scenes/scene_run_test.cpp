@@ -118,7 +118,7 @@ private:
 std::unique_ptr<SceneRun> run_almost_touching(SpaceKind kind, dSpaceID space)
 {
     auto scene = std::make_unique<AlmostTouching>(space);
-    auto run = std::make_unique<SceneRun>(kind, OwnedSpace(space), std::move(scene));
+    auto run = std::make_unique<SceneRun>(make_contender(kind, OwnedSpace(space)), std::move(scene));
     run->tick();
     return run;
 }

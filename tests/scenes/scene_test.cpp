@@ -5,12 +5,19 @@
 
 #include <gtest/gtest.h>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 namespace ode_predictive_space::scenes
 {
 namespace
 {
+/// Whether a geom is somewhere: a plane is not.
+bool has_place(dGeomID geom)
+{
+    return dGeomGetClass(geom) != dPlaneClass;
+}
+
 class AnyScene : public testing::TestWithParam<std::string>
 {
 protected:
@@ -31,8 +38,8 @@ TEST_P(AnyScene, EverySpaceReportsTheSamePairs)
     {
         EXPECT_EQ(run->ticks(), 500u);
         EXPECT_GT(run->pairs(), 0u) << "nothing is compared where nothing meets";
-        EXPECT_EQ(run->pair_hash(), runs.front()->pair_hash()) << space_name(run->kind());
-        EXPECT_EQ(run->contacts(), runs.front()->contacts()) << space_name(run->kind());
+        EXPECT_EQ(run->pair_hash(), runs.front()->pair_hash()) << run->name();
+        EXPECT_EQ(run->contacts(), runs.front()->contacts()) << run->name();
     }
 }
 
@@ -66,7 +73,12 @@ TEST_P(AnyScene, StaysWithinItsBounds)
         scene->respond(pairs.sorted());
         for (int i = 0; i < dSpaceGetNumGeoms(space.get()); ++i)
         {
-            const Vector3 position = from_ode(dGeomGetPosition(dSpaceGetGeom(space.get(), i)));
+            const dGeomID geom = dSpaceGetGeom(space.get(), i);
+            if (!has_place(geom))
+            {
+                continue;
+            }
+            const Vector3 position = from_ode(dGeomGetPosition(geom));
             ASSERT_TRUE(((position - bounds.centre).cwiseAbs() - bounds.half_extent).maxCoeff() < 0.01)
                 << "tick " << tick << ": " << position.transpose();
         }
@@ -116,7 +128,10 @@ public:
         for (int i = 0; i < dSpaceGetNumGeoms(space_.get()); ++i)
         {
             const dGeomID geom = dSpaceGetGeom(space_.get(), i);
-            result[geom_index(geom)] = from_ode(dGeomGetPosition(geom));
+            if (has_place(geom))
+            {
+                result[geom_index(geom)] = from_ode(dGeomGetPosition(geom));
+            }
         }
         return result;
     }
@@ -317,6 +332,126 @@ TEST(Pile, HasSettled)
     Motion motion({"pile", 60, 1});
     motion.advance();
     EXPECT_LT(motion.longest_way(), 0.1 * object_radius);
+}
+
+/// Bodies of the space's geoms that are not disabled.
+int awake_bodies(dSpaceID space)
+{
+    int awake = 0;
+    for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
+    {
+        const dBodyID body = dGeomGetBody(dSpaceGetGeom(space, i));
+        awake += body != nullptr && dBodyIsEnabled(body) != 0 ? 1 : 0;
+    }
+    return awake;
+}
+
+TEST(Stack, SleepsUntilTheBallHitsAndThenAPartOfItSleepsOn)
+{
+    const OdeSession ode;
+    const SceneFactory factory({"stack", 192, 1});
+    const OwnedSpace space(dSimpleSpaceCreate(nullptr));
+    const std::unique_ptr<Scene> scene = factory.make(space.get());
+    PairList pairs;
+    int before_throw = 0;
+    int most_after = 0;
+    for (int tick = 0; tick < 3 * 400; ++tick)
+    {
+        scene->advance();
+        pairs.clear();
+        dSpaceCollide(space.get(), &pairs, &PairList::collect);
+        scene->respond(pairs.sorted());
+        const int awake = awake_bodies(space.get());
+        before_throw = tick == 89 ? awake : before_throw;
+        most_after = tick > 490 ? std::max(most_after, awake) : most_after;
+    }
+    EXPECT_LE(before_throw, 10) << "walls and towers are at rest";
+    EXPECT_GE(most_after, 10) << "later throws hit something, too";
+    EXPECT_LE(most_after, 150);
+}
+
+TEST(Terrain, AllObjectsMoveAtNoMoreThanFiveMillimetresPerTickAndMostBoxesDoNot)
+{
+    Motion motion({"terrain", 100, 1});
+    motion.advance();
+    EXPECT_EQ(motion.moved(), 100 + 2) << "the airships move; the cranes turn in place";
+    EXPECT_LE(motion.longest_way(), 0.0055);
+    EXPECT_GT(motion.longest_way(), 0.003);
+}
+
+TEST(Terrain, WhatRollsTouchesTheGround)
+{
+    Motion motion({"terrain", 100, 1});
+    for (int tick = 0; tick < 500; ++tick)
+    {
+        motion.advance();
+    }
+    PairList pairs;
+    dSpaceCollide(motion.space(), &pairs, &PairList::collect);
+    std::set<std::uint32_t> on_ground;
+    for (const auto &[first, second] : pairs.sorted())
+    {
+        on_ground.insert(first < 3 ? second : 0);
+    }
+    EXPECT_GE(on_ground.size(), 50u) << "half of the objects roll; the ground has the numbers 0 to 2";
+}
+
+TEST(Terrain, ItsLargestBoxIsTenThousandTimesAsLongAsAnObject)
+{
+    Motion motion({"terrain", 100, 1});
+    double largest = 0;
+    double smallest = dInfinity;
+    for (int i = 0; i < dSpaceGetNumGeoms(motion.space()); ++i)
+    {
+        const dGeomID geom = dSpaceGetGeom(motion.space(), i);
+        if (dGeomGetClass(geom) == dBoxClass)
+        {
+            dVector3 sides;
+            dGeomBoxGetLengths(geom, sides);
+            largest = std::max(largest, sides[0]);
+            smallest = std::min(smallest, sides[0]);
+        }
+    }
+    EXPECT_GE(largest, 1e4 * smallest);
+}
+
+TEST(Query, ProbesAndRaysAskInNoSpaceAndFindTheSameInEverySpace)
+{
+    const OdeSession ode;
+    const SceneFactory factory({"query", 500, 1});
+    std::vector<std::uint64_t> hashes;
+    for (const SpaceKind kind : all_spaces())
+    {
+        const OwnedSpace space(make_space(kind, factory));
+        const std::unique_ptr<Scene> scene = factory.make(space.get());
+        ASSERT_EQ(scene->queries().size(), 40u);
+        PairHash hash;
+        PairList pairs;
+        std::size_t found = 0;
+        for (int tick = 0; tick < 100; ++tick)
+        {
+            scene->advance();
+            pairs.clear();
+            for (const dGeomID query : scene->queries())
+            {
+                ASSERT_EQ(dGeomGetSpace(query), nullptr);
+                dSpaceCollide2(query, reinterpret_cast<dGeomID>(space.get()), &pairs, &PairList::collect);
+            }
+            pairs.drop_pairs_apart();
+            hash.add_tick(hash_pairs(pairs.sorted()));
+            found += pairs.size();
+        }
+        EXPECT_GT(found, 1000u);
+        hashes.push_back(hash.value());
+        EXPECT_EQ(hashes.back(), hashes.front()) << space_name(kind);
+    }
+}
+
+TEST(Query, OtherScenesAskNothing)
+{
+    const OdeSession ode;
+    const OwnedSpace space(dSimpleSpaceCreate(nullptr));
+    EXPECT_TRUE(SceneFactory({"gas", 10, 1}).make(space.get())->queries().empty());
 }
 
 TEST(Mix, ObjectsKeepFloatingAndTheProbeTouchesSome)
