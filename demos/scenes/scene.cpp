@@ -3,6 +3,9 @@
 #include "demos/scenes/kinematic_scenes.h"
 #include "demos/scenes/mix_scene.h"
 #include "demos/scenes/pile_scene.h"
+#include "demos/scenes/query_scene.h"
+#include "demos/scenes/stack_scene.h"
+#include "demos/scenes/terrain_scene.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -21,12 +24,15 @@ constexpr Description descriptions[] = {
     {"gas", "half of the objects still, the others fly at up to 1 mm per tick and bounce off the walls"},
     {"game", "a dense room in which everything flies, at up to 10 mm per tick"},
     {"pile", "spheres and boxes that have settled in a pit, under gravity"},
+    {"stack", "walls and towers of boxes, asleep until a heavy ball hits them, every two seconds"},
+    {"terrain", "small movers on a heightfield, a mesh and a plane, among boxes up to 10,000 times as long"},
     {"still", "nothing moves"},
     {"probe", "one hand-driven probe among still objects"},
     {"mix", "half still, half moving, real contacts, some triangle meshes, a probe on a hand's path that pushes them"},
     {"churn", "gas in which 1 % of the objects are destroyed and made anew in each tick"},
     {"explosion", "a calm scene in which all velocities change in one tick, every 200 ticks"},
     {"teleport", "every object jumps to a random place in each tick"},
+    {"query", "gas, with 20 spheres and 20 rays that ask in each tick what is near them"},
 };
 } // namespace
 
@@ -55,6 +61,12 @@ std::string describe_scene(const std::string &name)
     throw std::invalid_argument("there is no scene named \"" + name + "\"");
 }
 
+const std::vector<dGeomID> &Scene::queries() const
+{
+    static const std::vector<dGeomID> none;
+    return none;
+}
+
 SceneFactory::SceneFactory(const SceneSpec &spec) : spec_(spec)
 {
     describe_scene(spec.name);
@@ -81,6 +93,18 @@ std::unique_ptr<Scene> SceneFactory::make(dSpaceID space) const
     {
         return std::make_unique<MixScene>(spec_, space);
     }
+    if (spec_.name == "stack")
+    {
+        return std::make_unique<StackScene>(spec_, space);
+    }
+    if (spec_.name == "terrain")
+    {
+        return std::make_unique<TerrainScene>(spec_, space);
+    }
+    if (spec_.name == "query")
+    {
+        return std::make_unique<QueryScene>(spec_, space);
+    }
     return make_kinematic_scene(spec_, space);
 }
 
@@ -90,6 +114,14 @@ SceneBounds SceneFactory::bounds() const
     {
         return pile_bounds(spec_.objects);
     }
+    if (spec_.name == "stack")
+    {
+        return stack_bounds(spec_.objects);
+    }
+    if (spec_.name == "terrain")
+    {
+        return terrain_bounds(spec_.objects);
+    }
     const double half = spec_.name == "mix" ? mix_half_room(spec_.objects) + mix_wall_thickness
                                             : kinematic_half_room(spec_.name, spec_.objects);
     return {Vector3::Zero(), Vector3::Constant(half)};
@@ -97,6 +129,10 @@ SceneBounds SceneFactory::bounds() const
 
 double SceneFactory::tick_seconds() const
 {
-    return spec_.name == "pile" ? PileScene::step_seconds : 0.001;
+    if (spec_.name == "pile")
+    {
+        return PileScene::step_seconds;
+    }
+    return spec_.name == "stack" ? StackScene::step_seconds : 0.001;
 }
 } // namespace ode_predictive_space::scenes

@@ -1,0 +1,154 @@
+#include "demos/scenes/terrain_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ode_predictive_space::scenes
+{
+namespace
+{
+constexpr double tick_seconds = 0.001;
+constexpr double fastest = 5;         // m/s
+constexpr double fastest_spin = 5;    // rad/s
+constexpr double sunk = 0.001;        // metres that a rolling object is in the ground: contact, whatever the rounding
+constexpr double lowest_flight = 1.5; // metres
+constexpr double highest_flight = 5;  // metres
+constexpr double roof_height = 8;     // metres
+constexpr double pillar_height = 200; // metres
+constexpr unsigned long huge_category = 4;
+constexpr unsigned long small_bits = 1; // what huge boxes collide with: not one another, nor the ground
+
+double half_side_of_square(int objects)
+{
+    return std::max(0.75 * std::sqrt(objects), 3.0);
+}
+
+/// Of the centre above the ground for a solid that stands upright on it.
+double rest_height_of(Shape shape)
+{
+    return (shape == Shape::box ? half_side_of_box(object_radius) : object_radius) - sunk;
+}
+} // namespace
+
+TerrainScene::TerrainScene(const SceneSpec &spec, dSpaceID space)
+    : half_side_(half_side_of_square(spec.objects)), ground_(half_side_), objects_(space)
+{
+    ground_.add_geoms(objects_);
+    add_huge_boxes();
+    Random random(spec.seed);
+    for (int i = 0; i < spec.objects; ++i)
+    {
+        add_mover(i, random);
+    }
+}
+
+void TerrainScene::add_huge_boxes()
+{
+    const double third = half_side_ / 3;
+    add_huge_still({terrain_length, 0.5, 3}, {0, -third, 0});
+    add_huge_still({terrain_length, 0.5, 3}, {0, third, 0});
+    add_huge_still({terrain_length, terrain_length, 1}, {0, 0, roof_height});
+    add_huge_still({3, 3, pillar_height}, {-third, 0, 0});
+    add_huge_still({3, 3, pillar_height}, {third, 0, 0});
+    add_huge_mover({100, 1, 1}, {third, -2 * third, 3}, Vector3::Zero(), 0.1);
+    add_huge_mover({100, 1, 1}, {-third, 2 * third, 4}, Vector3::Zero(), -0.1);
+    add_huge_mover({200, 10, 4}, {0, third, 6}, {0, 1, 0}, 0);
+    add_huge_mover({20, 10, 4}, {-third, 0, 5}, {2, -1, 0}, 0);
+}
+
+dGeomID TerrainScene::add_huge_still(const Vector3 &size, const Vector3 &position)
+{
+    const dGeomID geom = objects_.add_geom(dCreateBox(objects_.space(), size.x(), size.y(), size.z()));
+    set_position(geom, position);
+    dGeomSetCategoryBits(geom, huge_category);
+    dGeomSetCollideBits(geom, small_bits);
+    return geom;
+}
+
+void TerrainScene::add_huge_mover(const Vector3 &size, const Vector3 &position, const Vector3 &velocity, double spin)
+{
+    const dGeomID geom = add_huge_still(size, position);
+    Mover mover{};
+    mover.body = dBodyCreate(objects_.world());
+    mover.state.position = position;
+    mover.state.velocity = velocity;
+    mover.state.angular_velocity = {0, 0, spin};
+    mover.turn = Quaternion(Eigen::AngleAxisd(spin * tick_seconds, Vector3::UnitZ()));
+    dGeomSetBody(geom, mover.body);
+    set_state(mover.body, mover.state);
+    movers_.push_back(mover);
+}
+
+void TerrainScene::add_mover(int number, Random &random)
+{
+    const auto shape = static_cast<Shape>(number / 2 % 3);
+    Mover mover{};
+    mover.rolls = number % 2 == 0;
+    mover.rest_height = rest_height_of(shape);
+    mover.state.position = random.in_box({half_side_, half_side_, 0});
+    const double angle = random.uniform(0, 2 * pi);
+    mover.state.velocity = random.uniform(0, fastest) * Vector3(std::cos(angle), std::sin(angle), 0);
+    const double spin = random.uniform(0, fastest_spin);
+    const Vector3 axis = mover.rolls ? Vector3::UnitZ() : random.direction();
+    if (mover.rolls)
+    {
+        mover.state.position.z() =
+            ground_.height(mover.state.position.x(), mover.state.position.y()) + mover.rest_height;
+    }
+    else
+    {
+        mover.state.position.z() = random.uniform(lowest_flight, highest_flight);
+        mover.state.orientation = random.orientation();
+    }
+    mover.state.angular_velocity = spin * axis;
+    mover.turn = Quaternion(Eigen::AngleAxisd(spin * tick_seconds, axis));
+    mover.body = objects_.add_moving(shape, mover.state, 1000).body;
+    movers_.push_back(mover);
+}
+
+void TerrainScene::advance()
+{
+    for (Mover &mover : movers_)
+    {
+        advance_mover(mover);
+    }
+}
+
+void TerrainScene::advance_mover(Mover &mover) const
+{
+    BodyState &state = mover.state;
+    state.position += tick_seconds * state.velocity;
+    state.orientation = (mover.turn * state.orientation).normalized();
+    turn_back(state);
+    if (mover.rolls)
+    {
+        roll(mover);
+    }
+    set_state(mover.body, state);
+}
+
+void TerrainScene::roll(Mover &mover) const
+{
+    BodyState &state = mover.state;
+    const double before = state.position.z() - tick_seconds * state.velocity.z();
+    state.position.z() = ground_.height(state.position.x(), state.position.y()) + mover.rest_height;
+    state.velocity.z() = (state.position.z() - before) / tick_seconds;
+}
+
+void TerrainScene::turn_back(BodyState &state) const
+{
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        if (std::abs(state.position[axis]) > half_side_ && state.position[axis] * state.velocity[axis] > 0)
+        {
+            state.velocity[axis] = -state.velocity[axis];
+        }
+    }
+}
+
+SceneBounds terrain_bounds(int objects)
+{
+    const double half_side = half_side_of_square(objects) + object_radius;
+    return {{0, 0, 0.5 * roof_height}, {half_side, half_side, 0.5 * roof_height}};
+}
+} // namespace ode_predictive_space::scenes
