@@ -1,0 +1,75 @@
+// Prediction: fitting a path, the time of proximity of two spheres and of two boxes.
+
+#include "ode_predictive_space/prediction/least_squares.h"
+#include "ode_predictive_space/prediction/proximity.h"
+#include "tests/benchmarks/micro/inputs.h"
+
+#include <benchmark/benchmark.h>
+
+namespace ode_predictive_space::micro
+{
+namespace
+{
+constexpr std::size_t pairs = 512; // they stay in the first-level cache, and no branch predictor learns them
+constexpr double horizon = 64;     // ticks
+
+struct Pair
+{
+    Envelope first;
+    Envelope second;
+};
+
+/// Pairs half of which come near each other within the horizon, or thereabouts.
+std::vector<Pair> random_pairs()
+{
+    Random random(1);
+    std::vector<Pair> result;
+    for (std::size_t i = 0; i < pairs; ++i)
+    {
+        result.push_back({random_envelope(random, 0.15), random_envelope(random, 0.15)});
+    }
+    return result;
+}
+
+void least_squares(benchmark::State &state)
+{
+    Random random(1);
+    std::vector<Sample> samples;
+    const int count = static_cast<int>(state.range(0));
+    for (int i = 0; i < count; ++i)
+    {
+        samples.push_back({i + 1.0 - count, random.vector(1)});
+    }
+    for (auto _ : state)
+    {
+        benchmark::DoNotOptimize(samples.data());
+        benchmark::DoNotOptimize(fit_path(samples.data(), count));
+    }
+}
+BENCHMARK(least_squares)->ArgName("samples")->Arg(3)->Arg(8)->Arg(16);
+
+template <typename TimeOfProximity> void time_of_proximity(benchmark::State &state, TimeOfProximity time)
+{
+    const std::vector<Pair> inputs = random_pairs();
+    std::size_t next = 0;
+    for (auto _ : state)
+    {
+        const Pair &pair = inputs[next++ % pairs];
+        benchmark::DoNotOptimize(time(pair.first, pair.second, horizon));
+    }
+}
+BENCHMARK_CAPTURE(time_of_proximity, sphere, sphere_time_of_proximity);
+BENCHMARK_CAPTURE(time_of_proximity, box, box_time_of_proximity);
+
+void swept_box(benchmark::State &state)
+{
+    const std::vector<Pair> inputs = random_pairs();
+    std::size_t next = 0;
+    for (auto _ : state)
+    {
+        benchmark::DoNotOptimize(FloatBox::around(inputs[next++ % pairs].first.swept(horizon)));
+    }
+}
+BENCHMARK(swept_box);
+} // namespace
+} // namespace ode_predictive_space::micro
