@@ -24,8 +24,8 @@ enum class Family
     reference   ///< other ways to do the same work
 };
 
-/// One way to find pairs, in the shape of an ODE space: a scene puts its geoms into space(), and then each tick is
-/// prepare(), motion, dSpaceCollide() (which alone is timed), finish().
+/// One way to find pairs, in the shape of an ODE space: a scene puts its geoms into space(), and then each turn of some
+/// ticks is prepare(), and each tick of it motion, dSpaceCollide() (which alone is timed), finish().
 class Contender
 {
 public:

@@ -51,9 +51,17 @@ void SceneRun::collide()
     dSpaceCollide(contender_->space(), &list_, &PairList::collect);
 }
 
-void SceneRun::tick()
+void SceneRun::turn(int ticks)
 {
-    contender_->prepare(1);
+    contender_->prepare(ticks);
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+        make_tick();
+    }
+}
+
+void SceneRun::make_tick()
+{
     const Clock::time_point start = Clock::now();
     scene_->advance();
     const Clock::time_point moved = Clock::now();
@@ -151,11 +159,7 @@ void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int
         const int turn = std::min(ticks_per_turn, ticks - done);
         for (std::size_t i = 0; i < runs.size(); ++i)
         {
-            SceneRun &run = *runs[(first + i) % runs.size()];
-            for (int tick = 0; tick < turn; ++tick)
-            {
-                run.tick();
-            }
+            runs[(first + i) % runs.size()]->turn(turn);
         }
         ++first;
         done += turn;

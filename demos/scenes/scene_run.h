@@ -46,8 +46,11 @@ public:
     /// The same with a scene that no factory makes; its geoms are in the contender's space.
     SceneRun(std::unique_ptr<Contender> contender, std::unique_ptr<Scene> scene);
 
-    /// Make one tick: motion, dSpaceCollide(), contacts.
-    void tick();
+    /// Make some ticks: motion, dSpaceCollide(), contacts.
+    void turn(int ticks);
+
+    /// Make one.
+    void tick() { turn(1); }
 
     /// Make several ticks between two readings of the clock, without looking at their pairs. Only in scenes that move by
     /// themselves.
@@ -91,6 +94,7 @@ public:
     const std::vector<std::uint64_t> &tick_hashes() const { return tick_hashes_; }
 
 private:
+    void make_tick();
     void collide();
     void check();
 

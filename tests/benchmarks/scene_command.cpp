@@ -4,6 +4,7 @@
 #include "demos/scenes/result_records.h"
 #include "demos/scenes/table.h"
 #include "tests/benchmarks/command.h"
+#include "tests/benchmarks/contenders/contenders.h"
 
 #include <algorithm>
 #include <iostream>
@@ -30,6 +31,8 @@ public:
         {
             spaces_.push_back(space_name(kind));
         }
+        std::vector<std::string> names = contender_names();
+        names.emplace_back("predictive");
         command_ = program.add_subcommand("scene", "Run one scene in several spaces");
         command_->add_option("name", spec_.name, describe_all())->required()->check(CLI::IsMember(scene_names()));
         command_->add_option("--n", spec_.objects, "Objects")->check(CLI::Range(1, 1000000));
@@ -39,7 +42,7 @@ public:
             ->check(CLI::Range(0.0, 1.0));
         command_->add_option("--spaces", spaces_, "Spaces, separated by commas")
             ->delimiter(',')
-            ->check(CLI::IsMember(spaces_));
+            ->check(CLI::IsMember(names));
         command_->add_option("--json", json_file_, "Write the results to this file, too")->type_name("FILE");
         command_->add_flag("--check", check_, "Check the predictive space by brute force after every tick");
     }
@@ -95,12 +98,11 @@ double best_of_ode(const SceneRuns &runs)
 
 SceneRuns SceneCommand::make_scene_runs(const SceneFactory &factory) const
 {
-    std::vector<SpaceKind> kinds;
+    SceneRuns runs;
     for (const std::string &name : spaces_)
     {
-        kinds.push_back(space_named(name));
+        runs.push_back(std::make_unique<SceneRun>(benchmarks::make_contender(name, factory), factory));
     }
-    SceneRuns runs = make_runs(kinds, factory);
     for (const auto &run : runs)
     {
         if (check_)

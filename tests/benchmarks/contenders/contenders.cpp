@@ -1,0 +1,87 @@
+#include "tests/benchmarks/contenders/contenders.h"
+
+#include "tests/benchmarks/contenders/brute_force.h"
+#include "tests/benchmarks/contenders/floor.h"
+#include "tests/benchmarks/contenders/plain_sweep.h"
+#ifdef ODE_PREDICTIVE_SPACE_HAVE_BULLET
+#include "tests/benchmarks/contenders/bullet_space.h"
+#endif
+
+#include <functional>
+#include <stdexcept>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using scenes::Contender;
+using scenes::SceneFactory;
+using scenes::SpaceKind;
+
+struct Entry
+{
+    std::string name;
+    std::function<std::unique_ptr<Contender>(const SceneFactory &)> make;
+};
+
+Entry entry_of(SpaceKind kind)
+{
+    return {space_name(kind), [kind](const SceneFactory &factory) { return scenes::make_contender(kind, factory); }};
+}
+
+const std::vector<Entry> &entries()
+{
+    static const std::vector<Entry> all = {
+        entry_of(SpaceKind::predictive),
+        entry_of(SpaceKind::predictive_by_spheres),
+        entry_of(SpaceKind::simple),
+        entry_of(SpaceKind::hash),
+        entry_of(SpaceKind::quadtree),
+        entry_of(SpaceKind::sweep_and_prune),
+        {"brute", [](const SceneFactory &) { return make_brute_force(); }},
+        {"sweep", [](const SceneFactory &) { return make_plain_sweep(); }},
+#ifdef ODE_PREDICTIVE_SPACE_HAVE_BULLET
+        {"bullet-dbvt", [](const SceneFactory &) { return make_bullet_dbvt(); }},
+        {"bullet-sap", [](const SceneFactory &factory) { return make_bullet_sap(factory); }},
+#endif
+        {"floor", [](const SceneFactory &factory) { return make_floor(factory); }},
+    };
+    return all;
+}
+} // namespace
+
+const std::vector<std::string> &contender_names()
+{
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> result;
+        for (const Entry &entry : entries())
+        {
+            result.push_back(entry.name);
+        }
+        return result;
+    }();
+    return names;
+}
+
+std::unique_ptr<Contender> make_contender(const std::string &name, const SceneFactory &factory)
+{
+    const std::string full_name = name == "predictive" ? space_name(SpaceKind::predictive) : name;
+    for (const Entry &entry : entries())
+    {
+        if (entry.name == full_name)
+        {
+            return entry.make(factory);
+        }
+    }
+    throw std::invalid_argument("there is no contender named \"" + name + "\"");
+}
+
+std::string why_not(const std::string &name, const scenes::SceneSpec &spec)
+{
+    if (name == "floor" && spec.name == "churn")
+    {
+        return "it knows the pairs of a scene beforehand, and here geoms come and go";
+    }
+    return {};
+}
+} // namespace ode_predictive_space::benchmarks

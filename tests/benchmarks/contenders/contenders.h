@@ -1,0 +1,30 @@
+// All that can take part in a benchmark.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_CONTENDERS_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_CONTENDERS_H
+
+#include "demos/scenes/spaces.h"
+
+namespace ode_predictive_space::benchmarks
+{
+/// Their names: the spaces, and "brute", "sweep", "bullet-dbvt", "bullet-sap", "floor". Bullet's only when it was there to
+/// build with.
+const std::vector<std::string> &contender_names();
+
+/// A contender of this name, for this scene; "predictive" is another name of "predictive-box".
+///
+/// @throws std::invalid_argument for a name that is none of contender_names().
+std::unique_ptr<scenes::Contender> make_contender(const std::string &name, const scenes::SceneFactory &factory);
+
+/// Why a contender cannot take part in a scene, as a half-sentence; empty when it can.
+std::string why_not(const std::string &name, const scenes::SceneSpec &spec);
+
+constexpr bool have_bullet =
+#ifdef ODE_PREDICTIVE_SPACE_HAVE_BULLET
+    true;
+#else
+    false;
+#endif
+} // namespace ode_predictive_space::benchmarks
+
+#endif

@@ -1,0 +1,124 @@
+#include "tests/benchmarks/contenders/floor.h"
+
+#include "tests/benchmarks/contenders/notice_space.h"
+#include "tests/benchmarks/contenders/plain_sweep.h"
+
+#include <deque>
+#include <utility>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using scenes::IndexPair;
+
+class FloorSpace : public NoticeSpace
+{
+public:
+    void add(dxGeom *geom) override
+    {
+        NoticeSpace::add(geom);
+        moved_.push_back(geom);
+    }
+
+    void dirty(dxGeom *geom) override { moved_.push_back(geom); }
+
+    void collide(void *data, dNearCallback *callback) override
+    {
+        double sum = 0;
+        for (dxGeom *const geom : moved_)
+        {
+            if ((geom->gflags & GEOM_PLACEABLE) != 0)
+            {
+                const dReal *position = geom->buildUpdatedPosition();
+                sum += position[0] + position[1] + position[2];
+            }
+        }
+        sum_of_positions_ = sum;
+        for (const auto &[first, second] : known_.front())
+        {
+            callback(data, first, second);
+        }
+    }
+
+    /// Add the pairs of one more tick.
+    void learn(const std::vector<IndexPair> &pairs)
+    {
+        if (by_index_.size() != slots())
+        {
+            number_geoms();
+        }
+        known_.emplace_back();
+        for (const auto &[first, second] : pairs)
+        {
+            known_.back().emplace_back(by_index_[first], by_index_[second]);
+        }
+    }
+
+    void end_tick()
+    {
+        known_.pop_front();
+        take_moved();
+        for (dxGeom *const geom : moved_)
+        {
+            geom->gflags &= ~GEOM_DIRTY;
+        }
+        moved_.clear();
+    }
+
+private:
+    void number_geoms()
+    {
+        by_index_.resize(slots());
+        for (Slot slot = 0; slot < slots(); ++slot)
+        {
+            by_index_[scenes::geom_index(geom_in(slot))] = geom_in(slot);
+        }
+    }
+
+    std::vector<dxGeom *> moved_;
+    std::vector<dxGeom *> by_index_;
+    std::deque<std::vector<std::pair<dxGeom *, dxGeom *>>> known_; // of the ticks to come
+    volatile double sum_of_positions_ = 0;
+};
+
+class Floor : public scenes::Contender
+{
+public:
+    Floor(const scenes::SceneFactory &factory, FloorSpace *space)
+        : Contender("floor", scenes::Family::reference, scenes::OwnedSpace(space)), floor_(*space),
+          leader_(make_plain_sweep()), scene_(factory.make(leader_->space()))
+    {}
+
+    void prepare(int ticks) override
+    {
+        for (int tick = 0; tick < ticks; ++tick)
+        {
+            scene_->advance();
+            list_.clear();
+            dSpaceCollide(leader_->space(), &list_, &scenes::PairList::collect);
+            const std::vector<IndexPair> pairs = list_.sorted();
+            scene_->respond(pairs);
+            floor_.learn(pairs);
+        }
+    }
+
+    std::size_t finish(scenes::PairList &) override
+    {
+        floor_.end_tick();
+        return 0;
+    }
+
+private:
+    FloorSpace &floor_;
+    std::unique_ptr<scenes::Contender> leader_; // before its scene, whose geoms are in its space
+    std::unique_ptr<scenes::Scene> scene_;
+    scenes::PairList list_;
+};
+} // namespace
+
+std::unique_ptr<scenes::Contender> make_floor(const scenes::SceneFactory &factory)
+{
+    return std::make_unique<Floor>(factory, new FloorSpace);
+}
+} // namespace ode_predictive_space::benchmarks

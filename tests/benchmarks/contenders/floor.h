@@ -1,0 +1,16 @@
+// What no way to find pairs can be faster than.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_FLOOR_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_FLOOR_H
+
+#include "demos/scenes/contender.h"
+#include "demos/scenes/scene.h"
+
+namespace ode_predictive_space::benchmarks
+{
+/// dSpaceCollide() reads the position of each geom that has moved, once, and calls the callback for the pairs, which it
+/// knows beforehand: another copy of the scene, a turn ahead, has found them. For scenes that destroy no geoms.
+std::unique_ptr<scenes::Contender> make_floor(const scenes::SceneFactory &factory);
+} // namespace ode_predictive_space::benchmarks
+
+#endif

@@ -1,0 +1,96 @@
+#include "tests/benchmarks/contenders/notice_space.h"
+
+namespace ode_predictive_space::benchmarks
+{
+NoticeSpace::NoticeSpace() : dxSpace(nullptr)
+{
+    type = dSimpleSpaceClass;
+}
+
+// In ~dxSpace the functions of this class are gone; and what is left must not find slots that nobody keeps.
+NoticeSpace::~NoticeSpace()
+{
+    while (first != nullptr)
+    {
+        remove(first);
+    }
+}
+
+// A geom's next_ex is free for the space that it is in: it holds the slot.
+NoticeSpace::Slot NoticeSpace::slot_of(const dxGeom *geom)
+{
+    return static_cast<Slot>(reinterpret_cast<std::uintptr_t>(geom->next_ex));
+}
+
+void NoticeSpace::add(dxGeom *geom)
+{
+    dxSpace::add(geom);
+    if (free_.empty())
+    {
+        free_.push_back(slots());
+        geoms_.push_back(nullptr);
+    }
+    const Slot slot = free_.back();
+    free_.pop_back();
+    geoms_[slot] = geom;
+    geom->next_ex = reinterpret_cast<dxGeom *>(std::uintptr_t{slot});
+    noticed_.push_back(slot);
+}
+
+void NoticeSpace::remove(dxGeom *geom)
+{
+    const Slot slot = slot_of(geom);
+    forget(slot);
+    geoms_[slot] = nullptr;
+    free_.push_back(slot);
+    geom->next_ex = nullptr;
+    dxSpace::remove(geom);
+}
+
+void NoticeSpace::dirty(dxGeom *geom)
+{
+    noticed_.push_back(slot_of(geom));
+}
+
+void NoticeSpace::cleanGeoms()
+{
+    for (const Slot slot : noticed_)
+    {
+        if (geoms_[slot] != nullptr)
+        {
+            geoms_[slot]->recomputeAABB();
+        }
+    }
+}
+
+const std::vector<NoticeSpace::Slot> &NoticeSpace::take_moved()
+{
+    moved_.clear();
+    for (const Slot slot : noticed_)
+    {
+        dxGeom *const geom = geoms_[slot];
+        if (geom != nullptr)
+        {
+            geom->recomputeAABB();
+            geom->gflags &= ~GEOM_DIRTY;
+            moved_.push_back(slot);
+        }
+    }
+    noticed_.clear();
+    return moved_;
+}
+
+void NoticeSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback)
+{
+    const Lock lock(*this);
+    cleanGeoms();
+    geom->recomputeAABB();
+    for (dxGeom *const own : geoms_)
+    {
+        if (own != nullptr)
+        {
+            report(own, geom, data, callback);
+        }
+    }
+}
+} // namespace ode_predictive_space::benchmarks

@@ -1,0 +1,81 @@
+// What the contenders that are no ODE spaces of their own stand on: a space that knows which of its geoms have moved.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_NOTICE_SPACE_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_NOTICE_SPACE_H
+
+#include "ode_predictive_space/space/ode_internals.h"
+
+#include <collision_space_internal.h>
+#include <cstdint>
+#include <vector>
+
+namespace ode_predictive_space::benchmarks
+{
+/// Gives each of its geoms a slot, a small number that is used again after the geom has gone, and notes the slots of those
+/// that ODE says have moved. What did not move costs nothing. Geoms only: it does not nest.
+class NoticeSpace : public dxSpace
+{
+public:
+    using Slot = std::uint32_t;
+
+    NoticeSpace();
+    ~NoticeSpace();
+
+    void add(dxGeom *geom) override;
+    void remove(dxGeom *geom) override;
+    void dirty(dxGeom *geom) override;
+    void cleanGeoms() override;
+
+    /// Tests every geom of the space: the contenders have no index that would be open to questions.
+    void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
+
+protected:
+    /// Called when a geom leaves.
+    virtual void forget(Slot) {}
+
+    /// The slots of the geoms that have moved or were added since the last call, their boxes up to date. A slot may be there
+    /// twice. Valid until the next motion.
+    const std::vector<Slot> &take_moved();
+
+    /// The geom in a slot; null when there is none.
+    dxGeom *geom_in(Slot slot) const { return geoms_[slot]; }
+
+    Slot slots() const { return static_cast<Slot>(geoms_.size()); }
+
+    /// The last test, the same as in ODE's own spaces: bits, bodies, boxes.
+    static void report(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback)
+    {
+        if (is_enabled(first) && is_enabled(second))
+        {
+            collideAABBs(first, second, data, callback);
+        }
+    }
+
+    /// Keeps the space locked, as ODE's own are while they work.
+    class Lock
+    {
+    public:
+        explicit Lock(dxSpace &space) : space_(space) { ++space_.lock_count; }
+        ~Lock() { --space_.lock_count; }
+        Lock(const Lock &) = delete;
+        Lock &operator=(const Lock &) = delete;
+
+    private:
+        dxSpace &space_;
+    };
+
+private:
+    static bool is_enabled(const dxGeom *geom)
+    {
+        return (geom->gflags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
+    }
+    static Slot slot_of(const dxGeom *geom);
+
+    std::vector<dxGeom *> geoms_; // by slot
+    std::vector<Slot> free_;
+    std::vector<Slot> noticed_;
+    std::vector<Slot> moved_;
+};
+} // namespace ode_predictive_space::benchmarks
+
+#endif
