@@ -29,13 +29,13 @@ ProxyId Broadphase::add()
         id = static_cast<ProxyId>(proxies_.size());
         proxies_.grow();
         boxes_.emplace_back();
-        for (IdSet *set : {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_,
-                           &due_anew_, &measured_})
+        for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &unreported_, &has_near_, &in_batch_,
+                           &interactive_, &due_anew_, &measured_})
             set->resize(proxies_.size());
     }
     proxies_.forget(id);
     members_.insert(id);
-    moved_.insert(id);
+    mark_moved(id);
     return id;
 }
 
@@ -46,7 +46,7 @@ void Broadphase::remove(ProxyId id)
     index_.remove(proxies_, id);
     predictor.forget(proxies_, id);
     sample(id, false);
-    for (IdSet *set : {&members_, &moved_, &moving_, &unreported_, &has_near_, &interactive_, &due_anew_})
+    for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &unreported_, &has_near_, &interactive_, &due_anew_})
         set->erase(id);
     free_ids_.push_back(id);
 }
@@ -102,13 +102,17 @@ void Broadphase::advance_clock()
         wheel_.advance(now_, due_);
 }
 
-// Those that moved, and those that were predicted to move: by standing still they leave their path, and nobody reports
-// that.
-void Broadphase::collect_suspects(bool time_passes)
+// Those of which the notice of their move left doubt, and those that were predicted to move and did not: they have left
+// their path, and nobody reports that. When it is not the tick by which the notices were judged, all that moved.
+void Broadphase::collect_suspects(bool time_passes, bool as_expected)
 {
     auto collect = [this](ProxyId id) { suspects_.push_back(id); };
     for (std::size_t i = 0; i < moved_.words(); ++i)
-        IdSet::visit_word(i, moved_.word(i) | (time_passes ? moving_.word(i) : 0), collect);
+    {
+        const std::uint64_t moved = moved_.word(i), stopped = time_passes ? moving_.word(i) & ~moved : 0;
+        counters_.verified += static_cast<std::uint64_t>(__builtin_popcountll(moved | stopped));
+        IdSet::visit_word(i, (as_expected ? doubtful_.word(i) : moved) | stopped, collect);
+    }
 }
 
 void Broadphase::add_to_batch(ProxyId id)
@@ -248,6 +252,7 @@ void Broadphase::take_note_of_moves()
     unreported_ |= moved_;
     measured_ -= moved_;
     moved_.clear();
+    doubtful_.clear();
 }
 
 void Broadphase::start_scanning()
@@ -276,8 +281,8 @@ void Broadphase::stop_scanning()
 std::size_t Broadphase::bytes() const
 {
     std::size_t total = proxies_.bytes() + predictor.bytes() + index_.bytes() + wheel_.bytes() + sweep_.bytes();
-    for (const IdSet *set :
-         {&members_, &moved_, &moving_, &unreported_, &has_near_, &in_batch_, &interactive_, &due_anew_, &measured_})
+    for (const IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &unreported_, &has_near_, &in_batch_,
+                             &interactive_, &due_anew_, &measured_})
         total += set->bytes();
     total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity()) * sizeof(ProxyId);
     total += swept_.capacity() * sizeof(SweptProxy);

@@ -19,6 +19,7 @@
 #include "ode_predictive_space/broadphase/scan_policy.h"
 #include "ode_predictive_space/broadphase/scouts.h"
 #include "ode_predictive_space/broadphase/sweep.h"
+#include "ode_predictive_space/broadphase/verify.h"
 
 namespace ode_predictive_space
 {
@@ -36,13 +37,12 @@ struct Counters
 /// The broad phase. It knows objects by number only; a Scene, given with each call, tells where they are:
 ///
 ///     Vector3 position(ProxyId)               centre, of those that are checked by it
-///     const Real *coordinates(ProxyId)        the same, or null when they would have to be computed first
+///     const Real *coordinates(ProxyId)        the same, or null when no sphere around it holds the object however it turns
 ///     bool has_grown(ProxyId, float radius)   no longer fits into the sphere around its centre
-///     void prefetch(ProxyId), void prefetch_position(ProxyId)  both will soon be asked for, the latter after the former
 ///     Box bounds(ProxyId)                     bounding box
 ///     Observation observe(ProxyId, bool with_bounds)
 ///     bool overlap(ProxyId, ProxyId)          their bounding boxes do; by the measure of sphere, the spheres too
-///     void acknowledge(ProxyId)               its move has been noticed; tell me of the next one
+///     void acknowledge(ProxyId)               it has been looked at; tell me of its next move
 class Broadphase
 {
 public:
@@ -55,8 +55,26 @@ public:
     ProxyId add();
     void remove(ProxyId id);
 
-    /// The object's position, size or anything else about its bounds may have changed.
-    void mark_moved(ProxyId id) { moved_.insert(id); }
+    /// The object's position, size or anything else about its bounds has changed, just now; every such change must be told.
+    ///
+    /// @param object tells of it:
+    ///     const Real *coordinates()        its centre, or null when that has to be computed first or is not that of a
+    ///                                      sphere which holds it however it turns
+    ///     bool has_grown(float radius)     it no longer fits into the sphere
+    ///     std::uint32_t pose_digest()      another number, most of the time, when coordinates or rotation are others
+    template <typename Object> void notice_move(ProxyId id, const Object &object)
+    {
+        moved_.insert(id);
+        if (!notice_holds(proxies_, id, object, expected_tick()))
+            doubtful_.insert(id);
+    }
+
+    /// The object may have changed in any way since it was looked at.
+    void mark_moved(ProxyId id)
+    {
+        moved_.insert(id);
+        doubtful_.insert(id);
+    }
 
     /// One tick: brings predictions and near set up to date. Time passes only when something has moved.
     template <typename Scene> void tick(Scene &scene) { update(scene, true); }
@@ -104,8 +122,7 @@ private:
     bool current(const Event &event) const;
 
     template <typename Scene> void update(Scene &scene, bool is_tick);
-    template <typename Scene> void verify(Scene &scene, bool time_passes);
-    template <typename Scene> void pass_centres(Scene &scene);
+    template <typename Scene> void verify(Scene &scene, bool time_passes, bool as_expected);
     template <typename Scene> void remember(Scene &scene, ProxyId id);
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);
@@ -115,8 +132,10 @@ private:
     void drop_stale_near();
     void take_note_of_moves();
 
+    // At which the next update will probably be: noticed moves are judged by where objects should be then.
+    Tick expected_tick() const { return ticked_early_ ? now_ : now_ + 1; }
     bool time_passes(bool is_tick);
-    void collect_suspects(bool time_passes);
+    void collect_suspects(bool time_passes, bool as_expected);
     void advance_clock();
     void expire();
     void add_to_batch(ProxyId id);
@@ -135,7 +154,8 @@ private:
     ProxyStore proxies_;
     std::vector<ProxyId> free_ids_;
     IdSet members_;
-    IdSet moved_;       // reported since the last update
+    IdSet moved_;       // since the last update
+    IdSet doubtful_;    // those of them that were not found, when the move was noticed, where they should be
     IdSet moving_;      // predicted to move: verified although nobody reports them, for they may have stopped
     IdSet unreported_;  // moved since the last report()
     IdSet has_near_;    // had near pairs at the last report()

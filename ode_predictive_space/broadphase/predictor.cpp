@@ -326,7 +326,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &obse
     const Motion motion = estimate_motion(bounds, outcome, seen, now);
 
     set_bounds(bounds, seen, seen.centre);
-    proxies.centre_radius[id] = bounds.check == Check::centre ? bounds.radius : -1;
+    proxies.stamps[id] = {bounds.check == Check::centre ? bounds.radius : -1, 0};
     const double size = size_of(bounds);
     adapt(bounds, outcome, motion.velocity.norm(), size);
 

@@ -87,12 +87,19 @@ struct alignas(64) PackedBounds
 static_assert(sizeof(PackedBounds) == 64, "one cache line");
 constexpr std::uint32_t no_history = ~std::uint32_t{0};
 
+/// What the notice of a move is judged by, beside the path.
+struct Stamp
+{
+    float radius = -1;      ///< PackedBounds::radius of those with Check::centre, negative for the others
+    std::uint32_t pose = 0; ///< digest of the pose at the last notice; 0 when that is not known
+};
+
 /// All proxies, by number. Plain arrays: each stage of the tick reads and writes the part that it is about.
 struct ProxyStore
 {
     std::vector<PackedPath> paths;
     std::vector<PackedBounds> bounds;
-    std::vector<float> centre_radius; ///< bounds[].radius of those with Check::centre, negative for the others
+    std::vector<Stamp> stamps;
     std::vector<Generation> generations;
 
     std::size_t size() const { return generations.size(); }
@@ -102,7 +109,7 @@ struct ProxyStore
     {
         paths.emplace_back();
         bounds.emplace_back();
-        centre_radius.emplace_back();
+        stamps.emplace_back();
         generations.push_back(0);
         forget(static_cast<ProxyId>(size() - 1));
     }
@@ -113,14 +120,14 @@ struct ProxyStore
         paths[id] = PackedPath{};
         bounds[id] = PackedBounds{};
         bounds[id].history = no_history;
-        centre_radius[id] = -1;
+        stamps[id] = Stamp{};
     }
 
     /// Forgets how a proxy was predicted.
     void forget_prediction(ProxyId id)
     {
         bounds[id].check = Check::none;
-        centre_radius[id] = -1;
+        stamps[id] = Stamp{};
     }
 
     /// The envelope of a proxy, its time counted from `now` on.
@@ -164,7 +171,7 @@ struct ProxyStore
     std::size_t bytes() const
     {
         return paths.capacity() * sizeof(PackedPath) + bounds.capacity() * sizeof(PackedBounds) +
-               centre_radius.capacity() * sizeof(float) + generations.capacity() * sizeof(Generation);
+               stamps.capacity() * sizeof(Stamp) + generations.capacity() * sizeof(Generation);
     }
 
 private:

@@ -4,12 +4,12 @@
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_TICK_H
 
 #include "ode_predictive_space/broadphase/broadphase.h"
-#include "ode_predictive_space/broadphase/verify.h"
 
 namespace ode_predictive_space
 {
 template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
 {
+    const Tick expected = expected_tick();
     const bool time_passes = this->time_passes(is_tick);
     if (moved_.empty() && due_anew_.empty())
         return;
@@ -23,7 +23,7 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
             return;
         stop_scanning();
     }
-    verify(scene, time_passes);
+    verify(scene, time_passes, now_ == expected);
     expire();
     if (time_passes && policy_.prediction_fails(broken_, members_.size()))
     {
@@ -38,14 +38,13 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
     finish_update();
 }
 
-template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes)
+template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes, bool as_expected)
 {
-    collect_suspects(time_passes);
-    counters_.verified += suspects_.size();
-    pass_centres(scene);
+    collect_suspects(time_passes, as_expected);
     broken_ = 0;
     for (ProxyId id : suspects_)
     {
+        scene.acknowledge(id);
         if (prediction_holds(scene, proxies_, id, now_))
             continue;
         broken_ += proxies_.bounds[id].check != Check::none;
@@ -58,26 +57,6 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
             remember(scene, id);
     });
     take_note_of_moves();
-}
-
-// Leaves those among the suspects whose centre does not prove at once that they are where they should be. Most of the time
-// of a calm scene goes here. What is read of each object is scattered over memory: it is fetched some objects ahead.
-template <typename Scene> void Broadphase::pass_centres(Scene &scene)
-{
-    constexpr std::size_t far_ahead = 16, ahead = 8;
-    const std::size_t count = suspects_.size();
-    ProxyId *const ids = suspects_.data();
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        scene.prefetch(ids[std::min(i + far_ahead, count - 1)]);
-        scene.prefetch_position(ids[std::min(i + ahead, count - 1)]);
-        const ProxyId id = ids[i];
-        scene.acknowledge(id);
-        if (!centre_holds(scene, proxies_, id, now_))
-            ids[left++] = id;
-    }
-    suspects_.resize(left);
 }
 
 // The same point of the object that is predicted.
@@ -117,7 +96,7 @@ template <typename Scene> void Broadphase::measure(Scene &scene, ProxyId id)
 {
     if (measured_.contains(id))
         return;
-    const float radius = proxies_.centre_radius[id];
+    const float radius = proxies_.stamps[id].radius;
     if (radius < 0)
         boxes_[id] = FloatBox::around(scene.bounds(id));
     else
@@ -132,7 +111,7 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
 {
     if (moved_.empty())
         return;
-    moved_.for_each([&](ProxyId id) { scene.acknowledge(id); });
+    doubtful_.for_each([&](ProxyId id) { scene.acknowledge(id); });
     take_note_of_moves();
     ++counters_.scans;
 

@@ -40,7 +40,9 @@ template <> inline bool centre_inside<double>(const PackedPath &path, const doub
     const __m128d xy = _mm_add_pd(_mm_loadu_pd(path.position), _mm_cvtps_pd(moved));
     const __m128d z = _mm_add_sd(_mm_load_sd(path.position + 2), _mm_cvtps_pd(_mm_movehl_ps(moved, moved)));
     const __m128d sign = _mm_set1_pd(-0.0);
-    const __m128d off_xy = _mm_andnot_pd(sign, _mm_sub_pd(_mm_loadu_pd(centre), xy));
+    // One by one: they may have been stored so a moment ago, and a wider load would have to wait for the stores.
+    const __m128d centre_xy = _mm_loadh_pd(_mm_load_sd(centre), centre + 1);
+    const __m128d off_xy = _mm_andnot_pd(sign, _mm_sub_pd(centre_xy, xy));
     const __m128d off_z = _mm_andnot_pd(sign, _mm_sub_sd(_mm_load_sd(centre + 2), z));
     const __m128d reach = _mm_set1_pd(path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]));
     const int inside_xy = _mm_movemask_pd(_mm_cmple_pd(off_xy, reach));
@@ -73,18 +75,27 @@ template <typename Scene>
            bounds_inside(proxies.envelope(id, now), scene.bounds(id));
 }
 
-/// The check by the centre. False also for those that are checked by their bounds, and for those whose position has to be
-/// computed first.
-template <typename Scene>
-[[gnu::always_inline]] inline bool centre_holds(const Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
+/// The check at the notice of a move, when the object has just been written and lies in the cache: is its centre where it
+/// should be at the tick `then`? False means that it takes a closer look: for those that are checked by their bounds, and
+/// for those whose position has to be computed first.
+///
+/// Whatever changes an object is noticed by itself. So its size has to be looked at only when its pose is the one that the
+/// last notice found, or when that is not known.
+///
+/// @tparam Object gives coordinates(), pose_digest() and has_grown(radius); see Broadphase::notice_move().
+template <typename Object> inline bool notice_holds(ProxyStore &proxies, ProxyId id, const Object &object, Tick then)
 {
-    const float radius = proxies.centre_radius[id];
-    if (radius < 0)
+    Stamp &stamp = proxies.stamps[id];
+    const auto *centre = object.coordinates();
+    if (stamp.radius < 0 || !centre)
+    {
+        stamp.pose = 0;
         return false;
-    const auto *centre = scene.coordinates(id);
-    if (!centre)
-        return false;
-    return centre_inside(proxies.paths[id], centre, now) & !scene.has_grown(id, radius);
+    }
+    const std::uint32_t last = stamp.pose, pose = object.pose_digest();
+    stamp.pose = pose;
+    return centre_inside(proxies.paths[id], centre, then) &&
+           ((pose != last && last != 0) || !object.has_grown(stamp.radius));
 }
 
 /// Is the object where its prediction says, so that it need not be predicted anew?
@@ -99,7 +110,8 @@ template <typename Scene> bool prediction_holds(Scene &scene, const ProxyStore &
     if (proxies.bounds[id].check != Check::centre)
         return bounds_hold(scene, proxies, id, now);
     scene.position(id); // has it computed
-    return centre_holds(scene, proxies, id, now);
+    const auto *centre = scene.coordinates(id);
+    return centre && centre_inside(proxies.paths[id], centre, now) && !scene.has_grown(id, proxies.stamps[id].radius);
 }
 } // namespace ode_predictive_space
 

@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/predictor.h"
@@ -46,8 +47,19 @@ inline bool fits_into_sphere(const dxGeom *geom, double radius)
     const double *factor = factors[type];
     const double x = size[0], y = size[second[type]], z = size[third[type]];
     const double squared = x * (factor[0] * x + factor[1] * y) + factor[2] * y * y + factor[3] * z * z;
-    const bool turns_safely = (type == dSphereClass) | ((geom->body != nullptr) & (geom->offset_posr == nullptr));
-    return turns_safely & (squared <= radius * radius);
+    return squared <= radius * radius;
+}
+
+/// Is the bounding sphere that a geom has, or had when it was last looked at, one around its position still?
+inline bool turns_safely(const dxGeom *geom)
+{
+    return (geom->type == dSphereClass) | ((geom->body != nullptr) & (geom->offset_posr == nullptr));
+}
+
+/// The position of a geom, or null when it has to be computed first or is not the centre of a sphere that holds the geom.
+inline const dReal *centre_of_sphere(const dxGeom *geom)
+{
+    return !(geom->gflags & GEOM_POSR_BAD) & turns_safely(geom) ? geom->final_posr->pos : nullptr;
 }
 
 /// Do the bounding boxes, which must be valid, overlap? The comparisons are those of ODE's collideAABBs(), so that touching
@@ -62,6 +74,35 @@ inline Box to_box(const dReal aabb[6])
 {
     return Box(Vector3(aabb[0], aabb[2], aabb[4]), Vector3(aabb[1], aabb[3], aabb[5]));
 }
+
+/// A geom that has just been written: what Broadphase asks when a move is noticed.
+class NoticedGeom
+{
+public:
+    explicit NoticedGeom(const dxGeom *geom) : geom_(geom) {}
+
+    const dReal *coordinates() const { return centre_of_sphere(geom_); }
+    bool has_grown(float radius) const { return !fits_into_sphere(geom_, radius); }
+
+    /// Of the position and the beginning of the rotation, which lie together.
+    std::uint32_t pose_digest() const
+    {
+        const dxPosR *pose = geom_->final_posr;
+        const std::uint64_t digest =
+            bits_of(pose->pos[0]) + 3 * bits_of(pose->pos[1]) + 5 * bits_of(pose->pos[2]) + 9 * bits_of(pose->R[0]);
+        return static_cast<std::uint32_t>(digest ^ (digest >> 32));
+    }
+
+private:
+    static std::uint64_t bits_of(dReal value)
+    {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &value, sizeof value);
+        return bits;
+    }
+
+    const dxGeom *geom_;
+};
 
 /// The scene that Broadphase asks: geoms by proxy number. See Broadphase for what each function means.
 class GeomScene
@@ -78,21 +119,9 @@ public:
         return Vector3(position[0], position[1], position[2]);
     }
 
-    const dReal *coordinates(ProxyId id) const
-    {
-        const dxGeom *geom = geoms_[id];
-        return geom->gflags & GEOM_POSR_BAD ? nullptr : geom->final_posr->pos;
-    }
-
+    const dReal *coordinates(ProxyId id) const { return centre_of_sphere(geoms_[id]); }
     bool has_grown(ProxyId id, float radius) const { return !fits_into_sphere(geoms_[id], radius); }
 
-    /// Fetches what coordinates() and has_grown() will read; prefetch_position() some time after prefetch().
-    void prefetch(ProxyId id) const
-    {
-        const dxGeom *geom = geoms_[id];
-        __builtin_prefetch(geom);
-        __builtin_prefetch(sizes_of(geom));
-    }
     void prefetch_position(ProxyId id) const { __builtin_prefetch(geoms_[id]->final_posr); }
 
     Box bounds(ProxyId id) const;

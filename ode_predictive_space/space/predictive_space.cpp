@@ -89,7 +89,9 @@ void dxPredictiveSpace::remove(dxGeom *geom)
 
 void dxPredictiveSpace::dirty(dxGeom *geom)
 {
-    broadphase_.mark_moved(proxy_of(geom));
+    const ProxyId id = proxy_of(geom);
+    broadphase_.notice_move(id, NoticedGeom(geom));
+    geom->gflags &= ~GEOM_DIRTY;
 }
 
 // dGeomTriMeshSetData() marks the geom dirty and tells nobody, and ODE then keeps silent about its later moves too. (ODE's

@@ -37,7 +37,7 @@ inline ProxyId add_proxy(ProxyStore &store, const Path &path, const Deviation &d
     bounds.radius = round_up(radius);
     bounds.until = since + ticks;
     bounds.check = Check::centre;
-    store.centre_radius[id] = bounds.radius;
+    store.stamps[id].radius = bounds.radius;
     return id;
 }
 
@@ -45,7 +45,7 @@ inline ProxyId add_proxy(ProxyStore &store, const Path &path, const Deviation &d
 inline void check_by_bounds(ProxyStore &store, ProxyId id)
 {
     store.bounds[id].check = Check::bounds;
-    store.centre_radius[id] = -1;
+    store.stamps[id].radius = -1;
 }
 
 /// Adds a ball that stays where it is, give or take `slack`.

@@ -1,5 +1,7 @@
 #include "tests/broadphase/support/world.h"
 
+#include <functional>
+
 namespace ode_predictive_space
 {
 namespace
@@ -27,6 +29,21 @@ bool holds(const FloatBox &outer, const Box &inner)
     }
     return true;
 }
+
+// What the broad phase asks at the notice of a move.
+struct Noticed
+{
+    const Object &object;
+
+    const double *coordinates() const { return object.centre.data(); }
+    bool has_grown(float radius) const { return !(object.radius <= radius); }
+    std::uint32_t pose_digest() const
+    {
+        const std::hash<double> digest;
+        return static_cast<std::uint32_t>(digest(object.centre.x()) + 3 * digest(object.centre.y()) +
+                                          5 * digest(object.centre.z()));
+    }
+};
 } // namespace
 
 ProxyId World::add(const Object &object)
@@ -36,11 +53,9 @@ ProxyId World::add(const Object &object)
     {
         objects_.resize(id + 1);
         present_.resize(id + 1, false);
-        noticed_.resize(id + 1, false);
     }
     objects_[id] = object;
     present_[id] = true;
-    noticed_[id] = true;
     return id;
 }
 
@@ -54,9 +69,7 @@ void World::remove(ProxyId id)
 
 void World::touch(ProxyId id)
 {
-    if (!noticed_[id])
-        broadphase.mark_moved(id);
-    noticed_[id] = true;
+    broadphase.notice_move(id, Noticed{objects_[id]});
 }
 
 void World::place(ProxyId id, const Vector3 &centre)

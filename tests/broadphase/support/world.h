@@ -23,7 +23,7 @@ struct Object
     Vector3 displacement = Vector3::Zero(); ///< per tick
 };
 
-/// Objects that move, and the broad phase that is told of it in ODE's way: not again until it has taken notice.
+/// Objects that move, and the broad phase that is told of each change as it happens.
 class World
 {
 public:
@@ -57,7 +57,6 @@ public:
     std::string violated_invariant();
 
     // What Broadphase asks.
-    void prefetch(ProxyId) const {}
     void prefetch_position(ProxyId) const {}
     Vector3 position(ProxyId id) const { return objects_[id].centre; }
     const double *coordinates(ProxyId id) const { return objects_[id].centre.data(); }
@@ -68,12 +67,11 @@ public:
     }
     Observation observe(ProxyId id, bool with_bounds) const;
     bool overlap(ProxyId first, ProxyId second) const;
-    void acknowledge(ProxyId id) { noticed_[id] = false; }
+    void acknowledge(ProxyId) {}
 
 private:
     std::vector<Object> objects_;
     std::vector<char> present_;
-    std::vector<char> noticed_; // the broad phase has been told and has not looked yet
 };
 
 /// A ball without rotation, carried by a body that moves by `displacement` per tick.
