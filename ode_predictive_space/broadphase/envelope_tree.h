@@ -35,7 +35,12 @@ public:
     bool empty() const { return nodes_.empty(); }
 
     /// Calls visit(proxy) for every proxy whose box overlaps `box`.
-    template <typename Visit> void query(const FloatBox &box, Visit visit) const;
+    template <typename Visit> void query(const FloatBox &box, Visit visit) const { walk(BoxProbe(box), visit); }
+
+    /// Calls visit(proxy) for every proxy whose box overlaps the probe, which is of any shape: it tells by
+    /// `bool overlaps(const FloatBox &) const`. It is asked about the boxes of whole branches, too, and must not deny
+    /// those that hold a box it overlaps.
+    template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const;
 
     /// The box stored for a proxy that is in the tree.
     const FloatBox &box(ProxyId proxy) const { return nodes_[leaf_node_[proxy]].box; }
@@ -51,6 +56,7 @@ public:
 private:
     using Index = std::int32_t;
     static constexpr Index none = -1;
+    static constexpr std::size_t walk_room = 256;
 
     struct Node
     {
@@ -81,43 +87,48 @@ private:
     std::vector<Index> leaf_node_; // by proxy
 };
 
-template <typename Visit> void EnvelopeTree::query(const FloatBox &box, Visit visit) const
+// Level by level, so that the processor can look at several pairs of siblings at once: which they are was known long
+// before. Whether a box overlaps is as good as random, and a branch on it would often be mispredicted; so everything is
+// written down in any case, and counted if it counts.
+template <typename Probe, typename Visit> void EnvelopeTree::walk(const Probe &probe, Visit visit) const
 {
-    if (nodes_.empty())
+    if (nodes_.empty() || !probe.overlaps(nodes_[0].box))
         return;
-    // Depth first with the far child kept for later. The tree's depth is bounded only by its size, hence the fallback to
-    // the heap; in practice the fixed part suffices.
-    constexpr std::size_t fixed = 128;
-    const BoxProbe probe(box);
-    Index stack[fixed];
-    std::vector<Index> overflow;
-    std::size_t depth = 0;
-    Index index = 0;
-    for (;;)
+    if (nodes_[0].leaf())
     {
-        const Node &node = nodes_[static_cast<std::size_t>(index)];
-        if (probe.overlaps(node.box))
+        visit(nodes_[0].proxy());
+        return;
+    }
+    Index waiting[walk_room]; // pairs of siblings whose parent overlaps
+    ProxyId found[walk_room];
+    std::vector<Index> postponed; // for large queries, when there is no more room
+    std::size_t begin = 0, end = 0, count = 0;
+    waiting[end++] = nodes_[0].content;
+    while (begin < end)
+    {
+        const Node *pair = &nodes_[static_cast<std::size_t>(waiting[begin++])];
+        for (const Node *node = pair; node < pair + 2; ++node)
         {
-            if (!node.leaf())
-            {
-                if (depth < fixed)
-                    stack[depth++] = node.content + 1;
-                else
-                    overflow.push_back(node.content + 1);
-                index = node.content;
-                continue;
-            }
-            visit(node.proxy());
+            const bool overlaps = probe.overlaps(node->box);
+            waiting[end] = node->content;
+            __builtin_prefetch(&nodes_[static_cast<std::size_t>(std::max(node->content, 0))]);
+            end += overlaps & !node->leaf();
+            found[count] = node->proxy();
+            count += overlaps & node->leaf();
         }
-        if (!overflow.empty())
+        if (count + 2 > walk_room || begin == end)
         {
-            index = overflow.back();
-            overflow.pop_back();
+            std::for_each(found, found + count, visit);
+            count = 0;
         }
-        else if (depth > 0)
-            index = stack[--depth];
-        else
-            return;
+        if (end + 2 > walk_room || begin == end)
+        {
+            postponed.insert(postponed.end(), waiting + begin, waiting + end);
+            begin = 0;
+            end = std::min(postponed.size(), walk_room / 2);
+            std::copy(postponed.end() - static_cast<std::ptrdiff_t>(end), postponed.end(), waiting);
+            postponed.resize(postponed.size() - end);
+        }
     }
 }
 } // namespace ode_predictive_space

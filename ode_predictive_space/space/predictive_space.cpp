@@ -65,6 +65,7 @@ void dxPredictiveSpace::add(dxGeom *geom)
     }
     geoms_[id] = geom;
     unclassified_.insert(id);
+    caught_up_ = false;
     // A number, not an address, in the member that ODE gives to spaces. NOLINTNEXTLINE(performance-no-int-to-ptr)
     geom->next_ex = reinterpret_cast<dxGeom *>(static_cast<std::uintptr_t>(id) + 1);
     geom->tome_ex = nullptr;
@@ -79,6 +80,7 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     dxSpace::remove(geom);
     broadphase_.remove(id);
     geoms_[id] = nullptr;
+    polled_count_ -= polled_.contains(id);
     polled_.erase(id);
     unclassified_.erase(id);
     geom->next_ex = nullptr;
@@ -92,20 +94,36 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
     const ProxyId id = proxy_of(geom);
     broadphase_.notice_move(id, NoticedGeom(geom));
     geom->gflags &= ~GEOM_DIRTY;
+    caught_up_ = false;
+}
+
+// Only now is the class of new geoms known.
+void dxPredictiveSpace::classify_new()
+{
+    unclassified_.for_each([this](ProxyId id) {
+        if (geoms_[id]->type == dTriMeshClass)
+        {
+            polled_.insert(id);
+            ++polled_count_;
+        }
+    });
+    unclassified_.clear();
 }
 
 // dGeomTriMeshSetData() marks the geom dirty and tells nobody, and ODE then keeps silent about its later moves too. (ODE's
 // own spaces miss it as well, or stop at an assertion, unless the geom happens to be the first in their list.)
 void dxPredictiveSpace::notice_unreported_moves()
 {
-    unclassified_.for_each([this](ProxyId id) {
-        if (geoms_[id]->type == dTriMeshClass)
-            polled_.insert(id);
-    });
-    unclassified_.clear();
+    if (!caught_up_)
+        classify_new();
+    if (polled_count_ == 0)
+        return;
     polled_.for_each([this](ProxyId id) {
         if (geoms_[id]->gflags & GEOM_DIRTY)
+        {
             broadphase_.mark_moved(id);
+            caught_up_ = false;
+        }
     });
 }
 
@@ -126,8 +144,11 @@ void dxPredictiveSpace::cleanGeoms()
 
 void dxPredictiveSpace::catch_up()
 {
-    Lock lock(this);
     notice_unreported_moves();
+    if (caught_up_)
+        return;
+    Lock lock(this);
+    caught_up_ = true;
     GeomScene now = scene();
     broadphase_.catch_up(now);
 }
@@ -138,6 +159,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     const bool nested_call = lock_count > 0;
     Lock lock(this);
     notice_unreported_moves();
+    caught_up_ = true;
     GeomScene now = scene();
     if (nested_call)
         broadphase_.catch_up(now);
@@ -184,11 +206,13 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
 void dxPredictiveSpace::set_proximity(Proximity measure)
 {
     broadphase_.set_measure(measure);
+    caught_up_ = false;
 }
 
 void dxPredictiveSpace::set_role(dxGeom *geom, Role role)
 {
     broadphase_.set_role(proxy_of(geom), role);
+    caught_up_ = false;
 }
 
 Role dxPredictiveSpace::role(dxGeom *geom) const
@@ -204,12 +228,14 @@ void dxPredictiveSpace::set_deviation(int role, const Deviation *deviation)
     else
         fixed.reset();
     broadphase_.predict_all_anew();
+    caught_up_ = false;
 }
 
 void dxPredictiveSpace::set_horizon(HorizonBounds horizon)
 {
     broadphase_.predictor.horizon = horizon;
     broadphase_.predict_all_anew();
+    caught_up_ = false;
 }
 
 std::size_t dxPredictiveSpace::bytes() const

@@ -75,6 +75,7 @@ private:
 
     static ProxyId proxy_of(const dxGeom *geom);
     ode_predictive_space::GeomScene scene() const;
+    void classify_new();
     void notice_unreported_moves();
     bool lies_in_envelope(ProxyId id, const ode_predictive_space::GeomScene &now) const;
 
@@ -83,6 +84,10 @@ private:
 
     ode_predictive_space::IdSet unclassified_; // added since the last look: their class was not known then
     ode_predictive_space::IdSet polled_;       // those whose class changes them without telling their space
+    std::size_t polled_count_ = 0;
+
+    // Nothing has been added, moved or set since the broad phase was last brought up to date: most queries find it so.
+    bool caught_up_ = false;
 
     // Taken by collide() and collide2() while they call back, given back afterwards: a callback may collide this space.
     std::vector<ode_predictive_space::CandidatePair> pairs_;

@@ -164,6 +164,91 @@ TEST_F(Contract, 09_SpacesAgainstSpacesOfEveryKind)
     });
 }
 
+// Spheres in rows, some of which move.
+std::vector<dBodyID> add_rows(Scenario &scene, int count)
+{
+    std::vector<dBodyID> movers;
+    for (int i = 0; i < count; ++i)
+    {
+        dGeomID geom = scene.sphere(0.3, i % 20, 0.9 * (i / 20), 0);
+        if (i % 2)
+            movers.push_back(scene.body(geom, 0.2, 0.1 * (i % 3), 0));
+    }
+    return movers;
+}
+
+dPredictiveSpaceStats stats_of(const Scenario &scene)
+{
+    dPredictiveSpaceStats stats;
+    dPredictiveSpaceGetStats(scene.space(), &stats);
+    return stats;
+}
+
+TEST_F(Contract, 09_OnlyTheFirstOfManyQueriesLooksAtWhatMoved)
+{
+    Scenario scene(SpaceKind::predictive);
+    const std::size_t movers = add_rows(scene, 200).size();
+    for (int tick = 0; tick < 30; ++tick)
+    {
+        scene.step(0.01);
+        scene.tick();
+    }
+    dGeomID probe = dCreateSphere(nullptr, 0.5);
+    scene.step(0.01);
+    const dPredictiveSpaceStats before = stats_of(scene);
+    collide2(probe, as_geom(scene.space()));
+    const dPredictiveSpaceStats first = stats_of(scene);
+    EXPECT_EQ(first.moved, before.moved + movers);
+    EXPECT_GE(first.verified, before.verified + movers);
+    for (int query = 0; query < 20; ++query)
+    {
+        dGeomSetPosition(probe, query, 0.3 * query, 0);
+        EXPECT_FALSE(collide2(probe, as_geom(scene.space())).empty());
+    }
+    scene.tick();
+    const dPredictiveSpaceStats after = stats_of(scene);
+    EXPECT_EQ(after.moved, first.moved) << "neither other queries nor the tick count them again";
+    EXPECT_EQ(after.verified, first.verified);
+    dGeomDestroy(probe);
+}
+
+TEST_F(Contract, 09_WhateverChangesBetweenTwoQueriesIsSeen)
+{
+    expect_as_simple([](Scenario &scene) {
+        add_rows(scene, 60);
+        dGeomID probe = scene.numbered(dCreateSphere(nullptr, 1));
+        auto query = [&] {
+            for (int place = 0; place < 12; ++place)
+            {
+                dGeomSetPosition(probe, 2 * place - 4, 1, 1);
+                scene.query(probe, as_geom(scene.space()));
+            }
+        };
+        query();
+        scene.tick();
+        dGeomID added = scene.sphere(0.5, 4, 0.5, 0);
+        query();
+        dGeomSetPosition(added, 8, 0, 0.5);
+        query();
+        dGeomSphereSetRadius(added, 3);
+        query();
+        dGeomDestroy(added);
+        query();
+        scene.step(0.5);
+        query();
+        dGeomID mesh = scene.numbered(create_geom(GeomKind::trimesh, 0.3, scene.space()));
+        query();
+        scene.tick();
+        query();
+        // Of this ODE tells nobody. A simple space misses it, too, unless the geom is the first in its list, as here.
+        dGeomTriMeshSetData(mesh, mesh_data(3));
+        query();
+        dGeomDestroy(mesh);
+        query();
+        dGeomDestroy(probe);
+    });
+}
+
 TEST_F(Contract, 09_AnEmptySpaceAnswersQueries)
 {
     Scenario scene(SpaceKind::predictive);
