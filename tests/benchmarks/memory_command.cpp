@@ -1,0 +1,150 @@
+// predictive_bench memory: bytes per geom, and whether they stay the same while geoms come and go.
+
+#include "demos/scenes/progress.h"
+#include "demos/scenes/table.h"
+#include "tests/benchmarks/commands.h"
+#include "tests/benchmarks/memory_measurement.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using namespace ode_predictive_space::scenes;
+
+constexpr int gas_objects = 100000;
+constexpr int gas_ticks = 200;
+constexpr int quick_gas_ticks = 50;
+constexpr int churn_objects = 1000;
+constexpr int churn_ticks = 1000000;
+constexpr int quick_churn_ticks = 30000;
+constexpr int churn_samples = 100;
+
+/// What counts as flat: the near set breathes a little.
+constexpr double most_growth = 1.05;
+
+class MemoryCommand : public Command
+{
+public:
+    std::string name() const override { return "memory"; }
+    std::string description() const override
+    {
+        return "Bytes per geom in gas (--n), and whether they grow in churn 1,000 (--ticks)";
+    }
+    void measure(const Options &options, Findings &findings) override;
+};
+
+std::string per_geom(std::int64_t bytes, const SceneSpec &spec)
+{
+    return fixed(static_cast<double>(bytes) / spec.objects, 0);
+}
+
+std::vector<MemoryResult> measure_gas(const Options &options)
+{
+    std::vector<SpaceKind> kinds;
+    for (const std::string &name : options.spaces)
+    {
+        kinds.push_back(space_named(name));
+    }
+    if (kinds.empty())
+    {
+        // At this size the other two take seconds per tick.
+        kinds = {SpaceKind::predictive, SpaceKind::quadtree, SpaceKind::sweep_and_prune};
+    }
+    std::vector<MemoryResult> results;
+    for (const SpaceKind kind : kinds)
+    {
+        std::cerr << "memory, gas: " << space_name(kind) << '\n';
+        results.push_back(measure_memory(kind, {"gas", options.objects.value_or(gas_objects), options.seed},
+                                         options.quick ? quick_gas_ticks : gas_ticks, 1));
+    }
+    return results;
+}
+
+MemoryResult measure_churn(const Options &options)
+{
+    const int ticks = std::max(churn_samples, options.ticks.value_or(options.quick ? quick_churn_ticks : churn_ticks));
+    Progress progress("churn", ticks);
+    return measure_memory(SpaceKind::predictive, {"churn", churn_objects, options.seed}, ticks, churn_samples,
+                          [&](int done) { progress.show(done); });
+}
+
+void print_gas(const std::vector<MemoryResult> &results)
+{
+    const SceneSpec &spec = results.front().spec;
+    std::cout << "memory: gas, n = " << grouped(static_cast<std::uint64_t>(spec.objects)) << ", after "
+              << results.front().samples.back().tick << " ticks; bytes per geom\n\n";
+    Table table({"space", "counted by itself", "allocated", "allocated at work"});
+    for (const MemoryResult &result : results)
+    {
+        const MemorySample &last = result.samples.back();
+        table.add({space_name(result.space), last.counted > 0 ? per_geom(last.counted, spec) : "-",
+                   per_geom(last.allocated, spec), per_geom(last.at_work, spec)});
+    }
+    table.print(std::cout);
+}
+
+void print_churn(const MemoryResult &result)
+{
+    std::cout << "\nchurn, n = " << grouped(static_cast<std::uint64_t>(result.spec.objects)) << ", "
+              << space_name(result.space) << "; bytes per geom\n\n";
+    Table table({"tick", "counted by itself", "allocated"});
+    const std::size_t count = result.samples.size();
+    for (const std::size_t i : {std::size_t{0}, count / 10, count / 4, count / 2, 3 * count / 4, count - 1})
+    {
+        const MemorySample &sample = result.samples[i];
+        table.add({grouped(static_cast<std::uint64_t>(sample.tick)), per_geom(sample.counted, result.spec),
+                   per_geom(sample.allocated, result.spec)});
+    }
+    table.print(std::cout);
+}
+
+void require_size(const MemoryResult &result, Findings &findings)
+{
+    if (result.space != SpaceKind::predictive)
+    {
+        return;
+    }
+    const std::string where = "gas " + grouped(static_cast<std::uint64_t>(result.spec.objects));
+    const MemorySample &last = result.samples.back();
+    for (const auto &[bytes, how] : {std::pair(last.counted, "counted"), std::pair(last.allocated, "allocated")})
+    {
+        findings.require({"P12", where + ", bytes " + how, static_cast<double>(bytes) / result.spec.objects,
+                          Requirement::at_most, 400, "bytes per geom"});
+    }
+}
+
+void require_flatness(const MemoryResult &result, Findings &findings)
+{
+    const std::string where = "churn, second half of " +
+                              grouped(static_cast<std::uint64_t>(result.samples.back().tick)) +
+                              " ticks against the first, bytes ";
+    findings.require({"P12", where + "counted", memory_growth(result, &MemorySample::counted), Requirement::at_most,
+                      most_growth, "x"});
+    findings.require({"P12", where + "allocated", memory_growth(result, &MemorySample::allocated), Requirement::at_most,
+                      most_growth, "x"});
+}
+
+void MemoryCommand::measure(const Options &options, Findings &findings)
+{
+    const std::vector<MemoryResult> gas = measure_gas(options);
+    print_gas(gas);
+    for (const MemoryResult &result : gas)
+    {
+        findings.record(memory_record(result));
+        require_size(result, findings);
+    }
+    const MemoryResult churn = measure_churn(options);
+    print_churn(churn);
+    findings.record(memory_record(churn));
+    require_flatness(churn, findings);
+}
+} // namespace
+
+std::unique_ptr<Command> make_memory_command()
+{
+    return std::make_unique<MemoryCommand>();
+}
+} // namespace ode_predictive_space::benchmarks

@@ -1,0 +1,145 @@
+#include "tests/benchmarks/memory_measurement.h"
+
+#include <algorithm>
+#include <malloc.h>
+#include <ode_predictive_space/predictive_space.h>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using namespace ode_predictive_space::scenes;
+
+/// Notes the heap at the first pair that is reported.
+struct AtWork
+{
+    static void near(void *data, dGeomID, dGeomID)
+    {
+        auto &self = *static_cast<AtWork *>(data);
+        if (self.wanted)
+        {
+            self.heap = heap_in_use();
+            self.wanted = false;
+        }
+    }
+
+    bool wanted = false;
+    std::int64_t heap = 0;
+};
+
+bool is_time(int tick, int ticks, int samples)
+{
+    return static_cast<std::int64_t>(tick) * samples / ticks != static_cast<std::int64_t>(tick - 1) * samples / ticks;
+}
+
+std::int64_t counted_bytes(dSpaceID space)
+{
+    if (dSpaceIsPredictive(space) == 0)
+    {
+        return 0;
+    }
+    dPredictiveSpaceStats stats;
+    dPredictiveSpaceGetStats(space, &stats);
+    return static_cast<std::int64_t>(stats.bytes);
+}
+
+/// The program's memory with a scene in a space, over what it was before. `collides` is false for the scene alone.
+std::vector<MemorySample> watch(OwnedSpace space, const SceneFactory &factory, int ticks, int samples, bool collides,
+                                const std::function<void(int)> &progress)
+{
+    std::vector<MemorySample> result;
+    result.reserve(static_cast<std::size_t>(samples));
+    const std::int64_t before = heap_in_use();
+    const std::unique_ptr<Scene> scene = factory.make(space.get());
+    AtWork at_work;
+    for (int tick = 1; tick <= ticks; ++tick)
+    {
+        const bool looks = is_time(tick, ticks, samples);
+        scene->advance();
+        at_work.wanted = looks;
+        if (collides)
+        {
+            dSpaceCollide(space.get(), &at_work, &AtWork::near);
+        }
+        if (!looks)
+        {
+            continue;
+        }
+        const std::int64_t heap = heap_in_use();
+        result.push_back({tick, counted_bytes(space.get()), heap - before,
+                          (collides && !at_work.wanted ? std::max(at_work.heap, heap) : heap) - before});
+        if (progress)
+        {
+            progress(tick);
+        }
+    }
+    return result;
+}
+} // namespace
+
+std::int64_t heap_in_use()
+{
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<std::int64_t>(info.uordblks + info.hblkhd);
+}
+
+MemoryResult measure_memory(SpaceKind kind, const SceneSpec &spec, int ticks, int samples,
+                            const std::function<void(int)> &progress)
+{
+    const SceneFactory factory(spec);
+    // A space that was never collided keeps the geoms in ODE's list and nothing else.
+    const std::vector<MemorySample> alone =
+        watch(OwnedSpace(make_space(SpaceKind::simple, factory)), factory, ticks, samples, false, {});
+    MemoryResult result{kind, spec, {}};
+    result.samples = watch(OwnedSpace(make_space(kind, factory)), factory, ticks, samples, true, progress);
+    for (std::size_t i = 0; i < result.samples.size(); ++i)
+    {
+        result.samples[i].allocated -= alone[i].allocated;
+        result.samples[i].at_work -= alone[i].allocated;
+    }
+    return result;
+}
+
+double memory_growth(const MemoryResult &result, std::int64_t MemorySample::*member)
+{
+    const std::size_t count = result.samples.size();
+    const auto largest = [&](std::size_t begin, std::size_t end) {
+        std::int64_t most = 0;
+        for (std::size_t i = begin; i < end; ++i)
+        {
+            most = std::max(most, result.samples[i].*member);
+        }
+        return static_cast<double>(most);
+    };
+    const double first = largest(count / 10, count / 2);
+    return first > 0 ? largest(count / 2, count) / first : 1;
+}
+
+nlohmann::json memory_record(const MemoryResult &result)
+{
+    const auto per_geom = [&](std::int64_t bytes) { return static_cast<double>(bytes) / result.spec.objects; };
+    const MemorySample &last = result.samples.back();
+    nlohmann::json samples = nlohmann::json::array();
+    for (const MemorySample &sample : result.samples)
+    {
+        samples.push_back({{"tick", sample.tick},
+                           {"counted_bytes", sample.counted},
+                           {"allocated_bytes", sample.allocated},
+                           {"at_work_bytes", sample.at_work}});
+    }
+    nlohmann::json record = {{"scene", result.spec.name},
+                             {"n", result.spec.objects},
+                             {"space", space_name(result.space)},
+                             {"seed", result.spec.seed},
+                             {"ticks", last.tick},
+                             {"bytes_per_geom", nullptr},
+                             {"allocated_bytes_per_geom", per_geom(last.allocated)},
+                             {"at_work_bytes_per_geom", per_geom(last.at_work)},
+                             {"samples", samples}};
+    if (last.counted > 0)
+    {
+        record["bytes_per_geom"] = per_geom(last.counted);
+    }
+    return record;
+}
+} // namespace ode_predictive_space::benchmarks

@@ -1,0 +1,54 @@
+// How much memory a space takes, and whether that stays so.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_MEMORY_MEASUREMENT_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_MEMORY_MEASUREMENT_H
+
+#include "demos/scenes/spaces.h"
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace ode_predictive_space::benchmarks
+{
+/// Bytes of memory in use by the whole program, as its allocator counts them.
+std::int64_t heap_in_use();
+
+/// What a space holds at one moment.
+struct MemorySample
+{
+    int tick = 0;
+    /// As the predictive space itself counts; 0 for others.
+    std::int64_t counted = 0;
+    /// As the allocator counts: the program with the scene in this space less the program with the scene alone. Negative
+    /// noise is possible for a space that keeps nothing.
+    std::int64_t allocated = 0;
+    /// The same in the middle of dSpaceCollide(): what the space takes only while it works is in it.
+    std::int64_t at_work = 0;
+};
+
+struct MemoryResult
+{
+    scenes::SpaceKind space{};
+    scenes::SceneSpec spec{};
+    std::vector<MemorySample> samples{}; ///< at equal distances, the last one at the end
+};
+
+/// Runs a scene that moves by itself, and looks at the memory so many times.
+///
+/// @param progress called now and then with the number of ticks done.
+MemoryResult measure_memory(scenes::SpaceKind kind, const scenes::SceneSpec &spec, int ticks, int samples,
+                            const std::function<void(int)> &progress = {});
+
+/// The largest sample of the second half over the largest of the first half without its first tenth, in which a space still
+/// fills up. 1 or less: it does not grow.
+///
+/// @param member &MemorySample::counted or &MemorySample::allocated
+double memory_growth(const MemoryResult &result, std::int64_t MemorySample::*member);
+
+/// {scene, n, space, seed, ticks, bytes_per_geom, allocated_bytes_per_geom, at_work_bytes_per_geom, samples}: of the last
+/// sample; bytes_per_geom is null for spaces that do not count.
+nlohmann::json memory_record(const MemoryResult &result);
+} // namespace ode_predictive_space::benchmarks
+
+#endif
