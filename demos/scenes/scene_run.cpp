@@ -51,13 +51,17 @@ void SceneRun::collide()
     dSpaceCollide(contender_->space(), &list_, &PairList::collect);
 }
 
-void SceneRun::turn(int ticks)
+double SceneRun::turn(int ticks, double seconds)
 {
     contender_->prepare(ticks);
-    for (int tick = 0; tick < ticks; ++tick)
+    const Clock::time_point start = Clock::now();
+    double used = 0;
+    for (int tick = 0; tick < ticks && used < seconds; ++tick)
     {
         make_tick();
+        used = seconds_between(start, Clock::now());
     }
+    return used;
 }
 
 void SceneRun::make_tick()
@@ -75,7 +79,6 @@ void SceneRun::make_tick()
 
     collide_times_.push_back(microseconds * std::max(0.0, seconds_between(moved, collided) - clock_overhead_));
     tick_times_.push_back(microseconds * (seconds_between(start, collided) + seconds_between(read, responded)));
-    ++measured_;
     pairs_ += pairs.size();
     contacts_ += scene_->contacts();
     tick_hashes_.push_back(hash_pairs(pairs));
@@ -86,26 +89,10 @@ void SceneRun::make_tick()
     check();
 }
 
-void SceneRun::batch(int ticks, double motion_seconds)
-{
-    contender_->prepare(ticks);
-    const Clock::time_point start = Clock::now();
-    for (int tick = 0; tick < ticks; ++tick)
-    {
-        scene_->advance();
-        collide();
-    }
-    const double seconds = seconds_between(start, Clock::now());
-    collide_times_.push_back(microseconds * std::max(0.0, seconds - motion_seconds) / ticks);
-    measured_ += static_cast<std::size_t>(ticks);
-    check();
-}
-
 void SceneRun::start_measuring()
 {
     collide_times_.clear();
     tick_times_.clear();
-    measured_ = 0;
 }
 
 void SceneRun::check()
@@ -127,20 +114,6 @@ std::uint64_t SceneRun::pair_hash() const
     return hash.value();
 }
 
-MotionRun::MotionRun(const SceneFactory &factory)
-    : space_(make_space(SpaceKind::simple, factory)), scene_(factory.make(space_.get()))
-{}
-
-double MotionRun::batch(int ticks)
-{
-    const Clock::time_point start = Clock::now();
-    for (int tick = 0; tick < ticks; ++tick)
-    {
-        scene_->advance();
-    }
-    return seconds_between(start, Clock::now());
-}
-
 SceneRuns make_runs(const std::vector<SpaceKind> &kinds, const SceneFactory &factory)
 {
     SceneRuns runs;
@@ -151,17 +124,18 @@ SceneRuns make_runs(const std::vector<SpaceKind> &kinds, const SceneFactory &fac
     return runs;
 }
 
-void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int)> &progress)
+void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int)> &progress, double seconds_each)
 {
+    std::vector<double> seconds_left(runs.size(), seconds_each);
     std::size_t first = 0;
-    for (int done = 0; done < ticks;)
+    for (int done = 0; done < ticks; ++first)
     {
         const int turn = std::min(ticks_per_turn, ticks - done);
         for (std::size_t i = 0; i < runs.size(); ++i)
         {
-            runs[(first + i) % runs.size()]->turn(turn);
+            const std::size_t next = (first + i) % runs.size();
+            seconds_left[next] -= seconds_left[next] > 0 ? runs[next]->turn(turn, seconds_left[next]) : 0;
         }
-        ++first;
         done += turn;
         if (progress)
         {

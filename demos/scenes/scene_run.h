@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <set>
 #include <vector>
@@ -21,6 +22,8 @@ inline double seconds_between(Clock::time_point begin, Clock::time_point end)
 {
     return std::chrono::duration<double>(end - begin).count();
 }
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// What reading the clock adds to an interval between two readings, in seconds (the median of many).
 double clock_overhead();
@@ -46,17 +49,13 @@ public:
     /// The same with a scene that no factory makes; its geoms are in the contender's space.
     SceneRun(std::unique_ptr<Contender> contender, std::unique_ptr<Scene> scene);
 
-    /// Make some ticks: motion, dSpaceCollide(), contacts.
-    void turn(int ticks);
+    /// Make some ticks: motion, dSpaceCollide(), contacts. After the tick in which `seconds` are used up no more are made.
+    ///
+    /// @return the seconds used.
+    double turn(int ticks, double seconds = unlimited);
 
     /// Make one.
     void tick() { turn(1); }
-
-    /// Make several ticks between two readings of the clock, without looking at their pairs. Only in scenes that move by
-    /// themselves.
-    ///
-    /// @param motion_seconds what the same number of ticks takes without dSpaceCollide(); it is subtracted.
-    void batch(int ticks, double motion_seconds);
 
     /// Forget the times so far, not the pairs: what came before was warm-up.
     void start_measuring();
@@ -68,21 +67,21 @@ public:
     const std::string &name() const { return contender_->name(); }
     const Scene &scene() const { return *scene_; }
 
-    /// Duration of each dSpaceCollide() since start_measuring(), in microseconds; of batches the mean of each.
+    /// Duration of each dSpaceCollide() since start_measuring(), in microseconds.
     const std::vector<double> &collide_times() const { return collide_times_; }
 
     /// Duration of each whole tick since start_measuring(), in microseconds: motion (with the step of the world), collide,
-    /// contacts. Batches do not give any.
+    /// contacts.
     const std::vector<double> &tick_times() const { return tick_times_; }
 
     /// What the probe of the scene did since the beginning.
     const ProbeLog &probe_log() const { return probe_log_; }
 
-    std::size_t ticks() const { return tick_hashes_.size(); } ///< since the beginning, without batches
-    std::size_t measured_ticks() const { return measured_; }  ///< since start_measuring()
-    std::uint64_t pairs() const { return pairs_; }            ///< summed over ticks()
-    std::uint64_t contacts() const { return contacts_; }      ///< summed over ticks()
-    std::uint64_t pair_hash() const;                          ///< of all ticks()
+    std::size_t ticks() const { return tick_hashes_.size(); }            ///< since the beginning
+    std::size_t measured_ticks() const { return collide_times_.size(); } ///< since start_measuring()
+    std::uint64_t pairs() const { return pairs_; }                       ///< summed over ticks()
+    std::uint64_t contacts() const { return contacts_; }                 ///< summed over ticks()
+    std::uint64_t pair_hash() const;                                     ///< of all ticks()
 
     /// Pairs that were reported although their boxes were apart, and are not counted in pairs(). Looked for in the
     /// sweep-and-prune space alone. Of the others everything is counted as it comes.
@@ -104,7 +103,6 @@ private:
     bool checking_ = false;
     bool invariant_held_ = true;
     double clock_overhead_;
-    std::size_t measured_ = 0;
     std::uint64_t pairs_ = 0;
     std::uint64_t contacts_ = 0;
     std::uint64_t false_pairs_ = 0;
@@ -112,20 +110,6 @@ private:
     std::vector<double> tick_times_;
     ProbeLog probe_log_;
     std::vector<std::uint64_t> tick_hashes_;
-};
-
-/// A scene that moves and is never collided: what the motion alone costs.
-class MotionRun
-{
-public:
-    explicit MotionRun(const SceneFactory &factory);
-
-    /// Make several ticks; how long they took, in seconds.
-    double batch(int ticks);
-
-private:
-    OwnedSpace space_; // before the scene, whose geoms are in it
-    std::unique_ptr<Scene> scene_;
 };
 
 /// The runs of one scene in several spaces.
@@ -138,7 +122,9 @@ SceneRuns make_runs(const std::vector<SpaceKind> &kinds, const SceneFactory &fac
 /// in the cache as it would when alone.
 ///
 /// @param progress called after each round with the number of ticks done.
-void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int)> &progress = {});
+/// @param seconds_each a run that has used up so many makes no more ticks.
+void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int)> &progress = {},
+                  double seconds_each = unlimited);
 
 /// Number of the first tick in which the exact contenders did not all report the same pairs, from 0 on; -1 when there is
 /// none. A run that was made for fewer ticks than another is compared in those it has.

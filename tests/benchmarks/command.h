@@ -3,36 +3,36 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_COMMAND_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_COMMAND_H
 
-#include <CLI/CLI.hpp>
+#include "tests/benchmarks/findings.h"
+#include "tests/benchmarks/options.h"
+
 #include <memory>
 
 namespace ode_predictive_space::benchmarks
 {
-/// What the program returns.
-enum ExitStatus
-{
-    exit_ok = 0,
-    exit_wrong_pairs = 1, ///< spaces that must agree did not, or the predictive space failed its check
-    exit_failed = 2       ///< the benchmark could not be run
-};
-
+/// The options that all subcommands have are declared by the program; ODE is ready when measure() is called.
 class Command
 {
 public:
     virtual ~Command() = default;
 
-    /// Add the subcommand and its options; keeps what is given on the command line.
-    virtual void declare(CLI::App &program) = 0;
+    virtual std::string name() const = 0;
+    virtual std::string description() const = 0;
 
-    /// Whether it is the one that was asked for.
-    virtual bool chosen() const = 0;
+    /// Add options that no other subcommand has.
+    virtual void add_options(CLI::App &) {}
 
-    /// @throws std::exception when it cannot be run.
-    virtual ExitStatus run() = 0;
+    /// Measure, print tables to the standard output, and add to the findings. `all` calls this, too, with neither n nor
+    /// ticks nor spaces given: it is then to measure what the requirements ask of it.
+    ///
+    /// @throws std::exception when it cannot be done.
+    virtual void measure(const Options &options, Findings &findings) = 0;
+
+    /// Whether it is a part of `all`.
+    virtual bool in_all() const { return true; }
 };
 
-/// `scene NAME`: one scene in several spaces.
-std::unique_ptr<Command> make_scene_command();
+using Commands = std::vector<std::unique_ptr<Command>>;
 } // namespace ode_predictive_space::benchmarks
 
 #endif

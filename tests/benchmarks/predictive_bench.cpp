@@ -1,37 +1,60 @@
 // Benchmarks of the predictive space beside ODE's own. Every claim is a ratio measured in one run, with the same motion.
 
+#include "demos/scenes/result_records.h"
+#include "demos/scenes/spaces.h"
 #include "tests/benchmarks/command.h"
+#include "tests/benchmarks/commands.h"
 
 #include <exception>
 #include <iostream>
-#include <vector>
 
-int main(int argc, char **argv)
+namespace
 {
-    using namespace ode_predictive_space::benchmarks;
-    CLI::App app("What the predictive space and ODE's own spaces cost, side by side, with the same motion.\n"
-                 "Exit status: 0, or 1 when spaces did not report the same pairs, or 2 when something failed.");
-    app.require_subcommand(1);
-    std::vector<std::unique_ptr<Command>> commands;
-    commands.push_back(make_scene_command());
-    for (const auto &command : commands)
-    {
-        command->declare(app);
-    }
-    CLI11_PARSE(app, argc, argv);
+using namespace ode_predictive_space::benchmarks;
+
+ExitStatus run(Command &command, const Options &options)
+{
+    Findings findings;
     try
     {
-        for (const auto &command : commands)
+        const ode_predictive_space::scenes::OdeSession ode;
+        command.measure(options, findings);
+        findings.print(std::cout);
+        if (!options.json_file.empty())
         {
-            if (command->chosen())
-            {
-                return command->run();
-            }
+            ode_predictive_space::scenes::write_json(options.json_file, findings.records());
         }
     }
     catch (const std::exception &failure)
     {
         std::cerr << "predictive_bench: " << failure.what() << '\n';
+        findings.fail(exit_failed);
+    }
+    return findings.status();
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+    CLI::App app("What the predictive space, ODE's own spaces and others cost, side by side, with the same motion.\n"
+                 "Exit status: 0, or 1 when contenders did not report the same pairs, or 2 when something failed.");
+    app.require_subcommand(1);
+    Options options;
+    const Commands commands = make_commands();
+    std::vector<CLI::App *> subcommands;
+    for (const auto &command : commands)
+    {
+        subcommands.push_back(app.add_subcommand(command->name(), command->description()));
+        declare_options(*subcommands.back(), options);
+        command->add_options(*subcommands.back());
+    }
+    CLI11_PARSE(app, argc, argv);
+    for (std::size_t i = 0; i < commands.size(); ++i)
+    {
+        if (subcommands[i]->parsed())
+        {
+            return run(*commands[i], options);
+        }
     }
     return exit_failed;
 }

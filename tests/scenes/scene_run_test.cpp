@@ -58,17 +58,23 @@ TEST_F(SceneRunTest, WarmUpLeavesThePairsAndNoTimes)
     EXPECT_EQ(run.ticks(), 11u);
 }
 
-TEST_F(SceneRunTest, BatchesCountTheirTicksAndSubtractTheMotion)
+TEST_F(SceneRunTest, ATurnEndsWhenItsTimeIsUsedUp)
 {
     SceneRun run(SpaceKind::simple, factory_);
-    MotionRun motion(factory_);
-    EXPECT_GT(motion.batch(64), 0);
-    run.batch(64, 0);
-    run.batch(64, 1e6);
-    EXPECT_EQ(run.measured_ticks(), 128u);
-    ASSERT_EQ(run.collide_times().size(), 2u);
-    EXPECT_GT(run.collide_times()[0], 0);
-    EXPECT_EQ(run.collide_times()[1], 0) << "never less than nothing";
+    EXPECT_GT(run.turn(1000, 1e-9), 1e-9);
+    EXPECT_EQ(run.ticks(), 1u);
+}
+
+TEST_F(SceneRunTest, RunsThatHaveUsedUpTheirTimeRestAndAreComparedInTheTicksTheyHave)
+{
+    SceneRuns runs = make_runs({SpaceKind::simple, SpaceKind::hash}, factory_);
+    run_by_turns(runs, 250, {}, 1e-9);
+    for (const auto &run : runs)
+    {
+        EXPECT_EQ(run->ticks(), 1u);
+    }
+    runs.front()->turn(10);
+    EXPECT_EQ(first_difference(runs), -1);
 }
 
 TEST_F(SceneRunTest, ChecksThePredictiveSpace)

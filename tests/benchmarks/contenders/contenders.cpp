@@ -80,7 +80,11 @@ std::string why_not(const std::string &name, const scenes::SceneSpec &spec)
 {
     if (name == "floor" && spec.name == "churn")
     {
-        return "it knows the pairs of a scene beforehand, and here geoms come and go";
+        return "it must know the pairs of a scene beforehand, and here geoms come and go";
+    }
+    if (name == "floor" && spec.objects < objects_for_single_ticks)
+    {
+        return "in so small a scene its ticks are too short for the clock";
     }
     return {};
 }

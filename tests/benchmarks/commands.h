@@ -1,0 +1,19 @@
+// All subcommands of predictive_bench.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_COMMANDS_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_COMMANDS_H
+
+#include "tests/benchmarks/command.h"
+
+namespace ode_predictive_space::benchmarks
+{
+/// In the order in which they are listed, and in which `all` makes them.
+Commands make_commands();
+
+std::unique_ptr<Command> make_scene_command();
+std::unique_ptr<Command> make_query_command();
+std::unique_ptr<Command> make_memory_command();
+std::unique_ptr<Command> make_haptic_command();
+} // namespace ode_predictive_space::benchmarks
+
+#endif

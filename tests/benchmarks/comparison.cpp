@@ -1,0 +1,170 @@
+#include "tests/benchmarks/comparison.h"
+
+#include "demos/scenes/progress.h"
+#include "demos/scenes/table.h"
+#include "tests/benchmarks/batches.h"
+#include "tests/benchmarks/contenders/contenders.h"
+#include "tests/benchmarks/weight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using namespace scenes;
+
+SceneRuns make_runs(const Plan &plan, const SceneFactory &factory, Findings &findings)
+{
+    SceneRuns runs;
+    for (const std::string &name : plan.contenders)
+    {
+        const std::string reason = why_not(name, plan.spec);
+        if (!reason.empty())
+        {
+            findings.note(plan.spec.name + ", n = " + grouped(static_cast<std::uint64_t>(plan.spec.objects)) +
+                          ", without " + name + ": " + reason);
+            continue;
+        }
+        runs.push_back(std::make_unique<SceneRun>(benchmarks::make_contender(name, factory), factory));
+        if (plan.check)
+        {
+            runs.back()->check_every_tick();
+        }
+    }
+    return runs;
+}
+
+void make_ticks(const Plan &plan, const SceneRuns &runs)
+{
+    run_by_turns(runs, plan.warm_up_ticks, {}, plan.seconds_each / 4);
+    for (const auto &run : runs)
+    {
+        run->start_measuring();
+    }
+    Progress progress(plan.spec.name + " " + grouped(static_cast<std::uint64_t>(plan.spec.objects)), plan.ticks);
+    run_by_turns(
+        runs, plan.ticks, [&](int done) { progress.show(done); }, plan.seconds_each);
+}
+
+Result result_of(const SceneRun &run)
+{
+    Result result;
+    result.name = run.name();
+    result.family = run.contender().family();
+    result.exact = run.contender().exact();
+    result.times = run.collide_times();
+    result.tick_times = run.tick_times();
+    result.ticks = run.ticks();
+    result.pairs = run.pairs();
+    result.pair_hash = run.pair_hash();
+    result.false_pairs = run.false_pairs();
+    result.contacts = run.contacts();
+    return result;
+}
+
+// A space that leaves out pairs without contacts must not leave out one with: the same contacts as the exact ones.
+bool contacts_agree(const SceneRuns &runs)
+{
+    return std::all_of(runs.begin(), runs.end(), [&](const auto &run) {
+        return run->ticks() != runs.front()->ticks() || run->contacts() == runs.front()->contacts();
+    });
+}
+
+void judge(const Plan &plan, const SceneRuns &runs, Findings &findings)
+{
+    const std::string where = " (" + plan.spec.name + ", n = " + std::to_string(plan.spec.objects) + ")\n";
+    const int tick = first_difference(runs);
+    if (tick >= 0)
+    {
+        std::cerr << "THE CONTENDERS DISAGREE: from tick " << tick << " on they did not all report the same pairs"
+                  << where;
+        findings.fail(exit_wrong_pairs);
+    }
+    else if (!contacts_agree(runs))
+    {
+        std::cerr << "THE CONTENDERS DISAGREE: they did not all come to the same contacts" << where;
+        findings.fail(exit_wrong_pairs);
+    }
+    for (const auto &run : runs)
+    {
+        if (!run->invariant_held())
+        {
+            std::cerr << "The " << run->name() << " space did not pass its check" << where;
+            findings.fail(exit_wrong_pairs);
+        }
+    }
+}
+
+Comparison compare_with(const Plan &plan, const SceneFactory &factory, Findings &findings)
+{
+    Comparison comparison;
+    comparison.spec = plan.spec;
+    const SceneRuns runs = make_runs(plan, factory, findings);
+    make_ticks(plan, runs);
+    judge(plan, runs, findings);
+    for (const auto &run : runs)
+    {
+        comparison.results.push_back(result_of(*run));
+        if (plan.weigh)
+        {
+            comparison.results.back().bytes_per_geom = bytes_per_geom(run->name(), factory);
+        }
+    }
+    return comparison;
+}
+
+void time_in_batches(Comparison &comparison, const Plan &plan, const SceneFactory &factory)
+{
+    std::vector<std::string> names;
+    for (const Result &result : comparison.results)
+    {
+        names.push_back(result.name);
+    }
+    const auto times = measure_batches(factory, names, plan.ticks, NearCallback::collect);
+    for (std::size_t i = 0; i < times.size(); ++i)
+    {
+        comparison.results[i].times = times[i];
+    }
+    comparison.in_batches = true;
+}
+} // namespace
+
+const Result *Comparison::find(const std::string &name) const
+{
+    const auto found =
+        std::find_if(results.begin(), results.end(), [&](const Result &result) { return result.name == name; });
+    return found == results.end() ? nullptr : &*found;
+}
+
+const Result *Comparison::best_of_ode() const
+{
+    const Result *best = nullptr;
+    for (const Result &result : results)
+    {
+        if (result.family == Family::ode && (best == nullptr || result.mean() < best->mean()))
+        {
+            best = &result;
+        }
+    }
+    return best;
+}
+
+Comparison compare(const Plan &plan, Findings &findings)
+{
+    const SceneFactory factory(plan.spec);
+    Comparison comparison = compare_with(plan, factory, findings);
+    if (measured_in_batches(plan.spec))
+    {
+        time_in_batches(comparison, plan, factory);
+    }
+    return comparison;
+}
+
+Comparison compare_single_ticks(const Plan &plan, Findings &findings)
+{
+    return compare_with(plan, SceneFactory(plan.spec), findings);
+}
+} // namespace ode_predictive_space::benchmarks

@@ -1,0 +1,88 @@
+// One scene, several contenders: the same motion for each, their pairs compared, their times measured.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_COMPARISON_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_COMPARISON_H
+
+#include "demos/scenes/scene_run.h"
+#include "tests/benchmarks/findings.h"
+#include "tests/benchmarks/options.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace ode_predictive_space::benchmarks
+{
+struct Plan
+{
+    scenes::SceneSpec spec;
+    std::vector<std::string> contenders;
+    int ticks = 1000;        ///< to measure
+    int warm_up_ticks = 100; ///< before that; their pairs are compared, too
+    double seconds_each =
+        scenes::unlimited; ///< a contender that has used up so many makes no more ticks, see run_by_turns()
+    bool check = false;    ///< check the predictive spaces by brute force after every tick
+    bool weigh = false;    ///< find out what memory each contender needs: this takes one more copy of each
+};
+
+/// What one contender did.
+struct Result
+{
+    std::string name;
+    scenes::Family family = scenes::Family::reference;
+    bool exact = true;
+    std::vector<double> times;      ///< microseconds per dSpaceCollide(), or of each batch the mean
+    std::vector<double> tick_times; ///< microseconds per whole tick: motion, dSpaceCollide(), contacts
+    std::size_t ticks = 0;          ///< all, with the warm-up: those that the pairs are of
+    std::uint64_t pairs = 0;
+    std::uint64_t pair_hash = 0;
+    std::uint64_t false_pairs = 0;
+    std::uint64_t contacts = 0;
+    double bytes_per_geom = std::numeric_limits<double>::quiet_NaN(); ///< not a number: not known
+
+    double mean() const { return scenes::summarise(times).mean; }
+};
+
+struct Comparison
+{
+    scenes::SceneSpec spec;
+    bool in_batches = false; ///< times are means of batches, see measure_batches()
+    std::vector<Result> results;
+
+    /// The result of this contender; null when it did not take part.
+    const Result *find(const std::string &name) const;
+
+    /// The fastest of ODE's own spaces by its mean; null when none took part.
+    const Result *best_of_ode() const;
+};
+
+/// Make the comparison. Contenders that cannot take part are left out, with a note. When contenders that must agree do not,
+/// or a predictive space does not pass its check, it says so on the standard error and lets the findings fail.
+Comparison compare(const Plan &plan, Findings &findings);
+
+/// The same without the times that need batches: of ticks that are timed one by one, in scenes of any size.
+Comparison compare_single_ticks(const Plan &plan, Findings &findings);
+
+/// A plan for this scene as the options have it, with what a subcommand takes where they say nothing.
+///
+/// @param ticks what is enough; a fifth of it when quick.
+Plan plan_for(const scenes::SceneSpec &spec, const std::vector<std::string> &contenders, int ticks,
+              const Options &options);
+
+/// Those of the contenders that are not too slow to be waited for with so many objects; for each of the others a note.
+std::vector<std::string> fast_enough(const std::vector<std::string> &contenders, const scenes::SceneSpec &spec,
+                                     Findings &findings);
+
+/// The names of ODE's own spaces.
+const std::vector<std::string> &ode_spaces();
+
+/// A table of a comparison, with a head line.
+void print(std::ostream &out, const Comparison &comparison);
+
+/// One record per contender: {scene, n, space, seed, ticks, measured_ticks, in_batches, mean_us, median_us, p99_us,
+/// p999_us, max_us, pairs, pair_hash, false_pairs, contacts, bytes_per_geom, best_ode_ratio}. The times are over the
+/// measured ticks; pairs and hash over all; bytes_per_geom and best_ode_ratio are null where they are not known.
+void record(const Comparison &comparison, Findings &findings);
+} // namespace ode_predictive_space::benchmarks
+
+#endif

@@ -1,0 +1,64 @@
+// The motion of a scene, noted and made again without what made it.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_REPLAY_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_REPLAY_H
+
+#include "demos/scenes/contender.h"
+#include "demos/scenes/scene.h"
+
+#include <array>
+#include <vector>
+
+namespace ode_predictive_space::benchmarks
+{
+/// Where a geom is after a tick in which it moved, and how fast its body is.
+struct Move
+{
+    std::uint32_t index = 0; ///< the geom's number in the scene
+    std::array<dReal, 4> position{};
+    std::array<dReal, 12> rotation{};
+    std::array<dReal, 3> velocity{};
+    std::array<dReal, 3> angular_velocity{};
+};
+
+/// The moves of some ticks.
+using Motion = std::vector<std::vector<Move>>;
+
+/// Runs a scene, with its contacts, and notes what moves. For scenes that make and destroy no geoms while they run, and in
+/// which no body has more than one geom.
+class Recorder
+{
+public:
+    explicit Recorder(const scenes::SceneFactory &factory);
+
+    /// @throws std::logic_error for a scene that it is not for.
+    Motion record(int ticks);
+
+private:
+    std::vector<Move> changes();
+
+    std::unique_ptr<scenes::Contender> contender_; // before the scene, whose geoms are in its space
+    std::unique_ptr<scenes::Scene> scene_;
+    scenes::PairList list_;
+    std::vector<dGeomID> geoms_;  // by number
+    std::vector<Move> last_seen_; // by number
+};
+
+/// A copy of the same scene that only moves as it is told: neither steps of a world nor contacts, but each geom that moved
+/// is moved, and ODE tells the space so, exactly as a step of the world would.
+class Replay
+{
+public:
+    /// @param space gets the geoms; must outlive the replay.
+    Replay(const scenes::SceneFactory &factory, dSpaceID space);
+
+    void make(const std::vector<Move> &moves);
+
+private:
+    scenes::OwnedSpace nursery_;
+    std::unique_ptr<scenes::Scene> scene_;
+    std::vector<dGeomID> geoms_; // by number
+};
+} // namespace ode_predictive_space::benchmarks
+
+#endif

@@ -1,0 +1,72 @@
+#include "tests/benchmarks/weight.h"
+
+#include "demos/scenes/scene_run.h"
+#include "tests/benchmarks/contenders/contenders.h"
+
+#include <limits>
+#include <malloc.h>
+#include <ode_predictive_space/predictive_space.h>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using namespace scenes;
+
+constexpr int ticks_to_fill = 3;
+
+void ignore_pair(void *, dGeomID, dGeomID) {}
+
+/// The heap's growth by a scene whose space keeps nothing of its own.
+double weight_of_scene(const SceneFactory &factory)
+{
+    const std::size_t before = heap_in_use();
+    const OwnedSpace space(dSimpleSpaceCreate(nullptr));
+    const std::unique_ptr<Scene> scene = factory.make(space.get());
+    return static_cast<double>(heap_in_use()) - static_cast<double>(before);
+}
+
+double told_weight(dSpaceID space)
+{
+    dPredictiveSpaceStats stats;
+    dPredictiveSpaceGetStats(space, &stats);
+    return static_cast<double>(stats.bytes);
+}
+
+/// The heap's growth by a contender with its scene, and by its first ticks.
+double weight_with_scene(const Contender &contender, std::size_t heap_before, Scene &scene)
+{
+    double weight = static_cast<double>(heap_in_use()) - static_cast<double>(heap_before);
+    for (int tick = 0; tick < ticks_to_fill; ++tick)
+    {
+        scene.advance();
+        const std::size_t before = heap_in_use();
+        dSpaceCollide(contender.space(), nullptr, &ignore_pair);
+        weight += static_cast<double>(heap_in_use()) - static_cast<double>(before);
+    }
+    return weight;
+}
+} // namespace
+
+std::size_t heap_in_use()
+{
+    const struct mallinfo2 info = mallinfo2();
+    return info.uordblks + info.hblkhd;
+}
+
+double bytes_per_geom(const std::string &name, const SceneFactory &factory)
+{
+    if (name == "hash" || name == "brute" || name == "floor")
+    {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const double scene_alone = weight_of_scene(factory);
+    const std::size_t before = heap_in_use();
+    const auto contender = benchmarks::make_contender(name, factory);
+    const std::unique_ptr<Scene> scene = factory.make(contender->space());
+    const double both = weight_with_scene(*contender, before, *scene);
+    const bool tells = dSpaceIsPredictive(contender->space()) != 0;
+    const double bytes = tells ? told_weight(contender->space()) : both - scene_alone;
+    return bytes / dSpaceGetNumGeoms(contender->space());
+}
+} // namespace ode_predictive_space::benchmarks
