@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ode_predictive_space/prediction/proximity.h"
-
 namespace ode_predictive_space
 {
 namespace
@@ -18,43 +16,68 @@ Envelope spherical(Envelope envelope)
     envelope.deviation.c *= root_of_3;
     return envelope;
 }
-} // namespace
 
-std::optional<double> time_of_proximity(const ProxyStore &proxies, ProxyId first, ProxyId second, Tick now,
-                                        Proximity measure)
+// Ticks that may pass, from now on.
+double common_horizon(const ProxyStore &proxies, ProxyId first, ProxyId second, Tick now)
 {
     const bool both_still = proxies.bounds[first].still && proxies.bounds[second].still;
-    const double duration = both_still ? 0 : std::min(proxies.remaining(first, now), proxies.remaining(second, now));
-    const Envelope one = proxies.outer_envelope(first, now);
-    const Envelope other = proxies.outer_envelope(second, now);
-    std::optional<double> time = box_time_of_proximity(one, other, duration);
-    if (time && measure == Proximity::sphere)
+    return both_still ? 0 : std::min(proxies.remaining(first, now), proxies.remaining(second, now));
+}
+
+std::optional<ProximityInterval> proximity_of(const Envelope &one, const Envelope &other, double duration,
+                                              Proximity measure)
+{
+    std::optional<ProximityInterval> interval = box_proximity(one, other, duration);
+    if (interval && measure == Proximity::sphere)
     {
         // Both must be near: not before the later of the two first times.
-        const std::optional<double> sphere_time = sphere_time_of_proximity(spherical(one), spherical(other), duration);
-        if (!sphere_time)
+        const std::optional<double> time = sphere_time_of_proximity(spherical(one), spherical(other), duration);
+        if (!time)
             return std::nullopt;
-        time = std::max(*time, *sphere_time);
+        interval->enter = std::max(interval->enter, *time);
     }
-    return time;
+    return interval;
+}
+} // namespace
+
+std::optional<ProximityInterval> proximity(const ProxyStore &proxies, ProxyId first, ProxyId second, Tick now,
+                                           Proximity measure)
+{
+    return proximity_of(proxies.outer_envelope(first, now), proxies.outer_envelope(second, now),
+                        common_horizon(proxies, first, second, now), measure);
 }
 
 void assess(const ProxyStore &proxies, const std::vector<CandidatePair> &candidates, Tick now, Proximity measure,
             std::vector<NearPair> &near, std::vector<ScheduledPair> &scheduled)
 {
+    ProxyId last = no_proxy;
+    Envelope envelope;
     for (const CandidatePair &pair : candidates)
     {
-        const std::optional<double> time = time_of_proximity(proxies, pair.first, pair.second, now, measure);
-        if (!time)
+        // Candidates come by the object that was predicted.
+        if (pair.first != last)
+        {
+            last = pair.first;
+            envelope = proxies.outer_envelope(last, now);
+        }
+        const std::optional<ProximityInterval> interval =
+            proximity_of(envelope, proxies.outer_envelope(pair.second, now),
+                         common_horizon(proxies, pair.first, pair.second, now), measure);
+        if (!interval)
             continue;
-        const Generation first = proxies.generations[pair.first];
-        const Generation second = proxies.generations[pair.second];
         // Objects are looked at at whole ticks only.
-        const double ticks = std::ceil(*time);
-        if (ticks < 1)
-            near.push_back({pair.first, pair.second, first, second, false, false});
+        const auto begin = static_cast<std::int32_t>(std::ceil(interval->enter));
+        const bool leaves = std::isfinite(interval->leave);
+        const std::int32_t stay =
+            leaves ? static_cast<std::int32_t>(std::floor(interval->leave)) - begin : Event::stays;
+        if (leaves && stay < 0)
+            continue;
+        const Event event{pair.first, pair.second, proxies.generations[pair.first], proxies.generations[pair.second],
+                          stay};
+        if (begin < 1)
+            near.push_back(NearPair::of(event, now));
         else
-            scheduled.push_back({static_cast<std::int32_t>(ticks), {pair.first, pair.second, first, second}});
+            scheduled.push_back({begin, event});
     }
 }
 } // namespace ode_predictive_space

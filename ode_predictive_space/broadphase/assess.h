@@ -8,6 +8,7 @@
 
 #include "ode_predictive_space/broadphase/event_wheel.h"
 #include "ode_predictive_space/broadphase/proxy_store.h"
+#include "ode_predictive_space/prediction/proximity.h"
 
 namespace ode_predictive_space
 {
@@ -18,15 +19,27 @@ enum class Proximity
     sphere ///< bounding boxes and bounding spheres overlap
 };
 
-/// A pair that is tested every tick, as long as neither object has been predicted anew.
+/// A pair that is tested every tick, as long as neither object has been predicted anew and they have not left each other.
 struct NearPair
 {
     ProxyId first;
     ProxyId second;
     Generation first_generation;
     Generation second_generation;
-    bool overlaps; ///< result of the last test; still true for two objects that have not moved since
-    bool tested;   ///< has been tested at all
+    Tick until;  ///< last tick at which they may be near, when they leave each other
+    bool leaves; ///< before the first of both horizons ends
+
+    static NearPair of(const Event &event, Tick now)
+    {
+        return {event.first,
+                event.second,
+                event.first_generation,
+                event.second_generation,
+                now + static_cast<Tick>(event.stay),
+                event.stay != Event::stays};
+    }
+
+    bool has_left(Tick now) const { return leaves && ticks_between(now, until) < 0; }
 };
 
 /// A pair's time of proximity, counted from now on.
@@ -36,9 +49,9 @@ struct ScheduledPair
     Event event;
 };
 
-/// The time of proximity of two proxies from `now` on, within the horizons of both; none when they stay apart that long.
-std::optional<double> time_of_proximity(const ProxyStore &proxies, ProxyId first, ProxyId second, Tick now,
-                                        Proximity measure);
+/// When two proxies may be near from `now` on, within the horizons of both; none when they stay apart that long.
+std::optional<ProximityInterval> proximity(const ProxyStore &proxies, ProxyId first, ProxyId second, Tick now,
+                                           Proximity measure);
 
 /// Sorts candidates into those that may be near now, those that sleep until their time, and those that
 /// need not be looked at (dropped).

@@ -29,8 +29,8 @@ ProxyId Broadphase::add()
         id = static_cast<ProxyId>(proxies_.size());
         proxies_.grow();
         boxes_.emplace_back();
-        for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &unreported_, &has_near_, &in_batch_,
-                           &interactive_, &due_anew_, &measured_})
+        for (IdSet *set :
+             {&members_, &moved_, &doubtful_, &moving_, &has_near_, &in_batch_, &interactive_, &due_anew_, &measured_})
             set->resize(proxies_.size());
     }
     proxies_.forget(id);
@@ -46,7 +46,7 @@ void Broadphase::remove(ProxyId id)
     index_.remove(proxies_, id);
     predictor.forget(proxies_, id);
     sample(id, false);
-    for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &unreported_, &has_near_, &interactive_, &due_anew_})
+    for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &has_near_, &interactive_, &due_anew_})
         set->erase(id);
     free_ids_.push_back(id);
 }
@@ -62,8 +62,6 @@ void Broadphase::set_role(ProxyId id, Role role)
 void Broadphase::set_measure(Proximity measure)
 {
     measure_ = measure;
-    for (NearPair &pair : near_)
-        pair.tested = false;
     predict_all_anew();
 }
 
@@ -166,7 +164,7 @@ void Broadphase::wake()
     {
         if (event.second == no_proxy || !current(event))
             continue;
-        near_.push_back({event.first, event.second, event.first_generation, event.second_generation, false, false});
+        near_.push_back(NearPair::of(event, now_));
         note_crowded(near_.back());
         ++counters_.woken;
     }
@@ -241,7 +239,8 @@ void Broadphase::purge_stale_events()
 
 void Broadphase::drop_stale_near()
 {
-    near_.erase(std::remove_if(near_.begin(), near_.end(), [this](const NearPair &pair) { return !current(pair); }),
+    near_.erase(std::remove_if(near_.begin(), near_.end(),
+                               [this](const NearPair &pair) { return !current(pair) || pair.has_left(now_); }),
                 near_.end());
     purge_near_at_ = std::max(least_purge, 2 * near_.size());
 }
@@ -249,7 +248,6 @@ void Broadphase::drop_stale_near()
 // What has moved is to be tested again by the next report, on new bounds.
 void Broadphase::take_note_of_moves()
 {
-    unreported_ |= moved_;
     measured_ -= moved_;
     moved_.clear();
     doubtful_.clear();
@@ -281,14 +279,14 @@ void Broadphase::stop_scanning()
 std::size_t Broadphase::bytes() const
 {
     std::size_t total = proxies_.bytes() + predictor.bytes() + index_.bytes() + wheel_.bytes() + sweep_.bytes();
-    for (const IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &unreported_, &has_near_, &in_batch_,
-                             &interactive_, &due_anew_, &measured_})
+    for (const IdSet *set :
+         {&members_, &moved_, &doubtful_, &moving_, &has_near_, &in_batch_, &interactive_, &due_anew_, &measured_})
         total += set->bytes();
     total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity()) * sizeof(ProxyId);
     total += swept_.capacity() * sizeof(SweptProxy);
     total += near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
     total += candidates_.capacity() * sizeof(CandidatePair) + scheduled_.capacity() * sizeof(ScheduledPair);
     total += scouts_.bytes();
-    return total + items_.capacity() * sizeof(SweptProxy) + boxes_.capacity() * sizeof(FloatBox);
+    return total + items_.capacity() * sizeof(SweptProxy) + boxes_.capacity() * sizeof(MeasuredBox);
 }
 } // namespace ode_predictive_space

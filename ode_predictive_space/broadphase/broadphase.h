@@ -14,6 +14,7 @@
 #include "ode_predictive_space/broadphase/envelope_index.h"
 #include "ode_predictive_space/broadphase/event_wheel.h"
 #include "ode_predictive_space/broadphase/id_set.h"
+#include "ode_predictive_space/broadphase/measured_box.h"
 #include "ode_predictive_space/broadphase/predictor.h"
 #include "ode_predictive_space/broadphase/proxy_store.h"
 #include "ode_predictive_space/broadphase/scan_policy.h"
@@ -39,6 +40,7 @@ struct Counters
 ///     Vector3 position(ProxyId)               centre, of those that are checked by it
 ///     const Real *coordinates(ProxyId)        the same, or null when no sphere around it holds the object however it turns
 ///     bool has_grown(ProxyId, float radius)   no longer fits into the sphere around its centre
+///     void prefetch(ProxyId), void prefetch_pose(ProxyId)   the bounds will soon be asked for; the latter after the former
 ///     Box bounds(ProxyId)                     bounding box
 ///     Observation observe(ProxyId, bool with_bounds)
 ///     bool overlap(ProxyId, ProxyId)          their bounding boxes do; by the measure of sphere, the spheres too
@@ -94,9 +96,10 @@ public:
     /// Makes new predictions for all objects at the next tick, for when settings have changed.
     void predict_all_anew();
 
-    std::optional<double> time_of_proximity(ProxyId first, ProxyId second) const
+    /// When two objects may be near, in ticks from now on; none when they stay apart over their horizons.
+    std::optional<ProximityInterval> proximity(ProxyId first, ProxyId second) const
     {
-        return ode_predictive_space::time_of_proximity(proxies_, first, second, now_, measure_);
+        return ode_predictive_space::proximity(proxies_, first, second, now_, measure_);
     }
 
     const ProxyStore &proxies() const { return proxies_; }
@@ -128,7 +131,7 @@ private:
     template <typename Scene> void scan(Scene &scene);
     template <typename Scene> void measure(Scene &scene, ProxyId id);
     template <typename Scene> void measure_near(Scene &scene);
-    template <typename Scene> void test(Scene &scene, NearPair &pair);
+    template <typename Scene> bool overlap(Scene &scene, const NearPair &pair) const;
     void drop_stale_near();
     void take_note_of_moves();
 
@@ -157,7 +160,6 @@ private:
     IdSet moved_;       // since the last update
     IdSet doubtful_;    // those of them that were not found, when the move was noticed, where they should be
     IdSet moving_;      // predicted to move: verified although nobody reports them, for they may have stopped
-    IdSet unreported_;  // moved since the last report()
     IdSet has_near_;    // had near pairs at the last report()
     IdSet in_batch_;    // members of batch_
     IdSet interactive_; // remembered at each tick
@@ -172,7 +174,7 @@ private:
     ScanPolicy policy_;
     Scouts scouts_;
     Sweep sweep_;
-    std::vector<FloatBox> boxes_; // holds the bounds of each object, where measured_
+    std::vector<MeasuredBox> boxes_; // the bounds of each object, where measured_
     Counters counters_;
 
     // Objects that are recognised as interactive are remembered at each tick while they are few; a hand is, a crowd is not.

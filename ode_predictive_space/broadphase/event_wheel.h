@@ -16,10 +16,13 @@ namespace ode_predictive_space
 /// stay where they are until their tick comes or purge() is called.
 struct Event
 {
+    static constexpr std::int32_t stays = -1;
+
     ProxyId first;
     ProxyId second;
     Generation first_generation;
     Generation second_generation;
+    std::int32_t stay = stays; ///< ticks after which the pair has parted again; `stays` when it is near to the end
 };
 
 /// A timing wheel: one bucket per tick for the near future, and one list for all that lies beyond, which is looked through

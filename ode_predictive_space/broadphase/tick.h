@@ -90,20 +90,9 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
     index_.update(proxies_, swept_, now_);
 }
 
-// A box that holds the object: the cube around its sphere where that is known, which is quicker to get than its bounds and
-// leaves fewer of them to be computed.
 template <typename Scene> void Broadphase::measure(Scene &scene, ProxyId id)
 {
-    if (measured_.contains(id))
-        return;
-    const float radius = proxies_.stamps[id].radius;
-    if (radius < 0)
-        boxes_[id] = FloatBox::around(scene.bounds(id));
-    else
-    {
-        const Vector3 centre = scene.position(id), extent = Vector3::Constant(radius);
-        boxes_[id] = FloatBox::around(Box(centre - extent, centre + extent));
-    }
+    boxes_[id] = MeasuredBox(scene.bounds(id));
     measured_.insert(id);
 }
 
@@ -117,35 +106,36 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
 
     items_.clear();
     members_.for_each([&](ProxyId id) {
-        measure(scene, id);
-        items_.push_back({id, boxes_[id]});
+        if (!measured_.contains(id))
+            measure(scene, id);
+        items_.push_back({id, boxes_[id].outer()});
     });
     sweep_.find_pairs(items_, candidates_);
     near_.clear();
     for (const CandidatePair &pair : candidates_)
-        near_.push_back({pair.first, pair.second, proxies_.generations[pair.first], proxies_.generations[pair.second],
-                         false, false});
+        near_.push_back(NearPair::of(
+            {pair.first, pair.second, proxies_.generations[pair.first], proxies_.generations[pair.second]}, now_));
     candidates_.clear();
 }
 
-template <typename Scene> void Broadphase::test(Scene &scene, NearPair &pair)
+template <typename Scene> bool Broadphase::overlap(Scene &scene, const NearPair &pair) const
 {
-    if (pair.tested && !unreported_.contains(pair.first) && !unreported_.contains(pair.second))
-        return;
-    pair.tested = true;
-    pair.overlaps = boxes_[pair.first].overlaps(boxes_[pair.second]) && scene.overlap(pair.first, pair.second);
+    const Verdict verdict = compare(boxes_[pair.first], boxes_[pair.second]);
+    if (verdict == Verdict::overlapping && measure_ == Proximity::box)
+        return true;
+    return verdict != Verdict::apart && scene.overlap(pair.first, pair.second);
 }
 
 template <typename Scene> void Broadphase::measure_near(Scene &scene)
 {
-    constexpr std::size_t ahead = 4;
+    constexpr std::size_t far_ahead = 8, ahead = 4;
     suspects_.clear();
     for (std::size_t i = 0; i < has_near_.words(); ++i)
         IdSet::visit_word(i, has_near_.word(i) & ~measured_.word(i), [this](ProxyId id) { suspects_.push_back(id); });
     for (std::size_t i = 0; i < suspects_.size(); ++i)
     {
-        if (i + ahead < suspects_.size())
-            scene.prefetch_position(suspects_[i + ahead]);
+        scene.prefetch(suspects_[std::min(i + far_ahead, suspects_.size() - 1)]);
+        scene.prefetch_pose(suspects_[std::min(i + ahead, suspects_.size() - 1)]);
         measure(scene, suspects_[i]);
     }
     suspects_.clear();
@@ -161,13 +151,9 @@ template <typename Scene> void Broadphase::report(Scene &scene, std::vector<Cand
         has_near_.insert(pair.second);
     }
     measure_near(scene);
-    for (NearPair &pair : near_)
-    {
-        test(scene, pair);
-        if (pair.overlaps)
+    for (const NearPair &pair : near_)
+        if (overlap(scene, pair))
             overlapping.push_back({pair.first, pair.second});
-    }
-    unreported_.clear();
 }
 
 template <typename Visit> void Broadphase::query(const FloatBox &box, Visit visit) const
@@ -176,7 +162,7 @@ template <typename Visit> void Broadphase::query(const FloatBox &box, Visit visi
         index_.query(box, visit);
     else
         members_.for_each([&](ProxyId id) {
-            if (boxes_[id].overlaps(box))
+            if (boxes_[id].outer().overlaps(box))
                 visit(id);
         });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ode_predictive_space
 {
@@ -80,7 +81,7 @@ std::optional<double> sphere_time_of_proximity(const Envelope &first, const Enve
     return std::min(*m * (1 - rounding_per_size), 1.0) * duration;
 }
 
-std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration)
+std::optional<ProximityInterval> box_proximity(const Envelope &first, const Envelope &second, double duration)
 {
     const Path path = relative_path(first.path, second.path);
     const Vector3 end = path.at(duration);
@@ -106,10 +107,13 @@ std::optional<double> box_time_of_proximity(const Envelope &first, const Envelop
         overlap.restrict_to_negative(above + path.position[axis] - reach, above + end[axis] - reach_at_end);
         overlap.restrict_to_negative(below - path.position[axis] - reach, below - end[axis] - reach_at_end);
     }
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     if (!overlap.known)
-        return 0.0;
+        return ProximityInterval{0, infinity};
     if (overlap.enter > overlap.leave + rounding_per_size)
         return std::nullopt;
-    return overlap.enter * (1 - rounding_per_size) * duration;
+    const double leave = overlap.leave * (1 + rounding_per_size) + rounding_per_size;
+    return ProximityInterval{overlap.enter * (1 - rounding_per_size) * duration,
+                             leave < 1 ? leave * duration : infinity};
 }
 } // namespace ode_predictive_space

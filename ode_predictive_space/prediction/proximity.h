@@ -38,10 +38,25 @@ double sphere_chord_error(const Envelope &first, const Envelope &second, double 
 /// included. A pair of which one radius is infinite, or anything not a number, is near at once.
 std::optional<double> sphere_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 
+/// When two envelopes may overlap.
+struct ProximityInterval
+{
+    double enter; ///< the time of proximity
+    double leave; ///< after it, they are apart again; infinite when that is not before the end
+};
+
 /// The same for the axis-aligned boxes of both envelopes: the latest of the entries into the three slabs
-/// |distance along the axis| <= half extents + R(t), if all three overlap at that time. Infinite bounds are never apart on
-/// their side. Never late with respect to Envelope::at() as computed, rounding included.
-std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
+/// |distance along the axis| <= half extents + R(t), if all three overlap at that time, and the earliest of the exits.
+/// Infinite bounds are never apart on their side. Never late to enter and never early to leave, with respect to
+/// Envelope::at() as computed, rounding included.
+std::optional<ProximityInterval> box_proximity(const Envelope &first, const Envelope &second, double duration);
+
+/// Its beginning.
+inline std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration)
+{
+    const std::optional<ProximityInterval> interval = box_proximity(first, second, duration);
+    return interval ? std::optional<double>(interval->enter) : std::nullopt;
+}
 } // namespace ode_predictive_space
 
 #endif

@@ -122,7 +122,18 @@ public:
     const dReal *coordinates(ProxyId id) const { return centre_of_sphere(geoms_[id]); }
     bool has_grown(ProxyId id, float radius) const { return !fits_into_sphere(geoms_[id], radius); }
 
-    void prefetch_position(ProxyId id) const { __builtin_prefetch(geoms_[id]->final_posr); }
+    void prefetch(ProxyId id) const
+    {
+        const char *geom = reinterpret_cast<const char *>(geoms_[id]);
+        for (int line = 0; line < 3; ++line)
+            __builtin_prefetch(geom + line * 64);
+    }
+    void prefetch_pose(ProxyId id) const
+    {
+        const char *pose = reinterpret_cast<const char *>(geoms_[id]->final_posr);
+        __builtin_prefetch(pose);
+        __builtin_prefetch(pose + 64);
+    }
 
     Box bounds(ProxyId id) const;
     Observation observe(ProxyId id, bool with_bounds) const;

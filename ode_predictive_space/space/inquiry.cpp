@@ -21,7 +21,8 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom
         std::min(proxies.remaining(one, broadphase_.now()), proxies.remaining(other, broadphase_.now()));
     const bool forever = proxies.bounds[one].still && proxies.bounds[other].still;
     *apart_until = forever ? std::numeric_limits<double>::infinity() : static_cast<double>(remaining);
-    return broadphase_.time_of_proximity(one, other);
+    const std::optional<ProximityInterval> interval = broadphase_.proximity(one, other);
+    return interval ? std::optional<double>(interval->enter) : std::nullopt;
 }
 
 std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *geom) const

@@ -40,7 +40,7 @@ TEST(Assess, WhatOverlapsIsNear)
     EXPECT_EQ(pair.second, 1u);
     EXPECT_EQ(pair.first_generation, 5u);
     EXPECT_EQ(pair.second_generation, 8u);
-    EXPECT_FALSE(pair.tested) << "what is near still has to be looked at";
+    EXPECT_FALSE(pair.leaves) << "neither moves";
 }
 
 TEST(Assess, WhatTouchesIsNear)

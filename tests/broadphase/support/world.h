@@ -57,7 +57,8 @@ public:
     std::string violated_invariant();
 
     // What Broadphase asks.
-    void prefetch_position(ProxyId) const {}
+    void prefetch(ProxyId) const {}
+    void prefetch_pose(ProxyId) const {}
     Vector3 position(ProxyId id) const { return objects_[id].centre; }
     const double *coordinates(ProxyId id) const { return objects_[id].centre.data(); }
     bool has_grown(ProxyId id, float radius) const { return !(objects_[id].radius <= radius); }

@@ -1,0 +1,95 @@
+// The bounding box of an object as it is now, for the test of near pairs.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_MEASURED_BOX_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_MEASURED_BOX_H
+
+#include <cmath>
+#include <limits>
+
+#include "ode_predictive_space/broadphase/float_box.h"
+
+namespace ode_predictive_space
+{
+/// What single precision can tell of two boxes.
+enum class Verdict
+{
+    apart,
+    overlapping,
+    unsure ///< too close to tell, or one is not finite
+};
+
+/// A box in single precision that knows how far off it may be: two of them are compared in a few instructions, and only
+/// those that nearly touch have to be compared in double precision.
+class alignas(32) MeasuredBox
+{
+public:
+    MeasuredBox() = default;
+
+    explicit MeasuredBox(const Box &box)
+    {
+        float largest = 0;
+        bool finite = true;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            low_[axis] = static_cast<float>(box.min()[axis]);
+            high_[axis] = static_cast<float>(box.max()[axis]);
+            largest = std::max(largest, std::max(std::abs(low_[axis]), std::abs(high_[axis])));
+            finite &= std::isfinite(low_[axis]) & std::isfinite(high_[axis]);
+        }
+        // Half a unit in the last place for each number, as much again for a difference of two; and what is lost below the
+        // range of float.
+        constexpr float unit = 4 * std::numeric_limits<float>::epsilon();
+        error_ = finite ? unit * largest + std::numeric_limits<float>::min() : std::numeric_limits<float>::infinity();
+        minus_error_ = -error_;
+    }
+
+    /// A box that holds the measured one.
+    FloatBox outer() const
+    {
+        FloatBox box;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            // A difference of infinities would be NaN: where there is no box, it is everywhere.
+            const bool finite = error_ < std::numeric_limits<float>::infinity();
+            box.low[axis] = finite ? low_[axis] - error_ : -std::numeric_limits<float>::infinity();
+            box.high[axis] = finite ? high_[axis] + error_ : std::numeric_limits<float>::infinity();
+        }
+        return box;
+    }
+
+    friend Verdict compare(const MeasuredBox &one, const MeasuredBox &other)
+    {
+#if defined(__SSE2__)
+        // In each of three components the larger of the gaps on both sides, in the fourth the sum of the errors.
+        const __m128 before = _mm_sub_ps(_mm_load_ps(other.low_), _mm_load_ps(one.high_));
+        const __m128 after = _mm_sub_ps(_mm_load_ps(one.low_), _mm_load_ps(other.high_));
+        const __m128 gap = _mm_max_ps(before, after);
+        const __m128 error = _mm_shuffle_ps(gap, gap, 0xff);
+        if (_mm_movemask_ps(_mm_cmpgt_ps(gap, error)))
+            return Verdict::apart;
+        const __m128 depth = _mm_sub_ps(_mm_setzero_ps(), gap);
+        return (_mm_movemask_ps(_mm_cmpgt_ps(depth, error)) & 7) == 7 ? Verdict::overlapping : Verdict::unsure;
+#else
+        const float error = one.error_ + other.error_;
+        bool overlapping = true;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const float gap = std::max(other.low_[axis] - one.high_[axis], one.low_[axis] - other.high_[axis]);
+            if (gap > error)
+                return Verdict::apart;
+            overlapping &= -gap > error;
+        }
+        return overlapping ? Verdict::overlapping : Verdict::unsure;
+#endif
+    }
+
+private:
+    float low_[3];
+    float error_ = std::numeric_limits<float>::infinity();
+    float high_[3];
+    float minus_error_ = -std::numeric_limits<float>::infinity();
+};
+static_assert(sizeof(MeasuredBox) == 32, "two vectors of four, low and high");
+} // namespace ode_predictive_space
+
+#endif
