@@ -1,7 +1,8 @@
 #include "tests/benchmarks/memory_measurement.h"
 
+#include "tests/benchmarks/weight.h"
+
 #include <algorithm>
-#include <malloc.h>
 #include <ode_predictive_space/predictive_space.h>
 
 namespace ode_predictive_space::benchmarks
@@ -76,12 +77,6 @@ std::vector<MemorySample> watch(OwnedSpace space, const SceneFactory &factory, i
     return result;
 }
 } // namespace
-
-std::int64_t heap_in_use()
-{
-    const struct mallinfo2 info = mallinfo2();
-    return static_cast<std::int64_t>(info.uordblks + info.hblkhd);
-}
 
 MemoryResult measure_memory(SpaceKind kind, const SceneSpec &spec, int ticks, int samples,
                             const std::function<void(int)> &progress)

@@ -11,9 +11,6 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// Bytes of memory in use by the whole program, as its allocator counts them.
-std::int64_t heap_in_use();
-
 /// What a space holds at one moment.
 struct MemorySample
 {

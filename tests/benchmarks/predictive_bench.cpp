@@ -4,6 +4,7 @@
 #include "demos/scenes/spaces.h"
 #include "tests/benchmarks/command.h"
 #include "tests/benchmarks/commands.h"
+#include "tests/benchmarks/which_ode.h"
 
 #include <exception>
 #include <iostream>
@@ -18,6 +19,7 @@ ExitStatus run(Command &command, const Options &options)
     try
     {
         const ode_predictive_space::scenes::OdeSession ode;
+        std::cout << which_ode() << "\n\n" << std::flush;
         command.measure(options, findings);
         findings.print(std::cout);
         if (!options.json_file.empty())
