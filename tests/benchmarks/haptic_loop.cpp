@@ -14,8 +14,8 @@ namespace
 using namespace ode_predictive_space::scenes;
 
 constexpr double tick_seconds = 0.001;
-constexpr double probe_radius = 0.1;            // metres
-constexpr double half_workspace = 0.5;          // in the scene, metres
+constexpr double probe_radius = 0.2;            // metres
+constexpr double half_workspace = 1;            // in the scene, metres
 constexpr double fastest = 1;                   // m/s, as in gas
 constexpr double fastest_spin = 5;              // rad/s, likewise
 constexpr std::uint32_t probe_index = ~0u >> 1; // greater than all others

@@ -23,7 +23,7 @@ constexpr HapticTick all_haptic_ticks[] = {HapticTick::collide, HapticTick::kine
 /// "collide", "kinematic" or "quickstep".
 std::string haptic_tick_name(HapticTick tick);
 
-/// Gas with a probe: half of the objects still, the others fly; in their midst a hand moves a sphere through a cube of 1 m,
+/// Gas with a probe: half of the objects still, the others fly; in their midst a hand moves a sphere through a cube of 2 m,
 /// feels what it touches by a penalty force and pushes it back. The objects do not touch one another: only the probe's
 /// contacts are looked for. The motion is the same in every space.
 class HapticLoop
