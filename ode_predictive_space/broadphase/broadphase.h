@@ -88,7 +88,10 @@ public:
     template <typename Scene> void report(Scene &scene, std::vector<CandidatePair> &overlapping);
 
     /// Calls visit(id) for every object whose bounds may overlap `box`; the broad phase must be caught up.
-    template <typename Visit> void query(const FloatBox &box, Visit visit) const;
+    template <typename Visit> void query(const FloatBox &box, Visit visit) const { walk(BoxProbe(box), visit); }
+
+    /// The same for a probe of any shape; see EnvelopeTree::walk().
+    template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const;
 
     /// Fixes an object's role; its next prediction, at the next tick, follows it.
     void set_role(ProxyId id, Role role);

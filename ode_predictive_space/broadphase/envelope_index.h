@@ -26,12 +26,15 @@ public:
     void clear(ProxyStore &proxies);
 
     /// Calls visit(id) for every proxy whose envelope may overlap `box`.
-    template <typename Visit> void query(const FloatBox &box, Visit visit) const
+    template <typename Visit> void query(const FloatBox &box, Visit visit) const { walk(BoxProbe(box), visit); }
+
+    /// The same for a probe of any shape; see EnvelopeTree::walk().
+    template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
     {
-        still_.query(box, visit);
-        moving_.query(box, visit);
+        still_.walk(probe, visit);
+        moving_.walk(probe, visit);
         for (const SweptProxy &leaf : unbounded_)
-            if (leaf.box.overlaps(box))
+            if (probe.overlaps(leaf.box))
                 visit(leaf.proxy);
     }
 

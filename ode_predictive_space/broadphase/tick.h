@@ -156,13 +156,13 @@ template <typename Scene> void Broadphase::report(Scene &scene, std::vector<Cand
             overlapping.push_back({pair.first, pair.second});
 }
 
-template <typename Visit> void Broadphase::query(const FloatBox &box, Visit visit) const
+template <typename Probe, typename Visit> void Broadphase::walk(const Probe &probe, Visit visit) const
 {
     if (!policy_.scanning())
-        index_.query(box, visit);
+        index_.walk(probe, visit);
     else
         members_.for_each([&](ProxyId id) {
-            if (boxes_[id].outer().overlaps(box))
+            if (probe.overlaps(boxes_[id].outer()))
                 visit(id);
         });
 }

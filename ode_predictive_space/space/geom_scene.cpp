@@ -58,12 +58,6 @@ dReal circumscribed_radius(const dxGeom *geom)
     }
 }
 
-// ODE makes contacts with a heightfield for what lies beside and below its edge, too.
-bool reaches_beyond_its_box(const dxGeom *geom)
-{
-    return geom->type == dHeightfieldClass;
-}
-
 // The sphere by which the measure of spheres judges: the geom's own, if it has one and its box bears that out, otherwise
 // that around its box. Losing its body, of which ODE tells nobody, must not make it larger.
 struct JudgedSphere
@@ -74,7 +68,7 @@ struct JudgedSphere
     JudgedSphere(const dxGeom *geom, const Box &bounds) : centre(bounds.center()), radius(circumscribed_radius(geom))
     {
         const bool borne_out = 0.5 * bounds.diagonal().maxCoeff() <= radius * (1 + double{tolerance});
-        if (reaches_beyond_its_box(geom))
+        if (judged_by_box_alone(geom))
             radius = std::numeric_limits<double>::infinity();
         else if (!borne_out || !std::isfinite(radius))
             radius = 0.5 * bounds.diagonal().norm();
@@ -87,7 +81,42 @@ struct JudgedSphere
         return !((centre - other.centre).squaredNorm() > reach * reach);
     }
 };
+
+bool spheres_may_touch(const dxGeom *one, const dxGeom *other)
+{
+    return JudgedSphere(one, to_box(one->aabb)).may_touch(JudgedSphere(other, to_box(other->aabb)));
+}
+
+// The sphere around a ray says next to nothing: it is judged by its line, too.
+bool ray_may_touch(dxGeom *ray, const dxGeom *other)
+{
+    if (ray->type != dRayClass || touched_off_line(other))
+        return true;
+    const std::optional<RayProbe> line = line_of_ray(ray);
+    return !line || line->overlaps(FloatBox::around(to_box(other->aabb)));
+}
 } // namespace
+
+bool judged_by_box_alone(const dxGeom *geom)
+{
+    return geom->type == dHeightfieldClass || geom->type == dGeomTransformClass || geom->type >= dFirstSpaceClass;
+}
+
+bool touched_off_line(const dxGeom *geom)
+{
+    return geom->type == dConvexClass || judged_by_box_alone(geom);
+}
+
+std::optional<RayProbe> line_of_ray(dxGeom *ray)
+{
+    ray->recomputePosr();
+    const dReal *start = ray->final_posr->pos, *R = ray->final_posr->R, length = static_cast<dxRay *>(ray)->length;
+    const Vector3 begin(start[0], start[1], start[2]);
+    const Vector3 end = begin + double{length} * Vector3(R[2], R[6], R[10]);
+    if (!FloatBox::around(Box(begin.cwiseMin(end), begin.cwiseMax(end))).bounded())
+        return std::nullopt;
+    return RayProbe(begin, end);
+}
 
 BoundingSphere bounding_sphere(const dxGeom *geom)
 {
@@ -112,7 +141,7 @@ Observation GeomScene::observe(ProxyId id, bool with_bounds) const
     Observation seen;
     seen.radius = sphere.radius;
     seen.is_sphere = sphere.is_sphere;
-    seen.box_only = reaches_beyond_its_box(geom);
+    seen.box_only = judged_by_box_alone(geom);
     bool by_centre = std::isfinite(sphere.radius) && (!with_bounds || sphere.is_sphere);
     if (by_centre)
     {
@@ -126,12 +155,12 @@ Observation GeomScene::observe(ProxyId id, bool with_bounds) const
     return seen;
 }
 
-bool GeomScene::overlap(ProxyId first, ProxyId second) const
+bool GeomScene::overlap(dxGeom *one, dxGeom *other) const
 {
-    dxGeom *one = geoms_[first], *other = geoms_[second];
     one->recomputeAABB();
     other->recomputeAABB();
-    return aabbs_overlap(one, other) &&
-           (!spheres_ || JudgedSphere(one, to_box(one->aabb)).may_touch(JudgedSphere(other, to_box(other->aabb))));
+    if (!aabbs_overlap(one, other))
+        return false;
+    return !spheres_ || (spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one));
 }
 } // namespace ode_predictive_space

@@ -5,9 +5,11 @@
 
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/predictor.h"
+#include "ode_predictive_space/broadphase/ray_probe.h"
 #include "ode_predictive_space/broadphase/types.h"
 #include "ode_predictive_space/space/ode_internals.h"
 
@@ -61,6 +63,17 @@ inline const dReal *centre_of_sphere(const dxGeom *geom)
 {
     return !(geom->gflags & GEOM_POSR_BAD) & turns_safely(geom) ? geom->final_posr->pos : nullptr;
 }
+
+/// Can a geom be touched outside of any sphere around its bounding box? ODE makes contacts with a heightfield for what lies
+/// beside and below its edge, too; a space or a transform may hold one; and what a user's class does is unknown.
+bool judged_by_box_alone(const dxGeom *geom);
+
+/// Can a ray touch a geom whose bounding box its line does not meet? Besides those above, ODE makes contacts between a ray
+/// and a convex from its distance to a face, as if it stood at right angles to it.
+bool touched_off_line(const dxGeom *geom);
+
+/// The line of a ray; none when it is not finite.
+std::optional<RayProbe> line_of_ray(dxGeom *ray);
 
 /// Do the bounding boxes, which must be valid, overlap? The comparisons are those of ODE's collideAABBs(), so that touching
 /// and NaN mean the same.
@@ -137,7 +150,8 @@ public:
 
     Box bounds(ProxyId id) const;
     Observation observe(ProxyId id, bool with_bounds) const;
-    bool overlap(ProxyId first, ProxyId second) const;
+    bool overlap(ProxyId first, ProxyId second) const { return overlap(geoms_[first], geoms_[second]); }
+    bool overlap(dxGeom *one, dxGeom *other) const;
 
     /// ODE's dGeomMoved() calls dirty() only for geoms that are not dirty. The flag is cleared although the bounding box
     /// may still be bad: it is computed when somebody needs it. remove() and cleanGeoms() restore what ODE expects.

@@ -61,6 +61,7 @@ void dxPredictiveSpace::add(dxGeom *geom)
     {
         geoms_.resize(id + 1, nullptr);
         polled_.resize(geoms_.size());
+        off_line_.resize(geoms_.size());
         unclassified_.resize(geoms_.size());
     }
     geoms_[id] = geom;
@@ -82,6 +83,8 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     geoms_[id] = nullptr;
     polled_count_ -= polled_.contains(id);
     polled_.erase(id);
+    off_line_count_ -= off_line_.contains(id);
+    off_line_.erase(id);
     unclassified_.erase(id);
     geom->next_ex = nullptr;
     // In here a geom with a bad box need not be dirty (see GeomScene::acknowledge()); elsewhere it must be.
@@ -105,6 +108,11 @@ void dxPredictiveSpace::classify_new()
         {
             polled_.insert(id);
             ++polled_count_;
+        }
+        if (touched_off_line(geoms_[id]))
+        {
+            off_line_.insert(id);
+            ++off_line_count_;
         }
     });
     unclassified_.clear();
@@ -188,19 +196,44 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     dAASSERT(geom && callback);
     catch_up();
     Lock lock(this);
-    geom->recomputeAABB();
-    std::vector<dxGeom *> found = std::exchange(found_, {});
+    std::vector<ProxyId> found = std::exchange(found_, {});
     found.clear();
-    broadphase_.query(FloatBox::around(to_box(geom->aabb)), [&](ProxyId id) { found.push_back(geoms_[id]); });
-    for (dxGeom *other : found)
+    find_near(geom, found);
+    const GeomScene now = scene();
+    constexpr std::size_t ahead = 4;
+    for (std::size_t i = 0; i < found.size(); ++i)
     {
-        if (!enabled(other))
-            continue;
-        other->recomputeAABB();
-        if (aabbs_overlap(other, geom) && wants_callback(other, geom))
+        if (i + ahead < found.size())
+            now.prefetch(found[i + ahead]);
+        dxGeom *other = geoms_[found[i]];
+        if (enabled(other) && now.overlap(other, geom) && wants_callback(other, geom))
             callback(data, other, geom);
     }
     found_ = std::move(found);
+}
+
+// All geoms whose bounding box the geom's may overlap. By the measure of spheres, a ray is followed along its line; only
+// those that it can touch from elsewhere are looked for in its box.
+void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
+{
+    geom->recomputeAABB();
+    const bool as_line = geom->type == dRayClass && broadphase_.measure() == Proximity::sphere;
+    const std::optional<RayProbe> line = as_line ? line_of_ray(geom) : std::nullopt;
+    const FloatBox box = FloatBox::around(to_box(geom->aabb));
+    if (!line)
+    {
+        broadphase_.query(box, [&](ProxyId id) { found.push_back(id); });
+        return;
+    }
+    auto find = [&](const auto &probe, bool off_line) {
+        broadphase_.walk(probe, [&](ProxyId id) {
+            if (off_line_.contains(id) == off_line)
+                found.push_back(id);
+        });
+    };
+    find(*line, false);
+    if (off_line_count_ > 0)
+        find(BoxProbe(box), true);
 }
 
 void dxPredictiveSpace::set_proximity(Proximity measure)
@@ -240,6 +273,7 @@ void dxPredictiveSpace::set_horizon(HorizonBounds horizon)
 
 std::size_t dxPredictiveSpace::bytes() const
 {
-    return sizeof(*this) + broadphase_.bytes() + (geoms_.capacity() + found_.capacity()) * sizeof(void *) +
-           pairs_.capacity() * sizeof(CandidatePair) + unclassified_.bytes() + polled_.bytes();
+    return sizeof(*this) + broadphase_.bytes() + geoms_.capacity() * sizeof(void *) +
+           found_.capacity() * sizeof(ProxyId) + pairs_.capacity() * sizeof(CandidatePair) + unclassified_.bytes() +
+           polled_.bytes() + off_line_.bytes();
 }

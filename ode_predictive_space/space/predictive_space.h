@@ -75,6 +75,7 @@ private:
 
     static ProxyId proxy_of(const dxGeom *geom);
     ode_predictive_space::GeomScene scene() const;
+    void find_near(dxGeom *geom, std::vector<ProxyId> &found);
     void classify_new();
     void notice_unreported_moves();
     bool lies_in_envelope(ProxyId id, const ode_predictive_space::GeomScene &now) const;
@@ -85,13 +86,15 @@ private:
     ode_predictive_space::IdSet unclassified_; // added since the last look: their class was not known then
     ode_predictive_space::IdSet polled_;       // those whose class changes them without telling their space
     std::size_t polled_count_ = 0;
+    ode_predictive_space::IdSet off_line_; // those that a ray may touch where it does not meet their box
+    std::size_t off_line_count_ = 0;
 
     // Nothing has been added, moved or set since the broad phase was last brought up to date: most queries find it so.
     bool caught_up_ = false;
 
     // Taken by collide() and collide2() while they call back, given back afterwards: a callback may collide this space.
     std::vector<ode_predictive_space::CandidatePair> pairs_;
-    std::vector<dxGeom *> found_;
+    std::vector<ProxyId> found_;
 
     unsigned long ticks_ = 0;
     unsigned long reported_ = 0;

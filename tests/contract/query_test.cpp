@@ -1,5 +1,8 @@
 // Contract 9: dSpaceCollide2() as the built-in spaces have it.
 
+#include <algorithm>
+#include <cmath>
+
 #include <ode_predictive_space/predictive_space.h>
 
 #include "tests/contract/support/geom_zoo.h"
@@ -247,6 +250,115 @@ TEST_F(Contract, 09_WhateverChangesBetweenTwoQueriesIsSeen)
         query();
         dGeomDestroy(probe);
     });
+}
+
+// Geoms of every kind, the unbounded ones left out, here and there in a room.
+std::vector<dGeomID> fill_room(Scenario &scene, int count)
+{
+    std::vector<dGeomID> geoms;
+    for (int i = 0; i < count; ++i)
+    {
+        const GeomKind kind = static_cast<GeomKind>(i % (geom_kind_count - 3));
+        dGeomID geom = scene.numbered(create_geom(kind, 0.3 + 0.2 * (i % 3), scene.space()));
+        dGeomSetPosition(geom, i % 7 - 3.0, i / 7 % 7 - 3.0, i / 49 % 7 - 3.0);
+        geoms.push_back(geom);
+    }
+    return geoms;
+}
+
+// A ray from somewhere in that room into some direction.
+void aim(dGeomID ray, int number)
+{
+    dGeomRaySetLength(ray, 0.5 * (1 + number % 17));
+    dGeomRaySet(ray, 0.9 * (number % 9) - 3.5, 0.8 * (number % 10) - 3.5, 0.7 * (number % 11) - 3.5,
+                std::sin(1.1 * number), std::sin(1.7 * number), std::cos(2.3 * number));
+}
+
+TEST_F(Contract, 09_RaysMeetWhateverTheirBoundingBoxMeets)
+{
+    expect_as_simple([](Scenario &scene) {
+        const std::vector<dGeomID> geoms = fill_room(scene, 300);
+        dGeomID ray = scene.numbered(dCreateRay(nullptr, 1));
+        for (int number = 0; number < 200; ++number)
+        {
+            aim(ray, number);
+            scene.query(ray, as_geom(scene.space()));
+            dGeomID moved = geoms[static_cast<std::size_t>(number) % geoms.size()];
+            dGeomSetPosition(moved, number % 5, 0.01 * number, 0);
+            if (number % 10 == 0)
+                scene.tick();
+        }
+        dGeomDestroy(ray);
+    });
+}
+
+// The pairs of a query in both spaces; what the measure of spheres leaves out must not be in contact.
+struct LeftOut
+{
+    std::size_t reported = 0;
+    std::size_t left_out = 0;
+
+    void compare(const Pairs &by_boxes, const Pairs &by_spheres, dGeomID probe, const std::vector<dGeomID> &geoms)
+    {
+        std::size_t kept = 0;
+        for (const Pair &pair : by_boxes)
+        {
+            if (std::find(by_spheres.begin(), by_spheres.end(), pair) != by_spheres.end())
+            {
+                ++kept;
+                continue;
+            }
+            ++left_out;
+            dContactGeom contacts[4];
+            dGeomID other = geoms[static_cast<std::size_t>(pair.second)];
+            EXPECT_EQ(dCollide(probe, other, 4, contacts, sizeof(dContactGeom)), 0)
+                << "a contact with class " << dGeomGetClass(other) << " is lost";
+        }
+        EXPECT_EQ(kept, by_spheres.size()) << "what a simple space does not report";
+        reported += kept;
+    }
+};
+
+TEST_F(Contract, 09_BySpheresQueriesLoseNoContact)
+{
+    Scenario by_boxes(SpaceKind::simple), by_spheres(SpaceKind::predictive);
+    dPredictiveSpaceSetProximity(by_spheres.space(), dPredictiveProximitySphere);
+    const std::vector<dGeomID> geoms = fill_room(by_boxes, 300);
+    fill_room(by_spheres, 300);
+    dGeomID ray = number_geom(dCreateRay(nullptr, 1), 1000), ball = number_geom(dCreateSphere(nullptr, 0.4), 1001);
+    LeftOut rays, balls;
+    for (int number = 0; number < 2000; ++number)
+    {
+        aim(ray, number);
+        rays.compare(collide2(ray, as_geom(by_boxes.space())), collide2(ray, as_geom(by_spheres.space())), ray, geoms);
+        const dReal *place = dGeomGetPosition(ray);
+        dGeomSetPosition(ball, place[0] + 0.3, place[1] - 0.2, place[2]);
+        balls.compare(collide2(ball, as_geom(by_boxes.space())), collide2(ball, as_geom(by_spheres.space())), ball,
+                      geoms);
+    }
+    EXPECT_GT(rays.reported, 1000u);
+    EXPECT_GT(rays.left_out, rays.reported) << "a ray is followed along its line";
+    EXPECT_GT(balls.reported, 1000u);
+    EXPECT_GT(balls.left_out, balls.reported / 20);
+    dGeomDestroy(ray);
+    dGeomDestroy(ball);
+}
+
+TEST_F(Contract, 09_BySpheresARayWithoutAnEndIsAskedByItsBox)
+{
+    Scenario scene(SpaceKind::predictive);
+    dPredictiveSpaceSetProximity(scene.space(), dPredictiveProximitySphere);
+    scene.sphere(1, 5, 0, 0);
+    dGeomID ray = number_geom(dCreateRay(nullptr, dInfinity), 7);
+    dGeomRaySet(ray, 0, 0, 0, 1, 0.01, 0.01);
+    EXPECT_EQ(collide2(ray, as_geom(scene.space())), Pairs({{7, 0}}));
+    dGeomRaySetLength(ray, 1e30);
+    EXPECT_EQ(collide2(ray, as_geom(scene.space())), Pairs({{7, 0}}));
+    dGeomRaySetLength(ray, 10);
+    EXPECT_EQ(collide2(ray, as_geom(scene.space())), Pairs({{7, 0}}));
+    dGeomRaySet(ray, 0, 3, 0, 1, 0, 0);
+    EXPECT_EQ(collide2(ray, as_geom(scene.space())), Pairs());
+    dGeomDestroy(ray);
 }
 
 TEST_F(Contract, 09_AnEmptySpaceAnswersQueries)

@@ -1,0 +1,155 @@
+#include "ode_predictive_space/broadphase/ray_probe.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "ode_predictive_space/broadphase/envelope_tree.h"
+#include "tests/broadphase/support/random.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+// By clipping the line to the three slabs of the box, grown by `margin`.
+bool line_meets(const Vector3 &start, const Vector3 &end, const FloatBox &box, long double margin)
+{
+    long double enter = 0, leave = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const long double from = start[axis], way = static_cast<long double>(end[axis]) - from;
+        const long double low = box.low[axis] - margin, high = box.high[axis] + margin;
+        if (way == 0)
+        {
+            if (from < low || from > high)
+                return false;
+            continue;
+        }
+        const long double one = (low - from) / way, other = (high - from) / way;
+        enter = std::max(enter, std::min(one, other));
+        leave = std::min(leave, std::max(one, other));
+    }
+    return enter <= leave;
+}
+
+struct Place
+{
+    const char *name;
+    double offset; // from the origin
+    double length; // of the lines, at most
+    double size;   // of the boxes, at most
+};
+
+void PrintTo(const Place &place, std::ostream *out)
+{
+    *out << place.name;
+}
+
+class AnyRay : public testing::TestWithParam<Place>
+{};
+
+TEST_P(AnyRay, MeetsWhateverClippingMeetsAndHardlyMore)
+{
+    const Place place = GetParam();
+    Random random(5);
+    const Vector3 origin = place.offset * Vector3(1, -0.7, 0.3);
+    const double margin = 8e-6 * (place.offset + place.length + place.size) + 1e-30;
+    std::size_t met = 0, missed = 0;
+    for (int i = 0; i < 200000; ++i)
+    {
+        const Vector3 start = origin + random.vector(place.length);
+        Vector3 end = origin + random.vector(place.length);
+        // Along an axis, in a plane, a point.
+        for (int axis = 0; axis < 3; ++axis)
+            if (random.chance(0.1))
+                end[axis] = start[axis];
+        const Vector3 centre = origin + random.vector(place.length), half = 0.5 * random.vector(place.size).cwiseAbs();
+        const FloatBox box = FloatBox::around(Box(centre - half, centre + half));
+        const bool overlaps = RayProbe(start, end).overlaps(box);
+        if (line_meets(start, end, box, 0))
+        {
+            ASSERT_TRUE(overlaps) << i;
+            ++met;
+        }
+        else if (!line_meets(start, end, box, margin))
+        {
+            ASSERT_FALSE(overlaps) << i;
+            ++missed;
+        }
+    }
+    EXPECT_GT(met, 100u);
+    EXPECT_GT(missed, 100u);
+}
+
+INSTANTIATE_TEST_SUITE_P(RayProbe, AnyRay,
+                         testing::Values(Place{"near", 0, 1, 1}, Place{"long", 0, 100, 20}, Place{"far", 1e6, 100, 50},
+                                         Place{"very_far", 1e12, 1e9, 1e9}, Place{"tiny", 0, 1e-12, 1e-12},
+                                         Place{"huge", 0, 1e14, 5e13}),
+                         [](const auto &info) { return info.param.name; });
+
+TEST(RayProbe, TouchingIsMeeting)
+{
+    const FloatBox box = {{0, 0, 0}, {1, 1, 1}};
+    EXPECT_TRUE(RayProbe({1, 0.5, 0.5}, {2, 0.5, 0.5}).overlaps(box)) << "its beginning";
+    EXPECT_TRUE(RayProbe({-1, 0.5, 0.5}, {0, 0.5, 0.5}).overlaps(box)) << "its end";
+    EXPECT_TRUE(RayProbe({-1, 1, 1}, {2, 1, 1}).overlaps(box)) << "an edge";
+    EXPECT_TRUE(RayProbe({0, 2, 0.5}, {2, 0, 0.5}).overlaps(box)) << "an edge, across";
+    EXPECT_TRUE(RayProbe({0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}).overlaps(box)) << "a point within";
+    EXPECT_FALSE(RayProbe({0, 2.001, 0.5}, {2.001, 0, 0.5}).overlaps(box));
+    EXPECT_FALSE(RayProbe({1.001, 0.5, 0.5}, {2, 0.5, 0.5}).overlaps(box));
+}
+
+TEST(RayProbe, WhatIsInfiniteOrNotANumberIsMet)
+{
+    const RayProbe line({0, 0, 0}, {1, 2, 3});
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_TRUE(line.overlaps({{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}));
+    EXPECT_TRUE(line.overlaps({{-infinity, -infinity, -infinity}, {infinity, infinity, 1}}));
+    EXPECT_TRUE(line.overlaps({{nan, nan, nan}, {nan, nan, nan}}));
+}
+
+TEST(RayProbe, ATreeIsFollowedAlongTheLine)
+{
+    // A room with 20,000 cubes of side 0.2, and lines across it: their bounding boxes hold a tenth of all.
+    Random random(6);
+    EnvelopeTree tree;
+    std::vector<FloatBox> boxes;
+    for (ProxyId i = 0; i < 20000; ++i)
+    {
+        const Vector3 centre = random.vector(10), half = Vector3::Constant(0.1);
+        boxes.push_back(FloatBox::around(Box(centre - half, centre + half)));
+        tree.insert(i, boxes.back());
+    }
+    struct CountingLine
+    {
+        RayProbe line;
+        std::size_t &asked;
+        bool overlaps(const FloatBox &box) const
+        {
+            ++asked;
+            return line.overlaps(box);
+        }
+    };
+    std::size_t asked = 0, found_along = 0, found_in_box = 0;
+    for (int i = 0; i < 100; ++i)
+    {
+        const Vector3 start = random.vector(10), end = random.vector(10);
+        std::vector<ProxyId> found, expected;
+        tree.walk(CountingLine{{start, end}, asked}, [&](ProxyId proxy) { found.push_back(proxy); });
+        std::sort(found.begin(), found.end());
+        for (ProxyId proxy = 0; proxy < boxes.size(); ++proxy)
+            if (RayProbe(start, end).overlaps(boxes[proxy]))
+                expected.push_back(proxy);
+        ASSERT_EQ(found, expected);
+        found_along += found.size();
+        const Box bounds(start.cwiseMin(end), start.cwiseMax(end));
+        tree.query(FloatBox::around(bounds), [&](ProxyId) { ++found_in_box; });
+    }
+    EXPECT_GT(found_along, 100u);
+    EXPECT_GT(found_in_box, 50 * found_along);
+    EXPECT_LT(asked, found_in_box / 2) << "branches beside the line are left out as a whole";
+}
+} // namespace
+} // namespace ode_predictive_space
