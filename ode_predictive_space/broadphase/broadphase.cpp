@@ -84,8 +84,8 @@ bool Broadphase::time_passes(bool is_tick)
         std::size_t moving = 0, moved = 0;
         for (std::size_t i = 0; i < moved_.words(); ++i)
         {
-            moving += static_cast<std::size_t>(__builtin_popcountll(moving_.word(i)));
-            moved += static_cast<std::size_t>(__builtin_popcountll(moving_.word(i) & moved_.word(i)));
+            moving += IdSet::count(moving_.word(i));
+            moved += IdSet::count(moving_.word(i) & moved_.word(i));
         }
         passes = (is_tick && !ticked_early_) || (moving > 0 && 2 * moved >= moving);
     }
@@ -108,7 +108,7 @@ void Broadphase::collect_suspects(bool time_passes, bool as_expected)
     for (std::size_t i = 0; i < moved_.words(); ++i)
     {
         const std::uint64_t moved = moved_.word(i), stopped = time_passes ? moving_.word(i) & ~moved : 0;
-        counters_.verified += static_cast<std::uint64_t>(__builtin_popcountll(moved | stopped));
+        counters_.verified += IdSet::count(moved | stopped);
         IdSet::visit_word(i, (as_expected ? doubtful_.word(i) : moved) | stopped, collect);
     }
 }
@@ -237,11 +237,20 @@ void Broadphase::purge_stale_events()
     purge_events_at_ = std::max(least_purge, 2 * wheel_.size());
 }
 
+// Notes who is left, too.
 void Broadphase::drop_stale_near()
 {
-    near_.erase(std::remove_if(near_.begin(), near_.end(),
-                               [this](const NearPair &pair) { return !current(pair) || pair.has_left(now_); }),
-                near_.end());
+    has_near_.clear();
+    std::size_t left = 0;
+    for (const NearPair &pair : near_)
+    {
+        if (!current(pair) || pair.has_left(now_))
+            continue;
+        has_near_.insert(pair.first);
+        has_near_.insert(pair.second);
+        near_[left++] = pair;
+    }
+    near_.resize(left);
     purge_near_at_ = std::max(least_purge, 2 * near_.size());
 }
 

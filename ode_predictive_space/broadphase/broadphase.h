@@ -42,6 +42,7 @@ struct Counters
 ///     bool has_grown(ProxyId, float radius)   no longer fits into the sphere around its centre
 ///     void prefetch(ProxyId), void prefetch_pose(ProxyId)   the bounds will soon be asked for; the latter after the former
 ///     Box bounds(ProxyId)                     bounding box
+///     void measure(ProxyId, MeasuredBox &)    the same
 ///     Observation observe(ProxyId, bool with_bounds)
 ///     bool overlap(ProxyId, ProxyId)          their bounding boxes do; by the measure of sphere, the spheres too
 ///     void acknowledge(ProxyId)               it has been looked at; tell me of its next move

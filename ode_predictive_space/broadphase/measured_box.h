@@ -27,19 +27,30 @@ public:
 
     explicit MeasuredBox(const Box &box)
     {
+        const double sides[] = {box.min().x(), box.max().x(), box.min().y(),
+                                box.max().y(), box.min().z(), box.max().z()};
+        assign(sides);
+    }
+
+    /// @param sides lowest and highest x, then y, then z.
+    template <typename Real> void assign(const Real sides[6])
+    {
+        constexpr float most = std::numeric_limits<float>::max();
+        // Half a unit in the last place for each number, as much again for a difference of two; and what is lost below the
+        // range of float.
+        constexpr float unit = 4 * std::numeric_limits<float>::epsilon();
+        constexpr float least = std::numeric_limits<float>::min();
         float largest = 0;
         bool finite = true;
         for (int axis = 0; axis < 3; ++axis)
         {
-            low_[axis] = static_cast<float>(box.min()[axis]);
-            high_[axis] = static_cast<float>(box.max()[axis]);
-            largest = std::max(largest, std::max(std::abs(low_[axis]), std::abs(high_[axis])));
-            finite &= std::isfinite(low_[axis]) & std::isfinite(high_[axis]);
+            low_[axis] = static_cast<float>(sides[2 * axis]);
+            high_[axis] = static_cast<float>(sides[2 * axis + 1]);
+            const float low_size = std::abs(low_[axis]), high_size = std::abs(high_[axis]);
+            largest = std::max(largest, std::max(low_size, high_size));
+            finite &= (low_size <= most) & (high_size <= most);
         }
-        // Half a unit in the last place for each number, as much again for a difference of two; and what is lost below the
-        // range of float.
-        constexpr float unit = 4 * std::numeric_limits<float>::epsilon();
-        error_ = finite ? unit * largest + std::numeric_limits<float>::min() : std::numeric_limits<float>::infinity();
+        error_ = finite ? unit * largest + least : std::numeric_limits<float>::infinity();
         minus_error_ = -error_;
     }
 

@@ -92,7 +92,7 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
 
 template <typename Scene> void Broadphase::measure(Scene &scene, ProxyId id)
 {
-    boxes_[id] = MeasuredBox(scene.bounds(id));
+    scene.measure(id, boxes_[id]);
     measured_.insert(id);
 }
 
@@ -144,12 +144,6 @@ template <typename Scene> void Broadphase::measure_near(Scene &scene)
 template <typename Scene> void Broadphase::report(Scene &scene, std::vector<CandidatePair> &overlapping)
 {
     drop_stale_near();
-    has_near_.clear();
-    for (const NearPair &pair : near_)
-    {
-        has_near_.insert(pair.first);
-        has_near_.insert(pair.second);
-    }
     measure_near(scene);
     for (const NearPair &pair : near_)
         if (overlap(scene, pair))

@@ -65,6 +65,22 @@ inline bool bounds_inside(const Envelope &envelope_now, const Box &box)
     return inside;
 }
 
+/// The same for a packed envelope, evaluated as centre_inside() does it.
+inline bool bounds_inside(const PackedPath &path, const PackedBounds &bounds, const Box &box, Tick now)
+{
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const float t = bounds.still ? 0 : static_cast<float>(ticks_between(path.since, now));
+    const double reach = path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]);
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const double centre = path.position[axis] + t * (path.velocity[axis] + 0.5f * t * path.acceleration[axis]);
+        inside &= (centre + bounds.low[axis] - reach <= box.min()[axis]) | (bounds.low[axis] == -infinity);
+        inside &= (box.max()[axis] <= centre + bounds.high[axis] + reach) | (bounds.high[axis] == infinity);
+    }
+    return inside;
+}
+
 /// The check of those that have no sphere, or are predicted by tight bounds.
 template <typename Scene>
 [[gnu::noinline]] bool bounds_hold(Scene &scene, const ProxyStore &proxies, ProxyId id, Tick now)
@@ -72,7 +88,7 @@ template <typename Scene>
     const PackedBounds &bounds = proxies.bounds[id];
     // What no tree can hold is predicted anew whenever it moves: it may have become finite again.
     return bounds.check == Check::bounds && bounds.shelf != Shelf::unbounded &&
-           bounds_inside(proxies.envelope(id, now), scene.bounds(id));
+           bounds_inside(proxies.paths[id], bounds, scene.bounds(id), now);
 }
 
 /// The check at the notice of a move, when the object has just been written and lies in the cache: is its centre where it

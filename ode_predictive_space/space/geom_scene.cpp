@@ -125,15 +125,6 @@ BoundingSphere bounding_sphere(const dxGeom *geom)
     return {dInfinity, false};
 }
 
-Box GeomScene::bounds(ProxyId id) const
-{
-    dxGeom *geom = geoms_[id];
-    if (IS_SPACE(geom))
-        static_cast<dxSpace *>(geom)->cleanGeoms();
-    geom->recomputeAABB();
-    return to_box(geom->aabb);
-}
-
 Observation GeomScene::observe(ProxyId id, bool with_bounds) const
 {
     dxGeom *geom = geoms_[id];

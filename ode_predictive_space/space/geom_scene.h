@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "ode_predictive_space/broadphase/measured_box.h"
 #include "ode_predictive_space/broadphase/predictor.h"
 #include "ode_predictive_space/broadphase/ray_probe.h"
 #include "ode_predictive_space/broadphase/types.h"
@@ -148,7 +149,8 @@ public:
         __builtin_prefetch(pose + 64);
     }
 
-    Box bounds(ProxyId id) const;
+    Box bounds(ProxyId id) const { return to_box(valid_aabb(id)); }
+    void measure(ProxyId id, MeasuredBox &box) const { box.assign(valid_aabb(id)); }
     Observation observe(ProxyId id, bool with_bounds) const;
     bool overlap(ProxyId first, ProxyId second) const { return overlap(geoms_[first], geoms_[second]); }
     bool overlap(dxGeom *one, dxGeom *other) const;
@@ -158,6 +160,15 @@ public:
     void acknowledge(ProxyId id) const { geoms_[id]->gflags &= ~GEOM_DIRTY; }
 
 private:
+    const dReal *valid_aabb(ProxyId id) const
+    {
+        dxGeom *geom = geoms_[id];
+        if (IS_SPACE(geom))
+            static_cast<dxSpace *>(geom)->cleanGeoms();
+        geom->recomputeAABB();
+        return geom->aabb;
+    }
+
     dxGeom *const *geoms_;
     bool spheres_;
 };

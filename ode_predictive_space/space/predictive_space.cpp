@@ -19,7 +19,9 @@ bool wants_callback(dxGeom *first, dxGeom *second)
         return false;
     if (!(first->category_bits & second->collide_bits) && !(second->category_bits & first->collide_bits))
         return false;
-    return first->AABBTest(second, second->aabb) != 0 && second->AABBTest(first, first->aabb) != 0;
+    // ODE's own classes have nothing to add to the test of the boxes.
+    return (first->type < dFirstUserClass || first->AABBTest(second, second->aabb) != 0) &&
+           (second->type < dFirstUserClass || second->AABBTest(first, first->aabb) != 0);
 }
 } // namespace
 
