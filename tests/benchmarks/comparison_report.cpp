@@ -58,7 +58,7 @@ void record(const Comparison &comparison, Findings &findings)
                          {"n", comparison.spec.objects},
                          {"space", result.name},
                          {"seed", comparison.spec.seed},
-                         {"moving", comparison.spec.moving < 0 ? nlohmann::json() : comparison.spec.moving},
+                         {"moving", number_or_null(comparison.spec.moving < 0 ? std::nan("") : comparison.spec.moving)},
                          {"ticks", result.ticks},
                          {"measured_ticks", measured},
                          {"in_batches", comparison.in_batches},
