@@ -5,6 +5,7 @@
 
 #include <ode_predictive_space/predictive_space.h>
 
+#include "ode_predictive_space/space/ode_internals.h"
 #include "tests/contract/support/geom_zoo.h"
 #include "tests/contract/support/scenario.h"
 
@@ -215,6 +216,34 @@ TEST_F(Contract, 09_OnlyTheFirstOfManyQueriesLooksAtWhatMoved)
     dGeomDestroy(probe);
 }
 
+TEST_F(Contract, 09_AQueryComputesNoBoxButThoseOfWhatItMayMeet)
+{
+    Scenario scene(SpaceKind::predictive);
+    constexpr int count = 4000;
+    for (int i = 0; i < count; ++i)
+        scene.body(scene.sphere(0.3, i % 20, i / 20 % 20, i / 400), 0.2, 0.1 * (i % 3), -0.1);
+    for (int tick = 0; tick < 30; ++tick)
+    {
+        scene.step(0.001);
+        collide(scene.space());
+    }
+    scene.step(0.001);
+    auto computed = [&] {
+        int boxes = 0;
+        for (int i = 0; i < count; ++i)
+            boxes += (dSpaceGetGeom(scene.space(), i)->gflags & GEOM_AABB_BAD) == 0;
+        return boxes;
+    };
+    dGeomID probe = dCreateSphere(nullptr, 1.5);
+    dGeomSetPosition(probe, 10, 10, 5);
+    ASSERT_LT(computed(), count / 10) << "what is far from all others needs none";
+    const int before = computed();
+    const int met = static_cast<int>(collide2(probe, as_geom(scene.space())).size());
+    EXPECT_GT(met, 20);
+    EXPECT_LE(computed(), before + 2 * met);
+    dGeomDestroy(probe);
+}
+
 TEST_F(Contract, 09_WhateverChangesBetweenTwoQueriesIsSeen)
 {
     expect_as_simple([](Scenario &scene) {
@@ -344,6 +373,46 @@ TEST_F(Contract, 09_BySpheresQueriesLoseNoContact)
     dGeomDestroy(ball);
 }
 
+// Contacts with all that is in the spaces below, too.
+void count_contacts(void *count, dGeomID first, dGeomID second)
+{
+    if (dGeomIsSpace(first) || dGeomIsSpace(second))
+    {
+        dSpaceCollide2(first, second, count, count_contacts);
+        return;
+    }
+    dContactGeom contacts[8];
+    *static_cast<int *>(count) += dCollide(first, second, 8, contacts, sizeof(dContactGeom));
+}
+
+TEST_F(Contract, 09_BySpheresAHeightfieldInASpaceLosesNoContact)
+{
+    // ODE makes contacts beside and below the edge of a heightfield, outside of the sphere around what it is in.
+    Scenario by_boxes(SpaceKind::simple), by_spheres(SpaceKind::predictive);
+    dPredictiveSpaceSetProximity(by_spheres.space(), dPredictiveProximitySphere);
+    for (dSpaceID space : {by_boxes.space(), by_spheres.space()})
+        create_geom(GeomKind::heightfield, 3, dSimpleSpaceCreate(space));
+    dGeomID ray = dCreateRay(nullptr, 1), ball = dCreateSphere(nullptr, 1.5);
+    int contacts_seen = 0;
+    for (int number = 0; number < 4000; ++number)
+    {
+        aim(ray, number);
+        const dReal *place = dGeomGetPosition(ray);
+        dGeomSetPosition(ball, place[0], 1.2 * place[1], place[2]);
+        for (dGeomID probe : {ray, ball})
+        {
+            int expected = 0, found = 0;
+            dSpaceCollide2(probe, as_geom(by_boxes.space()), &expected, count_contacts);
+            dSpaceCollide2(probe, as_geom(by_spheres.space()), &found, count_contacts);
+            ASSERT_EQ(found, expected) << number << (probe == ray ? " ray" : " ball");
+            contacts_seen += found;
+        }
+    }
+    EXPECT_GT(contacts_seen, 100);
+    dGeomDestroy(ray);
+    dGeomDestroy(ball);
+}
+
 TEST_F(Contract, 09_BySpheresARayWithoutAnEndIsAskedByItsBox)
 {
     Scenario scene(SpaceKind::predictive);
@@ -359,6 +428,82 @@ TEST_F(Contract, 09_BySpheresARayWithoutAnEndIsAskedByItsBox)
     dGeomRaySet(ray, 0, 3, 0, 1, 0, 0);
     EXPECT_EQ(collide2(ray, as_geom(scene.space())), Pairs());
     dGeomDestroy(ray);
+}
+
+// Beside a large space a small one with a space in it; one geom of each drifts.
+struct TwoSpaces
+{
+    dSpaceID inner;
+    dGeomID in_small = nullptr, in_inner = nullptr;
+
+    TwoSpaces(Scenario &scene, dSpaceID small) : inner(dSimpleSpaceCreate(small))
+    {
+        add_rows(scene, 400);
+        scene.numbered(as_geom(small));
+        scene.numbered(as_geom(inner));
+        for (int i = 0; i < 3; ++i)
+        {
+            in_small = scene.numbered(dCreateSphere(small, 0.6));
+            dGeomSetPosition(in_small, 5 * i, 4, 0);
+            in_inner = scene.numbered(dCreateSphere(inner, 0.6));
+            dGeomSetPosition(in_inner, 2 + 3 * i, 9, 0);
+        }
+    }
+
+    void drift(Scenario &scene, int round) const
+    {
+        scene.step(0.05);
+        dGeomSetPosition(in_small, 0.3 * round, 4, 0);
+        dGeomSetPosition(in_inner, 2, 9 - 0.2 * round, 0);
+    }
+};
+
+void query_both_ways(Scenario &scene, dSpaceID one, dSpaceID other)
+{
+    scene.query(as_geom(one), as_geom(other));
+    scene.query(as_geom(other), as_geom(one));
+}
+
+TEST_F(Contract, 09_ALargeSpaceIsAskedAboutEachGeomOfASmallOne)
+{
+    for (int kind = 0; kind < 4; ++kind)
+        expect_as_simple([kind](Scenario &scene) {
+            const dVector3 centre = {0, 0, 0}, extents = {40, 40, 40};
+            dSpaceID small = kind == 0   ? dHashSpaceCreate(nullptr)
+                             : kind == 1 ? dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ)
+                             : kind == 2 ? dQuadTreeSpaceCreate(nullptr, centre, extents, 4)
+                                         : scene.make_space(nullptr);
+            TwoSpaces spaces(scene, small);
+            for (int round = 0; round < 40; ++round)
+            {
+                spaces.drift(scene, round);
+                query_both_ways(scene, scene.space(), small);
+                if (round % 3 == 0)
+                    scene.tick();
+            }
+            dSpaceDestroy(small);
+        });
+}
+
+TEST_F(Contract, 09_ASpaceOfADeeperLevelIsAGeom)
+{
+    // The space of the higher sublevel is asked, and the other is one geom to it, whichever is predictive.
+    for (int level : {-1, 1})
+        expect_as_simple([level](Scenario &scene) {
+            dSpaceID small = scene.make_space(nullptr);
+            TwoSpaces spaces(scene, small);
+            dSpaceSetSublevel(scene.space(), 1 + level);
+            dSpaceSetSublevel(small, 1);
+            for (int round = 0; round < 40; ++round)
+            {
+                spaces.drift(scene, round);
+                query_both_ways(scene, scene.space(), small);
+                query_both_ways(scene, scene.space(), spaces.inner);
+                if (round % 3 == 0)
+                    scene.tick();
+            }
+            dSpaceDestroy(small);
+        });
 }
 
 TEST_F(Contract, 09_AnEmptySpaceAnswersQueries)
