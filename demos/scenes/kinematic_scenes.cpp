@@ -15,7 +15,6 @@ constexpr double calm_speed = 0.01 * object_radius; // metres per tick
 constexpr double game_speed = 0.1 * object_radius;  // metres per tick
 constexpr double fastest_spin = 0.005;              // radians per tick
 constexpr double churned_per_tick = 0.01;           // share of the objects
-constexpr int ticks_between_explosions = 200;
 
 struct Mover
 {

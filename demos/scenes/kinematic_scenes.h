@@ -10,6 +10,9 @@
 
 namespace ode_predictive_space::scenes
 {
+/// In the scene explosion all velocities change in every tick whose number, counted from 1, this divides.
+constexpr int ticks_between_explosions = 200;
+
 /// Half the side of the room, in metres.
 double kinematic_half_room(const std::string &name, int objects);
 

@@ -27,9 +27,6 @@ public:
     ///
     /// @throws std::exception when it cannot be done.
     virtual void measure(const Options &options, Findings &findings) = 0;
-
-    /// Whether it is a part of `all`.
-    virtual bool in_all() const { return true; }
 };
 
 using Commands = std::vector<std::unique_ptr<Command>>;

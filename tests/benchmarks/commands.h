@@ -11,6 +11,15 @@ namespace ode_predictive_space::benchmarks
 Commands make_commands();
 
 std::unique_ptr<Command> make_scene_command();
+std::unique_ptr<Command> make_table1_command();
+std::unique_ptr<Command> make_ratios_command();
+std::unique_ptr<Command> make_sudden_command();
+std::unique_ptr<Command> make_tail_command();
+std::unique_ptr<Command> make_floor_command();
+std::unique_ptr<Command> make_scale_command();
+
+/// `all`: these, one after the other.
+std::unique_ptr<Command> make_all_command(Commands parts);
 std::unique_ptr<Command> make_query_command();
 std::unique_ptr<Command> make_memory_command();
 std::unique_ptr<Command> make_haptic_command();

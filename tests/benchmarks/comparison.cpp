@@ -56,6 +56,7 @@ Result result_of(const SceneRun &run)
     result.family = run.contender().family();
     result.exact = run.contender().exact();
     result.times = run.collide_times();
+    result.clock_times = run.collide_times();
     result.tick_times = run.tick_times();
     result.ticks = run.ticks();
     result.pairs = run.pairs();

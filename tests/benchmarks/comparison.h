@@ -31,9 +31,10 @@ struct Result
     std::string name;
     scenes::Family family = scenes::Family::reference;
     bool exact = true;
-    std::vector<double> times;      ///< microseconds per dSpaceCollide(), or of each batch the mean
-    std::vector<double> tick_times; ///< microseconds per whole tick: motion, dSpaceCollide(), contacts
-    std::size_t ticks = 0;          ///< all, with the warm-up: those that the pairs are of
+    std::vector<double> times;       ///< microseconds per dSpaceCollide(), or of each batch the mean
+    std::vector<double> clock_times; ///< microseconds per dSpaceCollide(), each timed by itself in any case
+    std::vector<double> tick_times;  ///< microseconds per whole tick: motion, dSpaceCollide(), contacts
+    std::size_t ticks = 0;           ///< all, with the warm-up: those that the pairs are of
     std::uint64_t pairs = 0;
     std::uint64_t pair_hash = 0;
     std::uint64_t false_pairs = 0;

@@ -5,6 +5,8 @@
 #include "demos/scenes/table.h"
 #include "tests/benchmarks/contenders/contenders.h"
 
+#include <algorithm>
+
 namespace ode_predictive_space::benchmarks
 {
 namespace
@@ -13,15 +15,21 @@ using namespace scenes;
 
 constexpr int quick_share = 5;
 constexpr double quick_seconds_each = 0.8;
+constexpr int most_objects_to_weigh_quickly = 10000;
 
-/// More objects than this, and a single tick of it takes seconds, or gigabytes.
+/// With more objects than this a contender is not to be waited for: a tick takes seconds (brute, simple), its table gigabytes
+/// (hash, n^2 / 8 bytes), its first tick (quadtree) or its filling and emptying (bullet-sap) minutes.
 int most_objects(const std::string &contender)
 {
     if (contender == "brute")
     {
         return 1000;
     }
-    return contender == "simple" || contender == "hash" ? 20000 : 1000000;
+    if (contender == "simple")
+    {
+        return 5000;
+    }
+    return contender == "hash" || contender == "quadtree" || contender == "bullet-sap" ? 20000 : 1000000;
 }
 } // namespace
 
@@ -34,7 +42,7 @@ Plan plan_for(const SceneSpec &spec, const std::vector<std::string> &contenders,
     plan.ticks = options.ticks.value_or(options.quick ? std::max(1, ticks / quick_share) : ticks);
     plan.seconds_each = options.quick ? quick_seconds_each : unlimited;
     plan.check = options.check;
-    plan.weigh = !options.json_file.empty();
+    plan.weigh = !options.json_file.empty() && (!options.quick || spec.objects <= most_objects_to_weigh_quickly);
     return plan;
 }
 

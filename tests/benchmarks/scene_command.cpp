@@ -24,8 +24,6 @@ public:
             ->check(CLI::Range(0.0, 1.0));
     }
 
-    bool in_all() const override { return false; }
-
     void measure(const Options &options, Findings &findings) override
     {
         spec_.objects = options.objects.value_or(1000);

@@ -1,0 +1,51 @@
+// predictive_bench floor: how near the predictive space is to what cannot be undercut.
+
+#include "tests/benchmarks/commands.h"
+#include "tests/benchmarks/comparison.h"
+
+#include "demos/scenes/table.h"
+
+#include <iostream>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+constexpr int usual_objects = 10000;
+constexpr int usual_ticks = 2500;
+constexpr double most_times_the_floor = 2;
+
+class FloorCommand : public Command
+{
+public:
+    std::string name() const override { return "floor"; }
+    std::string description() const override
+    {
+        return "The predictive space beside a loop that reads each moved position once and knows the pairs";
+    }
+
+    void measure(const Options &options, Findings &findings) override
+    {
+        const scenes::SceneSpec spec{"gas", options.objects.value_or(usual_objects)};
+        Plan plan = plan_for(spec, {"predictive-box", "floor"}, usual_ticks, options);
+        plan.seconds_each = scenes::unlimited;
+        const Comparison comparison = compare(plan, findings);
+        print(std::cout, comparison);
+        record(comparison, findings);
+        const Result *ours = comparison.find("predictive-box");
+        const Result *floor = comparison.find("floor");
+        if (ours != nullptr && floor != nullptr)
+        {
+            findings.require(
+                {"P11", "gas " + scenes::grouped(static_cast<std::uint64_t>(spec.objects)) + ", time over the floor's",
+                 ours->mean() / floor->mean(), Requirement::at_most, most_times_the_floor, "x"});
+        }
+    }
+};
+} // namespace
+
+std::unique_ptr<Command> make_floor_command()
+{
+    return std::make_unique<FloorCommand>();
+}
+} // namespace ode_predictive_space::benchmarks

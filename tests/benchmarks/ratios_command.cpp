@@ -1,0 +1,146 @@
+// predictive_bench ratios: how many times as fast the predictive space is as the best of ODE's, and as Bullet's.
+
+#include "tests/benchmarks/commands.h"
+#include "tests/benchmarks/comparison.h"
+
+#include "demos/scenes/table.h"
+#include "tests/benchmarks/contenders/contenders.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using namespace scenes;
+
+constexpr double most_seconds_each = 10;
+constexpr double times_as_fast_as_bullet = 3;
+
+/// A scene, and how many times as fast as the best of ODE's spaces the predictive one is to be in it.
+struct Case
+{
+    const char *line;
+    const char *scene;
+    int objects;
+    double at_least; ///< 0: nothing is asked beside ODE's spaces
+    bool beside_bullet;
+    double moving = -1; ///< share of the objects; < 0: the scene's own
+    bool when_quick = true;
+};
+
+constexpr Case cases[] = {
+    {"P2", "gas", 100, 6, true},       {"P2", "gas", 1000, 25, true},
+    {"P2", "gas", 10000, 80, true},    {"P2", "gas", 100000, 500, false, 0.1},
+    {"P3", "game", 100, 4, true},      {"P3", "game", 1000, 8, true},
+    {"P3", "game", 10000, 18, true},   {"P4", "pile", 100, 0, true},
+    {"P4", "pile", 500, 4, false},     {"P4", "pile", 1000, 0, true},
+    {"P4", "pile", 2000, 4, false},    {"P4", "pile", 10000, 0, true, -1, false},
+    {"P4", "stack", 1000, 4, false},   {"P5", "still", 10000, 100, false},
+    {"P8", "terrain", 5000, 5, false}, {"P8", "churn", 10000, 5, false},
+};
+
+/// Enough for a steady mean, without the explosions and hits of balls that some scenes have from time to time.
+int usual_ticks(int objects)
+{
+    if (objects < objects_for_single_ticks)
+    {
+        return 20000;
+    }
+    return objects <= 1000 ? 5000 : (objects <= 10000 ? 1000 : 100);
+}
+
+std::string title(const Case &one)
+{
+    return std::string(one.scene) + " " + grouped(static_cast<std::uint64_t>(one.objects)) +
+           (one.moving >= 0 ? ", " + fixed(100 * one.moving, 0) + " % moving" : "");
+}
+
+std::vector<std::string> contenders(const Case &one)
+{
+    std::vector<std::string> names = {"predictive-box", "predictive-sphere"};
+    names.insert(names.end(), ode_spaces().begin(), ode_spaces().end());
+    names.emplace_back("sweep");
+    const bool with_bullet = have_bullet && one.beside_bullet;
+    for (const char *bullet : {"bullet-dbvt", "bullet-sap"})
+    {
+        if (with_bullet)
+        {
+            names.emplace_back(bullet);
+        }
+    }
+    return names;
+}
+
+void require(const Case &one, const Comparison &comparison, Findings &findings)
+{
+    const Result *ours = comparison.find("predictive-box");
+    const Result *best = comparison.best_of_ode();
+    if (ours == nullptr)
+    {
+        return;
+    }
+    if (best != nullptr && one.at_least > 0)
+    {
+        findings.require({one.line, title(one) + ", best ODE (" + best->name + ") over ours",
+                          best->mean() / ours->mean(), Requirement::at_least, one.at_least, "x"});
+    }
+    for (const char *bullet : {"bullet-dbvt", "bullet-sap"})
+    {
+        if (const Result *other = comparison.find(bullet))
+        {
+            findings.require({"P10", title(one) + ", " + bullet + " over ours", other->mean() / ours->mean(),
+                              Requirement::at_least, times_as_fast_as_bullet, "x"});
+        }
+    }
+}
+
+void measure_case(const Case &one, const Options &options, Findings &findings)
+{
+    const SceneSpec spec{one.scene, one.objects, options.seed, one.moving};
+    Plan plan = plan_for(spec, fast_enough(contenders(one), spec, findings), usual_ticks(one.objects), options);
+    plan.seconds_each = std::min(plan.seconds_each, most_seconds_each);
+    const Comparison comparison = compare(plan, findings);
+    print(std::cout, comparison);
+    record(comparison, findings);
+    require(one, comparison, findings);
+}
+
+class RatiosCommand : public Command
+{
+public:
+    std::string name() const override { return "ratios"; }
+    std::string description() const override
+    {
+        return "How many times as fast the predictive space is as the best of ODE's, and as Bullet, scene by scene";
+    }
+
+    void measure(const Options &options, Findings &findings) override
+    {
+        if (!have_bullet)
+        {
+            findings.note("without Bullet, which was not there to build with: P10 was not measured");
+        }
+        for (const Case &one : cases)
+        {
+            if (options.objects.value_or(one.objects) != one.objects)
+            {
+                continue;
+            }
+            if (options.quick && !one.when_quick)
+            {
+                findings.note(title(one) + " was left out, as it takes too long to prepare for a quick run");
+                continue;
+            }
+            measure_case(one, options, findings);
+        }
+    }
+};
+} // namespace
+
+std::unique_ptr<Command> make_ratios_command()
+{
+    return std::make_unique<RatiosCommand>();
+}
+} // namespace ode_predictive_space::benchmarks

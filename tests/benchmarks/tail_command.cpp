@@ -1,0 +1,76 @@
+// predictive_bench tail: the worst ticks, not the mean.
+
+#include "tests/benchmarks/commands.h"
+#include "tests/benchmarks/comparison.h"
+#include "tests/benchmarks/histogram.h"
+
+#include "demos/scenes/table.h"
+
+#include <iostream>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using namespace scenes;
+
+constexpr int usual_objects = 10000;
+constexpr int usual_ticks = 5000;
+constexpr int warm_up = 500;
+
+void show(const Result &result, const SceneSpec &spec, Findings &findings)
+{
+    const Histogram histogram = histogram_of(result.times);
+    std::cout << result.name << '\n';
+    print(std::cout, histogram);
+    std::cout << '\n';
+    findings.record({{"histogram", "tail"},
+                     {"scene", spec.name},
+                     {"n", spec.objects},
+                     {"space", result.name},
+                     {"seed", spec.seed},
+                     {"edges_us", histogram.edges},
+                     {"counts", histogram.counts}});
+}
+
+void require(const Result &ours, const SceneSpec &spec, Findings &findings)
+{
+    const Statistics times = summarise(ours.times);
+    const std::string where = spec.name + " " + grouped(static_cast<std::uint64_t>(spec.objects)) + ", ";
+    findings.require({"P9", where + "p99.9 over the median", times.p999 / times.median, Requirement::at_most, 2, "x"});
+    findings.require({"P9", where + "maximum over the median", times.max / times.median, Requirement::at_most, 5, "x"});
+}
+
+class TailCommand : public Command
+{
+public:
+    std::string name() const override { return "tail"; }
+    std::string description() const override { return "The worst ticks: a histogram of their times"; }
+
+    void measure(const Options &options, Findings &findings) override
+    {
+        const SceneSpec spec{"gas", options.objects.value_or(usual_objects), options.seed};
+        Plan plan = plan_for(spec, {"predictive-box"}, usual_ticks, options);
+        plan.ticks = options.ticks.value_or(usual_ticks); // also when quick: rare ticks need many
+        plan.warm_up_ticks = warm_up;
+        plan.seconds_each = unlimited;
+        const Comparison comparison = compare_single_ticks(plan, findings);
+        print(std::cout, comparison);
+        record(comparison, findings);
+        for (const Result &result : comparison.results)
+        {
+            show(result, plan.spec, findings);
+        }
+        if (const Result *ours = comparison.find("predictive-box"))
+        {
+            require(*ours, plan.spec, findings);
+        }
+    }
+};
+} // namespace
+
+std::unique_ptr<Command> make_tail_command()
+{
+    return std::make_unique<TailCommand>();
+}
+} // namespace ode_predictive_space::benchmarks
