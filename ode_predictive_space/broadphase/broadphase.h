@@ -130,6 +130,7 @@ private:
 
     template <typename Scene> void update(Scene &scene, bool is_tick);
     template <typename Scene> void verify(Scene &scene, bool time_passes, bool as_expected);
+    template <typename Scene> void prefetch_bounds(const Scene &scene, std::size_t suspect) const;
     template <typename Scene> void remember(Scene &scene, ProxyId id);
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);

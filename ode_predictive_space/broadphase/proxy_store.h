@@ -166,6 +166,13 @@ struct ProxyStore
         return FloatBox::around(bounds[id].still ? current.at(0) : current.swept(remaining(id, now)));
     }
 
+    /// The envelope of a proxy will soon be asked for.
+    void prefetch(ProxyId id) const
+    {
+        __builtin_prefetch(&paths[id]);
+        __builtin_prefetch(&bounds[id]);
+    }
+
     bool current(ProxyId id, Generation generation) const { return generations[id] == generation; }
 
     std::size_t bytes() const

@@ -42,8 +42,10 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
 {
     collect_suspects(time_passes, as_expected);
     broken_ = 0;
-    for (ProxyId id : suspects_)
+    for (std::size_t i = 0; i < suspects_.size(); ++i)
     {
+        prefetch_bounds(scene, i);
+        const ProxyId id = suspects_[i];
         scene.acknowledge(id);
         if (prediction_holds(scene, proxies_, id, now_))
             continue;
@@ -57,6 +59,15 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
             remember(scene, id);
     });
     take_note_of_moves();
+}
+
+// What is read of each object is scattered over memory: it is fetched some objects ahead.
+template <typename Scene> void Broadphase::prefetch_bounds(const Scene &scene, std::size_t suspect) const
+{
+    constexpr std::size_t far_ahead = 8, ahead = 4;
+    const std::size_t last = suspects_.size() - 1;
+    scene.prefetch(suspects_[std::min(suspect + far_ahead, last)]);
+    scene.prefetch_pose(suspects_[std::min(suspect + ahead, last)]);
 }
 
 // The same point of the object that is predicted.
@@ -128,14 +139,12 @@ template <typename Scene> bool Broadphase::overlap(Scene &scene, const NearPair 
 
 template <typename Scene> void Broadphase::measure_near(Scene &scene)
 {
-    constexpr std::size_t far_ahead = 8, ahead = 4;
     suspects_.clear();
     for (std::size_t i = 0; i < has_near_.words(); ++i)
         IdSet::visit_word(i, has_near_.word(i) & ~measured_.word(i), [this](ProxyId id) { suspects_.push_back(id); });
     for (std::size_t i = 0; i < suspects_.size(); ++i)
     {
-        scene.prefetch(suspects_[std::min(i + far_ahead, suspects_.size() - 1)]);
-        scene.prefetch_pose(suspects_[std::min(i + ahead, suspects_.size() - 1)]);
+        prefetch_bounds(scene, i);
         measure(scene, suspects_[i]);
     }
     suspects_.clear();

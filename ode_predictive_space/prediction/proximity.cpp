@@ -8,23 +8,35 @@ namespace ode_predictive_space
 {
 namespace
 {
-// The part of [0, 1] in which every one of some linear functions is <= 0.
-struct Overlap
+// Six linear functions over [0, 1], one for each side of a box: where are all of them <= 0? Without a branch for each, as
+// those would be mispredicted.
+struct LinearGaps
 {
-    double enter = 0;
-    double leave = 1;
-    bool known = true; // false as soon as a function is not a number
+    double begin[6];
+    double end[6];
 
-    // f(m) = from + (to - from) m. An infinite function has the same sign at both ends.
-    void restrict_to_negative(double from, double to)
+    // False as soon as one is not a number.
+    bool known() const
     {
-        known = known && !std::isunordered(from, to);
-        if (from > 0 && to > 0)
-            leave = -1;
-        else if (from > 0)
-            enter = std::max(enter, from / (from - to));
-        else if (to > 0)
-            leave = std::min(leave, from / (from - to));
+        bool known = true;
+        for (int side = 0; side < 6; ++side)
+            known &= !(std::isnan(begin[side]) | std::isnan(end[side]));
+        return known;
+    }
+
+    // An infinite function has the same sign at both ends: what would be NaN is not chosen.
+    ProximityInterval overlap() const
+    {
+        ProximityInterval all = {0, 1};
+        for (int side = 0; side < 6; ++side)
+        {
+            const double from = begin[side], to = end[side], crossing = from / (from - to);
+            const double enter = from > 0 ? (to > 0 ? 2 : crossing) : 0;
+            const double leave = to > 0 ? (from > 0 ? -1 : crossing) : 1;
+            all.enter = enter > all.enter ? enter : all.enter;
+            all.leave = leave < all.leave ? leave : all.leave;
+        }
+        return all;
     }
 };
 
@@ -90,7 +102,7 @@ std::optional<ProximityInterval> box_proximity(const Envelope &first, const Enve
     const double reach_at_end = deviation.at(duration);
     const Vector3 terms = size_of_terms(first.path, duration) + size_of_terms(second.path, duration);
     const double eighth = 0.125 * duration * duration;
-    Overlap overlap;
+    LinearGaps gaps;
     for (int axis = 0; axis < 3; ++axis)
     {
         // On each side the gap is of second degree, and apart means that it is positive. Where its chord lies above it,
@@ -104,12 +116,15 @@ std::optional<ProximityInterval> box_proximity(const Envelope &first, const Enve
             second.low[axis] - first.high[axis] - eighth * bend_above - rounding_per_size * (size + size_above);
         const double below =
             first.low[axis] - second.high[axis] - eighth * bend_below - rounding_per_size * (size + size_below);
-        overlap.restrict_to_negative(above + path.position[axis] - reach, above + end[axis] - reach_at_end);
-        overlap.restrict_to_negative(below - path.position[axis] - reach, below - end[axis] - reach_at_end);
+        gaps.begin[axis] = above + path.position[axis] - reach;
+        gaps.end[axis] = above + end[axis] - reach_at_end;
+        gaps.begin[3 + axis] = below - path.position[axis] - reach;
+        gaps.end[3 + axis] = below - end[axis] - reach_at_end;
     }
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (!overlap.known)
+    if (!gaps.known())
         return ProximityInterval{0, infinity};
+    const ProximityInterval overlap = gaps.overlap();
     if (overlap.enter > overlap.leave + rounding_per_size)
         return std::nullopt;
     const double leave = overlap.leave * (1 + rounding_per_size) + rounding_per_size;
