@@ -39,7 +39,7 @@ SceneRuns make_runs(const Plan &plan, const SceneFactory &factory, Findings &fin
 
 void make_ticks(const Plan &plan, const SceneRuns &runs)
 {
-    run_by_turns(runs, plan.warm_up_ticks, {}, plan.seconds_each / 4);
+    run_by_turns(runs, plan.warm_up_ticks, {}, plan.seconds_each / 2);
     for (const auto &run : runs)
     {
         run->start_measuring();

@@ -1,0 +1,121 @@
+// Whatever takes part finds the same pairs, in every scene.
+
+#include "demos/scenes/scene_run.h"
+#include "tests/benchmarks/comparison.h"
+#include "tests/benchmarks/contenders/contenders.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using namespace scenes;
+
+class ContendersInScene : public testing::TestWithParam<std::string>
+{
+protected:
+    OdeSession ode_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Contenders, ContendersInScene, testing::ValuesIn(scene_names()),
+                         [](const auto &info) { return info.param; });
+
+SceneRuns runs_of_all(const SceneSpec &spec)
+{
+    const SceneFactory factory(spec);
+    SceneRuns runs;
+    for (const std::string &name : contender_names())
+    {
+        if (why_not(name, spec).empty())
+        {
+            runs.push_back(std::make_unique<SceneRun>(benchmarks::make_contender(name, factory), factory));
+        }
+    }
+    return runs;
+}
+
+TEST_P(ContendersInScene, AllExactOnesReportTheSamePairs)
+{
+    const SceneRuns runs = runs_of_all({GetParam(), 40, 3});
+    run_by_turns(runs, 250);
+    EXPECT_EQ(first_difference(runs), -1);
+    EXPECT_GE(runs.size(), contender_names().size() - 1) << "all but the floor";
+    for (const auto &run : runs)
+    {
+        EXPECT_TRUE(!run->contender().exact() || run->pair_hash() == runs.front()->pair_hash()) << run->name();
+        EXPECT_EQ(run->contacts(), runs.front()->contacts()) << run->name();
+        EXPECT_GT(run->pairs(), 0u) << run->name();
+    }
+}
+
+class Contenders : public testing::Test
+{
+protected:
+    OdeSession ode_;
+};
+
+TEST_F(Contenders, TheFloorKnowsThePairsOfAScene)
+{
+    for (const char *scene : {"gas", "pile"})
+    {
+        const SceneRuns runs = runs_of_all({scene, objects_for_single_ticks, 1});
+        run_by_turns(runs, 60);
+        EXPECT_EQ(first_difference(runs), -1) << scene;
+        EXPECT_EQ(runs.back()->name(), "floor");
+        EXPECT_EQ(runs.back()->pair_hash(), runs.front()->pair_hash()) << scene;
+    }
+}
+
+TEST_F(Contenders, SpheresLeaveOutPairsButNoContact)
+{
+    const SceneRuns runs = runs_of_all({"pile", 60, 1});
+    run_by_turns(runs, 50);
+    const auto is = [](const char *name) { return [name](const auto &run) { return run->name() == name; }; };
+    const auto spheres = std::find_if(runs.begin(), runs.end(), is("predictive-sphere"));
+    ASSERT_NE(spheres, runs.end());
+    EXPECT_FALSE((*spheres)->contender().exact());
+    EXPECT_LT((*spheres)->pairs(), runs.front()->pairs());
+    EXPECT_EQ((*spheres)->contacts(), runs.front()->contacts());
+}
+
+TEST_F(Contenders, AnUnknownOneIsRefused)
+{
+    const SceneFactory factory({"gas", 10, 1});
+    EXPECT_THROW(benchmarks::make_contender("octree", factory), std::invalid_argument);
+    EXPECT_EQ(benchmarks::make_contender("predictive", factory)->name(), "predictive-box");
+}
+
+TEST_F(Contenders, BulletTakesPartWhereItIsInstalled)
+{
+    const auto &names = contender_names();
+    EXPECT_EQ(std::count(names.begin(), names.end(), "bullet-dbvt"), have_bullet ? 1 : 0);
+    EXPECT_EQ(std::count(names.begin(), names.end(), "bullet-sap"), have_bullet ? 1 : 0);
+}
+
+/// Reports nothing.
+class Blind : public Contender
+{
+public:
+    Blind() : Contender("blind", Family::reference, OwnedSpace(dSimpleSpaceCreate(nullptr))) {}
+
+    std::size_t finish(PairList &list) override
+    {
+        list.clear();
+        return 0;
+    }
+};
+
+TEST_F(Contenders, OneThatLosesPairsIsNoticed)
+{
+    const SceneFactory factory({"game", 40, 1});
+    SceneRuns runs;
+    runs.push_back(std::make_unique<SceneRun>(SpaceKind::simple, factory));
+    runs.push_back(std::make_unique<SceneRun>(std::make_unique<Blind>(), factory));
+    run_by_turns(runs, 100);
+    EXPECT_GE(first_difference(runs), 0);
+}
+} // namespace
+} // namespace ode_predictive_space::benchmarks

@@ -1,0 +1,146 @@
+// predictive_bench as a user meets it: exit status, output, result file.
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <sys/wait.h>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+struct Outcome
+{
+    int status = -1;
+    std::string output;
+};
+
+Outcome run(const std::string &program, const std::string &arguments)
+{
+    Outcome outcome;
+    const std::string command = "'" + program + "' " + arguments + " 2>&1";
+    FILE *pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr)
+    {
+        return outcome;
+    }
+    char buffer[4096];
+    for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+    {
+        outcome.output.append(buffer, got);
+    }
+    const int status = pclose(pipe);
+    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+}
+
+bool contains(const std::string &text, const std::string &part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+nlohmann::json results_of(const std::string &arguments)
+{
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() /
+        ("predictive_bench_test_" + std::to_string(std::hash<std::string>()(arguments)) + ".json");
+    const Outcome outcome = run(PREDICTIVE_BENCH, arguments + " --json '" + file.string() + "'");
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    const nlohmann::json results = nlohmann::json::parse(std::ifstream(file));
+    std::filesystem::remove(file);
+    return results;
+}
+
+TEST(PredictiveBench, WritesARecordPerContender)
+{
+    const nlohmann::json records = results_of("scene gas --n 40 --ticks 128 --seed 5 --spaces predictive,hash,sweep");
+    ASSERT_EQ(records.size(), 3u);
+    for (const nlohmann::json &record : records)
+    {
+        EXPECT_EQ(record.at("scene"), "gas");
+        EXPECT_EQ(record.at("n"), 40);
+        EXPECT_EQ(record.at("seed"), 5);
+        EXPECT_GE(record.at("ticks"), 128);
+        EXPECT_EQ(record.at("pair_hash"), records[0].at("pair_hash"));
+        EXPECT_EQ(record.at("pairs"), records[0].at("pairs"));
+        for (const char *name :
+             {"mean_us", "median_us", "p99_us", "p999_us", "max_us", "bytes_per_geom", "false_pairs", "contacts"})
+        {
+            EXPECT_TRUE(record.contains(name)) << name;
+        }
+    }
+    EXPECT_EQ(records[0].at("space"), "predictive-box");
+    EXPECT_GT(records[0].at("bytes_per_geom").get<double>(), 0);
+    EXPECT_TRUE(records[1].at("bytes_per_geom").is_null());
+}
+
+TEST(PredictiveBench, FailsWhenASpaceLosesPairs)
+{
+    const std::string arguments = "scene game --n 40 --ticks 300 --spaces ";
+    const Outcome outcome = run(BENCH_THAT_LOSES_PAIRS, arguments + "predictive,simple");
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "THE CONTENDERS DISAGREE: from tick ")) << outcome.output;
+    EXPECT_EQ(run(BENCH_THAT_LOSES_PAIRS, arguments + "simple,sap").status, 0);
+    const Outcome first_ticks = run(BENCH_THAT_LOSES_PAIRS, "sudden --n 100 --quick --ticks 5");
+    EXPECT_EQ(first_ticks.status, 1) << first_ticks.output;
+    EXPECT_TRUE(contains(first_ticks.output, "in the first tick ")) << first_ticks.output;
+}
+
+TEST(PredictiveBench, ShowsThePapersTableInFourBlocks)
+{
+    const nlohmann::json records = results_of("table1 --ticks 64");
+    std::map<std::string, int> cells;
+    int requirements = 0;
+    for (const nlohmann::json &record : records)
+    {
+        cells[record.value("block", "")] += record.contains("gain_percent") ? 1 : 0;
+        requirements += record.value("line", "") == "P1" ? 1 : 0;
+    }
+    for (const char *block : {"broad phase", "broad and narrow phase", "whole tick", "by the clock"})
+    {
+        EXPECT_EQ(cells[block], 20) << block;
+    }
+    EXPECT_EQ(requirements, 20);
+}
+
+TEST(PredictiveBench, TellsTheWorstTicksAndTheFloor)
+{
+    const Outcome tail = run(PREDICTIVE_BENCH, "tail --n 300 --ticks 200");
+    EXPECT_EQ(tail.status, 0) << tail.output;
+    EXPECT_TRUE(contains(tail.output, "P9  gas 300, p99.9 over the median")) << tail.output;
+    const Outcome floor = run(PREDICTIVE_BENCH, "floor --n 300 --ticks 200");
+    EXPECT_EQ(floor.status, 0) << floor.output;
+    EXPECT_TRUE(contains(floor.output, "P11  gas 300")) << floor.output;
+}
+
+TEST(PredictiveBench, ShowsHowCostsGrow)
+{
+    const Outcome outcome = run(PREDICTIVE_BENCH, "scale --n 1000 --ticks 64 --spaces predictive,sap,sweep");
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "game: nanoseconds per moved geom")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "1,000 (50 % moving)")) << outcome.output;
+}
+
+TEST(PredictiveBench, ComparesTheScenesOfOneSize)
+{
+    const Outcome outcome = run(PREDICTIVE_BENCH, "ratios --n 100 --ticks 64 --check");
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "P2  gas 100, best ODE (")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "P3  game 100, best ODE (")) << outcome.output;
+}
+
+TEST(PredictiveBench, RefusesWhatItCannotDo)
+{
+    EXPECT_GT(run(PREDICTIVE_BENCH, "").status, 1);
+    EXPECT_GT(run(PREDICTIVE_BENCH, "scene soup").status, 1);
+    EXPECT_GT(run(PREDICTIVE_BENCH, "scene gas --n 0").status, 1);
+    EXPECT_GT(run(PREDICTIVE_BENCH, "scene gas --spaces octree").status, 1);
+    const Outcome outcome = run(PREDICTIVE_BENCH, "scene still --n 5 --ticks 64 --json /no/such/folder/results.json");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(contains(outcome.output, "cannot write /no/such/folder/results.json")) << outcome.output;
+}
+} // namespace
+} // namespace ode_predictive_space::benchmarks
