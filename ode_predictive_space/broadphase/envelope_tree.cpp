@@ -59,27 +59,29 @@ void EnvelopeTree::swap_nodes(Index left, Index right)
 EnvelopeTree::Index EnvelopeTree::find_sibling(const FloatBox &box, Index start) const
 {
     Index index = start;
+    float merged = nodes_[start].box.merged_half_area(box);
     while (!nodes_[index].leaf())
     {
         const Node &node = nodes_[index];
-        const float merged = node.box.merged(box).half_area();
         const float inherited = merged - node.box.half_area();
-        float best = merged;
+        float best = merged, best_grown = 0;
         Index next = none;
         for (Index child = node.content; child < node.content + 2; ++child)
         {
             const FloatBox &own = nodes_[child].box;
-            const float grown = own.merged(box).half_area();
+            const float grown = own.merged_half_area(box);
             const float cost = inherited + (nodes_[child].leaf() ? grown : grown - own.half_area());
             if (cost < best)
             {
                 best = cost;
+                best_grown = grown;
                 next = child;
             }
         }
         if (next == none)
             return index;
         index = next;
+        merged = best_grown;
     }
     return index;
 }
@@ -173,7 +175,7 @@ void EnvelopeTree::rotate(Index index)
         const float area = nodes_[other].box.half_area();
         for (Index grandchild = grandchildren; grandchild < grandchildren + 2; ++grandchild)
         {
-            const float gain = area - nodes_[child].box.merged(nodes_[grandchild ^ 1].box).half_area();
+            const float gain = area - nodes_[child].box.merged_half_area(nodes_[grandchild ^ 1].box);
             if (gain > best)
             {
                 best = gain;

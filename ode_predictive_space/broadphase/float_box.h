@@ -107,19 +107,43 @@ struct FloatBox
     FloatBox merged(const FloatBox &other) const
     {
         FloatBox result;
+#if defined(__SSE2__)
+        // low[2] and high[0] are in both: each store leaves the other's alone.
+        const __m128 lows = merged_lows(other);
+        _mm_storeu_ps(result.low + 2, merged_highs(other));
+        _mm_storel_pi(reinterpret_cast<__m64 *>(result.low), lows);
+        _mm_store_ss(result.low + 2, _mm_movehl_ps(lows, lows));
+#else
         for (int axis = 0; axis < 3; ++axis)
         {
             result.low[axis] = std::min(low[axis], other.low[axis]);
             result.high[axis] = std::max(high[axis], other.high[axis]);
         }
+#endif
         return result;
     }
 
     /// Half the surface area: the cost measure of a tree node.
     float half_area() const
     {
-        const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+        return merged_half_area(*this);
+    }
+
+    /// The same of merged(other), which is never written down.
+    float merged_half_area(const FloatBox &other) const
+    {
+#if defined(__SSE2__)
+        const __m128 highs = merged_highs(other);
+        const __m128 sides = _mm_sub_ps(_mm_shuffle_ps(highs, highs, _MM_SHUFFLE(3, 3, 2, 1)),
+                                        merged_lows(other)); // x, y, z, and nothing
+        const __m128 faces = _mm_mul_ps(sides, _mm_shuffle_ps(sides, sides, _MM_SHUFFLE(0, 0, 2, 1)));
+        const __m128 two = _mm_add_ss(faces, _mm_shuffle_ps(faces, faces, _MM_SHUFFLE(1, 1, 1, 1)));
+        return _mm_cvtss_f32(_mm_add_ss(two, _mm_movehl_ps(faces, faces)));
+#else
+        const FloatBox box = merged(other);
+        const float x = box.high[0] - box.low[0], y = box.high[1] - box.low[1], z = box.high[2] - box.low[2];
         return x * y + y * z + z * x;
+#endif
     }
 
     /// False when a side is infinite or so far away that areas overflow: such a box would spoil a tree.
@@ -131,7 +155,21 @@ struct FloatBox
                 return false;
         return true;
     }
+
+#if defined(__SSE2__)
+private:
+    // low[0], low[1], low[2] and what is behind them; and high[0], high[1], high[2] with what is before.
+    __m128 merged_lows(const FloatBox &other) const
+    {
+        return _mm_min_ps(_mm_loadu_ps(low), _mm_loadu_ps(other.low));
+    }
+    __m128 merged_highs(const FloatBox &other) const
+    {
+        return _mm_max_ps(_mm_loadu_ps(low + 2), _mm_loadu_ps(other.low + 2));
+    }
+#endif
 };
+
 /// A box that is compared with many others: overlaps() in two vector comparisons where the machine has them.
 class BoxProbe
 {

@@ -234,6 +234,19 @@ TEST(FloatBox, HalfAreaIsThatOfThreeSides)
     EXPECT_FLOAT_EQ(FloatBox::around(cube(7, 7)).half_area(), 0);
 }
 
+TEST(FloatBox, TheAreaOfTwoIsThatOfTheBoxAroundBoth)
+{
+    Random random(9);
+    for (int i = 0; i < 1000; ++i)
+    {
+        const FloatBox a = random.box(10, 3), b = random.box(10, 3), both = a.merged(b);
+        const float x = both.high[0] - both.low[0], y = both.high[1] - both.low[1], z = both.high[2] - both.low[2];
+        ASSERT_FLOAT_EQ(a.merged_half_area(b), x * y + y * z + z * x);
+        ASSERT_EQ(a.merged_half_area(b), both.half_area());
+        ASSERT_EQ(a.merged_half_area(b), b.merged_half_area(a));
+    }
+}
+
 TEST(FloatBox, IsBoundedWhenEverySideIs)
 {
     EXPECT_TRUE(FloatBox::around(cube(-1e12, 1e12)).bounded());
