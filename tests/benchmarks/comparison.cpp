@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <numeric>
 
 namespace ode_predictive_space::benchmarks
 {
@@ -131,6 +132,20 @@ void time_in_batches(Comparison &comparison, const Plan &plan, const SceneFactor
     }
     comparison.in_batches = true;
 }
+
+/// Number of the first tick that was timed, of those that the contender made.
+std::size_t first_measured(const Result &result)
+{
+    return result.ticks - result.clock_times.size();
+}
+
+double sum_of_ticks(const Result &result, std::size_t first, std::size_t end)
+{
+    const auto time_of = [&](std::size_t tick) {
+        return result.clock_times.begin() + static_cast<std::ptrdiff_t>(tick - first_measured(result));
+    };
+    return std::accumulate(time_of(first), time_of(end), 0.0);
+}
 } // namespace
 
 const Result *Comparison::find(const std::string &name) const
@@ -151,6 +166,18 @@ const Result *Comparison::best_of_ode() const
         }
     }
     return best;
+}
+
+double Comparison::ratio(const Result &other, const Result &ours) const
+{
+    const std::size_t first = std::max(first_measured(other), first_measured(ours));
+    const std::size_t end = std::min(other.ticks, ours.ticks);
+    const bool tick_by_tick = other.times.size() == other.clock_times.size() && !in_batches;
+    if (!tick_by_tick || first >= end)
+    {
+        return other.mean() / ours.mean();
+    }
+    return sum_of_ticks(other, first, end) / sum_of_ticks(ours, first, end);
 }
 
 Comparison compare(const Plan &plan, Findings &findings)

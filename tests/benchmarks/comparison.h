@@ -55,6 +55,10 @@ struct Comparison
 
     /// The fastest of ODE's own spaces by its mean; null when none took part.
     const Result *best_of_ode() const;
+
+    /// How many times as long as ours the other's mean tick takes. Where both have been timed tick by tick, this is over the
+    /// ticks that both have: a contender that was stopped early is not compared with what happened later.
+    double ratio(const Result &other, const Result &ours) const;
 };
 
 /// Make the comparison. Contenders that cannot take part are left out, with a note. When contenders that must agree do not,

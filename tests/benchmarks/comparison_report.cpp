@@ -19,7 +19,7 @@ using namespace scenes;
 double ratio_to_best(const Comparison &comparison, const Result &result)
 {
     const Result *best = comparison.best_of_ode();
-    return best == nullptr ? std::numeric_limits<double>::quiet_NaN() : best->mean() / result.mean();
+    return best == nullptr ? std::numeric_limits<double>::quiet_NaN() : comparison.ratio(*best, result);
 }
 
 nlohmann::json number_or_null(double number)

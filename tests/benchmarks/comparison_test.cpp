@@ -76,6 +76,25 @@ TEST_F(ComparisonTest, TheBestOfOdeIsTheOneWithTheLeastMean)
     EXPECT_EQ(Comparison().best_of_ode(), nullptr);
 }
 
+TEST_F(ComparisonTest, ARatioIsOverTheTicksThatBothHave)
+{
+    Comparison comparison;
+    Result ours;
+    ours.times = ours.clock_times = {1, 1, 10, 10};
+    ours.ticks = 6; // two of them warm-up
+    Result other;
+    other.times = other.clock_times = {9, 2, 2};
+    other.ticks = 4; // one of them warm-up
+    EXPECT_DOUBLE_EQ(comparison.ratio(other, ours), 2);
+    Result much_earlier;
+    much_earlier.times = much_earlier.clock_times = {11};
+    much_earlier.ticks = 1;
+    EXPECT_DOUBLE_EQ(comparison.ratio(much_earlier, ours), 2) << "no tick in common: means";
+    comparison.in_batches = true;
+    other.times = {44};
+    EXPECT_DOUBLE_EQ(comparison.ratio(other, ours), 8) << "batches: means";
+}
+
 TEST_F(ComparisonTest, OneThatCannotTakePartIsLeftOutWithANote)
 {
     Plan with_floor = plan("churn", 40);

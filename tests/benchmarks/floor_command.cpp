@@ -38,7 +38,7 @@ public:
         {
             findings.require(
                 {"P11", "gas " + scenes::grouped(static_cast<std::uint64_t>(spec.objects)) + ", time over the floor's",
-                 ours->mean() / floor->mean(), Requirement::at_most, most_times_the_floor, "x"});
+                 comparison.ratio(*ours, *floor), Requirement::at_most, most_times_the_floor, "x"});
         }
     }
 };

@@ -55,7 +55,7 @@ void show(const std::string &what, const Size &size, const Comparison &compariso
     if (ours != nullptr && best != nullptr)
     {
         findings.require({"P6", where(what, size) + ", best ODE (" + best->name + ") over ours",
-                          best->mean() / ours->mean(), Requirement::at_least, size.at_least, "x"});
+                          comparison.ratio(*best, *ours), Requirement::at_least, size.at_least, "x"});
     }
 }
 
