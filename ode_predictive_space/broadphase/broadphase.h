@@ -134,8 +134,7 @@ private:
     template <typename Scene> void remember(Scene &scene, ProxyId id);
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);
-    template <typename Scene> void measure(Scene &scene, ProxyId id);
-    template <typename Scene> void measure_near(Scene &scene);
+    template <typename Scene> void measure_all(Scene &scene, const IdSet &wanted);
     template <typename Scene> bool overlap(Scene &scene, const NearPair &pair) const;
     void drop_stale_near();
     void take_note_of_moves();

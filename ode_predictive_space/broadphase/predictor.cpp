@@ -112,11 +112,11 @@ double ticks_to_travel(double distance, double speed, double acceleration)
     return 2 * distance / (speed + root);
 }
 
-// Objects predicted together must not expire together: lengths vary by a quarter, by number and generation.
+// Objects predicted together must not expire together: lengths vary by half, by number and generation.
 std::uint32_t stagger(std::uint32_t horizon, ProxyId id, Generation generation)
 {
     const std::uint32_t mixed = (id * 2654435761u) ^ (generation * 2246822519u);
-    return horizon - (static_cast<std::uint32_t>((std::uint64_t{mixed} * (horizon / 4 + 1)) >> 32));
+    return horizon - (static_cast<std::uint32_t>((std::uint64_t{mixed} * (horizon / 2 + 1)) >> 32));
 }
 
 void pack(PackedPath &packed, const Path &path, const Deviation &deviation, Tick now)

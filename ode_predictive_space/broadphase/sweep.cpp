@@ -2,145 +2,352 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
+#include <utility>
 
 namespace ode_predictive_space
 {
 namespace
 {
-// Maps floats to integers of the same order.
-std::uint32_t sortable(float value)
+// Fewer are compared each with each.
+constexpr std::size_t few = 40;
+
+// Fewer are swept in a single strip: more comparisons, but they come in longer rows.
+constexpr std::size_t many = 2000;
+
+// A sample tells how the boxes lie.
+constexpr std::size_t sample_size = 64;
+
+constexpr float places = 65535;
+constexpr float most_strips = 30000;
+
+// Of a strip: single precision may put a box one hundredth of a strip beside where it belongs.
+constexpr float safe_part = 0.98f;
+
+constexpr std::uint32_t one_strip = 1u << 16;
+constexpr std::uint32_t last_key = 0x7fffffff;
+
+void add_pair(std::vector<CandidatePair> &pairs, ProxyId one, ProxyId other)
 {
-    std::uint32_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+    pairs.push_back({std::min(one, other), std::max(one, other)});
 }
 
-// The axis along which the centres vary most. Boxes with infinite sides say nothing and are left out.
-int widest_axis(const std::vector<SweptProxy> &items)
+void compare_each_with_each(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs)
 {
-    double sum[3] = {}, squares[3] = {};
-    int count = 0;
-    for (const SweptProxy &item : items)
+    for (std::size_t i = 0; i < items.size(); ++i)
     {
-        if (!item.box.bounded())
-            continue;
-        ++count;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            const double centre = 0.5 * (double{item.box.low[axis]} + item.box.high[axis]);
-            sum[axis] += centre;
-            squares[axis] += centre * centre;
-        }
+        const BoxProbe probe(items[i].box);
+        for (std::size_t j = i + 1; j < items.size(); ++j)
+            if (probe.overlaps(items[j].box))
+                add_pair(pairs, items[i].proxy, items[j].proxy);
     }
-    int widest = 0;
-    auto variance = [&](int axis) { return squares[axis] * count - sum[axis] * sum[axis]; };
-    for (int axis = 1; axis < 3; ++axis)
-        if (variance(axis) > variance(widest))
-            widest = axis;
-    return widest;
 }
 
-// Least significant digit first, three passes of 11 bits over the key in the upper half.
-void radix_sort(std::vector<std::uint64_t> &keys, std::vector<std::uint64_t> &scratch)
+// Some numbers, one for each of a sample of the items.
+class Sample
 {
-    scratch.resize(keys.size());
-    for (int shift = 32; shift < 64; shift += 11)
+public:
+    template <typename Value> Sample(const std::vector<SweptProxy> &items, Value value)
     {
-        std::array<std::uint32_t, 2048> starts{};
-        for (std::uint64_t key : keys)
-            ++starts[(key >> shift) & 2047];
+        const std::size_t stride = (items.size() + sample_size - 1) / sample_size;
+        for (std::size_t i = 0; i < items.size(); i += stride)
+            values_[count_++] = value(items[i].box);
+    }
+
+    double variance() const
+    {
+        double sum = 0, squares = 0;
+        for (std::size_t i = 0; i < count_; ++i)
+        {
+            sum += values_[i];
+            squares += double{values_[i]} * values_[i];
+        }
+        const double count = static_cast<double>(count_);
+        return squares / count - (sum / count) * (sum / count);
+    }
+
+    // The number that this part of them does not exceed.
+    float quantile(double part)
+    {
+        const auto end = values_.begin() + static_cast<std::ptrdiff_t>(count_);
+        const auto place = values_.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(count_ - 1));
+        std::nth_element(values_.begin(), place, end);
+        return *place;
+    }
+
+private:
+    std::array<float, sample_size> values_;
+    std::size_t count_ = 0;
+};
+
+Sample centres(const std::vector<SweptProxy> &items, int axis)
+{
+    return Sample(items, [axis](const FloatBox &box) { return 0.5f * (box.low[axis] + box.high[axis]); });
+}
+
+// Where most values are, with a quarter as much again on both sides. What lies outside is put at its ends.
+struct Range
+{
+    float begin, length;
+    explicit Range(Sample values)
+    {
+        const float low = values.quantile(0.05), high = values.quantile(0.95);
+        begin = low - 0.25f * (high - low);
+        length = 1.5f * (high - low);
+    }
+};
+
+// Least significant digit first, of the upper halves. A digit that is the same in all is passed over.
+template <int bits> void radix_sort(std::vector<std::uint64_t> &order, std::vector<std::uint64_t> &scratch)
+{
+    constexpr std::uint32_t mask = (1u << bits) - 1;
+    std::uint64_t varying = 0;
+    for (std::uint64_t element : order)
+        varying |= element ^ order.front();
+    scratch.resize(order.size());
+    for (int shift = 32; shift < 64; shift += bits)
+    {
+        if (((varying >> shift) & mask) == 0)
+            continue;
+        std::array<std::uint32_t, mask + 1> starts{};
+        for (std::uint64_t element : order)
+            ++starts[(element >> shift) & mask];
         std::uint32_t total = 0;
         for (std::uint32_t &start : starts)
+            total += std::exchange(start, total);
+        for (std::uint64_t element : order)
+            scratch[starts[(element >> shift) & mask]++] = element;
+        order.swap(scratch);
+    }
+}
+} // namespace
+
+Sweep::Layout Sweep::Layout::fit_for(const std::vector<SweptProxy> &items)
+{
+    const std::array<double, 3> spread = {centres(items, 0).variance(), centres(items, 1).variance(),
+                                          centres(items, 2).variance()};
+    std::array<int, 3> axes = {0, 1, 2};
+    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) {
+        return spread[static_cast<std::size_t>(a)] > spread[static_cast<std::size_t>(b)];
+    });
+    Layout layout;
+    layout.along = axes[0];
+    layout.across = axes[1];
+    layout.other = axes[2];
+    const Range range(centres(items, layout.along));
+    layout.begin = range.begin;
+    layout.scale = range.length > 0 ? places / range.length : 0;
+    layout.widest = std::numeric_limits<float>::infinity();
+    if (items.size() > many)
+        layout.cut_into_strips(items);
+    return layout;
+}
+
+// As wide as all boxes are, when they differ little; never narrower than half of them.
+void Sweep::Layout::cut_into_strips(const std::vector<SweptProxy> &items)
+{
+    Sample widths(items, [this](const FloatBox &box) { return box.high[across] - box.low[across]; });
+    const Range range(centres(items, across));
+    const float typical = std::min(widths.quantile(1), 2 * widths.quantile(0.75));
+    const float width = std::max(typical / safe_part, range.length / most_strips);
+    first = range.begin;
+    strips_per_unit = width > 0 ? 1 / width : 0;
+    widest = safe_part * width;
+}
+
+// Does not decrease with the coordinate, whatever the rounding; 0 also when it is not a number.
+std::uint32_t Sweep::Layout::place(float coordinate) const
+{
+    const float place = (coordinate - begin) * scale;
+    return place > 0 ? static_cast<std::uint32_t>(std::min(place, places)) : 0;
+}
+
+std::uint32_t Sweep::Layout::strip(float coordinate) const
+{
+    const float strip = (coordinate - first) * strips_per_unit;
+    return 1 + (strip > 0 ? static_cast<std::uint32_t>(std::min(strip, most_strips)) : 0);
+}
+
+void Sweep::Sides::resize(std::size_t count)
+{
+    for (int i = 0; i < 3; ++i)
+    {
+        low[i].resize(count);
+        high[i].resize(count);
+    }
+}
+
+void Sweep::sort_keys()
+{
+    if (order_.empty())
+        return;
+    if (order_.size() < 4096)
+        radix_sort<8>(order_, other_order_);
+    else
+        radix_sort<11>(order_, other_order_);
+}
+
+// Leaves those that are wider than a strip in wider_.
+void Sweep::sort_into_strips(const std::vector<SweptProxy> &items, const Layout &layout)
+{
+    order_.clear();
+    still_wider_.clear();
+    longest_ = 0;
+    for (std::size_t i = 0; i < items.size(); ++i)
+    {
+        const FloatBox &box = items[i].box;
+        if (!layout.fits(box))
         {
-            const std::uint32_t count = start;
-            start = total;
-            total += count;
+            still_wider_.push_back(items[i]);
+            continue;
         }
-        for (std::uint64_t key : keys)
-            scratch[starts[(key >> shift) & 2047]++] = key;
-        keys.swap(scratch);
+        const std::uint32_t key = layout.key(layout.strip(box.low[layout.across]), box.low[layout.along]);
+        order_.push_back(std::uint64_t{key} << 32 | i);
+        longest_ = std::max(longest_, box.high[layout.along] - box.low[layout.along]);
+    }
+    sort_keys();
+    const std::size_t count = order_.size();
+    keys_.assign(count + spare, last_key);
+    ends_.resize(count);
+    proxies_.resize(count);
+    sides_.resize(count + spare);
+    const int axes[] = {layout.along, layout.across, layout.other};
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const SweptProxy &item = items[order_[i] & 0xffffffffu];
+        keys_[i] = static_cast<std::uint32_t>(order_[i] >> 32);
+        ends_[i] = layout.key(keys_[i] >> 16, item.box.high[layout.along]);
+        proxies_[i] = item.proxy;
+        for (int side = 0; side < 3; ++side)
+        {
+            sides_.low[side][i] = item.box.low[axes[side]];
+            sides_.high[side][i] = item.box.high[axes[side]];
+        }
     }
 }
 
 #if defined(__SSE2__)
-struct Probe
+// Compares with those from `begin` on whose keys are not greater than `end`.
+void Sweep::compare_from(std::size_t begin, std::uint32_t end, const Probe &probe,
+                         std::vector<CandidatePair> &pairs) const
 {
-    __m128 limit;
-    explicit Probe(const float *component)
+    const __m128i last = _mm_set1_epi32(static_cast<int>(end));
+    for (std::size_t j = begin; keys_[j] <= end; j += 4)
     {
-        const __m128 own = _mm_load_ps(component);
-        limit = _mm_sub_ps(_mm_setzero_ps(), _mm_shuffle_ps(own, own, _MM_SHUFFLE(1, 0, 3, 2)));
+        const auto *keys = reinterpret_cast<const __m128i *>(&keys_[j]);
+        __m128 apart = _mm_castsi128_ps(_mm_cmpgt_epi32(_mm_loadu_si128(keys), last));
+        for (int side = 0; side < 3; ++side)
+        {
+            const __m128 low = _mm_loadu_ps(&sides_.low[side][j]), high = _mm_loadu_ps(&sides_.high[side][j]);
+            apart = _mm_or_ps(apart, _mm_cmpgt_ps(low, _mm_set1_ps(probe.high[side])));
+            apart = _mm_or_ps(apart, _mm_cmplt_ps(high, _mm_set1_ps(probe.low[side])));
+        }
+        for (int met = ~_mm_movemask_ps(apart) & 15; met; met &= met - 1)
+            add_pair(pairs, probe.proxy, proxies_[j + static_cast<std::size_t>(__builtin_ctz(met))]);
     }
-    bool overlaps(const float *component) const
-    {
-        return _mm_movemask_ps(_mm_cmple_ps(_mm_load_ps(component), limit)) == 15;
-    }
-};
+}
 #else
-struct Probe
+void Sweep::compare_from(std::size_t begin, std::uint32_t end, const Probe &probe,
+                         std::vector<CandidatePair> &pairs) const
 {
-    float limit[4];
-    explicit Probe(const float *component) : limit{-component[2], -component[3], -component[0], -component[1]} {}
-    bool overlaps(const float *component) const
+    for (std::size_t j = begin; keys_[j] <= end; ++j)
     {
-        return component[0] <= limit[0] && component[1] <= limit[1] && component[2] <= limit[2] &&
-               component[3] <= limit[3];
+        bool overlap = true;
+        for (int side = 0; side < 3; ++side)
+            overlap &= sides_.low[side][j] <= probe.high[side] && probe.low[side] <= sides_.high[side][j];
+        if (overlap)
+            add_pair(pairs, probe.proxy, proxies_[j]);
     }
-};
+}
 #endif
-} // namespace
 
-void Sweep::sort_along(const std::vector<SweptProxy> &items, int axis)
+Sweep::Probe Sweep::probe(std::size_t i) const
 {
-    const std::size_t count = items.size();
-    keys_.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-        keys_[i] = (std::uint64_t{sortable(items[i].box.low[axis])} << 32) | i;
-    if (count < 256)
-        std::sort(keys_.begin(), keys_.end());
-    else
-        radix_sort(keys_, other_keys_);
+    return {proxies_[i],
+            {sides_.low[0][i], sides_.low[1][i], sides_.low[2][i]},
+            {sides_.high[0][i], sides_.high[1][i], sides_.high[2][i]}};
+}
 
-    const int y = (axis + 1) % 3, z = (axis + 2) % 3;
-    low_.resize(count);
-    high_.resize(count);
-    slabs_.resize(count);
-    proxies_.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
+void Sweep::sweep_single_strip(std::vector<CandidatePair> &pairs) const
+{
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+        compare_from(i + 1, ends_[i], probe(i), pairs);
+}
+
+// What begins at the same place or behind it, in the box's own strip and in the next, and what begins behind it in the strip
+// before: so each pair is found once. Keys beyond a strip are those of the next; no search has to ask for its end.
+void Sweep::sweep_strips(std::vector<CandidatePair> &pairs) const
+{
+    std::size_t before = 0, after = 0;
+    for (std::size_t i = 0; i < ends_.size(); ++i)
     {
-        const SweptProxy &item = items[keys_[i] & 0xffffffffu];
-        low_[i] = item.box.low[axis];
-        high_[i] = item.box.high[axis];
-        slabs_[i] = {{item.box.low[y], item.box.low[z], -item.box.high[y], -item.box.high[z]}};
-        proxies_[i] = item.proxy;
+        const Probe self = probe(i);
+        compare_from(i + 1, ends_[i], self, pairs);
+        while (keys_[after] < keys_[i] + one_strip)
+            ++after;
+        compare_from(after, ends_[i] + one_strip, self, pairs);
+        while (keys_[before] <= keys_[i] - one_strip)
+            ++before;
+        compare_from(before, ends_[i] - one_strip, self, pairs);
+    }
+}
+
+// All that a wider box can meet begins between the strip before it and its last.
+void Sweep::look_up(const SweptProxy &item, const Layout &layout, std::vector<CandidatePair> &pairs) const
+{
+    const FloatBox &box = item.box;
+    const int x = layout.along, y = layout.across, z = layout.other;
+    const Probe probe{item.proxy, {box.low[x], box.low[y], box.low[z]}, {box.high[x], box.high[y], box.high[z]}};
+    const std::uint32_t last = layout.strip(probe.high[1]);
+    auto begin = keys_.begin();
+    for (std::uint32_t strip = layout.strip(probe.low[1]) - 1; strip <= last; ++strip)
+    {
+        begin = std::lower_bound(begin, keys_.end(), layout.key(strip, probe.low[0] - 1.001f * longest_));
+        // Empty strips are passed over.
+        if ((*begin >> 16) > strip)
+            strip = *begin >> 16;
+        if (strip <= last)
+            compare_from(static_cast<std::size_t>(begin - keys_.begin()), layout.key(strip, probe.high[0]), probe,
+                         pairs);
     }
 }
 
 void Sweep::find_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs)
 {
-    if (items.empty())
-        return;
-    sort_along(items, widest_axis(items));
-    const std::size_t count = items.size();
-    for (std::size_t i = 0; i + 1 < count; ++i)
+    wider_.clear();
+    unbounded_.clear();
+    for (const SweptProxy &item : items)
+        (item.box.bounded() ? wider_ : unbounded_).push_back(item);
+    compare_each_with_each(unbounded_, pairs);
+    for (const SweptProxy &one : unbounded_)
     {
-        const float end = high_[i];
-        const Probe probe(slabs_[i].component);
-        for (std::size_t j = i + 1; j < count && low_[j] <= end; ++j)
-            if (probe.overlaps(slabs_[j].component))
-                pairs.push_back({std::min(proxies_[i], proxies_[j]), std::max(proxies_[i], proxies_[j])});
+        const BoxProbe probe(one.box);
+        for (const SweptProxy &other : wider_)
+            if (probe.overlaps(other.box))
+                add_pair(pairs, one.proxy, other.proxy);
     }
+    while (wider_.size() > few)
+    {
+        const Layout layout = Layout::fit_for(wider_);
+        sort_into_strips(wider_, layout);
+        if (layout.strips_per_unit > 0)
+            sweep_strips(pairs);
+        else
+            sweep_single_strip(pairs);
+        for (const SweptProxy &item : still_wider_)
+            look_up(item, layout, pairs);
+        wider_.swap(still_wider_);
+    }
+    compare_each_with_each(wider_, pairs);
 }
 
 std::size_t Sweep::bytes() const
 {
-    return (keys_.capacity() + other_keys_.capacity()) * sizeof(std::uint64_t) +
-           (low_.capacity() + high_.capacity()) * sizeof(float) + slabs_.capacity() * sizeof(Slab) +
-           proxies_.capacity() * sizeof(ProxyId);
+    std::size_t floats = 0;
+    for (int side = 0; side < 3; ++side)
+        floats += sides_.low[side].capacity() + sides_.high[side].capacity();
+    return (wider_.capacity() + still_wider_.capacity() + unbounded_.capacity()) * sizeof(SweptProxy) +
+           (order_.capacity() + other_order_.capacity()) * sizeof(std::uint64_t) +
+           (keys_.capacity() + ends_.capacity()) * sizeof(std::uint32_t) + proxies_.capacity() * sizeof(ProxyId) +
+           floats * sizeof(float);
 }
 } // namespace ode_predictive_space

@@ -1,4 +1,4 @@
-// All overlapping pairs of a set of boxes, from scratch: what the space does when prediction does not pay.
+// All overlapping pairs of many boxes at once: strips, sorted and swept.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SWEEP_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SWEEP_H
@@ -12,8 +12,14 @@
 
 namespace ode_predictive_space
 {
-/// Sort and sweep: sorts the boxes along the axis on which they are spread most, and compares each with those that begin
-/// before it ends, both other axes in one vector comparison.
+/// Sort and sweep from scratch: boxes are sorted along the axis on which they are spread most, and each is compared, four at
+/// a time, with those that begin before it ends.
+///
+/// Where there are many, space is first cut into strips as wide as most boxes are, across the axis of the second widest
+/// spread. A box belongs to the strip in which it begins, so that it can meet only what begins there or in a strip beside
+/// it. Boxes wider than a strip look up those that they can meet, and are then swept among themselves in the same way.
+///
+/// Keeps its memory, not its results, from one call to the next.
 class Sweep
 {
 public:
@@ -23,21 +29,54 @@ public:
     std::size_t bytes() const;
 
 private:
-    /// The two other axes of a box as (low, low, -high, -high): two boxes overlap there exactly when each component of one
-    /// is <= the negated, swapped component of the other.
-    struct alignas(16) Slab
+    /// How boxes become keys: the strip in the upper half, the place along it in the lower. Keys are less than 2^31.
+    struct Layout
     {
-        float component[4];
+        int along = 0, across = 1, other = 2; // axes
+        float begin = 0, scale = 0;           // along
+        float first = 0, strips_per_unit = 0; // across
+        float widest = 0;                     // of what belongs to a single strip
+
+        static Layout fit_for(const std::vector<SweptProxy> &items);
+        void cut_into_strips(const std::vector<SweptProxy> &items);
+        std::uint32_t place(float coordinate) const;
+        std::uint32_t strip(float coordinate) const;
+        bool fits(const FloatBox &box) const { return box.high[across] - box.low[across] <= widest; }
+        std::uint32_t key(std::uint32_t strip, float coordinate) const { return strip << 16 | place(coordinate); }
     };
 
-    void sort_along(const std::vector<SweptProxy> &items, int axis);
+    /// What a box is compared with the others by.
+    struct Probe
+    {
+        ProxyId proxy;
+        float low[3], high[3]; // along, across, other
+    };
 
-    std::vector<std::uint64_t> keys_;
-    std::vector<std::uint64_t> other_keys_;
-    std::vector<float> low_;
-    std::vector<float> high_;
-    std::vector<Slab> slabs_;
+    /// Boxes in the order of their keys, one array for each side, with some to spare that no comparison meets.
+    struct Sides
+    {
+        std::vector<float> low[3], high[3]; // along, across, other
+        void resize(std::size_t count);
+    };
+
+    void sort_into_strips(const std::vector<SweptProxy> &items, const Layout &layout);
+    void sort_keys();
+    void sweep_strips(std::vector<CandidatePair> &pairs) const;
+    void sweep_single_strip(std::vector<CandidatePair> &pairs) const;
+    Probe probe(std::size_t i) const;
+    void look_up(const SweptProxy &item, const Layout &layout, std::vector<CandidatePair> &pairs) const;
+    void compare_from(std::size_t begin, std::uint32_t end, const Probe &probe,
+                      std::vector<CandidatePair> &pairs) const;
+
+    static constexpr std::size_t spare = 4;
+
+    std::vector<SweptProxy> wider_, still_wider_;    // than the strips of this level and the next
+    std::vector<SweptProxy> unbounded_;              // those that no strip can hold
+    std::vector<std::uint64_t> order_, other_order_; // key, number of the item
+    std::vector<std::uint32_t> keys_, ends_;         // of the lowest and the highest coordinate along
     std::vector<ProxyId> proxies_;
+    Sides sides_;
+    float longest_ = 0; // along, of the boxes in strips
 };
 } // namespace ode_predictive_space
 

@@ -101,12 +101,6 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
     index_.update(proxies_, swept_, now_);
 }
 
-template <typename Scene> void Broadphase::measure(Scene &scene, ProxyId id)
-{
-    scene.measure(id, boxes_[id]);
-    measured_.insert(id);
-}
-
 template <typename Scene> void Broadphase::scan(Scene &scene)
 {
     if (moved_.empty())
@@ -116,11 +110,8 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
     ++counters_.scans;
 
     items_.clear();
-    members_.for_each([&](ProxyId id) {
-        if (!measured_.contains(id))
-            measure(scene, id);
-        items_.push_back({id, boxes_[id].outer()});
-    });
+    measure_all(scene, members_);
+    members_.for_each([&](ProxyId id) { items_.push_back({id, boxes_[id].outer()}); });
     sweep_.find_pairs(items_, candidates_);
     near_.clear();
     for (const CandidatePair &pair : candidates_)
@@ -137,23 +128,25 @@ template <typename Scene> bool Broadphase::overlap(Scene &scene, const NearPair 
     return verdict != Verdict::apart && scene.overlap(pair.first, pair.second);
 }
 
-template <typename Scene> void Broadphase::measure_near(Scene &scene)
+// Looks at the bounds of those that have moved since they were last looked at.
+template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet &wanted)
 {
     suspects_.clear();
-    for (std::size_t i = 0; i < has_near_.words(); ++i)
-        IdSet::visit_word(i, has_near_.word(i) & ~measured_.word(i), [this](ProxyId id) { suspects_.push_back(id); });
+    for (std::size_t i = 0; i < wanted.words(); ++i)
+        IdSet::visit_word(i, wanted.word(i) & ~measured_.word(i), [this](ProxyId id) { suspects_.push_back(id); });
     for (std::size_t i = 0; i < suspects_.size(); ++i)
     {
         prefetch_bounds(scene, i);
-        measure(scene, suspects_[i]);
+        scene.measure(suspects_[i], boxes_[suspects_[i]]);
     }
+    measured_ |= wanted;
     suspects_.clear();
 }
 
 template <typename Scene> void Broadphase::report(Scene &scene, std::vector<CandidatePair> &overlapping)
 {
     drop_stale_near();
-    measure_near(scene);
+    measure_all(scene, has_near_);
     for (const NearPair &pair : near_)
         if (overlap(scene, pair))
             overlapping.push_back({pair.first, pair.second});
