@@ -82,6 +82,11 @@ void set_bounds(PackedBounds &bounds, const Observation &seen, const Vector3 &ce
     bounds.is_sphere = seen.is_sphere;
 }
 
+double reach_of(const PackedBounds &bounds)
+{
+    return bounds.crowded ? reach_crowded : reach_alone;
+}
+
 // Half the mean extent of the finite sides.
 double size_of(const PackedBounds &bounds)
 {
@@ -154,6 +159,17 @@ struct Predictor::Motion
     Vector3 velocity = Vector3::Zero();     // per tick
     Vector3 acceleration = Vector3::Zero(); // per tick^2
     bool brief = false;                     // a mere guess: to be seen again at the next tick
+
+    // What follows a leap is anybody's guess. It is looked at again at the next tick, from where it is.
+    static Motion unknown()
+    {
+        Motion motion;
+        motion.brief = true;
+        return motion;
+    }
+
+    // Does it get farther in one tick than an envelope reaches?
+    bool leaps(double reach) const { return !((velocity + 0.5 * acceleration).norm() <= reach); }
 
     // Does an object that moves so need long to get so far?
     bool stays_within(double distance) const
@@ -311,8 +327,7 @@ std::uint32_t Predictor::horizon_for(const PackedBounds &bounds, const Motion &m
 {
     if (motion.brief)
         return 1;
-    const double reach = (bounds.crowded ? reach_crowded : reach_alone) * size;
-    const double far = ticks_to_travel(reach, motion.velocity.norm() + bounds.spread, motion.acceleration.norm());
+    const double far = ticks_to_travel(reach_of(bounds) * size, motion.velocity.norm() + bounds.spread, motion.acceleration.norm());
     return std::min(bounds.horizon, static_cast<std::uint32_t>(std::min(1e9, far)));
 }
 
@@ -323,11 +338,13 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &obse
     if (seen.bounds)
         seen.centre = finite_centre(*seen.bounds);
     const Outcome outcome = judge(proxies, id, seen, now);
-    const Motion motion = estimate_motion(bounds, outcome, seen, now);
+    Motion motion = estimate_motion(bounds, outcome, seen, now);
 
     set_bounds(bounds, seen, seen.centre);
     proxies.stamps[id] = {bounds.check == Check::centre ? bounds.radius : -1, 0};
     const double size = size_of(bounds);
+    if (motion.leaps(reach_of(bounds) * size))
+        motion = Motion::unknown();
     adapt(bounds, outcome, motion.velocity.norm(), size);
 
     bounds.still = true;
