@@ -43,6 +43,7 @@ void Broadphase::remove(ProxyId id)
 {
     // Whatever speaks of the old generation, in near set, schedule or elsewhere, is stale from now on.
     ++proxies_.generations[id];
+    near_changed_ = true;
     index_.remove(proxies_, id);
     predictor.forget(proxies_, id);
     sample(id, false);
@@ -165,6 +166,7 @@ void Broadphase::wake()
         if (event.second == no_proxy || !current(event))
             continue;
         near_.push_back(NearPair::of(event, now_));
+        near_changed_ = true;
         note_crowded(near_.back());
         ++counters_.woken;
     }
@@ -196,6 +198,7 @@ bool Broadphase::lingers(ProxyId id) const
 
 void Broadphase::finish_update()
 {
+    near_changed_ |= !batch_.empty();
     for (ProxyId id : batch_)
         in_batch_.erase(id);
     empty(batch_);
@@ -237,9 +240,13 @@ void Broadphase::purge_stale_events()
     purge_events_at_ = std::max(least_purge, 2 * wheel_.size());
 }
 
-// Notes who is left, too.
+// Notes who is left, too, and until when that remains so.
 void Broadphase::drop_stale_near()
 {
+    if (!near_changed_ && ticks_between(now_, next_leave_) >= 0)
+        return;
+    near_changed_ = false;
+    next_leave_ = now_ + longest_wait;
     has_near_.clear();
     std::size_t left = 0;
     for (const NearPair &pair : near_)
@@ -248,6 +255,8 @@ void Broadphase::drop_stale_near()
             continue;
         has_near_.insert(pair.first);
         has_near_.insert(pair.second);
+        if (pair.leaves && ticks_between(pair.until, next_leave_) > 0)
+            next_leave_ = pair.until;
         near_[left++] = pair;
     }
     near_.resize(left);
@@ -268,6 +277,7 @@ void Broadphase::start_scanning()
     index_.clear(proxies_);
     wheel_.clear();
     near_.clear();
+    near_changed_ = true;
     due_anew_.clear();
     moving_.clear();
     scouts_.choose(members_);

@@ -185,6 +185,10 @@ private:
     static constexpr std::size_t most_sampled = 64;
     std::size_t sampled_ = 0;
 
+    static constexpr Tick longest_wait = Tick{1} << 30;
+    bool near_changed_ = false; // pairs have come, or become stale, since drop_stale_near()
+    Tick next_leave_ = 0;       // the last tick at which none of the pairs has left
+
     static constexpr std::size_t least_purge = 4096;
     std::size_t purge_events_at_ = least_purge;
     std::size_t purge_near_at_ = least_purge;

@@ -1,26 +1,38 @@
 #include "ode_predictive_space/broadphase/envelope_index.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ode_predictive_space
 {
 namespace
 {
-Shelf shelf_for(const PackedBounds &bounds, const FloatBox &box)
-{
-    if (!box.bounded())
-        return Shelf::unbounded;
-    return bounds.still ? Shelf::still : Shelf::moving;
-}
 // Is it cheaper to deal with all than with these one by one?
 bool is_bulk(std::size_t batch, std::size_t all)
 {
-    return batch >= 16 && 4 * batch >= all;
+    return all > EnvelopeIndex::small_scene && batch >= 16 && 4 * batch >= all;
 }
 } // namespace
 
+Shelf EnvelopeIndex::shelf_for(const ProxyStore &proxies, const SweptProxy &swept) const
+{
+    if (proxies.size() <= small_scene || !swept.box.bounded())
+        return Shelf::list;
+    return proxies.bounds[swept.proxy].still ? Shelf::still : Shelf::moving;
+}
+
+// Moves what a tree can hold there: the scene is not small any more.
+void EnvelopeIndex::outgrow_list(ProxyStore &proxies)
+{
+    for (const SweptProxy &leaf : std::exchange(list_, {}))
+        put(proxies, leaf);
+}
+
 void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now)
 {
+    if (was_small_ && proxies.size() > small_scene)
+        outgrow_list(proxies);
+    was_small_ = proxies.size() <= small_scene;
     // Building costs about a quarter of inserting one by one, and leaves a better tree.
     if (is_bulk(batch.size(), proxies.size()))
     {
@@ -30,31 +42,42 @@ void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &b
     for (const SweptProxy &swept : batch)
     {
         const Shelf shelf = proxies.bounds[swept.proxy].shelf;
-        if (shelf == shelf_for(proxies.bounds[swept.proxy], swept.box) && shelf != Shelf::unbounded)
+        if (shelf == Shelf::none || shelf != shelf_for(proxies, swept))
         {
-            tree(shelf).move(swept.proxy, swept.box);
-            continue;
+            remove(proxies, swept.proxy);
+            put(proxies, swept);
         }
-        remove(proxies, swept.proxy);
-        put(proxies, swept);
+        else if (shelf == Shelf::list)
+        {
+            find_in_list(swept.proxy)->box = swept.box;
+            proxies.bounds[swept.proxy].unbounded = !swept.box.bounded();
+        }
+        else
+            tree(shelf).move(swept.proxy, swept.box);
     }
 }
 
 void EnvelopeIndex::put(ProxyStore &proxies, const SweptProxy &swept)
 {
-    const Shelf shelf = shelf_for(proxies.bounds[swept.proxy], swept.box);
-    if (shelf == Shelf::unbounded)
-        unbounded_.push_back(swept);
+    const Shelf shelf = shelf_for(proxies, swept);
+    if (shelf == Shelf::list)
+        list_.push_back(swept);
     else
         tree(shelf).insert(swept.proxy, swept.box);
     proxies.bounds[swept.proxy].shelf = shelf;
+    proxies.bounds[swept.proxy].unbounded = !swept.box.bounded();
+}
+
+std::vector<SweptProxy>::iterator EnvelopeIndex::find_in_list(ProxyId id)
+{
+    return std::find_if(list_.begin(), list_.end(), [id](const SweptProxy &leaf) { return leaf.proxy == id; });
 }
 
 void EnvelopeIndex::rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now)
 {
     // Off the shelves with the batch; the trees themselves are thrown away below.
     for (const SweptProxy &swept : batch)
-        if (proxies.bounds[swept.proxy].shelf == Shelf::unbounded)
+        if (proxies.bounds[swept.proxy].shelf == Shelf::list)
             remove(proxies, swept.proxy);
         else
             proxies.bounds[swept.proxy].shelf = Shelf::none;
@@ -65,11 +88,14 @@ void EnvelopeIndex::rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &
             if (proxies.bounds[id].shelf == shelf)
                 leaves.push_back({id, proxies.swept_box(id, now)});
         for (const SweptProxy &swept : batch)
-            if (shelf_for(proxies.bounds[swept.proxy], swept.box) == shelf)
+            if (shelf_for(proxies, swept) == shelf)
                 leaves.push_back(swept);
         tree(shelf).build(leaves);
         for (const SweptProxy &leaf : leaves)
+        {
             proxies.bounds[leaf.proxy].shelf = shelf;
+            proxies.bounds[leaf.proxy].unbounded = false;
+        }
     }
     for (const SweptProxy &swept : batch)
         if (proxies.bounds[swept.proxy].shelf == Shelf::none)
@@ -79,9 +105,8 @@ void EnvelopeIndex::rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &
 void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)
 {
     Shelf &shelf = proxies.bounds[id].shelf;
-    if (shelf == Shelf::unbounded)
-        unbounded_.erase(std::find_if(unbounded_.begin(), unbounded_.end(),
-                                      [id](const SweptProxy &leaf) { return leaf.proxy == id; }));
+    if (shelf == Shelf::list)
+        list_.erase(find_in_list(id));
     else if (shelf != Shelf::none)
         tree(shelf).remove(id);
     shelf = Shelf::none;
@@ -92,7 +117,7 @@ void EnvelopeIndex::clear(ProxyStore &proxies)
     std::vector<SweptProxy> nothing;
     still_.build(nothing);
     moving_.build(nothing);
-    unbounded_.clear();
+    list_.clear();
     for (PackedBounds &bounds : proxies.bounds)
         bounds.shelf = Shelf::none;
 }
@@ -116,7 +141,7 @@ void EnvelopeIndex::find_pairs(const ProxyStore &proxies, const std::vector<Swep
 void EnvelopeIndex::sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch,
                                 std::vector<CandidatePair> &pairs) const
 {
-    std::vector<SweptProxy> all = unbounded_;
+    std::vector<SweptProxy> all = list_;
     for (ProxyId id = 0; id < proxies.size(); ++id)
     {
         const Shelf shelf = proxies.bounds[id].shelf;
@@ -133,6 +158,6 @@ void EnvelopeIndex::sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch
 
 std::size_t EnvelopeIndex::bytes() const
 {
-    return still_.bytes() + moving_.bytes() + unbounded_.capacity() * sizeof(SweptProxy);
+    return still_.bytes() + moving_.bytes() + list_.capacity() * sizeof(SweptProxy);
 }
 } // namespace ode_predictive_space

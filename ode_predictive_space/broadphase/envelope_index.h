@@ -1,4 +1,5 @@
-// Which envelopes can meet: still and moving ones in trees of their own, unbounded ones in a list.
+// Which envelopes can meet: still and moving ones in trees of their own, unbounded ones in a list, and all in that list
+// while they are few.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_ENVELOPE_INDEX_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_ENVELOPE_INDEX_H
@@ -15,6 +16,9 @@ namespace ode_predictive_space
 class EnvelopeIndex
 {
 public:
+    /// So many are looked through quicker than any tree.
+    static constexpr std::size_t small_scene = 40;
+
     /// Puts newly predicted proxies, given with their swept boxes, on the shelves where their envelopes belong, and notes
     /// that in proxies.bounds[id].shelf.
     void update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now);
@@ -33,7 +37,7 @@ public:
     {
         still_.walk(probe, visit);
         moving_.walk(probe, visit);
-        for (const SweptProxy &leaf : unbounded_)
+        for (const SweptProxy &leaf : list_)
             if (probe.overlaps(leaf.box))
                 visit(leaf.proxy);
     }
@@ -48,15 +52,19 @@ public:
     std::size_t bytes() const;
 
 private:
+    Shelf shelf_for(const ProxyStore &proxies, const SweptProxy &swept) const;
+    void outgrow_list(ProxyStore &proxies);
     EnvelopeTree &tree(Shelf shelf) { return shelf == Shelf::still ? still_ : moving_; }
     void put(ProxyStore &proxies, const SweptProxy &swept);
+    std::vector<SweptProxy>::iterator find_in_list(ProxyId id);
     void rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now);
 
     void sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch, std::vector<CandidatePair> &pairs) const;
 
     EnvelopeTree still_;
     EnvelopeTree moving_;
-    std::vector<SweptProxy> unbounded_;
+    std::vector<SweptProxy> list_;
+    bool was_small_ = false; // so that what a tree can hold is in the list
 };
 } // namespace ode_predictive_space
 

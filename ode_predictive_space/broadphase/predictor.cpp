@@ -327,7 +327,8 @@ std::uint32_t Predictor::horizon_for(const PackedBounds &bounds, const Motion &m
 {
     if (motion.brief)
         return 1;
-    const double far = ticks_to_travel(reach_of(bounds) * size, motion.velocity.norm() + bounds.spread, motion.acceleration.norm());
+    const double far =
+        ticks_to_travel(reach_of(bounds) * size, motion.velocity.norm() + bounds.spread, motion.acceleration.norm());
     return std::min(bounds.horizon, static_cast<std::uint32_t>(std::min(1e9, far)));
 }
 

@@ -45,9 +45,9 @@ enum class Check : std::uint8_t
 enum class Shelf : std::uint8_t
 {
     none,
-    still,    ///< the tree of envelopes that do not move
-    moving,   ///< the tree of swept envelopes
-    unbounded ///< the list of those that no tree can hold
+    still,  ///< the tree of envelopes that do not move
+    moving, ///< the tree of swept envelopes
+    list    ///< the list of those that no tree can hold, and of all in a small scene
 };
 
 /// How the motion of an object is known, and who said so.
@@ -82,6 +82,7 @@ struct alignas(64) PackedBounds
     bool still;            ///< path and deviation are constant: valid as long as it does not leave its envelope
     bool crowded;          ///< has or had near pairs: its tight bounds pay
     bool is_sphere;        ///< its bounding sphere's box is its bounding box: no tighter bounds are to be had
+    bool unbounded;        ///< no tree can hold its envelope: infinite, or not a number
     std::uint8_t mistrust; ///< how often in a row its body's velocity did not explain its motion
 };
 static_assert(sizeof(PackedBounds) == 64, "one cache line");

@@ -114,6 +114,7 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
     members_.for_each([&](ProxyId id) { items_.push_back({id, boxes_[id].outer()}); });
     sweep_.find_pairs(items_, candidates_);
     near_.clear();
+    near_changed_ = true;
     for (const CandidatePair &pair : candidates_)
         near_.push_back(NearPair::of(
             {pair.first, pair.second, proxies_.generations[pair.first], proxies_.generations[pair.second]}, now_));

@@ -87,7 +87,7 @@ template <typename Scene>
 {
     const PackedBounds &bounds = proxies.bounds[id];
     // What no tree can hold is predicted anew whenever it moves: it may have become finite again.
-    return bounds.check == Check::bounds && bounds.shelf != Shelf::unbounded &&
+    return bounds.check == Check::bounds && !bounds.unbounded &&
            bounds_inside(proxies.paths[id], bounds, scene.bounds(id), now);
 }
 

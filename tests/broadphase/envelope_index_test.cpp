@@ -117,7 +117,8 @@ public:
                 continue;
             }
             const bool bounded = store_.swept_box(id, now_).bounded();
-            ASSERT_EQ(shelf, !bounded ? Shelf::unbounded : store_.bounds[id].still ? Shelf::still : Shelf::moving);
+            const bool listed = !bounded || store_.size() <= EnvelopeIndex::small_scene;
+            ASSERT_EQ(shelf, listed ? Shelf::list : store_.bounds[id].still ? Shelf::still : Shelf::moving);
         }
     }
 
@@ -184,11 +185,13 @@ TEST(EnvelopeIndex, KeepsWhatNoTreeCanHoldInAList)
     const ProxyId floor = add_still_proxy(store, {0, 0, 0}, 1, 0);
     store.bounds[floor].low[2] = -std::numeric_limits<float>::infinity();
     const ProxyId lost = add_still_proxy(store, {0, 0, std::numeric_limits<double>::quiet_NaN()}, 1, 0);
+    for (std::size_t i = 0; i < EnvelopeIndex::small_scene; ++i)
+        add_empty_proxy(store);
     for (ProxyId id : {ball, floor, lost})
         index.update(store, {{id, store.swept_box(id, 0)}}, 0);
     EXPECT_EQ(store.bounds[ball].shelf, Shelf::still);
-    EXPECT_EQ(store.bounds[floor].shelf, Shelf::unbounded);
-    EXPECT_EQ(store.bounds[lost].shelf, Shelf::unbounded);
+    EXPECT_EQ(store.bounds[floor].shelf, Shelf::list);
+    EXPECT_EQ(store.bounds[lost].shelf, Shelf::list);
     std::vector<ProxyId> found;
     index.query({{0, 0, -100}, {1, 1, -99}}, [&](ProxyId id) { found.push_back(id); });
     EXPECT_EQ(found, (std::vector<ProxyId>{floor, lost}));
@@ -196,6 +199,27 @@ TEST(EnvelopeIndex, KeepsWhatNoTreeCanHoldInAList)
     store.bounds[floor].low[2] = -1;
     index.update(store, {{floor, store.swept_box(floor, 0)}}, 0);
     EXPECT_EQ(store.bounds[floor].shelf, Shelf::still) << "it has become finite";
+}
+
+TEST(EnvelopeIndex, KeepsAllInTheListWhileTheyAreFew)
+{
+    ProxyStore store;
+    EnvelopeIndex index;
+    auto add = [&](const Vector3 &place) {
+        const ProxyId id = add_still_proxy(store, place, 1, 0);
+        index.update(store, {{id, store.swept_box(id, 0)}}, 0);
+        return id;
+    };
+    const ProxyId first = add({0, 0, 0});
+    EXPECT_EQ(store.bounds[first].shelf, Shelf::list);
+    while (store.size() < EnvelopeIndex::small_scene)
+        add({10, 0, 0});
+    EXPECT_EQ(store.bounds[first].shelf, Shelf::list);
+    add({10, 0, 0});
+    EXPECT_EQ(store.bounds[first].shelf, Shelf::still) << "the scene has outgrown the list";
+    std::vector<ProxyId> found;
+    index.query({{0, 0, 0}, {1, 1, 1}}, [&](ProxyId id) { found.push_back(id); });
+    EXPECT_EQ(found, std::vector<ProxyId>{first});
 }
 
 TEST(EnvelopeIndex, RemovingWhatIsNotInItDoesNothing)

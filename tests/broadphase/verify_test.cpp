@@ -143,9 +143,8 @@ TEST(Verify, WhatNoTreeCanHoldIsPredictedAnewWheneverItMoves)
     add_still_proxy(store, {0, 0, 0}, 1, 0.25);
     check_by_bounds(store, 0);
     OneObject object;
-    store.bounds[0].shelf = Shelf::still;
     EXPECT_TRUE(prediction_holds(object, store, 0, 0));
-    store.bounds[0].shelf = Shelf::unbounded;
+    store.bounds[0].unbounded = true;
     EXPECT_FALSE(prediction_holds(object, store, 0, 0));
 }
 
