@@ -17,6 +17,11 @@ namespace
 {
 using namespace scenes;
 
+std::string title(const SceneSpec &spec)
+{
+    return spec.name + " " + grouped(static_cast<std::uint64_t>(spec.objects));
+}
+
 SceneRuns make_runs(const Plan &plan, const SceneFactory &factory, Findings &findings)
 {
     SceneRuns runs;
@@ -25,8 +30,7 @@ SceneRuns make_runs(const Plan &plan, const SceneFactory &factory, Findings &fin
         const std::string reason = why_not(name, plan.spec);
         if (!reason.empty())
         {
-            findings.note(plan.spec.name + ", n = " + grouped(static_cast<std::uint64_t>(plan.spec.objects)) +
-                          ", without " + name + ": " + reason);
+            findings.note(title(plan.spec) + ", without " + name + ": " + reason);
             continue;
         }
         runs.push_back(std::make_unique<SceneRun>(benchmarks::make_contender(name, factory), factory));
@@ -45,7 +49,7 @@ void make_ticks(const Plan &plan, const SceneRuns &runs)
     {
         run->start_measuring();
     }
-    Progress progress(plan.spec.name + " " + grouped(static_cast<std::uint64_t>(plan.spec.objects)), plan.ticks);
+    Progress progress(title(plan.spec), plan.ticks);
     run_by_turns(
         runs, plan.ticks, [&](int done) { progress.show(done); }, plan.seconds_each);
 }
@@ -77,7 +81,7 @@ bool contacts_agree(const SceneRuns &runs)
 
 void judge(const Plan &plan, const SceneRuns &runs, Findings &findings)
 {
-    const std::string where = " (" + plan.spec.name + ", n = " + std::to_string(plan.spec.objects) + ")\n";
+    const std::string where = " (" + title(plan.spec) + ")\n";
     const int tick = first_difference(runs);
     if (tick >= 0)
     {

@@ -112,7 +112,7 @@ TEST_F(ComparisonTest, WhatIsTooSlowIsLeftOutWithANote)
     EXPECT_EQ(fast_enough({"simple", "sap"}, {"gas", 100000}, findings_), (std::vector<std::string>{"sap"}));
     std::ostringstream text;
     findings_.print(text);
-    EXPECT_NE(text.str().find("100,000, without simple"), std::string::npos) << text.str();
+    EXPECT_NE(text.str().find("gas 100,000, without simple"), std::string::npos) << text.str();
 }
 
 TEST_F(ComparisonTest, APlanFollowsTheOptions)

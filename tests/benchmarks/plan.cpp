@@ -57,7 +57,7 @@ std::vector<std::string> fast_enough(const std::vector<std::string> &contenders,
             result.push_back(name);
             continue;
         }
-        findings.note(spec.name + ", n = " + grouped(static_cast<std::uint64_t>(spec.objects)) + ", without " + name +
+        findings.note(spec.name + " " + grouped(static_cast<std::uint64_t>(spec.objects)) + ", without " + name +
                       ": too slow or too large with so many");
     }
     return result;

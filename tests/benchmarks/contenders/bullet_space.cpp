@@ -26,7 +26,7 @@ class BulletSpace : public NoticeSpace
 public:
     explicit BulletSpace(std::unique_ptr<btBroadphaseInterface> broadphase) : broadphase_(std::move(broadphase)) {}
 
-    ~BulletSpace()
+    ~BulletSpace() override
     {
         for (btBroadphaseProxy *const proxy : proxies_)
         {

@@ -7,12 +7,12 @@ NoticeSpace::NoticeSpace() : dxSpace(nullptr)
     type = dSimpleSpaceClass;
 }
 
-// In ~dxSpace the functions of this class are gone; and what is left must not find slots that nobody keeps.
+// In ~dxSpace the functions of this class are gone; and no geom may be left with a slot that nobody keeps.
 NoticeSpace::~NoticeSpace()
 {
     while (first != nullptr)
     {
-        remove(first);
+        give_back(first);
     }
 }
 
@@ -33,14 +33,20 @@ void NoticeSpace::add(dxGeom *geom)
     const Slot slot = free_.back();
     free_.pop_back();
     geoms_[slot] = geom;
+    // A number, not an address. NOLINTNEXTLINE(performance-no-int-to-ptr)
     geom->next_ex = reinterpret_cast<dxGeom *>(std::uintptr_t{slot});
     noticed_.push_back(slot);
 }
 
 void NoticeSpace::remove(dxGeom *geom)
 {
+    forget(slot_of(geom));
+    give_back(geom);
+}
+
+void NoticeSpace::give_back(dxGeom *geom)
+{
     const Slot slot = slot_of(geom);
-    forget(slot);
     geoms_[slot] = nullptr;
     free_.push_back(slot);
     geom->next_ex = nullptr;

@@ -19,7 +19,7 @@ public:
     using Slot = std::uint32_t;
 
     NoticeSpace();
-    ~NoticeSpace();
+    ~NoticeSpace() override;
 
     void add(dxGeom *geom) override;
     void remove(dxGeom *geom) override;
@@ -70,6 +70,7 @@ private:
         return (geom->gflags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
     }
     static Slot slot_of(const dxGeom *geom);
+    void give_back(dxGeom *geom);
 
     std::vector<dxGeom *> geoms_; // by slot
     std::vector<Slot> free_;
