@@ -19,7 +19,7 @@ public:
     virtual std::string name() const = 0;
     virtual std::string description() const = 0;
 
-    /// Add options that no other subcommand has.
+    /// Add options that no other subcommand has. Not called when `all` calls measure().
     virtual void add_options(CLI::App &) {}
 
     /// Measure, print tables to the standard output, and add to the findings. `all` calls this, too, with neither n nor

@@ -41,13 +41,9 @@ public:
     }
     void add_options(CLI::App &command) override
     {
-        for (const HapticTick tick : all_haptic_ticks)
-        {
-            contents_.push_back(haptic_tick_name(tick));
-        }
         command.add_option("--tick", contents_, "What a tick contains, separated by commas; all by default")
             ->delimiter(',')
-            ->check(CLI::IsMember(contents_));
+            ->check(CLI::IsMember(all_contents()));
     }
     void measure(const Options &options, Findings &findings) override;
 
@@ -57,7 +53,17 @@ private:
         return std::find(contents_.begin(), contents_.end(), haptic_tick_name(tick)) != contents_.end();
     }
 
-    std::vector<std::string> contents_;
+    static std::vector<std::string> all_contents()
+    {
+        std::vector<std::string> names;
+        for (const HapticTick tick : all_haptic_ticks)
+        {
+            names.push_back(haptic_tick_name(tick));
+        }
+        return names;
+    }
+
+    std::vector<std::string> contents_ = all_contents(); ///< also when `all` runs this, which adds no options
 };
 
 HapticSettings settings(const Options &options)
@@ -94,6 +100,7 @@ std::vector<SpaceKind> spaces(const Options &options, Findings &findings)
 std::vector<HapticResult> search(const std::vector<SpaceKind> &kinds, const HapticSettings &settings)
 {
     std::vector<HapticResult> results;
+    results.reserve(kinds.size());
     for (const SpaceKind kind : kinds)
     {
         results.push_back(most_objects(kind, settings, [&](int objects) {
