@@ -41,8 +41,9 @@ double half_side_of_floor(int boxes)
 Vector3 place_of_structure(int number, double half_side)
 {
     const int side = static_cast<int>(std::lround(2 * (half_side - corridor) / cell));
-    return {(number % side + 0.5) * cell + corridor - half_side, (number / side + 0.5) * cell + corridor - half_side,
-            -half_height};
+    const int column = number % side;
+    const int row = number / side;
+    return {(column + 0.5) * cell + corridor - half_side, (row + 0.5) * cell + corridor - half_side, -half_height};
 }
 
 /// Where the box of this number is in its wall; rows are laid half a box apart, as bricks are.

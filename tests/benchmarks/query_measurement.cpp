@@ -40,7 +40,7 @@ public:
             collide();
         }
         ask(0, QueryScene::probes, result_.spheres, sphere_hash_);
-        ask(QueryScene::probes, 2 * QueryScene::probes, result_.rays, ray_hash_);
+        ask(QueryScene::probes, scene_->queries().size(), result_.rays, ray_hash_);
         if (checking_ && dPredictiveSpaceValidate(contender_->space()) == 0)
         {
             result_.valid = false;

@@ -32,7 +32,7 @@ void tree_build(benchmark::State &state)
 {
     const std::vector<SweptProxy> boxes = swept_boxes(size_of(state), horizon);
     EnvelopeTree tree;
-    for (auto _ : state)
+    while (state.KeepRunning())
     {
         std::vector<SweptProxy> leaves = boxes;
         tree.build(leaves);
@@ -45,7 +45,7 @@ BENCHMARK(tree_build)->Apply(sizes);
 void tree_insert(benchmark::State &state)
 {
     const std::vector<SweptProxy> boxes = swept_boxes(size_of(state), horizon);
-    for (auto _ : state)
+    while (state.KeepRunning())
     {
         EnvelopeTree tree;
         for (const SweptProxy &swept : boxes)
@@ -65,7 +65,7 @@ void tree_move(benchmark::State &state)
     EnvelopeTree tree;
     tree.build(boxes);
     Random random(2);
-    for (auto _ : state)
+    while (state.KeepRunning())
     {
         SweptProxy &swept = boxes[random.index(boxes.size())];
         const float way = static_cast<float>(random.uniform(-0.02, 0.02));
@@ -88,7 +88,7 @@ void tree_query(benchmark::State &state)
     tree.build(boxes);
     Random random(2);
     std::size_t found = 0;
-    for (auto _ : state)
+    while (state.KeepRunning())
     {
         tree.query(probes[random.index(probes.size())].box, [&](ProxyId) { ++found; });
     }
@@ -102,7 +102,7 @@ void sweep(benchmark::State &state)
     const std::vector<SweptProxy> boxes = swept_boxes(size_of(state), 0);
     Sweep sweep;
     std::vector<CandidatePair> found;
-    for (auto _ : state)
+    while (state.KeepRunning())
     {
         found.clear();
         sweep.find_pairs(boxes, found);

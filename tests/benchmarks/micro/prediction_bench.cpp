@@ -36,11 +36,12 @@ void least_squares(benchmark::State &state)
     Random random(1);
     std::vector<Sample> samples;
     const int count = static_cast<int>(state.range(0));
+    samples.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
     {
         samples.push_back({i + 1.0 - count, random.vector(1)});
     }
-    for (auto _ : state)
+    while (state.KeepRunning())
     {
         benchmark::DoNotOptimize(samples.data());
         benchmark::DoNotOptimize(fit_path(samples.data(), count));
@@ -52,7 +53,7 @@ template <typename TimeOfProximity> void time_of_proximity(benchmark::State &sta
 {
     const std::vector<Pair> inputs = random_pairs();
     std::size_t next = 0;
-    for (auto _ : state)
+    while (state.KeepRunning())
     {
         const Pair &pair = inputs[next++ % pairs];
         benchmark::DoNotOptimize(time(pair.first, pair.second, horizon));
@@ -65,7 +66,7 @@ void swept_box(benchmark::State &state)
 {
     const std::vector<Pair> inputs = random_pairs();
     std::size_t next = 0;
-    for (auto _ : state)
+    while (state.KeepRunning())
     {
         benchmark::DoNotOptimize(FloatBox::around(inputs[next++ % pairs].first.swept(horizon)));
     }

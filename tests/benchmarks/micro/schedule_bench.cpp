@@ -42,7 +42,7 @@ void schedule_and_take(benchmark::State &state)
     {
         tick();
     }
-    for (auto _ : state)
+    while (state.KeepRunning())
     {
         tick();
     }

@@ -46,7 +46,7 @@ void verify_centres(benchmark::State &state)
 {
     const Moved moved = moved_objects(static_cast<std::size_t>(state.range(0)));
     std::size_t inside = 0;
-    for (auto _ : state)
+    while (state.KeepRunning())
     {
         for (std::size_t i = 0; i < moved.paths.size(); ++i)
         {
