@@ -271,6 +271,27 @@ void Broadphase::take_note_of_moves()
     doubtful_.clear();
 }
 
+// Of new objects only the velocities are known, and not even how far these carry them. So they are scanned for some ticks
+// first; that is quicker than prediction, too, for the tick in which a program begins.
+bool Broadphase::mostly_new()
+{
+    if (predictions_wanted_ || 2 * new_ <= members_.size())
+        return false;
+    policy_.begin();
+    return true;
+}
+
+bool Broadphase::want_predictions()
+{
+    predictions_wanted_ = true;
+    if (!policy_.at_beginning())
+        return false;
+    policy_.end();
+    clear_scan();
+    predict_all_anew();
+    return true;
+}
+
 void Broadphase::start_scanning()
 {
     finish_update();
@@ -287,11 +308,18 @@ void Broadphase::start_scanning()
     });
 }
 
-void Broadphase::stop_scanning()
+void Broadphase::clear_scan()
 {
     near_.clear();
+    near_changed_ = true;
     items_ = {};
+    sweep_ = {};
     wheel_.restart(now_);
+}
+
+void Broadphase::stop_scanning()
+{
+    clear_scan();
     members_.for_each([&](ProxyId id) { add_to_batch(id); });
 }
 

@@ -100,6 +100,11 @@ public:
     /// Makes new predictions for all objects at the next tick, for when settings have changed.
     void predict_all_anew();
 
+    /// Makes predictions at the next update, if there are none yet because most objects are new: for questions about them.
+    ///
+    /// @return true when there will be new ones.
+    bool want_predictions();
+
     /// When two objects may be near, in ticks from now on; none when they stay apart over their horizons.
     std::optional<ProximityInterval> proximity(ProxyId first, ProxyId second) const
     {
@@ -153,7 +158,9 @@ private:
     void note_crowded(const NearPair &pair);
     bool lingers(ProxyId id) const;
     void finish_update();
+    bool mostly_new();
     void start_scanning();
+    void clear_scan();
     void stop_scanning();
     void purge_stale_events();
 
@@ -186,6 +193,7 @@ private:
     std::size_t sampled_ = 0;
 
     static constexpr Tick longest_wait = Tick{1} << 30;
+    bool predictions_wanted_ = false;
     bool near_changed_ = false; // pairs have come, or become stale, since drop_stale_near()
     Tick next_leave_ = 0;       // the last tick at which none of the pairs has left
 
@@ -193,6 +201,7 @@ private:
     std::size_t purge_events_at_ = least_purge;
     std::size_t purge_near_at_ = least_purge;
     std::size_t broken_ = 0; // predictions that the last verification found broken
+    std::size_t new_ = 0;    // objects that it found without one
 
     // What one stage hands to the next; empty between updates.
     std::vector<ProxyId> suspects_; // to be looked at

@@ -208,23 +208,23 @@ Predictor::Motion Predictor::motion_of_body(PackedBounds &bounds, const Outcome 
     Motion motion;
     bool explained = true;
     if (outcome.fresh)
-        motion.brief = step_.step() == 0 && !velocity.isZero(0);
+        motion.brief = step_estimate.step() == 0 && !velocity.isZero(0);
     else if (outcome.ticks == 0)
         motion.acceleration = outcome.kept ? outcome.acceleration : Vector3::Zero();
     else
     {
-        step_.add(outcome.displacement, last, velocity, outcome.ticks);
-        const Vector3 expected = (0.5 * step_.step() * outcome.ticks) * (last + velocity);
+        step_estimate.add(outcome.displacement, last, velocity, outcome.ticks);
+        const Vector3 expected = (0.5 * step_estimate.step() * outcome.ticks) * (last + velocity);
         const double error = (outcome.displacement - expected).norm();
         const double travelled = outcome.displacement.norm();
         explained = error <= 0.25 * travelled + 0.5 * slack_of_centre * size_of(bounds);
         // A bounce within the interval would look like an enormous acceleration: believe only what the path bears out.
         if (error <= 0.1 * travelled)
-            motion.acceleration = (step_.step() / outcome.ticks) * (velocity - last);
+            motion.acceleration = (step_estimate.step() / outcome.ticks) * (velocity - last);
     }
     bounds.mistrust = explained ? 0 : static_cast<std::uint8_t>(std::min<int>(bounds.mistrust + 1, patience));
     // ODE moves a body with the velocity that it has at the end of the step, hence the half step.
-    motion.velocity = step_.step() * velocity + 0.5 * motion.acceleration;
+    motion.velocity = step_estimate.step() * velocity + 0.5 * motion.acceleration;
     return motion;
 }
 

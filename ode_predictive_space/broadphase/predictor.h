@@ -36,6 +36,9 @@ class Predictor
 public:
     HorizonBounds horizon;
 
+    /// How far velocities carry objects in a tick, as far as is known.
+    StepEstimate step_estimate;
+
     /// Fixed deviations for objects of the environment and for interactive ones; none: they adapt.
     std::array<std::optional<Deviation>, 2> deviation;
 
@@ -49,7 +52,7 @@ public:
     /// Forgets what it knows about a proxy that is removed.
     void forget(ProxyStore &proxies, ProxyId id);
 
-    double step() const { return step_.step(); }
+    double step() const { return step_estimate.step(); }
     std::size_t bytes() const;
 
 private:
@@ -65,7 +68,6 @@ private:
     Deviation allow(const PackedBounds &bounds, const Outcome &outcome, double size) const;
     History &history_of(PackedBounds &bounds);
 
-    StepEstimate step_;
     std::vector<History> histories_;
     std::vector<std::uint32_t> free_histories_;
 };

@@ -15,6 +15,23 @@ class ScanPolicy
 public:
     bool scanning() const { return scanning_; }
 
+    /// Begins scanning because most objects are new: nothing is known yet of how they move.
+    void begin()
+    {
+        scanning_ = at_beginning_ = true;
+        streak_ = 0;
+        required_calm_ = 1;
+    }
+
+    bool at_beginning() const { return at_beginning_; }
+
+    /// Ends it because predictions are wanted.
+    void end()
+    {
+        scanning_ = at_beginning_ = false;
+        streak_ = 0;
+    }
+
     /// Says how a tick of prediction went; the first prediction of an object does not count as broken.
     ///
     /// @return true when scanning begins, with this tick.
@@ -39,8 +56,7 @@ public:
         streak_ = calm ? streak_ + 1 : 0;
         if (streak_ < required_calm_)
             return false;
-        scanning_ = false;
-        streak_ = 0;
+        end();
         required_calm_ = std::min(2 * required_calm_, last_calm);
         return true;
     }
@@ -55,6 +71,7 @@ private:
     static constexpr int last_calm = 256;
 
     bool scanning_ = false;
+    bool at_beginning_ = false;
     bool was_bad_ = false;
     int streak_ = 0;
     int required_calm_ = first_calm;

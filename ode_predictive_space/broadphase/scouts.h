@@ -9,44 +9,36 @@
 #include "ode_predictive_space/broadphase/id_set.h"
 #include "ode_predictive_space/broadphase/scan_policy.h"
 #include "ode_predictive_space/prediction/envelope.h"
+#include "ode_predictive_space/prediction/step_estimate.h"
 
 namespace ode_predictive_space
 {
-/// Tells whether objects move as could be predicted: whether each is where its last two positions lead.
+/// Tells whether objects move as could be predicted: whether each is where its last two positions lead. Learns meanwhile
+/// how far a body's velocity carries it in a tick.
 class Scouts
 {
 public:
     /// Chooses among the members, evenly by number, the same ones for the same members.
     void choose(const IdSet &members)
     {
-        const std::size_t stride = std::max<std::size_t>(1, members.size() / most);
+        const std::size_t count = members.size(), stride = std::max<std::size_t>(1, count / most);
         std::size_t rank = 0;
         scouts_.clear();
         members.for_each([&](ProxyId id) {
             if (rank++ % stride == 0 && scouts_.size() < most)
-                scouts_.push_back({id, Vector3::Zero(), Vector3::Zero()});
+                scouts_.push_back({id, 0, Vector3::Zero(), Vector3::Zero(), Vector3::Zero()});
         });
     }
 
-    /// Looks where they are now.
+    /// Looks where they are now, a tick after the last look.
     ///
     /// @return true when so many moved as predicted that predicting all would pay.
-    template <typename Scene> bool calm(Scene &scene, const IdSet &members)
+    template <typename Scene> bool calm(Scene &scene, const IdSet &members, StepEstimate &step)
     {
         std::size_t strayed = 0;
         for (Scout &scout : scouts_)
-        {
-            if (!members.contains(scout.id))
-                continue;
-            const Box bounds = scene.bounds(scout.id);
-            const Vector3 centre = bounds.center();
-            const double tolerance = 0.1 * bounds.diagonal().minCoeff();
-            const Vector3 expected = 2 * scout.last - scout.before;
-            // False, too, when there is NaN in it.
-            strayed += !((centre - expected).cwiseAbs().maxCoeff() <= tolerance);
-            scout.before = scout.last;
-            scout.last = centre;
-        }
+            if (members.contains(scout.id))
+                strayed += !keeps_on(scene, scout, step);
         return strayed * ScanPolicy::bad_part <= scouts_.size();
     }
 
@@ -58,9 +50,30 @@ private:
     struct Scout
     {
         ProxyId id;
+        int seen; // how often, up to 2
         Vector3 before;
         Vector3 last;
+        Vector3 velocity; // when it was last seen
     };
+
+    template <typename Scene> static bool keeps_on(Scene &scene, Scout &scout, StepEstimate &step)
+    {
+        const Box bounds = scene.bounds(scout.id);
+        const Vector3 centre = bounds.center(),
+                      velocity = scene.observe(scout.id, false).velocity.value_or(Vector3::Zero());
+        const double tolerance = 0.1 * bounds.diagonal().minCoeff();
+        const Vector3 expected = 2 * scout.last - scout.before;
+        // False, too, when there is NaN in it.
+        const bool kept = scout.seen == 2 && (centre - expected).cwiseAbs().maxCoeff() <= tolerance;
+        if (scout.seen > 0 && (centre - scout.last).allFinite())
+            step.add(centre - scout.last, scout.velocity, velocity, 1);
+        scout.seen = std::min(scout.seen + 1, 2);
+        scout.before = scout.last;
+        scout.last = centre;
+        scout.velocity = velocity;
+        return kept;
+    }
+
     std::vector<Scout> scouts_;
 };
 } // namespace ode_predictive_space

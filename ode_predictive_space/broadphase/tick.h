@@ -19,13 +19,13 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
     if (policy_.scanning())
     {
         scan(scene);
-        if (!time_passes || !policy_.calm_returns(scouts_.calm(scene, members_)))
+        if (!time_passes || !policy_.calm_returns(scouts_.calm(scene, members_, predictor.step_estimate)))
             return;
         stop_scanning();
     }
     verify(scene, time_passes, now_ == expected);
     expire();
-    if (time_passes && policy_.prediction_fails(broken_, members_.size()))
+    if (mostly_new() || (time_passes && policy_.prediction_fails(broken_, members_.size())))
     {
         start_scanning();
         scan(scene);
@@ -42,6 +42,7 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
 {
     collect_suspects(time_passes, as_expected);
     broken_ = 0;
+    new_ = 0;
     for (std::size_t i = 0; i < suspects_.size(); ++i)
     {
         prefetch_bounds(scene, i);
@@ -49,7 +50,8 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
         scene.acknowledge(id);
         if (prediction_holds(scene, proxies_, id, now_))
             continue;
-        broken_ += proxies_.bounds[id].check != Check::none;
+        const bool is_new = proxies_.bounds[id].check == Check::none;
+        ++(is_new ? new_ : broken_);
         add_to_batch(id);
     }
     counters_.violations += broken_;

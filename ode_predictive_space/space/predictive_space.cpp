@@ -163,6 +163,13 @@ void dxPredictiveSpace::catch_up()
     broadphase_.catch_up(now);
 }
 
+void dxPredictiveSpace::catch_up_with_predictions()
+{
+    if (broadphase_.want_predictions())
+        caught_up_ = false;
+    catch_up();
+}
+
 void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
 {
     dAASSERT(callback);

@@ -38,6 +38,9 @@ struct dxPredictiveSpace : public dxSpace
     /// Brings the broad phase up to date with what has moved, without a tick.
     void catch_up();
 
+    /// The same, and has all geoms predicted, from now on as soon as they are there.
+    void catch_up_with_predictions();
+
     /// A geom that can be met, in ticks from now.
     struct Encounter
     {

@@ -27,6 +27,9 @@ struct Object
 class World
 {
 public:
+    /// Predicts from the first tick on.
+    World() { broadphase.want_predictions(); }
+
     Broadphase broadphase;
 
     /// Seconds per tick; the broad phase is not told.
