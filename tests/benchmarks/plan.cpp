@@ -14,7 +14,7 @@ namespace
 using namespace scenes;
 
 constexpr int quick_share = 5;
-constexpr double quick_seconds_each = 0.5;
+constexpr double quick_seconds_each = 0.4;
 constexpr int most_objects_to_weigh_quickly = 10000;
 
 /// With more objects than this a contender is not to be waited for: a tick takes seconds (brute, simple), its table gigabytes

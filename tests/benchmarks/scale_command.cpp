@@ -17,7 +17,7 @@ namespace
 using namespace scenes;
 
 constexpr double most_seconds_each = 5;
-constexpr double quick_seconds_each = 0.4;
+constexpr double quick_seconds_each = 0.3;
 constexpr double most_growth = 2; ///< of the time per moved geom from 10,000 to 100,000 objects
 
 /// A scene of one size.
