@@ -16,6 +16,16 @@ template <typename T> void empty(std::vector<T> &scratch)
 }
 } // namespace
 
+// The first tick of a small scene should not spend its time on growing vectors.
+Broadphase::Broadphase()
+{
+    constexpr std::size_t few = 128;
+    suspects_.reserve(few);
+    items_.reserve(few);
+    candidates_.reserve(few);
+    near_.reserve(few);
+}
+
 ProxyId Broadphase::add()
 {
     ProxyId id;

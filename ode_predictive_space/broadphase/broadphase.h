@@ -49,6 +49,8 @@ struct Counters
 class Broadphase
 {
 public:
+    Broadphase();
+
     Predictor predictor;
 
     Proximity measure() const { return measure_; }

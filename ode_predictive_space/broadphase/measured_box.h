@@ -57,13 +57,15 @@ public:
     /// A box that holds the measured one.
     FloatBox outer() const
     {
+        constexpr float infinity = std::numeric_limits<float>::infinity();
+        // Differences of infinities would be NaN: what is not finite may be everywhere.
+        if (!(error_ < infinity))
+            return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
         FloatBox box;
         for (int axis = 0; axis < 3; ++axis)
         {
-            // A difference of infinities would be NaN: where there is no box, it is everywhere.
-            const bool finite = error_ < std::numeric_limits<float>::infinity();
-            box.low[axis] = finite ? low_[axis] - error_ : -std::numeric_limits<float>::infinity();
-            box.high[axis] = finite ? high_[axis] + error_ : std::numeric_limits<float>::infinity();
+            box.low[axis] = low_[axis] - error_;
+            box.high[axis] = high_[axis] + error_;
         }
         return box;
     }

@@ -21,7 +21,9 @@ public:
     /// Chooses among the members, evenly by number, the same ones for the same members.
     void choose(const IdSet &members)
     {
-        const std::size_t count = members.size(), stride = std::max<std::size_t>(1, count / most);
+        // An eighth of a small scene will do. Odd strides meet all sorts where sorts alternate.
+        const std::size_t count = members.size(), wanted = std::clamp(count / 8, least, most);
+        const std::size_t stride = std::max<std::size_t>(1, count / wanted) | 1;
         std::size_t rank = 0;
         scouts_.clear();
         members.for_each([&](ProxyId id) {
@@ -45,7 +47,7 @@ public:
     std::size_t bytes() const { return scouts_.capacity() * sizeof(Scout); }
 
 private:
-    static constexpr std::size_t most = 32;
+    static constexpr std::size_t least = 8, most = 32;
 
     struct Scout
     {

@@ -15,7 +15,7 @@ constexpr std::size_t few = 40;
 constexpr std::size_t many = 2000;
 
 // A sample tells how the boxes lie.
-constexpr std::size_t sample_size = 64;
+constexpr std::size_t sample_size = 24;
 
 constexpr float places = 65535;
 constexpr float most_strips = 30000;
@@ -65,13 +65,12 @@ public:
         return squares / count - (sum / count) * (sum / count);
     }
 
-    // The number that this part of them does not exceed.
-    float quantile(double part)
+    void sort() { std::sort(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(count_)); }
+
+    // The number that this part of them, sorted, does not exceed.
+    float quantile(double part) const
     {
-        const auto end = values_.begin() + static_cast<std::ptrdiff_t>(count_);
-        const auto place = values_.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(count_ - 1));
-        std::nth_element(values_.begin(), place, end);
-        return *place;
+        return values_[static_cast<std::size_t>(part * static_cast<double>(count_ - 1))];
     }
 
 private:
@@ -84,15 +83,16 @@ Sample centres(const std::vector<SweptProxy> &items, int axis)
     return Sample(items, [axis](const FloatBox &box) { return 0.5f * (box.low[axis] + box.high[axis]); });
 }
 
-// Where most values are, with a quarter as much again on both sides. What lies outside is put at its ends.
+// Where most values are, with half as much again on both sides. What lies outside is put at its ends.
 struct Range
 {
     float begin, length;
     explicit Range(Sample values)
     {
-        const float low = values.quantile(0.05), high = values.quantile(0.95);
-        begin = low - 0.25f * (high - low);
-        length = 1.5f * (high - low);
+        values.sort();
+        const float low = values.quantile(0.06), high = values.quantile(0.94);
+        begin = low - 0.5f * (high - low);
+        length = 2 * (high - low);
     }
 };
 
@@ -126,9 +126,8 @@ Sweep::Layout Sweep::Layout::fit_for(const std::vector<SweptProxy> &items)
     const std::array<double, 3> spread = {centres(items, 0).variance(), centres(items, 1).variance(),
                                           centres(items, 2).variance()};
     std::array<int, 3> axes = {0, 1, 2};
-    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) {
-        return spread[static_cast<std::size_t>(a)] > spread[static_cast<std::size_t>(b)];
-    });
+    std::sort(axes.begin(), axes.end(),
+              [&](int a, int b) { return spread[static_cast<std::size_t>(a)] > spread[static_cast<std::size_t>(b)]; });
     Layout layout;
     layout.along = axes[0];
     layout.across = axes[1];
@@ -147,6 +146,7 @@ void Sweep::Layout::cut_into_strips(const std::vector<SweptProxy> &items)
 {
     Sample widths(items, [this](const FloatBox &box) { return box.high[across] - box.low[across]; });
     const Range range(centres(items, across));
+    widths.sort();
     const float typical = std::min(widths.quantile(1), 2 * widths.quantile(0.75));
     const float width = std::max(typical / safe_part, range.length / most_strips);
     first = range.begin;
@@ -210,6 +210,8 @@ void Sweep::sort_into_strips(const std::vector<SweptProxy> &items, const Layout 
     ends_.resize(count);
     proxies_.resize(count);
     sides_.resize(count + spare);
+    std::fill_n(sides_.low[0].begin() + static_cast<std::ptrdiff_t>(count), spare,
+                std::numeric_limits<float>::infinity());
     const int axes[] = {layout.along, layout.across, layout.other};
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -225,40 +227,48 @@ void Sweep::sort_into_strips(const std::vector<SweptProxy> &items, const Layout 
     }
 }
 
-#if defined(__SSE2__)
-// Compares with those from `begin` on whose keys are not greater than `end`.
+// Compares with those from `begin` on whose keys are not greater than `end`. What lies beyond in the same strip is apart
+// along it, so that only where there are others the keys have to be compared, too.
+template <bool single_strip>
 void Sweep::compare_from(std::size_t begin, std::uint32_t end, const Probe &probe,
                          std::vector<CandidatePair> &pairs) const
 {
+    auto met = [&](std::size_t j) {
+        // The order is by places, which are coarser than coordinates.
+        if (probe.low[0] <= sides_.high[0][j])
+            add_pair(pairs, probe.proxy, proxies_[j]);
+    };
+#if defined(__SSE2__)
     const __m128i last = _mm_set1_epi32(static_cast<int>(end));
+    const __m128 high_x = _mm_set1_ps(probe.high[0]), high_y = _mm_set1_ps(probe.high[1]);
+    const __m128 high_z = _mm_set1_ps(probe.high[2]), low_y = _mm_set1_ps(probe.low[1]);
+    const __m128 low_z = _mm_set1_ps(probe.low[2]);
     for (std::size_t j = begin; keys_[j] <= end; j += 4)
     {
-        const auto *keys = reinterpret_cast<const __m128i *>(&keys_[j]);
-        __m128 apart = _mm_castsi128_ps(_mm_cmpgt_epi32(_mm_loadu_si128(keys), last));
-        for (int side = 0; side < 3; ++side)
+        __m128 apart = _mm_cmpgt_ps(_mm_loadu_ps(&sides_.low[0][j]), high_x);
+        apart = _mm_or_ps(apart, _mm_cmpgt_ps(_mm_loadu_ps(&sides_.low[1][j]), high_y));
+        apart = _mm_or_ps(apart, _mm_cmpgt_ps(_mm_loadu_ps(&sides_.low[2][j]), high_z));
+        apart = _mm_or_ps(apart, _mm_cmplt_ps(_mm_loadu_ps(&sides_.high[1][j]), low_y));
+        apart = _mm_or_ps(apart, _mm_cmplt_ps(_mm_loadu_ps(&sides_.high[2][j]), low_z));
+        if (!single_strip)
         {
-            const __m128 low = _mm_loadu_ps(&sides_.low[side][j]), high = _mm_loadu_ps(&sides_.high[side][j]);
-            apart = _mm_or_ps(apart, _mm_cmpgt_ps(low, _mm_set1_ps(probe.high[side])));
-            apart = _mm_or_ps(apart, _mm_cmplt_ps(high, _mm_set1_ps(probe.low[side])));
+            const __m128i keys = _mm_loadu_si128(reinterpret_cast<const __m128i *>(&keys_[j]));
+            apart = _mm_or_ps(apart, _mm_castsi128_ps(_mm_cmpgt_epi32(keys, last)));
         }
-        for (int met = ~_mm_movemask_ps(apart) & 15; met; met &= met - 1)
-            add_pair(pairs, probe.proxy, proxies_[j + static_cast<std::size_t>(__builtin_ctz(met))]);
+        for (int close = ~_mm_movemask_ps(apart) & 15; close; close &= close - 1)
+            met(j + static_cast<std::size_t>(__builtin_ctz(static_cast<unsigned>(close))));
     }
-}
 #else
-void Sweep::compare_from(std::size_t begin, std::uint32_t end, const Probe &probe,
-                         std::vector<CandidatePair> &pairs) const
-{
     for (std::size_t j = begin; keys_[j] <= end; ++j)
     {
         bool overlap = true;
         for (int side = 0; side < 3; ++side)
             overlap &= sides_.low[side][j] <= probe.high[side] && probe.low[side] <= sides_.high[side][j];
         if (overlap)
-            add_pair(pairs, probe.proxy, proxies_[j]);
+            met(j);
     }
-}
 #endif
+}
 
 Sweep::Probe Sweep::probe(std::size_t i) const
 {
@@ -270,7 +280,7 @@ Sweep::Probe Sweep::probe(std::size_t i) const
 void Sweep::sweep_single_strip(std::vector<CandidatePair> &pairs) const
 {
     for (std::size_t i = 0; i < ends_.size(); ++i)
-        compare_from(i + 1, ends_[i], probe(i), pairs);
+        compare_from<true>(i + 1, ends_[i], probe(i), pairs);
 }
 
 // What begins at the same place or behind it, in the box's own strip and in the next, and what begins behind it in the strip
@@ -281,13 +291,13 @@ void Sweep::sweep_strips(std::vector<CandidatePair> &pairs) const
     for (std::size_t i = 0; i < ends_.size(); ++i)
     {
         const Probe self = probe(i);
-        compare_from(i + 1, ends_[i], self, pairs);
+        compare_from<false>(i + 1, ends_[i], self, pairs);
         while (keys_[after] < keys_[i] + one_strip)
             ++after;
-        compare_from(after, ends_[i] + one_strip, self, pairs);
+        compare_from<false>(after, ends_[i] + one_strip, self, pairs);
         while (keys_[before] <= keys_[i] - one_strip)
             ++before;
-        compare_from(before, ends_[i] - one_strip, self, pairs);
+        compare_from<false>(before, ends_[i] - one_strip, self, pairs);
     }
 }
 
@@ -306,8 +316,8 @@ void Sweep::look_up(const SweptProxy &item, const Layout &layout, std::vector<Ca
         if ((*begin >> 16) > strip)
             strip = *begin >> 16;
         if (strip <= last)
-            compare_from(static_cast<std::size_t>(begin - keys_.begin()), layout.key(strip, probe.high[0]), probe,
-                         pairs);
+            compare_from<false>(static_cast<std::size_t>(begin - keys_.begin()), layout.key(strip, probe.high[0]),
+                                probe, pairs);
     }
 }
 

@@ -65,6 +65,7 @@ private:
     void sweep_single_strip(std::vector<CandidatePair> &pairs) const;
     Probe probe(std::size_t i) const;
     void look_up(const SweptProxy &item, const Layout &layout, std::vector<CandidatePair> &pairs) const;
+    template <bool single_strip>
     void compare_from(std::size_t begin, std::uint32_t end, const Probe &probe,
                       std::vector<CandidatePair> &pairs) const;
 

@@ -111,9 +111,10 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
     take_note_of_moves();
     ++counters_.scans;
 
-    items_.clear();
     measure_all(scene, members_);
-    members_.for_each([&](ProxyId id) { items_.push_back({id, boxes_[id].outer()}); });
+    items_.resize(members_.size());
+    std::size_t count = 0;
+    members_.for_each([&](ProxyId id) { items_[count++] = {id, boxes_[id].outer()}; });
     sweep_.find_pairs(items_, candidates_);
     near_.clear();
     near_changed_ = true;
