@@ -95,7 +95,12 @@ class NoticedGeom
 public:
     explicit NoticedGeom(const dxGeom *geom) : geom_(geom) {}
 
-    const dReal *coordinates() const { return centre_of_sphere(geom_); }
+    /// (What has an offset from its body has a bad position when it has been moved.)
+    const dReal *coordinates() const
+    {
+        const bool turns_around_it = (geom_->body != nullptr) | (geom_->type == dSphereClass);
+        return !(geom_->gflags & GEOM_POSR_BAD) & turns_around_it ? geom_->final_posr->pos : nullptr;
+    }
     bool has_grown(float radius) const { return !fits_into_sphere(geom_, radius); }
 
     /// Of the position and the beginning of the rotation, which lie together.
@@ -103,7 +108,7 @@ public:
     {
         const dxPosR *pose = geom_->final_posr;
         const std::uint64_t digest =
-            bits_of(pose->pos[0]) + 3 * bits_of(pose->pos[1]) + 5 * bits_of(pose->pos[2]) + 9 * bits_of(pose->R[0]);
+            bits_of(pose->pos[0]) + bits_of(pose->pos[1]) + bits_of(pose->pos[2]) + bits_of(pose->R[0]);
         return static_cast<std::uint32_t>(digest ^ (digest >> 32));
     }
 
