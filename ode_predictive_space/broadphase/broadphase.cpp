@@ -273,10 +273,8 @@ void Broadphase::drop_stale_near()
     purge_near_at_ = std::max(least_purge, 2 * near_.size());
 }
 
-// What has moved is to be tested again by the next report, on new bounds.
 void Broadphase::take_note_of_moves()
 {
-    measured_ -= moved_;
     moved_.clear();
     doubtful_.clear();
 }

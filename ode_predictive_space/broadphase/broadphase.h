@@ -137,12 +137,12 @@ private:
 
     template <typename Scene> void update(Scene &scene, bool is_tick);
     template <typename Scene> void verify(Scene &scene, bool time_passes, bool as_expected);
+    template <typename Scene> bool holds(Scene &scene, ProxyId id);
     template <typename Scene> void prefetch_bounds(const Scene &scene, std::size_t suspect) const;
     template <typename Scene> void remember(Scene &scene, ProxyId id);
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);
     template <typename Scene> void measure_all(Scene &scene, const IdSet &wanted);
-    template <typename Scene> bool overlap(Scene &scene, const NearPair &pair) const;
     void drop_stale_near();
     void take_note_of_moves();
 

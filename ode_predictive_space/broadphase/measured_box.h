@@ -10,12 +10,12 @@
 
 namespace ode_predictive_space
 {
-/// What single precision can tell of two boxes.
-enum class Verdict
+/// What single precision can tell of two boxes: at most one of the two; neither, when they are too close to tell or one is
+/// not finite.
+struct Comparison
 {
-    apart,
-    overlapping,
-    unsure ///< too close to tell, or one is not finite
+    bool apart;
+    bool overlap;
 };
 
 /// A box in single precision that knows how far off it may be: two of them are compared in a few instructions, and only
@@ -70,7 +70,8 @@ public:
         return box;
     }
 
-    friend Verdict compare(const MeasuredBox &one, const MeasuredBox &other)
+    /// Without a branch on the outcome, which is hard to foretell.
+    friend Comparison compare(const MeasuredBox &one, const MeasuredBox &other)
     {
 #if defined(__SSE2__)
         // In each of three components the larger of the gaps on both sides, in the fourth the sum of the errors.
@@ -78,21 +79,19 @@ public:
         const __m128 after = _mm_sub_ps(_mm_load_ps(one.low_), _mm_load_ps(other.high_));
         const __m128 gap = _mm_max_ps(before, after);
         const __m128 error = _mm_shuffle_ps(gap, gap, 0xff);
-        if (_mm_movemask_ps(_mm_cmpgt_ps(gap, error)))
-            return Verdict::apart;
-        const __m128 depth = _mm_sub_ps(_mm_setzero_ps(), gap);
-        return (_mm_movemask_ps(_mm_cmpgt_ps(depth, error)) & 7) == 7 ? Verdict::overlapping : Verdict::unsure;
+        const int apart = _mm_movemask_ps(_mm_cmpgt_ps(gap, error));
+        const int deep = _mm_movemask_ps(_mm_cmplt_ps(gap, _mm_sub_ps(_mm_setzero_ps(), error)));
+        return {apart != 0, (deep & 7) == 7};
 #else
         const float error = one.error_ + other.error_;
-        bool overlapping = true;
+        Comparison result = {false, true};
         for (int axis = 0; axis < 3; ++axis)
         {
             const float gap = std::max(other.low_[axis] - one.high_[axis], one.low_[axis] - other.high_[axis]);
-            if (gap > error)
-                return Verdict::apart;
-            overlapping &= -gap > error;
+            result.apart |= gap > error;
+            result.overlap &= gap < -error;
         }
-        return overlapping ? Verdict::overlapping : Verdict::unsure;
+        return result;
 #endif
     }
 

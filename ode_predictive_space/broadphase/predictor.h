@@ -28,7 +28,7 @@ struct Observation
 struct HorizonBounds
 {
     std::uint32_t min_ticks = 1;
-    std::uint32_t max_ticks = 512;
+    std::uint32_t max_ticks = 2048;
 };
 
 class Predictor

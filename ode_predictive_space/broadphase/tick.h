@@ -41,6 +41,7 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
 template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes, bool as_expected)
 {
     collect_suspects(time_passes, as_expected);
+    measured_ -= moved_;
     broken_ = 0;
     new_ = 0;
     for (std::size_t i = 0; i < suspects_.size(); ++i)
@@ -48,7 +49,7 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
         prefetch_bounds(scene, i);
         const ProxyId id = suspects_[i];
         scene.acknowledge(id);
-        if (prediction_holds(scene, proxies_, id, now_))
+        if (holds(scene, id))
             continue;
         const bool is_new = proxies_.bounds[id].check == Check::none;
         ++(is_new ? new_ : broken_);
@@ -63,10 +64,22 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
     take_note_of_moves();
 }
 
+// Bounds that are looked at are kept for the report, while they are in the cache.
+template <typename Scene> bool Broadphase::holds(Scene &scene, ProxyId id)
+{
+    const bool holds = prediction_holds(scene, proxies_, id, now_);
+    if (proxies_.bounds[id].check == Check::bounds && has_near_.contains(id) && !measured_.contains(id))
+    {
+        scene.measure(id, boxes_[id]);
+        measured_.insert(id);
+    }
+    return holds;
+}
+
 // What is read of each object is scattered over memory: it is fetched some objects ahead.
 template <typename Scene> void Broadphase::prefetch_bounds(const Scene &scene, std::size_t suspect) const
 {
-    constexpr std::size_t far_ahead = 8, ahead = 4;
+    constexpr std::size_t far_ahead = 16, ahead = 8;
     const std::size_t last = suspects_.size() - 1;
     scene.prefetch(suspects_[std::min(suspect + far_ahead, last)]);
     scene.prefetch_pose(suspects_[std::min(suspect + ahead, last)]);
@@ -108,6 +121,7 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
     if (moved_.empty())
         return;
     doubtful_.for_each([&](ProxyId id) { scene.acknowledge(id); });
+    measured_ -= moved_;
     take_note_of_moves();
     ++counters_.scans;
 
@@ -122,14 +136,6 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
         near_.push_back(NearPair::of(
             {pair.first, pair.second, proxies_.generations[pair.first], proxies_.generations[pair.second]}, now_));
     candidates_.clear();
-}
-
-template <typename Scene> bool Broadphase::overlap(Scene &scene, const NearPair &pair) const
-{
-    const Verdict verdict = compare(boxes_[pair.first], boxes_[pair.second]);
-    if (verdict == Verdict::overlapping && measure_ == Proximity::box)
-        return true;
-    return verdict != Verdict::apart && scene.overlap(pair.first, pair.second);
 }
 
 // Looks at the bounds of those that have moved since they were last looked at.
@@ -151,9 +157,21 @@ template <typename Scene> void Broadphase::report(Scene &scene, std::vector<Cand
 {
     drop_stale_near();
     measure_all(scene, has_near_);
+    // Each is written and those that are apart are overwritten: which they are is hard to foretell, and easy to count.
+    const std::size_t before = overlapping.size();
+    overlapping.resize(before + near_.size());
+    CandidatePair *end = overlapping.data() + before;
+    const bool by_sphere = measure_ == Proximity::sphere;
     for (const NearPair &pair : near_)
-        if (overlap(scene, pair))
-            overlapping.push_back({pair.first, pair.second});
+    {
+        const Comparison boxes = compare(boxes_[pair.first], boxes_[pair.second]);
+        bool overlap = boxes.overlap;
+        if (by_sphere ? !boxes.apart : boxes.apart == boxes.overlap)
+            overlap = scene.overlap(pair.first, pair.second);
+        *end = {pair.first, pair.second};
+        end += overlap;
+    }
+    overlapping.resize(static_cast<std::size_t>(end - overlapping.data()));
 }
 
 template <typename Probe, typename Visit> void Broadphase::walk(const Probe &probe, Visit visit) const
