@@ -79,8 +79,9 @@ void Broadphase::set_measure(Proximity measure)
 void Broadphase::predict_all_anew()
 {
     members_.for_each([&](ProxyId id) {
-        proxies_.bounds[id].horizon =
-            std::clamp(proxies_.bounds[id].horizon, predictor.horizon.min_ticks, predictor.horizon.max_ticks);
+        std::uint32_t &horizon = proxies_.bounds[id].horizon;
+        if (horizon != 0)
+            horizon = std::clamp(horizon, predictor.horizon.min_ticks, predictor.horizon.max_ticks);
         due_anew_.insert(id);
     });
 }
@@ -202,7 +203,7 @@ void Broadphase::note_crowded(const NearPair &pair)
 // Does it take many ticks to move by its own size?
 bool Broadphase::lingers(ProxyId id) const
 {
-    constexpr double many = 100;
+    constexpr double many = 4000;
     return many * proxies_.paths[id].path().velocity.lpNorm<Eigen::Infinity>() < proxies_.bounds[id].radius;
 }
 

@@ -8,7 +8,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr std::uint32_t first_horizon = 128;
+constexpr std::uint32_t first_horizon = 256;
 
 // An object that would need longer than this to use up half of its slack is treated as still.
 constexpr double still_ticks = 64;
@@ -117,11 +117,13 @@ double ticks_to_travel(double distance, double speed, double acceleration)
     return 2 * distance / (speed + root);
 }
 
-// Objects predicted together must not expire together: lengths vary by half, by number and generation.
-std::uint32_t stagger(std::uint32_t horizon, ProxyId id, Generation generation)
+// Objects predicted together must not expire together: lengths vary by number and generation, by a half; those of first
+// predictions, which are made for all objects at once, by more.
+std::uint32_t stagger(std::uint32_t horizon, ProxyId id, Generation generation, bool first)
 {
     const std::uint32_t mixed = (id * 2654435761u) ^ (generation * 2246822519u);
-    return horizon - (static_cast<std::uint32_t>((std::uint64_t{mixed} * (horizon / 2 + 1)) >> 32));
+    const std::uint32_t spread = first ? horizon - horizon / 8 : horizon / 2;
+    return horizon - static_cast<std::uint32_t>((std::uint64_t{mixed} * (spread + 1)) >> 32);
 }
 
 void pack(PackedPath &packed, const Path &path, const Deviation &deviation, Tick now)
@@ -273,7 +275,7 @@ Predictor::Motion Predictor::motion_from_history(PackedBounds &bounds, const Out
 // Longer after a prediction that held, shorter after one that broke; the same for how closely it is believed.
 void Predictor::adapt(PackedBounds &bounds, const Outcome &outcome, double speed, double size) const
 {
-    if (outcome.fresh)
+    if (bounds.horizon == 0)
     {
         bounds.horizon = first_horizon;
         bounds.spread = static_cast<float>(0.01 * speed);
@@ -346,6 +348,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &obse
     const double size = size_of(bounds);
     if (motion.leaps(reach_of(bounds) * size))
         motion = Motion::unknown();
+    const bool is_first = bounds.horizon == 0;
     adapt(bounds, outcome, motion.velocity.norm(), size);
 
     bounds.still = true;
@@ -356,9 +359,12 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &obse
     else
     {
         pack(proxies.paths[id], {seen.centre, motion.velocity, motion.acceleration}, allow(bounds, outcome, size), now);
-        const std::uint32_t ticks = stagger(horizon_for(bounds, motion, size), id, proxies.generations[id]);
+        const std::uint32_t ticks = stagger(horizon_for(bounds, motion, size), id, proxies.generations[id], is_first);
         bounds.until = now + std::clamp(ticks, horizon.min_ticks, horizon.max_ticks);
     }
+    // How a mere guess turns out says nothing about the next prediction.
+    if (motion.brief)
+        bounds.horizon = 0;
     ++proxies.generations[id];
 }
 

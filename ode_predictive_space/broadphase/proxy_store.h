@@ -74,7 +74,7 @@ struct alignas(64) PackedBounds
 
     float last_velocity[3]; ///< of its body, in the program's unit, when it was last predicted
     float spread;           ///< growth of the deviation per tick, as adapted
-    std::uint32_t horizon;  ///< in ticks, as adapted
+    std::uint32_t horizon;  ///< in ticks, as adapted; 0 before the first prediction that is more than a guess
     std::uint32_t history;  ///< number of its history, or no_history
     Check check;
     Shelf shelf;
