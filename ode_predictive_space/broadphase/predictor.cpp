@@ -117,13 +117,22 @@ double ticks_to_travel(double distance, double speed, double acceleration)
     return 2 * distance / (speed + root);
 }
 
+// A number that looks like chance, and like another chance for the next generation: lengths that hung together would add up
+// to the same tick after all.
+std::uint32_t scrambled(ProxyId id, Generation generation)
+{
+    std::uint32_t bits = id * 0x9e3779b1u + generation * 0x85ebca77u;
+    bits = (bits ^ (bits >> 15)) * 0x2c1b3c6du;
+    bits = (bits ^ (bits >> 12)) * 0x297a2d39u;
+    return bits ^ (bits >> 15);
+}
+
 // Objects predicted together must not expire together: lengths vary by number and generation, by a half; those of first
 // predictions, which are made for all objects at once, by more.
 std::uint32_t stagger(std::uint32_t horizon, ProxyId id, Generation generation, bool first)
 {
-    const std::uint32_t mixed = (id * 2654435761u) ^ (generation * 2246822519u);
     const std::uint32_t spread = first ? horizon - horizon / 8 : horizon / 2;
-    return horizon - static_cast<std::uint32_t>((std::uint64_t{mixed} * (spread + 1)) >> 32);
+    return horizon - static_cast<std::uint32_t>((std::uint64_t{scrambled(id, generation)} * (spread + 1)) >> 32);
 }
 
 void pack(PackedPath &packed, const Path &path, const Deviation &deviation, Tick now)

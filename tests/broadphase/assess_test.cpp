@@ -72,6 +72,32 @@ TEST(Assess, WhatMeetsBeforeTheNextTickSleepsUntilThen)
     EXPECT_EQ(result.scheduled[0].ticks, 1);
 }
 
+TEST(Assess, WhatPassesKnowsWhenItHasLeft)
+{
+    ProxyStore store;
+    add_still_proxy(store, {0, 0, 0}, 1, 0);
+    add_proxy(store, towards({2.5, 0, 0}, {-0.25, 0, 0}), {}, 1, 10, 60);
+    const Assessment result = assessed(store, 10, Proximity::box);
+    ASSERT_EQ(result.scheduled.size(), 1u);
+    const ScheduledPair &pair = result.scheduled[0];
+    EXPECT_EQ(pair.ticks, 2) << "2.5 - 2 * 0.25 = 2";
+    EXPECT_EQ(pair.event.stay, 16) << "until 2.5 - 18 * 0.25 = -2";
+    const NearPair near = NearPair::of(pair.event, 12);
+    EXPECT_TRUE(near.leaves);
+    EXPECT_FALSE(near.has_left(28));
+    EXPECT_TRUE(near.has_left(29));
+}
+
+TEST(Assess, WhatPassesBetweenTwoTicksIsDropped)
+{
+    ProxyStore store;
+    add_still_proxy(store, {0, 0, 0}, 1, 0);
+    add_proxy(store, towards({20, 0, 0}, {-16, 0, 0}), {}, 1, 10, 60);
+    const Assessment result = assessed(store, 10, Proximity::box);
+    EXPECT_TRUE(result.near.empty());
+    EXPECT_TRUE(result.scheduled.empty());
+}
+
 TEST(Assess, WhatMeetsLaterSleepsUntilThen)
 {
     ProxyStore store;

@@ -224,6 +224,71 @@ TEST(Tick, SpreadsTheEndsOfHorizons)
     EXPECT_LT(static_cast<double>(most), 6 * mean + 10);
 }
 
+// Half of them still, half moving; the program asks nothing.
+World newcomers(std::size_t count)
+{
+    World world;
+    world.broadphase = Broadphase();
+    Random random(7);
+    for (std::size_t i = 0; i < count; ++i)
+        world.add(ball(random.vector(5), 0.1, i % 2 ? random.vector(0.001) : Vector3::Zero()));
+    return world;
+}
+
+TEST(Tick, NewObjectsAreScannedUntilItIsKnownHowTheyMove)
+{
+    for (std::size_t count : {2, 30, 1000})
+    {
+        World world = newcomers(count);
+        for (int tick = 0; tick < 20; ++tick)
+        {
+            world.advance();
+            ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
+        }
+        const Counters &counters = world.broadphase.counters();
+        EXPECT_GE(counters.scans, 3u) << count;
+        EXPECT_LE(counters.scans, 5u) << count;
+        EXPECT_LT(counters.repredictions, 2 * count) << "predicted once, when the velocities mean something";
+        EXPECT_EQ(counters.violations, 0u);
+        EXPECT_EQ(world.violated_invariant(), "");
+    }
+}
+
+TEST(Tick, WhoAsksForPredictionsGetsThemAtOnce)
+{
+    World world = newcomers(100);
+    world.advance();
+    world.tick();
+    EXPECT_EQ(world.broadphase.counters().repredictions, 0u);
+    EXPECT_TRUE(world.broadphase.want_predictions());
+    world.broadphase.catch_up(world);
+    EXPECT_GE(world.broadphase.counters().repredictions, 100u);
+    EXPECT_FALSE(world.broadphase.scanning());
+    EXPECT_FALSE(world.broadphase.want_predictions()) << "they are there";
+    EXPECT_EQ(sorted_pairs(world.report()), world.overlapping());
+    EXPECT_EQ(world.violated_invariant(), "");
+}
+
+TEST(Tick, ManyNewObjectsAmongFewOldOnesAreScanned)
+{
+    World world = newcomers(20);
+    for (int tick = 0; tick < 30; ++tick)
+    {
+        world.advance();
+        world.tick();
+    }
+    const std::uint64_t scans = world.broadphase.counters().scans;
+    for (int i = 0; i < 100; ++i)
+        world.add(ball({0.1 * i, 3, 0}, 0.1, {0, 0.001, 0}));
+    for (int tick = 0; tick < 30; ++tick)
+    {
+        world.advance();
+        ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
+    }
+    EXPECT_GT(world.broadphase.counters().scans, scans);
+    EXPECT_FALSE(world.broadphase.scanning());
+}
+
 TEST(Tick, AnExplosionIsNoReasonToScan)
 {
     CalmGas gas(200);

@@ -148,6 +148,71 @@ TEST(Verify, WhatNoTreeCanHoldIsPredictedAnewWheneverItMoves)
     EXPECT_FALSE(prediction_holds(object, store, 0, 0));
 }
 
+// An object at the moment at which its move is noticed.
+struct JustMoved
+{
+    Vector3 centre;
+    double radius = 1;
+    std::uint32_t pose = 1;
+    mutable int sizes_asked = 0;
+    bool has_centre = true;
+
+    const double *coordinates() const { return has_centre ? centre.data() : nullptr; }
+    std::uint32_t pose_digest() const { return pose; }
+    bool has_grown(float allowed) const
+    {
+        ++sizes_asked;
+        return !(radius <= allowed);
+    }
+};
+
+TEST(NoticeOfAMove, HoldsWhileTheCentreIsNearItsPath)
+{
+    ProxyStore store;
+    add_proxy(store, straight, some, 1, 100, 50);
+    JustMoved object;
+    object.centre = straight.at(10);
+    EXPECT_TRUE(notice_holds(store, 0, object, 110));
+    EXPECT_FALSE(notice_holds(store, 0, object, 130)) << "it should be elsewhere by then";
+    object.centre.z() += 2;
+    EXPECT_FALSE(notice_holds(store, 0, object, 110));
+    object.centre.z() = nan;
+    EXPECT_FALSE(notice_holds(store, 0, object, 110));
+}
+
+TEST(NoticeOfAMove, LooksAtTheSizeWhenThePoseIsTheSameOrNotKnown)
+{
+    ProxyStore store;
+    add_proxy(store, straight, some, 1, 100, 50);
+    JustMoved object;
+    object.centre = straight.at(10);
+    EXPECT_TRUE(notice_holds(store, 0, object, 110));
+    EXPECT_EQ(object.sizes_asked, 1) << "what it was before is not known";
+    object.pose = 2;
+    EXPECT_TRUE(notice_holds(store, 0, object, 110));
+    EXPECT_EQ(object.sizes_asked, 1) << "it has moved, and moved only";
+    object.radius = 2;
+    EXPECT_FALSE(notice_holds(store, 0, object, 110)) << "nothing else has changed: it has grown";
+}
+
+TEST(NoticeOfAMove, LeavesDoubtWhereItTakesACloserLook)
+{
+    ProxyStore store;
+    add_proxy(store, straight, some, 1, 100, 50);
+    JustMoved object;
+    object.centre = straight.at(10);
+    object.has_centre = false;
+    EXPECT_FALSE(notice_holds(store, 0, object, 110)) << "its position has to be computed first";
+    object.has_centre = true;
+    object.pose = 7;
+    object.radius = 2;
+    EXPECT_FALSE(notice_holds(store, 0, object, 110)) << "and what came in between is not known";
+    check_by_bounds(store, 0);
+    store.stamps[0] = Stamp{};
+    object.radius = 1;
+    EXPECT_FALSE(notice_holds(store, 0, object, 110)) << "it is checked by its bounds";
+}
+
 TEST(Verify, TimeMayWrapAround)
 {
     ProxyStore store;

@@ -28,6 +28,68 @@ TEST_F(Notice, AGeomThatStopsWithoutASign)
     });
 }
 
+// Size and place, in either order, once and again before one tick: each is told by a notice of its own.
+TEST_F(Notice, AGeomThatGrowsAndMovesBetweenTwoTicks)
+{
+    expect_as_simple([](Scenario &scene) {
+        dGeomID growing = scene.sphere(0.5, 0, 0, 0);
+        dBodyID body = scene.body(growing, 0.001, 0, 0);
+        scene.sphere(0.5, 0, 3, 0);
+        for (int tick = 0; tick < 400; ++tick)
+        {
+            const bool large = tick > 100 && tick % 40 < 20;
+            if (tick % 3 == 0)
+                dGeomSphereSetRadius(growing, large ? 2.6 : 0.5);
+            dBodySetPosition(body, 0.001 * tick, 0, 0);
+            if (tick % 3 == 1)
+                dGeomSphereSetRadius(growing, large ? 2.7 : 0.5);
+            if (tick % 5 == 0)
+                dBodySetPosition(body, 0.001 * tick, 0, 0);
+            scene.tick();
+        }
+    });
+}
+
+TEST_F(Notice, AGeomThatLeavesAndComesBackBetweenTwoTicks)
+{
+    expect_as_simple([](Scenario &scene) {
+        dGeomID jumping = scene.sphere(0.5, 0, 0, 0);
+        dBodyID body = scene.body(jumping, 0, 0, 0);
+        scene.sphere(0.5, 0.9, 0, 0);
+        scene.sphere(0.5, 50, 0, 0);
+        for (int tick = 0; tick < 200; ++tick)
+        {
+            dBodySetPosition(body, tick % 7 == 0 ? 0 : 50, 0, 0);
+            if (tick % 2)
+                dBodySetPosition(body, tick % 5 == 0 ? 50 : 0, 0, 0);
+            scene.tick();
+        }
+    });
+}
+
+// Nobody tells that it has no body any more; then its rotation can be any matrix.
+TEST_F(Notice, AGeomThatLosesItsBodyAndIsStretched)
+{
+    expect_as_simple([](Scenario &scene) {
+        dGeomID box = scene.box(1, 0, 0, 0);
+        scene.body(box, 0.01, 0, 0);
+        scene.sphere(0.5, 0, 2.2, 0);
+        for (int tick = 0; tick < 60; ++tick)
+        {
+            if (tick < 30)
+                dBodySetPosition(dGeomGetBody(box), 0.0001 * tick, 0, 0);
+            if (tick == 30)
+                dGeomSetBody(box, 0);
+            if (tick == 40)
+            {
+                const dMatrix3 stretched = {4, 0, 0, 0, 0, 4, 0, 0, 0, 0, 4, 0};
+                dGeomSetRotation(box, stretched);
+            }
+            scene.tick();
+        }
+    });
+}
+
 TEST_F(Notice, ABodyThatFallsAsleepWithItsVelocity)
 {
     expect_as_simple([](Scenario &scene) {

@@ -174,6 +174,27 @@ TEST(NeverLate, time_of_proximity_of_boxes)
     EXPECT_GT(encounters, 200000U);
 }
 
+// After it has left, a pair is not looked at any more: wherever the boxes overlap, it must not have.
+TEST(NeverEarly, to_leave)
+{
+    std::size_t leaving = 0, overlapping = 0;
+    for_all_kinds(5000, 5000, [&](EnvelopePair pair, RandomPairs &) {
+        const auto interval = box_proximity(pair.first, pair.second, pair.duration);
+        constexpr int steps = 64;
+        for (int step = 0; step <= steps; ++step)
+        {
+            const double t = pair.duration * step / steps;
+            if (!pair.first.at(t).intersects(pair.second.at(t)))
+                continue;
+            ++overlapping;
+            ASSERT_TRUE(interval && interval->enter <= t && t <= interval->leave) << "at " << t;
+        }
+        leaving += interval && std::isfinite(interval->leave);
+    });
+    EXPECT_GT(leaving, 1000U);
+    EXPECT_GT(overlapping, 10000U);
+}
+
 TEST(NeverLate, when_there_is_no_chord_error_the_prediction_is_exact)
 {
     // A straight relative path and a deviation that does not bend: the quartic is the paper's quadratic.

@@ -39,7 +39,8 @@ enum class SpaceKind
 class Scenario
 {
 public:
-    explicit Scenario(SpaceKind kind);
+    /// @param asks whether it asks for encounters before each tick, so that even what is new is predicted at once.
+    explicit Scenario(SpaceKind kind, bool asks = false);
     ~Scenario();
     Scenario(const Scenario &) = delete;
     Scenario &operator=(const Scenario &) = delete;
@@ -73,13 +74,14 @@ public:
 
 private:
     SpaceKind kind_;
+    bool asks_;
     dWorldID world_;
     dSpaceID space_;
     int next_number_ = 0;
     std::vector<Pairs> log_;
 };
 
-/// Runs the program in both kinds of space and expects the same log, and that it is not all empty.
+/// Runs the program in both kinds of space, in the predictive one with and without questions, and expects the same log, and that it is not all empty.
 void expect_as_simple(const std::function<void(Scenario &)> &program);
 } // namespace ode_predictive_space
 

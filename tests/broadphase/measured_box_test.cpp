@@ -1,0 +1,100 @@
+#include "ode_predictive_space/broadphase/measured_box.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/random.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// As ODE compares: what is not a number overlaps.
+bool overlap(const Box &one, const Box &other)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (one.min()[axis] > other.max()[axis] || one.max()[axis] < other.min()[axis])
+            return false;
+    return true;
+}
+
+// Says nothing wrong, in either order; returns whether it says anything.
+bool decides(const Box &one, const Box &other)
+{
+    const MeasuredBox first(one), second(other);
+    const Comparison forth = compare(first, second), back = compare(second, first);
+    EXPECT_EQ(forth.apart, back.apart);
+    EXPECT_EQ(forth.overlap, back.overlap);
+    EXPECT_FALSE(forth.apart && overlap(one, other));
+    EXPECT_FALSE(forth.overlap && !overlap(one, other));
+    return forth.apart || forth.overlap;
+}
+
+Box cube(double low, double high)
+{
+    return Box(Vector3::Constant(low), Vector3::Constant(high));
+}
+
+TEST(MeasuredBox, DecidesAlmostAlways)
+{
+    Random random(1);
+    for (double place : {0.0, 1.0, -1000.0})
+    {
+        int decided = 0;
+        constexpr int pairs = 20000;
+        for (int i = 0; i < pairs; ++i)
+        {
+            const Vector3 shift = Vector3::Constant(place), half = random.vector(1).cwiseAbs();
+            const Vector3 one = shift + random.vector(1), other = shift + random.vector(1);
+            decided += decides(Box(one - half, one + half), Box(other - half, other + half));
+            ASSERT_FALSE(HasFailure()) << i;
+        }
+        EXPECT_GT(decided, 99 * pairs / 100) << place;
+    }
+}
+
+TEST(MeasuredBox, IsUnsureOfWhatTouches)
+{
+    for (double place : {0.1, 3.7, 1e5 / 3, -1e9 / 7})
+        for (double gap : {0.0, 1e-12, -1e-12})
+        {
+            const double edge = place + 1;
+            EXPECT_FALSE(decides(cube(place, edge), cube(edge + gap * std::abs(edge), place + 2 + std::abs(place))));
+        }
+}
+
+TEST(MeasuredBox, IsUnsureOfWhatIsNotFinite)
+{
+    for (double bad : {nan, infinity, -infinity, 1e300, -1e300})
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            Box box = cube(-1, 1);
+            box.max()[axis] = bad;
+            EXPECT_FALSE(decides(box, cube(-1, 1)));
+            EXPECT_FALSE(decides(box, cube(5, 6)));
+            EXPECT_FALSE(decides(box, box));
+            EXPECT_TRUE(MeasuredBox(box).outer().overlaps(FloatBox::around(cube(1e6, 1e7)))) << "it may be anywhere";
+        }
+}
+
+TEST(MeasuredBox, OuterHoldsTheBox)
+{
+    Random random(2);
+    for (int i = 0; i < 20000; ++i)
+    {
+        const Vector3 half = random.vector(1).cwiseAbs(), centre = random.vector(i % 2 ? 1 : 1e6);
+        const Box box(centre - half, centre + half);
+        const FloatBox outer = MeasuredBox(box).outer();
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            ASSERT_LE(outer.low[axis], box.min()[axis]);
+            ASSERT_GE(outer.high[axis], box.max()[axis]);
+        }
+    }
+}
+} // namespace
+} // namespace ode_predictive_space
