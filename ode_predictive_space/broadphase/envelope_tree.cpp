@@ -142,8 +142,21 @@ EnvelopeTree::Index EnvelopeTree::take_out(ProxyId proxy)
     move_node(leaf ^ 1, parent);
     free_pair(pair);
     if (parent != 0)
-        refit_upwards(nodes_[parent].parent);
+        shrink_upwards(nodes_[parent].parent);
     return parent;
+}
+
+// After a removal. The shape is left to the next insertion.
+void EnvelopeTree::shrink_upwards(Index index)
+{
+    for (; index != none; index = nodes_[index].parent)
+    {
+        Node &node = nodes_[index];
+        const FloatBox merged = nodes_[node.content].box.merged(nodes_[node.content + 1].box);
+        if (merged == node.box)
+            return;
+        node.box = merged;
+    }
 }
 
 void EnvelopeTree::refit_upwards(Index index)

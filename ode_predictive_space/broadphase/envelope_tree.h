@@ -77,6 +77,7 @@ private:
     void move_node(Index from, Index to);
     void swap_nodes(Index left, Index right);
     void refit_upwards(Index node);
+    void shrink_upwards(Index node);
     void rotate(Index node);
     void build_range(Index node, SweptProxy *begin, SweptProxy *end);
     bool consistent(Index node) const;

@@ -15,7 +15,7 @@ constexpr double still_ticks = 64;
 
 // How far an envelope may reach along its path, in sizes of its object. Longer sweeps find more candidates than they save
 // predictions.
-constexpr double reach_alone = 6;
+constexpr double reach_alone = 9;
 constexpr double reach_crowded = 1;
 
 // Slack that every object of the environment gets once it has moved, in sizes: for jitter, and for what turning does to a

@@ -24,6 +24,15 @@ struct LinearGaps
         return known;
     }
 
+    // Is one of them positive throughout? Most pairs that are looked at stay apart along some axis.
+    bool stay_apart() const
+    {
+        int apart = 0;
+        for (int side = 0; side < 6; ++side)
+            apart |= static_cast<int>(begin[side] > 0) & static_cast<int>(end[side] > 0);
+        return apart != 0;
+    }
+
     // An infinite function has the same sign at both ends: what would be NaN is not chosen.
     ProximityInterval overlap() const
     {
@@ -124,6 +133,8 @@ std::optional<ProximityInterval> box_proximity(const Envelope &first, const Enve
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (!gaps.known())
         return ProximityInterval{0, infinity};
+    if (gaps.stay_apart())
+        return std::nullopt;
     const ProximityInterval overlap = gaps.overlap();
     if (overlap.enter > overlap.leave + rounding_per_size)
         return std::nullopt;
