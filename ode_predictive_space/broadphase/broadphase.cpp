@@ -39,9 +39,9 @@ ProxyId Broadphase::add()
         id = static_cast<ProxyId>(proxies_.size());
         proxies_.grow();
         boxes_.emplace_back();
-        for (IdSet *set :
-             {&members_, &moved_, &doubtful_, &moving_, &has_near_, &in_batch_, &interactive_, &due_anew_, &measured_})
+        for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &measured_})
             set->resize(proxies_.size());
+        near_.resize(proxies_.size());
     }
     proxies_.forget(id);
     members_.insert(id);
@@ -57,7 +57,7 @@ void Broadphase::remove(ProxyId id)
     index_.remove(proxies_, id);
     predictor.forget(proxies_, id);
     sample(id, false);
-    for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &has_near_, &interactive_, &due_anew_})
+    for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &interactive_, &due_anew_})
         set->erase(id);
     free_ids_.push_back(id);
 }
@@ -161,12 +161,18 @@ void Broadphase::find_pairs()
 
 void Broadphase::schedule()
 {
-    const std::size_t before = near_.size();
-    assess(proxies_, candidates_, now_, measure_, near_, scheduled_);
+    assess(proxies_, candidates_, now_, measure_, found_near_, scheduled_);
     for (const ScheduledPair &pair : scheduled_)
         wheel_.schedule(now_ + static_cast<Tick>(pair.ticks), pair.event);
-    for (std::size_t i = before; i < near_.size(); ++i)
-        note_crowded(near_[i]);
+    for (const NearPair &pair : found_near_)
+        add_near(pair);
+}
+
+void Broadphase::add_near(const NearPair &pair)
+{
+    near_.add(pair);
+    near_changed_ = true;
+    note_crowded(pair);
 }
 
 // Pairs whose time has come, unless a newer prediction of either object has dealt with them.
@@ -176,9 +182,7 @@ void Broadphase::wake()
     {
         if (event.second == no_proxy || !current(event))
             continue;
-        near_.push_back(NearPair::of(event, now_));
-        near_changed_ = true;
-        note_crowded(near_.back());
+        add_near(NearPair::of(event, now_));
         ++counters_.woken;
     }
 }
@@ -217,9 +221,10 @@ void Broadphase::finish_update()
     empty(due_);
     empty(candidates_);
     empty(scheduled_);
+    empty(found_near_);
     purge_stale_events();
     // Stale near pairs wait for the next report. A program that only asks, and never collides, makes none.
-    if (near_.size() >= purge_near_at_)
+    if (near_.pairs().size() >= purge_near_at_)
         drop_stale_near();
 }
 
@@ -239,7 +244,7 @@ std::size_t Broadphase::scheduled_pairs() const
 std::size_t Broadphase::near_pairs() const
 {
     return static_cast<std::size_t>(
-        std::count_if(near_.begin(), near_.end(), [this](const NearPair &pair) { return current(pair); }));
+        std::count_if(near().begin(), near().end(), [this](const NearPair &pair) { return current(pair); }));
 }
 
 // Stale events wait for their tick. Where many predictions break early they would pile up.
@@ -251,27 +256,20 @@ void Broadphase::purge_stale_events()
     purge_events_at_ = std::max(least_purge, 2 * wheel_.size());
 }
 
-// Notes who is left, too, and until when that remains so.
+// Notes, too, until when there is nothing more to drop unless something happens.
 void Broadphase::drop_stale_near()
 {
     if (!near_changed_ && ticks_between(now_, next_leave_) >= 0)
         return;
     near_changed_ = false;
     next_leave_ = now_ + longest_wait;
-    has_near_.clear();
-    std::size_t left = 0;
-    for (const NearPair &pair : near_)
-    {
-        if (!current(pair) || pair.has_left(now_))
-            continue;
-        has_near_.insert(pair.first);
-        has_near_.insert(pair.second);
-        if (pair.leaves && ticks_between(pair.until, next_leave_) > 0)
+    near_.keep_if([this](const NearPair &pair) {
+        const bool keep = current(pair) && !pair.has_left(now_);
+        if (keep && pair.leaves && ticks_between(pair.until, next_leave_) > 0)
             next_leave_ = pair.until;
-        near_[left++] = pair;
-    }
-    near_.resize(left);
-    purge_near_at_ = std::max(least_purge, 2 * near_.size());
+        return keep;
+    });
+    purge_near_at_ = std::max(least_purge, 2 * near_.pairs().size());
 }
 
 void Broadphase::take_note_of_moves()
@@ -336,11 +334,11 @@ std::size_t Broadphase::bytes() const
 {
     std::size_t total = proxies_.bytes() + predictor.bytes() + index_.bytes() + wheel_.bytes() + sweep_.bytes();
     for (const IdSet *set :
-         {&members_, &moved_, &doubtful_, &moving_, &has_near_, &in_batch_, &interactive_, &due_anew_, &measured_})
+         {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &measured_})
         total += set->bytes();
     total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity()) * sizeof(ProxyId);
     total += swept_.capacity() * sizeof(SweptProxy);
-    total += near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
+    total += near_.bytes() + found_near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
     total += candidates_.capacity() * sizeof(CandidatePair) + scheduled_.capacity() * sizeof(ScheduledPair);
     total += scouts_.bytes();
     return total + items_.capacity() * sizeof(SweptProxy) + boxes_.capacity() * sizeof(MeasuredBox);

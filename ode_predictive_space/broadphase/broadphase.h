@@ -15,6 +15,7 @@
 #include "ode_predictive_space/broadphase/event_wheel.h"
 #include "ode_predictive_space/broadphase/id_set.h"
 #include "ode_predictive_space/broadphase/measured_box.h"
+#include "ode_predictive_space/broadphase/near_set.h"
 #include "ode_predictive_space/broadphase/predictor.h"
 #include "ode_predictive_space/broadphase/proxy_store.h"
 #include "ode_predictive_space/broadphase/scan_policy.h"
@@ -114,7 +115,7 @@ public:
     }
 
     const ProxyStore &proxies() const { return proxies_; }
-    const std::vector<NearPair> &near() const { return near_; }
+    const std::vector<NearPair> &near() const { return near_.pairs(); }
     const Counters &counters() const { return counters_; }
 
     /// Pairs that sleep until their time of proximity.
@@ -157,6 +158,7 @@ private:
     void find_pairs();
     void schedule();
     void wake();
+    void add_near(const NearPair &pair);
     void note_crowded(const NearPair &pair);
     bool lingers(ProxyId id) const;
     void finish_update();
@@ -173,7 +175,6 @@ private:
     IdSet moved_;       // since the last update
     IdSet doubtful_;    // those of them that were not found, when the move was noticed, where they should be
     IdSet moving_;      // predicted to move: verified although nobody reports them, for they may have stopped
-    IdSet has_near_;    // had near pairs at the last report()
     IdSet in_batch_;    // members of batch_
     IdSet interactive_; // remembered at each tick
     IdSet measured_;    // have not moved since their bounds were last looked at
@@ -183,7 +184,7 @@ private:
 
     EnvelopeIndex index_;
     EventWheel wheel_;
-    std::vector<NearPair> near_;
+    NearSet near_;
     ScanPolicy policy_;
     Scouts scouts_;
     Sweep sweep_;
@@ -211,6 +212,7 @@ private:
     std::vector<SweptProxy> swept_; // the same, predicted
     std::vector<Event> due_;
     std::vector<CandidatePair> candidates_;
+    std::vector<NearPair> found_near_;
     std::vector<ScheduledPair> scheduled_;
     std::vector<SweptProxy> items_;
 };

@@ -68,7 +68,7 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
 template <typename Scene> bool Broadphase::holds(Scene &scene, ProxyId id)
 {
     const bool holds = prediction_holds(scene, proxies_, id, now_);
-    if (proxies_.bounds[id].check == Check::bounds && has_near_.contains(id) && !measured_.contains(id))
+    if (proxies_.bounds[id].check == Check::bounds && near_.members().contains(id) && !measured_.contains(id))
     {
         scene.measure(id, boxes_[id]);
         measured_.insert(id);
@@ -98,7 +98,7 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
     {
         PackedBounds &bounds = proxies_.bounds[id];
         // Tight bounds are given up when they were in force and no near pair needed them.
-        bounds.crowded &= has_near_.contains(id) || bounds.check != Check::bounds;
+        bounds.crowded &= near_.members().contains(id) || bounds.check != Check::bounds;
         predictor.predict(proxies_, id, scene.observe(id, bounds.crowded), now_);
         if (bounds.still)
             moving_.erase(id);
@@ -133,7 +133,7 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
     near_.clear();
     near_changed_ = true;
     for (const CandidatePair &pair : candidates_)
-        near_.push_back(NearPair::of(
+        near_.add(NearPair::of(
             {pair.first, pair.second, proxies_.generations[pair.first], proxies_.generations[pair.second]}, now_));
     candidates_.clear();
 }
@@ -156,13 +156,13 @@ template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet
 template <typename Scene> void Broadphase::report(Scene &scene, std::vector<CandidatePair> &overlapping)
 {
     drop_stale_near();
-    measure_all(scene, has_near_);
+    measure_all(scene, near_.members());
     // Each is written and those that are apart are overwritten: which they are is hard to foretell, and easy to count.
     const std::size_t before = overlapping.size();
-    overlapping.resize(before + near_.size());
+    overlapping.resize(before + near_.pairs().size());
     CandidatePair *end = overlapping.data() + before;
     const bool by_sphere = measure_ == Proximity::sphere;
-    for (const NearPair &pair : near_)
+    for (const NearPair &pair : near_.pairs())
     {
         const Comparison boxes = compare(boxes_[pair.first], boxes_[pair.second]);
         bool overlap = boxes.overlap;

@@ -1,0 +1,84 @@
+// The near set: the pairs that are tested at each tick.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SET_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SET_H
+
+#include <cstddef>
+#include <vector>
+
+#include "ode_predictive_space/broadphase/assess.h"
+#include "ode_predictive_space/broadphase/id_set.h"
+
+namespace ode_predictive_space
+{
+/// Pairs in the order in which they came, and who is in them. How many pairs each is in is counted, so that the set of
+/// members need not be made anew whenever a pair has gone.
+class NearSet
+{
+public:
+    /// Makes room for proxies 0 to count - 1.
+    void resize(std::size_t count)
+    {
+        members_.resize(count);
+        counts_.resize(count);
+    }
+
+    void reserve(std::size_t pairs) { pairs_.reserve(pairs); }
+
+    void add(const NearPair &pair)
+    {
+        pairs_.push_back(pair);
+        count_in(pair.first);
+        count_in(pair.second);
+    }
+
+    /// Drops all pairs for which keep(pair) is false.
+    template <typename Keep> void keep_if(Keep keep)
+    {
+        std::size_t left = 0;
+        for (const NearPair &pair : pairs_)
+            if (keep(pair))
+                pairs_[left++] = pair;
+            else
+            {
+                count_out(pair.first);
+                count_out(pair.second);
+            }
+        pairs_.resize(left);
+    }
+
+    void clear()
+    {
+        pairs_.clear();
+        members_.clear();
+        counts_.assign(counts_.size(), 0);
+    }
+
+    const std::vector<NearPair> &pairs() const { return pairs_; }
+    const IdSet &members() const { return members_; }
+
+    std::size_t bytes() const
+    {
+        return pairs_.capacity() * sizeof(NearPair) + counts_.capacity() * sizeof(std::uint32_t) + members_.bytes();
+    }
+
+private:
+    void count_in(ProxyId id)
+    {
+        if (counts_[id]++ == 0)
+            members_.insert(id);
+    }
+
+    void count_out(ProxyId id)
+    {
+        if (--counts_[id] == 0)
+            members_.erase(id);
+    }
+
+    std::vector<NearPair> pairs_;
+    IdSet members_;
+    std::vector<std::uint32_t> counts_; // pairs that each proxy is in
+};
+} // namespace ode_predictive_space
+
+#endif
