@@ -40,7 +40,8 @@ enum
 {
     dPredictiveProximityBox = 0, /**< always: the same pairs as dSimpleSpace (default) */
     dPredictiveProximitySphere =
-        1 /**< when the bounding spheres overlap too: never a contact less, fewer useless calls */
+        1 /**< when the bounding spheres overlap too, and for a ray in dSpaceCollide2() when it passes through the box:
+               never a contact less, fewer useless calls */
 };
 
 /** How the motion of a geom is known. */
@@ -69,7 +70,8 @@ typedef struct dPredictiveSpaceStats
     unsigned long woken;         /**< pairs whose time of proximity came */
     unsigned long near;          /**< pairs now in the near set */
     unsigned long reported;      /**< callbacks made by dSpaceCollide() */
-    unsigned long scans; /**< ticks in which prediction did not pay and the space swept the whole scene instead */
+    unsigned long
+        scans; /**< ticks in which the space swept the whole scene: most geoms were new, or prediction did not pay */
     unsigned long bytes; /**< memory that the space now holds, in bytes, geoms not counted */
 } dPredictiveSpaceStats;
 
@@ -134,7 +136,8 @@ ODE_PREDICTIVE_API void dPredictiveSpaceSetHorizon(dSpaceID space, int min_ticks
 ODE_PREDICTIVE_API void dPredictiveSpaceGetHorizon(dSpaceID space, int *min_ticks, int *max_ticks);
 
 /**
- * Ask when two geoms of the space can come near each other, judging by the predictions that are now in force.
+ * Ask when two geoms of the space can come near each other, judging by the predictions that are now in force. From the first
+ * question on the space predicts new geoms at once, which it otherwise watches for some ticks first.
  *
  * @param ticks gets a time from now, in ticks; may be 0.
  * @return 1 when they can, and the earliest time (0 when they are near now); or 0, and the time up to which they are known

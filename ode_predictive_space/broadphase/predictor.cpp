@@ -8,7 +8,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr std::uint32_t first_horizon = 256;
+constexpr std::uint32_t first_horizon = 512;
 
 // An object that would need longer than this to use up half of its slack is treated as still.
 constexpr double still_ticks = 64;

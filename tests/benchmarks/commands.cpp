@@ -12,6 +12,7 @@ void add_parts_of_all(Commands &commands)
     commands.push_back(make_query_command());
     commands.push_back(make_tail_command());
     commands.push_back(make_floor_command());
+    commands.push_back(make_whole_command());
     commands.push_back(make_memory_command());
     commands.push_back(make_scale_command());
     commands.push_back(make_haptic_command());

@@ -16,6 +16,7 @@ std::unique_ptr<Command> make_ratios_command();
 std::unique_ptr<Command> make_sudden_command();
 std::unique_ptr<Command> make_tail_command();
 std::unique_ptr<Command> make_floor_command();
+std::unique_ptr<Command> make_whole_command();
 std::unique_ptr<Command> make_scale_command();
 
 /// `all`: these, one after the other.

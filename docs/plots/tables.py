@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+"""Prints the tables of docs/performance.md, in Markdown, from what `predictive_bench all --json FILE` wrote.
+
+    tables.py FILE
+"""
+
+import json
+import sys
+
+SPACES = ["predictive-box", "predictive-sphere", "simple", "hash", "quadtree", "sap", "bullet-dbvt", "bullet-sap", "sweep",
+          "floor"]
+PAPER = {"brute": "brute force", "sap": "sweep & prune", "quadtree": "quadtree", "hash": "uniform grid"}
+
+
+def number(value):
+    """Three digits that mean something."""
+    if value is None:
+        return "–"
+    if value >= 100:
+        return f"{value:,.0f}"
+    return f"{value:.1f}" if value >= 10 else f"{value:.2f}"
+
+
+def row(cells):
+    return "| " + " | ".join(cells) + " |"
+
+
+def print_table(head, rows):
+    print(row(head))
+    print(row(["---"] * len(head)))
+    for cells in rows:
+        print(row(cells))
+    print()
+
+
+def print_requirements(records):
+    rows = []
+    for record in records:
+        if "limit" not in record:
+            continue
+        unit = "" if record["unit"] == "x" else " " + record["unit"]
+        times = " x" if record["unit"] == "x" else ""
+        rows.append([record["line"], record["what"], number(record["value"]) + times + unit,
+                     record["bound"].replace("<=", "≤").replace(">=", "≥") + " " + number(record["limit"]) + times + unit,
+                     "met" if record["met"] else "**not met**"])
+    print_table(["line", "what", "measured", "asked", ""], rows)
+
+
+def scenes_of(records):
+    """Timings by scene, number of objects and share of moving ones; of several runs the first, which compares all spaces."""
+    scenes = {}
+    for record in records:
+        if not all(key in record for key in ("scene", "space", "mean_us", "best_ode_ratio", "measured_ticks")):
+            continue
+        key = (record["scene"], record["n"], record.get("moving"))
+        scenes.setdefault(key, {}).setdefault(record["space"], record)
+    return scenes
+
+
+def print_means(scenes):
+    rows = []
+    for (scene, n, moving), spaces in sorted(scenes.items(), key=lambda item: (item[0][0], item[0][1], item[0][2] or 0)):
+        name = scene + (f", {moving:.0%} moving" if moving is not None else "")
+        rows.append([name, f"{n:,}"] + [number(spaces[space]["mean_us"]) if space in spaces else "–" for space in SPACES])
+    print_table(["scene", "n"] + SPACES, rows)
+
+
+def print_distributions(scenes):
+    rows = []
+    for (scene, n, moving), spaces in sorted(scenes.items(), key=lambda item: (item[0][0], item[0][1], item[0][2] or 0)):
+        ours = spaces.get("predictive-box")
+        if ours is None:
+            continue
+        name = scene + (f", {moving:.0%} moving" if moving is not None else "")
+        rows.append([name, f"{n:,}"] +
+                    [number(ours[key]) for key in ("mean_us", "median_us", "p99_us", "p999_us", "max_us")] +
+                    [f"{ours['pairs']:,}", ours["pair_hash"], number(ours["bytes_per_geom"])])
+    print_table(["scene", "n", "mean", "median", "p99", "p99.9", "max", "pairs", "pair hash", "bytes per geom"], rows)
+
+
+def print_table1(records):
+    blocks = {}
+    for record in records:
+        if record.get("table") == "table1":
+            blocks.setdefault(record["block"], {}).setdefault(record["n"], {})[record["other"]] = record
+    for block, lines in blocks.items():
+        print(f"**{block}**\n")
+        rows = []
+        for n, others in sorted(lines.items()):
+            rows.append([str(n)] + [f"{others[o]['gain_percent']:.1f} / {others[o]['paper_gain_percent']:.1f}" for o in PAPER])
+        print_table(["objects"] + list(PAPER.values()), rows)
+
+
+def main():
+    with open(sys.argv[1], encoding="utf-8") as file:
+        records = json.load(file)
+    print("<!-- requirements -->\n")
+    print_requirements(records)
+    print("<!-- table 1 -->\n")
+    print_table1(records)
+    print("<!-- means -->\n")
+    scenes = scenes_of(records)
+    print_means(scenes)
+    print("<!-- distributions -->\n")
+    print_distributions(scenes)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,88 @@
+// predictive_bench whole: what dSpaceCollide() does not show. A space is told of each move while the scene moves, and the
+// predictive space does a part of its work then.
+
+#include "tests/benchmarks/commands.h"
+#include "tests/benchmarks/comparison.h"
+
+#include "demos/scenes/table.h"
+
+#include <iostream>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+constexpr int usual_ticks = 1000;
+
+std::vector<scenes::SceneSpec> usual_scenes()
+{
+    return {{"gas", 1000}, {"gas", 10000}, {"game", 1000}, {"game", 10000}, {"pile", 500}, {"stack", 1000}};
+}
+
+double mean_of_ticks(const Result &result)
+{
+    return scenes::summarise(result.tick_times).mean;
+}
+
+const Result *best_of_ode_by_ticks(const Comparison &comparison)
+{
+    const Result *best = nullptr;
+    for (const Result &result : comparison.results)
+        if (result.family == scenes::Family::ode && (best == nullptr || mean_of_ticks(result) < mean_of_ticks(*best)))
+            best = &result;
+    return best;
+}
+
+void report(const Comparison &comparison, Findings &findings)
+{
+    std::cout << comparison.spec.name
+              << ", n = " << scenes::grouped(static_cast<std::uint64_t>(comparison.spec.objects))
+              << ": microseconds per tick, in dSpaceCollide() and outside of it\n\n";
+    const Result *best = best_of_ode_by_ticks(comparison);
+    scenes::Table table({"space", "collide", "the rest", "whole tick", "best ODE / this"});
+    for (const Result &result : comparison.results)
+    {
+        const double whole = mean_of_ticks(result), collide = scenes::summarise(result.clock_times).mean;
+        const double ratio = best != nullptr ? mean_of_ticks(*best) / whole : 0;
+        table.add({result.name, scenes::fixed(collide, 2), scenes::fixed(whole - collide, 2), scenes::fixed(whole, 2),
+                   scenes::fixed(ratio, 2)});
+        findings.record({{"table", "whole"},
+                         {"scene", comparison.spec.name},
+                         {"n", comparison.spec.objects},
+                         {"space", result.name},
+                         {"collide_us", collide},
+                         {"rest_us", whole - collide},
+                         {"whole_us", whole},
+                         {"best_ode_ratio_of_wholes", ratio}});
+    }
+    table.print(std::cout);
+    std::cout << '\n';
+}
+
+class WholeCommand : public Command
+{
+public:
+    std::string name() const override { return "whole"; }
+    std::string description() const override
+    {
+        return "Whole ticks: the motion, with the notices that spaces get of it, and dSpaceCollide()";
+    }
+
+    void measure(const Options &options, Findings &findings) override
+    {
+        for (scenes::SceneSpec spec : usual_scenes())
+        {
+            if (options.objects && spec.objects != *options.objects)
+                continue;
+            const std::vector<std::string> contenders = {"predictive-box", "hash", "quadtree", "sap"};
+            report(compare_single_ticks(plan_for(spec, contenders, usual_ticks, options), findings), findings);
+        }
+    }
+};
+} // namespace
+
+std::unique_ptr<Command> make_whole_command()
+{
+    return std::make_unique<WholeCommand>();
+}
+} // namespace ode_predictive_space::benchmarks
