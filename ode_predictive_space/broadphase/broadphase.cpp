@@ -38,7 +38,7 @@ ProxyId Broadphase::add()
     {
         id = static_cast<ProxyId>(proxies_.size());
         proxies_.grow();
-        boxes_.emplace_back();
+        grow(boxes_, proxies_.size());
         for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &measured_})
             set->resize(proxies_.size());
         near_.resize(proxies_.size());

@@ -21,7 +21,7 @@ EnvelopeTree::Index EnvelopeTree::allocate_pair()
         return first;
     }
     const Index first = static_cast<Index>(nodes_.size());
-    nodes_.resize(nodes_.size() + 2);
+    grow(nodes_, nodes_.size() + 2);
     return first;
 }
 

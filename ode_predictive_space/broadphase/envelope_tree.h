@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ode_predictive_space/broadphase/float_box.h"
+#include "ode_predictive_space/broadphase/growth.h"
 #include "ode_predictive_space/broadphase/swept_proxy.h"
 #include "ode_predictive_space/broadphase/types.h"
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ode_predictive_space/broadphase/assess.h"
+#include "ode_predictive_space/broadphase/growth.h"
 #include "ode_predictive_space/broadphase/id_set.h"
 
 namespace ode_predictive_space
@@ -20,7 +21,7 @@ public:
     void resize(std::size_t count)
     {
         members_.resize(count);
-        counts_.resize(count);
+        grow(counts_, count);
     }
 
     void reserve(std::size_t pairs) { pairs_.reserve(pairs); }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ode_predictive_space/broadphase/float_box.h"
+#include "ode_predictive_space/broadphase/growth.h"
 #include "ode_predictive_space/broadphase/types.h"
 #include "ode_predictive_space/prediction/envelope.h"
 
@@ -108,10 +109,11 @@ struct ProxyStore
     /// Makes room for one more, without a prediction.
     void grow()
     {
-        paths.emplace_back();
-        bounds.emplace_back();
-        stamps.emplace_back();
-        generations.push_back(0);
+        const std::size_t count = size() + 1;
+        ode_predictive_space::grow(paths, count);
+        ode_predictive_space::grow(bounds, count);
+        ode_predictive_space::grow(stamps, count);
+        ode_predictive_space::grow(generations, count);
         forget(static_cast<ProxyId>(size() - 1));
     }
 

@@ -68,7 +68,7 @@ void dxPredictiveSpace::add(dxGeom *geom)
     const ProxyId id = broadphase_.add();
     if (id >= geoms_.size())
     {
-        geoms_.resize(id + 1, nullptr);
+        grow(geoms_, id + 1);
         polled_.resize(geoms_.size());
         off_line_.resize(geoms_.size());
         unclassified_.resize(geoms_.size());
