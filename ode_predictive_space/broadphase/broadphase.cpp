@@ -45,6 +45,7 @@ ProxyId Broadphase::add()
     }
     proxies_.forget(id);
     members_.insert(id);
+    ++unpredicted_;
     mark_moved(id);
     return id;
 }
@@ -54,6 +55,7 @@ void Broadphase::remove(ProxyId id)
     // Whatever speaks of the old generation, in near set, schedule or elsewhere, is stale from now on.
     ++proxies_.generations[id];
     near_changed_ = true;
+    unpredicted_ -= proxies_.bounds[id].check == Check::none;
     index_.remove(proxies_, id);
     predictor.forget(proxies_, id);
     sample(id, false);
@@ -278,16 +280,6 @@ void Broadphase::take_note_of_moves()
     doubtful_.clear();
 }
 
-// Of new objects only the velocities are known, and not even how far these carry them. So they are scanned for some ticks
-// first; that is quicker than prediction, too, for the tick in which a program begins.
-bool Broadphase::mostly_new()
-{
-    if (predictions_wanted_ || 2 * new_ <= members_.size())
-        return false;
-    policy_.begin();
-    return true;
-}
-
 bool Broadphase::want_predictions()
 {
     predictions_wanted_ = true;
@@ -309,6 +301,7 @@ void Broadphase::start_scanning()
     due_anew_.clear();
     moving_.clear();
     scouts_.choose(members_);
+    unpredicted_ = members_.size();
     members_.for_each([&](ProxyId id) {
         proxies_.forget_prediction(id);
         moved_.insert(id);

@@ -162,7 +162,7 @@ private:
     void note_crowded(const NearPair &pair);
     bool lingers(ProxyId id) const;
     void finish_update();
-    bool mostly_new();
+    bool mostly_new() const { return !predictions_wanted_ && 2 * unpredicted_ > members_.size(); }
     void start_scanning();
     void clear_scan();
     void stop_scanning();
@@ -197,14 +197,14 @@ private:
 
     static constexpr Tick longest_wait = Tick{1} << 30;
     bool predictions_wanted_ = false;
-    bool near_changed_ = false; // pairs have come, or become stale, since drop_stale_near()
-    Tick next_leave_ = 0;       // the last tick at which none of the pairs has left
+    std::size_t unpredicted_ = 0; // members without a prediction
+    bool near_changed_ = false;   // pairs have come, or become stale, since drop_stale_near()
+    Tick next_leave_ = 0;         // the last tick at which none of the pairs has left
 
     static constexpr std::size_t least_purge = 4096;
     std::size_t purge_events_at_ = least_purge;
     std::size_t purge_near_at_ = least_purge;
     std::size_t broken_ = 0; // predictions that the last verification found broken
-    std::size_t new_ = 0;    // objects that it found without one
 
     // What one stage hands to the next; empty between updates.
     std::vector<ProxyId> suspects_; // to be looked at

@@ -7,6 +7,8 @@
 
 namespace ode_predictive_space
 {
+// Of new objects only the velocities are known, and not even how far these carry them. So where most are new they are scanned
+// for some ticks first; that is quicker than prediction, too, for the tick in which a program begins.
 template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
 {
     const Tick expected = expected_tick();
@@ -23,9 +25,16 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
             return;
         stop_scanning();
     }
+    else if (mostly_new())
+    {
+        policy_.begin();
+        start_scanning();
+        scan(scene);
+        return;
+    }
     verify(scene, time_passes, now_ == expected);
     expire();
-    if (mostly_new() || (time_passes && policy_.prediction_fails(broken_, members_.size())))
+    if (time_passes && policy_.prediction_fails(broken_, members_.size()))
     {
         start_scanning();
         scan(scene);
@@ -43,7 +52,6 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
     collect_suspects(time_passes, as_expected);
     measured_ -= moved_;
     broken_ = 0;
-    new_ = 0;
     for (std::size_t i = 0; i < suspects_.size(); ++i)
     {
         prefetch_bounds(scene, i);
@@ -51,8 +59,7 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
         scene.acknowledge(id);
         if (holds(scene, id))
             continue;
-        const bool is_new = proxies_.bounds[id].check == Check::none;
-        ++(is_new ? new_ : broken_);
+        broken_ += proxies_.bounds[id].check != Check::none;
         add_to_batch(id);
     }
     counters_.violations += broken_;
@@ -97,6 +104,7 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
     for (ProxyId id : batch_)
     {
         PackedBounds &bounds = proxies_.bounds[id];
+        unpredicted_ -= bounds.check == Check::none;
         // Tight bounds are given up when they were in force and no near pair needed them.
         bounds.crowded &= near_.members().contains(id) || bounds.check != Check::bounds;
         predictor.predict(proxies_, id, scene.observe(id, bounds.crowded), now_);
