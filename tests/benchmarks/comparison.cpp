@@ -172,12 +172,13 @@ const Result *Comparison::best_of_ode() const
     return best;
 }
 
+// Fewer common ticks say less than the means of all: a turn begins with cold caches.
 double Comparison::ratio(const Result &other, const Result &ours) const
 {
     const std::size_t first = std::max(first_measured(other), first_measured(ours));
     const std::size_t end = std::min(other.ticks, ours.ticks);
     const bool tick_by_tick = other.times.size() == other.clock_times.size() && !in_batches;
-    if (!tick_by_tick || first >= end)
+    if (!tick_by_tick || first + least_common_ticks > end)
     {
         return other.mean() / ours.mean();
     }

@@ -56,8 +56,11 @@ struct Comparison
     /// The fastest of ODE's own spaces by its mean; null when none took part.
     const Result *best_of_ode() const;
 
+    static constexpr std::size_t least_common_ticks = 20;
+
     /// How many times as long as ours the other's mean tick takes. Where both have been timed tick by tick, this is over the
-    /// ticks that both have: a contender that was stopped early is not compared with what happened later.
+    /// ticks that both have, if they are not too few: a contender that was stopped early is not compared with what happened
+    /// later.
     double ratio(const Result &other, const Result &ours) const;
 };
 

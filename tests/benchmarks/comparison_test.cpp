@@ -80,12 +80,21 @@ TEST_F(ComparisonTest, ARatioIsOverTheTicksThatBothHave)
 {
     Comparison comparison;
     Result ours;
-    ours.times = ours.clock_times = {1, 1, 10, 10};
-    ours.ticks = 6; // two of them warm-up
+    constexpr std::size_t enough = Comparison::least_common_ticks;
+    ours.times = std::vector<double>(enough, 1);
+    ours.times.insert(ours.times.end(), enough, 10);
+    ours.clock_times = ours.times;
+    ours.ticks = 2 + 2 * enough; // two of them warm-up
     Result other;
-    other.times = other.clock_times = {9, 2, 2};
-    other.ticks = 4; // one of them warm-up
+    other.times = std::vector<double>(1 + enough, 2);
+    other.times.front() = 9;
+    other.clock_times = other.times;
+    other.ticks = 2 + enough; // one of them warm-up
     EXPECT_DOUBLE_EQ(comparison.ratio(other, ours), 2);
+    Result stopped_soon;
+    stopped_soon.times = stopped_soon.clock_times = {44, 44, 44};
+    stopped_soon.ticks = 5;
+    EXPECT_DOUBLE_EQ(comparison.ratio(stopped_soon, ours), 8) << "few ticks in common: means";
     Result much_earlier;
     much_earlier.times = much_earlier.clock_times = {11};
     much_earlier.ticks = 1;
