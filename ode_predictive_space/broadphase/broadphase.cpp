@@ -300,6 +300,9 @@ void Broadphase::start_scanning()
     near_changed_ = true;
     due_anew_.clear();
     moving_.clear();
+    // Nobody is remembered meanwhile: what is remembered of an object depends on how it is predicted.
+    interactive_.clear();
+    sampled_ = 0;
     scouts_.choose(members_);
     unpredicted_ = members_.size();
     members_.for_each([&](ProxyId id) {

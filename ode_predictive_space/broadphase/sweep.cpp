@@ -151,7 +151,7 @@ void Sweep::Layout::cut_into_strips(const std::vector<SweptProxy> &items)
     const float width = std::max(typical / safe_part, range.length / most_strips);
     first = range.begin;
     strips_per_unit = width > 0 ? 1 / width : 0;
-    widest = safe_part * width;
+    widest = std::max(typical, safe_part * width);
 }
 
 // Does not decrease with the coordinate, whatever the rounding; 0 also when it is not a number.

@@ -96,8 +96,9 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     off_line_.erase(id);
     unclassified_.erase(id);
     geom->next_ex = nullptr;
-    // In here a geom with a bad box need not be dirty (see GeomScene::acknowledge()); elsewhere it must be.
-    if (geom->gflags & GEOM_AABB_BAD)
+    // In here a geom with a bad box need not be dirty (see GeomScene::acknowledge()), nor a space in which a geom is;
+    // elsewhere they must be.
+    if ((geom->gflags & GEOM_AABB_BAD) || IS_SPACE(geom))
         geom->gflags |= GEOM_DIRTY;
 }
 
@@ -113,7 +114,7 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
 void dxPredictiveSpace::classify_new()
 {
     unclassified_.for_each([this](ProxyId id) {
-        if (geoms_[id]->type == dTriMeshClass)
+        if (geoms_[id]->type == dTriMeshClass || IS_SPACE(geoms_[id]))
         {
             polled_.insert(id);
             ++polled_count_;

@@ -67,6 +67,22 @@ TEST(Sweep, FindsThemWhicheverAxisIsWidest)
         }
 }
 
+// Rounding must not make them all wider than a strip: then none would ever be swept.
+TEST(Sweep, BoxesOfTheSameWidthFitIntoAStrip)
+{
+    Sweep sweep;
+    for (float width : {1.0f, 1.9688f, 1.9712f, 1.9821f, 1.9999999f, 0.1f, 3.3f})
+    {
+        Items items;
+        for (ProxyId id = 0; id < 2100; ++id)
+        {
+            const float x = 1.5f * static_cast<float>(id);
+            items.push_back({id, {{x, 0, 1000}, {x + 2, width, 1000 + width}}});
+        }
+        expect_all_pairs(sweep, items);
+    }
+}
+
 TEST(Sweep, TouchingBoxesOverlap)
 {
     Items items;

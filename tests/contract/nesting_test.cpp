@@ -273,5 +273,65 @@ TEST_F(Contract, 11_NestedSpacesMoveBetweenParents)
         }
     });
 }
+
+// ODE's other spaces rely on it that a space is dirty while a geom in it is.
+TEST_F(Contract, 11_ANestedSpaceIsDirtyWhenItLeavesWithDirtyGeoms)
+{
+    dSpaceID outer = dPredictiveSpaceCreate(nullptr), other = dSimpleSpaceCreate(nullptr);
+    dSpaceID nested = dSimpleSpaceCreate(outer);
+    dGeomID ball = dCreateSphere(nested, 0.5);
+    collide(outer);
+    dGeomSetPosition(ball, 1, 0, 0);
+    dReal box[6];
+    dGeomGetAABB(as_geom(nested), box);
+    dSpaceRemove(outer, as_geom(nested));
+    dSpaceAdd(other, as_geom(nested));
+    dGeomID neighbour = dCreateSphere(other, 0.5);
+    dGeomSetPosition(neighbour, 100, 0, 0);
+    collide(other);
+    dGeomSetPosition(neighbour, 101, 0, 0);
+    collide(other);
+    dGeomSetPosition(ball, 101, 0, 0);
+    EXPECT_EQ(collide(other).size(), 1u);
+    dSpaceDestroy(other);
+    dSpaceDestroy(outer);
+}
+
+// New data make a mesh dirty without a word to anybody, and its next move makes the space around it dirty in the same way.
+void expect_moves_are_noticed_beside_a_new_mesh(dSpaceID outer, dSpaceID nested)
+{
+    static const float vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    static const dTriIndex indices[] = {0, 1, 2};
+    dTriMeshDataID data[2];
+    for (dTriMeshDataID &each : data)
+    {
+        each = dGeomTriMeshDataCreate();
+        dGeomTriMeshDataBuildSingle(each, vertices, 3 * sizeof(float), 3, indices, 3, 3 * sizeof(dTriIndex));
+    }
+    dGeomSetPosition(dCreateSphere(outer, 0.5), 100, 0, 0);
+    dGeomID mesh = dCreateTriMesh(nested, data[0], nullptr, nullptr, nullptr);
+    dGeomID ball = dCreateSphere(nested, 0.5);
+    for (int tick = 0; tick < 5; ++tick)
+    {
+        dGeomSetPosition(ball, 0.01 * tick, 0, 0);
+        collide(outer);
+    }
+    dGeomTriMeshSetData(mesh, data[1]);
+    dGeomSetPosition(mesh, 1, 0, 0);
+    collide(outer);
+    dGeomSetPosition(ball, 100, 0, 0);
+    EXPECT_EQ(collide(outer).size(), 1u);
+    dSpaceDestroy(outer);
+    for (dTriMeshDataID each : data)
+        dGeomTriMeshDataDestroy(each);
+}
+
+TEST_F(Contract, 11_ANewMeshInANestedSpaceHidesNoMoves)
+{
+    dSpaceID outer = dPredictiveSpaceCreate(nullptr);
+    expect_moves_are_noticed_beside_a_new_mesh(outer, dSimpleSpaceCreate(outer));
+    outer = dPredictiveSpaceCreate(nullptr);
+    expect_moves_are_noticed_beside_a_new_mesh(outer, dPredictiveSpaceCreate(outer));
+}
 } // namespace
 } // namespace ode_predictive_space

@@ -197,6 +197,31 @@ TEST_F(PredictiveSpace, TheTimeOfProximityIsNeverLate)
     EXPECT_LT(last, 10);
 }
 
+TEST_F(PredictiveSpace, AnInteractivePlaneMovesWhileNewGeomsAreWatched)
+{
+    dGeomID plane = dCreatePlane(scene.space(), 0, 0, 1, -10);
+    std::vector<dGeomID> old;
+    for (int i = 0; i < 10; ++i)
+        old.push_back(scene.sphere(0.5, 3 * i, 0, 0));
+    for (int tick = 0; tick < 50; ++tick)
+    {
+        for (int i = 0; i < 10; ++i)
+            dGeomSetPosition(old[static_cast<std::size_t>(i)], 3 * i + 0.001 * tick, 0, 0);
+        if (tick == 30)
+            dPredictiveSpaceSetGeomRole(scene.space(), plane, dPredictiveRoleInteractive);
+        scene.tick();
+    }
+    const unsigned long scans = stats().scans;
+    for (int i = 0; i < 30; ++i)
+        scene.sphere(0.5, 3 * i, 20, 0);
+    scene.tick();
+    EXPECT_EQ(stats().scans, scans + 1);
+    dGeomPlaneSetParams(plane, 0, 0, 1, -9);
+    dReal ticks;
+    EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(scene.space(), old[0], old[1], &ticks), 0);
+    EXPECT_EQ(dPredictiveSpaceValidate(scene.space()), 1);
+}
+
 TEST_F(PredictiveSpace, StillGeomsStayApartForEver)
 {
     dGeomID first = scene.sphere(0.5, 0, 0, 0);
