@@ -92,19 +92,20 @@ void Broadphase::predict_all_anew()
 // of the moving objects did.
 bool Broadphase::time_passes(bool is_tick)
 {
-    bool passes = false;
-    if (!moved_.empty())
-    {
-        std::size_t moving = 0, moved = 0;
-        for (std::size_t i = 0; i < moved_.words(); ++i)
-        {
-            moving += IdSet::count(moving_.word(i));
-            moved += IdSet::count(moving_.word(i) & moved_.word(i));
-        }
-        passes = (is_tick && !ticked_early_) || (moving > 0 && 2 * moved >= moving);
-    }
+    const bool passes = !moved_.empty() && ((is_tick && !ticked_early_) || most_moving_have_moved());
     ticked_early_ = !is_tick && (ticked_early_ || passes);
     return passes;
+}
+
+bool Broadphase::most_moving_have_moved() const
+{
+    std::size_t moving = 0, moved = 0;
+    for (std::size_t i = 0; i < moved_.words(); ++i)
+    {
+        moving += IdSet::count(moving_.word(i));
+        moved += IdSet::count(moving_.word(i) & moved_.word(i));
+    }
+    return moving > 0 && 2 * moved >= moving;
 }
 
 void Broadphase::advance_clock()
@@ -304,7 +305,7 @@ void Broadphase::start_scanning()
     interactive_.clear();
     sampled_ = 0;
     scouts_.choose(members_);
-    unpredicted_ = members_.size();
+    unpredicted_ = objects();
     members_.for_each([&](ProxyId id) {
         proxies_.forget_prediction(id);
         moved_.insert(id);

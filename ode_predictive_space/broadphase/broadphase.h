@@ -149,7 +149,9 @@ private:
 
     // At which the next update will probably be: noticed moves are judged by where objects should be then.
     Tick expected_tick() const { return ticked_early_ ? now_ : now_ + 1; }
+    std::size_t objects() const { return proxies_.size() - free_ids_.size(); }
     bool time_passes(bool is_tick);
+    bool most_moving_have_moved() const;
     void collect_suspects(bool time_passes, bool as_expected);
     void advance_clock();
     void expire();
@@ -162,7 +164,7 @@ private:
     void note_crowded(const NearPair &pair);
     bool lingers(ProxyId id) const;
     void finish_update();
-    bool mostly_new() const { return !predictions_wanted_ && 2 * unpredicted_ > members_.size(); }
+    bool mostly_new() const { return !predictions_wanted_ && 2 * unpredicted_ > objects(); }
     void start_scanning();
     void clear_scan();
     void stop_scanning();

@@ -34,7 +34,7 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
     }
     verify(scene, time_passes, now_ == expected);
     expire();
-    if (time_passes && policy_.prediction_fails(broken_, members_.size()))
+    if (time_passes && policy_.prediction_fails(broken_, objects()))
     {
         start_scanning();
         scan(scene);
@@ -134,7 +134,7 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
     ++counters_.scans;
 
     measure_all(scene, members_);
-    items_.resize(members_.size());
+    items_.resize(objects());
     std::size_t count = 0;
     members_.for_each([&](ProxyId id) { items_[count++] = {id, boxes_[id].outer()}; });
     sweep_.find_pairs(items_, candidates_);

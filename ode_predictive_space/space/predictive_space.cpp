@@ -230,7 +230,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     for (std::size_t i = 0; i < found.size(); ++i)
     {
         if (i + ahead < found.size())
-            now.prefetch(found[i + ahead]);
+            scene().prefetch(found[i + ahead]);
         dxGeom *other = geoms_[found[i]];
         if (enabled(other) && now.overlap(other, geom) && wants_callback(other, geom))
             callback(data, other, geom);

@@ -2,48 +2,18 @@
 
 #include "demos/haptic_report.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <sys/wait.h>
+
+#include "tests/support/program.h"
 
 namespace ode_predictive_space::scenes
 {
 namespace
 {
-struct Outcome
-{
-    int status = -1;
-    std::string output;
-};
-
-Outcome run(const std::string &program, const std::string &arguments)
-{
-    Outcome outcome;
-    const std::string command = "'" + program + "' " + arguments + " 2>&1";
-    FILE *pipe = popen(command.c_str(), "r");
-    if (pipe == nullptr)
-    {
-        return outcome;
-    }
-    char buffer[4096];
-    for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
-    {
-        outcome.output.append(buffer, got);
-    }
-    const int status = pclose(pipe);
-    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
-}
-
-bool contains(const std::string &text, const std::string &part)
-{
-    return text.find(part) != std::string::npos;
-}
-
 TEST(HapticDemo, EndsWellAndSaysThatAllSpacesAgree)
 {
     const Outcome outcome = run(HAPTIC_DEMO, "--objects 40 --seconds 0.4");
