@@ -35,22 +35,19 @@ public:
     /// @param sides lowest and highest x, then y, then z.
     template <typename Real> void assign(const Real sides[6])
     {
-        constexpr float most = std::numeric_limits<float>::max();
-        // Half a unit in the last place for each number, as much again for a difference of two; and what is lost below the
-        // range of float.
-        constexpr float unit = 4 * std::numeric_limits<float>::epsilon();
-        constexpr float least = std::numeric_limits<float>::min();
         float largest = 0;
-        bool finite = true;
+        bool exact = true;
         for (int axis = 0; axis < 3; ++axis)
         {
             low_[axis] = static_cast<float>(sides[2 * axis]);
             high_[axis] = static_cast<float>(sides[2 * axis + 1]);
             const float low_size = std::abs(low_[axis]), high_size = std::abs(high_[axis]);
             largest = std::max(largest, std::max(low_size, high_size));
-            finite &= (low_size <= most) & (high_size <= most);
+            exact &= (low_size <= most) & (high_size <= most);
         }
-        error_ = finite ? unit * largest + least : std::numeric_limits<float>::infinity();
+        if (!exact)
+            exact = forgive_infinite_sides(sides, largest);
+        error_ = exact ? unit * largest + least : std::numeric_limits<float>::infinity();
         minus_error_ = -error_;
     }
 
@@ -96,6 +93,28 @@ public:
     }
 
 private:
+    // A side that lies at infinity is known well: there is no gap. (What overflowed single precision is not known so.)
+    template <typename Real> static bool forgive_infinite_sides(const Real sides[6], float &largest)
+    {
+        constexpr Real infinity = std::numeric_limits<Real>::infinity();
+        largest = 0;
+        for (int side = 0; side < 6; ++side)
+        {
+            const float size = std::abs(static_cast<float>(sides[side]));
+            const bool lies_at_infinity = sides[side] == (side % 2 ? infinity : -infinity);
+            if (!lies_at_infinity && !(size <= most))
+                return false;
+            largest = std::max(largest, lies_at_infinity ? 0 : size);
+        }
+        return true;
+    }
+
+    // Half a unit in the last place for each number, as much again for a difference of two; and what is lost below the range
+    // of float.
+    static constexpr float unit = 4 * std::numeric_limits<float>::epsilon();
+    static constexpr float least = std::numeric_limits<float>::min();
+    static constexpr float most = std::numeric_limits<float>::max();
+
     float low_[3];
     float error_ = std::numeric_limits<float>::infinity();
     float high_[3];
