@@ -128,6 +128,14 @@ void Broadphase::collect_suspects(bool time_passes, bool as_expected)
     }
 }
 
+// Is an object that is still within its envelope, although nobody reports a move of it, to be predicted to stay there? It
+// may have missed one tick only; a prediction costs as much as some tens of looks, so one look in as many decides.
+bool Broadphase::has_stopped(ProxyId id) const
+{
+    constexpr Tick looks_per_prediction = 32;
+    return !moved_.contains(id) && (now_ + id) % looks_per_prediction == 0;
+}
+
 void Broadphase::add_to_batch(ProxyId id)
 {
     if (in_batch_.contains(id))

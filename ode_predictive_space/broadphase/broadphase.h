@@ -139,6 +139,7 @@ private:
     template <typename Scene> void update(Scene &scene, bool is_tick);
     template <typename Scene> void verify(Scene &scene, bool time_passes, bool as_expected);
     template <typename Scene> bool holds(Scene &scene, ProxyId id);
+    bool has_stopped(ProxyId id) const;
     template <typename Scene> void prefetch_bounds(const Scene &scene, std::size_t suspect) const;
     template <typename Scene> void remember(Scene &scene, ProxyId id);
     template <typename Scene> void predict(Scene &scene);

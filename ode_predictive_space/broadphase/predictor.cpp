@@ -23,6 +23,10 @@ constexpr double reach_crowded = 1;
 constexpr double slack_of_centre = 0.01;
 constexpr double slack_of_bounds = 0.03;
 
+// An object that has come to rest is looked at once more after about so many ticks: if it has not moved at all, it gets no
+// slack any more, which would keep it near what lies beside it.
+constexpr std::uint32_t settling_ticks = 128;
+
 // Samples of an object whose path broke tell about its motion only when they are recent.
 constexpr std::int32_t recent_ticks = 8;
 
@@ -155,11 +159,12 @@ void pack(PackedPath &packed, const Path &path, const Deviation &deviation, Tick
 // How the last prediction turned out.
 struct Predictor::Outcome
 {
-    bool fresh = true;  // there was none
-    bool moved = false; // not where it was when it was made
-    bool kept = true;   // ended within its envelope
-    double ticks = 0;   // since it was made
-    double error = 0;   // distance from the path now
+    bool fresh = true;    // there was none
+    bool moved = false;   // not where it was when it was made
+    bool kept = true;     // ended within its envelope
+    bool settled = false; // has rested long enough
+    double ticks = 0;     // since it was made
+    double error = 0;     // distance from the path now
     Vector3 displacement = Vector3::Zero();
     Vector3 before = Vector3::Zero();       // where it was
     Vector3 acceleration = Vector3::Zero(); // that it was thought to have
@@ -203,6 +208,7 @@ Predictor::Outcome Predictor::judge(const ProxyStore &proxies, ProxyId id, const
     outcome.displacement = finite_or_zero(seen.centre - path.position);
     outcome.moved = !outcome.displacement.isZero(0);
     const double elapsed = bounds.still ? 0 : outcome.ticks;
+    outcome.settled = bounds.still && !outcome.moved && outcome.ticks >= settling_ticks / 2;
     outcome.acceleration = path.acceleration;
     const PackedPath &packed = proxies.paths[id];
     const Deviation deviation{packed.deviation[0], packed.deviation[1], packed.deviation[2]};
@@ -314,7 +320,7 @@ Deviation Predictor::allow(const PackedBounds &bounds, const Outcome &outcome, d
 {
     if (const auto &fixed = deviation[is_interactive(bounds.role) ? 1 : 0])
         return bounds.still ? Deviation{fixed->a, 0, 0} : *fixed;
-    if (outcome.fresh && bounds.still)
+    if ((outcome.fresh || outcome.settled) && bounds.still)
         return {};
     const double slack = (bounds.check == Check::centre ? slack_of_centre : slack_of_bounds) * size;
     return bounds.still ? Deviation{slack, 0, 0} : Deviation{slack, bounds.spread, 0};
@@ -363,12 +369,17 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &obse
     bounds.still = true;
     const Deviation slack = allow(bounds, outcome, size);
     bounds.still = !is_bounded(bounds) || motion.stays_within(0.5 * slack.a);
+    const Generation generation = proxies.generations[id];
     if (bounds.still)
+    {
         pack(proxies.paths[id], {seen.centre, Vector3::Zero(), Vector3::Zero()}, slack, now);
+        const bool settles = !outcome.fresh && !outcome.settled;
+        bounds.until = now + (settles ? stagger(settling_ticks, id, generation, false) : 0);
+    }
     else
     {
         pack(proxies.paths[id], {seen.centre, motion.velocity, motion.acceleration}, allow(bounds, outcome, size), now);
-        const std::uint32_t ticks = stagger(horizon_for(bounds, motion, size), id, proxies.generations[id], is_first);
+        const std::uint32_t ticks = stagger(horizon_for(bounds, motion, size), id, generation, is_first);
         bounds.until = now + std::clamp(ticks, horizon.min_ticks, horizon.max_ticks);
     }
     // How a mere guess turns out says nothing about the next prediction.

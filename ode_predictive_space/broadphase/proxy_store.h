@@ -71,7 +71,9 @@ struct alignas(64) PackedBounds
     float low[3];  ///< bounds relative to the path
     float high[3]; ///< the same
     float radius;  ///< of a sphere around the path that holds the object; may be infinite
-    Tick until;    ///< last tick for which the envelope is valid; meaningless for still ones
+    Tick
+        until; ///< tick of the next prediction, and last one of the envelope; still ones stay valid, and have none if it
+               ///< is that of the last
 
     float last_velocity[3]; ///< of its body, in the program's unit, when it was last predicted
     float spread;           ///< growth of the deviation per tick, as adapted

@@ -57,9 +57,10 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
         prefetch_bounds(scene, i);
         const ProxyId id = suspects_[i];
         scene.acknowledge(id);
-        if (holds(scene, id))
+        if (!holds(scene, id))
+            broken_ += proxies_.bounds[id].check != Check::none;
+        else if (!has_stopped(id))
             continue;
-        broken_ += proxies_.bounds[id].check != Check::none;
         add_to_batch(id);
     }
     counters_.violations += broken_;
@@ -111,10 +112,9 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
         if (bounds.still)
             moving_.erase(id);
         else
-        {
             moving_.insert(id);
+        if (bounds.until != now_)
             wheel_.schedule(bounds.until, {id, no_proxy, proxies_.generations[id], 0});
-        }
         sample(id, bounds.role == Role::fixed_interactive || (bounds.role == Role::interactive && !bounds.still &&
                                                               (interactive_.contains(id) || sampled_ < most_sampled)));
     }
