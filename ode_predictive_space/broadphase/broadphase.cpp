@@ -267,20 +267,14 @@ void Broadphase::purge_stale_events()
     purge_events_at_ = std::max(least_purge, 2 * wheel_.size());
 }
 
-// Notes, too, until when there is nothing more to drop unless something happens.
+bool Broadphase::has_stale_near() const
+{
+    return near_changed_ || ticks_between(now_, next_leave_) < 0;
+}
+
 void Broadphase::drop_stale_near()
 {
-    if (!near_changed_ && ticks_between(now_, next_leave_) >= 0)
-        return;
-    near_changed_ = false;
-    next_leave_ = now_ + longest_wait;
-    near_.keep_if([this](const NearPair &pair) {
-        const bool keep = current(pair) && !pair.has_left(now_);
-        if (keep && pair.leaves && ticks_between(pair.until, next_leave_) > 0)
-            next_leave_ = pair.until;
-        return keep;
-    });
-    purge_near_at_ = std::max(least_purge, 2 * near_.pairs().size());
+    drop_stale_near([](const NearPair &) {});
 }
 
 void Broadphase::take_note_of_moves()

@@ -145,7 +145,9 @@ private:
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);
     template <typename Scene> void measure_all(Scene &scene, const IdSet &wanted);
+    bool has_stale_near() const;
     void drop_stale_near();
+    template <typename Visit> void drop_stale_near(Visit visit);
     void take_note_of_moves();
 
     // At which the next update will probably be: noticed moves are judged by where objects should be then.

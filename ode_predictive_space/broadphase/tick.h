@@ -146,12 +146,12 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
     candidates_.clear();
 }
 
-// Looks at the bounds of those that have moved since they were last looked at.
+// Looks at the bounds of those that have moved since they were last looked at, and are still there.
 template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet &wanted)
 {
     suspects_.clear();
     for (std::size_t i = 0; i < wanted.words(); ++i)
-        IdSet::visit_word(i, wanted.word(i) & ~measured_.word(i), [this](ProxyId id) { suspects_.push_back(id); });
+        IdSet::visit_word(i, wanted.word(i) & members_.word(i) & ~measured_.word(i), [this](ProxyId id) { suspects_.push_back(id); });
     for (std::size_t i = 0; i < suspects_.size(); ++i)
     {
         prefetch_bounds(scene, i);
@@ -161,24 +161,43 @@ template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet
     suspects_.clear();
 }
 
+// Visits the pairs that are left. Notes, too, until when there is nothing more to drop unless something happens.
+template <typename Visit> void Broadphase::drop_stale_near(Visit visit)
+{
+    near_changed_ = false;
+    next_leave_ = now_ + longest_wait;
+    near_.keep_if([&](const NearPair &pair) {
+        if (!current(pair) || pair.has_left(now_))
+            return false;
+        if (pair.leaves && ticks_between(pair.until, next_leave_) > 0)
+            next_leave_ = pair.until;
+        visit(pair);
+        return true;
+    });
+    purge_near_at_ = std::max(least_purge, 2 * near_.pairs().size());
+}
+
 template <typename Scene> void Broadphase::report(Scene &scene, std::vector<CandidatePair> &overlapping)
 {
-    drop_stale_near();
     measure_all(scene, near_.members());
     // Each is written and those that are apart are overwritten: which they are is hard to foretell, and easy to count.
     const std::size_t before = overlapping.size();
     overlapping.resize(before + near_.pairs().size());
     CandidatePair *end = overlapping.data() + before;
     const bool by_sphere = measure_ == Proximity::sphere;
-    for (const NearPair &pair : near_.pairs())
-    {
+    auto test = [&](const NearPair &pair) {
         const Comparison boxes = compare(boxes_[pair.first], boxes_[pair.second]);
         bool overlap = boxes.overlap;
         if (by_sphere ? !boxes.apart : boxes.apart == boxes.overlap)
             overlap = scene.overlap(pair.first, pair.second);
         *end = {pair.first, pair.second};
         end += overlap;
-    }
+    };
+    if (has_stale_near())
+        drop_stale_near(test);
+    else
+        for (const NearPair &pair : near_.pairs())
+            test(pair);
     overlapping.resize(static_cast<std::size_t>(end - overlapping.data()));
 }
 
