@@ -17,7 +17,7 @@ class EnvelopeIndex
 {
 public:
     /// So many are looked through quicker than any tree.
-    static constexpr std::size_t small_scene = 40;
+    static constexpr std::size_t small_scene = 128;
 
     /// Puts newly predicted proxies, given with their swept boxes, on the shelves where their envelopes belong, and notes
     /// that in proxies.bounds[id].shelf.

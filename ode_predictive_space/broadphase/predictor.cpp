@@ -162,7 +162,7 @@ struct Predictor::Outcome
     bool fresh = true;    // there was none
     bool moved = false;   // not where it was when it was made
     bool kept = true;     // ended within its envelope
-    bool settled = false; // has rested long enough
+    bool settled = false; // rested within its slack until it was looked at once more
     double ticks = 0;     // since it was made
     double error = 0;     // distance from the path now
     Vector3 displacement = Vector3::Zero();
@@ -208,12 +208,12 @@ Predictor::Outcome Predictor::judge(const ProxyStore &proxies, ProxyId id, const
     outcome.displacement = finite_or_zero(seen.centre - path.position);
     outcome.moved = !outcome.displacement.isZero(0);
     const double elapsed = bounds.still ? 0 : outcome.ticks;
-    outcome.settled = bounds.still && !outcome.moved && outcome.ticks >= settling_ticks / 2;
     outcome.acceleration = path.acceleration;
     const PackedPath &packed = proxies.paths[id];
     const Deviation deviation{packed.deviation[0], packed.deviation[1], packed.deviation[2]};
     outcome.error = finite_or_zero(seen.centre - path.at(elapsed)).lpNorm<Eigen::Infinity>();
     outcome.kept = outcome.error <= deviation.at(elapsed);
+    outcome.settled = bounds.still && outcome.kept && outcome.ticks >= settling_ticks / 2;
     return outcome;
 }
 
@@ -320,7 +320,7 @@ Deviation Predictor::allow(const PackedBounds &bounds, const Outcome &outcome, d
 {
     if (const auto &fixed = deviation[is_interactive(bounds.role) ? 1 : 0])
         return bounds.still ? Deviation{fixed->a, 0, 0} : *fixed;
-    if ((outcome.fresh || outcome.settled) && bounds.still)
+    if ((outcome.fresh || (outcome.settled && !outcome.moved)) && bounds.still)
         return {};
     const double slack = (bounds.check == Check::centre ? slack_of_centre : slack_of_bounds) * size;
     return bounds.still ? Deviation{slack, 0, 0} : Deviation{slack, bounds.spread, 0};
