@@ -26,6 +26,7 @@ public:
         const std::size_t stride = std::max<std::size_t>(1, count / wanted) | 1;
         std::size_t rank = 0;
         scouts_.clear();
+        scouts_.reserve(most);
         members.for_each([&](ProxyId id) {
             if (rank++ % stride == 0 && scouts_.size() < most)
                 scouts_.push_back({id, 0, Vector3::Zero(), Vector3::Zero(), Vector3::Zero()});

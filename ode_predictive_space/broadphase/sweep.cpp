@@ -323,22 +323,35 @@ void Sweep::look_up(const SweptProxy &item, const Layout &layout, std::vector<Ca
 
 void Sweep::find_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs)
 {
-    wider_.clear();
+    const bool all_bounded =
+        std::all_of(items.begin(), items.end(), [](const SweptProxy &item) { return item.box.bounded(); });
+    if (all_bounded)
+    {
+        find_bounded_pairs(items, pairs);
+        return;
+    }
+    bounded_.clear();
     unbounded_.clear();
     for (const SweptProxy &item : items)
-        (item.box.bounded() ? wider_ : unbounded_).push_back(item);
+        (item.box.bounded() ? bounded_ : unbounded_).push_back(item);
     compare_each_with_each(unbounded_, pairs);
     for (const SweptProxy &one : unbounded_)
     {
         const BoxProbe probe(one.box);
-        for (const SweptProxy &other : wider_)
+        for (const SweptProxy &other : bounded_)
             if (probe.overlaps(other.box))
                 add_pair(pairs, one.proxy, other.proxy);
     }
-    while (wider_.size() > few)
+    find_bounded_pairs(bounded_, pairs);
+}
+
+void Sweep::find_bounded_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs)
+{
+    const std::vector<SweptProxy> *left = &items;
+    while (left->size() > few)
     {
-        const Layout layout = Layout::fit_for(wider_);
-        sort_into_strips(wider_, layout);
+        const Layout layout = Layout::fit_for(*left);
+        sort_into_strips(*left, layout);
         if (layout.strips_per_unit > 0)
             sweep_strips(pairs);
         else
@@ -346,8 +359,9 @@ void Sweep::find_pairs(const std::vector<SweptProxy> &items, std::vector<Candida
         for (const SweptProxy &item : still_wider_)
             look_up(item, layout, pairs);
         wider_.swap(still_wider_);
+        left = &wider_;
     }
-    compare_each_with_each(wider_, pairs);
+    compare_each_with_each(*left, pairs);
 }
 
 std::size_t Sweep::bytes() const
@@ -355,7 +369,8 @@ std::size_t Sweep::bytes() const
     std::size_t floats = 0;
     for (int side = 0; side < 3; ++side)
         floats += sides_.low[side].capacity() + sides_.high[side].capacity();
-    return (wider_.capacity() + still_wider_.capacity() + unbounded_.capacity()) * sizeof(SweptProxy) +
+    return (wider_.capacity() + still_wider_.capacity() + bounded_.capacity() + unbounded_.capacity()) *
+               sizeof(SweptProxy) +
            (order_.capacity() + other_order_.capacity()) * sizeof(std::uint64_t) +
            (keys_.capacity() + ends_.capacity()) * sizeof(std::uint32_t) + proxies_.capacity() * sizeof(ProxyId) +
            floats * sizeof(float);

@@ -59,6 +59,7 @@ private:
         void resize(std::size_t count);
     };
 
+    void find_bounded_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs);
     void sort_into_strips(const std::vector<SweptProxy> &items, const Layout &layout);
     void sort_keys();
     void sweep_strips(std::vector<CandidatePair> &pairs) const;
@@ -72,7 +73,7 @@ private:
     static constexpr std::size_t spare = 4;
 
     std::vector<SweptProxy> wider_, still_wider_;    // than the strips of this level and the next
-    std::vector<SweptProxy> unbounded_;              // those that no strip can hold
+    std::vector<SweptProxy> bounded_, unbounded_;    // where there are some that no strip can hold
     std::vector<std::uint64_t> order_, other_order_; // key, number of the item
     std::vector<std::uint32_t> keys_, ends_;         // of the lowest and the highest coordinate along
     std::vector<ProxyId> proxies_;
