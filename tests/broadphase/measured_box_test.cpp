@@ -69,7 +69,8 @@ TEST(MeasuredBox, IsUnsureOfWhatTouches)
 
 TEST(MeasuredBox, IsUnsureOfWhatIsNotFinite)
 {
-    for (double bad : {nan, infinity, -infinity, 1e300, -1e300})
+    // A highest coordinate at minus infinity is none that a geom should have.
+    for (double bad : {nan, -infinity, 1e300, -1e300})
         for (int axis = 0; axis < 3; ++axis)
         {
             Box box = cube(-1, 1);
@@ -79,6 +80,22 @@ TEST(MeasuredBox, IsUnsureOfWhatIsNotFinite)
             EXPECT_FALSE(decides(box, box));
             EXPECT_TRUE(MeasuredBox(box).outer().overlaps(FloatBox::around(cube(1e6, 1e7)))) << "it may be anywhere";
         }
+}
+
+// Planes have such boxes, and everything that lies on one is near it.
+TEST(MeasuredBox, KnowsSidesThatLieAtInfinity)
+{
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        Box ground = cube(-infinity, infinity);
+        ground.max()[axis] = 0;
+        EXPECT_TRUE(compare(MeasuredBox(ground), MeasuredBox(cube(-1, 1))).overlap);
+        EXPECT_TRUE(compare(MeasuredBox(ground), MeasuredBox(cube(0.1, 1))).apart);
+        EXPECT_TRUE(compare(MeasuredBox(ground), MeasuredBox(ground)).overlap);
+        EXPECT_FALSE(decides(ground, cube(0, 1))) << "it touches";
+        EXPECT_TRUE(MeasuredBox(ground).outer().overlaps(FloatBox::around(cube(-1e30, -1e29))));
+        EXPECT_FALSE(MeasuredBox(ground).outer().overlaps(FloatBox::around(cube(0.1, 1))));
+    }
 }
 
 TEST(MeasuredBox, OuterHoldsTheBox)
