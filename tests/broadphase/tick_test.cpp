@@ -144,6 +144,59 @@ TEST(Tick, SeesThatAnObjectWithoutNoticeHasStopped)
     EXPECT_FALSE(world.broadphase.proxies().bounds[other].still);
 }
 
+// Its slow path would hold it for long, and would be looked at in each tick.
+TEST(Tick, PredictsThatWhatHasStoppedWillStay)
+{
+    World world;
+    const ProxyId slow = world.add(ball({0, 0, 0}, 0.1, {0.00002, 0, 0}));
+    world.add(ball({0.5, 5, 0}, 0.1, {0.001, 0, 0}));
+    for (int tick = 0; tick < 200; ++tick)
+    {
+        world.advance();
+        world.tick();
+    }
+    ASSERT_FALSE(world.broadphase.proxies().bounds[slow].still);
+    world.object(slow).displacement = Vector3::Zero();
+    world.object(slow).velocity = Vector3::Zero();
+    const std::uint64_t broken = world.broadphase.counters().violations;
+    for (int tick = 0; tick < 40; ++tick)
+    {
+        world.advance();
+        world.tick();
+    }
+    EXPECT_TRUE(world.broadphase.proxies().bounds[slow].still);
+    EXPECT_EQ(world.broadphase.counters().violations, broken) << "it had not left its envelope";
+    EXPECT_EQ(world.violated_invariant(), "");
+}
+
+TEST(Tick, WhatHasComeToRestLetsGoOfItsNeighbour)
+{
+    World world;
+    const ProxyId still = world.add(ball({0.1, 0, 0}, 0.1, {0, 0, 0}));
+    const ProxyId mover = world.add(ball({-0.2004, 0, 0}, 0.1, {0.001, 0, 0}));
+    world.add(ball({0.5, 5, 0}, 0.1, {0.001, 0, 0}));
+    for (int tick = 0; tick < 400; ++tick)
+    {
+        // It stops less than its slack before the other.
+        if (world.object(mover).centre.x() > -0.101)
+        {
+            world.object(mover).displacement = Vector3::Zero();
+            world.object(mover).velocity = Vector3::Zero();
+        }
+        world.advance();
+        world.tick();
+        if (tick == 110)
+        {
+            EXPECT_EQ(world.broadphase.near_pairs(), 1u);
+        }
+    }
+    EXPECT_EQ(world.broadphase.near_pairs(), 0u);
+    EXPECT_EQ(world.broadphase.proxies().paths[mover].deviation[0], 0);
+    EXPECT_EQ(world.violated_invariant(), "");
+    world.place(mover, world.object(mover).centre + Vector3(0.001, 0, 0));
+    EXPECT_EQ(world.tick(), (Pairs{{mover, still}}));
+}
+
 TEST(Tick, DoesNotDependOnTheOrderOfNotices)
 {
     CalmGas forwards(150), backwards(150);
