@@ -37,7 +37,7 @@ public:
     {
         float largest = 0;
         bool exact = true;
-        for (int axis = 0; axis < 3; ++axis)
+        for (std::size_t axis = 0; axis < 3; ++axis)
         {
             low_[axis] = static_cast<float>(sides[2 * axis]);
             high_[axis] = static_cast<float>(sides[2 * axis + 1]);

@@ -213,7 +213,7 @@ Predictor::Outcome Predictor::judge(const ProxyStore &proxies, ProxyId id, const
     const Deviation deviation{packed.deviation[0], packed.deviation[1], packed.deviation[2]};
     outcome.error = finite_or_zero(seen.centre - path.at(elapsed)).lpNorm<Eigen::Infinity>();
     outcome.kept = outcome.error <= deviation.at(elapsed);
-    outcome.settled = bounds.still && outcome.kept && outcome.ticks >= settling_ticks / 2;
+    outcome.settled = bounds.still && outcome.kept && outcome.ticks >= 0.5 * settling_ticks;
     return outcome;
 }
 

@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SWEEP_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SWEEP_H
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -49,7 +50,7 @@ private:
     struct Probe
     {
         ProxyId proxy;
-        float low[3], high[3]; // along, across, other
+        std::array<float, 3> low, high; // along, across, other
     };
 
     /// Boxes in the order of their keys, one array for each side, with some to spare that no comparison meets.

@@ -144,7 +144,7 @@ public:
     void prefetch(ProxyId id) const
     {
         const char *geom = reinterpret_cast<const char *>(geoms_[id]);
-        for (int line = 0; line < 3; ++line)
+        for (std::size_t line = 0; line < 3; ++line)
             __builtin_prefetch(geom + line * 64);
     }
     void prefetch_pose(ProxyId id) const
