@@ -169,11 +169,10 @@ std::uint32_t Sweep::Layout::strip(float coordinate) const
 
 void Sweep::Sides::resize(std::size_t count)
 {
-    for (int i = 0; i < 3; ++i)
-    {
-        low[i].resize(count);
-        high[i].resize(count);
-    }
+    for (std::vector<float> &side : low)
+        side.resize(count);
+    for (std::vector<float> &side : high)
+        side.resize(count);
 }
 
 void Sweep::sort_keys()
@@ -219,7 +218,7 @@ void Sweep::sort_into_strips(const std::vector<SweptProxy> &items, const Layout 
         keys_[i] = static_cast<std::uint32_t>(order_[i] >> 32);
         ends_[i] = layout.key(keys_[i] >> 16, item.box.high[layout.along]);
         proxies_[i] = item.proxy;
-        for (int side = 0; side < 3; ++side)
+        for (std::size_t side = 0; side < 3; ++side)
         {
             sides_.low[side][i] = item.box.low[axes[side]];
             sides_.high[side][i] = item.box.high[axes[side]];
@@ -262,7 +261,7 @@ void Sweep::compare_from(std::size_t begin, std::uint32_t end, const Probe &prob
     for (std::size_t j = begin; keys_[j] <= end; ++j)
     {
         bool overlap = true;
-        for (int side = 0; side < 3; ++side)
+        for (std::size_t side = 0; side < 3; ++side)
             overlap &= sides_.low[side][j] <= probe.high[side] && probe.low[side] <= sides_.high[side][j];
         if (overlap)
             met(j);
@@ -367,7 +366,7 @@ void Sweep::find_bounded_pairs(const std::vector<SweptProxy> &items, std::vector
 std::size_t Sweep::bytes() const
 {
     std::size_t floats = 0;
-    for (int side = 0; side < 3; ++side)
+    for (std::size_t side = 0; side < 3; ++side)
         floats += sides_.low[side].capacity() + sides_.high[side].capacity();
     return (wider_.capacity() + still_wider_.capacity() + bounded_.capacity() + unbounded_.capacity()) *
                sizeof(SweptProxy) +

@@ -56,7 +56,7 @@ private:
     /// Boxes in the order of their keys, one array for each side, with some to spare that no comparison meets.
     struct Sides
     {
-        std::vector<float> low[3], high[3]; // along, across, other
+        std::array<std::vector<float>, 3> low, high; // along, across, other
         void resize(std::size_t count);
     };
 
