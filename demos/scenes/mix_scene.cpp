@@ -16,15 +16,15 @@ constexpr double time_to_recover = 0.2;  // seconds
 constexpr double probe_radius = 0.1;     // metres
 constexpr std::uint32_t probe_index = 0; // the probe is made first
 
-HandPathSettings hand_settings(int objects)
+haptics::HandPathSettings hand_settings(int objects)
 {
-    HandPathSettings settings;
+    haptics::HandPathSettings settings;
     settings.scale = (mix_half_room(objects) - probe_radius) / (settings.half_workspace + settings.tremor);
     return settings;
 }
 
 /// Places in a lattice, shuffled: no two objects overlap at the start, where contacts would blast them apart.
-std::vector<Vector3> free_places(int count, double half_room, Random &random)
+std::vector<Vector3> free_places(int count, double half_room, haptics::Random &random)
 {
     const int side = static_cast<int>(std::ceil(std::cbrt(count)));
     const double cell = 2 * half_room / side;
@@ -60,11 +60,11 @@ MixScene::MixScene(const SceneSpec &spec, dSpaceID space)
     surface_.bounce = 0.9;
     surface_.bounce_vel = 0.01;
     add_walls(Vector3::Constant(mix_half_room(spec.objects)), mix_wall_thickness, true);
-    Random random(spec.seed);
+    haptics::Random random(spec.seed);
     fill(spec.objects, random);
 }
 
-void MixScene::fill(int count, Random &random)
+void MixScene::fill(int count, haptics::Random &random)
 {
     const std::vector<Vector3> places = free_places(count, mix_half_room(count), random);
     for (int i = 0; i < count; ++i)
@@ -83,7 +83,7 @@ void MixScene::fill(int count, Random &random)
     }
 }
 
-void MixScene::add_floater(Shape shape, const Vector3 &position, Random &random)
+void MixScene::add_floater(Shape shape, const Vector3 &position, haptics::Random &random)
 {
     BodyState state;
     state.position = position;

@@ -4,8 +4,8 @@
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_MIX_SCENE_H
 
 #include "demos/scenes/contact_scene.h"
-#include "demos/scenes/hand_path.h"
 #include "demos/scenes/probe_force.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 namespace ode_predictive_space::scenes
 {
@@ -35,12 +35,12 @@ private:
         double mass;           ///< kg
     };
 
-    void fill(int count, Random &random);
-    void add_floater(Shape shape, const Vector3 &position, Random &random);
+    void fill(int count, haptics::Random &random);
+    void add_floater(Shape shape, const Vector3 &position, haptics::Random &random);
     void before_step() override;
     bool take_contacts(const IndexPair &pair, const dContactGeom *contacts, int count) override;
 
-    HandPath hand_;
+    haptics::HandPath hand_;
     dGeomID probe_;
     ProbeForce force_;
     ProbeReport report_;
