@@ -42,7 +42,6 @@ private:
 
     double normal_force(const ToolState &tool, const Touch &touch) const;
     Vector3 friction_force(const Touch &touch, double normal_force, const Vector3 &moved, double dt);
-    Vector3 stretch_before(std::uintptr_t object) const;
 
     SurfaceProperties properties_;
     std::vector<Hold> holds_;                 // of this tick

@@ -7,6 +7,16 @@
 
 namespace ode_predictive_space::haptics
 {
+/// What a touch forbids to the proxy: all behind a plane.
+struct ConstraintPlane
+{
+    std::uintptr_t object = 0;
+    Vector3 normal = Vector3::UnitZ(); ///< of length 1, towards where the proxy may be
+    double height = 0;                 ///< m; where the plane is: normal . (a point on it)
+    double depth = 0;                  ///< m; how far the tool is behind it
+    double share = 0;                  ///< m, >= 0; how far it lifts the proxy off the tool, along its normal
+};
+
 /// F = k (proxy - tool). The proxy is where the tool would be if no surface could be entered: the point nearest to the tool
 /// that no touch forbids (Zilles and Salisbury, "A constraint-based god-object method for haptic display", 1995).
 ///
@@ -35,32 +45,21 @@ public:
     double damping() const override { return properties_.damping; }
     void set_stiffness(double stiffness) override;
 
-    /// m, in the scene's frame; where the proxy was after the last tick. The tool's position when nothing is touched.
+    /// m, in the scene's frame; where the last call left it. The tool's position when nothing is touched.
     const Vector3 &proxy() const { return proxy_; }
 
 private:
-    /// The surface of an object that keeps the proxy out.
-    struct Plane
-    {
-        std::uintptr_t object;
-        Vector3 normal;
-        double depth;  // m; how far the tool is below the plane
-        double share;  // m; how far this plane lifts the proxy off the tool, along its normal
-        double height; // m; of the plane along its normal: normal . (a point on it)
-    };
-
-    void find_planes(const Vector3 &tool, const std::vector<Touch> &touches, double dt);
-    Plane plane_of(const Vector3 &tool, const Touch &touch, double dt) const;
-    void lift();
-    Vector3 slip(const Vector3 &tool, const std::vector<Touch> &touches, double dt) const;
+    ConstraintPlane plane_of(const Vector3 &tool, const Touch &touch, double dt) const;
+    double normal_force(const ToolState &tool, const Touch &touch, const ConstraintPlane &plane) const;
+    Vector3 friction(const Vector3 &tool, const Vector3 &lifted, double carried, const std::vector<Touch> &touches,
+                     double dt) const;
+    Vector3 along_the_carriers(Vector3 vector) const;
 
     SurfaceProperties properties_;
-    std::vector<Plane> planes_;      // of this tick, in the order of the touches
-    std::vector<Plane> last_planes_; // of the tick before
-    std::vector<Vector3> normals_;   // of planes_, as closest_point() wants them
-    std::vector<double> depths_;
-    std::vector<double> shares_;
+    std::vector<ConstraintPlane> planes_;      // of this tick, in the order of the touches
+    std::vector<ConstraintPlane> last_planes_; // of the tick before
     Vector3 proxy_ = Vector3::Zero();
+    bool has_proxy_ = false;
 };
 } // namespace ode_predictive_space::haptics
 

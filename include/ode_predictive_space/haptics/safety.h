@@ -103,8 +103,9 @@ private:
     bool must_be_zero(const Wrench &wished, const Vector3 &velocity, double time, double allowance);
     bool has_engaged(const Wrench &wished);
     Wrench clamp(const Wrench &wished);
+    Wrench scale_down(const Wrench &wrench, double elapsed, double allowed);
     Wrench slew(const Wrench &target, double elapsed);
-    Wrench hold_back(const Wrench &wrench, double allowance);
+    Wrench bound(const Wrench &wrench, double allowed) const;
     void take(SafetyAction action) { report_.now |= 1u << static_cast<int>(action); }
     void close_report(std::uint32_t before);
 

@@ -84,10 +84,10 @@ private:
     struct Fault
     {
         WatchdogReason reason;
-        double since; // when it began
+        double lasts; // s, up to this tick; may be more than since the last one
     };
 
-    Fault find_fault(double time);
+    Fault find_fault(double time, double elapsed);
     bool missed_too_many(double elapsed);
 
     static_assert(std::atomic<double>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
