@@ -24,23 +24,24 @@ struct OpenHapticsSettings
 ///
 /// **This has never run on hardware.** It was tested against a stand-in for the library only.
 ///
-/// The library calls us in a servo thread of its own, about 1000 times a second. There the arm's state is taken and the last
-/// force is set; read() and write() exchange them with that thread without locks, and never wait.
+/// The library calls us in a servo thread of its own, about 1000 times a second. There the arm's state is taken and the
+/// last force is set; read() and write() exchange them with that thread without locks, and never wait.
 ///
 /// Force. The library keeps playing the last force that it was given. Therefore zero takes its place in the next frame
 /// - when no write() came for `force_timeout`, counted in the servo's frames: a loop slower than that gets no force;
 /// - after any error that the library reports in the servo thread;
-/// - when the device is closed or destroyed, or open() fails half way: zero is set and seen by one more frame; then the scheduler
-///   is stopped, the callback unscheduled, and the arm switched off. Each of these waits is bounded: when the servo thread stands
-///   still, the force output is switched off without it.
+/// - when the device is closed or destroyed, or open() fails half way: zero is set and seen by one more frame; then the
+///   scheduler is stopped, the callback unscheduled, and the arm switched off. Each of these waits is bounded: when the
+///   servo thread stands still, the force output is switched off without it.
 /// The library's own clamping and ramping of forces are switched on. Torques are ignored.
 ///
 /// Errors of the library in the servo thread, by their names in it:
-/// - WARM_MOTORS, EXCEEDED_MAX_FORCE, EXCEEDED_MAX_FORCE_IMPULSE, EXCEEDED_MAX_VELOCITY, FORCE_ERROR: it recovers. The next read()
-///   or write() throws `failed`, once; those after it work, and render no force until `recovery_time` has gone by without such an
-///   error. As long, status() is not ready. Whoever writes then should let the force grow slowly, as after a start.
-/// - DEVICE_FAULT, DEVICE_ALREADY_INITIATED, COMM_ERROR, COMM_CONFIG_ERROR, TIMER_ERROR, BAD_HANDLE: read() and write() throw `lost`
-///   until close().
+/// - WARM_MOTORS, EXCEEDED_MAX_FORCE, EXCEEDED_MAX_FORCE_IMPULSE, EXCEEDED_MAX_VELOCITY, FORCE_ERROR: it recovers. The
+///   next read() or write() throws `failed`, once; those after it work, and render no force until `recovery_time` has
+///   gone by without such an error. As long, status() is not ready. Whoever writes then should let the force grow
+///   slowly, as after a start.
+/// - DEVICE_FAULT, DEVICE_ALREADY_INITIATED, COMM_ERROR, COMM_CONFIG_ERROR, TIMER_ERROR, BAD_HANDLE: read() and write()
+///   throw `lost` until close().
 /// - any other: they throw `failed` until close().
 /// The same as COMM_ERROR is a servo thread that does not run for `silence_timeout` on the clock of read().
 class OpenHapticsDevice final : public Device
@@ -55,8 +56,9 @@ public:
 
     /// Does nothing when it is open. One device can be open at a time, because the library has one scheduler.
     ///
-    /// @throws DeviceError missing_library (with the dynamic linker's words), missing_symbol, not_found, not_calibrated,
-    /// permission_denied (another one is open), failed; with the library's error code, its name and its words where it gave one.
+    /// @throws DeviceError missing_library (with the dynamic linker's words), missing_symbol, not_found,
+    /// not_calibrated, permission_denied (another one is open), failed; with the library's error code, its name and its
+    /// words where it gave one.
     void open() override;
     void close() noexcept override;
     const Capabilities &capabilities() const override;

@@ -22,12 +22,12 @@ struct SpacenavSettings
 ///
 /// **This has never run on hardware.** It was tested against a stand-in for spacenavd only.
 ///
-/// The cap's deflection is a rate: read() integrates it to a position, which starts at the origin and stops at the workspace's
-/// walls, and to an orientation. A pause of more than `longest_step` between two reads counts as that. There is no force: write() is
-/// accepted and ignored.
+/// The cap's deflection is a rate: read() integrates it to a position, which starts at the origin and stops at the
+/// workspace's walls, and to an orientation. A pause of more than `longest_step` between two reads counts as that.
+/// There is no force: write() is accepted and ignored.
 ///
-/// The environment variable SPNAV_SOCKET names another server than that at /var/run/spnav.sock. If it is set and does not answer,
-/// open() fails; there is no falling back.
+/// The environment variable SPNAV_SOCKET names another server than that at /var/run/spnav.sock. If it is set and does
+/// not answer, open() fails; there is no falling back.
 class SpacenavDevice final : public Device
 {
 public:
@@ -38,7 +38,8 @@ public:
     explicit SpacenavDevice(const SpacenavSettings &settings = {});
     ~SpacenavDevice() override;
 
-    /// Does nothing when it is open. One device can be open at a time, because libspnav has one connection for the whole program.
+    /// Does nothing when it is open. One device can be open at a time, because libspnav has one connection for the
+    /// whole program.
     ///
     /// @throws DeviceError missing_library (this was built without libspnav), missing_file (no server at the socket),
     /// permission_denied (the socket's, or libspnav's connection is taken), not_found (the server has no mouse), lost.
