@@ -34,7 +34,8 @@ double PenaltyLaw::normal_force(const ToolState &tool, const Touch &touch) const
     if (properties_.damping == 0)
         return spring;
     const double approach = (touch.surface_velocity - tool.linear_velocity).dot(touch.normal);
-    return std::max(0.0, spring + properties_.damping * approach);
+    const double force = spring + properties_.damping * approach;
+    return force < 0 ? 0 : force; // what is not a number stays that
 }
 
 Vector3 PenaltyLaw::friction_force(const Touch &touch, double normal_force, const Vector3 &moved, double dt)

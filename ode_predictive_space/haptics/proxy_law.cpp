@@ -50,7 +50,7 @@ ConstraintPlane ProxyLaw::plane_of(const Vector3 &tool, const Touch &touch, doub
 
     const auto same_object = [&](const ConstraintPlane &other) { return other.object == touch.object; };
     const auto last = std::find_if(last_planes_.begin(), last_planes_.end(), same_object);
-    if (last == last_planes_.end() || last->normal.dot(touch.normal) >= 0)
+    if (last == last_planes_.end() || !(last->normal.dot(touch.normal) < 0))
         return plane;
 
     // The back of the object is nearer now: the tool came through it. The surface in front has moved with the object.
@@ -71,7 +71,8 @@ double ProxyLaw::normal_force(const ToolState &tool, const Touch &touch, const C
     if (properties_.damping == 0 || plane.share == 0)
         return spring;
     const double approach = (touch.surface_velocity - tool.linear_velocity).dot(plane.normal);
-    return std::max(0.0, spring + properties_.damping * approach);
+    const double force = spring + properties_.damping * approach;
+    return force < 0 ? 0 : force; // what is not a number stays that
 }
 
 Vector3 ProxyLaw::friction(const Vector3 &tool, const Vector3 &lifted, double carried,
