@@ -53,7 +53,7 @@ double mix_half_room(int objects)
 
 MixScene::MixScene(const SceneSpec &spec, dSpaceID space)
     : ContactScene(space, tick_seconds, spec.seed), hand_(hand_settings(spec.objects), spec.seed),
-      probe_(objects_.add_geom(dCreateSphere(space, probe_radius)))
+      probe_(spec.own_probe ? objects_.add_geom(dCreateSphere(space, probe_radius)) : nullptr)
 {
     surface_.mode = dContactApprox1 | dContactBounce;
     surface_.mu = 0.2;
@@ -100,6 +100,10 @@ void MixScene::add_floater(Shape shape, const Vector3 &position, haptics::Random
 void MixScene::advance()
 {
     ContactScene::advance();
+    if (probe_ == nullptr)
+    {
+        return;
+    }
     ++tick_;
     report_.position = hand_.position(tick_ * tick_seconds);
     set_position(probe_, report_.position);
@@ -125,7 +129,7 @@ void MixScene::respond(const std::vector<IndexPair> &pairs)
 
 bool MixScene::take_contacts(const IndexPair &pair, const dContactGeom *contacts, int count)
 {
-    if (pair.first != probe_index)
+    if (probe_ == nullptr || pair.first != probe_index)
     {
         return false;
     }

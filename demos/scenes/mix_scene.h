@@ -16,8 +16,8 @@ double mix_half_room(int objects);
 
 /// Spheres, boxes, capsules and meshes in equal parts, without gravity. Half of them have no body and stay; the others float
 /// through the room, bounce off one another and off the walls, and are gently driven back to the speed that they began
-/// with, so that the scene is as lively after an hour as it was at first. The probe is the geom number 0: a sphere without
-/// a body, put where the hand is.
+/// with, so that the scene is as lively after an hour as it was at first. The probe, unless the caller brings one, is the geom
+/// number 0: a sphere without a body, put where the hand is.
 class MixScene : public ContactScene
 {
 public:
@@ -25,7 +25,7 @@ public:
 
     void advance() override;
     void respond(const std::vector<IndexPair> &pairs) override;
-    const ProbeReport *probe() const override { return &report_; }
+    const ProbeReport *probe() const override { return probe_ != nullptr ? &report_ : nullptr; }
 
 private:
     struct Floater
@@ -41,7 +41,7 @@ private:
     bool take_contacts(const IndexPair &pair, const dContactGeom *contacts, int count) override;
 
     haptics::HandPath hand_;
-    dGeomID probe_;
+    dGeomID probe_; ///< null when the caller brings one
     ProbeForce force_;
     ProbeReport report_;
     std::vector<Floater> floaters_;

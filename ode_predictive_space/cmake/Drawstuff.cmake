@@ -48,7 +48,7 @@ add_library(ode_predictive_space_drawstuff STATIC ${drawstuff_sources})
 target_compile_definitions(
     ode_predictive_space_drawstuff
     PRIVATE HAVE_GETTIMEOFDAY=1 HAVE_SYS_TIME_H=1 HAVE_UNISTD_H=1
-            "DEFAULT_PATH_TO_TEXTURES=\"${ODE_SOURCE_DIR}/drawstuff/textures\"")
+            "DEFAULT_PATH_TO_TEXTURES=\"${drawstuff_copy}/drawstuff/textures\"")
 target_include_directories(
     ode_predictive_space_drawstuff SYSTEM
     PUBLIC "${drawstuff_copy}/include"
