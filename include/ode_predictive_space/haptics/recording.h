@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -20,8 +21,9 @@ namespace ode_predictive_space::haptics
 /// In a file it is a line of numbers between blanks:
 ///     t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz
 /// s, m, quaternion, N, bits, m/s, rad/s, in the device's own frame. The first 8 are the TUM trajectory format, and a file of
-/// only these, or of the first 12, can be read, too. Lines that begin with # are comments. Numbers are printed so that
-/// reading gives back the same doubles.
+/// only these, or of the first 12, can be read, too. Lines that begin with # are comments, but for one that begins with
+/// "# ode_predictive_space device:" and tells what the device can do. Numbers are printed so that reading gives back the same
+/// doubles.
 struct RecordedTick
 {
     DeviceState state;               ///< its time: what read() was given
@@ -31,9 +33,10 @@ struct RecordedTick
 /// A run that was read from a file.
 struct Recording
 {
-    std::vector<RecordedTick> ticks; ///< at least one; their times increase
-    bool has_forces = false;         ///< and buttons; otherwise these are zero
-    bool has_velocities = false;     ///< otherwise these are zero
+    std::optional<Capabilities> device; ///< of which it is a run, if the file tells
+    std::vector<RecordedTick> ticks;    ///< at least one; their times increase
+    bool has_forces = false;            ///< and buttons; otherwise these are zero
+    bool has_velocities = false;        ///< otherwise these are zero
 };
 
 /// Read a run.
@@ -61,9 +64,11 @@ public:
 
     /// Make the file, or empty it.
     ///
+    /// @param device what the device can do: a replay must have the same limits and workspace to give the same forces.
     /// @param capacity of the buffer, in ticks, > 0: one minute of 1 kHz by default.
     /// @throws DeviceError: missing_file (no such folder), permission_denied. std::invalid_argument.
-    explicit Recorder(const std::string &file, Flush flush = Flush::by_itself, std::size_t capacity = 60000);
+    Recorder(const std::string &file, const Capabilities &device, Flush flush = Flush::by_itself,
+             std::size_t capacity = 60000);
 
     /// As close(), but what cannot be written is lost without a word.
     ~Recorder();
@@ -73,8 +78,8 @@ public:
     /// Record one tick. From one thread, the servo loop's: no memory is allocated, nothing is waited for.
     ///
     /// @param time what read() was given; the state's own is not recorded.
-    /// @return false if the tick is lost: the buffer is full, or reading it would fail, as a number is not finite or the
-    /// time is not later than that of the tick before.
+    /// @return false if the tick is lost: the buffer is full, or reading it would fail, as a number is not finite, the
+    /// orientation not of length 1, or the time not later than that of the tick before.
     bool add(double time, const DeviceState &state, const Vector3 &force) noexcept;
 
     /// Write what has been added so far. From any thread; it waits for the disk.
@@ -102,9 +107,12 @@ private:
         void operator()(std::FILE *file) const { std::fclose(file); }
     };
 
+    void write_header(const Capabilities &device);
     void write_entries();
-    void write_loss(std::size_t lost);
-    void flush_now_and_then();
+    void append_loss(std::size_t lost);
+    void write_text();
+    [[noreturn]] void fail();
+    void flush_often();
     void stop_thread();
 
     std::string name_;

@@ -16,6 +16,9 @@ namespace ode_predictive_space::haptics
 /// through three ticks; in between, the linear velocity is the derivative of the curve, and the angular velocity changes
 /// evenly. Buttons are those of the tick before.
 ///
+/// A gap of more than 0.25 s is crossed on a straight line, from rest to rest. The capabilities are those of the device that was
+/// recorded, if the file tells.
+///
 /// After the last tick the handle rests where it is; status() is then not ready and says why. Forces are accepted and have
 /// no effect.
 class ReplayDevice : public SoftwareDevice
@@ -29,7 +32,8 @@ public:
     /// @throws std::invalid_argument when it has no ticks.
     explicit ReplayDevice(Recording recording);
 
-    const Recording &recording() const { return recording_; } ///< empty before the first open() of a file
+    /// With the velocities that it is replayed with. Empty before the first open() of a file.
+    const Recording &recording() const { return recording_; }
 
 protected:
     void start() override;
@@ -37,7 +41,9 @@ protected:
     std::string idle_reason() const override;
 
 private:
-    void take_in();
+    void take_in(Recording recording);
+    double seconds_at(std::size_t tick) const;
+    DeviceState between(double seconds) const;
 
     std::string file_; ///< empty when there is none
     Recording recording_;

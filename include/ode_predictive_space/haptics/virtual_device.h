@@ -75,8 +75,10 @@ private:
     };
 
     void move_hand(double seconds);
-    void move_hand_by(double step);
+    void move_hand_by(const Eigen::Matrix4d &change, double seconds);
     void measure(double elapsed);
+    Vector3 quantised(const Vector3 &position) const;
+    Vector3 limited(const Vector3 &force) const;
 
     VirtualDeviceSettings settings_;
     TargetPath target_;
