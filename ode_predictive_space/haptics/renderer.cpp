@@ -187,7 +187,7 @@ void Renderer::read(double time, double clock_time)
         tell(NoticeKind::device, gate_.device().capabilities().name + " answers again; the force comes back slowly.");
     }
     mapping_.clutch(is_held(settings_.clutch_button, tick_.state), tick_.state);
-    tool_ = mapping_.to_scene(tick_.state);
+    tick_.tool = mapping_.to_scene(tick_.state);
 }
 
 bool Renderer::read_device(double time)
@@ -276,7 +276,7 @@ void Renderer::relax()
 
 void Renderer::render(const std::vector<Touch> &touches, bool all_known, double dt)
 {
-    law_->forces(tool_, touches, dt, forces_);
+    law_->forces(tick_.tool, touches, dt, forces_);
     Wrench wished;
     wished.force = sum_of(forces_);
     if (!all_known)
@@ -299,7 +299,7 @@ void Renderer::render(const std::vector<Touch> &touches, bool all_known, double 
 
 Wrench Renderer::render(const VirtualCoupling &coupling, const ToolState &body, double dt)
 {
-    const Wrench wished = coupling.on_device(tool_, body);
+    const Wrench wished = coupling.on_device(tick_.tool, body);
     Wrench given = write(wished, dt);
     if (gate_.device().capabilities().force_axes < 6 && answers_)
     {

@@ -52,9 +52,10 @@ struct LoopReport
     std::uint64_t dropped_steps = 0; ///< of the scene: it was too far behind
     std::uint64_t saturated = 0;     ///< ticks in which the force was more than the device can render
     std::uint64_t notices = 0;       ///< given to the sink
-    std::uint64_t lost_notices = 0;  ///< there was no room for them
     std::string scheduling;          ///< which priority and memory the system granted or refused, in sentences
 };
+
+class LoopParts;
 
 /// Runs a probe.
 ///
@@ -71,27 +72,31 @@ struct LoopReport
 class HapticLoop
 {
 public:
-    /// @param probe is not owned; as long as run() runs, only the program's collide() may use it.
+    /// @param probe is not owned. As long as run() runs, the program may use it in its collide() and advance(); of a decoupled loop
+    ///        only touch(), touches() and encounters(), as the rest belongs to the servo: see latest().
     /// @throws std::invalid_argument for a rate that is not above 0, and for a decoupled loop with a tool body.
     HapticLoop(HapticProbe &probe, LoopSettings settings);
     ~HapticLoop();
     HapticLoop(const HapticLoop &) = delete;
     HapticLoop &operator=(const HapticLoop &) = delete;
 
-    /// Run until the duration is over, stop() is called, or StopRequest::requested().
+    /// Run until the duration is over, stop() is called, or StopRequest::requested(). Once.
     ///
     /// @return the report at the end.
+    /// @throws what the program's callbacks throw, or the force law, after the force has been taken away.
     LoopReport run(const SceneWork &work);
 
     /// From any thread.
     void stop();
 
-    /// From any thread, also while it runs: what it shows on the screen, for example.
+    /// What was rendered last. For the program's collide() and advance().
+    const RenderedTick &latest() const;
+
+    /// From any thread, also while it runs: for the screen, say.
     LoopReport report() const;
 
 private:
-    class Parts;
-    std::unique_ptr<Parts> parts_;
+    std::unique_ptr<LoopParts> parts_;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -85,6 +85,9 @@ public:
     /// @return valid until the next call.
     const std::vector<Encounter> &encounters();
 
+    /// s; how much time passes from one dSpaceCollide() to the next. render() sets it to its dt; for loops that do without.
+    void set_tick_length(double seconds) { tick_length_ = seconds; }
+
     /// What was rendered last.
     const RenderedTick &last_tick() const { return renderer_.last_tick(); }
 
@@ -112,7 +115,7 @@ private:
     std::unique_ptr<TouchSensor> sensor_;
     dBodyID tool_body_ = nullptr;
     VirtualCoupling coupling_;
-    double tick_length_ = 0; ///< s; of the last render()
+    double tick_length_ = 0; ///< s
     std::vector<Encounter> encounters_;
 };
 } // namespace ode_predictive_space::haptics

@@ -38,6 +38,7 @@ struct RenderSettings
 struct RenderedTick
 {
     double time = 0;                  ///< s; as given
+    ToolState tool;                   ///< the scene's frame
     DeviceState state;                ///< the device's frame; as read, or before when it was not
     Wrench wrench;                    ///< the device's frame; as written
     Vector3 wished = Vector3::Zero(); ///< N, the scene's frame; what the law gave
@@ -73,7 +74,7 @@ public:
     /// @param clock_time s; on the clock that physics_fresh() has, too: the watchdog goes by it.
     void read(double time, double clock_time);
 
-    const ToolState &tool() const { return tool_; }
+    const ToolState &tool() const { return tick_.tool; }
 
     /// Render what is touched, with the law.
     ///
@@ -180,7 +181,6 @@ private:
     double last_news_ = 0;   ///< s, simulated; when the device's state was a new one
     double last_state_time_; ///< s; of the last state, by the device
     double clock_time_ = 0;
-    ToolState tool_;
     TouchForces forces_;
     ForceSplit split_;
     RenderedTick tick_;
