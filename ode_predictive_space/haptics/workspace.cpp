@@ -22,6 +22,9 @@ WorkspacePlacement WorkspacePlacement::covering(const Eigen::AlignedBox3d &scene
     if (device.sizes().minCoeff() <= 0)
         throw std::invalid_argument("the workspace of the device must not be flat");
 
+    if (scene.sizes().maxCoeff() <= 0)
+        throw std::invalid_argument("the scene must be more than a point");
+
     // What the device must reach, in its own axes, for each of the scene's corners to be within.
     const Vector3 half = scene.sizes() / 2;
     const Vector3 reach = rotation.conjugate().toRotationMatrix().cwiseAbs() * half;

@@ -20,7 +20,7 @@ struct WorkspacePlacement
     static Quaternion z_up();
 
     /// The smallest scale at which all of a scene's box (m) is within reach, both centres upon each other.
-    /// @throws std::invalid_argument when a box is empty or not finite, or the device's is flat.
+    /// @throws std::invalid_argument when a box is empty or not finite, the device's is flat, or the scene's a point.
     static WorkspacePlacement covering(const Eigen::AlignedBox3d &scene, const Eigen::AlignedBox3d &device,
                                        const Quaternion &rotation = Quaternion::Identity());
 };
