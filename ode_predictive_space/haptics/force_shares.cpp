@@ -22,23 +22,27 @@ double part_along(const Vector3 &a, const Vector3 &b)
     return square > 0 ? a.dot(b) / square : 0;
 }
 
-/// The combination of the two that comes nearest to what was given.
+/// The combination of the two that comes nearest to what was given. Limits only shorten: neither part is more than 1.
 Mix find_mix(const Vector3 &given, const Vector3 &wished, const Vector3 &before)
 {
     const double ww = wished.squaredNorm();
     const double pp = before.squaredNorm();
     const double wp = wished.dot(before);
     const double determinant = ww * pp - wp * wp;
+    Mix mix;
     if (determinant > parallel * ww * pp)
     {
         const double gw = given.dot(wished);
         const double gp = given.dot(before);
-        return {(gw * pp - gp * wp) / determinant, (gp * ww - gw * wp) / determinant};
+        mix.wished = std::clamp((gw * pp - gp * wp) / determinant, 0.0, 1.0);
+        mix.before = std::clamp((gp * ww - gw * wp) / determinant, 0.0, 1.0);
     }
-    // Of one direction: what is wished now comes first.
-    Mix mix;
-    mix.wished = std::clamp(part_along(given, wished), 0.0, 1.0);
-    mix.before = part_along(given - mix.wished * wished, before);
+    else
+    {
+        // Of one direction: what is wished now comes first.
+        mix.wished = std::clamp(part_along(given, wished), 0.0, 1.0);
+        mix.before = std::clamp(part_along(given - mix.wished * wished, before), 0.0, 1.0);
+    }
     return mix;
 }
 

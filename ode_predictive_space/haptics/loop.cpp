@@ -108,8 +108,8 @@ public:
 private:
     NoticeSink counted(NoticeSink sink)
     {
-        return [this, sink = std::move(sink)](const Notice &notice) {
-            ++parts_.notices;
+        return [&parts = parts_, sink = std::move(sink)](const Notice &notice) {
+            ++parts.notices;
             if (sink)
             {
                 sink(notice);
