@@ -2,7 +2,9 @@
 
 #include "ode_predictive_space/haptics/hand_path_device.h"
 #include "ode_predictive_space/haptics/mouse_device.h"
+#include "ode_predictive_space/haptics/openhaptics_device.h"
 #include "ode_predictive_space/haptics/replay_device.h"
+#include "ode_predictive_space/haptics/spacenav_device.h"
 #include "ode_predictive_space/haptics/virtual_device.h"
 
 namespace ode_predictive_space::haptics
@@ -37,6 +39,8 @@ constexpr Entry entries[] = {
     {"virtual", make_virtual},
     {"hand-path", make<HandPathDevice>},
     {"mouse", make<MouseDevice>},
+    {"spacenav", make<SpacenavDevice>},
+    {"openhaptics", make<OpenHapticsDevice>},
 };
 } // namespace
 
