@@ -161,6 +161,10 @@ void Recorder::write_header(const Capabilities &device)
 
 void Recorder::write_entries()
 {
+    if (failed_)
+    {
+        fail();
+    }
     const std::size_t produced = produced_.load(std::memory_order_acquire);
     for (std::size_t i = consumed_.load(std::memory_order_relaxed); i != produced; ++i)
     {
@@ -188,8 +192,7 @@ void Recorder::append_loss(std::size_t lost)
 
 void Recorder::write_text()
 {
-    if (failed_ || std::fwrite(text_.data(), 1, text_.size(), file_.get()) != text_.size() ||
-        std::fflush(file_.get()) != 0)
+    if (std::fwrite(text_.data(), 1, text_.size(), file_.get()) != text_.size() || std::fflush(file_.get()) != 0)
     {
         fail();
     }

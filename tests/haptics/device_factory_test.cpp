@@ -5,7 +5,8 @@
 #include "ode_predictive_space/haptics/replay_device.h"
 #include "ode_predictive_space/haptics/virtual_device.h"
 
-#include <gtest/gtest.h>
+#include "tests/haptics/allocation_count.h"
+#include "tests/haptics/temporary_file.h"
 
 namespace ode_predictive_space::haptics
 {
@@ -45,6 +46,39 @@ TEST(DeviceFactory, TheVirtualHandStaysInItsWorkspace)
         farthest = std::max(farthest, position.cwiseAbs().maxCoeff());
     }
     EXPECT_GT(farthest, 0.05) << "and uses it";
+}
+
+TEST(DeviceFactory, OtherSeedsAreOtherHands)
+{
+    for (const std::string name : {"virtual", "hand-path"})
+    {
+        const auto position = [&](std::uint64_t seed) {
+            const std::unique_ptr<Device> device = make_device(name, seed);
+            device->open();
+            device->read(0);
+            return device->read(0.4).position;
+        };
+        EXPECT_EQ(position(1), position(1)) << name;
+        EXPECT_NE(position(1), position(2)) << name;
+    }
+}
+
+TEST(DeviceFactory, AServoLoopNeedsNoMemory)
+{
+    const TemporaryFile file("0 1 2 3 0 0 0 1\n1 1 3 3 0 0 0 1\n");
+    for (const std::string &name :
+         {std::string("virtual"), std::string("hand-path"), std::string("mouse"), "replay:" + file.name()})
+    {
+        const std::unique_ptr<Device> device = make_device(name);
+        device->open();
+        const std::uint64_t before = allocation_count();
+        for (int i = 0; i < 20000; ++i)
+        {
+            const DeviceState state = device->read(0.001 * i);
+            device->write({-state.position, Vector3::Zero()});
+        }
+        EXPECT_EQ(allocation_count(), before) << name;
+    }
 }
 
 TEST(DeviceFactory, AnUnknownNameIsAnsweredWithTheNames)

@@ -1,5 +1,6 @@
 #include "ode_predictive_space/haptics/random.h"
 #include "ode_predictive_space/haptics/recording.h"
+#include "tests/haptics/allocation_count.h"
 #include "tests/haptics/temporary_file.h"
 
 #include <cmath>
@@ -167,6 +168,19 @@ TEST(Recorder, WritesByItselfWhileTheLoopRuns)
     {
         ASSERT_EQ(tick.force.x(), tick.state.time) << "no tick is mixed with another";
     }
+}
+
+TEST(Recorder, AddingNeedsNoMemory)
+{
+    const TemporaryFile file;
+    Recorder recorder(file.name(), any_device(), Flush::by_caller, 1000);
+    const std::uint64_t before = allocation_count();
+    for (int i = 0; i < 1100; ++i)
+    {
+        add(recorder, i);
+    }
+    EXPECT_EQ(allocation_count(), before);
+    EXPECT_EQ(recorder.lost(), 100u);
 }
 
 TEST(Recorder, WhatWasFlushedIsInTheFile)

@@ -48,6 +48,9 @@ public:
     /// Start and end of the reach, or the pause after it, that the hand makes at this time, in seconds.
     std::array<double, 2> reach_times(double time);
 
+    /// Draw the reaches of the first `seconds` now: until then, the other calls need no memory.
+    void draw_ahead(double seconds = 600);
+
     /// Nothing that position() returns is farther from the centre than this along any axis, metres.
     double half_extent() const;
 

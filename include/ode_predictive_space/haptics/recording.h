@@ -125,7 +125,7 @@ private:
     std::unique_ptr<std::FILE, FileCloser> file_;
     bool failed_ = false;
     std::size_t losses_written_ = 0;
-    std::string text_; ///< of a line
+    std::string text_; ///< not yet written
     std::mutex thread_mutex_;
     std::condition_variable stop_;
     bool stopping_ = false;

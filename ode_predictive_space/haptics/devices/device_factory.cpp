@@ -12,19 +12,23 @@ namespace ode_predictive_space::haptics
 namespace
 {
 const std::string replay_prefix = "replay:";
-constexpr double seconds_drawn_ahead = 600; // as in HandPathDevice
 
-std::unique_ptr<Device> make_virtual()
+std::unique_ptr<Device> make_virtual(std::uint64_t seed)
 {
     const VirtualDeviceSettings settings;
     HandPathSettings path;
     path.scale = 0.9 * settings.capabilities.workspace.max().x() / path.half_workspace;
-    HandPath hand(path, 1);
-    hand.reach_times(seconds_drawn_ahead);
+    HandPath hand(path, seed);
+    hand.draw_ahead();
     return std::make_unique<VirtualDevice>(settings, [hand](double seconds) mutable { return hand.position(seconds); });
 }
 
-template <class Kind> std::unique_ptr<Device> make()
+std::unique_ptr<Device> make_hand_path(std::uint64_t seed)
+{
+    return std::make_unique<HandPathDevice>(HandPathSettings(), seed);
+}
+
+template <class Kind> std::unique_ptr<Device> make(std::uint64_t)
 {
     return std::make_unique<Kind>();
 }
@@ -32,12 +36,12 @@ template <class Kind> std::unique_ptr<Device> make()
 struct Entry
 {
     const char *name;
-    std::unique_ptr<Device> (*make)();
+    std::unique_ptr<Device> (*make)(std::uint64_t seed);
 };
 
 constexpr Entry entries[] = {
     {"virtual", make_virtual},
-    {"hand-path", make<HandPathDevice>},
+    {"hand-path", make_hand_path},
     {"mouse", make<MouseDevice>},
     {"spacenav", make<SpacenavDevice>},
     {"openhaptics", make<OpenHapticsDevice>},
@@ -57,7 +61,7 @@ const std::vector<std::string> &device_names()
     return names;
 }
 
-std::unique_ptr<Device> make_device(const std::string &name)
+std::unique_ptr<Device> make_device(const std::string &name, std::uint64_t seed)
 {
     if (name.size() > replay_prefix.size() && name.compare(0, replay_prefix.size(), replay_prefix) == 0)
     {
@@ -67,7 +71,7 @@ std::unique_ptr<Device> make_device(const std::string &name)
     {
         if (name == entry.name)
         {
-            return entry.make();
+            return entry.make(seed);
         }
     }
     std::string names;

@@ -56,6 +56,11 @@ std::array<double, 2> HandPath::reach_times(double time)
     return {reach.start, reach.start + reach.duration};
 }
 
+void HandPath::draw_ahead(double seconds)
+{
+    reach_at(seconds);
+}
+
 double HandPath::half_extent() const
 {
     return settings_.scale * (settings_.half_workspace + settings_.tremor);

@@ -4,9 +4,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-// The reaches of the first minutes are drawn before the servo loop runs: that takes memory.
-constexpr double seconds_drawn_ahead = 600;
-
 Capabilities capabilities_of(const HandPathSettings &settings, double half_extent)
 {
     Capabilities capabilities;
@@ -24,7 +21,7 @@ HandPathDevice::HandPathDevice(const HandPathSettings &settings, std::uint64_t s
 
 void HandPathDevice::start()
 {
-    path_.reach_times(seconds_drawn_ahead);
+    path_.draw_ahead();
 }
 
 DeviceState HandPathDevice::move_to(double seconds)
