@@ -68,11 +68,11 @@ bool DeviceGate::notice_closing()
 DeviceGate::Outcome DeviceGate::close_with_zero()
 {
     const Visit visit(*this, User::guard);
+    closed_.store(true, std::memory_order_relaxed);
     if (!visit.entered())
     {
         return Outcome::busy;
     }
-    closed_.store(true, std::memory_order_relaxed);
     try
     {
         device_.write(Wrench());

@@ -175,6 +175,7 @@ void LoopParts::run(const SceneWork &work)
     {
         throw std::logic_error("A haptic loop runs once");
     }
+    const StopRequest instead_of_dying; // by a signal, with the force left on
     const Watch watch(*this);
     start = clock.now();
     try

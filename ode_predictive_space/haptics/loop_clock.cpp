@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <thread>
 #include <utility>
 
@@ -92,7 +93,8 @@ public:
 
     ~Entry() override { clock_.entries_.erase(std::find(clock_.entries_.begin(), clock_.entries_.end(), this)); }
 
-    double due() const { return due_; }
+    /// s; never while it is being carried out.
+    double due() const { return busy_ ? std::numeric_limits<double>::infinity() : due_; }
 
     void carry_out()
     {
@@ -101,7 +103,9 @@ public:
             task_.prepare();
         }
         prepared_ = true;
+        busy_ = true;
         task_.carry_out(due_);
+        busy_ = false;
         due_ = next_time(due_, task_.period, clock_.now());
     }
 
@@ -110,6 +114,7 @@ private:
     PeriodicTask task_;
     double due_; ///< s
     bool prepared_ = false;
+    bool busy_ = false;
 };
 
 SimulatedClock::SimulatedClock() = default;
@@ -122,7 +127,7 @@ double SimulatedClock::now() const
 
 void SimulatedClock::sleep_until(double time)
 {
-    while (Entry *entry = in_task_ ? nullptr : next_due(time))
+    while (Entry *entry = next_due(time))
     {
         carry_out(*entry);
     }
@@ -144,9 +149,7 @@ SimulatedClock::Entry *SimulatedClock::next_due(double until) const
 void SimulatedClock::carry_out(Entry &entry)
 {
     now_ = std::max(now_, entry.due());
-    in_task_ = true;
     entry.carry_out();
-    in_task_ = false;
 }
 
 std::unique_ptr<RunningTask> SimulatedClock::start(PeriodicTask task)

@@ -430,42 +430,6 @@ TEST_F(HapticProbeTest, TellsNothingInAnotherSpace)
 
 // --- Faults ---------------------------------------------------------------------------------------------------------------
 
-/// A geom class whose contacts are not numbers.
-int broken_contact(dGeomID, dGeomID, int, dContactGeom *contact, int)
-{
-    const dReal nan = std::numeric_limits<dReal>::quiet_NaN();
-    *contact = {};
-    contact->depth = nan;
-    std::fill_n(contact->pos, 3, nan);
-    contact->normal[2] = 1;
-    return 1;
-}
-
-dColliderFn *broken_collider(int)
-{
-    return &broken_contact;
-}
-
-void broken_box(dGeomID, dReal box[6])
-{
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        box[2 * axis] = -1;
-        box[2 * axis + 1] = 1;
-    }
-}
-
-dGeomID add_broken_geom(dSpaceID space)
-{
-    dGeomClass description = {};
-    description.aabb = &broken_box;
-    description.collider = &broken_collider;
-    static const int number = dCreateGeomClass(&description);
-    const dGeomID geom = dCreateGeom(number);
-    dSpaceAdd(space, geom);
-    return geom;
-}
-
 /// Everything in a fault: something that is felt, a device that can break, and what was said.
 class ProbeFaultTest : public HapticProbeTest
 {

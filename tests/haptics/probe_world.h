@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/probe.h"
 
 #include <algorithm>
+#include <limits>
 #include <ode/ode.h>
 #include <ode_predictive_space/predictive_space.h>
 #include <string>
@@ -159,6 +160,42 @@ private:
     dJointGroupID contacts_;
     int tick_ = 0;
 };
+
+inline int broken_contact(dGeomID, dGeomID, int, dContactGeom *contact, int)
+{
+    const dReal nan = std::numeric_limits<dReal>::quiet_NaN();
+    *contact = {};
+    contact->depth = nan;
+    std::fill_n(contact->pos, 3, nan);
+    contact->normal[2] = 1;
+    return 1;
+}
+
+inline dColliderFn *broken_collider(int)
+{
+    return &broken_contact;
+}
+
+inline void broken_box(dGeomID, dReal box[6])
+{
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        box[2 * axis] = -1;
+        box[2 * axis + 1] = 1;
+    }
+}
+
+/// A geom two metres wide whose contacts are not numbers. Up to four times as long as ODE is initialised.
+inline dGeomID add_broken_geom(dSpaceID space)
+{
+    dGeomClass description = {};
+    description.aabb = &broken_box;
+    description.collider = &broken_collider;
+    const int number = dCreateGeomClass(&description);
+    const dGeomID geom = dCreateGeom(number);
+    dSpaceAdd(space, geom);
+    return geom;
+}
 
 inline Vector3 momentum_of(dBodyID body)
 {

@@ -7,7 +7,6 @@
 #include "ode_predictive_space/haptics/software_device.h"
 
 #include <functional>
-#include <mutex>
 #include <vector>
 
 namespace ode_predictive_space::haptics
@@ -33,10 +32,16 @@ public:
         : SoftwareDevice(capabilities), path_(std::move(path))
     {}
 
+    std::function<void()> before_read; ///< within the driver; may be empty
+
 protected:
     DeviceState move_to(double seconds) override
     {
         constexpr double step = 1e-4;
+        if (before_read)
+        {
+            before_read();
+        }
         DeviceState state;
         state.position = path_(seconds);
         state.linear_velocity = (path_(seconds + step) - state.position) / step;

@@ -41,7 +41,7 @@ public:
         busy  ///< the servo is in the device: it does not hang in the program, or else the device's driver hangs
     };
 
-    /// Of the guard: no force. @throws DeviceError when the device refuses; then it was let go of, and the gate is closed, too.
+    /// Of the guard: no force, and the gate is closed. @throws DeviceError when the device refuses; then it was let go of.
     Outcome close_with_zero();
 
 private:

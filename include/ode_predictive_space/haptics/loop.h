@@ -80,7 +80,8 @@ public:
     HapticLoop(const HapticLoop &) = delete;
     HapticLoop &operator=(const HapticLoop &) = delete;
 
-    /// Run until the duration is over, stop() is called, or StopRequest::requested(). Once.
+    /// Run until the duration is over, stop() is called, or StopRequest::requested(), which SIGINT, SIGTERM and SIGHUP do as
+    /// long as it runs: such a signal ends the loop and not the program (see StopRequest::signal()). Once.
     ///
     /// @return the report at the end.
     /// @throws what the program's callbacks throw, or the force law, after the force has been taken away.

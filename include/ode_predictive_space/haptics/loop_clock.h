@@ -62,7 +62,8 @@ public:
     double now() const override;
     void sleep_until(double time) override;
 
-    /// Let time pass, as something does that takes long. Within a task, the other tasks wait, as if there were one core.
+    /// Let time pass, as something does that takes long. Meanwhile the tasks are carried out that are not being carried out
+    /// already.
     ///
     /// @param seconds >= 0.
     void advance(double seconds);
@@ -75,8 +76,7 @@ private:
     Entry *next_due(double until) const;
     void carry_out(Entry &entry);
 
-    double now_ = 0; ///< s
-    bool in_task_ = false;
+    double now_ = 0;               ///< s
     std::vector<Entry *> entries_; ///< in the order of their start
 };
 } // namespace ode_predictive_space::haptics
