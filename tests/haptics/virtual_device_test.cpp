@@ -158,6 +158,21 @@ TEST(VirtualDevice, OscillatesExactlyHoweverOftenItIsRead)
     }
 }
 
+TEST(VirtualDevice, IsDrawnByATargetThatMovesAsTheEquationsSay)
+{
+    VirtualDeviceSettings settings = free_mass();
+    settings.hand = {0.1, 0, 250, 0};
+    VirtualDevice device(settings, [](double seconds) { return Vector3(0.3 * seconds, 0, 0); });
+    device.open();
+    const double turn_rate = std::sqrt(250 / 0.1);
+    for (int i = 0; i < 500; ++i)
+    {
+        const double time = i * tick;
+        const double truth = 0.3 * (time - std::sin(turn_rate * time) / turn_rate);
+        ASSERT_NEAR(device.read(time).position.x(), truth, 1e-12) << "at " << time << " s";
+    }
+}
+
 TEST(VirtualDevice, FollowsItsTarget)
 {
     const auto target = [](double seconds) { return Vector3(0.05 * std::sin(3 * seconds), 0.02, 0); };
