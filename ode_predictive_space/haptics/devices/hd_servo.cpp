@@ -53,11 +53,8 @@ void HdServo::run_frame()
     {
         note(error);
     }
-    // What was read in a frame that went wrong may be anything.
-    if (error.code == hd::error::success || consequence_of(error.code) == HdConsequence::pause)
-    {
-        samples_.publish();
-    }
+    // What was read in a frame that went wrong may be anything: who sees it sees the error, too.
+    samples_.publish();
     frames_.fetch_add(1, std::memory_order_acq_rel);
 }
 

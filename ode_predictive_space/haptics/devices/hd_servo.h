@@ -46,7 +46,7 @@ public:
 
     void write(const Vector3 &force);
 
-    /// The latest frame without an error.
+    /// The latest frame. What it tells is good if there is no end() after this call.
     const HdSample &read();
 
     /// From now on no force.
