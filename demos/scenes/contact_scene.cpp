@@ -13,7 +13,7 @@ constexpr int max_contacts = 8; // of one pair
 } // namespace
 
 ContactScene::ContactScene(dSpaceID space, double step_seconds, std::uint64_t seed)
-    : objects_(space), step_seconds_(step_seconds), random_seed_(mix_bits(seed) & 0xffffffffu),
+    : objects_(space), step_seconds_(step_seconds), random_seed_(haptics::mix_bits(seed) & 0xffffffffu),
       joints_(dJointGroupCreate(0))
 {
     dWorldSetQuickStepNumIterations(objects_.world(), 20);

@@ -1,7 +1,7 @@
 #include "demos/scenes/kinematic_scenes.h"
 
-#include "demos/scenes/hand_path.h"
 #include "demos/scenes/scene_objects.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,7 +113,7 @@ protected:
 
     GasSettings settings_;
     double half_; ///< half the side of the cube that the objects' centres stay in, metres
-    Random random_;
+    haptics::Random random_;
     SceneObjects objects_;
     std::vector<Mover> movers_;
     std::vector<Object> still_;
@@ -172,14 +172,14 @@ public:
     const ProbeReport *probe() const override { return &report_; }
 
 private:
-    static HandPathSettings hand_settings(double half_room)
+    static haptics::HandPathSettings hand_settings(double half_room)
     {
-        HandPathSettings settings;
+        haptics::HandPathSettings settings;
         settings.scale = half_room / settings.half_workspace;
         return settings;
     }
 
-    HandPath hand_;
+    haptics::HandPath hand_;
     dGeomID probe_;
     ProbeReport report_;
     int tick_ = 0;

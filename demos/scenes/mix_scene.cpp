@@ -16,15 +16,15 @@ constexpr double time_to_recover = 0.2;  // seconds
 constexpr double probe_radius = 0.1;     // metres
 constexpr std::uint32_t probe_index = 0; // the probe is made first
 
-HandPathSettings hand_settings(int objects)
+haptics::HandPathSettings hand_settings(int objects)
 {
-    HandPathSettings settings;
+    haptics::HandPathSettings settings;
     settings.scale = (mix_half_room(objects) - probe_radius) / (settings.half_workspace + settings.tremor);
     return settings;
 }
 
 /// Places in a lattice, shuffled: no two objects overlap at the start, where contacts would blast them apart.
-std::vector<Vector3> free_places(int count, double half_room, Random &random)
+std::vector<Vector3> free_places(int count, double half_room, haptics::Random &random)
 {
     const int side = static_cast<int>(std::ceil(std::cbrt(count)));
     const double cell = 2 * half_room / side;
@@ -53,18 +53,18 @@ double mix_half_room(int objects)
 
 MixScene::MixScene(const SceneSpec &spec, dSpaceID space)
     : ContactScene(space, tick_seconds, spec.seed), hand_(hand_settings(spec.objects), spec.seed),
-      probe_(objects_.add_geom(dCreateSphere(space, probe_radius)))
+      probe_(spec.own_probe ? objects_.add_geom(dCreateSphere(space, probe_radius)) : nullptr)
 {
     surface_.mode = dContactApprox1 | dContactBounce;
     surface_.mu = 0.2;
     surface_.bounce = 0.9;
     surface_.bounce_vel = 0.01;
     add_walls(Vector3::Constant(mix_half_room(spec.objects)), mix_wall_thickness, true);
-    Random random(spec.seed);
+    haptics::Random random(spec.seed);
     fill(spec.objects, random);
 }
 
-void MixScene::fill(int count, Random &random)
+void MixScene::fill(int count, haptics::Random &random)
 {
     const std::vector<Vector3> places = free_places(count, mix_half_room(count), random);
     for (int i = 0; i < count; ++i)
@@ -83,7 +83,7 @@ void MixScene::fill(int count, Random &random)
     }
 }
 
-void MixScene::add_floater(Shape shape, const Vector3 &position, Random &random)
+void MixScene::add_floater(Shape shape, const Vector3 &position, haptics::Random &random)
 {
     BodyState state;
     state.position = position;
@@ -100,6 +100,10 @@ void MixScene::add_floater(Shape shape, const Vector3 &position, Random &random)
 void MixScene::advance()
 {
     ContactScene::advance();
+    if (probe_ == nullptr)
+    {
+        return;
+    }
     ++tick_;
     report_.position = hand_.position(tick_ * tick_seconds);
     set_position(probe_, report_.position);
@@ -125,7 +129,7 @@ void MixScene::respond(const std::vector<IndexPair> &pairs)
 
 bool MixScene::take_contacts(const IndexPair &pair, const dContactGeom *contacts, int count)
 {
-    if (pair.first != probe_index)
+    if (probe_ == nullptr || pair.first != probe_index)
     {
         return false;
     }

@@ -4,8 +4,8 @@
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_MIX_SCENE_H
 
 #include "demos/scenes/contact_scene.h"
-#include "demos/scenes/hand_path.h"
 #include "demos/scenes/probe_force.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 namespace ode_predictive_space::scenes
 {
@@ -16,8 +16,8 @@ double mix_half_room(int objects);
 
 /// Spheres, boxes, capsules and meshes in equal parts, without gravity. Half of them have no body and stay; the others float
 /// through the room, bounce off one another and off the walls, and are gently driven back to the speed that they began
-/// with, so that the scene is as lively after an hour as it was at first. The probe is the geom number 0: a sphere without
-/// a body, put where the hand is.
+/// with, so that the scene is as lively after an hour as it was at first. The probe, unless the caller brings one, is the geom
+/// number 0: a sphere without a body, put where the hand is.
 class MixScene : public ContactScene
 {
 public:
@@ -25,7 +25,7 @@ public:
 
     void advance() override;
     void respond(const std::vector<IndexPair> &pairs) override;
-    const ProbeReport *probe() const override { return &report_; }
+    const ProbeReport *probe() const override { return probe_ != nullptr ? &report_ : nullptr; }
 
 private:
     struct Floater
@@ -35,13 +35,13 @@ private:
         double mass;           ///< kg
     };
 
-    void fill(int count, Random &random);
-    void add_floater(Shape shape, const Vector3 &position, Random &random);
+    void fill(int count, haptics::Random &random);
+    void add_floater(Shape shape, const Vector3 &position, haptics::Random &random);
     void before_step() override;
     bool take_contacts(const IndexPair &pair, const dContactGeom *contacts, int count) override;
 
-    HandPath hand_;
-    dGeomID probe_;
+    haptics::HandPath hand_;
+    dGeomID probe_; ///< null when the caller brings one
     ProbeForce force_;
     ProbeReport report_;
     std::vector<Floater> floaters_;

@@ -1,6 +1,6 @@
 #include "demos/scenes/pair_list.h"
 
-#include "demos/scenes/random.h"
+#include "ode_predictive_space/haptics/random.h"
 
 #include <algorithm>
 
@@ -57,13 +57,13 @@ std::uint64_t hash_pairs(const std::vector<IndexPair> &pairs)
     std::uint64_t sum = 0;
     for (const auto &[first, second] : pairs)
     {
-        sum += mix_bits((std::uint64_t{first} << 32 | second) + 0x9e3779b97f4a7c15u);
+        sum += haptics::mix_bits((std::uint64_t{first} << 32 | second) + 0x9e3779b97f4a7c15u);
     }
     return sum;
 }
 
 void PairHash::add_tick(std::uint64_t hash_of_pairs)
 {
-    value_ = mix_bits(value_ + 0x9e3779b97f4a7c15u) ^ hash_of_pairs;
+    value_ = haptics::mix_bits(value_ + 0x9e3779b97f4a7c15u) ^ hash_of_pairs;
 }
 } // namespace ode_predictive_space::scenes

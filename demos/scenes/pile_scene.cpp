@@ -21,7 +21,7 @@ Vector3 half_pit(int objects)
     return Vector3::Constant(0.5 * spacing * objects_per_side(objects));
 }
 
-BodyState place_in_lattice(int number, int objects, Random &random)
+BodyState place_in_lattice(int number, int objects, haptics::Random &random)
 {
     const int side = objects_per_side(objects);
     const int row = number / side % side;
@@ -44,7 +44,7 @@ PileScene::PileScene(const SceneSpec &spec, dSpaceID space, const std::vector<Bo
     surface_.mode = dContactApprox1;
     surface_.mu = 0.5;
     add_walls(half_pit(spec.objects), wall_thickness, false);
-    Random random(spec.seed);
+    haptics::Random random(spec.seed);
     for (int i = 0; i < spec.objects; ++i)
     {
         const BodyState state =

@@ -12,9 +12,9 @@ constexpr double ray_turn = 1;         // rad/s
 constexpr double smallest_probe = 0.1; // metres
 constexpr double largest_probe = 0.3;  // metres
 
-HandPathSettings hand_settings(double half_room)
+haptics::HandPathSettings hand_settings(double half_room)
 {
-    HandPathSettings settings;
+    haptics::HandPathSettings settings;
     settings.scale = half_room / settings.half_workspace;
     return settings;
 }
@@ -28,11 +28,11 @@ SceneSpec gas_of(SceneSpec spec)
 
 QueryScene::QueryScene(const SceneSpec &spec, dSpaceID space) : gas_(make_kinematic_scene(gas_of(spec), space))
 {
-    const HandPathSettings settings = hand_settings(kinematic_half_room("gas", spec.objects));
-    Random random(mix_bits(spec.seed));
+    const haptics::HandPathSettings settings = hand_settings(kinematic_half_room("gas", spec.objects));
+    haptics::Random random(haptics::mix_bits(spec.seed));
     for (int i = 0; i < probes; ++i)
     {
-        hands_.push_back({HandPath(settings, random.bits()), random.direction(), random.direction()});
+        hands_.push_back({haptics::HandPath(settings, random.bits()), random.direction(), random.direction()});
         queries_.push_back(dCreateSphere(nullptr, random.uniform(smallest_probe, largest_probe)));
     }
     for (int i = 0; i < probes; ++i)

@@ -3,8 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_QUERY_SCENE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_QUERY_SCENE_H
 
-#include "demos/scenes/hand_path.h"
 #include "demos/scenes/scene.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 #include <vector>
 
@@ -32,7 +32,7 @@ public:
 private:
     struct Hand
     {
-        HandPath path;
+        haptics::HandPath path;
         Vector3 axis;      ///< about which the ray turns
         Vector3 direction; ///< of the ray at the start
     };

@@ -38,6 +38,7 @@ struct SceneSpec
     int objects = 100;      ///< n, >= 1; walls and the probe come on top
     std::uint64_t seed = 1; ///< of positions, motions, the hand; scenes of the same seed are the same
     double moving = -1;     ///< share of the objects that move, 0 … 1, in gas and churn; < 0: the scene's own, a half
+    bool own_probe = true;  ///< of mix: false leaves out the probe, for a caller who brings one and sees to its pairs
 };
 
 /// A box that the scene stays in.

@@ -3,9 +3,9 @@
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SCENE_OBJECTS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SCENE_OBJECTS_H
 
-#include "demos/scenes/random.h"
 #include "demos/scenes/scene.h"
 #include "demos/scenes/shapes.h"
+#include "ode_predictive_space/haptics/random.h"
 
 #include <memory>
 #include <vector>

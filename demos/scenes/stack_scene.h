@@ -26,7 +26,7 @@ private:
 
     double half_side_; ///< of the floor, metres
     int structures_;
-    Random random_;
+    haptics::Random random_;
     Object ball_;
     int tick_ = 0;
 };

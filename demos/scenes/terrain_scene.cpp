@@ -35,7 +35,7 @@ TerrainScene::TerrainScene(const SceneSpec &spec, dSpaceID space)
 {
     ground_.add_geoms(objects_);
     add_huge_boxes();
-    Random random(spec.seed);
+    haptics::Random random(spec.seed);
     for (int i = 0; i < spec.objects; ++i)
     {
         add_mover(i, random);
@@ -79,7 +79,7 @@ void TerrainScene::add_huge_mover(const Vector3 &size, const Vector3 &position, 
     movers_.push_back(mover);
 }
 
-void TerrainScene::add_mover(int number, Random &random)
+void TerrainScene::add_mover(int number, haptics::Random &random)
 {
     const auto shape = static_cast<Shape>(number / 2 % 3);
     Mover mover{};

@@ -37,7 +37,7 @@ private:
     void add_huge_boxes();
     dGeomID add_huge_still(const Vector3 &size, const Vector3 &position);
     void add_huge_mover(const Vector3 &size, const Vector3 &position, const Vector3 &velocity, double spin);
-    void add_mover(int number, Random &random);
+    void add_mover(int number, haptics::Random &random);
     void advance_mover(Mover &mover) const;
     void roll(Mover &mover) const;
     void turn_back(BodyState &state) const;

@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ode_predictive_space")
 
-install(TARGETS ode_predictive_space EXPORT ode_predictive_space-targets)
+install(TARGETS ode_predictive_space ode_predictive_space_haptics EXPORT ode_predictive_space-targets)
 install(
     DIRECTORY "${PROJECT_SOURCE_DIR}/include/ode_predictive_space"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"

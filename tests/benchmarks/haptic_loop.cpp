@@ -27,9 +27,9 @@ double microseconds_of_this_thread()
     return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
 }
 
-HandPathSettings hand_settings()
+haptics::HandPathSettings hand_settings()
 {
-    HandPathSettings settings;
+    haptics::HandPathSettings settings;
     settings.scale = half_workspace / settings.half_workspace;
     return settings;
 }
@@ -41,7 +41,7 @@ public:
     SteppedGas(const SceneSpec &spec, dSpaceID space)
         : half_room_(kinematic_half_room("gas", spec.objects) - object_radius), objects_(space)
     {
-        Random random(spec.seed);
+        haptics::Random random(spec.seed);
         for (int i = 0; i < spec.objects; ++i)
         {
             const auto shape = static_cast<Shape>(i / 2 % 3);

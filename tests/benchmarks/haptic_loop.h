@@ -3,9 +3,9 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_HAPTIC_LOOP_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_HAPTIC_LOOP_H
 
-#include "demos/scenes/hand_path.h"
 #include "demos/scenes/probe_force.h"
 #include "demos/scenes/spaces.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 namespace ode_predictive_space::benchmarks
 {
@@ -50,7 +50,7 @@ private:
     scenes::OwnedSpace space_;               // before the objects, which are in it
     std::unique_ptr<scenes::Scene> objects_; // that the probe can touch
     HapticTick content_;
-    scenes::HandPath hand_;
+    haptics::HandPath hand_;
     dGeomID probe_;
     scenes::ProbeForce force_;
     std::vector<dGeomID> touched_; // by their boxes

@@ -109,6 +109,23 @@ TEST(SceneFactory, RefusesUnknownScenesAndEmptyOnes)
     EXPECT_THROW(space_named("octree"), std::invalid_argument);
 }
 
+TEST(MixScene, LeavesTheProbeToWhoBringsOne)
+{
+    const OdeSession ode;
+    SceneSpec spec{"mix", 40, 1};
+    SceneRun with(SpaceKind::simple, SceneFactory(spec));
+    spec.own_probe = false;
+    SceneRun without(SpaceKind::simple, SceneFactory(spec));
+    EXPECT_EQ(dSpaceGetNumGeoms(without.contender().space()) + 1, dSpaceGetNumGeoms(with.contender().space()));
+    for (int tick = 0; tick < 200; ++tick)
+    {
+        without.tick();
+    }
+    EXPECT_NE(with.scene().probe(), nullptr);
+    EXPECT_EQ(without.scene().probe(), nullptr);
+    EXPECT_GT(without.contacts(), 0u) << "walls and objects still touch";
+}
+
 /// A scene and the places of its geoms, by their numbers.
 class Motion
 {

@@ -1,7 +1,7 @@
-#include "demos/scenes/random.h"
 #include "demos/scenes/scene.h"
 #include "demos/scenes/shapes.h"
 #include "demos/scenes/spaces.h"
+#include "ode_predictive_space/haptics/random.h"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ TEST_F(ShapesTest, MeshIsClosedAndFacesOutwards)
     const dGeomID mesh = make_shape(space_, Shape::mesh, object_radius, &mesh_);
     EXPECT_EQ(dGeomTriMeshGetTriangleCount(mesh), 80);
     // Every ray from outside to the centre meets it once, at a face that looks at the ray's beginning.
-    Random random(1);
+    haptics::Random random(1);
     const dGeomID ray = dCreateRay(nullptr, 1);
     for (int i = 0; i < 200; ++i)
     {

@@ -1,22 +1,21 @@
 // The path of a hand that moves a haptic probe: reaches of least jerk, with tremor.
 
-#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_HAND_PATH_H
-#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_HAND_PATH_H
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_HAND_PATH_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_HAND_PATH_H
 
-#include "demos/scenes/random.h"
-#include "demos/scenes/vector.h"
+#include "ode_predictive_space/haptics/random.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::haptics
 {
-/// What the hand does, in its own size; `scale` maps it into the scene as a haptic program maps its device's workspace.
+/// What the hand does, in its own size; `scale` maps it into the device's workspace, or into a scene.
 struct HandPathSettings
 {
-    Vector3 centre = Vector3::Zero(); ///< middle of the workspace, in the scene, metres
-    double scale = 1;                 ///< metres in the scene per metre of the hand
+    Vector3 centre = Vector3::Zero(); ///< middle of the workspace, metres
+    double scale = 1;                 ///< metres per metre of the hand
     double half_workspace = 0.15;     ///< half the side of the cube in which the hand's targets lie, metres of the hand
     double shortest_reach = 0.1;      ///< metres of the hand
     double longest_reach = 0.3;       ///< metres of the hand
@@ -36,16 +35,23 @@ class HandPath
 public:
     HandPath(const HandPathSettings &settings, std::uint64_t seed);
 
-    /// Where the hand is `time` seconds after the start, in the scene. Not const: reaches are drawn as they are needed.
+    /// Where the hand is `time` seconds after the start, in metres. Not const: reaches are drawn as they are needed, up to
+    /// the latest time that was asked for.
     Vector3 position(double time);
 
-    /// The same without tremor.
+    /// position() without tremor.
     Vector3 intended_position(double time);
+
+    /// The derivative of position(), in m/s.
+    Vector3 velocity(double time);
 
     /// Start and end of the reach, or the pause after it, that the hand makes at this time, in seconds.
     std::array<double, 2> reach_times(double time);
 
-    /// Nothing that position() returns is farther from the centre than this along any axis, metres in the scene.
+    /// Draw the reaches of the first `seconds` now: until then, the other calls need no memory.
+    void draw_ahead(double seconds = 600);
+
+    /// Nothing that position() returns is farther from the centre than this along any axis, metres.
     double half_extent() const;
 
 private:
@@ -68,12 +74,13 @@ private:
     Vector3 draw_target(const Vector3 &from);
     void add_reach();
     Vector3 tremor(double time) const;
+    Vector3 tremor_velocity(double time) const;
 
     HandPathSettings settings_;
     Random random_;
     std::array<std::array<Sine, 2>, 3> tremor_;
     std::vector<Reach> reaches_; ///< in the order of time, without gaps
 };
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::haptics
 
 #endif

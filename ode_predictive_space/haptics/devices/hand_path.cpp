@@ -1,14 +1,19 @@
-#include "demos/scenes/hand_path.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 #include <algorithm>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::haptics
 {
 namespace
 {
 double least_jerk(double u)
 {
     return u * u * u * (10 + u * (-15 + 6 * u));
+}
+
+double least_jerk_slope(double u)
+{
+    return 30 * u * u * (1 - u) * (1 - u);
 }
 } // namespace
 
@@ -19,7 +24,7 @@ HandPath::HandPath(const HandPathSettings &settings, std::uint64_t seed) : setti
         for (Sine &sine : axis)
         {
             sine.frequency = random_.uniform(8, 12);
-            sine.phase = random_.uniform(0, 2 * pi);
+            sine.phase = random_.uniform(0, full_turn);
         }
     }
 }
@@ -37,10 +42,23 @@ Vector3 HandPath::intended_position(double time)
     return settings_.centre + settings_.scale * hand;
 }
 
+Vector3 HandPath::velocity(double time)
+{
+    const Reach &reach = reach_at(time);
+    const double u = std::clamp((time - reach.start) / reach.duration, 0.0, 1.0);
+    const Vector3 hand = least_jerk_slope(u) / reach.duration * (reach.to - reach.from);
+    return settings_.scale * (hand + tremor_velocity(time));
+}
+
 std::array<double, 2> HandPath::reach_times(double time)
 {
     const Reach &reach = reach_at(time);
     return {reach.start, reach.start + reach.duration};
+}
+
+void HandPath::draw_ahead(double seconds)
+{
+    reach_at(seconds);
 }
 
 double HandPath::half_extent() const
@@ -93,9 +111,23 @@ Vector3 HandPath::tremor(double time) const
     for (int axis = 0; axis < 3; ++axis)
     {
         const auto &[first, second] = tremor_[axis];
-        sum[axis] = std::sin(2 * pi * first.frequency * time + first.phase) +
-                    std::sin(2 * pi * second.frequency * time + second.phase);
+        sum[axis] = std::sin(full_turn * first.frequency * time + first.phase) +
+                    std::sin(full_turn * second.frequency * time + second.phase);
     }
     return 0.5 * settings_.tremor * sum;
 }
-} // namespace ode_predictive_space::scenes
+
+Vector3 HandPath::tremor_velocity(double time) const
+{
+    Vector3 sum = Vector3::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        for (const Sine &sine : tremor_[axis])
+        {
+            const double turn_rate = full_turn * sine.frequency;
+            sum[axis] += turn_rate * std::cos(turn_rate * time + sine.phase);
+        }
+    }
+    return 0.5 * settings_.tremor * sum;
+}
+} // namespace ode_predictive_space::haptics

@@ -1,15 +1,17 @@
 // Random numbers that are the same on every machine and in every standard library.
 
-#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_RANDOM_H
-#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_RANDOM_H
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RANDOM_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_RANDOM_H
 
-#include "demos/scenes/vector.h"
+#include "ode_predictive_space/haptics/device.h"
 
 #include <cmath>
 #include <cstdint>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::haptics
 {
+constexpr double full_turn = 2 * 3.14159265358979323846; ///< radians
+
 /// Spreads the bits of a number: a bijection without visible structure (the finaliser of splitmix64).
 inline std::uint64_t mix_bits(std::uint64_t x)
 {
@@ -48,7 +50,7 @@ public:
     Vector3 direction()
     {
         const double z = uniform(-1, 1);
-        const double angle = uniform(0, 2 * pi);
+        const double angle = uniform(0, full_turn);
         const double radius = std::sqrt(1 - z * z);
         return {radius * std::cos(angle), radius * std::sin(angle), z};
     }
@@ -57,12 +59,12 @@ public:
     Quaternion orientation()
     {
         const Vector3 axis = direction();
-        return Quaternion(Eigen::AngleAxisd(uniform(0, 2 * pi), axis));
+        return Quaternion(Eigen::AngleAxisd(uniform(0, full_turn), axis));
     }
 
 private:
     std::uint64_t state_;
 };
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::haptics
 
 #endif

@@ -1,8 +1,8 @@
-#include "demos/scenes/hand_path.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 #include <gtest/gtest.h>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::haptics
 {
 namespace
 {
@@ -103,6 +103,19 @@ TEST(HandPath, HasNoJumps)
     }
 }
 
+TEST(HandPath, VelocityIsTheDerivativeOfThePosition)
+{
+    HandPathSettings settings;
+    settings.scale = 3;
+    HandPath hand(settings, 11);
+    const double step = 1e-5;
+    for (double time = 0.1; time < 20; time += 0.0137)
+    {
+        const Vector3 difference = (hand.position(time + step) - hand.position(time - step)) / (2 * step);
+        ASSERT_LT((hand.velocity(time) - difference).norm(), 1e-5) << "at " << time << " s";
+    }
+}
+
 TEST(HandPath, TremblesWithEightToTwelveHertz)
 {
     const HandPathSettings settings;
@@ -141,4 +154,4 @@ TEST(HandPath, SameSeedSamePathInWhateverOrderItIsAsked)
     EXPECT_NE(other.position(5), positions[500]);
 }
 } // namespace
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::haptics

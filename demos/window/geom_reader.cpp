@@ -1,0 +1,171 @@
+#include "demos/window/geom_reader.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space::window
+{
+namespace
+{
+Eigen::AlignedBox3d bounds_of(dGeomID geom)
+{
+    dReal box[6];
+    dGeomGetAABB(geom, box);
+    return {Vector3(box[0], box[2], box[4]), Vector3(box[1], box[3], box[5])};
+}
+
+void read_pose(dGeomID geom, DrawnGeom &drawn)
+{
+    std::copy_n(dGeomGetPosition(geom), 3, drawn.position.begin());
+    std::copy_n(dGeomGetRotation(geom), 12, drawn.rotation.begin());
+}
+
+void read_body(dBodyID body, DrawnGeom &drawn)
+{
+    if (body != nullptr)
+    {
+        drawn.part = dBodyIsEnabled(body) != 0 ? Part::moving : Part::asleep;
+        std::copy_n(dBodyGetLinearVel(body), 3, drawn.velocity.begin());
+    }
+}
+
+/// The box that ODE would report, for shapes that are not drawn themselves.
+void read_bounds(dGeomID geom, DrawnGeom &drawn)
+{
+    const Eigen::AlignedBox3d box = bounds_of(geom);
+    drawn.solid = Solid::bounds;
+    Vector3::Map(drawn.size.data()) = box.sizes();
+    Vector3::Map(drawn.position.data()) = box.center();
+    drawn.rotation = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    drawn.radius = box.diagonal().norm() / 2;
+}
+} // namespace
+
+Eigen::AlignedBox3d room_inside_walls(dSpaceID space, const Eigen::AlignedBox3d &bounds)
+{
+    Eigen::AlignedBox3d room = bounds;
+    const Vector3 middle = bounds.center();
+    for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
+    {
+        const dGeomID geom = dSpaceGetGeom(space, i);
+        const Eigen::AlignedBox3d box = bounds_of(geom);
+        if (dGeomGetBody(geom) != nullptr || dGeomGetClass(geom) != dBoxClass ||
+            box.sizes().maxCoeff() < bounds.sizes().minCoeff() / 2)
+        {
+            continue;
+        }
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            if (box.min()[axis] > middle[axis])
+            {
+                room.max()[axis] = std::min(room.max()[axis], box.min()[axis]);
+            }
+            if (box.max()[axis] < middle[axis])
+            {
+                room.min()[axis] = std::max(room.min()[axis], box.max()[axis]);
+            }
+        }
+    }
+    return room;
+}
+
+GeomReader::GeomReader(dSpaceID space, dGeomID probe, const Eigen::AlignedBox3d &room)
+    : space_(space), probe_(probe), wall_size_(room.sizes().minCoeff() / 2)
+{}
+
+bool GeomReader::read(int most, std::vector<DrawnGeom> &geoms)
+{
+    if (next_ == 0)
+    {
+        geoms.clear();
+    }
+    const int end = std::min(dSpaceGetNumGeoms(space_), next_ + most);
+    for (; next_ < end; ++next_)
+    {
+        const dGeomID geom = dSpaceGetGeom(space_, next_);
+        if (geom != probe_)
+        {
+            geoms.push_back(drawn(geom));
+        }
+    }
+    const bool complete = next_ >= dSpaceGetNumGeoms(space_);
+    next_ = complete ? 0 : next_;
+    return complete;
+}
+
+bool GeomReader::is_wall(dGeomID geom) const
+{
+    return dGeomGetBody(geom) == nullptr && bounds_of(geom).sizes().maxCoeff() > wall_size_;
+}
+
+DrawnGeom GeomReader::drawn(dGeomID geom)
+{
+    DrawnGeom result;
+    result.id = id_of(geom);
+    if (dGeomGetClass(geom) == dPlaneClass || is_wall(geom))
+    {
+        result.part = Part::wall;
+        return result;
+    }
+    read_pose(geom, result);
+    read_body(dGeomGetBody(geom), result);
+    switch (dGeomGetClass(geom))
+    {
+    case dSphereClass:
+        result.solid = Solid::sphere;
+        result.size[0] = dGeomSphereGetRadius(geom);
+        result.radius = result.size[0];
+        break;
+    case dBoxClass:
+    {
+        dVector3 sides;
+        dGeomBoxGetLengths(geom, sides);
+        result.solid = Solid::box;
+        std::copy_n(sides, 3, result.size.begin());
+        result.radius = Vector3::Map(sides).norm() / 2;
+        break;
+    }
+    case dCapsuleClass:
+        result.solid = Solid::capsule;
+        dGeomCapsuleGetParams(geom, &result.size[0], &result.size[1]);
+        result.radius = result.size[0] + result.size[1] / 2;
+        break;
+    case dCylinderClass:
+        result.solid = Solid::cylinder;
+        dGeomCylinderGetParams(geom, &result.size[0], &result.size[1]);
+        result.radius = std::hypot(result.size[0], result.size[1] / 2);
+        break;
+    case dTriMeshClass:
+        result.solid = Solid::mesh;
+        result.triangles = triangles_of(geom);
+        result.radius = bounds_of(geom).sizes().maxCoeff() / 2;
+        break;
+    default:
+        read_bounds(geom, result);
+    }
+    return result;
+}
+
+std::shared_ptr<const Triangles> GeomReader::triangles_of(dGeomID mesh)
+{
+    std::shared_ptr<const Triangles> &kept = meshes_[dGeomTriMeshGetData(mesh)];
+    if (kept == nullptr)
+    {
+        // ODE gives a mesh's triangles where they are in the world.
+        const Eigen::Map<const Eigen::Matrix<dReal, 3, 4, Eigen::RowMajor>> rotation(dGeomGetRotation(mesh));
+        const Eigen::Map<const Eigen::Matrix<dReal, 3, 1>> position(dGeomGetPosition(mesh));
+        Triangles triangles;
+        for (int i = 0; i < dGeomTriMeshGetTriangleCount(mesh); ++i)
+        {
+            dVector3 corners[3];
+            dGeomTriMeshGetTriangle(mesh, i, &corners[0], &corners[1], &corners[2]);
+            for (const dVector3 &corner : corners)
+            {
+                const Vector3 local = rotation.leftCols<3>().transpose() * (Vector3::Map(corner) - position);
+                triangles.insert(triangles.end(), local.data(), local.data() + 3);
+            }
+        }
+        kept = std::make_shared<const Triangles>(std::move(triangles));
+    }
+    return kept;
+}
+} // namespace ode_predictive_space::window

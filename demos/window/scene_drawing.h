@@ -1,0 +1,30 @@
+// Draws the objects of a view, in the frame that drawstuff has set up.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_SCENE_DRAWING_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_SCENE_DRAWING_H
+
+#include "demos/window/view.h"
+
+namespace ode_predictive_space::window
+{
+/// What is shown, apart from the objects and the probe.
+struct Layers
+{
+    bool envelopes = true;         ///< along the probe's path
+    bool object_envelopes = false; ///< of the moving objects around the probe
+    bool near_pairs = true;
+    bool force = true;
+    bool text = true;
+    bool only_nearby = true; ///< what is far from the probe is pale
+};
+
+/// Drawstuff's floor is the plane z = 0; scenes have theirs where they like. Add this to what is drawn.
+Vector3 shift_onto_floor(const View &view);
+
+/// All but the text.
+///
+/// @param eye where the camera is, in drawstuff's frame.
+void draw_scene(const View &view, const Layers &layers, const Vector3 &eye);
+} // namespace ode_predictive_space::window
+
+#endif

@@ -1,0 +1,52 @@
+// Bodies that may be destroyed at any time.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_BODY_WATCH_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_BODY_WATCH_H
+
+#include "ode_predictive_space/haptics/touch.h"
+
+#include <ode/objects.h>
+#include <vector>
+
+namespace ode_predictive_space::haptics
+{
+/// Bodies that were touched lately, to be pushed if they are still there.
+///
+/// ODE does not tell when a body is destroyed, but it takes the body's joints off it. So each body in here gets a null joint,
+/// which constrains nothing and adds nothing to the world's equations; a joint without a body is a body that is gone.
+class BodyWatch
+{
+public:
+    BodyWatch() = default;
+    ~BodyWatch();
+    BodyWatch(const BodyWatch &) = delete;
+    BodyWatch &operator=(const BodyWatch &) = delete;
+
+    /// A tick begins: what was not touched for long is forgotten.
+    void age();
+
+    /// The body is touched now. Not while its world is stepped.
+    void keep(dBodyID body);
+
+    /// Add a force at a point, both in the world's frame. A disabled body is enabled by it.
+    ///
+    /// @param object the body's address, as Touch::object has it.
+    /// @return false when there is no such body: it is gone, or was never one.
+    bool push(std::uintptr_t object, const Vector3 &force, const Vector3 &point);
+
+private:
+    struct Watched
+    {
+        std::uintptr_t object;
+        dJointGroupID group; ///< of the joint alone: what is in a group survives its world
+        dJointID joint;
+        int age; ///< ticks since it was touched
+    };
+
+    Watched *find(std::uintptr_t object);
+
+    std::vector<Watched> watched_;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

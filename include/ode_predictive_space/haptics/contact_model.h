@@ -1,0 +1,46 @@
+// What the servo knows of the scene between two steps of it.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MODEL_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MODEL_H
+
+#include "ode_predictive_space/haptics/touch.h"
+
+#include <array>
+
+namespace ode_predictive_space::haptics
+{
+/// The surfaces around the probe as planes that move: one for each object, as it was touched, or nearly, when the scene was looked
+/// at last. Of fixed size, to be handed from thread to thread; what it costs does not depend on the scene.
+///
+/// A plane moves with the velocity that the surface had at the contact. Depth changes by how the tool moves along the normal: that
+/// is exact for a flat surface, whatever the shape of the probe, as long as the probe does not turn.
+class ContactModel
+{
+public:
+    /// If more objects are touched than that, the deepest touches are kept.
+    static constexpr std::size_t capacity = 32;
+
+    /// @param touches as TouchSensor tells them, those with a negative depth included.
+    /// @param all_known whether these are all.
+    /// @param tool m, the scene's frame; where the probe was.
+    /// @param time s; when this was so.
+    void set(const std::vector<Touch> &touches, bool all_known, const Vector3 &tool, double time);
+
+    /// What a probe touches that is at another place at another time.
+    ///
+    /// @param touches is overwritten: those whose depth is above 0.
+    void evaluate(const Vector3 &tool, double time, std::vector<Touch> &touches) const;
+
+    std::size_t count() const { return count_; }
+    bool all_known() const { return all_known_; }
+
+private:
+    std::array<Touch, capacity> touches_;
+    std::size_t count_ = 0;
+    bool all_known_ = true;
+    Vector3 tool_ = Vector3::Zero();
+    double time_ = 0;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,67 @@
+// One device, two threads: the servo's, and the guard that takes the force away when the servo hangs.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_GATE_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_GATE_H
+
+#include "ode_predictive_space/haptics/device.h"
+
+#include <atomic>
+
+namespace ode_predictive_space::haptics
+{
+/// Sees to it that never two threads are in a device at once, without either of them ever waiting: who finds the device taken
+/// goes without. A servo loop of which the program's part hangs is not in the device; then the guard can set its force to zero.
+///
+/// From then on the gate is closed to the servo's forces until it has noticed: what it computed before it hung must not be
+/// rendered after it.
+class DeviceGate
+{
+public:
+    explicit DeviceGate(Device &device) : device_(device) {}
+
+    Device &device() { return device_; }
+    const Device &device() const { return device_; }
+
+    /// Of the servo. @return false when the guard is in the device: then state is left alone. @throws DeviceError
+    bool read(double time, DeviceState &state);
+
+    /// Of the servo. @return false when the guard is in the device, or was since notice_closing(): then nothing is written.
+    /// @throws DeviceError
+    bool write(const Wrench &wrench);
+
+    /// Of the servo: let go of a device that takes no zero. Left to the guard when that is in the device.
+    void close_device() noexcept;
+
+    /// Of the servo: opens the gate again. @return whether the guard had closed it.
+    bool notice_closing();
+
+    enum class Outcome
+    {
+        zero, ///< the force is zero, and stays so until the servo has noticed
+        busy  ///< the servo is in the device: it does not hang in the program, or else the device's driver hangs
+    };
+
+    /// Of the guard: no force, and the gate is closed. @throws DeviceError when the device refuses; then it was let go of.
+    Outcome close_with_zero();
+
+private:
+    enum class User
+    {
+        none,
+        servo,
+        guard
+    };
+
+    bool enter(User user);
+    void leave() { user_.store(User::none, std::memory_order_release); }
+
+    /// Leaves on every way out of a call.
+    class Visit;
+
+    Device &device_;
+    std::atomic<User> user_{User::none};
+    std::atomic<bool> closed_{false};
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,104 @@
+// The servo loop: a probe at a fixed rate, in step with the wall clock.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_H
+
+#include "ode_predictive_space/haptics/loop_clock.h"
+#include "ode_predictive_space/haptics/period_statistics.h"
+#include "ode_predictive_space/haptics/probe.h"
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace ode_predictive_space::haptics
+{
+/// What a program does in each step of its scene. Exceptions end the loop, with zero force, and come out of run().
+struct SceneWork
+{
+    std::function<void()> collide;          ///< dSpaceCollide(), with HapticProbe::touch() in the near callback
+    std::function<void(double dt)> advance; ///< dWorldStep() and what else is to happen in dt seconds
+};
+
+/// How a loop runs.
+struct LoopSettings
+{
+    double rate = 1000;     ///< Hz; of the servo
+    bool decoupled = false; ///< whether the servo has a thread of its own, and feels a local model of the contacts
+    double physics_rate =
+        1000; ///< Hz; of the scene when decoupled, not more than rate. Else it is stepped at the servo's rate
+    double duration = std::numeric_limits<double>::infinity(); ///< s, simulated
+    int most_steps_behind =
+        4; ///< a scene that lags makes up for so many steps, and drops the rest: simulated time lags, then
+    double margin =
+        0.01; ///< m, in the scene; how far around a sphere's probe the servo knows of surfaces when decoupled
+    bool ask_for_priority = true; ///< SCHED_FIFO and locked memory; what is refused is told, and done without
+    LoopClock *clock = nullptr;   ///< 0: the machine's. Not owned
+    NoticeSink notice; ///< called from the loop's guard, beside the loop: it may print, and need not be quick
+};
+
+/// How a loop ran, or runs.
+struct LoopReport
+{
+    std::uint64_t ticks = 0;         ///< of the servo
+    std::uint64_t steps = 0;         ///< of the scene
+    TimeSummary period;              ///< s; from one tick of the servo to the next
+    TimeSummary compute;             ///< s; that a tick of the servo took, with the scene's step unless decoupled
+    TimeSummary step_compute;        ///< s; that a step of the scene took; the same as compute unless decoupled
+    double rate = 0;                 ///< Hz; of the servo, over all
+    double real_time_factor = 0;     ///< simulated seconds per second of the clock
+    std::uint64_t overruns = 0;      ///< ticks that were not done when the next was due
+    std::uint64_t dropped_steps = 0; ///< of the scene: it was too far behind
+    std::uint64_t saturated = 0;     ///< ticks in which the force was more than the device can render
+    std::uint64_t notices = 0;       ///< given to the sink
+    std::string scheduling;          ///< which priority and memory the system granted or refused, in sentences
+};
+
+class LoopParts;
+
+/// Runs a probe.
+///
+/// Single-threaded, the default: all in the caller's thread, at the servo's rate: read, collide, force, write, step.
+///
+/// Decoupled: the caller's thread steps the scene at its own rate and publishes what the probe touches as planes; a servo thread reads
+/// the device, feels those planes (see ContactModel), and writes the force. Its cost does not depend on the scene. What it gave to the
+/// hand comes back to the scene as impulses, none lost and none twice. The probe's tool must not be a body then.
+///
+/// There is zero force in the end, whichever it is: the duration is over, stop() or a StopRequest, an exception of the program (which
+/// run() throws on), a lost device. Scene and servo that hang are noticed: by the watchdog of the servo when decoupled; else by a guard,
+/// a thread of the loop, that sets the force to zero when there was no tick for too long (5 ms, or two periods if that is
+/// more). Only where a device's driver hangs in read() or write() nothing here can help: this is told.
+class HapticLoop
+{
+public:
+    /// @param probe is not owned. As long as run() runs, the program may use it in its collide() and advance(); of a decoupled loop
+    ///        only touch(), touches() and encounters(), as the rest belongs to the servo: see latest().
+    /// @throws std::invalid_argument for a rate that is not above 0, and for a decoupled loop with a tool body.
+    HapticLoop(HapticProbe &probe, LoopSettings settings);
+    ~HapticLoop();
+    HapticLoop(const HapticLoop &) = delete;
+    HapticLoop &operator=(const HapticLoop &) = delete;
+
+    /// Run until the duration is over, stop() is called, or StopRequest::requested(), which SIGINT, SIGTERM and SIGHUP do as
+    /// long as it runs: such a signal ends the loop and not the program (see StopRequest::signal()). Once.
+    ///
+    /// @return the report at the end.
+    /// @throws what the program's callbacks throw, or the force law, after the force has been taken away.
+    LoopReport run(const SceneWork &work);
+
+    /// From any thread.
+    void stop();
+
+    /// What was rendered last. For the program's collide() and advance().
+    const RenderedTick &latest() const;
+
+    /// From any thread, also while it runs: for the screen, say.
+    LoopReport report() const;
+
+private:
+    std::unique_ptr<LoopParts> parts_;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,56 @@
+// The pointer and the wheel of a window as a device.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MOUSE_DEVICE_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_MOUSE_DEVICE_H
+
+#include "ode_predictive_space/haptics/software_device.h"
+
+#include <array>
+#include <atomic>
+
+namespace ode_predictive_space::haptics
+{
+struct MouseSettings
+{
+    Eigen::AlignedBox3d workspace{Vector3::Constant(-0.1), Vector3::Constant(0.1)}; ///< m; the handle stays in it
+    double metres_per_pixel = 0.0004;                                               ///< > 0
+    double metres_per_wheel_step = 0.005;                                           ///< > 0
+    double smoothing = 0.015; ///< s, > 0; time constant of each of the two filters
+};
+
+/// The window's thread feeds events in, the servo loop's thread reads; neither waits for the other. Events come 60 to 125
+/// times a second, by jumps: two low-pass filters of first order, one behind the other, make a smooth motion of them, whose
+/// velocity is its derivative, without steps and never more than (size of the workspace) / smoothing. The handle lags
+/// behind the pointer by 2 * smoothing. It starts in the middle of the workspace. It renders no force.
+class MouseDevice : public SoftwareDevice
+{
+public:
+    /// @throws std::invalid_argument for settings out of range.
+    explicit MouseDevice(const MouseSettings &settings = {});
+
+    /// The pointer has moved by `dx` pixels to the right and `dy` down. What leads out of the workspace is lost.
+    void pointer(double dx, double dy) noexcept;
+
+    /// The wheel has turned by `steps`, away from the person if > 0: so moves the handle.
+    void wheel(double steps) noexcept;
+
+    /// Button `number` (0 ... 31, others are ignored) has been pressed or released.
+    void button(int number, bool down) noexcept;
+
+protected:
+    void start() override;
+    DeviceState move_to(double seconds) override;
+
+private:
+    void shift(int axis, double distance) noexcept;
+
+    MouseSettings settings_;
+    std::array<std::atomic<double>, 3> target_; ///< m; what the events add up to
+    std::atomic<std::uint32_t> buttons_{0};
+    Vector3 between_;  ///< m; after the first filter
+    Vector3 position_; ///< m; after the second
+    double seconds_ = 0;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

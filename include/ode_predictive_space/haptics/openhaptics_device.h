@@ -1,0 +1,82 @@
+// Haptic arms that OpenHaptics drives: PHANToM, Touch.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_OPENHAPTICS_DEVICE_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_OPENHAPTICS_DEVICE_H
+
+#include "ode_predictive_space/haptics/device.h"
+
+#include <memory>
+
+namespace ode_predictive_space::haptics
+{
+/// Which arm, through which library.
+struct OpenHapticsSettings
+{
+    /// File of OpenHaptics' HD library, as dlopen() takes it. Empty: libHD.so, else libHD.so.3.0, wherever the dynamic
+    /// linker finds them (LD_LIBRARY_PATH, /etc/ld.so.conf).
+    std::string library;
+
+    /// The arm's name in the driver's configuration. Empty: the driver's default arm.
+    std::string configuration;
+};
+
+/// An arm behind OpenHaptics' HD library, which is loaded at run time: nothing of it is needed to build this.
+///
+/// **This has never run on hardware.** It was tested against a stand-in for the library only.
+///
+/// The library calls us in a servo thread of its own, about 1000 times a second. There the arm's state is taken and the
+/// last force is set; read() and write() exchange them with that thread without locks, and never wait.
+///
+/// Force. The library keeps playing the last force that it was given. Therefore zero takes its place in the next frame
+/// - when no write() came for `force_timeout`, counted in the servo's frames: a loop slower than that gets no force;
+/// - after any error that the library reports in the servo thread;
+/// - when the device is closed or destroyed, or open() fails half way: zero is set and seen by one more frame; then the
+///   scheduler is stopped, the callback unscheduled, and the arm switched off. Each of these waits is bounded: when the
+///   servo thread stands still, the force output is switched off without it.
+/// The library's own clamping and ramping of forces are switched on. Torques are ignored.
+///
+/// Errors of the library in the servo thread, by their names in it:
+/// - WARM_MOTORS, EXCEEDED_MAX_FORCE, EXCEEDED_MAX_FORCE_IMPULSE, EXCEEDED_MAX_VELOCITY, FORCE_ERROR: it recovers. The
+///   next read() or write() throws `failed`, once; those after it work, and render no force until `recovery_time` has
+///   gone by without such an error. As long, status() is not ready. Whoever writes then should let the force grow
+///   slowly, as after a start.
+/// - DEVICE_FAULT, DEVICE_ALREADY_INITIATED, COMM_ERROR, COMM_CONFIG_ERROR, TIMER_ERROR, BAD_HANDLE: read() and write()
+///   throw `lost` until close().
+/// - any other: they throw `failed` until close().
+/// The same as COMM_ERROR is a servo thread that does not run for `silence_timeout` on the clock of read().
+class OpenHapticsDevice final : public Device
+{
+public:
+    static constexpr double force_timeout = 0.01;  ///< s
+    static constexpr double recovery_time = 0.1;   ///< s
+    static constexpr double silence_timeout = 0.1; ///< s
+
+    explicit OpenHapticsDevice(OpenHapticsSettings settings = {});
+    ~OpenHapticsDevice() override;
+
+    /// Does nothing when it is open. One device can be open at a time, because the library has one scheduler.
+    ///
+    /// @throws DeviceError missing_library (with the dynamic linker's words), missing_symbol, not_found,
+    /// not_calibrated, permission_denied (another one is open), failed; with the library's error code, its name and its
+    /// words where it gave one.
+    void open() override;
+    void close() noexcept override;
+    const Capabilities &capabilities() const override;
+
+    /// @throws DeviceError also when the force is not finite (failed); zero is rendered then.
+    void write(const Wrench &wrench) override;
+
+    /// The time of the state is that of the first read() that saw it.
+    DeviceState read(double time) override;
+    DeviceStatus status() const override;
+
+private:
+    class Session;
+
+    OpenHapticsSettings settings_;
+    Capabilities capabilities_;
+    std::unique_ptr<Session> session_;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

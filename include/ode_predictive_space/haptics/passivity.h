@@ -1,0 +1,52 @@
+// Sees to it that what is rendered gives no energy to the hand.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PASSIVITY_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_PASSIVITY_H
+
+#include "ode_predictive_space/haptics/device.h"
+
+namespace ode_predictive_space::haptics
+{
+/// Passivity observer and passivity controller (Hannaford and Ryu, "Time-domain passivity control of haptic interfaces", 2002),
+/// for an impedance device, linear axes.
+///
+/// The observer adds up the energy that went from the hand into what is rendered: minus the force that was written, times how
+/// far the hand has moved under it. As a device holds its force from write to write, that is no estimate. While
+/// it is negative, energy was created out of nothing, as by a wall that is too stiff or late, and the controller adds damping so
+/// that one tick takes the surplus out again, or as much of it as max_damping permits.
+///
+/// While no force is wished, nothing is stored that could be given back: then a credit ends, so that it cannot hide later
+/// activity; a debt stays.
+class PassivityController
+{
+public:
+    /// @param max_damping N s/m, finite, >= 0; of the controller. Capabilities::max_damping suits; 0 makes it an observer.
+    /// @throws std::invalid_argument
+    explicit PassivityController(double max_damping);
+
+    /// One tick, before the safety stage.
+    ///
+    /// @param wished N; the law's force on the hand.
+    /// @param dt seconds from this tick to the next, > 0.
+    /// @return the wished force plus the controller's damping. All in the device's frame.
+    Vector3 control(const DeviceState &state, const Vector3 &wished, double dt);
+
+    /// What was really written after control(), where that differs.
+    void written(const Vector3 &force) { written_ = force; }
+
+    double energy() const { return energy_; }   ///< J; into what is rendered, up to the last control()
+    double damping() const { return damping_; } ///< N s/m; what the controller added in the last control()
+
+    void reset();
+
+private:
+    double max_damping_;
+    double energy_ = 0;
+    double damping_ = 0;
+    Vector3 written_ = Vector3::Zero();
+    Vector3 last_position_ = Vector3::Zero();
+    bool has_position_ = false;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,53 @@
+// The law of the paper: a spring along the normal of the surface.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PENALTY_LAW_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_PENALTY_LAW_H
+
+#include "ode_predictive_space/haptics/force_law.h"
+
+namespace ode_predictive_space::haptics
+{
+/// F = k d n for each touch: stiffness times depth, along the normal. Exactly that when damping and friction are 0.
+///
+/// Damping adds b times the speed at which tool and surface approach each other (Kelvin and Voigt's spring and dashpot). Where
+/// that would pull, on leaving a surface quickly, there is no force.
+///
+/// Friction is a spring of the same stiffness in the tangent plane, with one end on the surface and the other on the tool. It
+/// slips as soon as it would pull by more than friction times the normal force. This is the elasto-plastic model of Hayward and
+/// Armstrong ("A new computational model of friction applied to haptic rendering", 2000): it works on displacements,
+/// not on the sign of a measured velocity, hence it neither chatters nor creeps while it holds. Turning of the tool is
+/// left out: the tool is a point to friction.
+///
+/// Touches know nothing of each other: on the seam of two equal surfaces the probe feels both, hence twice the stiffness. The
+/// proxy law does not have this.
+class PenaltyLaw final : public ForceLaw
+{
+public:
+    /// @throws std::invalid_argument as check() does.
+    explicit PenaltyLaw(const SurfaceProperties &properties = {});
+
+    void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override;
+    void reset() override;
+    double stiffness() const override { return properties_.stiffness; }
+    double damping() const override { return properties_.damping; }
+    void set_stiffness(double stiffness) override;
+
+private:
+    /// Where friction's spring hangs: how far the tool has moved over the surface of an object since it took hold.
+    struct Hold
+    {
+        std::uintptr_t object;
+        Vector3 stretch; // m, in the tangent plane
+    };
+
+    double normal_force(const ToolState &tool, const Touch &touch) const;
+    Vector3 friction_force(const Touch &touch, double normal_force, const Vector3 &moved, double dt);
+
+    SurfaceProperties properties_;
+    std::vector<Hold> holds_;                 // of this tick
+    std::vector<Hold> last_holds_;            // of the tick before
+    Vector3 last_position_ = Vector3::Zero(); // of the tool; means nothing while last_holds_ is empty
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

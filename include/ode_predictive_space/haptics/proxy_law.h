@@ -1,0 +1,66 @@
+// The god object: a point that stays outside of what the tool is in.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PROXY_LAW_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_PROXY_LAW_H
+
+#include "ode_predictive_space/haptics/force_law.h"
+
+namespace ode_predictive_space::haptics
+{
+/// What a touch forbids to the proxy: all behind a plane.
+struct ConstraintPlane
+{
+    std::uintptr_t object = 0;
+    Vector3 normal = Vector3::UnitZ(); ///< of length 1, towards where the proxy may be
+    double height = 0;                 ///< m; where the plane is: normal . (a point on it)
+    double depth = 0;                  ///< m; how far the tool is behind it
+    double share = 0;                  ///< m, >= 0; how far it lifts the proxy off the tool, along its normal
+};
+
+/// F = k (proxy - tool). The proxy is where the tool would be if no surface could be entered: the point nearest to the tool
+/// that no touch forbids (Zilles and Salisbury, "A constraint-based god-object method for haptic display", 1995).
+///
+/// A touch forbids what is behind the plane that lies its depth above the tool, along its normal. Up to three such planes carry
+/// the proxy (a face, an edge, a corner); each of them pushes along its own normal by what it contributes, so that the parts
+/// add up to k (proxy - tool) and every object feels its own part. On one plane without friction that is k d n.
+/// Where no point is allowed (a slit narrower than the tool), or only one that is unreasonably far (a very sharp wedge), each
+/// plane pushes by k d n as if it were alone.
+///
+/// Friction: the proxy stays where it is on the surfaces, and moves along with them, as long as the tool is in the friction
+/// cone below it; otherwise it follows just as far as the cone's edge (Salisbury and Tarr 1997; Harwin and Melder 2002).
+/// Damping acts along each carrying plane's normal, and never pulls; it is not part of proxy().
+///
+/// Unlike a penalty, the proxy remembers on which side of an object it is: when the tool has gone so far into a thin object
+/// that its surface at the back is nearer, and the normal turns round, the surface in front goes on to push, until
+/// the tool leaves the object.
+class ProxyLaw final : public ForceLaw
+{
+public:
+    /// @throws std::invalid_argument as check() does.
+    explicit ProxyLaw(const SurfaceProperties &properties = {});
+
+    void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override;
+    void reset() override;
+    double stiffness() const override { return properties_.stiffness; }
+    double damping() const override { return properties_.damping; }
+    void set_stiffness(double stiffness) override;
+
+    /// m, in the scene's frame; where the last call left it. The tool's position when nothing is touched.
+    const Vector3 &proxy() const { return proxy_; }
+
+private:
+    ConstraintPlane plane_of(const Vector3 &tool, const Touch &touch, double dt) const;
+    double normal_force(const ToolState &tool, const Touch &touch, const ConstraintPlane &plane) const;
+    Vector3 friction(const Vector3 &tool, const Vector3 &lifted, double carried, const std::vector<Touch> &touches,
+                     double dt) const;
+    Vector3 along_the_carriers(Vector3 vector) const;
+
+    SurfaceProperties properties_;
+    std::vector<ConstraintPlane> planes_;      // of this tick, in the order of the touches
+    std::vector<ConstraintPlane> last_planes_; // of the tick before
+    Vector3 proxy_ = Vector3::Zero();
+    bool has_proxy_ = false;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,149 @@
+// Runs of a device in a text file: writing them while the servo loop runs, and reading them back.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RECORDING_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_RECORDING_H
+
+#include "ode_predictive_space/haptics/device.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdio>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace ode_predictive_space::haptics
+{
+/// One tick of a run.
+///
+/// In a file it is a line of numbers between blanks:
+///     t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz
+/// s, m, quaternion, N, bits, m/s, rad/s, in the device's own frame. The first 8 are the TUM trajectory format, and a file of
+/// only these, or of the first 12, can be read, too. Lines that begin with # are comments, but for one that begins with
+/// "# ode_predictive_space device:" and tells what the device can do. Numbers are printed so that reading gives back the same
+/// doubles.
+struct RecordedTick
+{
+    DeviceState state;               ///< its time: what read() was given
+    Vector3 force = Vector3::Zero(); ///< N; what was written after that
+};
+
+/// A run that was read from a file.
+struct Recording
+{
+    std::optional<Capabilities> device; ///< of which it is a run, if the file tells
+    std::vector<RecordedTick> ticks;    ///< at least one; their times increase
+    bool has_forces = false;            ///< and buttons; otherwise these are zero
+    bool has_velocities = false;        ///< otherwise these are zero
+};
+
+/// Read a run.
+///
+/// Quaternions that are of length 1 but for the few digits that they were written with are made so.
+/// @throws DeviceError: missing_file, permission_denied; bad_file, which names the line.
+Recording read_recording(const std::string &file);
+
+/// Writes a run to a file while the servo loop runs.
+///
+/// add() puts a tick into a buffer whose memory is reserved when the recorder is made (some 200 bytes per tick); flush()
+/// writes what is in the buffer to the file. By default a thread of the recorder's own calls flush() 20 times a second; it
+/// inherits the scheduling of the thread that makes the recorder, so make it before that one becomes a real-time thread.
+/// A buffer that is full takes no more until it has been flushed: such ticks are lost, lost() counts them, and a comment in
+/// the file says how many are missing and where.
+class Recorder
+{
+public:
+    /// Who calls flush().
+    enum class Flush
+    {
+        by_itself, ///< a thread of the recorder's
+        by_caller  ///< and close()
+    };
+
+    /// Make the file, or empty it.
+    ///
+    /// @param device what the device can do: a replay must have the same limits and workspace to give the same forces.
+    /// @param capacity of the buffer, in ticks, > 0: one minute of 1 kHz by default.
+    /// @throws DeviceError: missing_file (no such folder), permission_denied. std::invalid_argument.
+    Recorder(const std::string &file, const Capabilities &device, Flush flush = Flush::by_itself,
+             std::size_t capacity = 60000);
+
+    /// As close(), but what cannot be written is lost without a word.
+    ~Recorder();
+    Recorder(const Recorder &) = delete;
+    Recorder &operator=(const Recorder &) = delete;
+
+    /// Record one tick. From one thread, the servo loop's: no memory is allocated, nothing is waited for.
+    ///
+    /// @param time what read() was given; the state's own is not recorded.
+    /// @return false if the tick is lost: the buffer is full, or reading it would fail, as a number is not finite, the
+    /// orientation not of length 1, or the time not later than that of the tick before.
+    bool add(double time, const DeviceState &state, const Vector3 &force) noexcept;
+
+    /// Write what has been added so far. From any thread; it waits for the disk.
+    ///
+    /// @throws DeviceError (failed) if the file cannot be written.
+    void flush();
+
+    /// Write the rest and close the file. add() must not be called at the same time or after that.
+    ///
+    /// @throws DeviceError (failed) if some of the run could not be written, now or before.
+    void close();
+
+    std::size_t lost() const { return lost_; }         ///< ticks so far; from any thread
+    std::size_t recorded() const { return produced_; } ///< ticks so far; from any thread
+
+private:
+    struct Entry
+    {
+        RecordedTick tick;
+        std::size_t lost_before; ///< of all ticks up to this one
+    };
+
+    struct FileCloser
+    {
+        void operator()(std::FILE *file) const { std::fclose(file); }
+    };
+
+    void write_header(const Capabilities &device);
+    void write_entries();
+    void append_loss(std::size_t lost);
+    void write_text();
+    [[noreturn]] void fail();
+    void flush_often();
+    void stop_thread();
+
+    std::string name_;
+    std::vector<Entry> buffer_;            ///< a ring: entry i is at i modulo its size
+    std::atomic<std::size_t> produced_{0}; ///< entries; only add() changes it
+    std::atomic<std::size_t> consumed_{0}; ///< entries; only flush() changes it
+    std::atomic<std::size_t> lost_{0};     ///< ticks; only add() changes it
+    double last_time_;                     ///< s; of add()
+    std::mutex file_mutex_;                ///< guards what follows, up to the thread
+    std::unique_ptr<std::FILE, FileCloser> file_;
+    bool failed_ = false;
+    std::size_t losses_written_ = 0;
+    std::string text_; ///< not yet written
+    std::mutex thread_mutex_;
+    std::condition_variable stop_;
+    bool stopping_ = false;
+    std::thread thread_;
+};
+
+/// How far a rendered force was from a recorded one (Ruffaldi, Morris, Edmunds, Barbagli and Pai, Haptics Symposium 2006).
+struct ForceError
+{
+    double rms = 0;      ///< N; root of the mean square of the difference's length
+    double max = 0;      ///< N; the largest difference's length
+    double relative = 0; ///< rms over the root mean square of the recorded force; 0 if both are 0
+};
+
+/// Compare tick by tick.
+///
+/// @throws std::invalid_argument if one is longer than the other, or both are empty.
+ForceError compare_forces(const std::vector<Vector3> &recorded, const std::vector<Vector3> &rendered);
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,192 @@
+// The hand's side of a probe: from the device to the tool, from touches to the device.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
+
+#include "ode_predictive_space/haptics/device_gate.h"
+#include "ode_predictive_space/haptics/force_shares.h"
+#include "ode_predictive_space/haptics/notice.h"
+#include "ode_predictive_space/haptics/passivity.h"
+#include "ode_predictive_space/haptics/safety.h"
+#include "ode_predictive_space/haptics/stability.h"
+#include "ode_predictive_space/haptics/virtual_coupling.h"
+#include "ode_predictive_space/haptics/watchdog.h"
+#include "ode_predictive_space/haptics/workspace.h"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace ode_predictive_space::haptics
+{
+/// How a device is rendered to.
+struct RenderSettings
+{
+    std::shared_ptr<ForceLaw> law; ///< 0: PenaltyLaw with half of the device's stiffness, 500 N/m if that is not known
+    WorkspacePlacement placement;  ///< of the device's workspace in the scene
+    std::optional<SafetyLimits> safety;    ///< nothing: SafetyLimits::of() the device
+    double rate = 1000;                    ///< Hz; how often the device is read and written
+    double physics_rate = 1000;            ///< Hz; how often the scene is stepped
+    std::optional<double> device_damping;  ///< N s/m; of device and hand, where it is known: see check_stability()
+    std::optional<unsigned> clutch_button; ///< which of the device's buttons moves the workspace instead of the tool
+    bool passivity_control = false; ///< whether a PassivityController adds damping when energy comes from nowhere
+    NoticeSink notice;              ///< what to do with messages; by default nothing
+};
+
+/// What was rendered in a tick: for recordings, and for who wants to show it.
+struct RenderedTick
+{
+    double time = 0;                  ///< s; as given
+    ToolState tool;                   ///< the scene's frame
+    DeviceState state;                ///< the device's frame; as read, or before when it was not
+    Wrench wrench;                    ///< the device's frame; as written
+    Vector3 wished = Vector3::Zero(); ///< N, the scene's frame; what the law gave
+    Vector3 force = Vector3::Zero();  ///< N, the scene's frame; what the hand got of it
+    double allowance = 0;             ///< 0 to 1; the watchdog's
+    bool device_answers = false;
+    bool saturated = false; ///< the safety stage had to shorten the force
+};
+
+/// Device, workspace, law, safety, watchdog: all that needs no scene. Used from one thread, the servo's; nothing in it
+/// allocates or locks as long as the device answers.
+///
+/// Errors of the device never leave it: there is zero force, a notice, and the device is tried again ten times a second. One that
+/// does not even take the zero is closed; the program may open it again at any time between two ticks.
+class Renderer
+{
+public:
+    /// Opens the device unless it is open; then check_stability() may make the law softer, with a notice.
+    ///
+    /// @param device is not owned, and must outlive the renderer.
+    /// @throws DeviceError as Device::open() does.
+    /// @throws std::invalid_argument for a law, a setting or a rate with which nothing sensible can be rendered.
+    Renderer(Device &device, RenderSettings settings);
+
+    /// Leaves the device with zero force, and closes it if it was opened here.
+    ~Renderer();
+    Renderer(const Renderer &) = delete;
+    Renderer &operator=(const Renderer &) = delete;
+
+    /// A tick begins: read the device. Then tool() is where the tool is now.
+    ///
+    /// @param time s; simulated. Devices without hardware, law and safety stage go by it.
+    /// @param clock_time s; on the clock that physics_fresh() has, too: the watchdog goes by it.
+    void read(double time, double clock_time);
+
+    const ToolState &tool() const { return tick_.tool; }
+
+    /// Render what is touched, with the law.
+    ///
+    /// @param all_known whether the touches are all there are: false when one of them is not a number. Then there is no force.
+    /// @param dt s from this tick to the next, > 0.
+    void render(const std::vector<Touch> &touches, bool all_known, double dt);
+
+    /// What the hand really got of each object in the last render(): N, the scene's frame. The sum is the force that was
+    /// written, whatever limits shortened it, as long as something is touched. An object that was left may still be in it:
+    /// what the safety stage lets go slowly belongs to it. Empty when there was no force.
+    const std::vector<ForceShare> &shares() const { return split_.shares(); }
+
+    /// Render a coupling to a tool body.
+    ///
+    /// @return what the body is to get: the opposite of what the hand really got, in the scene's frame. A torque that the device
+    ///         cannot render is not felt, but turns the body all the same.
+    Wrench render(const VirtualCoupling &coupling, const ToolState &body, double dt);
+
+    /// No force, now: at the end. The next force comes slowly, as at the start.
+    void relax();
+
+    /// The scene's state is as of the last read().
+    void note_fresh_physics() { physics_fresh(clock_time_); }
+
+    /// The scene's state is as of this time, on the watchdog's clock. From any thread.
+    void physics_fresh(double clock_time) { watchdog_->physics_fresh(clock_time); }
+
+    const RenderedTick &last_tick() const { return tick_; }
+
+    ForceLaw &law() { return *law_; }
+
+    /// Between two ticks: another law, or the same with another stiffness, after check_stability().
+    /// @throws std::invalid_argument as the constructor does.
+    void set_law(std::shared_ptr<ForceLaw> law);
+
+    /// For virtual couplings, as set_law() for laws. @return the coupling, softer where it must be.
+    VirtualCoupling softened(VirtualCoupling coupling);
+
+    /// Between two ticks. @throws std::invalid_argument as the constructor does: what is stiff depends on the scale.
+    void set_placement(const WorkspacePlacement &placement);
+    const WorkspaceMapping &mapping() const { return mapping_; }
+
+    /// Between two ticks: how often the device is read and written, and the scene is stepped, in Hz.
+    /// @throws std::invalid_argument as the constructor does: what is stiff depends on the rate.
+    void set_rates(double rate, double physics_rate);
+
+    /// Called at the end of each render(). Empty: nothing.
+    void set_recorder(std::function<void(const RenderedTick &)> recorder) { recorder_ = std::move(recorder); }
+
+    /// Where notices go; in the thread of the call that has something to tell.
+    void set_notice_sink(NoticeSink sink) { settings_.notice = std::move(sink); }
+    const NoticeSink &notice_sink() const { return settings_.notice; }
+
+    const SafetyReport &safety_report() const { return safety_.report(); }
+
+    /// For the guard of a loop.
+    DeviceGate &gate() { return gate_; }
+
+private:
+    enum class Topic; ///< of notices: each is told once a second at most
+
+    /// Open as long as this lives, or for longer if it was open before.
+    class Opening
+    {
+    public:
+        explicit Opening(Device &device);
+        ~Opening();
+        Opening(const Opening &) = delete;
+        Opening &operator=(const Opening &) = delete;
+
+    private:
+        Device &device_;
+        bool opened_;
+    };
+
+    void soften_law();
+    StabilityVerdict verdict(double stiffness, double damping);
+    bool read_device(double time);
+    bool is_silent(const DeviceState &state, double time);
+    void fail(std::string_view why);
+    void begin_anew();
+    Wrench write(const Wrench &wished, double dt);
+    Wrench limited(const Wrench &wished, double dt);
+    Wrench delivered(const Wrench &safe);
+    void close_tick(const Vector3 &wished, const Vector3 &force);
+    void tell_of_safety();
+    void tell_of_watchdog();
+    void tell_once_a_second(Topic topic, NoticeKind kind, std::string_view sentence);
+    void tell(NoticeKind kind, std::string_view sentence) const;
+
+    DeviceGate gate_;
+    Opening opening_;
+    RenderSettings settings_;
+    std::shared_ptr<ForceLaw> law_;
+    WorkspaceMapping mapping_;
+    SafetyStage safety_;
+    std::optional<Watchdog> watchdog_; ///< always there: made anew when the rates change
+    std::optional<PassivityController> passivity_;
+    std::function<void(const RenderedTick &)> recorder_;
+
+    bool answers_ = false;
+    bool failed_ = false;    ///< and has not answered since
+    double next_try_;        ///< s, simulated; when a device that failed is tried again
+    double last_news_ = 0;   ///< s, simulated; when the device's state was a new one
+    double last_state_time_; ///< s; of the last state, by the device
+    double clock_time_ = 0;
+    TouchForces forces_;
+    ForceSplit split_;
+    RenderedTick tick_;
+    WatchdogReason last_reason_ = WatchdogReason::none;
+    std::array<double, 16> told_; ///< s, simulated; when a topic was told of last
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

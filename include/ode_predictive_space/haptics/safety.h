@@ -1,0 +1,122 @@
+// The last stage before a device: whatever was wished, this is what may be written.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SAFETY_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_SAFETY_H
+
+#include "ode_predictive_space/haptics/device.h"
+
+#include <array>
+#include <string>
+
+namespace ode_predictive_space::haptics
+{
+/// The limits of a safety stage; all finite and >= 0.
+struct SafetyLimits
+{
+    double max_force = 0;       ///< N
+    double max_torque = 0;      ///< N m
+    double max_force_rate = 0;  ///< N/s; how fast the force may change
+    double max_torque_rate = 0; ///< N m/s
+    double max_speed = 0;       ///< m/s; of the hand. Beyond it there is no force
+    double ramp_time = 0.5;     ///< s; from nothing to everything, after the start and after each fault
+    double engage_force = 0;    ///< N; there is no force before the wished one was once no more than this
+    double engage_torque = 0;   ///< N m; likewise
+
+    /// What suits a device:
+    /// - the device's own maximum of force; of torque that force at a lever of 5 cm, half a handle (capabilities do not tell it);
+    /// - none of what the device has no axes for;
+    /// - from zero to the maximum in 5 ms: a tap with 1 m/s on a wall of 1000 N/m stays below that on a PHANToM Desktop;
+    /// - the speed of a reach across the whole workspace in 0.3 s, which is as fast as people reach
+    ///   (1.875 distance / duration at the peak of a minimum-jerk reach); 2 m/s where the workspace is not known;
+    /// - a twentieth of the maximum to engage.
+    static SafetyLimits of(const Capabilities &capabilities);
+};
+
+/// What the safety stage can do to a wrench.
+enum class SafetyAction
+{
+    not_finite,   ///< the wrench, the velocity, the time or the allowance is NaN or infinite: zero, at once
+    too_fast,     ///< the hand is faster than max_speed: zero, at once
+    waiting,      ///< has not been small since the start: zero
+    no_axes,      ///< the device cannot push: zero
+    ramping,      ///< after the start or a fault: scaled down
+    clamped,      ///< was above the maximum: shortened, its direction kept
+    slew_limited, ///< would have changed too fast: on its way
+    held_back     ///< the allowance was below 1: scaled down
+};
+
+constexpr int safety_action_count = 8;
+
+/// One sentence: what the stage does and why.
+const char *explanation_of(SafetyAction action);
+
+/// What the safety stage did.
+struct SafetyReport
+{
+    std::uint32_t now = 0;   ///< bit i: action i was taken in the last call
+    std::uint32_t begun = 0; ///< those of them that were not taken in the call before: worth a message
+    std::array<std::uint64_t, safety_action_count> calls{}; ///< in how many calls each was taken so far
+
+    bool did(SafetyAction action) const { return (now >> static_cast<int>(action)) & 1u; }
+    bool began(SafetyAction action) const { return (begun >> static_cast<int>(action)) & 1u; }
+    std::uint64_t count(SafetyAction action) const { return calls[static_cast<std::size_t>(action)]; }
+
+    /// A line for each action ever taken, with its count; empty when there was none. Allocates: not for the servo loop.
+    std::string summary() const;
+};
+
+/// Makes any wrench safe. One stage belongs to one device and is used from its servo loop. Neither allocates nor locks.
+///
+/// Whatever comes in, what goes out
+/// - is finite;
+/// - is never above the maximum, nor above the maximum times the allowance;
+/// - differs from what went out before by at most max_force_rate times the time between the calls, except on its way to zero:
+///   a fault (not_finite, too_fast) takes the force away at once, since what drives the hand then cannot be trusted, and a
+///   falling allowance as fast as it falls. A force never comes at once;
+/// - is zero from the start until the wished wrench was small once: a program that starts with the probe inside of something
+///   does not kick.
+///
+/// Time between two calls counts as 10 ms at most: after a pause, the force goes on slowly where it was.
+class SafetyStage
+{
+public:
+    /// @throws std::invalid_argument when a limit is negative or not finite.
+    explicit SafetyStage(const SafetyLimits &limits);
+
+    /// One tick of the servo loop.
+    ///
+    /// @param wished in the device's frame.
+    /// @param velocity m/s; of the hand, in the device's frame.
+    /// @param time seconds on the loop's clock; going back counts as no time.
+    /// @param allowance 0 to 1: which part of the force may be there (see Watchdog).
+    /// @return what may be written to the device. Write this and nothing else.
+    Wrench limit(const Wrench &wished, const Vector3 &velocity, double time, double allowance = 1);
+
+    /// As at the start: the next wrench is zero, and the stage waits for a small one. Counts go on.
+    void reset();
+
+    const SafetyReport &report() const { return report_; }
+    const SafetyLimits &limits() const { return limits_; }
+
+private:
+    double time_since_last_call(double time);
+    bool must_be_zero(const Wrench &wished, const Vector3 &velocity, double time, double allowance);
+    bool has_engaged(const Wrench &wished);
+    Wrench clamp(const Wrench &wished);
+    Wrench scale_down(const Wrench &wrench, double elapsed, double allowed);
+    Wrench slew(const Wrench &target, double elapsed);
+    Wrench bound(const Wrench &wrench, double allowed) const;
+    void take(SafetyAction action) { report_.now |= 1u << static_cast<int>(action); }
+    void close_report(std::uint32_t before);
+
+    SafetyLimits limits_;
+    SafetyReport report_;
+    Wrench last_;
+    double last_time_ = 0;
+    double ramp_ = 0; // 0 to 1
+    bool has_time_ = false;
+    bool engaged_ = false;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,81 @@
+// Between a device's frame and the scene's.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_WORKSPACE_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_WORKSPACE_H
+
+#include "ode_predictive_space/haptics/touch.h"
+
+namespace ode_predictive_space::haptics
+{
+/// How a device's workspace lies in the scene.
+struct WorkspacePlacement
+{
+    double scale = 1;                             ///< > 0; metres of the scene per metre of the device
+    Quaternion rotation = Quaternion::Identity(); ///< from the device's axes to the scene's
+    Vector3 offset = Vector3::Zero();             ///< m; where in the scene the device's origin is
+    double force_scale = 1;                       ///< > 0; newtons at the device per newton in the scene
+
+    /// The rotation for a scene whose z axis points up, as in ODE's demos: the device's y (up) becomes z, its -z (away from the
+    /// person) becomes y, x stays.
+    static Quaternion z_up();
+
+    /// The smallest scale at which all of a scene's box (m) is within reach, both centres upon each other.
+    /// @throws std::invalid_argument when a box is empty or not finite, the device's is flat, or the scene's a point.
+    static WorkspacePlacement covering(const Eigen::AlignedBox3d &scene, const Eigen::AlignedBox3d &device,
+                                       const Quaternion &rotation = Quaternion::Identity());
+};
+
+/// Maps a device's states to the scene, and the scene's forces to the device. Neither allocates nor locks.
+///
+///     position     offset + scale R p
+///     orientation  R q
+///     velocities   scale R v,  R omega
+///     wrench       force_scale R^-1 (force, torque)
+///
+/// Forces are not scaled by default: what is 1 N in the scene is 1 N in the hand. Hence a wall of k N/m in the scene feels like
+/// scale * k N/m, as the tool goes scale times as deep (see stiffness_at_device()), and the energy of the hand is not that of the
+/// scene: force_scale 1 / scale would give the hand the stiffness of the scene, force_scale = scale the energy.
+///
+/// The clutch: while it is held, the device moves freely, without force, and the tool stays where it is. When it is let go, the
+/// tool goes on from there; the offset has changed, and the way the tool lies in the hand (R q becomes R q g). Speeds do not jump,
+/// either, except to 0 and back.
+class WorkspaceMapping
+{
+public:
+    /// @throws std::invalid_argument when something is not finite, a scale not > 0, or the rotation not of length 1 (1e-6).
+    explicit WorkspaceMapping(const WorkspacePlacement &placement = {});
+
+    /// Call in every tick before the others. @param device the state in this tick.
+    void clutch(bool held, const DeviceState &device);
+    bool clutched() const { return clutched_; }
+
+    ToolState to_scene(const DeviceState &device) const;
+
+    /// The inverse, as if the clutch were not held; buttons and time are left at zero.
+    DeviceState to_device(const ToolState &tool) const;
+
+    /// From the scene's frame to the device's; zero while the clutch is held.
+    Wrench to_device(const Wrench &scene) const;
+
+    /// N/m (or N s/m): what a stiffness (or a damping) of the scene is at the device. For check_stability().
+    double stiffness_at_device(double stiffness) const { return stiffness * placement_.scale * placement_.force_scale; }
+    /// The inverse.
+    double stiffness_in_scene(double stiffness) const
+    {
+        return stiffness / (placement_.scale * placement_.force_scale);
+    }
+
+    /// As it is now: offset changes with the clutch.
+    const WorkspacePlacement &placement() const { return placement_; }
+
+private:
+    ToolState map(const DeviceState &device) const;
+
+    WorkspacePlacement placement_;
+    Quaternion grip_ = Quaternion::Identity(); // the tool's orientation in the handle's frame
+    bool clutched_ = false;
+    ToolState held_; // where the tool stays; means nothing while the clutch is not held
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,58 @@
+# drawstuff, ODE's own little renderer, with our callback for the pointer. It is in ODE's source package and in no Debian
+# package, so it is built here, from a patched copy of it.
+#
+# Defines the target ode_predictive_space_drawstuff where OpenGL, GLU and X11 are installed, and sets
+# DRAWSTUFF_MISSING to what is missing otherwise.
+
+find_package(OpenGL QUIET)
+find_package(X11 QUIET)
+
+set(drawstuff_patch "${PROJECT_SOURCE_DIR}/patches/ode-${ODE_VERSION}/drawstuff-pointer.patch")
+set(DRAWSTUFF_MISSING "")
+if(NOT TARGET OpenGL::GL)
+    list(APPEND DRAWSTUFF_MISSING "OpenGL")
+endif()
+if(NOT TARGET OpenGL::GLU)
+    list(APPEND DRAWSTUFF_MISSING "GLU")
+endif()
+if(NOT TARGET X11::X11)
+    list(APPEND DRAWSTUFF_MISSING "X11")
+endif()
+if(NOT EXISTS "${ODE_SOURCE_DIR}/drawstuff/src/x11.cpp")
+    list(APPEND DRAWSTUFF_MISSING "drawstuff in ODE's source")
+endif()
+if(NOT EXISTS "${drawstuff_patch}")
+    list(APPEND DRAWSTUFF_MISSING "a patch of drawstuff for ODE ${ODE_VERSION}")
+endif()
+if(DRAWSTUFF_MISSING)
+    return()
+endif()
+
+set(drawstuff_copy "${PROJECT_BINARY_DIR}/drawstuff")
+set(drawstuff_sources "${drawstuff_copy}/drawstuff/src/drawstuff.cpp" "${drawstuff_copy}/drawstuff/src/x11.cpp")
+add_custom_command(
+    OUTPUT ${drawstuff_sources}
+    COMMAND "${CMAKE_COMMAND}" -E rm -rf "${drawstuff_copy}"
+    COMMAND "${CMAKE_COMMAND}" -E copy_directory "${ODE_SOURCE_DIR}/drawstuff" "${drawstuff_copy}/drawstuff"
+    COMMAND "${CMAKE_COMMAND}" -E copy_directory "${ODE_SOURCE_DIR}/include/drawstuff"
+            "${drawstuff_copy}/include/drawstuff"
+    COMMAND "${CMAKE_COMMAND}" -E copy "${ODE_SOURCE_DIR}/configure.ac" "${drawstuff_copy}"
+    # What drawstuff asks of the system, which ODE's configure would write.
+    COMMAND "${CMAKE_COMMAND}" -E touch "${drawstuff_copy}/config.h"
+    COMMAND "${PROJECT_SOURCE_DIR}/patches/apply" "${drawstuff_copy}" drawstuff-pointer
+    DEPENDS "${drawstuff_patch}" "${PROJECT_SOURCE_DIR}/patches/apply"
+    COMMENT "Patching a copy of drawstuff"
+    VERBATIM)
+
+add_library(ode_predictive_space_drawstuff STATIC ${drawstuff_sources})
+target_compile_definitions(
+    ode_predictive_space_drawstuff
+    PRIVATE HAVE_GETTIMEOFDAY=1 HAVE_SYS_TIME_H=1 HAVE_UNISTD_H=1
+            "DEFAULT_PATH_TO_TEXTURES=\"${drawstuff_copy}/drawstuff/textures\"")
+target_include_directories(
+    ode_predictive_space_drawstuff SYSTEM
+    PUBLIC "${drawstuff_copy}/include"
+    PRIVATE "${drawstuff_copy}" "${ODE_SOURCE_DIR}/ode/src")
+# It is not ours to warn about.
+target_compile_options(ode_predictive_space_drawstuff PRIVATE -w)
+target_link_libraries(ode_predictive_space_drawstuff PUBLIC ODE::ODE OpenGL::GL OpenGL::GLU X11::X11)

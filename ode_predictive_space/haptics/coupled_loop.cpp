@@ -1,0 +1,32 @@
+// The single-threaded loop: read, collide, force, step.
+
+#include "ode_predictive_space/haptics/loop_parts.h"
+
+namespace ode_predictive_space::haptics
+{
+void LoopParts::run_coupled(const SceneWork &work)
+{
+    if (const auto ask = priority_request(false))
+    {
+        ask();
+    }
+    const double period = 1 / settings.rate;
+    Pacer pacer(start, period, settings.most_steps_behind);
+    for (std::uint64_t tick = 0; static_cast<double>(tick) * period < settings.duration && !is_told_to_stop(); ++tick)
+    {
+        clock.sleep_until(pacer.due());
+        const double now = clock.now();
+        guard->beat(now);
+        servo.begin(now);
+        probe.begin(static_cast<double>(tick) * period, now);
+        work.collide();
+        probe.render(period);
+        note_rendered(probe.last_tick());
+        rendered.take();
+        work.advance(period);
+        simulated = static_cast<double>(tick + 1) * period;
+        dropped += pacer.go_on(clock.now());
+        servo.end(clock.now(), pacer.due());
+    }
+}
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,214 @@
+// The loop of two threads: the scene at its own rate, and the servo, which feels a local model of the scene's contacts.
+//
+//     scene's thread                        servo's thread
+//     --------------                        --------------
+//     pose the probe   <--- RenderedTick ---  read the device
+//     collide          ---- ContactModel -->  touches of the planes, law, safety, write
+//     push the bodies  <---- impulses ------  what the hand got since
+//     advance
+
+#include "ode_predictive_space/haptics/contact_model.h"
+#include "ode_predictive_space/haptics/loop_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// What the hand got of an object: it owes the object the opposite.
+struct Impulse
+{
+    std::uintptr_t object;
+    Vector3 point;   ///< m
+    Vector3 impulse; ///< N s
+};
+
+/// Impulses that can be on their way before the watchdog has taken the force away from a scene that does not fetch them.
+std::size_t most_impulses(const LoopSettings &settings)
+{
+    constexpr double decay = 0.01; // s; of the watchdog, at most
+    const WatchdogLimits limits = WatchdogLimits::of(settings.rate, settings.physics_rate);
+    const double ticks = std::ceil(settings.rate * (limits.stale_after + decay)) + 2;
+    return 2 * ContactModel::capacity * static_cast<std::size_t>(ticks);
+}
+
+/// The servo's side. Its constructor and destructor run in the scene's thread, all else in the servo's.
+class Servo
+{
+public:
+    Servo(LoopParts &parts) : parts_(parts), renderer_(parts.probe.renderer()), impulses_(most_impulses(parts.settings))
+    {
+        touches_.reserve(ContactModel::capacity);
+    }
+
+    void tick(double due);
+
+    /// What the hand got until now, to the impulses.
+    void settle(double time);
+
+    /// By an exception of the law. Of the scene's thread, when the servo has ended or ended() is true.
+    std::exception_ptr error() const { return error_; }
+    bool ended() const { return ended_.load(std::memory_order_acquire); }
+
+    Snapshot<ContactModel> &contacts() { return contacts_; }
+    Queue<Impulse> &impulses() { return impulses_; }
+
+private:
+    void render(double due);
+    void end();
+
+    LoopParts &parts_;
+    Renderer &renderer_;
+    Snapshot<ContactModel> contacts_;
+    Queue<Impulse> impulses_;
+    std::vector<Touch> touches_;
+    double settled_ = 0; ///< s; up to when impulses() know of the force
+    std::exception_ptr error_;
+    std::atomic<bool> ended_{false};
+};
+
+void Servo::tick(double due)
+{
+    const double now = parts_.clock.now();
+    parts_.guard->beat(now);
+    if (ended())
+    {
+        return;
+    }
+    parts_.servo.begin(now);
+    settle(due - parts_.start);
+    if (parts_.is_told_to_stop())
+    {
+        end();
+        return;
+    }
+    try
+    {
+        render(due);
+    }
+    catch (...)
+    {
+        error_ = std::current_exception();
+        end();
+    }
+    parts_.servo.end(parts_.clock.now(), due + 1 / parts_.settings.rate);
+}
+
+void Servo::render(double due)
+{
+    contacts_.take();
+    const ContactModel &contacts = contacts_.latest();
+    renderer_.read(due - parts_.start, parts_.clock.now());
+    contacts.evaluate(renderer_.tool().position, due, touches_);
+    renderer_.render(touches_, contacts.all_known(), 1 / parts_.settings.rate);
+    parts_.note_rendered(renderer_.last_tick());
+}
+
+void Servo::settle(double time)
+{
+    const double elapsed = time - settled_;
+    settled_ = time;
+    for (const ForceShare &share : renderer_.shares())
+    {
+        impulses_.give({share.object, share.point, elapsed * share.force});
+    }
+}
+
+void Servo::end()
+{
+    renderer_.relax();
+    ended_.store(true, std::memory_order_release);
+}
+
+/// The scene's side.
+class SceneLoop
+{
+public:
+    SceneLoop(LoopParts &parts, Servo &servo, const SceneWork &work)
+        : parts_(parts), servo_(servo), work_(work), sensor_(*parts.probe.sensor()),
+          dt_(1 / parts.settings.physics_rate)
+    {}
+
+    void run();
+
+    /// What the hand got since the last step: the bodies get it with the next one.
+    void push();
+
+private:
+    void step(double due);
+
+    LoopParts &parts_;
+    Servo &servo_;
+    const SceneWork &work_;
+    TouchSensor &sensor_;
+    double dt_; ///< s
+    std::vector<ForceShare> shares_;
+};
+
+void SceneLoop::run()
+{
+    Pacer pacer(parts_.start, dt_, parts_.settings.most_steps_behind);
+    for (std::uint64_t steps = 0;
+         static_cast<double>(steps) * dt_ < parts_.settings.duration && !parts_.is_told_to_stop() && !servo_.ended();
+         ++steps)
+    {
+        parts_.clock.sleep_until(pacer.due());
+        parts_.scene.begin(parts_.clock.now());
+        step(pacer.due());
+        parts_.simulated = static_cast<double>(steps + 1) * dt_;
+        parts_.dropped += pacer.go_on(parts_.clock.now());
+        parts_.scene.end(parts_.clock.now(), pacer.due());
+    }
+}
+
+void SceneLoop::step(double due)
+{
+    parts_.rendered.take();
+    const ToolState &tool = parts_.rendered.latest().tool;
+    sensor_.clear();
+    sensor_.pose(tool);
+    work_.collide();
+    servo_.contacts().draft().set(sensor_.touches(), !sensor_.saw_nonsense(), tool.position, due);
+    servo_.contacts().publish();
+    parts_.probe.renderer().physics_fresh(parts_.clock.now());
+    push();
+    work_.advance(dt_);
+}
+
+void SceneLoop::push()
+{
+    shares_.clear();
+    Impulse impulse;
+    while (servo_.impulses().receive(impulse))
+    {
+        shares_.push_back({impulse.object, impulse.point, impulse.impulse / dt_});
+    }
+    sensor_.push(shares_);
+}
+} // namespace
+
+void LoopParts::run_decoupled(const SceneWork &work)
+{
+    Servo servo_side(*this);
+    SceneLoop scene_side(*this, servo_side, work);
+    probe.set_tick_length(1 / settings.physics_rate);
+    probe.sensor()->set_margin(settings.margin);
+    probe.begin(0, start);
+    note_rendered(probe.last_tick());
+    {
+        const std::unique_ptr<RunningTask> servo_task =
+            clock.start({1 / settings.rate, priority_request(false), [&](double due) { servo_side.tick(due); }});
+        scene_side.run();
+    }
+    if (servo_side.error())
+    {
+        std::rethrow_exception(servo_side.error());
+    }
+    servo_side.settle(clock.now() - start);
+    probe.renderer().relax();
+    scene_side.push();
+}
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,87 @@
+#include "ode_predictive_space/haptics/device_gate.h"
+
+namespace ode_predictive_space::haptics
+{
+class DeviceGate::Visit
+{
+public:
+    Visit(DeviceGate &gate, User user) : gate_(gate), entered_(gate.enter(user)) {}
+    ~Visit()
+    {
+        if (entered_)
+        {
+            gate_.leave();
+        }
+    }
+    Visit(const Visit &) = delete;
+    Visit &operator=(const Visit &) = delete;
+
+    bool entered() const { return entered_; }
+
+private:
+    DeviceGate &gate_;
+    bool entered_;
+};
+
+bool DeviceGate::enter(User user)
+{
+    User nobody = User::none;
+    return user_.compare_exchange_strong(nobody, user, std::memory_order_acquire, std::memory_order_relaxed);
+}
+
+bool DeviceGate::read(double time, DeviceState &state)
+{
+    const Visit visit(*this, User::servo);
+    if (visit.entered())
+    {
+        state = device_.read(time);
+    }
+    return visit.entered();
+}
+
+bool DeviceGate::write(const Wrench &wrench)
+{
+    const Visit visit(*this, User::servo);
+    // Looked at inside: the guard closes the gate from inside, too.
+    if (!visit.entered() || closed_.load(std::memory_order_relaxed))
+    {
+        return false;
+    }
+    device_.write(wrench);
+    return true;
+}
+
+void DeviceGate::close_device() noexcept
+{
+    const Visit visit(*this, User::servo);
+    if (visit.entered())
+    {
+        device_.close();
+    }
+}
+
+bool DeviceGate::notice_closing()
+{
+    return closed_.exchange(false, std::memory_order_relaxed);
+}
+
+DeviceGate::Outcome DeviceGate::close_with_zero()
+{
+    const Visit visit(*this, User::guard);
+    closed_.store(true, std::memory_order_relaxed);
+    if (!visit.entered())
+    {
+        return Outcome::busy;
+    }
+    try
+    {
+        device_.write(Wrench());
+    }
+    catch (...)
+    {
+        device_.close();
+        throw;
+    }
+    return Outcome::zero;
+}
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,87 @@
+#include "ode_predictive_space/haptics/probe.h"
+
+#include <algorithm>
+#include <array>
+#include <ode/collision_space.h>
+#include <ode_predictive_space/predictive_space.h>
+#include <stdexcept>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr int most_encounters = 64;
+}
+
+HapticProbe::HapticProbe(Device &device, dSpaceID space, double radius, RenderSettings settings)
+    : renderer_(device, std::move(settings)), sensor_(std::make_unique<TouchSensor>(space, radius))
+{}
+
+HapticProbe::HapticProbe(Device &device, dGeomID geom, RenderSettings settings)
+    : renderer_(device, std::move(settings)), sensor_(std::make_unique<TouchSensor>(geom))
+{}
+
+HapticProbe::HapticProbe(Device &device, dBodyID tool, const CouplingProperties &coupling, RenderSettings settings)
+    : renderer_(device, std::move(settings)), tool_body_(tool), coupling_(renderer_.softened(VirtualCoupling(coupling)))
+{
+    if (tool == nullptr)
+    {
+        throw std::invalid_argument("The virtual coupling needs a body to hold");
+    }
+}
+
+HapticProbe::~HapticProbe() = default;
+
+void HapticProbe::begin(double time, double clock_time)
+{
+    renderer_.read(time, clock_time);
+    if (sensor_)
+    {
+        sensor_->clear();
+        sensor_->pose(renderer_.tool());
+    }
+}
+
+bool HapticProbe::touch(dGeomID first, dGeomID second)
+{
+    return sensor_ && sensor_->touch(first, second);
+}
+
+void HapticProbe::render(double dt)
+{
+    tick_length_ = dt;
+    renderer_.note_fresh_physics();
+    if (sensor_)
+    {
+        renderer_.render(sensor_->touches(), !sensor_->saw_nonsense(), dt);
+        sensor_->push(renderer_.shares());
+    }
+    else
+    {
+        add_wrench(tool_body_, renderer_.render(coupling_, tool_state_of(tool_body_), dt));
+    }
+}
+
+const std::vector<Encounter> &HapticProbe::encounters()
+{
+    encounters_.clear();
+    const dSpaceID space = sensor_ ? dGeomGetSpace(sensor_->geom()) : nullptr;
+    if (space == nullptr || dSpaceIsPredictive(space) == 0)
+    {
+        return encounters_;
+    }
+    std::array<dPredictiveEncounter, most_encounters> found;
+    const int count = dPredictiveSpaceGetEncounters(space, sensor_->geom(), found.data(), most_encounters);
+    for (int i = 0; i < count; ++i)
+    {
+        encounters_.push_back({found[i].geom, static_cast<double>(found[i].ticks) * tick_length_});
+    }
+    return encounters_;
+}
+
+const std::vector<Touch> &HapticProbe::touches() const
+{
+    static const std::vector<Touch> none;
+    return sensor_ ? sensor_->touches() : none;
+}
+} // namespace ode_predictive_space::haptics

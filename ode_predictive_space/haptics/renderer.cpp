@@ -1,0 +1,294 @@
+// A tick of the hand's side: read, law, safety, write, and what there is to tell. How it is set up: renderer_setup.cpp.
+
+#include "ode_predictive_space/haptics/renderer.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double try_again_after = 0.1;    // s
+constexpr double shortest_silence = 0.004; // s
+constexpr double periods_of_silence = 4;
+constexpr double tell_again_after = 1; // s
+
+bool is_finite(const DeviceState &state)
+{
+    return state.position.allFinite() && state.orientation.coeffs().allFinite() && state.linear_velocity.allFinite() &&
+           state.angular_velocity.allFinite();
+}
+
+bool is_held(const std::optional<unsigned> &button, const DeviceState &state)
+{
+    return button && *button < 32 && ((state.buttons >> *button) & 1U) != 0;
+}
+
+/// What makes the safety stage take the force away, or less of it than one would notice.
+constexpr SafetyAction worth_telling[] = {SafetyAction::not_finite, SafetyAction::too_fast, SafetyAction::waiting,
+                                          SafetyAction::clamped};
+} // namespace
+
+enum class Renderer::Topic
+{
+    contact,
+    safety,                                  ///< and one for each of its actions
+    watchdog = safety + safety_action_count, ///< and one for each of its reasons
+    count = watchdog + watchdog_reason_count
+};
+
+void Renderer::read(double time, double clock_time)
+{
+    tick_.time = time;
+    clock_time_ = clock_time;
+    if (gate_.notice_closing())
+    {
+        begin_anew();
+    }
+    const bool answered = answers_;
+    answers_ = time >= next_try_ && read_device(time);
+    if (!answers_)
+    {
+        return;
+    }
+    if (!answered)
+    {
+        begin_anew();
+    }
+    if (failed_)
+    {
+        failed_ = false;
+        tell(NoticeKind::device, gate_.device().capabilities().name + " answers again; the force comes back slowly.");
+    }
+    mapping_.clutch(is_held(settings_.clutch_button, tick_.state), tick_.state);
+    tick_.tool = mapping_.to_scene(tick_.state);
+}
+
+bool Renderer::read_device(double time)
+{
+    try
+    {
+        DeviceState state = tick_.state;
+        if (!gate_.read(time, state))
+        {
+            return answers_; // the guard is in it, just now: what it told before will do
+        }
+        if (!is_finite(state))
+        {
+            fail("The device tells a position or a velocity that is not a number.");
+            return false;
+        }
+        if (is_silent(state, time))
+        {
+            fail("The device has told nothing new for too long.");
+            return false;
+        }
+        tick_.state = state;
+        return true;
+    }
+    catch (const std::exception &error)
+    {
+        fail(error.what());
+        return false;
+    }
+}
+
+bool Renderer::is_silent(const DeviceState &state, double time)
+{
+    if (state.time != last_state_time_)
+    {
+        last_state_time_ = state.time;
+        last_news_ = time;
+    }
+    const double rate = std::min(gate_.device().capabilities().rate, settings_.rate);
+    return time - last_news_ > std::max(shortest_silence, periods_of_silence / rate);
+}
+
+void Renderer::fail(std::string_view why)
+{
+    answers_ = false;
+    next_try_ = tick_.time + try_again_after;
+    split_.clear();
+    if (!failed_)
+    {
+        failed_ = true;
+        tell(NoticeKind::device, "No force: " + std::string(why));
+    }
+    try
+    {
+        gate_.write(Wrench());
+    }
+    catch (const std::exception &)
+    {
+        gate_.close_device();
+    }
+}
+
+void Renderer::begin_anew()
+{
+    safety_.reset();
+    law_->reset();
+    split_.clear();
+    if (passivity_)
+    {
+        passivity_->reset();
+    }
+}
+
+void Renderer::relax()
+{
+    begin_anew();
+    try
+    {
+        gate_.write(Wrench());
+    }
+    catch (const std::exception &)
+    {
+        gate_.close_device();
+    }
+}
+
+void Renderer::render(const std::vector<Touch> &touches, bool all_known, double dt)
+{
+    law_->forces(tick_.tool, touches, dt, forces_);
+    Wrench wished;
+    wished.force = sum_of(forces_);
+    if (!all_known)
+    {
+        wished.force.setConstant(std::numeric_limits<double>::quiet_NaN());
+        tell_once_a_second(Topic::contact, NoticeKind::contact,
+                           "No force: a contact of the probe, or the velocity of what it touches, is not a number.");
+    }
+    const Vector3 given = write(wished, dt).force;
+    if (given.isZero(0))
+    {
+        split_.clear();
+    }
+    else
+    {
+        split_.split(touches, forces_, given);
+    }
+    close_tick(wished.force, given);
+}
+
+Wrench Renderer::render(const VirtualCoupling &coupling, const ToolState &body, double dt)
+{
+    const Wrench wished = coupling.on_device(tick_.tool, body);
+    Wrench given = write(wished, dt);
+    if (gate_.device().capabilities().force_axes < 6 && answers_)
+    {
+        given.torque = watchdog_->factor() * wished.torque;
+    }
+    close_tick(wished.force, given.force);
+    return opposite(given);
+}
+
+/// @return what was written, in the scene's frame.
+Wrench Renderer::write(const Wrench &wished, double dt)
+{
+    watchdog_->device_answered(answers_);
+    watchdog_->servo_ticked(clock_time_);
+    const Wrench written = answers_ ? delivered(limited(wished, dt)) : Wrench();
+    tell_of_watchdog();
+    if (passivity_)
+    {
+        passivity_->written(written.force);
+    }
+    const WorkspacePlacement &placement = mapping_.placement();
+    tick_.wrench = written;
+    return {placement.rotation * written.force / placement.force_scale,
+            placement.rotation * written.torque / placement.force_scale};
+}
+
+Wrench Renderer::limited(const Wrench &wished, double dt)
+{
+    Wrench at_device = mapping_.to_device(wished);
+    if (passivity_)
+    {
+        at_device.force = passivity_->control(tick_.state, at_device.force, dt);
+    }
+    const Wrench safe = safety_.limit(at_device, tick_.state.linear_velocity, tick_.time, watchdog_->factor());
+    tell_of_safety();
+    return safe;
+}
+
+/// @return zero when it could not be.
+Wrench Renderer::delivered(const Wrench &safe)
+{
+    if (gate_.device().capabilities().force_axes == 0)
+    {
+        return safe;
+    }
+    try
+    {
+        if (gate_.write(safe))
+        {
+            return safe;
+        }
+    }
+    catch (const std::exception &error)
+    {
+        fail(error.what());
+    }
+    return {};
+}
+
+void Renderer::close_tick(const Vector3 &wished, const Vector3 &force)
+{
+    tick_.wished = wished;
+    tick_.force = force;
+    tick_.allowance = watchdog_->factor();
+    tick_.device_answers = answers_;
+    tick_.saturated = answers_ && safety_.report().did(SafetyAction::clamped);
+    if (recorder_)
+    {
+        recorder_(tick_);
+    }
+}
+
+void Renderer::tell_of_safety()
+{
+    for (const SafetyAction action : worth_telling)
+    {
+        if (safety_.report().began(action))
+        {
+            const auto topic = static_cast<int>(Topic::safety) + static_cast<int>(action);
+            tell_once_a_second(static_cast<Topic>(topic), NoticeKind::safety, explanation_of(action));
+        }
+    }
+}
+
+// A device that does not answer has been told of, and who asked for a stop knows.
+void Renderer::tell_of_watchdog()
+{
+    const WatchdogReason reason = watchdog_->reason();
+    const bool worth = reason == WatchdogReason::physics_stale || reason == WatchdogReason::servo_late;
+    if (worth && reason != last_reason_)
+    {
+        const auto topic = static_cast<int>(Topic::watchdog) + static_cast<int>(reason);
+        tell_once_a_second(static_cast<Topic>(topic), NoticeKind::watchdog, explanation_of(reason));
+    }
+    last_reason_ = reason;
+}
+
+void Renderer::tell_once_a_second(Topic topic, NoticeKind kind, std::string_view sentence)
+{
+    static_assert(static_cast<std::size_t>(Topic::count) <= std::tuple_size_v<decltype(told_)>);
+    double &last = told_[static_cast<std::size_t>(topic)];
+    if (tick_.time - last >= tell_again_after)
+    {
+        last = tick_.time;
+        tell(kind, sentence);
+    }
+}
+
+void Renderer::tell(NoticeKind kind, std::string_view sentence) const
+{
+    if (settings_.notice)
+    {
+        settings_.notice(Notice(kind, tick_.time, sentence));
+    }
+}
+} // namespace ode_predictive_space::haptics

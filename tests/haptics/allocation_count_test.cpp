@@ -1,0 +1,65 @@
+#include "tests/haptics/allocation_count.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <new>
+#include <vector>
+
+#include "ode_predictive_space/haptics/safety.h"
+
+namespace
+{
+std::atomic<std::uint64_t> allocations{0};
+}
+
+// In place of the standard library's; its other forms of new and delete call these. Inlined, one of a pair but not the other, they
+// look to the compiler as if new were freed.
+[[gnu::noinline]] void *operator new(std::size_t size)
+{
+    ++allocations;
+    if (void *memory = std::malloc(size > 0 ? size : 1))
+        return memory;
+    throw std::bad_alloc();
+}
+
+[[gnu::noinline]] void operator delete(void *memory) noexcept
+{
+    std::free(memory);
+}
+
+[[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept
+{
+    std::free(memory);
+}
+
+namespace ode_predictive_space::haptics
+{
+std::uint64_t allocation_count()
+{
+    return allocations;
+}
+
+namespace
+{
+TEST(AllocationCount, CountsWhatAProgramAsksFor)
+{
+    const std::uint64_t before = allocation_count();
+    std::vector<int> numbers;
+    numbers.push_back(1);
+    EXPECT_EQ(allocation_count(), before + 1);
+    numbers.clear();
+    numbers.push_back(2);
+    EXPECT_EQ(allocation_count(), before + 1);
+}
+
+TEST(AllocationCount, CountsWhatTheLibraryAsksFor)
+{
+    SafetyReport report;
+    report.calls.fill(1);
+    const std::uint64_t before = allocation_count();
+    const std::string summary = report.summary();
+    EXPECT_GT(allocation_count(), before);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,140 @@
+#include "ode_predictive_space/haptics/device_gate.h"
+
+#include "tests/haptics/faulty_device.h"
+#include "tests/haptics/scripted_device.h"
+
+#include <atomic>
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+Wrench push(double newtons)
+{
+    Wrench wrench;
+    wrench.force.z() = newtons;
+    return wrench;
+}
+
+class DeviceGateTest : public testing::Test
+{
+protected:
+    DeviceGateTest() : device_([](double seconds) -> Vector3 { return {seconds, 0, 0}; })
+    {
+        device_.open();
+        device_.read(0);
+    }
+
+    ScriptedDevice device_;
+};
+
+TEST_F(DeviceGateTest, LetsTheServoThrough)
+{
+    DeviceGate gate(device_);
+    DeviceState state;
+    EXPECT_TRUE(gate.read(1, state));
+    EXPECT_EQ(state.position.x(), 1);
+    EXPECT_TRUE(gate.write(push(1)));
+    EXPECT_EQ(device_.last_wrench().force.z(), 1);
+    EXPECT_FALSE(gate.notice_closing());
+}
+
+TEST_F(DeviceGateTest, AfterTheGuardNoForceIsWrittenUntilTheServoHasNoticed)
+{
+    DeviceGate gate(device_);
+    gate.write(push(1));
+    EXPECT_EQ(gate.close_with_zero(), DeviceGate::Outcome::zero);
+    EXPECT_EQ(device_.last_wrench().force.z(), 0);
+    EXPECT_FALSE(gate.write(push(2))) << "what was computed before the stall";
+    EXPECT_EQ(device_.last_wrench().force.z(), 0);
+    EXPECT_TRUE(gate.notice_closing());
+    EXPECT_FALSE(gate.notice_closing());
+    EXPECT_TRUE(gate.write(push(3)));
+    EXPECT_EQ(device_.last_wrench().force.z(), 3);
+}
+
+/// Calls back from within the driver.
+class NosyDevice : public ScriptedDevice
+{
+public:
+    NosyDevice() : ScriptedDevice([](double) { return Vector3(Vector3::Zero()); }) {}
+
+    void write(const Wrench &wrench) override
+    {
+        ScriptedDevice::write(wrench);
+        if (inside)
+        {
+            inside();
+        }
+    }
+
+    std::function<void()> inside;
+};
+
+TEST_F(DeviceGateTest, NobodyEntersWhileAnotherIsInside)
+{
+    NosyDevice device;
+    device.open();
+    DeviceGate gate(device);
+    auto outcome = DeviceGate::Outcome::zero;
+    device.inside = [&] { outcome = gate.close_with_zero(); };
+    EXPECT_TRUE(gate.write(push(1)));
+    EXPECT_EQ(outcome, DeviceGate::Outcome::busy);
+
+    bool read = true;
+    bool written = true;
+    device.inside = [&] {
+        DeviceState state;
+        read = gate.read(1, state);
+        written = gate.write(push(2));
+    };
+    EXPECT_EQ(gate.close_with_zero(), DeviceGate::Outcome::zero);
+    EXPECT_FALSE(read);
+    EXPECT_FALSE(written);
+}
+
+TEST_F(DeviceGateTest, ADeviceThatTakesNoZeroIsLetGoOf)
+{
+    FaultyDevice device(device_);
+    DeviceGate gate(device);
+    gate.write(push(1));
+    device.break_now(Breakage::lost);
+    EXPECT_THROW(gate.close_with_zero(), DeviceError);
+    EXPECT_FALSE(device_.status().open);
+    EXPECT_TRUE(device.last_wrench().force.isZero(0));
+    device.break_now(Breakage::none);
+    EXPECT_FALSE(gate.write(push(2))) << "closed all the same";
+}
+
+TEST_F(DeviceGateTest, TwoThreadsAreNeverInsideAtOnce)
+{
+    NosyDevice device;
+    device.open();
+    DeviceGate gate(device);
+    int inside = 0; // not atomic: the gate orders it, or ThreadSanitizer tells
+    bool crowded = false;
+    device.inside = [&] {
+        crowded = crowded || inside != 0;
+        ++inside;
+        --inside;
+    };
+    std::atomic<bool> over{false};
+    std::thread guard([&] {
+        while (!over)
+        {
+            gate.close_with_zero();
+        }
+    });
+    for (int i = 0; i < 20000; ++i)
+    {
+        gate.notice_closing();
+        gate.write(push(i));
+    }
+    over = true;
+    guard.join();
+    EXPECT_FALSE(crowded);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

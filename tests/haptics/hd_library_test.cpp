@@ -1,0 +1,88 @@
+#include "ode_predictive_space/haptics/devices/hd_library.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+using namespace ode_predictive_space::haptics;
+using testing::IsSubstring;
+
+namespace
+{
+/// What loading one of these files throws.
+DeviceError error_of(const std::vector<std::string> &files)
+{
+    try
+    {
+        const HdLibrary library(files);
+    }
+    catch (const DeviceError &error)
+    {
+        return error;
+    }
+    throw std::runtime_error("a library was loaded");
+}
+
+const std::vector<std::uint32_t> all_codes{0,     0x100, 0x101, 0x102, 0x103, 0x104, 0x200, 0x201, 0x202, 0x203,
+                                           0x204, 0x300, 0x301, 0x302, 0x303, 0x304, 0x402, 0x501, 0x600};
+} // namespace
+
+TEST(HdLibrary, NamesEachFileThatIsNotThere)
+{
+    const DeviceError error = error_of({"libabsent_hd.so", "libabsent_hd.so.3.0"});
+    EXPECT_EQ(error.fault(), DeviceFault::missing_library);
+    EXPECT_PRED_FORMAT2(IsSubstring, "libabsent_hd.so: cannot open shared object file", error.what());
+    EXPECT_PRED_FORMAT2(IsSubstring, "libabsent_hd.so.3.0: cannot open shared object file", error.what());
+}
+
+TEST(HdLibrary, TakesTheFirstFileThatIsThere)
+{
+    const HdLibrary library({"libabsent_hd.so", FAKE_HD});
+    EXPECT_STREQ(library->get_error_string(hd::error::warm_motors), "The motors are warm.");
+}
+
+TEST(HdLibrary, NamesALibraryThatIsMissingBehindIt)
+{
+    const DeviceError error = error_of({FAKE_HD_WITHOUT_DRIVER});
+    EXPECT_EQ(error.fault(), DeviceFault::missing_library);
+    EXPECT_PRED_FORMAT2(IsSubstring, "libfake_hd_absent_driver.so: cannot open shared object file", error.what());
+}
+
+TEST(HdLibrary, NamesTheFunctionThatAnotherVersionLacksAndItsFile)
+{
+    const DeviceError error = error_of({FAKE_HD_OF_ANOTHER_VERSION});
+    EXPECT_EQ(error.fault(), DeviceFault::missing_symbol);
+    EXPECT_PRED_FORMAT2(IsSubstring, "hdUnschedule", error.what());
+    EXPECT_PRED_FORMAT2(IsSubstring, FAKE_HD_OF_ANOTHER_VERSION, error.what());
+}
+
+TEST(HdLibrary, DescribesErrorsByNameNumberAndTheLibrarysWords)
+{
+    const HdLibrary library({FAKE_HD});
+    EXPECT_EQ(library.describe(hd::error::warm_motors, 5),
+              "HD_WARM_MOTORS (0x200, internal code 5): The motors are warm.");
+    EXPECT_EQ(library.describe(0x999, -1), "unknown error (0x999, internal code -1): The stand-in's words.");
+}
+
+TEST(HdLibrary, KnowsANameForEveryError)
+{
+    std::set<std::string> names;
+    for (const std::uint32_t code : all_codes)
+    {
+        names.insert(name_of_hd_error(code));
+    }
+    EXPECT_EQ(names.size(), all_codes.size());
+    EXPECT_EQ(names.count("unknown error"), 0u);
+}
+
+TEST(HdLibrary, PausesForForcesLosesADeviceFailsOtherwise)
+{
+    for (const std::uint32_t code : all_codes)
+    {
+        const bool is_of_forces = code >= 0x200 && code <= 0x204;
+        const bool is_of_the_device = (code >= 0x300 && code <= 0x304) || code == 0x104;
+        EXPECT_EQ(consequence_of(code), is_of_forces       ? HdConsequence::pause
+                                        : is_of_the_device ? HdConsequence::lost
+                                                           : HdConsequence::failed)
+            << std::hex << code;
+    }
+}

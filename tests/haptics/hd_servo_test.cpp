@@ -1,0 +1,305 @@
+// Forces and errors in the servo thread, frame by frame: through the device, against a stand-in for the vendor's
+// library.
+
+#include "ode_predictive_space/haptics/devices/hd_servo.h"
+
+#include "ode_predictive_space/haptics/openhaptics_device.h"
+#include "tests/haptics/stand_ins/fake_hd_control.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <optional>
+#include <thread>
+
+using namespace ode_predictive_space::haptics;
+using testing::IsSubstring;
+
+namespace
+{
+const Vector3 some_force(0.5, -1, 2);
+
+/// At 1000 Hz.
+constexpr int frames_until_stale = 10;
+constexpr int frames_of_a_pause = 100;
+
+const std::uint32_t passing_errors[] = {0x200, 0x201, 0x202, 0x203, 0x204};
+const std::uint32_t errors_of_the_device[] = {0x104, 0x300, 0x301, 0x302, 0x303, 0x304};
+const std::uint32_t other_errors[] = {0x100, 0x101, 0x102, 0x103, 0x402, 0x501, 0x600, 0x999};
+
+class HdServoTest : public testing::Test
+{
+protected:
+    /// With the servo thread standing still: it runs the frames that a test asks for.
+    void open()
+    {
+        device.open();
+        fake.pause();
+        device.read(0);
+    }
+
+    /// The device renders a force, and in the frame after the next the library reports this.
+    void open_and_fail(std::uint32_t code, int times = 1)
+    {
+        open();
+        device.write({some_force, Vector3::Zero()});
+        fake.step(1);
+        ASSERT_EQ(fake.playing(), some_force);
+        fake.fail("hdEndFrame", code, 42, times);
+        fake.step(2);
+    }
+
+    void write_for(int frames)
+    {
+        for (int frame = 0; frame < frames; ++frame)
+        {
+            device.write({some_force, Vector3::Zero()});
+            fake.step(1);
+        }
+    }
+
+    std::optional<DeviceError> error_of_read(double time)
+    {
+        try
+        {
+            device.read(time);
+        }
+        catch (const DeviceError &error)
+        {
+            return error;
+        }
+        return {};
+    }
+
+    FakeHdControl fake;
+    OpenHapticsDevice device{{FAKE_HD, ""}};
+};
+} // namespace
+
+TEST_F(HdServoTest, RendersWhatWasWrittenLast)
+{
+    open();
+    EXPECT_TRUE(fake.playing().isZero()) << "before the first write";
+    device.write({Vector3(3, 3, 3), Vector3::Zero()});
+    device.write({some_force, Vector3::Zero()});
+    fake.step(1);
+    EXPECT_EQ(fake.playing(), some_force);
+}
+
+TEST_F(HdServoTest, TakesAForceBackThatNobodyRenews)
+{
+    open();
+    device.write({some_force, Vector3::Zero()});
+    fake.step(frames_until_stale);
+    EXPECT_EQ(fake.playing(), some_force);
+    fake.step(1);
+    EXPECT_TRUE(fake.playing().isZero());
+    write_for(2 * frames_until_stale);
+    EXPECT_EQ(fake.playing(), some_force) << "renewed in each frame";
+}
+
+TEST_F(HdServoTest, CountsTheAgeOfAForceByTheDevicesRate)
+{
+    fake.set_rate(1000, 500);
+    open();
+    device.write({some_force, Vector3::Zero()});
+    fake.step(frames_until_stale / 2);
+    EXPECT_EQ(fake.playing(), some_force);
+    fake.step(1);
+    EXPECT_TRUE(fake.playing().isZero());
+}
+
+TEST_F(HdServoTest, RendersNoForceThatIsNotFinite)
+{
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    {
+        open();
+        write_for(1);
+        EXPECT_THROW(device.write({Vector3(0, bad, 0), Vector3::Zero()}), DeviceError);
+        fake.step(1);
+        EXPECT_TRUE(fake.playing().isZero());
+        write_for(1);
+        EXPECT_EQ(fake.playing(), some_force);
+        fake.resume();
+        device.close();
+    }
+}
+
+TEST_F(HdServoTest, SetsZeroAndSeesItBeforeItStops)
+{
+    device.open();
+    for (int i = 0; i < 20; ++i)
+    {
+        device.write({some_force, Vector3::Zero()});
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    device.close();
+    EXPECT_TRUE(fake.playing_at_stop().isZero());
+    EXPECT_GE(fake.frames_without_force_at_stop(), 2u);
+    EXPECT_LT(fake.frames_without_force_at_stop(), fake.frames()) << "there was a force to be set to zero";
+}
+
+TEST_F(HdServoTest, SetsZeroWhenItIsDestroyed)
+{
+    {
+        OpenHapticsDevice local({FAKE_HD, ""});
+        local.open();
+        local.write({some_force, Vector3::Zero()});
+    }
+    EXPECT_TRUE(fake.playing_at_stop().isZero());
+    EXPECT_GE(fake.frames_without_force_at_stop(), 2u);
+}
+
+TEST_F(HdServoTest, SwitchesTheForceOffWhereTheServoThreadStandsStill)
+{
+    open();
+    write_for(1);
+    device.close();
+    EXPECT_EQ(fake.playing_at_stop(), some_force) << "it plays on when nobody sets another";
+    EXPECT_FALSE(fake.is_enabled(0x4000));
+    EXPECT_TRUE(fake.playing().isZero());
+    EXPECT_PRED_FORMAT2(IsSubstring, "hdStopScheduler hdUnschedule hdDisable hdDisableDevice", fake.calls());
+}
+
+TEST_F(HdServoTest, PausesAfterAnErrorOfForces)
+{
+    for (const std::uint32_t code : passing_errors)
+    {
+        open_and_fail(code);
+        EXPECT_TRUE(fake.playing().isZero()) << name_of_hd_error(code);
+        EXPECT_FALSE(device.status().ready);
+        EXPECT_TRUE(device.status().open);
+        EXPECT_PRED_FORMAT2(IsSubstring, name_of_hd_error(code), device.status().explanation);
+
+        const std::optional<DeviceError> error = error_of_read(0.001);
+        ASSERT_TRUE(error.has_value());
+        EXPECT_EQ(error->fault(), DeviceFault::failed);
+        EXPECT_PRED_FORMAT2(IsSubstring, name_of_hd_error(code), error->what());
+        EXPECT_PRED_FORMAT2(IsSubstring, "internal code 42", error->what());
+        EXPECT_FALSE(error_of_read(0.001).has_value()) << "told once";
+
+        // One frame of the pause has gone by already.
+        write_for(frames_of_a_pause - 1);
+        EXPECT_TRUE(fake.playing().isZero());
+        write_for(1);
+        EXPECT_EQ(fake.playing(), some_force);
+        EXPECT_TRUE(device.status().ready);
+        EXPECT_EQ(device.status().explanation, "");
+        fake.resume();
+        device.close();
+    }
+}
+
+TEST_F(HdServoTest, TellsThePauseToWhoeverWritesFirst)
+{
+    open_and_fail(0x201);
+    EXPECT_THROW(device.write({some_force, Vector3::Zero()}), DeviceError);
+    EXPECT_NO_THROW(device.write({some_force, Vector3::Zero()}));
+    EXPECT_NO_THROW(device.read(0.001));
+}
+
+TEST_F(HdServoTest, PausesForAsLongAsMotorsAreWarm)
+{
+    open_and_fail(0x200, -1);
+    EXPECT_TRUE(error_of_read(0.001).has_value());
+    write_for(3 * frames_of_a_pause);
+    EXPECT_TRUE(fake.playing().isZero());
+    EXPECT_FALSE(error_of_read(0.002).has_value()) << "told once";
+    EXPECT_FALSE(device.status().ready);
+}
+
+TEST_F(HdServoTest, IsLostAfterAnErrorOfTheDevice)
+{
+    for (const std::uint32_t code : errors_of_the_device)
+    {
+        open_and_fail(code);
+        EXPECT_TRUE(fake.playing().isZero()) << name_of_hd_error(code);
+        for (int i = 0; i < 2; ++i)
+        {
+            const std::optional<DeviceError> error = error_of_read(0.001);
+            ASSERT_TRUE(error.has_value());
+            EXPECT_EQ(error->fault(), DeviceFault::lost);
+            EXPECT_PRED_FORMAT2(IsSubstring, name_of_hd_error(code), error->what());
+            EXPECT_THROW(device.write({some_force, Vector3::Zero()}), DeviceError);
+            fake.step(2 * frames_of_a_pause);
+        }
+        EXPECT_TRUE(fake.playing().isZero()) << "for good";
+        EXPECT_FALSE(device.status().ready);
+        EXPECT_PRED_FORMAT2(IsSubstring, name_of_hd_error(code), device.status().explanation);
+        fake.resume();
+        device.close();
+        device.open();
+        EXPECT_NO_THROW(device.read(1)) << "after it was opened anew";
+        device.close();
+    }
+}
+
+TEST_F(HdServoTest, FailsForGoodAfterAnyOtherError)
+{
+    for (const std::uint32_t code : other_errors)
+    {
+        open_and_fail(code);
+        EXPECT_TRUE(fake.playing().isZero()) << std::hex << code;
+        for (int i = 0; i < 2; ++i)
+        {
+            const std::optional<DeviceError> error = error_of_read(0.001);
+            ASSERT_TRUE(error.has_value());
+            EXPECT_EQ(error->fault(), DeviceFault::failed);
+            fake.step(2 * frames_of_a_pause);
+        }
+        EXPECT_TRUE(fake.playing().isZero()) << "for good";
+        fake.resume();
+        device.close();
+    }
+}
+
+TEST_F(HdServoTest, TellsTheGraverOfTwoErrors)
+{
+    open();
+    fake.fail("hdBeginFrame", 0x300, 1, 1);
+    fake.fail("hdEndFrame", 0x200, 2, 1);
+    fake.step(1);
+    const std::optional<DeviceError> error = error_of_read(0.001);
+    ASSERT_TRUE(error.has_value());
+    EXPECT_EQ(error->fault(), DeviceFault::lost);
+}
+
+TEST_F(HdServoTest, IsLostWhenTheServoThreadStandsStill)
+{
+    open();
+    write_for(1);
+    EXPECT_FALSE(error_of_read(1).has_value());
+    EXPECT_FALSE(error_of_read(1.09).has_value());
+    for (const double time : {1.2, 1.3})
+    {
+        const std::optional<DeviceError> error = error_of_read(time);
+        ASSERT_TRUE(error.has_value());
+        EXPECT_EQ(error->fault(), DeviceFault::lost);
+        EXPECT_THROW(device.write({some_force, Vector3::Zero()}), DeviceError);
+    }
+    EXPECT_FALSE(device.status().ready);
+    fake.step(1);
+    EXPECT_TRUE(fake.playing().isZero()) << "should it run again";
+    EXPECT_TRUE(error_of_read(1.4).has_value()) << "until close()";
+}
+
+TEST_F(HdServoTest, ExchangesWholeStatesAndWholeForcesAtFullSpeed)
+{
+    fake.set_rate(20000, 1000);
+    fake.set_motion([](double seconds, FakeHdPose *pose) {
+        *pose = {{seconds, seconds, seconds}, {seconds, seconds, seconds}, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {}, 0};
+    });
+    device.open();
+    double last = 0;
+    for (int i = 1; fake.frames() < 2000; ++i)
+    {
+        const DeviceState state = device.read(0);
+        ASSERT_EQ(state.position, Vector3::Constant(state.position.x()));
+        ASSERT_EQ(state.position, state.linear_velocity);
+        ASSERT_GE(state.position.x(), last);
+        last = state.position.x();
+        device.write({Vector3::Constant(i), Vector3::Zero()});
+        const Vector3 force = fake.playing();
+        ASSERT_EQ(force, Vector3::Constant(force.x()));
+    }
+    EXPECT_GT(last, 0);
+}

@@ -1,0 +1,100 @@
+#include "ode_predictive_space/haptics/loop_clock.h"
+
+#include <atomic>
+#include <gtest/gtest.h>
+#include <string>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+TEST(SimulatedClock, TimePassesOnlyWhenSomebodySleeps)
+{
+    SimulatedClock clock;
+    EXPECT_EQ(clock.now(), 0);
+    clock.sleep_until(2);
+    EXPECT_EQ(clock.now(), 2);
+    clock.sleep_until(1);
+    EXPECT_EQ(clock.now(), 2) << "it never goes back";
+    clock.advance(0.5);
+    EXPECT_EQ(clock.now(), 2.5);
+}
+
+TEST(SimulatedClock, TasksAreCarriedOutWhenTheyAreDueInTheOrderOfTheirStart)
+{
+    SimulatedClock clock;
+    std::string order;
+    double wrong = 0;
+    const auto task = [&](char name) {
+        return [&, name](double due) {
+            order += name;
+            wrong += due - clock.now();
+        };
+    };
+    const auto slow = clock.start({1, [&] { order += 'p'; }, task('s')});
+    const auto fast = clock.start({0.5, {}, task('f')});
+    EXPECT_EQ(order, "");
+    clock.sleep_until(2);
+    EXPECT_EQ(order, "fpsffsf");
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST(SimulatedClock, AnEndedTaskIsNotCarriedOut)
+{
+    SimulatedClock clock;
+    int times = 0;
+    auto task = clock.start({1, {}, [&](double) { ++times; }});
+    clock.sleep_until(3);
+    task.reset();
+    clock.sleep_until(10);
+    EXPECT_EQ(times, 3);
+}
+
+TEST(SimulatedClock, ATaskThatTakesLongLeavesOutWhatItMissed)
+{
+    SimulatedClock clock;
+    int slow = 0;
+    int other = 0;
+    const auto late = clock.start({1, {}, [&](double) {
+                                       ++slow;
+                                       clock.advance(2.5);
+                                   }});
+    const auto quick = clock.start({1, {}, [&](double) { ++other; }});
+    clock.sleep_until(4); // due at 1, done at 3.5; due at 4
+    EXPECT_EQ(slow, 2);
+    EXPECT_EQ(other, 6) << "at 1, 2 and 3, while the slow one was at it, at 4, and at 5 and 6, before that ended again";
+    EXPECT_EQ(clock.now(), 6.5);
+}
+
+TEST(MonotonicClock, SleepsUntilADeadlineAndNotLess)
+{
+    MonotonicClock clock;
+    const double deadline = clock.now() + 0.003;
+    clock.sleep_until(deadline);
+    EXPECT_GE(clock.now(), deadline);
+    clock.sleep_until(deadline - 1); // at once
+}
+
+TEST(MonotonicClock, ATaskHasAThreadOfItsOwnUntilItEnds)
+{
+    MonotonicClock clock;
+    std::atomic<int> times{0};
+    std::atomic<bool> prepared{false};
+    std::atomic<bool> before{false};
+    auto task = clock.start({0.001, [&] { prepared = true; },
+                             [&](double) {
+                                 before = before || !prepared;
+                                 ++times;
+                             }});
+    while (times < 5)
+    {
+        clock.sleep_until(clock.now() + 0.001);
+    }
+    task.reset();
+    const int last = times;
+    clock.sleep_until(clock.now() + 0.005);
+    EXPECT_EQ(times, last);
+    EXPECT_FALSE(before);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,68 @@
+// A stand-in for spacenavd, the server of 3D mice: a socket, its protocol, and events when the test wants them.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_SPACENAVD_H
+#define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_SPACENAVD_H
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <thread>
+
+/// How the server answers.
+enum class SpacenavdManner
+{
+    usual,      ///< protocol 1, one mouse, "Stand-in Mouse"
+    old,        ///< protocol 0: answers nothing
+    no_mouse,   ///< protocol 1, no mouse
+    busy_mouse, ///< protocol 1; a motion comes in front of the first answer to a question
+    hangs_up,   ///< takes the connection and closes it
+    hangs_up_after_greeting
+};
+
+/// Listens at a new socket from its construction to its stop, for one client at a time, in a thread of its own. As long
+/// as it lives, SPNAV_SOCKET names its socket.
+class FakeSpacenavd
+{
+public:
+    explicit FakeSpacenavd(SpacenavdManner manner = SpacenavdManner::usual);
+    ~FakeSpacenavd();
+    FakeSpacenavd(const FakeSpacenavd &) = delete;
+    FakeSpacenavd &operator=(const FakeSpacenavd &) = delete;
+
+    /// To the client that is connected. It can be read when this returns.
+    void send_motion(int x, int y, int z, int rx, int ry, int rz) { send({0, x, y, z, rx, ry, rz, 16}); }
+    void send_button(int button, bool is_pressed) { send({is_pressed ? 1 : 2, button, 0, 0, 0, 0, 0, 0}); }
+    void send_unplugged() { send({3, 1, 0, 0, 0, 0, 0, 0}); }
+
+    /// Something that is no event.
+    void send_nonsense() { send({0x7fff0000, 1, 2, 3, 4, 5, 6, 7}); }
+
+    /// Half of an event: the rest does not come.
+    void send_half_a_motion(int x);
+
+    /// The server ends: it closes its connection and its socket.
+    void stop();
+
+    const std::string &socket_path() const { return path_; }
+
+private:
+    using Message = std::array<std::int32_t, 8>;
+
+    void send(const Message &message);
+    void serve();
+    void serve_client(int client);
+    bool greet(int client);
+    void answer(int client, Message question);
+
+    const SpacenavdManner manner_;
+    std::string folder_;
+    std::string path_;
+    int listener_ = -1;
+    std::atomic<int> client_{-1};
+    std::atomic<bool> is_ended_{false};
+    bool has_been_asked_ = false; ///< of the thread alone
+    std::thread thread_;
+};
+
+#endif

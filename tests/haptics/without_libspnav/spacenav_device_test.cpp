@@ -1,0 +1,22 @@
+#include "ode_predictive_space/haptics/spacenav_device.h"
+
+#include <gtest/gtest.h>
+
+using namespace ode_predictive_space::haptics;
+
+TEST(SpacenavWithoutLibspnav, SaysWhyItCannotBeOpened)
+{
+    SpacenavDevice device;
+    EXPECT_EQ(device.capabilities().force_axes, 0);
+    try
+    {
+        device.open();
+        FAIL();
+    }
+    catch (const DeviceError &error)
+    {
+        EXPECT_EQ(error.fault(), DeviceFault::missing_library);
+        EXPECT_PRED_FORMAT2(testing::IsSubstring, "libspnav", error.what());
+    }
+    EXPECT_FALSE(device.status().open);
+}
