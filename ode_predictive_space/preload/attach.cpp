@@ -16,20 +16,21 @@ namespace ode_predictive_space::preload
 {
 namespace
 {
-Settings settings;
-Watch *watch; // never deleted: a thread may still collide when the process ends
+// Never deleted: a program may still make spaces and collide when the process ends.
+const Settings *settings;
+Watch *watch;
 
 // To the program, it is a space of the class that it asked for.
 dSpaceID create(int space_class, dSpaceID parent)
 {
-    if (settings.replaced.count(space_class) == 0)
+    if (settings->replaced.count(space_class) == 0)
         return nullptr;
     dSpaceID space = dPredictiveSpaceCreate(parent);
     if (!space)
         return nullptr;
     space->type = space_class;
-    if (settings.proximity != dPredictiveProximityBox)
-        dPredictiveSpaceSetProximity(space, settings.proximity);
+    if (settings->proximity != dPredictiveProximityBox)
+        dPredictiveSpaceSetProximity(space, settings->proximity);
     if (watch)
         watch->ledger().made(space);
     return space;
@@ -65,13 +66,13 @@ extern "C" __attribute__((visibility("default"))) const Hooks *ode_predictive_sp
         return nullptr;
     }
     std::vector<std::string> complaints;
-    settings = read_settings([](const char *name) { return std::getenv(name); }, complaints);
+    settings = new Settings(read_settings([](const char *name) { return std::getenv(name); }, complaints));
     for (const std::string &complaint : complaints)
         say("%s", complaint.c_str());
     static Hooks hooks{create, nullptr, nullptr, nullptr};
-    if (settings.watches())
+    if (settings->watches())
     {
-        watch = new Watch(settings, *calls);
+        watch = new Watch(*settings, *calls);
         hooks = {create, made, collide, collide2};
     }
     return &hooks;

@@ -1,6 +1,5 @@
 #include "ode_predictive_space/preload/settings.h"
 
-#include <map>
 #include <sstream>
 
 #include <ode/collision.h>
@@ -11,13 +10,36 @@ namespace ode_predictive_space::preload
 {
 namespace
 {
-const std::map<std::string, int> space_classes = {{"hash", dHashSpaceClass},
-                                                  {"quadtree", dQuadTreeSpaceClass},
-                                                  {"sap", dSweepAndPruneSpaceClass},
-                                                  {"simple", dSimpleSpaceClass}};
+// Plain data: the names are still wanted when objects have been destroyed, at exit.
+struct NamedClass
+{
+    const char *name;
+    int space_class;
+};
+
+constexpr NamedClass space_classes[] = {{"hash", dHashSpaceClass},
+                                        {"quadtree", dQuadTreeSpaceClass},
+                                        {"sap", dSweepAndPruneSpaceClass},
+                                        {"simple", dSimpleSpaceClass}};
 
 // Simple spaces are what programs use for tiny groups.
-const std::set<int> replaced_by_default = {dHashSpaceClass, dQuadTreeSpaceClass, dSweepAndPruneSpaceClass};
+std::set<int> replaced_by_default()
+{
+    return {dHashSpaceClass, dQuadTreeSpaceClass, dSweepAndPruneSpaceClass};
+}
+
+// Adds the classes that a word of the list stands for.
+bool add_classes(const std::string &word, std::set<int> &classes)
+{
+    bool known = word == "none";
+    for (const NamedClass &each : space_classes)
+        if (word == each.name || word == "all")
+        {
+            classes.insert(each.space_class);
+            known = true;
+        }
+    return known;
+}
 
 class Reader
 {
@@ -38,18 +60,12 @@ public:
         std::set<int> chosen;
         std::istringstream words(text);
         for (std::string word; std::getline(words, word, ',');)
-        {
-            const auto found = space_classes.find(word);
-            if (found != space_classes.end())
-                chosen.insert(found->second);
-            else if (word == "all")
-                for (const auto &[each, space_class] : space_classes)
-                    chosen.insert(space_class);
-            else if (word != "none")
-                return complain(name, word, "hash, quadtree, sap, simple, all or none", "hash,quadtree,sap"),
-                       replaced_by_default;
-        }
-        return text.empty() ? replaced_by_default : chosen;
+            if (!add_classes(word, chosen))
+            {
+                complain(name, word, "hash, quadtree, sap, simple, all or none", "hash,quadtree,sap");
+                return replaced_by_default();
+            }
+        return text.empty() ? replaced_by_default() : chosen;
     }
 
     int proximity(const char *name)
@@ -97,9 +113,9 @@ Settings read_settings(const std::function<const char *(const char *)> &variable
 
 const char *name_of_space_class(int space_class)
 {
-    for (const auto &[name, each] : space_classes)
-        if (each == space_class)
-            return name.c_str();
+    for (const NamedClass &each : space_classes)
+        if (each.space_class == space_class)
+            return each.name;
     return "unknown";
 }
 } // namespace ode_predictive_space::preload
