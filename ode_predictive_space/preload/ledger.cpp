@@ -21,8 +21,9 @@ std::string times_line(const char *function, const CallTimes &times)
     if (times.calls == 0)
         return "";
     const double mean = times.total / static_cast<double>(times.calls);
-    return formatted("; %s %lu calls, %.3f ms (mean %.3f us, largest %.3f us), callbacks %.3f ms", function,
-                     times.calls, 1e3 * times.total, 1e6 * mean, 1e6 * times.largest, 1e3 * times.in_callbacks);
+    return formatted("; %s %lu calls, %.3f ms (mean %.3f us, median %.3f us, largest %.3f us), callbacks %.3f ms",
+                     function, times.calls, 1e3 * times.total, 1e6 * mean, 1e6 * times.median(), 1e6 * times.largest,
+                     1e3 * times.in_callbacks);
 }
 
 std::string space_line(const SpaceRecord &record)
@@ -51,6 +52,16 @@ void CallTimes::add(double seconds, double callback_seconds)
     total += seconds;
     largest = std::max(largest, seconds);
     in_callbacks += callback_seconds;
+    if (calls <= 1000000)
+        first_calls.push_back(static_cast<float>(seconds));
+}
+
+double CallTimes::median() const
+{
+    std::vector<float> sorted = first_calls;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return sorted.empty() ? 0 : *middle;
 }
 
 void Ledger::made(dSpaceID space)

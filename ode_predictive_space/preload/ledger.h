@@ -5,6 +5,7 @@
 #include <mutex>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "ode_predictive_space/predictive_space.h"
 
@@ -17,8 +18,10 @@ struct CallTimes
     double total = 0; ///< in the space, without the program's callbacks
     double largest = 0;
     double in_callbacks = 0;
+    std::vector<float> first_calls; ///< of the first million, each; for the median
 
     void add(double seconds, double callback_seconds);
+    double median() const;
 };
 
 /// What is known of a space that the program made.

@@ -113,9 +113,10 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
     call.data = data;
     call.callback = callback;
     call.keep = trace_file_ != nullptr;
-    const SpaceRecord before = ledger_.with(call.space, [](const SpaceRecord &record) { return record; });
-    if (settings_.compare && before.predictive)
-        call.comparison.emplace(call.expected(), before.proximity == dPredictiveProximitySphere);
+    const auto [predictive, proximity] = ledger_.with(
+        call.space, [](const SpaceRecord &record) { return std::pair(record.predictive, record.proximity); });
+    if (settings_.compare && (predictive || settings_.replaced.empty()))
+        call.comparison.emplace(call.expected(), proximity == dPredictiveProximitySphere);
     if (call.keep)
         call.kept.reserve(1000);
 
