@@ -15,6 +15,8 @@ struct PreloadComparison : OdeTest
         expected = expected_pairs(space);
     }
 
+    ~PreloadComparison() override { dSpaceDestroy(space); }
+
     static std::string found(Comparison &comparison)
     {
         std::string all;

@@ -43,6 +43,13 @@ struct PreloadPairs : OdeTest
         dGeomSetPosition(dCreateSphere(space, 1), NAN, 0, 0);
     }
 
+    ~PreloadPairs() override
+    {
+        dSpaceDestroy(space);
+        dSpaceDestroy(other);
+        dWorldDestroy(world);
+    }
+
     void fill(dSpaceID into, int count)
     {
         std::uniform_real_distribution<dReal> place(-4, 4);

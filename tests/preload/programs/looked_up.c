@@ -11,10 +11,15 @@ int main(int argc, char **argv)
     void *ode = argc > 1 ? dlopen(argv[1], RTLD_NOW | RTLD_LOCAL) : 0;
     dSpaceID (*create)(dSpaceID) = 0;
     int (*space_class)(dSpaceID) = 0;
+    void (*destroy)(dSpaceID) = 0;
+    dSpaceID space;
     if (!ode)
         return 1;
     *(void **)&create = dlsym(ode, "dHashSpaceCreate");
     *(void **)&space_class = dlsym(ode, "dSpaceGetClass");
-    printf("class %d\n", space_class(create(0)));
+    *(void **)&destroy = dlsym(ode, "dSpaceDestroy");
+    space = create(0);
+    printf("class %d\n", space_class(space));
+    destroy(space);
     return 0;
 }
