@@ -42,7 +42,8 @@ struct Caller
 // of libraries which all call ODE is not to be expected.
 pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 const Caller *callers;
-const Ode *odes[16];
+constexpr int most_odes = 16;
+const Ode *odes[most_odes];
 int ode_count;
 
 // What the substitute calls while it works is meant for ODE.
@@ -100,7 +101,7 @@ const Ode *known(const link_map *map)
 const Ode *introduce(const Object &object)
 {
     auto *ode = static_cast<Ode *>(std::calloc(1, sizeof(Ode)));
-    if (!ode || ode_count == sizeof odes / sizeof *odes)
+    if (!ode || ode_count == most_odes)
         std::abort();
     ode->object = object;
     ode->calls = calls_of(object);
