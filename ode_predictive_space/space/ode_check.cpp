@@ -27,7 +27,7 @@ int collect_ode_copies(dl_phdr_info *object, size_t, void *data)
     void *handle = dlopen(name, RTLD_LAZY | RTLD_NOLOAD);
     if (handle)
     {
-        if (void *symbol = dlsym(handle, "dSpaceCollide2"))
+        if (void *symbol = dlsym(handle, "dSpaceGetNumGeoms"))
             static_cast<std::set<void *> *>(data)->insert(symbol);
         dlclose(handle);
     }

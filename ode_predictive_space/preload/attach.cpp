@@ -1,0 +1,80 @@
+// The half that is loaded into a process when it first calls ODE.
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "ode_predictive_space/predictive_space.h"
+#include "ode_predictive_space/preload/say.h"
+#include "ode_predictive_space/preload/settings.h"
+#include "ode_predictive_space/preload/substitute.h"
+#include "ode_predictive_space/preload/watch.h"
+#include "ode_predictive_space/space/ode_check.h"
+#include "ode_predictive_space/space/ode_internals.h"
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+// Never deleted: a program may still make spaces and collide when the process ends.
+const Settings *settings;
+Watch *watch;
+
+// To the program, it is a space of the class that it asked for.
+dSpaceID create(int space_class, dSpaceID parent)
+{
+    if (settings->replaced.count(space_class) == 0)
+        return nullptr;
+    dSpaceID space = dPredictiveSpaceCreate(parent);
+    if (!space)
+        return nullptr;
+    space->type = space_class;
+    if (settings->proximity != dPredictiveProximityBox)
+        dPredictiveSpaceSetProximity(space, settings->proximity);
+    if (watch)
+        watch->ledger().made(space);
+    return space;
+}
+
+void made(dSpaceID space)
+{
+    watch->ledger().made(space);
+}
+
+void collide(dSpaceID space, void *data, dNearCallback *callback)
+{
+    watch->collide(space, data, callback);
+}
+
+void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
+{
+    watch->collide2(first, second, data, callback);
+}
+
+__attribute__((destructor)) void report()
+{
+    if (watch)
+        watch->report();
+}
+} // namespace
+
+extern "C" __attribute__((visibility("default"))) const Hooks *ode_predictive_space_attach(const OdeCalls *calls)
+{
+    if (const char *mismatch = ode_mismatch())
+    {
+        say("the ODE of this program cannot be served: %s; the program keeps its own spaces", mismatch);
+        return nullptr;
+    }
+    std::vector<std::string> complaints;
+    settings = new Settings(read_settings([](const char *name) { return std::getenv(name); }, complaints));
+    for (const std::string &complaint : complaints)
+        say("%s", complaint.c_str());
+    static Hooks hooks{create, nullptr, nullptr, nullptr};
+    if (settings->watches())
+    {
+        watch = new Watch(*settings, *calls);
+        hooks = {create, made, collide, collide2};
+    }
+    return &hooks;
+}
+} // namespace ode_predictive_space::preload

@@ -1,0 +1,264 @@
+// The half that is loaded into every process: functions that have the names of ODE's and come before them.
+//
+// A process that has no ODE never gets here, but for one look at its program file at the start. Compiled without exceptions
+// and linked with the C library alone, so that /bin/sh loads nothing else either.
+
+#include <cerrno>
+#include <climits>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include <dlfcn.h>
+#include <pthread.h>
+
+#include <ode/collision.h>
+
+#include "ode_predictive_space/preload/built_in_ode.h"
+#include "ode_predictive_space/preload/find_ode.h"
+#include "ode_predictive_space/preload/say.h"
+
+using namespace ode_predictive_space::preload;
+
+namespace
+{
+/// An ODE that was called, and who serves it.
+struct Ode
+{
+    Object object;
+    OdeCalls calls;
+    const Hooks *hooks; // 0: the program keeps its own spaces
+};
+
+/// An object of the process, and the ODE that its calls go to.
+struct Caller
+{
+    const link_map *map;
+    const Ode *ode;
+    const Caller *next;
+};
+
+// Callers are added under the lock, in front, and never taken out: they are read without it. A program that loads thousands
+// of libraries which all call ODE is not to be expected.
+pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+const Caller *callers;
+constexpr int most_odes = 16;
+const Ode *odes[most_odes];
+int ode_count;
+
+// What the substitute calls while it works is meant for ODE.
+__thread bool inside;
+
+// The library that the substitute has its code from lies beside this one.
+bool path_of_substitute(char *path, std::size_t size)
+{
+    const link_map *self = object_at(reinterpret_cast<const void *>(&path_of_substitute));
+    const char *slash = self ? std::strrchr(self->l_name, '/') : nullptr;
+    const int length = slash ? static_cast<int>(slash + 1 - self->l_name) : 0;
+    const char *name = self ? self->l_name : "";
+    return std::snprintf(path, size, "%.*s%s", length, name, SUBSTITUTE_FILE) < static_cast<int>(size);
+}
+
+const Hooks *attach_to(const OdeCalls *calls)
+{
+    char path[PATH_MAX];
+    if (!path_of_substitute(path, sizeof path))
+        return nullptr;
+    void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    const auto attach = library ? reinterpret_cast<Attach>(dlsym(library, attach_name)) : nullptr;
+    if (!attach)
+    {
+        say("%s; the program keeps its own spaces", dlerror());
+        return nullptr;
+    }
+    return attach(calls);
+}
+
+// Loading the substitute loads the ODE that it was built with. Therefore the program's must be that one, or a second copy
+// would come into the process.
+const Hooks *hooks_for(const Object &object, const OdeCalls *calls)
+{
+    if (find_loaded(ODE_SONAME).map != object.map)
+    {
+        say("the ODE of this program (%s) is not %s, which this was built for; the program keeps its own spaces",
+            object.map->l_name[0] ? object.map->l_name : program_invocation_name, ODE_SONAME);
+        return nullptr;
+    }
+    inside = true;
+    const Hooks *hooks = attach_to(calls);
+    inside = false;
+    return hooks;
+}
+
+const Ode *known(const link_map *map)
+{
+    for (int i = 0; i < ode_count; ++i)
+        if (odes[i]->object.map == map)
+            return odes[i];
+    return nullptr;
+}
+
+const Ode *introduce(const Object &object)
+{
+    auto *ode = static_cast<Ode *>(std::calloc(1, sizeof(Ode)));
+    if (!ode || ode_count == most_odes)
+        std::abort();
+    ode->object = object;
+    ode->calls = calls_of(object);
+    ode->hooks = hooks_for(ode->object, &ode->calls);
+    odes[ode_count++] = ode;
+    return ode;
+}
+
+// As the dynamic linker ends a program when a function that it calls is nowhere.
+[[noreturn]] void end_for_lack_of(const char *function)
+{
+    say("%s() was called, and there is no ODE", function);
+    std::exit(127);
+}
+
+const Ode *meet(const char *function, const link_map *map)
+{
+    const Object object = find_definition(function, map);
+    if (!object.map)
+        end_for_lack_of(function);
+    const Ode *ode = known(object.map);
+    if (!ode)
+        ode = introduce(object);
+    auto *caller = static_cast<Caller *>(std::calloc(1, sizeof(Caller)));
+    if (!caller)
+        std::abort();
+    caller->map = map;
+    caller->ode = ode;
+    caller->next = callers;
+    __atomic_store_n(&callers, caller, __ATOMIC_RELEASE);
+    return ode;
+}
+
+const Ode *ode_met_by(const link_map *map)
+{
+    for (const Caller *caller = __atomic_load_n(&callers, __ATOMIC_ACQUIRE); caller; caller = caller->next)
+        if (caller->map == map)
+            return caller->ode;
+    return nullptr;
+}
+
+// The ODE that a call from this address was meant for.
+const Ode &ode_of(const char *function, const void *return_address)
+{
+    const link_map *map = object_at(return_address);
+    const Ode *ode = ode_met_by(map);
+    if (!ode && inside)
+    {
+        // The substitute at work, with the lock held. Its calls go to the ODE that it was built with.
+        static Ode own;
+        own.object = find_loaded(ODE_SONAME);
+        own.calls = calls_of(own.object);
+        return own;
+    }
+    if (!ode)
+    {
+        pthread_mutex_lock(&lock);
+        ode = ode_met_by(map);
+        if (!ode)
+            ode = meet(function, map);
+        pthread_mutex_unlock(&lock);
+    }
+    return *ode;
+}
+
+// The library of the predictive space makes spaces of ODE's, to look at their layout.
+bool is_from_own_library(const void *return_address)
+{
+    const link_map *map = object_at(return_address);
+    const char *slash = map ? std::strrchr(map->l_name, '/') : nullptr;
+    return slash && std::strncmp(slash + 1, "libode_predictive_space.so", 26) == 0;
+}
+
+template <typename Native>
+dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, const void *return_address, Native native)
+{
+    if (!ode.hooks || inside || is_from_own_library(return_address))
+        return native(ode.calls);
+    inside = true;
+    dSpaceID space = ode.hooks->create(space_class, parent);
+    if (!space)
+    {
+        space = native(ode.calls);
+        if (ode.hooks->made)
+            ode.hooks->made(space);
+    }
+    inside = false;
+    return space;
+}
+
+bool is_asked_for(const char *variable)
+{
+    const char *value = std::getenv(variable);
+    return value && value[0] && std::strcmp(value, "0") != 0;
+}
+
+__attribute__((constructor)) void look_at_program()
+{
+    if (has_ode_built_in("/proc/self/exe"))
+        say("%s has ODE built in, where its calls cannot be caught; it keeps its own spaces", program_invocation_name);
+}
+
+// Who asks what was done is told why nothing was.
+__attribute__((destructor)) void tell_when_nothing_was_caught()
+{
+    if (!callers && (is_asked_for("ODE_PREDICTIVE_STATS") || is_asked_for("ODE_PREDICTIVE_COMPARE")) &&
+        find_loaded(ODE_SONAME).map)
+        say("%s has %s, but made no space in a way that can be seen (what a program looks up by dlsym() cannot)",
+            program_invocation_short_name, ODE_SONAME);
+}
+} // namespace
+
+#define CAUGHT extern "C" __attribute__((visibility("default")))
+#define RETURN_ADDRESS __builtin_return_address(0)
+
+CAUGHT dSpaceID dSimpleSpaceCreate(dSpaceID parent)
+{
+    const void *from = RETURN_ADDRESS;
+    return create(ode_of(__func__, from), dSimpleSpaceClass, parent, from,
+                  [=](const OdeCalls &ode) { return ode.simple_create(parent); });
+}
+
+CAUGHT dSpaceID dHashSpaceCreate(dSpaceID parent)
+{
+    const void *from = RETURN_ADDRESS;
+    return create(ode_of(__func__, from), dHashSpaceClass, parent, from,
+                  [=](const OdeCalls &ode) { return ode.hash_create(parent); });
+}
+
+CAUGHT dSpaceID dQuadTreeSpaceCreate(dSpaceID parent, const dVector3 center, const dVector3 extents, int depth)
+{
+    const void *from = RETURN_ADDRESS;
+    return create(ode_of(__func__, from), dQuadTreeSpaceClass, parent, from,
+                  [=](const OdeCalls &ode) { return ode.quadtree_create(parent, center, extents, depth); });
+}
+
+CAUGHT dSpaceID dSweepAndPruneSpaceCreate(dSpaceID parent, int axis_order)
+{
+    const void *from = RETURN_ADDRESS;
+    return create(ode_of(__func__, from), dSweepAndPruneSpaceClass, parent, from,
+                  [=](const OdeCalls &ode) { return ode.sap_create(parent, axis_order); });
+}
+
+CAUGHT void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback)
+{
+    const Ode &ode = ode_of(__func__, RETURN_ADDRESS);
+    if (ode.hooks && ode.hooks->collide)
+        ode.hooks->collide(space, data, callback);
+    else
+        ode.calls.collide(space, data, callback);
+}
+
+CAUGHT void dSpaceCollide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
+{
+    const Ode &ode = ode_of(__func__, RETURN_ADDRESS);
+    if (ode.hooks && ode.hooks->collide2)
+        ode.hooks->collide2(first, second, data, callback);
+    else
+        ode.calls.collide2(first, second, data, callback);
+}

@@ -1,0 +1,104 @@
+#include "ode_predictive_space/preload/find_ode.h"
+
+#include <dlfcn.h>
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+Object opened(const char *name)
+{
+    // The main program has an empty name, for which dlopen wants a null pointer.
+    Object object;
+    object.handle = dlopen(name && name[0] ? name : nullptr, RTLD_LAZY | RTLD_NOLOAD);
+    if (object.handle && dlinfo(object.handle, RTLD_DI_LINKMAP, &object.map) != 0)
+        object.map = nullptr;
+    return object;
+}
+
+const link_map *ourselves()
+{
+    return object_at(reinterpret_cast<const void *>(&find_definition));
+}
+
+// Where the function is defined that can be found from an object; 0 when nowhere, or here.
+link_map *defined_below(const Object &object, const char *function)
+{
+    const void *symbol = object.handle ? dlsym(object.handle, function) : nullptr;
+    link_map *map = symbol ? object_at(symbol) : nullptr;
+    return map == ourselves() ? nullptr : map;
+}
+
+struct Search
+{
+    const char *function;
+    link_map *found;
+    bool several;
+};
+
+int search_object(dl_phdr_info *info, size_t, void *data)
+{
+    Search &search = *static_cast<Search *>(data);
+    const Object object = opened(info->dlpi_name);
+    link_map *map = defined_below(object, search.function);
+    if (map && search.found && map != search.found)
+        search.several = true;
+    if (map)
+        search.found = map;
+    if (object.handle)
+        dlclose(object.handle);
+    return 0;
+}
+
+link_map *only_definition(const char *function)
+{
+    Search search{function, nullptr, false};
+    dl_iterate_phdr(search_object, &search);
+    return search.several ? nullptr : search.found;
+}
+
+template <typename Function> void look_up(void *handle, const char *name, Function *&function)
+{
+    function = reinterpret_cast<Function *>(dlsym(handle, name));
+}
+} // namespace
+
+link_map *object_at(const void *address)
+{
+    dl_find_object object;
+    return _dl_find_object(const_cast<void *>(address), &object) == 0 ? object.dlfo_link_map : nullptr;
+}
+
+Object find_definition(const char *function, const link_map *caller)
+{
+    const void *next = dlsym(RTLD_NEXT, function);
+    link_map *map = next ? object_at(next) : nullptr;
+    if (!map && caller)
+    {
+        const Object from = opened(caller->l_name);
+        map = defined_below(from, function);
+        if (from.handle)
+            dlclose(from.handle);
+    }
+    if (!map)
+        map = only_definition(function);
+    return map ? opened(map->l_name) : Object();
+}
+
+OdeCalls calls_of(const Object &ode)
+{
+    OdeCalls calls;
+    look_up(ode.handle, "dSimpleSpaceCreate", calls.simple_create);
+    look_up(ode.handle, "dHashSpaceCreate", calls.hash_create);
+    look_up(ode.handle, "dQuadTreeSpaceCreate", calls.quadtree_create);
+    look_up(ode.handle, "dSweepAndPruneSpaceCreate", calls.sap_create);
+    look_up(ode.handle, "dSpaceCollide", calls.collide);
+    look_up(ode.handle, "dSpaceCollide2", calls.collide2);
+    return calls;
+}
+
+Object find_loaded(const char *soname)
+{
+    return opened(soname);
+}
+} // namespace ode_predictive_space::preload

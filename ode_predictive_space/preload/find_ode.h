@@ -1,0 +1,37 @@
+// Which ODE a call was meant for. Part of the half that is loaded into every process: nothing but the C library here.
+
+#ifndef ODE_PREDICTIVE_SPACE_PRELOAD_FIND_ODE_H
+#define ODE_PREDICTIVE_SPACE_PRELOAD_FIND_ODE_H
+
+#include <link.h>
+
+#include "ode_predictive_space/preload/substitute.h"
+
+namespace ode_predictive_space::preload
+{
+/// A loaded object, kept loaded.
+struct Object
+{
+    void *handle = nullptr;
+    link_map *map = nullptr;
+};
+
+/// The object that an address lies in; 0 when it lies in none.
+link_map *object_at(const void *address);
+
+/// Finds the object whose definition of a function the dynamic linker would have taken for a caller if ours were not there:
+/// first the program and the libraries that all can see, in their order; then the caller's own libraries, which are not in
+/// there when it was loaded with RTLD_LOCAL (as Python does); at last, when a call came through a jump and its caller is
+/// not known, the only definition that there is.
+///
+/// @return an object with map 0 when nobody else defines it.
+Object find_definition(const char *function, const link_map *caller);
+
+/// The functions of an ODE, looked up in its object.
+OdeCalls calls_of(const Object &ode);
+
+/// The library, when it is loaded already.
+Object find_loaded(const char *soname);
+} // namespace ode_predictive_space::preload
+
+#endif

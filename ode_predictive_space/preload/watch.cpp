@@ -1,0 +1,210 @@
+#include "ode_predictive_space/preload/watch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cinttypes>
+#include <optional>
+
+#include <cerrno>
+#include <cstring>
+#include <unistd.h>
+
+#include <ode/collision.h>
+
+#include "ode_predictive_space/preload/comparison.h"
+#include "ode_predictive_space/preload/say.h"
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+double now()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// What one reading of the clock takes; the least of many, for the machine may do other things in between.
+double cost_of_clock()
+{
+    static const double cost = [] {
+        double least = 1;
+        for (int i = 0; i < 100; ++i)
+        {
+            const double start = now();
+            for (int reading = 0; reading < 10; ++reading)
+                now();
+            least = std::min(least, (now() - start) / 11);
+        }
+        return least;
+    }();
+    return cost;
+}
+
+std::string described(dGeomID geom)
+{
+    static const char *const names[] = {"sphere", "box",    "capsule",   "cylinder", "plane",
+                                        "ray",    "convex", "transform", "trimesh",  "heightfield"};
+    const int geom_class = dGeomGetClass(geom);
+    const char *name = dGeomIsSpace(geom)                ? "space"
+                       : geom_class <= dHeightfieldClass ? names[geom_class]
+                                                         : "user's geom";
+    dReal b[6];
+    dGeomGetAABB(geom, b);
+    char text[256];
+    std::snprintf(text, sizeof text, "%s %p [%g %g] x [%g %g] x [%g %g]", name, static_cast<void *>(geom), b[0], b[1],
+                  b[2], b[3], b[4], b[5]);
+    return text;
+}
+
+std::FILE *appended(const std::string &path)
+{
+    std::FILE *file = std::fopen(path.c_str(), "ae");
+    if (!file)
+        say("%s cannot be written: %s", path.c_str(), std::strerror(errno));
+    return file;
+}
+} // namespace
+
+// One call of dSpaceCollide() or dSpaceCollide2() on its way through the watch.
+struct Watch::Call
+{
+    dSpaceID space;
+    const char *function;
+    std::function<void(void *, dNearCallback *)> native;
+    std::function<std::vector<Pair>()> expected;
+    CallTimes SpaceRecord::*times;
+
+    void *data = nullptr;
+    dNearCallback *callback = nullptr;
+    unsigned long reported = 0;
+    double in_callbacks = 0;
+    double seconds = 0;
+    std::optional<Comparison> comparison = {};
+    bool keep = false; // the pairs, for later, instead of calling back at once
+    std::vector<Pair> kept = {};
+};
+
+Watch::Watch(const Settings &settings, const OdeCalls &calls) : settings_(settings), ode_(calls)
+{
+    cost_of_clock();
+    if (!settings.trace_file.empty())
+        trace_file_ = appended(settings.trace_file);
+}
+
+void Watch::collide(dSpaceID space, void *data, dNearCallback *callback)
+{
+    Call call{space, "dSpaceCollide", [=](void *d, dNearCallback *c) { ode_.collide(space, d, c); },
+              [=] { return expected_pairs(space); }, &SpaceRecord::collide};
+    run(call, data, callback);
+}
+
+void Watch::collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
+{
+    const dSpaceID space = asked_space(first, second);
+    if (!space)
+        return ode_.collide2(first, second, data, callback);
+    Call call{space, "dSpaceCollide2", [=](void *d, dNearCallback *c) { ode_.collide2(first, second, d, c); },
+              [=] { return expected_pairs(first, second); }, &SpaceRecord::collide2};
+    run(call, data, callback);
+}
+
+void Watch::run(Call &call, void *data, dNearCallback *callback)
+{
+    call.data = data;
+    call.callback = callback;
+    call.keep = trace_file_ != nullptr;
+    const auto [predictive, proximity] = ledger_.with(
+        call.space, [](const SpaceRecord &record) { return std::pair(record.predictive, record.proximity); });
+    if (settings_.compare && (predictive || settings_.replaced.empty()))
+        call.comparison.emplace(call.expected(), proximity == dPredictiveProximitySphere);
+    if (call.keep)
+        call.kept.reserve(1000);
+
+    const double start = now();
+    call.native(&call, &Watch::on_pair);
+    const double inside = now() - start - call.in_callbacks;
+    // A callback that is measured adds one of its two readings of the clock to the space's time.
+    const double readings = 1 + (call.keep ? 0 : static_cast<double>(call.reported));
+    call.seconds = std::max(0.0, inside - readings * cost_of_clock());
+
+    if (call.comparison)
+        judge(call);
+    if (call.keep)
+        trace(call);
+    ledger_.with(call.space, [&](SpaceRecord &record) {
+        record.most_geoms = std::max(record.most_geoms, dSpaceGetNumGeoms(call.space));
+        record.reported += call.reported;
+        (record.*call.times).add(call.seconds, call.in_callbacks);
+        if (record.predictive)
+            dPredictiveSpaceGetStats(call.space, &record.stats);
+    });
+}
+
+void Watch::on_pair(void *data, dGeomID first, dGeomID second)
+{
+    Call &call = *static_cast<Call *>(data);
+    ++call.reported;
+    if (call.comparison)
+        call.comparison->note(first, second);
+    if (call.keep)
+    {
+        call.kept.emplace_back(first, second);
+        return;
+    }
+    const double start = now();
+    call.callback(call.data, first, second);
+    call.in_callbacks += now() - start;
+}
+
+void Watch::judge(Call &call)
+{
+    constexpr unsigned long most_complaints = 10;
+    const std::vector<Difference> differences = call.comparison->finish();
+    ledger_.with(call.space, [&](SpaceRecord &record) {
+        ++record.compared;
+        record.differences += differences.size();
+        for (const Difference &difference : differences)
+        {
+            if (complaints_++ < most_complaints)
+                say("space %d, %s() number %lu: %s: %s and %s", record.number, call.function,
+                    (record.*call.times).calls + 1, difference.what, described(difference.pair.first).c_str(),
+                    described(difference.pair.second).c_str());
+            else if (complaints_ == most_complaints + 1)
+                say("more differences follow; they are only counted");
+        }
+    });
+}
+
+// The callbacks come after the collide, in an order that does not depend on the space: where nothing else does, the program
+// then goes the same way with every space that reports the same pairs.
+void Watch::trace(Call &call)
+{
+    const std::uint64_t hash = put_in_order(call.kept);
+    const int number = ledger_.with(call.space, [](const SpaceRecord &record) { return record.number; });
+    std::fprintf(trace_file_, "%s space %d geoms %d pairs %zu hash %016" PRIx64 "\n", call.function, number,
+                 dSpaceGetNumGeoms(call.space), call.kept.size(), hash);
+    const double start = now();
+    for (const Pair &pair : call.kept)
+        call.callback(call.data, pair.first, pair.second);
+    call.in_callbacks = now() - start;
+}
+
+void Watch::report()
+{
+    std::string text;
+    if (settings_.stats)
+        text += ledger_.statistics();
+    if (settings_.compare)
+        text += ledger_.comparison();
+    if (trace_file_)
+        std::fflush(trace_file_);
+    if (text.empty())
+        return;
+    text = "ode_predictive_space: " + std::string(program_invocation_short_name) + " (process " +
+           std::to_string(getpid()) + ")\n" + text;
+    std::FILE *file = settings_.stats_file.empty() ? nullptr : appended(settings_.stats_file);
+    std::fputs(text.c_str(), file ? file : stderr);
+    if (file)
+        std::fclose(file);
+}
+} // namespace ode_predictive_space::preload

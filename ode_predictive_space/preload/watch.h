@@ -1,0 +1,42 @@
+#ifndef ODE_PREDICTIVE_SPACE_PRELOAD_WATCH_H
+#define ODE_PREDICTIVE_SPACE_PRELOAD_WATCH_H
+
+#include <cstdio>
+#include <functional>
+#include <string>
+
+#include "ode_predictive_space/preload/ledger.h"
+#include "ode_predictive_space/preload/settings.h"
+#include "ode_predictive_space/preload/substitute.h"
+
+namespace ode_predictive_space::preload
+{
+/// Measures, compares and traces the collides of a process, as the settings ask. Lives until the process ends.
+class Watch
+{
+public:
+    Watch(const Settings &settings, const OdeCalls &calls);
+
+    void collide(dSpaceID space, void *data, dNearCallback *callback);
+    void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback);
+    Ledger &ledger() { return ledger_; }
+
+    /// Writes what has been learnt to where it is wanted.
+    void report();
+
+private:
+    struct Call;
+    void run(Call &call, void *data, dNearCallback *callback);
+    void judge(Call &call);
+    void trace(Call &call);
+    static void on_pair(void *call, dGeomID first, dGeomID second);
+
+    Settings settings_;
+    OdeCalls ode_;
+    Ledger ledger_;
+    std::FILE *trace_file_ = nullptr;
+    unsigned long complaints_ = 0;
+};
+} // namespace ode_predictive_space::preload
+
+#endif

@@ -1,0 +1,55 @@
+#include "ode_predictive_space/preload/built_in_ode.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include <ode/ode.h>
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+// This program calls ODE's function, but does not define it.
+TEST(BuiltInOde, ACallIsNoDefinition)
+{
+    EXPECT_NE(&dSpaceCollide, nullptr);
+    EXPECT_FALSE(has_ode_built_in("/proc/self/exe"));
+}
+
+TEST(BuiltInOde, OtherFilesHaveNone)
+{
+    EXPECT_FALSE(has_ode_built_in("/nonexistent"));
+    EXPECT_FALSE(has_ode_built_in("/"));
+    EXPECT_FALSE(has_ode_built_in("/dev/null"));
+    EXPECT_FALSE(has_ode_built_in("/etc/passwd"));
+}
+
+// Whatever the tables of a broken file say, nothing outside it is read.
+TEST(BuiltInOde, BrokenFilesDoNoHarm)
+{
+    std::ifstream self("/proc/self/exe", std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(self), {}};
+    std::string path = testing::TempDir() + "broken.XXXXXX";
+    ASSERT_GE(mkstemp(path.data()), 0);
+    for (std::size_t size : {std::size_t(10), std::size_t(64), bytes.size() / 2, bytes.size() - 100})
+    {
+        std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(size));
+        EXPECT_FALSE(has_ode_built_in(path.c_str())) << size;
+    }
+    for (std::size_t at = 40; at < 64; ++at)
+    {
+        std::string changed = bytes;
+        changed[at] = '\xff';
+        std::ofstream(path, std::ios::binary).write(changed.data(), static_cast<std::streamsize>(changed.size()));
+        EXPECT_FALSE(has_ode_built_in(path.c_str())) << at;
+    }
+    unlink(path.c_str());
+}
+} // namespace
+} // namespace ode_predictive_space::preload

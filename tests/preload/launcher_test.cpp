@@ -1,0 +1,66 @@
+// The launcher and the variables that it sets.
+
+#include "tests/preload/preload_programs.h"
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+TEST(Launcher, ExplainsItself)
+{
+    const Outcome outcome = launch("--help");
+    EXPECT_EQ(outcome.status, 0);
+    for (const char *word : {"--space", "--proximity", "--stats", "--compare", "--trace", "ODE_PREDICTIVE_SPACE"})
+        EXPECT_TRUE(contains(outcome.output, word)) << word;
+}
+
+TEST(Launcher, RefusesWrongOptions)
+{
+    for (const char *arguments : {"--space hsah true", "--space= true", "--proximity cube true", "--stats= true",
+                                  "--trace", "--speed true", "--space all", ""})
+    {
+        const Outcome outcome = launch(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(count_of("\n", outcome.output), 1) << outcome.output;
+    }
+}
+
+TEST(Launcher, PassesArgumentsAndStatusOn)
+{
+    const Outcome outcome = launch("--space all -- sh -c 'echo \"$1|$2\"; exit 9' sh 'a b' --stats");
+    EXPECT_EQ(outcome.output, "a b|--stats\n");
+    EXPECT_EQ(outcome.status, 9);
+    EXPECT_EQ(launch("/nonexistent/program").status, 127);
+}
+
+TEST(Launcher, SetsTheVariables)
+{
+    const Outcome outcome = launch("--space=hash,sap --proximity=sphere --stats --compare --trace=t env");
+    for (const char *line : {"ODE_PREDICTIVE_SPACE=hash,sap\n", "ODE_PREDICTIVE_PROXIMITY=sphere\n",
+                             "ODE_PREDICTIVE_STATS=1\n", "ODE_PREDICTIVE_COMPARE=1\n", "LD_PRELOAD=" PRELOAD "\n"})
+        EXPECT_TRUE(contains(outcome.output, line)) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "ODE_PREDICTIVE_TRACE=/")) << outcome.output;
+}
+
+// Set without the launcher, variables may hold anything.
+TEST(Variables, UnknownValuesAreNamedAndDefaultsTaken)
+{
+    const Outcome outcome =
+        run("env", "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" PRELOAD " ODE_PREDICTIVE_SPACE=hash,octree "
+                   "ODE_PREDICTIVE_PROXIMITY=cube ODE_PREDICTIVE_COMPARE=yes "
+                   "ODE_PREDICTIVE_STATS=1 " LINKED);
+    EXPECT_EQ(outcome.status, 0);
+    for (const char *word : {"'octree'", "'cube'", "'yes'"})
+        EXPECT_EQ(count_of(word, outcome.output), 1) << outcome.output;
+    EXPECT_EQ(count_of("predictive by boxes", outcome.output), 15) << outcome.output;
+}
+
+TEST(Variables, AFileThatCannotBeWrittenIsNamed)
+{
+    const Outcome outcome = launch("--stats=/nonexistent/file " LINKED);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(contains(outcome.output, "/nonexistent/file cannot be written")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "predictive by boxes")) << outcome.output;
+}
+} // namespace
+} // namespace ode_predictive_space::preload

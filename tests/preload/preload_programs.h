@@ -1,0 +1,62 @@
+// How these tests run programs, with and without the preload.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_PRELOAD_PRELOAD_PROGRAMS_H
+#define ODE_PREDICTIVE_SPACE_TESTS_PRELOAD_PRELOAD_PROGRAMS_H
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/program.h"
+
+namespace ode_predictive_space::preload
+{
+inline Outcome launch(const std::string &arguments)
+{
+    // Programs that are built with AddressSanitizer want its library to be the first; ours, which is not, does no harm.
+    setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
+    return run(LAUNCHER, arguments);
+}
+
+/// A file that is empty at first and gone afterwards.
+class ScratchFile
+{
+public:
+    ScratchFile() : path_(testing::TempDir() + "preload_test.XXXXXX")
+    {
+        const int file = mkstemp(path_.data());
+        if (file >= 0)
+            close(file);
+    }
+    ~ScratchFile() { unlink(path_.c_str()); }
+    ScratchFile(const ScratchFile &) = delete;
+    ScratchFile &operator=(const ScratchFile &) = delete;
+
+    const std::string &path() const { return path_; }
+
+    std::string text() const
+    {
+        std::ostringstream text;
+        text << std::ifstream(path_).rdbuf();
+        return text.str();
+    }
+
+private:
+    std::string path_;
+};
+
+inline int count_of(const std::string &part, const std::string &text)
+{
+    int count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size()))
+        ++count;
+    return count;
+}
+} // namespace ode_predictive_space::preload
+
+#endif

@@ -1,0 +1,172 @@
+// Whole programs: what they do is the same, and what stands in their spaces' place is said.
+
+#include "tests/preload/preload_programs.h"
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+// What a program prints when left alone.
+std::string native_output(const std::string &program, const std::string &arguments = "")
+{
+    const Outcome outcome = run(program, arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "pairs: ")) << outcome.output;
+    return outcome.output;
+}
+
+// What was written to the statistics while the program printed what it prints when left alone.
+std::string statistics_of(const std::string &options, const std::string &program, const std::string &arguments = "")
+{
+    const ScratchFile statistics;
+    const Outcome outcome = launch("--stats=" + statistics.path() + " " + options + " " + program + " " + arguments);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.output, native_output(program, arguments));
+    return statistics.text();
+}
+
+std::string one_line_refusal(const std::string &program, const std::string &arguments = "")
+{
+    const ScratchFile complaints;
+    const Outcome outcome = launch("--space all " + program + " " + arguments + " 2>" + complaints.path() + " | cat");
+    EXPECT_EQ(outcome.output, run(program, arguments).output);
+    EXPECT_EQ(count_of("\n", complaints.text()), 1) << complaints.text();
+    EXPECT_TRUE(contains(complaints.text(), "keeps its own spaces")) << complaints.text();
+    return complaints.text();
+}
+
+// The scene makes one space of each kind, and four groups of the same kind in each.
+TEST(Preload, ReplacesAllButSimpleSpaces)
+{
+    const std::string said = statistics_of("", LINKED);
+    EXPECT_EQ(count_of("simple, ODE's own", said), 5) << said;
+    for (const char *kind : {"hash, predictive by boxes", "quadtree, predictive by boxes", "sap, predictive by boxes"})
+        EXPECT_EQ(count_of(kind, said), 5) << said;
+}
+
+TEST(Preload, ReplacesWhatIsAskedFor)
+{
+    EXPECT_EQ(count_of("predictive by", statistics_of("--space all", LINKED)), 20);
+    EXPECT_EQ(count_of("predictive by", statistics_of("--space none", LINKED)), 0);
+    const std::string said = statistics_of("--space simple,sap", LINKED);
+    EXPECT_EQ(count_of("simple, predictive", said), 5) << said;
+    EXPECT_EQ(count_of("sap, predictive", said), 5) << said;
+    EXPECT_EQ(count_of("ODE's own", said), 10) << said;
+}
+
+TEST(Preload, MeasuresBySpheresWhenAskedTo)
+{
+    const Outcome outcome = launch("--proximity sphere --stats --compare " LINKED);
+    EXPECT_EQ(count_of("hash, predictive by spheres", outcome.output), 5) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, " 0 differences")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "\nlevels -3 10, then -1 5\n")) << outcome.output;
+}
+
+TEST(Preload, CountsCollides)
+{
+    const std::string said = statistics_of("", LINKED);
+    EXPECT_EQ(count_of("24 geoms", said), 4) << said;
+    EXPECT_EQ(count_of("dSpaceCollide 30 calls", said), 4) << said;
+    EXPECT_EQ(count_of("\n    ticks 30, ", said), 3) << said;
+}
+
+TEST(Preload, ReachesLibrariesLoadedLocally)
+{
+    EXPECT_EQ(count_of("predictive by", statistics_of("", LOCAL, EXTENSION)), 15);
+}
+
+TEST(Preload, IsInheritedByChildProcesses)
+{
+    const ScratchFile statistics;
+    const Outcome outcome = launch("--stats=" + statistics.path() + " sh -c '" LINKED "; " LINKED "'");
+    EXPECT_EQ(outcome.output, native_output(LINKED) + native_output(LINKED));
+    EXPECT_EQ(count_of("(process ", statistics.text()), 2) << statistics.text();
+}
+
+TEST(Preload, ComparisonFindsNoDifference)
+{
+    const Outcome outcome = launch("--space all --compare " LINKED);
+    EXPECT_TRUE(contains(outcome.output, " 0 differences")) << outcome.output;
+    EXPECT_FALSE(contains(outcome.output, " 0 collides")) << outcome.output;
+}
+
+TEST(Preload, ComparisonFindsAPlantedDifference)
+{
+    const Outcome outcome = launch("--compare " FICKLE);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(contains(outcome.output, "user's geom")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "20 collides, ")) << outcome.output;
+    EXPECT_FALSE(contains(outcome.output, " 0 differences")) << outcome.output;
+}
+
+// The other two have an infinite box when they are inside another space, so that their own groups are met more often.
+TEST(Preload, TracesAreTheSameWithOdesOwnSpaces)
+{
+    const ScratchFile native, replaced;
+    launch("--space none --trace " + native.path() + " " LINKED);
+    launch("--space simple,hash --trace " + replaced.path() + " " LINKED);
+    EXPECT_TRUE(native.text() == replaced.text());
+    EXPECT_GT(count_of("dSpaceCollide ", native.text()), 100);
+    EXPECT_GT(count_of("dSpaceCollide2 ", native.text()), 100);
+}
+
+TEST(Preload, TracesTellMotionsApart)
+{
+    const ScratchFile trace;
+    launch("--trace " + trace.path() + " " LINKED);
+    std::istringstream lines(trace.text());
+    std::string first, second;
+    std::getline(lines, first);
+    while (std::getline(lines, second) && !contains(second, "dSpaceCollide "))
+        continue;
+    EXPECT_NE(first, second);
+}
+
+TEST(Preload, FunctionsThatAreLookedUpAreNotReached)
+{
+    const Outcome outcome = launch("--stats " LOOKED_UP " " ODE_LIBRARY);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(contains(outcome.output, "class 11\n")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "dlsym()")) << outcome.output;
+}
+
+TEST(Preload, RefusesAStaticOde)
+{
+    EXPECT_TRUE(contains(one_line_refusal(STATIC_ODE), "has ODE built in"));
+    EXPECT_EQ(launch(STATIC_ODE).status, 3);
+}
+
+TEST(Preload, RefusesAForeignOde)
+{
+    EXPECT_TRUE(contains(one_line_refusal(FOREIGN_ODE), OTHER_ODE));
+    EXPECT_EQ(launch(FOREIGN_ODE).status, 3);
+}
+
+TEST(Preload, RefusesASecondOde)
+{
+    EXPECT_TRUE(contains(one_line_refusal(TWO_ODES, OTHER_ODE), "more than one copy"));
+}
+
+TEST(Preload, RefusesAnotherPrecision)
+{
+    EXPECT_TRUE(contains(one_line_refusal(OTHER_PRECISION), "precision"));
+}
+
+TEST(Preload, IsNotNoticedWithoutOde)
+{
+    const Outcome outcome = launch("--stats --compare sh -c 'echo hello; exit 5'");
+    EXPECT_EQ(outcome.output, "hello\n");
+    EXPECT_EQ(outcome.status, 5);
+}
+
+// What is loaded into every process must not bring anything with it.
+TEST(Preload, NeedsTheCLibraryAlone)
+{
+    const Outcome outcome = run("readelf", "--dynamic --wide " PRELOAD);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(count_of("(NEEDED)", outcome.output),
+              count_of("[libc.so", outcome.output) + count_of("[ld-", outcome.output))
+        << outcome.output;
+}
+} // namespace
+} // namespace ode_predictive_space::preload

@@ -1,0 +1,14 @@
+/* A program that is linked with ODE and loads another one.
+ * Usage: two_odes LIBRARY */
+
+#include <dlfcn.h>
+
+#include "scene.h"
+
+int main(int argc, char **argv)
+{
+    if (argc < 2 || !dlopen(argv[1], RTLD_NOW | RTLD_LOCAL))
+        return 1;
+    run_scene();
+    return 0;
+}

@@ -1,0 +1,78 @@
+#include "ode_predictive_space/preload/settings.h"
+
+#include <map>
+
+#include <ode/collision.h>
+
+#include <gtest/gtest.h>
+
+#include "ode_predictive_space/predictive_space.h"
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+using Environment = std::map<std::string, std::string>;
+
+Settings read(const Environment &environment, std::size_t expected_complaints = 0)
+{
+    std::vector<std::string> complaints;
+    const Settings settings = read_settings(
+        [&](const char *name) {
+            const auto found = environment.find(name);
+            return found == environment.end() ? nullptr : found->second.c_str();
+        },
+        complaints);
+    EXPECT_EQ(complaints.size(), expected_complaints);
+    return settings;
+}
+
+const std::set<int> by_default = {dHashSpaceClass, dQuadTreeSpaceClass, dSweepAndPruneSpaceClass};
+
+TEST(Settings, DefaultsAreTakenForWhatIsUnsetOrEmpty)
+{
+    for (const Environment &environment : {Environment{}, Environment{{"ODE_PREDICTIVE_SPACE", ""},
+                                                                      {"ODE_PREDICTIVE_PROXIMITY", ""},
+                                                                      {"ODE_PREDICTIVE_STATS", ""},
+                                                                      {"ODE_PREDICTIVE_COMPARE", ""},
+                                                                      {"ODE_PREDICTIVE_TRACE", ""}}})
+    {
+        const Settings settings = read(environment);
+        EXPECT_EQ(settings.replaced, by_default);
+        EXPECT_EQ(settings.proximity, dPredictiveProximityBox);
+        EXPECT_FALSE(settings.watches());
+    }
+}
+
+TEST(Settings, SpacesAreNamedInAList)
+{
+    auto replaced = [](const char *list) { return read({{"ODE_PREDICTIVE_SPACE", list}}).replaced; };
+    EXPECT_EQ(replaced("none"), std::set<int>());
+    EXPECT_EQ(replaced("all").size(), 4u);
+    EXPECT_EQ(replaced("sap"), std::set<int>{dSweepAndPruneSpaceClass});
+    EXPECT_EQ(replaced("simple,quadtree"), (std::set<int>{dSimpleSpaceClass, dQuadTreeSpaceClass}));
+}
+
+TEST(Settings, OneUnknownSpaceMakesTheWholeListTheDefault)
+{
+    EXPECT_EQ(read({{"ODE_PREDICTIVE_SPACE", "simple,octree"}}, 1).replaced, by_default);
+}
+
+TEST(Settings, StatisticsGoToStandardErrorOrAFile)
+{
+    EXPECT_FALSE(read({{"ODE_PREDICTIVE_STATS", "0"}}).watches());
+    EXPECT_TRUE(read({{"ODE_PREDICTIVE_STATS", "1"}}).stats);
+    EXPECT_EQ(read({{"ODE_PREDICTIVE_STATS", "1"}}).stats_file, "");
+    EXPECT_EQ(read({{"ODE_PREDICTIVE_STATS", "some/file"}}).stats_file, "some/file");
+}
+
+TEST(Settings, TheOthers)
+{
+    EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "sphere"}}).proximity, dPredictiveProximitySphere);
+    EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "ball"}}, 1).proximity, dPredictiveProximityBox);
+    EXPECT_TRUE(read({{"ODE_PREDICTIVE_COMPARE", "1"}}).compare);
+    EXPECT_FALSE(read({{"ODE_PREDICTIVE_COMPARE", "on"}}, 1).compare);
+    EXPECT_TRUE(read({{"ODE_PREDICTIVE_TRACE", "file"}}).watches());
+}
+} // namespace
+} // namespace ode_predictive_space::preload
