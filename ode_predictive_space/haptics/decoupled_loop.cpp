@@ -42,12 +42,13 @@ public:
     Servo(LoopParts &parts) : parts_(parts), renderer_(parts.probe.renderer()), impulses_(most_impulses(parts.settings))
     {
         touches_.reserve(ContactModel::capacity);
+        held_.reserve(2 * ContactModel::capacity);
     }
 
     void tick(double due);
 
-    /// What the hand got until now, to the impulses.
-    void settle(double time);
+    /// After each write: what the force before it gave to the hand, to the impulses.
+    void settle();
 
     /// By an exception of the law. Of the scene's thread, when the servo has ended or ended() is true.
     std::exception_ptr error() const { return error_; }
@@ -65,7 +66,8 @@ private:
     Snapshot<ContactModel> contacts_;
     Queue<Impulse> impulses_;
     std::vector<Touch> touches_;
-    double settled_ = 0; ///< s; up to when impulses() know of the force
+    std::vector<ForceShare> held_; ///< what the device has rendered since the last write
+    double settled_ = 0;           ///< s, on the clock; when that was
     std::exception_ptr error_;
     std::atomic<bool> ended_{false};
 };
@@ -79,7 +81,6 @@ void Servo::tick(double due)
         return;
     }
     parts_.servo.begin(now);
-    settle(due - parts_.start);
     if (parts_.is_told_to_stop())
     {
         end();
@@ -88,6 +89,7 @@ void Servo::tick(double due)
     try
     {
         render(due);
+        settle();
     }
     catch (...)
     {
@@ -107,19 +109,21 @@ void Servo::render(double due)
     parts_.note_rendered(renderer_.last_tick());
 }
 
-void Servo::settle(double time)
+void Servo::settle()
 {
-    const double elapsed = time - settled_;
-    settled_ = time;
-    for (const ForceShare &share : renderer_.shares())
+    const double now = parts_.clock.now();
+    for (const ForceShare &share : held_)
     {
-        impulses_.give({share.object, share.point, elapsed * share.force});
+        impulses_.give({share.object, share.point, (now - settled_) * share.force});
     }
+    settled_ = now;
+    held_ = renderer_.shares();
 }
 
 void Servo::end()
 {
     renderer_.relax();
+    settle();
     ended_.store(true, std::memory_order_release);
 }
 
@@ -207,8 +211,8 @@ void LoopParts::run_decoupled(const SceneWork &work)
     {
         std::rethrow_exception(servo_side.error());
     }
-    servo_side.settle(clock.now() - start);
     probe.renderer().relax();
+    servo_side.settle();
     scene_side.push();
 }
 } // namespace ode_predictive_space::haptics

@@ -96,6 +96,51 @@ TEST_F(DecoupledLoopTest, WhatTheHandGetsTheBodyLosesAtAnyRates)
     }
 }
 
+/// Takes long now and then, so that the servo misses deadlines.
+class SlowLaw : public ForceLaw
+{
+public:
+    explicit SlowLaw(SimulatedClock &clock) : clock_(clock) {}
+
+    void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override
+    {
+        law_.forces(tool, touches, dt, forces);
+        if (++ticks_ % 17 == 0)
+        {
+            clock_.advance(0.0006);
+        }
+    }
+
+    void reset() override { law_.reset(); }
+    double stiffness() const override { return law_.stiffness(); }
+    double damping() const override { return law_.damping(); }
+    void set_stiffness(double value) override { law_.set_stiffness(value); }
+
+private:
+    SimulatedClock &clock_;
+    PenaltyLaw law_;
+    int ticks_ = 0;
+};
+
+TEST_F(DecoupledLoopTest, MomentumIsKeptWhenTheServoMissesDeadlines)
+{
+    const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 20);
+    ScriptedDevice device([](double seconds) -> Vector3 {
+        return {0, 0, 0.03 - 0.035 * std::pow(std::sin(8 * std::max(0.0, seconds - 1)), 2)};
+    });
+    WriteLog log(device, clock_);
+    RenderSettings rendering;
+    rendering.law = std::make_shared<SlowLaw>(clock_);
+    HapticProbe probe(log, world_.space, radius, std::move(rendering));
+    HapticLoop loop(probe, settings(4000, 1000, 3));
+    const LoopReport report = loop.run({[&] { world_.collide(probe); }, [&](double dt) { world_.step(dt); }});
+    world_.step(0.001);
+    EXPECT_GT(report.overruns, 100U);
+    const Vector3 impulse = impulse_of(log.writes(), clock_.now());
+    EXPECT_GT(impulse.norm(), 0.5);
+    EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
+}
+
 TEST_F(DecoupledLoopTest, MomentumIsKeptThroughAStallOfTheScene)
 {
     const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
