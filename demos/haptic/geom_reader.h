@@ -1,7 +1,7 @@
 // From ODE's geoms to what is drawn of them.
 
-#ifndef ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_GEOM_READER_H
-#define ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_GEOM_READER_H
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_GEOM_READER_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_GEOM_READER_H
 
 #include "demos/window/view.h"
 
@@ -9,11 +9,8 @@
 #include <map>
 #include <ode/ode.h>
 
-namespace ode_predictive_space::window
+namespace ode_predictive_space::demo
 {
-/// The room inside the walls of a scene: `bounds`, less what boxes that never move take away from it at its sides.
-Eigen::AlignedBox3d room_inside_walls(dSpaceID space, const Eigen::AlignedBox3d &bounds);
-
 /// What a geom is called in a View.
 inline std::uintptr_t id_of(dGeomID geom)
 {
@@ -33,19 +30,19 @@ public:
     /// @param most how many at most.
     /// @param geoms gets them; it is cleared when a new round begins.
     /// @return whether all geoms have been read: geoms is complete, and the next call begins anew.
-    bool read(int most, std::vector<DrawnGeom> &geoms);
+    bool read(int most, std::vector<window::DrawnGeom> &geoms);
 
 private:
-    DrawnGeom drawn(dGeomID geom);
-    std::shared_ptr<const Triangles> triangles_of(dGeomID mesh);
+    window::DrawnGeom drawn(dGeomID geom);
+    std::shared_ptr<const window::Triangles> triangles_of(dGeomID mesh);
     bool is_wall(dGeomID geom) const;
 
     dSpaceID space_;
     dGeomID probe_;
     double wall_size_; ///< m
     int next_ = 0;
-    std::map<dTriMeshDataID, std::shared_ptr<const Triangles>> meshes_;
+    std::map<dTriMeshDataID, std::shared_ptr<const window::Triangles>> meshes_;
 };
-} // namespace ode_predictive_space::window
+} // namespace ode_predictive_space::demo
 
 #endif
