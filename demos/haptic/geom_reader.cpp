@@ -41,26 +41,26 @@ void read_bounds(dGeomID geom, window::DrawnGeom &drawn)
 }
 } // namespace
 
-GeomReader::GeomReader(dSpaceID space, dGeomID probe, const Eigen::AlignedBox3d &room)
-    : space_(space), probe_(probe), wall_size_(room.sizes().minCoeff() / 2)
+GeomReader::GeomReader(const scenes::Scene &scene, const Eigen::AlignedBox3d &room)
+    : scene_(scene), wall_size_(room.sizes().minCoeff() / 2)
 {}
 
-bool GeomReader::read(int most, std::vector<window::DrawnGeom> &geoms)
+bool GeomReader::read(std::size_t most, std::vector<window::DrawnGeom> &geoms)
 {
     if (next_ == 0)
     {
         geoms.clear();
     }
-    const int end = std::min(dSpaceGetNumGeoms(space_), next_ + most);
+    const std::vector<dGeomID> &all = scene_.geoms();
+    const std::size_t end = next_ + std::min(most, all.size() - next_);
     for (; next_ < end; ++next_)
     {
-        const dGeomID geom = dSpaceGetGeom(space_, next_);
-        if (geom != probe_)
+        if (all[next_] != nullptr)
         {
-            geoms.push_back(drawn(geom));
+            geoms.push_back(drawn(all[next_]));
         }
     }
-    const bool complete = next_ >= dSpaceGetNumGeoms(space_);
+    const bool complete = next_ >= all.size();
     next_ = complete ? 0 : next_;
     return complete;
 }

@@ -33,7 +33,7 @@ HapticRun::HapticRun(const Options &options, const scenes::SceneFactory &factory
       decoupled_(options.decoupled || options.rate > 0 || tick_seconds_ > 1 / usual_rate),
       servo_rate_(options.rate > 0 ? options.rate : usual_rate),
       space_(scenes::make_space(scenes::space_named(options.spaces.front()), factory)),
-      scene_(factory.make(space_.get())), room_(scenes::room_inside_walls(space_.get(), factory.bounds()))
+      scene_(factory.make(space_.get())), room_(scenes::room_inside_walls(*scene_, factory.bounds()))
 {
     make_probe(notice);
     make_loop(notice);

@@ -68,7 +68,7 @@ public:
     ServoLog &servo_log() { return *servo_log_; }
 
     double time() const { return time_; } ///< s; simulated
-    dSpaceID space() const { return space_.get(); }
+    const scenes::Scene &scene() const { return *scene_; }
     dGeomID probe_geom() const { return probe_->geom(); }
     const haptics::RenderedTick &rendered() const { return loop_->latest(); }
     const scenes::PairList &pairs() const { return pairs_; }         ///< of the last step, without the probe's

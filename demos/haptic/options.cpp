@@ -87,7 +87,8 @@ void declare_output_options(CLI::App &app, Options &options)
     app.add_flag("--headless", options.headless, "Open no window");
     app.add_flag("--compare", options.compare,
                  "Run the scene mix in several spaces, by turns, and compare what they cost");
-    app.add_option("--screenshot", options.screenshot_file, "Write a picture of the window to this file, as PNG")
+    app.add_option("--screenshot", options.screenshot_file,
+                   "Write a picture of the window to this file, as PNG, and end, unless --seconds says when")
         ->type_name("FILE");
     app.add_option("--at", options.screenshot_time, "When to take it, in simulated seconds")
         ->check(CLI::Range(0.0, 3600.0))
@@ -139,11 +140,7 @@ void complete(Options &options, const CLI::App &app)
         }
         options.device = "replay:" + options.replay_file;
     }
-    if (given("--screenshot") && options.seconds == 0)
-    {
-        options.seconds = options.screenshot_time + 0.1;
-    }
-    if (given("--screenshot") && options.seconds < options.screenshot_time)
+    if (given("--screenshot") && options.seconds > 0 && options.seconds < options.screenshot_time)
     {
         throw std::invalid_argument("the run ends before the time of the screenshot");
     }

@@ -8,10 +8,10 @@ namespace ode_predictive_space::demo
 {
 namespace
 {
-constexpr int geoms_per_step = 200;       // read in a step: some 20 µs
-constexpr double frame_seconds = 1. / 60; // of the window
-constexpr int steps_per_sample = 5;       // of the probe's path
-constexpr double path_seconds = 0.15;     // how far into the future the path is drawn
+constexpr std::size_t geoms_per_step = 200; // read in a step: some 20 µs
+constexpr double frame_seconds = 1. / 60;   // of the window
+constexpr int steps_per_sample = 5;         // of the probe's path
+constexpr double path_seconds = 0.15;       // how far into the future the path is drawn
 constexpr int path_balls = 7;
 
 window::NearPair line_between(dGeomID first, dGeomID second, bool with_probe)
@@ -31,7 +31,7 @@ bool is_wall(dGeomID geom, const Eigen::AlignedBox3d &room)
 } // namespace
 
 ViewWriter::ViewWriter(const HapticRun &run, haptics::Snapshot<window::SceneView> &views, double picture_time)
-    : run_(run), views_(views), picture_time_(picture_time), reader_(run.space(), run.probe_geom(), run.room())
+    : run_(run), views_(views), picture_time_(picture_time), reader_(run.scene(), run.room())
 {}
 
 void ViewWriter::after_step()
@@ -46,7 +46,8 @@ void ViewWriter::after_step()
     }
     window::SceneView &view = views_.draft();
     const bool for_picture = run_.time() >= picture_time_;
-    const bool complete = reader_.read(for_picture ? std::numeric_limits<int>::max() : geoms_per_step, view.geoms);
+    const bool complete =
+        reader_.read(for_picture ? std::numeric_limits<std::size_t>::max() : geoms_per_step, view.geoms);
     const auto now = std::chrono::steady_clock::now();
     if (!for_picture && (!complete || std::chrono::duration<double>(now - last_published_).count() < frame_seconds))
     {

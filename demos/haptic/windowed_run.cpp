@@ -185,6 +185,10 @@ void WindowedRun::picture_taken()
     {
         writer_->picture_taken();
     }
+    if (run_ && options_.seconds == 0)
+    {
+        run_->stop(); // it was only for the picture
+    }
 }
 
 void WindowedRun::tell(const haptics::Notice &notice)

@@ -11,12 +11,15 @@ Eigen::AlignedBox3d bounds_of(dGeomID geom)
     return {Vector3(box[0], box[2], box[4]), Vector3(box[1], box[3], box[5])};
 }
 
-Eigen::AlignedBox3d room_inside_walls(dSpaceID space, const SceneBounds &bounds)
+Eigen::AlignedBox3d room_inside_walls(const Scene &scene, const SceneBounds &bounds)
 {
     Eigen::AlignedBox3d room(bounds.centre - bounds.half_extent, bounds.centre + bounds.half_extent);
-    for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
+    for (const dGeomID geom : scene.geoms())
     {
-        const dGeomID geom = dSpaceGetGeom(space, i);
+        if (geom == nullptr)
+        {
+            continue;
+        }
         const Eigen::AlignedBox3d box = bounds_of(geom);
         if (dGeomGetBody(geom) != nullptr || dGeomGetClass(geom) != dBoxClass ||
             box.sizes().maxCoeff() < bounds.half_extent.minCoeff())

@@ -10,9 +10,8 @@ namespace ode_predictive_space::scenes
 /// The box that ODE reports for a geom, metres.
 Eigen::AlignedBox3d bounds_of(dGeomID geom);
 
-/// The room inside the walls of a scene whose geoms are in this space: its bounds, less what large boxes without a body take
-/// away at their sides. Metres.
-Eigen::AlignedBox3d room_inside_walls(dSpaceID space, const SceneBounds &bounds);
+/// The room inside the walls of a scene: its bounds, less what large boxes without a body take away at their sides. Metres.
+Eigen::AlignedBox3d room_inside_walls(const Scene &scene, const SceneBounds &bounds);
 } // namespace ode_predictive_space::scenes
 
 #endif

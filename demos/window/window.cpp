@@ -39,7 +39,7 @@ private:
     bool toggle(char key);
     bool pointer(const dsPointerEvent &event);
     void place_camera(const SceneView &view);
-    void take_picture(const std::string &file);
+    void take_picture(const std::string &file, double time);
     bool picture_is_due(const SceneView &view) const
     {
         return !settings_.screenshot.empty() && !view.geoms.empty() && view.time >= settings_.screenshot_time;
@@ -128,7 +128,7 @@ void Window::step()
     }
     if (picture_is_due(view))
     {
-        take_picture(settings_.screenshot);
+        take_picture(settings_.screenshot, view.time);
         settings_.screenshot.clear();
         shown_.picture_taken();
     }
@@ -136,15 +136,15 @@ void Window::step()
     {
         char file[40];
         std::snprintf(file, sizeof file, "haptic_demo_%02d.png", ++pictures_);
-        take_picture(file);
+        take_picture(file, view.time);
         picture_wanted_ = false;
     }
 }
 
-void Window::take_picture(const std::string &file)
+void Window::take_picture(const std::string &file, double time)
 {
     save_picture(file);
-    std::cout << "Picture of " << shown_.view().time << " s: " << file << std::endl;
+    std::cout << "Picture of " << time << " s: " << file << std::endl;
 }
 
 void Window::place_camera(const SceneView &view)
