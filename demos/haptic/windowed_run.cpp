@@ -1,6 +1,7 @@
 #include "demos/haptic/windowed_run.h"
 
 #include "demos/haptic/view_writer.h"
+#include "demos/scenes/scene_run.h"
 #include "demos/scenes/table.h"
 #include "demos/window/window.h"
 #include "ode_predictive_space/haptics/mouse_device.h"
@@ -17,7 +18,8 @@ namespace ode_predictive_space::demo
 namespace
 {
 constexpr double stiffness_step = 1.25;
-constexpr double softest = 10; // N/m
+constexpr double softest = 10;       // N/m
+constexpr double notice_seconds = 5; // that a notice stays in the window
 constexpr double never = std::numeric_limits<double>::infinity();
 
 using scenes::fixed;
@@ -78,6 +80,7 @@ private:
     std::unique_ptr<ViewWriter> writer_; ///< of that run
     std::mutex notice_mutex_;
     std::string last_notice_;
+    scenes::Clock::time_point notice_time_;
     RunResult result_;
     std::exception_ptr failure_;
 };
@@ -196,6 +199,7 @@ void WindowedRun::tell(const haptics::Notice &notice)
     notice_(notice);
     const std::lock_guard<std::mutex> lock(notice_mutex_);
     last_notice_ = notice.sentence();
+    notice_time_ = scenes::Clock::now();
 }
 
 const window::View &WindowedRun::view()
@@ -206,7 +210,7 @@ const window::View &WindowedRun::view()
     }
     read_run();
     const std::lock_guard<std::mutex> lock(notice_mutex_);
-    view_.notice = last_notice_;
+    view_.notice = scenes::seconds_between(notice_time_, scenes::Clock::now()) < notice_seconds ? last_notice_ : "";
     return view_;
 }
 
@@ -287,6 +291,7 @@ void WindowedRun::change_stiffness(double factor)
     if (wish > run_->max_stiffness())
     {
         const std::lock_guard<std::mutex> notice_lock(notice_mutex_);
+        notice_time_ = scenes::Clock::now();
         last_notice_ = "The device can render no more than " + fixed(run_->max_stiffness(), 0) + " N/m";
     }
 }
