@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ode_predictive_space::ode_demos
 {
@@ -39,17 +40,14 @@ class Counter
 public:
     void count_space(dSpaceID space)
     {
+        if (dGeomGetClass(reinterpret_cast<dGeomID>(space)) == dQuadTreeSpaceClass)
+        {
+            count_quadtree(space);
+            return;
+        }
         for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
         {
-            const dGeomID geom = dSpaceGetGeom(space, i);
-            if (dGeomIsSpace(geom) != 0)
-            {
-                count_space(reinterpret_cast<dSpaceID>(geom));
-            }
-            else
-            {
-                count_geom(geom);
-            }
+            count(dSpaceGetGeom(space, i));
         }
     }
 
@@ -64,6 +62,35 @@ public:
     }
 
 private:
+    /// ODE's quadtrees cannot enumerate their geoms: what is near everything is.
+    void count_quadtree(dSpaceID space)
+    {
+        constexpr dReal huge = 1e9;
+        everywhere_ = dCreateBox(nullptr, huge, huge, huge);
+        found_.clear();
+        const auto near = [](void *data, dGeomID first, dGeomID second) {
+            auto &self = *static_cast<Counter *>(data);
+            self.found_.push_back(first == self.everywhere_ ? second : first);
+        };
+        dSpaceCollide2(reinterpret_cast<dGeomID>(space), everywhere_, this, near);
+        dGeomDestroy(everywhere_);
+        const std::vector<dGeomID> found = found_;
+        std::for_each(found.begin(), found.end(), [this](dGeomID geom) { count(geom); });
+        census_.finite = census_.finite && static_cast<int>(found.size()) == dSpaceGetNumGeoms(space);
+    }
+
+    void count(dGeomID geom)
+    {
+        if (dGeomIsSpace(geom) != 0)
+        {
+            count_space(reinterpret_cast<dSpaceID>(geom));
+        }
+        else
+        {
+            count_geom(geom);
+        }
+    }
+
     void count_geom(dGeomID geom)
     {
         ++census_.geoms;
@@ -91,6 +118,8 @@ private:
     }
 
     Census census_;
+    dGeomID everywhere_ = nullptr; ///< a box around all that is
+    std::vector<dGeomID> found_;   ///< in a quadtree
     int contact_ends_ = 0;
 };
 } // namespace

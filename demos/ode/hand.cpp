@@ -11,9 +11,9 @@ namespace ode_predictive_space::ode_demos
 {
 namespace
 {
-constexpr double probe_size = 0.035;        // radius, in parts of the place's diagonal
-constexpr double stiffness = 20;            // N/m, in the scene: things in the demos weigh some grams to some kilograms
-constexpr double usual_hand_stiffness = 60; // N/m; for devices that do not tell theirs
+constexpr double probe_size = 0.035;          // radius, in parts of the place's diagonal
+constexpr double stiffness_per_radius = 80;   // N/m per metre, in the scene: where things are larger, they are heavier
+constexpr double usual_hand_stiffness = 60;   // N/m; for devices that do not tell theirs
 constexpr double more_than_any_device = 1e12; // N/m
 constexpr double radians = 3.14159265358979323846 / 180;
 constexpr unsigned clutch_button = 0;
@@ -63,12 +63,23 @@ double Hand::hand_stiffness() const
     return stiffest < more_than_any_device ? stiffest : usual_hand_stiffness;
 }
 
+/// All of the place is within reach. What the hand reaches beyond it is rather above it, as the ground is below.
+haptics::WorkspacePlacement Hand::placement_in(const Place &place) const
+{
+    const Eigen::AlignedBox3d &workspace = device_->capabilities().workspace;
+    haptics::WorkspacePlacement placement =
+        haptics::WorkspacePlacement::covering(place.bounds, workspace, axes_for(place.heading));
+    const double height = placement.scale * workspace.sizes().y();
+    placement.offset.z() += (height - place.bounds.sizes().z()) / 4;
+    return placement;
+}
+
 void Hand::make_probe(const Place &place)
 {
     radius_ = probe_size * place.bounds.diagonal().norm();
+    const double stiffness = stiffness_per_radius * radius_;
     haptics::RenderSettings settings;
-    settings.placement =
-        haptics::WorkspacePlacement::covering(place.bounds, device_->capabilities().workspace, axes_for(place.heading));
+    settings.placement = placement_in(place);
     // As stiff in the hand as it can be, as soft in the scene as its light things need it.
     settings.placement.force_scale = hand_stiffness() / (stiffness * settings.placement.scale);
     settings.law = std::make_shared<haptics::PenaltyLaw>(haptics::SurfaceProperties{stiffness, 0, 0});
@@ -153,7 +164,7 @@ void Hand::draw_force() const
         return;
     }
     const Vector3 direction = force.normalized();
-    const double length = 8 * radius_ * std::tanh(force.norm() / (2 * stiffness * radius_));
+    const double length = 8 * radius_ * std::tanh(force.norm() / (stiffness_per_radius * radius_ * radius_));
     const Vector3 centre = probe_->tool().position + (length / 2) * direction;
     dMatrix3 rotation;
     dRFromZAxis(rotation, direction.x(), direction.y(), direction.z());

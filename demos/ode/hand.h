@@ -60,6 +60,7 @@ public:
 private:
     void make_probe(const Place &place);
     double hand_stiffness() const;
+    haptics::WorkspacePlacement placement_in(const Place &place) const;
     void touch_inside(dSpaceID space);
     void draw_force() const;
     void draw_what_comes_next();
