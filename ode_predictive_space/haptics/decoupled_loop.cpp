@@ -68,6 +68,7 @@ private:
     std::vector<Touch> touches_;
     std::vector<ForceShare> held_; ///< what the device has rendered since the last write
     double settled_ = 0;           ///< s, on the clock; when that was
+    std::uint64_t zeros_ = 0;      ///< of the gate, by then
     std::exception_ptr error_;
     std::atomic<bool> ended_{false};
 };
@@ -81,7 +82,7 @@ void Servo::tick(double due)
         return;
     }
     parts_.servo.begin(now);
-    if (parts_.is_told_to_stop())
+    if (parts_.must_end())
     {
         end();
         return;
@@ -112,12 +113,20 @@ void Servo::render(double due)
 void Servo::settle()
 {
     const double now = parts_.clock.now();
+    const std::uint64_t zeros = renderer_.gate().zeros();
+    const bool guard_took_it = zeros != zeros_; // the servo has hung since
+    const double held_until = guard_took_it ? std::clamp(renderer_.gate().last_zero(), settled_, now) : now;
     for (const ForceShare &share : held_)
     {
-        impulses_.give({share.object, share.point, (now - settled_) * share.force});
+        impulses_.give({share.object, share.point, (held_until - settled_) * share.force});
     }
+    zeros_ = zeros;
     settled_ = now;
     held_ = renderer_.shares();
+    if (guard_took_it)
+    {
+        held_.clear();
+    }
 }
 
 void Servo::end()
@@ -156,8 +165,7 @@ void SceneLoop::run()
 {
     Pacer pacer(parts_.start, dt_, parts_.settings.most_steps_behind);
     for (std::uint64_t steps = 0;
-         static_cast<double>(steps) * dt_ < parts_.settings.duration && !parts_.is_told_to_stop() && !servo_.ended();
-         ++steps)
+         static_cast<double>(steps) * dt_ < parts_.settings.duration && !parts_.must_end() && !servo_.ended(); ++steps)
     {
         parts_.clock.sleep_until(pacer.due());
         parts_.scene.begin(parts_.clock.now());
@@ -207,12 +215,12 @@ void LoopParts::run_decoupled(const SceneWork &work)
             clock.start({1 / settings.rate, priority_request(false), [&](double due) { servo_side.tick(due); }});
         scene_side.run();
     }
+    probe.renderer().relax();
+    servo_side.settle();
+    scene_side.push();
     if (servo_side.error())
     {
         std::rethrow_exception(servo_side.error());
     }
-    probe.renderer().relax();
-    servo_side.settle();
-    scene_side.push();
 }
 } // namespace ode_predictive_space::haptics
