@@ -30,7 +30,7 @@ struct LoopSettings
         1000; ///< Hz; of the scene when decoupled, not more than rate. Else it is stepped at the servo's rate
     double duration = std::numeric_limits<double>::infinity(); ///< s, simulated
     int most_steps_behind =
-        4; ///< a scene that lags makes up for so many steps, and drops the rest: simulated time lags, then
+        4; ///< a scene that lags makes up for so many steps. Of more, it drops all: simulated time lags, then
     double margin =
         0.01; ///< m, in the scene; how far around a sphere's probe the servo knows of surfaces when decoupled
     bool ask_for_priority = true; ///< SCHED_FIFO and locked memory; what is refused is told, and done without
@@ -62,7 +62,7 @@ class LoopParts;
 /// Single-threaded, the default: all in the caller's thread, at the servo's rate: read, collide, force, write, step.
 ///
 /// Decoupled: the caller's thread steps the scene at its own rate and publishes what the probe touches as planes; a servo thread reads
-/// the device, feels those planes (see ContactModel), and writes the force. Its cost does not depend on the scene. What it gave to the
+/// the device, feels those planes, which move on with their surfaces, and writes the force. Its cost does not depend on the scene. What it gave to the
 /// hand comes back to the scene as impulses, none lost and none twice. The probe's tool must not be a body then.
 ///
 /// There is zero force in the end, whichever it is: the duration is over, stop() or a StopRequest (within 1 ms, whatever the loop does
