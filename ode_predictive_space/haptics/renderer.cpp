@@ -216,7 +216,7 @@ Wrench Renderer::write(const Wrench &wished, double dt)
 Wrench Renderer::limited(const Wrench &wished, double dt)
 {
     Wrench at_device = mapping_.to_device(wished);
-    if (passivity_)
+    if (passivity_ && !mapping_.clutched())
     {
         at_device.force = passivity_->control(tick_.state, at_device.force, dt);
     }

@@ -83,6 +83,40 @@ TEST(Renderer, WithTheClutchHeldThereIsNoForceAndTheToolStays)
     EXPECT_NE(renderer.tool().position, place);
 }
 
+/// Drives the hand on in its direction, as no passive thing does.
+class DrivingLaw : public ForceLaw
+{
+public:
+    void forces(const ToolState &tool, const std::vector<Touch> &touches, double, TouchForces &forces) override
+    {
+        forces.assign(touches.size(), 3 * tool.linear_velocity);
+    }
+
+    void reset() override {}
+    double stiffness() const override { return 0; }
+    double damping() const override { return 0; }
+    void set_stiffness(double) override {}
+};
+
+TEST(Renderer, WithTheClutchHeldNothingBrakesTheHandEither)
+{
+    ScriptedDevice device([](double seconds) -> Vector3 { return {0, 0, -0.02 + 0.005 * std::cos(20 * seconds)}; });
+    RenderSettings settings;
+    settings.law = std::make_shared<DrivingLaw>();
+    settings.passivity_control = true;
+    settings.clutch_button = 0;
+    Renderer renderer(device, settings);
+    for (int tick = 0; tick < 2000; ++tick)
+    {
+        device.buttons = tick >= 1500 ? 1 : 0;
+        feel_wall(renderer, dt * tick);
+        if (tick >= 1510)
+        {
+            ASSERT_TRUE(device.last_wrench().force.isZero(0)) << tick;
+        }
+    }
+}
+
 /// Presses 4 mm into the wall from 1 s to 3 s.
 Vector3 press(double seconds)
 {
