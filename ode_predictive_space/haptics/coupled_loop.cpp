@@ -12,7 +12,7 @@ void LoopParts::run_coupled(const SceneWork &work)
     }
     const double period = 1 / settings.rate;
     Pacer pacer(start, period, settings.most_steps_behind);
-    for (std::uint64_t tick = 0; static_cast<double>(tick) * period < settings.duration && !is_told_to_stop(); ++tick)
+    for (std::uint64_t tick = 0; static_cast<double>(tick) * period < settings.duration && !must_end(); ++tick)
     {
         clock.sleep_until(pacer.due());
         const double now = clock.now();

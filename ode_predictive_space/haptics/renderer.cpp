@@ -43,7 +43,7 @@ void Renderer::read(double time, double clock_time)
 {
     tick_.time = time;
     clock_time_ = clock_time;
-    if (gate_.notice_closing())
+    if (gate_.notice_closing() || relaxed_)
     {
         begin_anew();
     }
@@ -62,8 +62,19 @@ void Renderer::read(double time, double clock_time)
         failed_ = false;
         tell(NoticeKind::device, gate_.device().capabilities().name + " answers again; the force comes back slowly.");
     }
-    mapping_.clutch(is_held(settings_.clutch_button, tick_.state), tick_.state);
+    move_clutch();
     tick_.tool = mapping_.to_scene(tick_.state);
+}
+
+// Where the clutch is let go, the tool may be deep in something: no force jumps at the hand.
+void Renderer::move_clutch()
+{
+    const bool was_held = mapping_.clutched();
+    mapping_.clutch(is_held(settings_.clutch_button, tick_.state), tick_.state);
+    if (was_held && !mapping_.clutched())
+    {
+        safety_.reset();
+    }
 }
 
 bool Renderer::read_device(double time)
@@ -110,17 +121,23 @@ void Renderer::fail(std::string_view why)
 {
     answers_ = false;
     next_try_ = tick_.time + try_again_after;
-    split_.clear();
+    release_device();
     if (!failed_)
     {
         failed_ = true;
         tell(NoticeKind::device, "No force: " + std::string(why));
     }
+}
+
+// Zero, before anything else that might fail.
+void Renderer::release_device() noexcept
+{
+    split_.clear();
     try
     {
         gate_.write(Wrench());
     }
-    catch (const std::exception &)
+    catch (...)
     {
         gate_.close_device();
     }
@@ -128,6 +145,7 @@ void Renderer::fail(std::string_view why)
 
 void Renderer::begin_anew()
 {
+    relaxed_ = false;
     safety_.reset();
     law_->reset();
     split_.clear();
@@ -137,17 +155,10 @@ void Renderer::begin_anew()
     }
 }
 
-void Renderer::relax()
+void Renderer::relax() noexcept
 {
-    begin_anew();
-    try
-    {
-        gate_.write(Wrench());
-    }
-    catch (const std::exception &)
-    {
-        gate_.close_device();
-    }
+    release_device();
+    relaxed_ = true;
 }
 
 void Renderer::render(const std::vector<Touch> &touches, bool all_known, double dt)
@@ -205,7 +216,7 @@ Wrench Renderer::write(const Wrench &wished, double dt)
 Wrench Renderer::limited(const Wrench &wished, double dt)
 {
     Wrench at_device = mapping_.to_device(wished);
-    if (passivity_)
+    if (passivity_ && !mapping_.clutched())
     {
         at_device.force = passivity_->control(tick_.state, at_device.force, dt);
     }

@@ -95,7 +95,7 @@ void Renderer::set_placement(const WorkspacePlacement &placement)
 {
     mapping_ = WorkspaceMapping(placement);
     soften_law();
-    law_->reset();
+    begin_anew(); // the tool jumps, perhaps into something
 }
 
 void Renderer::soften_law()

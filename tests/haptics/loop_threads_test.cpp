@@ -153,6 +153,31 @@ TEST_F(LoopThreadsTest, AHangingSceneHasNoForceWhileItHangs)
     }
 }
 
+TEST_F(LoopThreadsTest, WhatTheNoticesSinkThrowsEndsTheLoopWithoutForce)
+{
+    for (const bool decoupled : {false, true})
+    {
+        ProbeWorld world;
+        dCreatePlane(world.space, 0, 0, 1, 0);
+        HapticProbe probe(device_, world.space, radius, without_ramp());
+        LoopSettings settings = this->settings(decoupled);
+        settings.notice = [](const Notice &) { throw std::runtime_error("the terminal is gone"); };
+        HapticLoop loop(probe, settings);
+        bool pressed = false;
+        EXPECT_THROW(loop.run({[&] { world.collide(probe); },
+                               [&](double dt) {
+                                   world.step(dt);
+                                   pressed = pressed || device_.force > 0;
+                                   if (pressed)
+                                   {
+                                       std::this_thread::sleep_for(std::chrono::milliseconds(20)); // worth a notice
+                                   }
+                               }}),
+                     std::runtime_error);
+        EXPECT_EQ(device_.force, 0);
+    }
+}
+
 TEST_F(LoopThreadsTest, AnExceptionEndsBothThreads)
 {
     HapticProbe probe(device_, world_.space, radius, without_ramp());

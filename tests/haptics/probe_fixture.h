@@ -65,6 +65,16 @@ inline dGeomID add_shape(ProbeWorld &world, Shape shape)
     }
     return world.add_box({0.4, 0.6, 0.2}, {0.05, -0.1, -0.1});
 }
+
+/// Runs the tick-by-tick program and adds up what the hand got.
+inline Vector3 impulse_on_hand(ProbeWorld &world, HapticProbe &probe, int ticks)
+{
+    Vector3 impulse = Vector3::Zero();
+    probe.set_recorder([&](const RenderedTick &tick) { impulse += tick_length * tick.wrench.force; });
+    world.run(probe, ticks);
+    probe.set_recorder({});
+    return impulse;
+}
 } // namespace ode_predictive_space::haptics
 
 #endif

@@ -268,8 +268,8 @@ TEST(Watchdog, LimitsFollowFromTheRates)
     EXPECT_DOUBLE_EQ(fast.late_after, 0.004);
     EXPECT_DOUBLE_EQ(fast.late_period, 1.5 / 4000);
     const WatchdogLimits slow = WatchdogLimits::of(100, 50);
-    EXPECT_DOUBLE_EQ(slow.stale_after, 0.08);
-    EXPECT_DOUBLE_EQ(slow.late_after, 0.04);
+    EXPECT_DOUBLE_EQ(slow.stale_after, 0.023);
+    EXPECT_DOUBLE_EQ(slow.late_after, 0.013);
     EXPECT_THROW(WatchdogLimits::of(0, 1), std::invalid_argument);
     EXPECT_THROW(WatchdogLimits::of(1, -1), std::invalid_argument);
 }
