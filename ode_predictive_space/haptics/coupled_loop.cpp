@@ -18,7 +18,7 @@ void LoopParts::run_coupled(const SceneWork &work)
         const double now = clock.now();
         guard->beat(now);
         servo.begin(now);
-        probe.begin(static_cast<double>(tick) * period, now);
+        probe.begin(first_time + static_cast<double>(tick) * period, now);
         work.collide();
         probe.render(period);
         note_rendered(probe.last_tick());

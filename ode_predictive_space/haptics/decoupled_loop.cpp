@@ -104,7 +104,7 @@ void Servo::render(double due)
 {
     contacts_.take();
     const ContactModel &contacts = contacts_.latest();
-    renderer_.read(due - parts_.start, parts_.clock.now());
+    renderer_.read(parts_.first_time + (due - parts_.start), parts_.clock.now());
     contacts.evaluate(renderer_.tool().position, due, touches_);
     renderer_.render(touches_, contacts.all_known(), 1 / parts_.settings.rate);
     parts_.note_rendered(renderer_.last_tick());
@@ -208,7 +208,7 @@ void LoopParts::run_decoupled(const SceneWork &work)
     SceneLoop scene_side(*this, servo_side, work);
     probe.set_tick_length(1 / settings.physics_rate);
     probe.sensor()->set_margin(settings.margin);
-    probe.begin(0, start);
+    probe.begin(first_time, start);
     note_rendered(probe.last_tick());
     {
         const std::unique_ptr<RunningTask> servo_task =

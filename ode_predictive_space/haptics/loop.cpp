@@ -194,6 +194,7 @@ void LoopParts::run_watched(const SceneWork &work)
 {
     const StopRequest instead_of_dying; // by a signal, with the force left on
     const Watch watch(*this);
+    first_time = probe.last_tick().time;
     start = clock.now();
     try
     {

@@ -77,6 +77,7 @@ public:
     TickStatistics servo;
     TickStatistics scene;
     std::atomic<bool> stopped{false};
+    double first_time = 0;            ///< s, simulated; by the device's time, which goes on from run to run
     std::atomic<double> start{0};     ///< s, on the clock
     std::atomic<double> end{0};       ///< s, on the clock; 0 while it runs
     std::atomic<double> simulated{0}; ///< s

@@ -50,6 +50,26 @@ TEST_P(HapticLoopTest, TheSameRunTwiceIsTheSame)
     EXPECT_TRUE(forces[0] == forces[1]);
 }
 
+TEST_P(HapticLoopTest, AnotherRunGoesOnInTheTimeOfTheDevice)
+{
+    const dGeomID broken = add_broken_geom(world_.space); // told of once a second
+    make();
+    double last = -1;
+    probe_->set_recorder([&](const RenderedTick &tick) {
+        ASSERT_GE(tick.time, last);
+        last = tick.time;
+    });
+    loop_->run(work());
+    EXPECT_NEAR(last, 3, 0.002);
+    const int told = notices_.count(NoticeKind::contact);
+    loop_ = std::make_unique<HapticLoop>(*probe_, settings());
+    const LoopReport report = loop_->run(work());
+    EXPECT_NEAR(last, 6, 0.003);
+    EXPECT_GE(notices_.count(NoticeKind::contact), 2 * told - 1);
+    EXPECT_NEAR(report.real_time_factor, 1, 1e-3);
+    dGeomDestroy(broken);
+}
+
 // --- Ends -----------------------------------------------------------------------------------------------------------------
 
 TEST_P(HapticLoopTest, EndsWhenItIsToldTo)
