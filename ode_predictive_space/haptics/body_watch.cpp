@@ -23,9 +23,10 @@ void BodyWatch::age()
     {
         ++watched.age;
     }
-    const auto first_old = std::stable_partition(watched_.begin(), watched_.end(), [](const Watched &watched) {
-        return watched.age <= longest_age && dJointGetBody(watched.joint, 0) != nullptr;
-    });
+    const auto first_old = std::partition( // the stable one allocates
+        watched_.begin(), watched_.end(), [](const Watched &watched) {
+            return watched.age <= longest_age && dJointGetBody(watched.joint, 0) != nullptr;
+        });
     std::for_each(first_old, watched_.end(), [](const Watched &watched) { dJointGroupDestroy(watched.group); });
     watched_.erase(first_old, watched_.end());
 }

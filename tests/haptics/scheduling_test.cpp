@@ -21,6 +21,13 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
+/// Sanitizers answer mlock() and its kin by themselves, and lock nothing.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool locks_are_real = false;
+#else
+constexpr bool locks_are_real = true;
+#endif
+
 /// Whether this is so in a child of this process that has no right to real-time priority, nor to locked memory.
 bool holds_without_rights(const std::function<bool()> &claim)
 {
@@ -42,7 +49,7 @@ TEST(Scheduling, ARefusalIsAnErrorNumber)
     EXPECT_TRUE(holds_without_rights([] {
         std::atomic<int> memory{0};
         const LockedMemory lock(memory);
-        return ask_for_real_time(false) == EPERM && ask_for_real_time(true) == EPERM && memory != 0;
+        return ask_for_real_time(false) == EPERM && ask_for_real_time(true) == EPERM && (memory != 0) == locks_are_real;
     }));
 }
 
@@ -102,7 +109,7 @@ TEST(Scheduling, MemoryThatTheProgramLockedStaysLocked)
     std::vector<char> own(1 << 16);
     ASSERT_EQ(mlock(own.data(), own.size()), 0);
     const long before = locked_memory();
-    EXPECT_GT(before, 0);
+    EXPECT_EQ(before > 0, locks_are_real);
     std::atomic<int> error{-1};
     {
         const LockedMemory lock(error);
