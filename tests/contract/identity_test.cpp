@@ -13,7 +13,7 @@ namespace
 {
 using Contract = OdeTest;
 
-#ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
+#ifdef ODE_HAS_PREDICTIVE_SPACE
 constexpr int expected_class = dPredictiveSpaceClass;
 static_assert(dPredictiveSpaceClass == dLastSpaceClass && dFirstUserClass == dLastSpaceClass + 1,
               "it is a class of space");
