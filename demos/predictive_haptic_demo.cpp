@@ -1,128 +1,122 @@
-// A probe among still and moving objects, in the predictive space and in ODE's own, side by side.
+// A probe among still and moving objects: felt and pushed at 1 kHz, in a window or without one; or the spaces side by side.
 
-#include "demos/haptic_report.h"
-#include "demos/scenes/progress.h"
+#include "demos/haptic/comparison.h"
+#include "demos/haptic/haptic_run.h"
+#include "demos/haptic/run_summary.h"
 #include "demos/scenes/result_records.h"
+#include "ode_predictive_space/haptics/stop_request.h"
+#ifdef HAPTIC_DEMO_HAS_WINDOW
+#include "demos/haptic/windowed_run.h"
+#include "demos/window/window.h"
+#endif
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 
 namespace
 {
-using namespace ode_predictive_space::scenes;
+using namespace ode_predictive_space;
+using demo::Options;
 
 enum ExitStatus
 {
-    exit_same = 0,
+    exit_well = 0,
     exit_different_pairs = 1,
     exit_failed = 2
 };
 
-constexpr int most_warm_up_ticks = 100;
+constexpr double usual_seconds_without_window = 5;
 
-struct Options
+/// Why there can be no window; empty when there can.
+std::string what_a_window_lacks()
 {
-    int objects = 1000;
-    double seconds = 2;
-    std::vector<std::string> spaces;
-    std::uint64_t seed = 1;
-    bool headless = false;
-    std::string json_file;
-};
+#ifdef HAPTIC_DEMO_HAS_WINDOW
+    return window::has_display() ? "" : "there is no display with OpenGL";
+#else
+    return "this build has none; what it lacked, CMake said";
+#endif
+}
 
-std::vector<std::string> names_of_all_spaces()
+demo::RunResult run(const Options &options, demo::DemoDevice &device, bool in_window)
 {
-    std::vector<std::string> names;
-    for (const SpaceKind kind : all_spaces())
+    scenes::SceneSpec spec;
+    spec.name = options.scene;
+    spec.objects = options.objects;
+    spec.seed = options.seed;
+    spec.own_probe = false;
+    const scenes::SceneFactory factory(spec);
+    const auto notice = [](const haptics::Notice &told) { std::cerr << "-- " << told.sentence() << std::endl; };
+#ifdef HAPTIC_DEMO_HAS_WINDOW
+    if (in_window)
     {
-        names.push_back(kind == SpaceKind::predictive ? "predictive" : space_name(kind));
+        return demo::run_in_window(options, factory, device, notice);
     }
-    return names;
+#else
+    static_cast<void>(in_window);
+#endif
+    demo::RunControl control;
+    return demo::HapticRun(options, factory, device, control, notice).run();
 }
 
-std::vector<std::string> accepted_names()
+void run_probe(Options options, bool in_window)
 {
-    std::vector<std::string> names = names_of_all_spaces();
-    names.push_back(space_name(SpaceKind::predictive));
-    return names;
-}
-
-void declare_options(CLI::App &app, Options &options)
-{
-    options.spaces = names_of_all_spaces();
-    app.add_option("--objects", options.objects, "How many objects there are besides the probe and the walls")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
-    app.add_option("--seconds", options.seconds, "How long to run, in simulated seconds of 1000 ticks")
-        ->check(CLI::Range(0.01, 3600.0))
-        ->capture_default_str();
-    app.add_option("--space", options.spaces, "Which spaces to run: one, or several separated by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember(accepted_names()))
-        ->capture_default_str();
-    app.add_option("--seed", options.seed, "Of the places, the motions and the hand; the same seed gives the same run")
-        ->capture_default_str();
-    app.add_flag("--headless", options.headless, "Open no window. This build has none: it is always headless");
-    app.add_option("--json", options.json_file, "Write the results to this file, too")->type_name("FILE");
-}
-
-std::vector<SpaceKind> kinds_of(const std::vector<std::string> &names)
-{
-    std::vector<SpaceKind> kinds;
-    for (const std::string &name : names)
+    if (options.spaces.empty())
     {
-        const SpaceKind kind = space_named(name);
-        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-        {
-            kinds.push_back(kind);
-        }
+        options.spaces = {"predictive"};
     }
-    return kinds;
+    if (!in_window && options.seconds == 0)
+    {
+        options.seconds = usual_seconds_without_window;
+    }
+    const haptics::StopRequest stop_request; // signals end the loop, with zero force, and the summary comes
+    demo::DemoDevice device(demo::make_seeded_device(options.device, options.seed));
+    demo::print_beginning(std::cout, options, in_window);
+    const demo::RunResult result = run(options, device, in_window);
+    demo::print_summary(std::cout, options, result);
+    if (!options.json_file.empty())
+    {
+        scenes::write_json(options.json_file, demo::json_summary(options, result));
+    }
 }
 
 ExitStatus run_demo(const Options &options)
 {
-    const OdeSession ode;
-    SceneSpec spec;
-    spec.name = "mix";
-    spec.objects = options.objects;
-    spec.seed = options.seed;
-    const SceneFactory factory(spec);
-    const SceneRuns runs = make_runs(kinds_of(options.spaces), factory);
-    const int ticks = static_cast<int>(std::lround(options.seconds / factory.tick_seconds()));
-    print_introduction(std::cout, spec, ticks, runs.size());
+    const scenes::OdeSession ode;
+    const std::string lack = options.headless ? "" : what_a_window_lacks();
+    const bool in_window = !options.headless && !options.compare && lack.empty();
+    if (!options.screenshot_file.empty() && !in_window)
     {
-        // The first ticks build what the spaces keep: their pairs count, their times do not.
-        const int warm_up = std::min(most_warm_up_ticks, ticks / 10);
-        Progress progress("Running", ticks);
-        run_by_turns(runs, warm_up);
-        for (const auto &run : runs)
+        throw std::runtime_error("no screenshot without a window: " + lack);
+    }
+    if (options.compare || (!in_window && !options.wants_one_run))
+    {
+        if (!lack.empty() && !options.compare)
         {
-            run->start_measuring();
+            std::cout << "No window: " << lack << ". The spaces are compared instead; with --device virtual the probe "
+                      << "runs all the same.\n\n";
         }
-        run_by_turns(runs, ticks - warm_up, [&](int done) { progress.show(warm_up + done); });
+        return demo::compare_spaces(options) ? exit_well : exit_different_pairs;
     }
-    print_report(std::cout, runs);
-    if (!options.json_file.empty())
-    {
-        write_json(options.json_file, json_report(runs, spec));
-    }
-    return first_difference(runs) < 0 ? exit_same : exit_different_pairs;
+    run_probe(options, in_window);
+    return exit_well;
 }
 } // namespace
 
 int main(int argc, char **argv)
 {
     Options options;
-    CLI::App app("A hand-driven probe among still and moving objects: the predictive space beside ODE's own spaces.\n"
-                 "Exit status: 0, or 1 when the spaces did not report the same pairs, or 2 when something failed.");
-    declare_options(app, options);
+    CLI::App app(
+        "A probe among still and moving objects, which feels and pushes what it touches: in a window where there is "
+        "a display.\nWithout a window, and without an option that is about the probe, or with --compare, or with "
+        "several spaces: the\npredictive space beside ODE's own spaces.\n"
+        "Exit status: 0, or 1 when spaces that are compared did not report the same pairs, or 2 when something "
+        "failed.");
+    demo::declare_options(app, options);
     CLI11_PARSE(app, argc, argv);
     try
     {
+        demo::complete(options, app);
         return run_demo(options);
     }
     catch (const std::exception &failure)

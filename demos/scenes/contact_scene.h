@@ -18,6 +18,7 @@ public:
     void respond(const std::vector<IndexPair> &pairs) override;
     std::size_t contacts() const override { return contacts_; }
     bool moves_by_itself() const override { return false; }
+    const std::vector<dGeomID> &geoms() const override { return objects_.geoms(); }
     const ProbeReport *probe() const override { return nullptr; }
 
 protected:

@@ -75,6 +75,7 @@ public:
     void respond(const std::vector<IndexPair> &) override {}
     std::size_t contacts() const override { return 0; }
     bool moves_by_itself() const override { return true; }
+    const std::vector<dGeomID> &geoms() const override { return objects_.geoms(); }
     const ProbeReport *probe() const override { return nullptr; }
 
 protected:

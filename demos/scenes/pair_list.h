@@ -36,6 +36,9 @@ public:
     void clear() { pairs_.clear(); }
     std::size_t size() const { return pairs_.size(); }
 
+    /// The pairs as they came.
+    const std::vector<std::pair<dGeomID, dGeomID>> &geoms() const { return pairs_; }
+
     /// Forget the pairs whose bounding boxes do not overlap, and tell how many they were. Right after dSpaceCollide() only:
     /// the boxes are those of now.
     std::size_t drop_pairs_apart();

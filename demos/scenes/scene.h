@@ -78,6 +78,9 @@ public:
     /// What the probe did in the last tick; null in a scene without one.
     virtual const ProbeReport *probe() const = 0;
 
+    /// All geoms of the scene by their numbers; null where one has been destroyed. Not every space can tell them.
+    virtual const std::vector<dGeomID> &geoms() const = 0;
+
     /// Geoms in no space, to be tried against the scene's space with dSpaceCollide2() in each tick; none in most scenes. Their
     /// numbers follow those of the scene's geoms.
     virtual const std::vector<dGeomID> &queries() const;

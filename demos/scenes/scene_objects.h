@@ -55,6 +55,9 @@ public:
     /// The geom of this number; null when it has been destroyed.
     dGeomID geom(std::uint32_t index) const { return geoms_[index]; }
 
+    /// All of them, by number; null where one has been destroyed.
+    const std::vector<dGeomID> &geoms() const { return geoms_; }
+
     dSpaceID space() const { return space_; }
 
 private:

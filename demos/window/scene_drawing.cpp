@@ -55,7 +55,7 @@ Colour colour_of(const DrawnGeom &geom, const ProbeView &probe)
 }
 
 /// From 1 beside the probe to `palest` far away, seen against the size of the room.
-double opacity_of(const DrawnGeom &geom, const View &view)
+double opacity_of(const DrawnGeom &geom, const SceneView &view)
 {
     const double clear = 4 * view.probe.radius;
     const double pale = std::max(2 * clear, 0.35 * (view.high - view.low).norm());
@@ -92,7 +92,7 @@ void draw_geom(const DrawnGeom &geom, const Vector3 &shift)
 }
 
 /// The far ones first: what one sees through is drawn before what is in front of it.
-std::vector<const DrawnGeom *> from_far_to_near(const View &view, const Vector3 &eye)
+std::vector<const DrawnGeom *> from_far_to_near(const SceneView &view, const Vector3 &eye)
 {
     std::vector<std::pair<double, const DrawnGeom *>> keyed;
     for (const DrawnGeom &geom : view.geoms)
@@ -111,7 +111,7 @@ std::vector<const DrawnGeom *> from_far_to_near(const View &view, const Vector3 
     return result;
 }
 
-void draw_geoms(const View &view, const Layers &layers, const Vector3 &eye, const Vector3 &shift)
+void draw_geoms(const SceneView &view, const Layers &layers, const Vector3 &eye, const Vector3 &shift)
 {
     for (const DrawnGeom *geom : from_far_to_near(view, eye - shift))
     {
@@ -168,7 +168,7 @@ void draw_room(const Vector3 &low, const Vector3 &high)
     draw_lines(edges_between(low, high), palette::room, 0.5f, 1.5f);
 }
 
-void draw_near_pairs(const View &view, const Vector3 &shift)
+void draw_near_pairs(const SceneView &view, const Vector3 &shift)
 {
     std::vector<Segment> of_objects;
     std::vector<Segment> of_probe;
@@ -183,7 +183,7 @@ void draw_near_pairs(const View &view, const Vector3 &shift)
 }
 
 /// Where the moving objects around the probe will be in the time that its own envelope is drawn for.
-std::vector<EnvelopeBall> envelopes_of_objects(const View &view, const Vector3 &shift)
+std::vector<EnvelopeBall> envelopes_of_objects(const SceneView &view, const Vector3 &shift)
 {
     std::vector<EnvelopeBall> balls;
     const double reach = 12 * view.probe.radius;
@@ -202,7 +202,7 @@ std::vector<EnvelopeBall> envelopes_of_objects(const View &view, const Vector3 &
     return balls;
 }
 
-void draw_envelopes(const View &view, const Layers &layers, const Vector3 &shift)
+void draw_envelopes(const SceneView &view, const Layers &layers, const Vector3 &shift)
 {
     if (layers.object_envelopes)
     {
@@ -219,27 +219,27 @@ void draw_envelopes(const View &view, const Layers &layers, const Vector3 &shift
     }
 }
 
-void draw_probe(const View &view, const Layers &layers, const Vector3 &shift)
+void draw_probe(const SceneView &view, const Layers &layers, const Vector3 &shift)
 {
     const Vector3 position = view.probe.position + shift;
     const double radius = view.probe.radius;
     const Vector3 &force = view.probe.force;
     dsSetColor(palette::probe.red, palette::probe.green, palette::probe.blue);
     dsDrawSphereD(position.data(), upright, static_cast<float>(radius));
-    if (layers.force && force.norm() > 0 && view.max_force > 0)
+    if (layers.force && force.norm() > 0 && view.probe.max_force > 0)
     {
-        const double length = radius * (1 + arrow_at_full_force * force.norm() / view.max_force);
+        const double length = radius * (1 + arrow_at_full_force * force.norm() / view.probe.max_force);
         draw_arrow(position, length * force.normalized(), 0.3 * radius, palette::force);
     }
 }
 } // namespace
 
-Vector3 shift_onto_floor(const View &view)
+Vector3 shift_onto_floor(const SceneView &view)
 {
     return {0, 0, -view.low.z()};
 }
 
-void draw_scene(const View &view, const Layers &layers, const Vector3 &eye)
+void draw_scene(const SceneView &view, const Layers &layers, const Vector3 &eye)
 {
     const Vector3 shift = shift_onto_floor(view);
     draw_room(view.low + shift, view.high + shift);

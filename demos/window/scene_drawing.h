@@ -19,12 +19,12 @@ struct Layers
 };
 
 /// Drawstuff's floor is the plane z = 0; scenes have theirs where they like. Add this to what is drawn.
-Vector3 shift_onto_floor(const View &view);
+Vector3 shift_onto_floor(const SceneView &view);
 
 /// All but the text.
 ///
 /// @param eye where the camera is, in drawstuff's frame.
-void draw_scene(const View &view, const Layers &layers, const Vector3 &eye);
+void draw_scene(const SceneView &view, const Layers &layers, const Vector3 &eye);
 } // namespace ode_predictive_space::window
 
 #endif

@@ -124,7 +124,7 @@ void draw_strip_chart(Canvas &canvas, const View &view, const Rectangle &area)
 
     const Strip force{
         {left, area.top + title_height, width, height},
-        round_up(std::max(1.0, std::max(1.05 * largest(view.chart, &ChartColumn::force), view.max_force))),
+        round_up(std::max(1.0, std::max(1.05 * largest(view.chart, &ChartColumn::force), view.probe.max_force))),
         "N"};
     draw_level(canvas, force, 0);
     draw_level(canvas, force, force.top);

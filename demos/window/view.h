@@ -70,6 +70,7 @@ struct ProbeView
 {
     Vector3 position = Vector3::Zero();
     double radius = 0;                   ///< m
+    double max_force = 0;                ///< N; of the device; 0 when it is not known
     Vector3 force = Vector3::Zero();     ///< N; on the hand
     std::vector<EnvelopeBall> path;      ///< from now on
     std::vector<std::uintptr_t> touched; ///< ids of the geoms that it touches
@@ -107,17 +108,21 @@ struct KeyHelp
     bool on = true; ///< of a switch
 };
 
-/// The state of a run at one moment.
-struct View
+/// The scene at one moment.
+struct SceneView
 {
     double time = 0;                                       ///< simulated seconds
     Vector3 low = Vector3::Zero(), high = Vector3::Zero(); ///< corners of the room, m
     std::vector<DrawnGeom> geoms;                          ///< without the probe
     std::vector<NearPair> near_pairs;
     ProbeView probe;
+};
+
+/// All that the window shows.
+struct View : SceneView
+{
     std::vector<ChartColumn> chart; ///< the latest last
     double chart_seconds = 0;       ///< that a column stands for
-    double max_force = 0;           ///< N; of the device
     double nominal_period = 0;      ///< ms
     std::vector<Reading> readings;
     std::string heading;

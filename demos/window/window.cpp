@@ -17,7 +17,8 @@ namespace ode_predictive_space::window
 {
 namespace
 {
-constexpr double camera_pitch = -22; // degrees
+constexpr double camera_heading = 158; // degrees from the x axis, counter-clockwise: roughly along -x
+constexpr double camera_pitch = -20;   // degrees
 constexpr double radians = 3.14159265358979323846 / 180;
 
 /// drawstuff calls functions without data, and its loop runs once per process: there is one window.
@@ -37,8 +38,12 @@ private:
     void key(char key);
     bool toggle(char key);
     bool pointer(const dsPointerEvent &event);
-    void place_camera(const View &view);
-    void take_picture(const std::string &file);
+    void place_camera(const SceneView &view);
+    void take_picture(const std::string &file, double time);
+    bool picture_is_due(const SceneView &view) const
+    {
+        return !settings_.screenshot.empty() && !view.geoms.empty() && view.time >= settings_.screenshot_time;
+    }
     std::vector<KeyHelp> keys() const;
 
     /// Exceptions must not pass through drawstuff, which is C to its callers.
@@ -95,11 +100,12 @@ void Window::start()
 
 void Window::step()
 {
-    if (shown_.ended())
+    const bool ended = shown_.ended();
+    const View &view = shown_.view();
+    if (ended && !picture_is_due(view))
     {
         dsStop();
     }
-    const View &view = shown_.view();
     if (view.geoms.empty())
     {
         return;
@@ -120,27 +126,28 @@ void Window::step()
         draw_overlay(canvas, view, keys());
         canvas.show();
     }
-    if (!settings_.screenshot.empty() && view.time >= settings_.screenshot_time)
+    if (picture_is_due(view))
     {
-        take_picture(settings_.screenshot);
+        take_picture(settings_.screenshot, view.time);
         settings_.screenshot.clear();
+        shown_.picture_taken();
     }
     if (picture_wanted_)
     {
         char file[40];
         std::snprintf(file, sizeof file, "haptic_demo_%02d.png", ++pictures_);
-        take_picture(file);
+        take_picture(file, view.time);
         picture_wanted_ = false;
     }
 }
 
-void Window::take_picture(const std::string &file)
+void Window::take_picture(const std::string &file, double time)
 {
     save_picture(file);
-    std::cout << "Picture of " << shown_.view().time << " s: " << file << std::endl;
+    std::cout << "Picture of " << time << " s: " << file << std::endl;
 }
 
-void Window::place_camera(const View &view)
+void Window::place_camera(const SceneView &view)
 {
     camera_placed_ = true;
     const Vector3 middle = (view.low + view.high) / 2 + shift_onto_floor(view);

@@ -36,6 +36,9 @@ public:
     /// What keys there are for it.
     virtual std::vector<KeyHelp> keys() const = 0;
 
+    /// The picture that WindowSettings asks for has been taken.
+    virtual void picture_taken() = 0;
+
     /// The pointer did something. @return whether it is taken: then it does not move the camera.
     virtual bool pointer(const Pointer &pointer) = 0;
 };
@@ -43,17 +46,15 @@ public:
 /// How the window begins.
 struct WindowSettings
 {
-    int width = 1280;           ///< pixels
-    int height = 800;           ///< pixels
-    std::string screenshot;     ///< file; empty: none but those that are asked for by key
-    double screenshot_time = 0; ///< simulated seconds; the first view that is not earlier is the one
+    int width = 1280;       ///< pixels
+    int height = 800;       ///< pixels
+    std::string screenshot; ///< file; empty: none but those that are asked for by key
+    double screenshot_time =
+        0; ///< simulated seconds; the first view that is not earlier is the one. The window waits for it
 };
 
 /// Whether there is a display that a window can be opened on.
 bool has_display();
-
-/// The horizontal direction in which the camera looks, in degrees from the x axis, counter-clockwise.
-constexpr double camera_heading = 150;
 
 /// Show it until it has ended or the person closes the window. Once per process.
 ///

@@ -1,13 +1,14 @@
-# drawstuff, ODE's own little renderer, with our callback for the pointer. It is in ODE's source package and in no Debian
-# package, so it is built here, from a patched copy of it.
+# drawstuff, ODE's own little renderer, with our callback for the pointer and our runs without a window. It is in ODE's source
+# package and in no Debian package, so it is built here, from a patched copy of it.
 #
 # Defines the target ode_predictive_space_drawstuff where OpenGL, GLU and X11 are installed, and sets
-# DRAWSTUFF_MISSING to what is missing otherwise.
+# DRAWSTUFF_MISSING to what is missing otherwise, and DRAWSTUFF_TEXTURES to where its textures are.
 
 find_package(OpenGL QUIET)
 find_package(X11 QUIET)
 
-set(drawstuff_patch "${PROJECT_SOURCE_DIR}/patches/ode-${ODE_VERSION}/drawstuff-pointer.patch")
+set(drawstuff_patches "${PROJECT_SOURCE_DIR}/patches/ode-${ODE_VERSION}/drawstuff-headless.patch"
+                      "${PROJECT_SOURCE_DIR}/patches/ode-${ODE_VERSION}/drawstuff-pointer.patch")
 set(DRAWSTUFF_MISSING "")
 if(NOT TARGET OpenGL::GL)
     list(APPEND DRAWSTUFF_MISSING "OpenGL")
@@ -21,14 +22,18 @@ endif()
 if(NOT EXISTS "${ODE_SOURCE_DIR}/drawstuff/src/x11.cpp")
     list(APPEND DRAWSTUFF_MISSING "drawstuff in ODE's source")
 endif()
-if(NOT EXISTS "${drawstuff_patch}")
-    list(APPEND DRAWSTUFF_MISSING "a patch of drawstuff for ODE ${ODE_VERSION}")
-endif()
-if(DRAWSTUFF_MISSING)
+foreach(file IN LISTS drawstuff_patches)
+    if(NOT EXISTS "${file}")
+        list(APPEND DRAWSTUFF_MISSING "a patch of drawstuff for ODE ${ODE_VERSION}")
+        break()
+    endif()
+endforeach()
+set(drawstuff_copy "${PROJECT_BINARY_DIR}/drawstuff")
+set(DRAWSTUFF_TEXTURES "${drawstuff_copy}/drawstuff/textures")
+if(DRAWSTUFF_MISSING OR TARGET ode_predictive_space_drawstuff)
     return()
 endif()
 
-set(drawstuff_copy "${PROJECT_BINARY_DIR}/drawstuff")
 set(drawstuff_sources "${drawstuff_copy}/drawstuff/src/drawstuff.cpp" "${drawstuff_copy}/drawstuff/src/x11.cpp")
 add_custom_command(
     OUTPUT ${drawstuff_sources}
@@ -39,8 +44,8 @@ add_custom_command(
     COMMAND "${CMAKE_COMMAND}" -E copy "${ODE_SOURCE_DIR}/configure.ac" "${drawstuff_copy}"
     # What drawstuff asks of the system, which ODE's configure would write.
     COMMAND "${CMAKE_COMMAND}" -E touch "${drawstuff_copy}/config.h"
-    COMMAND "${PROJECT_SOURCE_DIR}/patches/apply" "${drawstuff_copy}" drawstuff-pointer
-    DEPENDS "${drawstuff_patch}" "${PROJECT_SOURCE_DIR}/patches/apply"
+    COMMAND "${PROJECT_SOURCE_DIR}/patches/apply" "${drawstuff_copy}" ${drawstuff_patches}
+    DEPENDS ${drawstuff_patches} "${PROJECT_SOURCE_DIR}/patches/apply"
     COMMENT "Patching a copy of drawstuff"
     VERBATIM)
 
@@ -48,7 +53,7 @@ add_library(ode_predictive_space_drawstuff STATIC ${drawstuff_sources})
 target_compile_definitions(
     ode_predictive_space_drawstuff
     PRIVATE HAVE_GETTIMEOFDAY=1 HAVE_SYS_TIME_H=1 HAVE_UNISTD_H=1
-            "DEFAULT_PATH_TO_TEXTURES=\"${drawstuff_copy}/drawstuff/textures\"")
+            "DEFAULT_PATH_TO_TEXTURES=\"${DRAWSTUFF_TEXTURES}\"")
 target_include_directories(
     ode_predictive_space_drawstuff SYSTEM
     PUBLIC "${drawstuff_copy}/include"

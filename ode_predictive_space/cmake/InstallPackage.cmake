@@ -1,4 +1,4 @@
-# What `cmake --install` puts into the prefix: headers, library, CMake package, pkg-config file. All of it can be moved.
+# What `cmake --install` puts into the prefix: headers, libraries, CMake package, pkg-config files. All of it can be moved.
 
 include(CMakePackageConfigHelpers)
 
@@ -27,8 +27,9 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space-config.cmake"
               "${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space-config-version.cmake"
               "${CMAKE_CURRENT_LIST_DIR}/FindODE.cmake" DESTINATION "${package_dir}")
 
-# From the folder of the pkg-config file to the prefix.
+# From the folder of the pkg-config files to the prefix.
 file(RELATIVE_PATH prefix_from_pkg_config "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
-configure_file("${CMAKE_CURRENT_LIST_DIR}/ode_predictive_space.pc.in"
-               "${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space.pc" @ONLY)
-install(FILES "${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+foreach(package ode_predictive_space ode_predictive_space_haptics)
+    configure_file("${CMAKE_CURRENT_LIST_DIR}/${package}.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/${package}.pc" @ONLY)
+    install(FILES "${CMAKE_CURRENT_BINARY_DIR}/${package}.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+endforeach()

@@ -12,13 +12,13 @@ void LoopParts::run_coupled(const SceneWork &work)
     }
     const double period = 1 / settings.rate;
     Pacer pacer(start, period, settings.most_steps_behind);
-    for (std::uint64_t tick = 0; static_cast<double>(tick) * period < settings.duration && !is_told_to_stop(); ++tick)
+    for (std::uint64_t tick = 0; static_cast<double>(tick) * period < settings.duration && !must_end(); ++tick)
     {
         clock.sleep_until(pacer.due());
         const double now = clock.now();
         guard->beat(now);
         servo.begin(now);
-        probe.begin(static_cast<double>(tick) * period, now);
+        probe.begin(first_time + static_cast<double>(tick) * period, now);
         work.collide();
         probe.render(period);
         note_rendered(probe.last_tick());

@@ -42,12 +42,13 @@ public:
     Servo(LoopParts &parts) : parts_(parts), renderer_(parts.probe.renderer()), impulses_(most_impulses(parts.settings))
     {
         touches_.reserve(ContactModel::capacity);
+        held_.reserve(2 * ContactModel::capacity);
     }
 
     void tick(double due);
 
-    /// What the hand got until now, to the impulses.
-    void settle(double time);
+    /// After each write: what the force before it gave to the hand, to the impulses.
+    void settle();
 
     /// By an exception of the law. Of the scene's thread, when the servo has ended or ended() is true.
     std::exception_ptr error() const { return error_; }
@@ -65,7 +66,9 @@ private:
     Snapshot<ContactModel> contacts_;
     Queue<Impulse> impulses_;
     std::vector<Touch> touches_;
-    double settled_ = 0; ///< s; up to when impulses() know of the force
+    std::vector<ForceShare> held_; ///< what the device has rendered since the last write
+    double settled_ = 0;           ///< s, on the clock; when that was
+    std::uint64_t zeros_ = 0;      ///< of the gate, by then
     std::exception_ptr error_;
     std::atomic<bool> ended_{false};
 };
@@ -79,8 +82,7 @@ void Servo::tick(double due)
         return;
     }
     parts_.servo.begin(now);
-    settle(due - parts_.start);
-    if (parts_.is_told_to_stop())
+    if (parts_.must_end())
     {
         end();
         return;
@@ -88,6 +90,7 @@ void Servo::tick(double due)
     try
     {
         render(due);
+        settle();
     }
     catch (...)
     {
@@ -101,25 +104,35 @@ void Servo::render(double due)
 {
     contacts_.take();
     const ContactModel &contacts = contacts_.latest();
-    renderer_.read(due - parts_.start, parts_.clock.now());
+    renderer_.read(parts_.first_time + (due - parts_.start), parts_.clock.now());
     contacts.evaluate(renderer_.tool().position, due, touches_);
     renderer_.render(touches_, contacts.all_known(), 1 / parts_.settings.rate);
     parts_.note_rendered(renderer_.last_tick());
 }
 
-void Servo::settle(double time)
+void Servo::settle()
 {
-    const double elapsed = time - settled_;
-    settled_ = time;
-    for (const ForceShare &share : renderer_.shares())
+    const double now = parts_.clock.now();
+    const std::uint64_t zeros = renderer_.gate().zeros();
+    const bool guard_took_it = zeros != zeros_; // the servo has hung since
+    const double held_until = guard_took_it ? std::clamp(renderer_.gate().last_zero(), settled_, now) : now;
+    for (const ForceShare &share : held_)
     {
-        impulses_.give({share.object, share.point, elapsed * share.force});
+        impulses_.give({share.object, share.point, (held_until - settled_) * share.force});
+    }
+    zeros_ = zeros;
+    settled_ = now;
+    held_ = renderer_.shares();
+    if (guard_took_it)
+    {
+        held_.clear();
     }
 }
 
 void Servo::end()
 {
     renderer_.relax();
+    settle();
     ended_.store(true, std::memory_order_release);
 }
 
@@ -152,8 +165,7 @@ void SceneLoop::run()
 {
     Pacer pacer(parts_.start, dt_, parts_.settings.most_steps_behind);
     for (std::uint64_t steps = 0;
-         static_cast<double>(steps) * dt_ < parts_.settings.duration && !parts_.is_told_to_stop() && !servo_.ended();
-         ++steps)
+         static_cast<double>(steps) * dt_ < parts_.settings.duration && !parts_.must_end() && !servo_.ended(); ++steps)
     {
         parts_.clock.sleep_until(pacer.due());
         parts_.scene.begin(parts_.clock.now());
@@ -196,19 +208,19 @@ void LoopParts::run_decoupled(const SceneWork &work)
     SceneLoop scene_side(*this, servo_side, work);
     probe.set_tick_length(1 / settings.physics_rate);
     probe.sensor()->set_margin(settings.margin);
-    probe.begin(0, start);
+    probe.begin(first_time, start);
     note_rendered(probe.last_tick());
     {
         const std::unique_ptr<RunningTask> servo_task =
             clock.start({1 / settings.rate, priority_request(false), [&](double due) { servo_side.tick(due); }});
         scene_side.run();
     }
+    probe.renderer().relax();
+    servo_side.settle();
+    scene_side.push();
     if (servo_side.error())
     {
         std::rethrow_exception(servo_side.error());
     }
-    servo_side.settle(clock.now() - start);
-    probe.renderer().relax();
-    scene_side.push();
 }
 } // namespace ode_predictive_space::haptics

@@ -43,7 +43,8 @@ bool DeviceGate::write(const Wrench &wrench)
 {
     const Visit visit(*this, User::servo);
     // Looked at inside: the guard closes the gate from inside, too.
-    if (!visit.entered() || closed_.load(std::memory_order_relaxed))
+    const bool is_zero = wrench.force.isZero(0) && wrench.torque.isZero(0);
+    if (!visit.entered() || (closed_.load(std::memory_order_relaxed) && !is_zero))
     {
         return false;
     }
@@ -65,7 +66,7 @@ bool DeviceGate::notice_closing()
     return closed_.exchange(false, std::memory_order_relaxed);
 }
 
-DeviceGate::Outcome DeviceGate::close_with_zero()
+DeviceGate::Outcome DeviceGate::close_with_zero(double now)
 {
     const Visit visit(*this, User::guard);
     closed_.store(true, std::memory_order_relaxed);
@@ -73,6 +74,8 @@ DeviceGate::Outcome DeviceGate::close_with_zero()
     {
         return Outcome::busy;
     }
+    last_zero_.store(now, std::memory_order_relaxed);
+    zeros_.fetch_add(1, std::memory_order_release);
     try
     {
         device_.write(Wrench());

@@ -13,8 +13,8 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double shortest_stall = 0.005; // s
-constexpr double periods_of_stall = 2;
+constexpr double shortest_stall = 0.005; // s; after the last tick
+constexpr double overdue = 0.004;        // s; after the next one should have begun
 
 LoopSettings checked(LoopSettings settings, HapticProbe &probe)
 {
@@ -83,9 +83,12 @@ public:
             keeper_.emplace();
             memory_.emplace(parts.scheduling.memory_error);
         }
-        parts.guard = std::make_unique<LoopGuard>(parts.clock, parts.probe.renderer().gate(), parts.stall_after(),
-                                                  counted(parts.settings.notice ? parts.settings.notice : sink_),
-                                                  parts.priority_request(true));
+        GuardDuties duties;
+        duties.stall_after = parts.stall_after();
+        duties.must_end = [&parts] { return parts.is_told_to_stop(); };
+        duties.sink = counted(parts.settings.notice ? parts.settings.notice : sink_);
+        duties.prepare = parts.priority_request(true);
+        parts.guard = std::make_unique<LoopGuard>(parts.clock, parts.probe.renderer().gate(), std::move(duties));
         parts.probe.renderer().set_notice_sink([&parts](const Notice &notice) { parts.guard->post(notice); });
     }
 
@@ -141,9 +144,14 @@ bool LoopParts::is_told_to_stop() const
     return stopped.load(std::memory_order_relaxed) || StopRequest::requested();
 }
 
+bool LoopParts::must_end() const
+{
+    return is_told_to_stop() || guard->sink_failed();
+}
+
 double LoopParts::stall_after() const
 {
-    return std::max(shortest_stall, periods_of_stall / settings.rate);
+    return std::max(shortest_stall, 1 / settings.rate + overdue);
 }
 
 /// For the thread that is to run it.
@@ -175,8 +183,18 @@ void LoopParts::run(const SceneWork &work)
     {
         throw std::logic_error("A haptic loop runs once");
     }
+    run_watched(work);
+    if (guard->sink_failed())
+    {
+        std::rethrow_exception(guard->sink_error());
+    }
+}
+
+void LoopParts::run_watched(const SceneWork &work)
+{
     const StopRequest instead_of_dying; // by a signal, with the force left on
     const Watch watch(*this);
+    first_time = probe.last_tick().time;
     start = clock.now();
     try
     {
@@ -195,7 +213,7 @@ void LoopParts::run(const SceneWork &work)
         guard->post(Notice(NoticeKind::exception, simulated, "No force: the program's part of the loop failed."));
         throw;
     }
-    if (is_told_to_stop())
+    if (must_end())
     {
         probe.renderer().relax();
         guard->post(Notice(NoticeKind::stop, simulated, "No force: the loop was asked to end."));

@@ -1,6 +1,5 @@
 #include "ode_predictive_space/haptics/loop_guard.h"
 
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -8,15 +7,15 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double period = 0.001; // s
-constexpr double none = -1;      // no such beat
+constexpr double watch_period = 0.001; // s
+constexpr double speaker_period = 0.01;
+constexpr double none = -1; // no such beat
 } // namespace
 
-LoopGuard::LoopGuard(LoopClock &clock, DeviceGate &gate, double stall_after, NoticeSink sink,
-                     std::function<void()> prepare)
-    : clock_(clock), gate_(gate), stall_after_(stall_after), sink_(std::move(sink)), last_beat_(none),
-      stopped_beat_(none), busy_beat_(none),
-      task_(clock.start({period, std::move(prepare), [this](double) { look(); }}))
+LoopGuard::LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties)
+    : clock_(clock), gate_(gate), duties_(std::move(duties)), last_beat_(none), stopped_beat_(none), busy_beat_(none),
+      watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }})),
+      speaker_(clock.start({speaker_period, {}, [this](double) { deliver_all(); }}))
 {}
 
 LoopGuard::~LoopGuard()
@@ -26,29 +25,37 @@ LoopGuard::~LoopGuard()
 
 void LoopGuard::end()
 {
-    task_.reset();
-    deliver_posted();
+    watch_.reset();
+    speaker_.reset();
+    deliver_all();
 }
 
-void LoopGuard::post(const Notice &notice)
+void LoopGuard::deliver(const Notice &notice)
 {
-    posted_.give(notice);
-}
-
-void LoopGuard::deliver(const Notice &notice) const
-{
-    if (sink_)
+    if (!duties_.sink || sink_failed())
     {
-        sink_(notice);
+        return;
+    }
+    try
+    {
+        duties_.sink(notice);
+    }
+    catch (...)
+    {
+        sink_error_ = std::current_exception();
+        sink_failed_.store(true, std::memory_order_release);
     }
 }
 
-void LoopGuard::deliver_posted()
+void LoopGuard::deliver_all()
 {
-    Notice notice;
-    while (posted_.receive(notice))
+    for (Queue<Notice> *queue : {&posted_, &seen_})
     {
-        deliver(notice);
+        Notice notice;
+        while (queue->receive(notice))
+        {
+            deliver(notice);
+        }
     }
 }
 
@@ -56,36 +63,50 @@ void LoopGuard::look()
 {
     const double beat = last_beat_.load(std::memory_order_relaxed);
     const double now = clock_.now();
-    if (beat != none && beat != stopped_beat_ && now - beat >= stall_after_)
+    if (beat != none && beat != stopped_beat_ && now - beat >= duties_.stall_after)
     {
         stop_force(now, beat);
     }
-    deliver_posted();
+    // The loop itself may sleep until its next deadline, or wait for the scene.
+    if (!ended_ && duties_.must_end && duties_.must_end())
+    {
+        ended_ = take_force(now);
+    }
 }
 
 void LoopGuard::stop_force(double now, double beat)
 {
+    if (take_force(now))
+    {
+        stopped_beat_ = beat;
+        seen_.give(
+            Notice(NoticeKind::guard, now, "No force: the loop has hung for too long in the program's part of it."));
+    }
+    else if (busy_beat_ != beat)
+    {
+        busy_beat_ = beat;
+        seen_.give(
+            Notice(NoticeKind::guard, now,
+                   "The loop hangs in the device's driver: nobody but the device itself can take its force away."));
+    }
+}
+
+/// @return false when it could not, and is to be tried again.
+bool LoopGuard::take_force(double now)
+{
     try
     {
-        if (gate_.close_with_zero() == DeviceGate::Outcome::zero)
-        {
-            stopped_beat_ = beat;
-            deliver(Notice(NoticeKind::guard, now,
-                           "No force: the loop has hung for too long in the program's part of it."));
-        }
-        else if (busy_beat_ != beat)
-        {
-            busy_beat_ = beat;
-            deliver(
-                Notice(NoticeKind::guard, now,
-                       "The loop hangs in the device's driver: nobody but the device itself can take its force away."));
-        }
+        return gate_.close_with_zero(now) == DeviceGate::Outcome::zero;
     }
     catch (const std::exception &error)
     {
-        stopped_beat_ = beat;
-        deliver(Notice(NoticeKind::guard, now,
-                       "The loop hangs, and the device takes no zero force: " + std::string(error.what())));
+        seen_.give(Notice(NoticeKind::guard, now,
+                          "The device takes no zero force, and was closed: " + std::string(error.what())));
     }
+    catch (...)
+    {
+        seen_.give(Notice(NoticeKind::guard, now, "The device takes no zero force, and was closed."));
+    }
+    return true;
 }
 } // namespace ode_predictive_space::haptics

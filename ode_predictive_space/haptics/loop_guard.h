@@ -8,16 +8,27 @@
 #include "ode_predictive_space/haptics/loop_clock.h"
 #include "ode_predictive_space/haptics/notice.h"
 
+#include <exception>
+
 namespace ode_predictive_space::haptics
 {
-/// Looks every millisecond whether the servo still ticks; when it does not, sets the force to zero. It also hands the servo's notices
-/// to the program's sink, so that no servo has to wait for a terminal.
+/// What a guard is to do.
+struct GuardDuties
+{
+    double stall_after = 0.005;     ///< s; so long after the last beat, the servo hangs
+    std::function<bool()> must_end; ///< from the guard's thread: whether there is to be no force any more
+    NoticeSink sink;                ///< may be empty
+    std::function<void()> prepare;  ///< where the guard runs, before it begins; may be empty
+};
+
+/// Looks every millisecond whether the servo still ticks, and whether it is to end; when it does not or is, sets the force to zero.
+///
+/// It also hands the servo's notices to the program's sink, so that no servo has to wait for a terminal. Nor does the watch wait:
+/// the sink is called beside it.
 class LoopGuard
 {
 public:
-    /// @param stall_after s; so long after the last beat, the servo hangs.
-    /// @param prepare where the guard runs, before it begins; may be empty.
-    LoopGuard(LoopClock &clock, DeviceGate &gate, double stall_after, NoticeSink sink, std::function<void()> prepare);
+    LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties);
     ~LoopGuard();
     LoopGuard(const LoopGuard &) = delete;
     LoopGuard &operator=(const LoopGuard &) = delete;
@@ -26,28 +37,39 @@ public:
     void beat(double now) { last_beat_.store(now, std::memory_order_relaxed); }
 
     /// Of the servo; neither allocates nor waits. Lost when a hundred others are on their way.
-    void post(const Notice &notice);
+    void post(const Notice &notice) { posted_.give(notice); }
 
     /// Of who made it, when the servo beats no more: the watch is over, and what was posted is delivered.
     void end();
 
+    /// Whether the sink threw; it is not called any more, then. From any thread.
+    bool sink_failed() const { return sink_failed_.load(std::memory_order_acquire); }
+
+    /// What it threw. After sink_failed().
+    std::exception_ptr sink_error() const { return sink_error_; }
+
 private:
     void look();
     void stop_force(double now, double beat);
-    void deliver(const Notice &notice) const;
-    void deliver_posted();
+    bool take_force(double now);
+    void deliver_all();
+    void deliver(const Notice &notice);
 
     static constexpr std::size_t most_notices = 100; ///< on their way
 
     LoopClock &clock_;
     DeviceGate &gate_;
-    double stall_after_;
-    NoticeSink sink_;
-    Queue<Notice> posted_{most_notices};
+    GuardDuties duties_;
+    Queue<Notice> posted_{most_notices}; ///< by the servo
+    Queue<Notice> seen_{most_notices};   ///< by the watch
     std::atomic<double> last_beat_;
-    double stopped_beat_;               ///< the last beat before a stall that has been dealt with
-    double busy_beat_;                  ///< the same, told that the driver hangs
-    std::unique_ptr<RunningTask> task_; ///< last: it uses the others
+    double stopped_beat_; ///< the last beat before a stall that has been dealt with
+    double busy_beat_;    ///< the same, told that the driver hangs
+    bool ended_ = false;  ///< must_end() has been dealt with
+    std::atomic<bool> sink_failed_{false};
+    std::exception_ptr sink_error_;
+    std::unique_ptr<RunningTask> watch_; ///< last: they use the others
+    std::unique_ptr<RunningTask> speaker_;
 };
 } // namespace ode_predictive_space::haptics
 

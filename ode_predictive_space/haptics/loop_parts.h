@@ -58,8 +58,11 @@ public:
     void run(const SceneWork &work);
     LoopReport report() const;
 
-    /// Whether the loop has to end. From any thread.
+    /// Whether somebody wants the loop to end. From any thread.
     bool is_told_to_stop() const;
+
+    /// Whether it has to: for that, or since notices cannot be told. From the threads of the scene and the servo.
+    bool must_end() const;
 
     /// Of the servo.
     void note_rendered(const RenderedTick &tick);
@@ -74,6 +77,7 @@ public:
     TickStatistics servo;
     TickStatistics scene;
     std::atomic<bool> stopped{false};
+    double first_time = 0;            ///< s, simulated; by the device's time, which goes on from run to run
     std::atomic<double> start{0};     ///< s, on the clock
     std::atomic<double> end{0};       ///< s, on the clock; 0 while it runs
     std::atomic<double> simulated{0}; ///< s
@@ -84,6 +88,7 @@ public:
 private:
     class Watch;
 
+    void run_watched(const SceneWork &work);
     void run_coupled(const SceneWork &work);   ///< in one thread
     void run_decoupled(const SceneWork &work); ///< in two
     std::function<void()> priority_request(bool above_servo);

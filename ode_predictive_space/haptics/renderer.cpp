@@ -1,43 +1,19 @@
-#include "ode_predictive_space/haptics/renderer.h"
+// A tick of the hand's side: read, law, safety, write, and what there is to tell. How it is set up: renderer_setup.cpp.
 
-#include "ode_predictive_space/haptics/penalty_law.h"
+#include "ode_predictive_space/haptics/renderer.h"
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double never = -std::numeric_limits<double>::infinity();
 constexpr double try_again_after = 0.1;    // s
 constexpr double shortest_silence = 0.004; // s
 constexpr double periods_of_silence = 4;
-constexpr double tell_again_after = 1;  // s
-constexpr double usual_stiffness = 500; // N/m
-constexpr std::size_t usual_touches = 64;
-
-std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities)
-{
-    SurfaceProperties properties;
-    properties.stiffness = capabilities.max_stiffness > 0 ? capabilities.max_stiffness / 2 : usual_stiffness;
-    return std::make_shared<PenaltyLaw>(properties);
-}
-
-// With a device that cannot push, one can still push what is in the scene, as hard as with any other.
-SafetyLimits usual_limits(const Capabilities &capabilities)
-{
-    if (capabilities.force_axes > 0)
-    {
-        return SafetyLimits::of(capabilities);
-    }
-    Capabilities desktop = capabilities;
-    desktop.force_axes = 3;
-    desktop.max_force = 7.9; // N; a PHANToM Desktop
-    return SafetyLimits::of(desktop);
-}
+constexpr double tell_again_after = 1; // s
 
 bool is_finite(const DeviceState &state)
 {
@@ -63,111 +39,11 @@ enum class Renderer::Topic
     count = watchdog + watchdog_reason_count
 };
 
-Renderer::Opening::Opening(Device &device) : device_(device), opened_(!device.status().open)
-{
-    if (opened_)
-    {
-        device_.open();
-    }
-}
-
-Renderer::Opening::~Opening()
-{
-    if (opened_)
-    {
-        device_.close();
-    }
-}
-
-Renderer::Renderer(Device &device, RenderSettings settings)
-    : gate_(device), opening_(device), settings_(std::move(settings)),
-      law_(settings_.law ? settings_.law : usual_law(device.capabilities())), mapping_(settings_.placement),
-      safety_(settings_.safety ? *settings_.safety : usual_limits(device.capabilities())), next_try_(never),
-      last_state_time_(std::numeric_limits<double>::quiet_NaN())
-{
-    static_assert(static_cast<std::size_t>(Topic::count) <= std::tuple_size_v<decltype(told_)>);
-    told_.fill(never);
-    forces_.reserve(usual_touches);
-    if (settings_.passivity_control)
-    {
-        passivity_.emplace(device.capabilities().max_damping);
-    }
-    set_rates(settings_.rate, settings_.physics_rate);
-}
-
-Renderer::~Renderer()
-{
-    relax();
-}
-
-void Renderer::set_rates(double rate, double physics_rate)
-{
-    if (!(rate > 0) || !(physics_rate > 0))
-    {
-        throw std::invalid_argument("The rates of a servo loop and of its scene must be above 0");
-    }
-    settings_.rate = rate;
-    settings_.physics_rate = physics_rate;
-    watchdog_.emplace(WatchdogLimits::of(rate, physics_rate));
-    soften_law();
-}
-
-void Renderer::set_law(std::shared_ptr<ForceLaw> law)
-{
-    law_ = std::move(law);
-    soften_law();
-    law_->reset();
-}
-
-void Renderer::set_placement(const WorkspacePlacement &placement)
-{
-    mapping_ = WorkspaceMapping(placement);
-    soften_law();
-    law_->reset();
-}
-
-void Renderer::soften_law()
-{
-    const double stiffness = verdict(law_->stiffness(), law_->damping()).stiffness;
-    const double in_scene = mapping_.stiffness_in_scene(stiffness);
-    if (in_scene < law_->stiffness())
-    {
-        law_->set_stiffness(in_scene);
-    }
-}
-
-VirtualCoupling Renderer::softened(VirtualCoupling coupling)
-{
-    const double stiffness = verdict(coupling.stiffness(), coupling.damping()).stiffness;
-    coupling.set_stiffness(std::min(coupling.stiffness(), mapping_.stiffness_in_scene(stiffness)));
-    return coupling;
-}
-
-/// @param stiffness,damping of the scene. @return those of the device.
-StabilityVerdict Renderer::verdict(double stiffness, double damping)
-{
-    Rendering rendering;
-    rendering.stiffness = mapping_.stiffness_at_device(stiffness);
-    rendering.damping = mapping_.stiffness_at_device(damping);
-    rendering.rate = settings_.rate;
-    rendering.device_damping = settings_.device_damping;
-    StabilityVerdict verdict = check_stability(gate_.device().capabilities(), rendering);
-    if (verdict.outcome == StabilityOutcome::refused || verdict.damping < rendering.damping)
-    {
-        throw std::invalid_argument(verdict.reason);
-    }
-    if (verdict.outcome == StabilityOutcome::clamped)
-    {
-        tell(NoticeKind::stability, verdict.reason);
-    }
-    return verdict;
-}
-
 void Renderer::read(double time, double clock_time)
 {
     tick_.time = time;
     clock_time_ = clock_time;
-    if (gate_.notice_closing())
+    if (gate_.notice_closing() || relaxed_)
     {
         begin_anew();
     }
@@ -186,8 +62,19 @@ void Renderer::read(double time, double clock_time)
         failed_ = false;
         tell(NoticeKind::device, gate_.device().capabilities().name + " answers again; the force comes back slowly.");
     }
-    mapping_.clutch(is_held(settings_.clutch_button, tick_.state), tick_.state);
+    move_clutch();
     tick_.tool = mapping_.to_scene(tick_.state);
+}
+
+// Where the clutch is let go, the tool may be deep in something: no force jumps at the hand.
+void Renderer::move_clutch()
+{
+    const bool was_held = mapping_.clutched();
+    mapping_.clutch(is_held(settings_.clutch_button, tick_.state), tick_.state);
+    if (was_held && !mapping_.clutched())
+    {
+        safety_.reset();
+    }
 }
 
 bool Renderer::read_device(double time)
@@ -234,17 +121,23 @@ void Renderer::fail(std::string_view why)
 {
     answers_ = false;
     next_try_ = tick_.time + try_again_after;
-    split_.clear();
+    release_device();
     if (!failed_)
     {
         failed_ = true;
         tell(NoticeKind::device, "No force: " + std::string(why));
     }
+}
+
+// Zero, before anything else that might fail.
+void Renderer::release_device() noexcept
+{
+    split_.clear();
     try
     {
         gate_.write(Wrench());
     }
-    catch (const std::exception &)
+    catch (...)
     {
         gate_.close_device();
     }
@@ -252,6 +145,7 @@ void Renderer::fail(std::string_view why)
 
 void Renderer::begin_anew()
 {
+    relaxed_ = false;
     safety_.reset();
     law_->reset();
     split_.clear();
@@ -261,17 +155,10 @@ void Renderer::begin_anew()
     }
 }
 
-void Renderer::relax()
+void Renderer::relax() noexcept
 {
-    begin_anew();
-    try
-    {
-        gate_.write(Wrench());
-    }
-    catch (const std::exception &)
-    {
-        gate_.close_device();
-    }
+    release_device();
+    relaxed_ = true;
 }
 
 void Renderer::render(const std::vector<Touch> &touches, bool all_known, double dt)
@@ -329,7 +216,7 @@ Wrench Renderer::write(const Wrench &wished, double dt)
 Wrench Renderer::limited(const Wrench &wished, double dt)
 {
     Wrench at_device = mapping_.to_device(wished);
-    if (passivity_)
+    if (passivity_ && !mapping_.clutched())
     {
         at_device.force = passivity_->control(tick_.state, at_device.force, dt);
     }
@@ -399,6 +286,7 @@ void Renderer::tell_of_watchdog()
 
 void Renderer::tell_once_a_second(Topic topic, NoticeKind kind, std::string_view sentence)
 {
+    static_assert(static_cast<std::size_t>(Topic::count) <= std::tuple_size_v<decltype(told_)>);
     double &last = told_[static_cast<std::size_t>(topic)];
     if (tick_.time - last >= tell_again_after)
     {

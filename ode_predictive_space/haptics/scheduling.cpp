@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/scheduling.h"
 
 #include <cerrno>
+#include <fstream>
 #include <pthread.h>
 #include <sys/mman.h>
 #include <system_error>
@@ -12,9 +13,26 @@ namespace
 constexpr int servo_priority = 70; // of 1 to 99; below the kernel's own threads for interrupts that need it
 constexpr int guard_priority = 71;
 
+/// Whether the process has locked anything so far.
+bool is_memory_locked()
+{
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    while (status >> word)
+    {
+        if (word == "VmLck:")
+        {
+            long kilobytes = 0;
+            status >> kilobytes;
+            return kilobytes > 0;
+        }
+    }
+    return false;
+}
+
 std::string reason(int error)
 {
-    return " (" + std::generic_category().message(error) + "). ";
+    return " (" + std::generic_category().message(error) + ")";
 }
 } // namespace
 
@@ -24,15 +42,15 @@ std::string SchedulingOutcome::text() const
     {
         return "Neither real-time priority nor locked memory was asked for.";
     }
-    std::string text;
-    text += priority_error == 0
-                ? "The servo has real-time priority. "
-                : "No real-time priority" + reason(priority_error) +
-                      "Other programs can delay the servo; an rtprio limit in /etc/security/limits.conf permits it. ";
-    text += memory_error == 0
-                ? "Memory is locked."
-                : "Memory is not locked" + reason(memory_error) +
-                      "Paging can delay the servo; a memlock limit in /etc/security/limits.conf permits it.";
+    std::string text = priority_error == 0 ? "The servo has real-time priority. "
+                                           : "No real-time priority" + reason(priority_error) +
+                                                 ": other programs can delay the servo. ";
+    text += memory_error == 0 ? "Memory is locked."
+                              : "Memory is not locked" + reason(memory_error) + ": paging can delay the servo.";
+    if (refused())
+    {
+        text += " Limits permit it, rtprio and memlock in /etc/security/limits.conf.";
+    }
     return text;
 }
 
@@ -53,14 +71,15 @@ SchedulingKeeper::~SchedulingKeeper()
     pthread_setschedparam(pthread_self(), policy_, &parameters_);
 }
 
-LockedMemory::LockedMemory(std::atomic<int> &error) : granted_(mlockall(MCL_CURRENT | MCL_FUTURE) == 0)
+LockedMemory::LockedMemory(std::atomic<int> &error)
+    : was_locked_(is_memory_locked()), granted_(mlockall(MCL_CURRENT | MCL_FUTURE) == 0)
 {
     error = granted_ ? 0 : errno;
 }
 
 LockedMemory::~LockedMemory()
 {
-    if (granted_)
+    if (granted_ && !was_locked_)
     {
         munlockall();
     }

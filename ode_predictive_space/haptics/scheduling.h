@@ -43,7 +43,8 @@ private:
     sched_param parameters_{};
 };
 
-/// As long as it lives, the process's memory stays where it is and is never paged out, as far as the system permits.
+/// As long as it lives, the process's memory stays where it is and is never paged out, as far as the system permits. What was locked
+/// before, by the program, is locked after.
 class LockedMemory
 {
 public:
@@ -53,6 +54,7 @@ public:
     LockedMemory &operator=(const LockedMemory &) = delete;
 
 private:
+    bool was_locked_; ///< some of it: the system cannot unlock the rest alone
     bool granted_;
 };
 } // namespace ode_predictive_space::haptics

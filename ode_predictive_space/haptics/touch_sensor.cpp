@@ -51,12 +51,6 @@ bool is_finite(const Touch &touch)
            touch.surface_velocity.allFinite();
 }
 
-std::uintptr_t object_of(dGeomID geom)
-{
-    const dBodyID body = dGeomGetBody(geom);
-    return body != nullptr ? reinterpret_cast<std::uintptr_t>(body) : reinterpret_cast<std::uintptr_t>(geom);
-}
-
 // NaN is deeper than anything, so that it is never overlooked.
 bool is_shallower(const dContactGeom &a, const dContactGeom &b)
 {
@@ -187,6 +181,12 @@ void TouchSensor::push(const std::vector<ForceShare> &shares)
             bodies_.push(share.object, -share.force, share.point);
         }
     }
+}
+
+std::uintptr_t object_of(dGeomID geom)
+{
+    const dBodyID body = dGeomGetBody(geom);
+    return body != nullptr ? reinterpret_cast<std::uintptr_t>(body) : reinterpret_cast<std::uintptr_t>(geom);
 }
 
 void add_wrench(dBodyID body, const Wrench &wrench)

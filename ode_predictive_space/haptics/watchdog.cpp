@@ -33,14 +33,14 @@ const char *explanation_of(WatchdogReason reason)
 
 WatchdogLimits WatchdogLimits::of(double servo_rate, double physics_rate)
 {
-    constexpr double periods = 4;
-    constexpr double least = 0.004; // s
+    constexpr double overdue = 0.003; // s; after the next sign of life should have come
+    constexpr double least = 0.004;   // s
     check_positive(servo_rate, "rate of the servo loop");
     check_positive(physics_rate, "rate of the physics");
 
     WatchdogLimits limits;
-    limits.stale_after = std::max(least, periods / physics_rate);
-    limits.late_after = std::max(least, periods / servo_rate);
+    limits.stale_after = std::max(least, 1 / physics_rate + overdue);
+    limits.late_after = std::max(least, 1 / servo_rate + overdue);
     limits.late_period = 1.5 / servo_rate;
     return limits;
 }

@@ -16,6 +16,7 @@ void add_parts_of_all(Commands &commands)
     commands.push_back(make_memory_command());
     commands.push_back(make_scale_command());
     commands.push_back(make_haptic_command());
+    commands.push_back(make_servo_command());
 }
 } // namespace
 

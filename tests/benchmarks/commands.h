@@ -24,6 +24,7 @@ std::unique_ptr<Command> make_all_command(Commands parts);
 std::unique_ptr<Command> make_query_command();
 std::unique_ptr<Command> make_memory_command();
 std::unique_ptr<Command> make_haptic_command();
+std::unique_ptr<Command> make_servo_command();
 } // namespace ode_predictive_space::benchmarks
 
 #endif

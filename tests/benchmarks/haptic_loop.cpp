@@ -75,6 +75,7 @@ public:
     std::size_t contacts() const override { return 0; }
     bool moves_by_itself() const override { return true; }
     const ProbeReport *probe() const override { return nullptr; }
+    const std::vector<dGeomID> &geoms() const override { return objects_.geoms(); }
 
 private:
     void send_back(dBodyID body) const

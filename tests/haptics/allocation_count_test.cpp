@@ -13,8 +13,9 @@ namespace
 std::atomic<std::uint64_t> allocations{0};
 }
 
-// In place of the standard library's; its other forms of new and delete call these.
-void *operator new(std::size_t size)
+// In place of the standard library's; its other forms of new and delete call these. Inlined, one of a pair but not the other, they
+// look to the compiler as if new were freed.
+[[gnu::noinline]] void *operator new(std::size_t size)
 {
     ++allocations;
     if (void *memory = std::malloc(size > 0 ? size : 1))
@@ -22,12 +23,12 @@ void *operator new(std::size_t size)
     throw std::bad_alloc();
 }
 
-void operator delete(void *memory) noexcept
+[[gnu::noinline]] void operator delete(void *memory) noexcept
 {
     std::free(memory);
 }
 
-void operator delete(void *memory, std::size_t) noexcept
+[[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept
 {
     std::free(memory);
 }

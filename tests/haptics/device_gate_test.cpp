@@ -45,7 +45,7 @@ TEST_F(DeviceGateTest, AfterTheGuardNoForceIsWrittenUntilTheServoHasNoticed)
 {
     DeviceGate gate(device_);
     gate.write(push(1));
-    EXPECT_EQ(gate.close_with_zero(), DeviceGate::Outcome::zero);
+    EXPECT_EQ(gate.close_with_zero(0), DeviceGate::Outcome::zero);
     EXPECT_EQ(device_.last_wrench().force.z(), 0);
     EXPECT_FALSE(gate.write(push(2))) << "what was computed before the stall";
     EXPECT_EQ(device_.last_wrench().force.z(), 0);
@@ -79,7 +79,7 @@ TEST_F(DeviceGateTest, NobodyEntersWhileAnotherIsInside)
     device.open();
     DeviceGate gate(device);
     auto outcome = DeviceGate::Outcome::zero;
-    device.inside = [&] { outcome = gate.close_with_zero(); };
+    device.inside = [&] { outcome = gate.close_with_zero(0); };
     EXPECT_TRUE(gate.write(push(1)));
     EXPECT_EQ(outcome, DeviceGate::Outcome::busy);
 
@@ -90,9 +90,33 @@ TEST_F(DeviceGateTest, NobodyEntersWhileAnotherIsInside)
         read = gate.read(1, state);
         written = gate.write(push(2));
     };
-    EXPECT_EQ(gate.close_with_zero(), DeviceGate::Outcome::zero);
+    EXPECT_EQ(gate.close_with_zero(0), DeviceGate::Outcome::zero);
     EXPECT_FALSE(read);
     EXPECT_FALSE(written);
+}
+
+TEST_F(DeviceGateTest, ZeroIsWrittenWhenTheGuardFoundTheDeviceTaken)
+{
+    NosyDevice device;
+    device.open();
+    DeviceGate gate(device);
+    device.inside = [&] { gate.close_with_zero(0); };
+    EXPECT_TRUE(gate.write(push(1)));
+    device.inside = {};
+    EXPECT_FALSE(gate.write(push(2)));
+    EXPECT_EQ(device.last_wrench().force.z(), 1) << "the guard could not";
+    EXPECT_TRUE(gate.write(push(0)));
+    EXPECT_EQ(device.last_wrench().force.z(), 0);
+    EXPECT_TRUE(gate.notice_closing()) << "and it is still closed to forces";
+}
+
+TEST_F(DeviceGateTest, TellsWhenTheGuardTookTheForce)
+{
+    DeviceGate gate(device_);
+    EXPECT_EQ(gate.zeros(), 0U);
+    gate.close_with_zero(3.5);
+    EXPECT_EQ(gate.last_zero(), 3.5);
+    EXPECT_EQ(gate.zeros(), 1U);
 }
 
 TEST_F(DeviceGateTest, ADeviceThatTakesNoZeroIsLetGoOf)
@@ -101,7 +125,7 @@ TEST_F(DeviceGateTest, ADeviceThatTakesNoZeroIsLetGoOf)
     DeviceGate gate(device);
     gate.write(push(1));
     device.break_now(Breakage::lost);
-    EXPECT_THROW(gate.close_with_zero(), DeviceError);
+    EXPECT_THROW(gate.close_with_zero(0), DeviceError);
     EXPECT_FALSE(device_.status().open);
     EXPECT_TRUE(device.last_wrench().force.isZero(0));
     device.break_now(Breakage::none);
@@ -124,7 +148,7 @@ TEST_F(DeviceGateTest, TwoThreadsAreNeverInsideAtOnce)
     std::thread guard([&] {
         while (!over)
         {
-            gate.close_with_zero();
+            gate.close_with_zero(0);
         }
     });
     for (int i = 0; i < 20000; ++i)

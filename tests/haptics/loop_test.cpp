@@ -1,99 +1,15 @@
 #include "ode_predictive_space/haptics/loop.h"
 
-#include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/stop_request.h"
-#include "tests/haptics/faulty_device.h"
-#include "tests/haptics/probe_world.h"
-#include "tests/haptics/scripted_device.h"
+#include "tests/haptics/loop_fixture.h"
 
-#include <cmath>
 #include <csignal>
 #include <gtest/gtest.h>
-#include <memory>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double radius = 0.01;       // m; of the probe
-constexpr double spring = 800;        // N/m
-constexpr double depth = 0.004;       // m; how deep it goes into the plane
-constexpr double grace = 0.010;       // s; after that there must be no force
-constexpr double pressed_after = 1.8; // s; from then on the force is there in full
-
-RenderSettings usual_rendering()
-{
-    SurfaceProperties properties;
-    properties.stiffness = spring;
-    RenderSettings settings;
-    settings.law = std::make_shared<PenaltyLaw>(properties);
-    return settings;
-}
-
-/// Rests for a second while the forces ramp in, then goes down into the plane z = 0.
-Vector3 press_down(double seconds)
-{
-    const double u = std::clamp((seconds - 1) / 0.5, 0.0, 1.0);
-    return {0, 0, 0.05 + u * u * u * (10 + u * (-15 + 6 * u)) * (radius - depth - 0.05)};
-}
-
-/// A loop in simulated time over a plane, with a hand that presses on it. Of the two kinds.
-class HapticLoopTest : public testing::TestWithParam<bool>
-{
-protected:
-    HapticLoopTest() : scripted_(&press_down), device_(scripted_), log_(device_, clock_)
-    {
-        dCreatePlane(world_.space, 0, 0, 1, 0);
-    }
-
-    LoopSettings settings()
-    {
-        LoopSettings settings;
-        settings.decoupled = GetParam();
-        settings.clock = &clock_;
-        settings.duration = 3;
-        settings.ask_for_priority = false;
-        settings.notice = notices_.sink();
-        return settings;
-    }
-
-    void make(RenderSettings rendering = usual_rendering())
-    {
-        probe_ = std::make_unique<HapticProbe>(log_, world_.space, radius, std::move(rendering));
-        loop_ = std::make_unique<HapticLoop>(*probe_, settings());
-    }
-
-    /// Collides and steps; `also` is called in each step, with the clock's time.
-    SceneWork work(std::function<void(double)> also = {})
-    {
-        return {[this] { world_.collide(*probe_); },
-                [this, also](double dt) {
-                    world_.step(dt);
-                    if (also)
-                    {
-                        also(clock_.now());
-                    }
-                }};
-    }
-
-    /// The fault came at this time, when the force was there: it was gone soon after, and never came back until then.
-    void expect_zero_force_after(double fault, double until)
-    {
-        EXPECT_NEAR(log_.force_at(fault - 0.001).z(), spring * depth, 1e-9) << "it was there before";
-        EXPECT_TRUE(log_.was_quiet(fault + grace, until)) << log_.force_at(fault + grace).transpose();
-    }
-
-    const OdeUse ode_;
-    SimulatedClock clock_;
-    ProbeWorld world_;
-    NoticeList notices_;
-    ScriptedDevice scripted_;
-    FaultyDevice device_;
-    WriteLog log_;
-    std::unique_ptr<HapticProbe> probe_;
-    std::unique_ptr<HapticLoop> loop_;
-};
-
 INSTANTIATE_TEST_SUITE_P(Kinds, HapticLoopTest, testing::Bool(),
                          [](const auto &info) { return info.param ? "Decoupled" : "SingleThreaded"; });
 
@@ -132,6 +48,26 @@ TEST_P(HapticLoopTest, TheSameRunTwiceIsTheSame)
     }
     EXPECT_GT(forces[0].size(), 2900U);
     EXPECT_TRUE(forces[0] == forces[1]);
+}
+
+TEST_P(HapticLoopTest, AnotherRunGoesOnInTheTimeOfTheDevice)
+{
+    const dGeomID broken = add_broken_geom(world_.space); // told of once a second
+    make();
+    double last = -1;
+    probe_->set_recorder([&](const RenderedTick &tick) {
+        ASSERT_GE(tick.time, last);
+        last = tick.time;
+    });
+    loop_->run(work());
+    EXPECT_NEAR(last, 3, 0.002);
+    const int told = notices_.count(NoticeKind::contact);
+    loop_ = std::make_unique<HapticLoop>(*probe_, settings());
+    const LoopReport report = loop_->run(work());
+    EXPECT_NEAR(last, 6, 0.003);
+    EXPECT_GE(notices_.count(NoticeKind::contact), 2 * told - 1);
+    EXPECT_NEAR(report.real_time_factor, 1, 1e-3);
+    dGeomDestroy(broken);
 }
 
 // --- Ends -----------------------------------------------------------------------------------------------------------------
@@ -203,28 +139,6 @@ TEST_P(HapticLoopTest, AnExceptionOfTheProgramComesOutAfterZeroForceAndANotice)
     }
 }
 
-/// A law that does something besides.
-class TroubledLaw : public ForceLaw
-{
-public:
-    explicit TroubledLaw(std::function<void()> trouble) : trouble_(std::move(trouble)) {}
-
-    void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override
-    {
-        law_.forces(tool, touches, dt, forces);
-        trouble_();
-    }
-
-    void reset() override { law_.reset(); }
-    double stiffness() const override { return law_.stiffness(); }
-    double damping() const override { return law_.damping(); }
-    void set_stiffness(double value) override { law_.set_stiffness(value); }
-
-private:
-    PenaltyLaw law_{SurfaceProperties{spring, 0, 0}};
-    std::function<void()> trouble_;
-};
-
 TEST_P(HapticLoopTest, AnExceptionOfTheLawComesOutAfterZeroForceAndANotice)
 {
     double thrown_at = 0;
@@ -242,119 +156,58 @@ TEST_P(HapticLoopTest, AnExceptionOfTheLawComesOutAfterZeroForceAndANotice)
     EXPECT_NE(notices_.text(NoticeKind::exception).find("the law has a bug"), std::string::npos);
 }
 
-// --- Faults ---------------------------------------------------------------------------------------------------------------
-
-TEST_P(HapticLoopTest, AStalledStepEndsWithZeroForceAndANoticeWhileItLasts)
+TEST_P(HapticLoopTest, ALawThatCannotBeResetDoesNotKeepTheForce)
 {
-    make();
-    double stalled_at = 0;
-    int notices_during_stall = 0;
-    loop_->run(work([&](double time) {
-        if (time >= pressed_after && stalled_at == 0)
-        {
-            stalled_at = time;
-            clock_.advance(0.5);
-            notices_during_stall = notices_.count(NoticeKind::guard) + notices_.count(NoticeKind::watchdog);
-        }
-    }));
-    expect_zero_force_after(stalled_at, stalled_at + 0.5);
-    EXPECT_GE(notices_during_stall, 1);
-}
-
-TEST_P(HapticLoopTest, AStalledCollisionEndsWithZeroForceAndItsStaleForceIsNotRendered)
-{
-    make();
-    double stalled_at = 0;
-    const SceneWork ordinary = work();
-    loop_->run({[&] {
-                    ordinary.collide();
-                    if (clock_.now() >= pressed_after && stalled_at == 0)
-                    {
-                        stalled_at = clock_.now();
-                        clock_.advance(0.5);
-                    }
-                },
-                ordinary.advance});
-    expect_zero_force_after(stalled_at, stalled_at + 0.5);
-    EXPECT_GE(notices_.count(NoticeKind::guard) + notices_.count(NoticeKind::watchdog), 1);
-}
-
-TEST_P(HapticLoopTest, ALawThatHangsEndsWithZeroForceAndANotice)
-{
-    double stalled_at = 0;
+    const auto law = std::make_shared<TroubledLaw>([] {});
     RenderSettings rendering;
-    rendering.law = std::make_shared<TroubledLaw>([&] {
-        if (clock_.now() >= pressed_after && stalled_at == 0)
-        {
-            stalled_at = clock_.now();
-            clock_.advance(0.5);
-        }
-    });
+    rendering.law = law;
     make(std::move(rendering));
-    loop_->run(work());
-    expect_zero_force_after(stalled_at, stalled_at + 0.501);
-    EXPECT_EQ(notices_.count(NoticeKind::guard), 1);
-}
-
-TEST_P(HapticLoopTest, EveryWayForADeviceToBreakEndsWithZeroForceAndANotice)
-{
-    for (const Breakage breakage : {Breakage::lost, Breakage::unreadable, Breakage::unwritable, Breakage::not_a_number,
-                                    Breakage::endless_velocity, Breakage::stalled})
-    {
-        notices_ = NoticeList();
-        device_.break_now(Breakage::none);
-        make();
-        const double begin = clock_.now();
-        double broken_at = 0;
-        loop_->run(work([&](double time) {
-            if (time >= begin + pressed_after && broken_at == 0)
-            {
-                broken_at = time;
-                device_.break_now(breakage);
-            }
-        }));
-        SCOPED_TRACE(static_cast<int>(breakage));
-        expect_zero_force_after(broken_at, begin + 3);
-        EXPECT_EQ(notices_.count(NoticeKind::device), 1);
-        EXPECT_NEAR(clock_.now(), begin + 3, 0.002) << "the program goes on";
-        loop_.reset();
-        probe_.reset();
-    }
-}
-
-TEST_P(HapticLoopTest, AContactThatIsNotANumberEndsWithZeroForceAndANotice)
-{
-    make();
-    dGeomID broken = nullptr;
-    double broken_at = 0;
     loop_->run(work([&](double time) {
-        if (time >= pressed_after && broken == nullptr)
+        if (time >= pressed_after)
         {
-            broken = add_broken_geom(world_.space);
-            broken_at = time;
+            law->at_reset = [] { throw std::runtime_error("the law has a bug"); };
+            loop_->stop();
         }
     }));
-    expect_zero_force_after(broken_at, 3);
-    EXPECT_GE(notices_.count(NoticeKind::contact), 1);
-    dGeomDestroy(broken);
+    expect_zero_force_after(pressed_after, clock_.now() + 1);
+    EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
 }
 
-TEST_P(HapticLoopTest, ADriverThatHangsIsToldOf)
+TEST_P(HapticLoopTest, AStopTakesTheForceWhileTheLoopWaitsForItsNextTick)
+{
+    LoopSettings slow = settings();
+    slow.rate = 100;
+    slow.physics_rate = 100;
+    make(usual_rendering(), slow);
+    double stopped_at = 0;
+    const auto stopper = clock_.start({0.0025, {}, [&](double time) {
+                                           if (time >= 2.5 && stopped_at == 0)
+                                           {
+                                               stopped_at = time;
+                                               loop_->stop();
+                                           }
+                                       }});
+    loop_->run(work());
+    EXPECT_GT(log_.force_at(stopped_at - 0.001).z(), 0.1);
+    EXPECT_TRUE(log_.was_quiet(stopped_at + 0.0015, clock_.now() + 1));
+    EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
+}
+
+TEST_P(HapticLoopTest, ADriverThatHangsInTheLastTickLeavesNoForce)
 {
     make();
     bool stalled = false;
     scripted_.before_read = [&] {
-        if (clock_.now() >= pressed_after && !stalled)
+        if (clock_.now() >= 2.9985 && !stalled)
         {
             stalled = true;
-            clock_.advance(0.5);
+            clock_.advance(0.0072); // the guard wants the device, and finds it taken
         }
     };
     loop_->run(work());
     EXPECT_TRUE(stalled);
-    EXPECT_NE(notices_.text(NoticeKind::guard).find("driver"), std::string::npos);
-    EXPECT_TRUE(log_.was_quiet(pressed_after + 0.51, pressed_after + 0.51 + grace))
-        << "and the force does not come at once";
+    EXPECT_GT(log_.force_at(2.99).z(), 1);
+    EXPECT_TRUE(log_.was_quiet(clock_.now(), clock_.now() + 1));
 }
 
 // --- Punctuality ----------------------------------------------------------------------------------------------------------

@@ -1,9 +1,6 @@
 #include "ode_predictive_space/haptics/probe.h"
 
-#include "ode_predictive_space/haptics/penalty_law.h"
-#include "tests/haptics/faulty_device.h"
-#include "tests/haptics/probe_world.h"
-#include "tests/haptics/scripted_device.h"
+#include "tests/haptics/probe_fixture.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -12,59 +9,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double radius = 0.01; // m; of the probe
-constexpr double dt = 0.001;    // s
-
-/// Goes from start to end within half a second, as smoothly as a hand, after one second of rest in which the forces ramp in.
-ScriptedDevice::Path reach(const Vector3 &from, const Vector3 &to)
-{
-    return [from, to](double seconds) -> Vector3 {
-        const double u = std::clamp((seconds - 1) / 0.5, 0.0, 1.0);
-        return from + u * u * u * (10 + u * (-15 + 6 * u)) * (to - from);
-    };
-}
-
-constexpr int reach_ticks = 1600; // all of it, and some rest at the end
-
-RenderSettings with_stiffness(double stiffness, NoticeSink sink = {})
-{
-    SurfaceProperties properties;
-    properties.stiffness = stiffness;
-    RenderSettings settings;
-    settings.law = std::make_shared<PenaltyLaw>(properties);
-    settings.notice = std::move(sink);
-    return settings;
-}
-
-class HapticProbeTest : public testing::Test
-{
-protected:
-    const OdeUse ode_;
-};
-
-enum class Shape
-{
-    plane,
-    sphere,
-    box
-};
-
-/// Its surface is at z = 0 where the probe comes, and its normal is z.
-dGeomID add_shape(ProbeWorld &world, Shape shape)
-{
-    if (shape == Shape::plane)
-    {
-        return dCreatePlane(world.space, 0, 0, 1, 0);
-    }
-    if (shape == Shape::sphere)
-    {
-        const dGeomID sphere = dCreateSphere(world.space, 0.3);
-        dGeomSetPosition(sphere, 0, 0, -0.3);
-        return sphere;
-    }
-    return world.add_box({0.4, 0.6, 0.2}, {0.05, -0.1, -0.1});
-}
-
 TEST_F(HapticProbeTest, ForceIsStiffnessTimesDepthAlongTheNormalInAnySpace)
 {
     for (const SpaceChoice choice : all_space_choices)
@@ -75,8 +19,8 @@ TEST_F(HapticProbeTest, ForceIsStiffnessTimesDepthAlongTheNormalInAnySpace)
             {
                 ProbeWorld world(choice);
                 add_shape(world, shape);
-                ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - depth}));
-                HapticProbe probe(device, world.space, radius, with_stiffness(800));
+                ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - depth}));
+                HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
                 world.run(probe, reach_ticks);
                 const Vector3 expected = 800 * depth * Vector3::UnitZ();
                 EXPECT_LE((probe.last_tick().force - expected).norm(), 1e-9 * expected.norm())
@@ -93,7 +37,7 @@ TEST_F(HapticProbeTest, TheOrderOfThePairDoesNotMatter)
     add_shape(world, Shape::box);
     world.swap = true;
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.008}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(800));
+    HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
     world.run(probe, reach_ticks);
     EXPECT_NEAR(probe.last_tick().force.z(), 1.6, 1e-9);
 }
@@ -102,21 +46,11 @@ TEST_F(HapticProbeTest, NothingIsFeltInFreeSpace)
 {
     ProbeWorld world;
     add_shape(world, Shape::plane);
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius + 0.0001}));
-    HapticProbe probe(device, world.space, radius);
+    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius + 0.0001}));
+    HapticProbe probe(device, world.space, probe_radius);
     world.run(probe, reach_ticks);
     EXPECT_TRUE(probe.last_tick().force.isZero(0));
     EXPECT_TRUE(probe.touches().empty());
-}
-
-/// Runs the tick-by-tick program and adds up what the hand got.
-Vector3 impulse_on_hand(ProbeWorld &world, HapticProbe &probe, int ticks)
-{
-    Vector3 impulse = Vector3::Zero();
-    probe.set_recorder([&](const RenderedTick &tick) { impulse += dt * tick.wrench.force; });
-    world.run(probe, ticks);
-    probe.set_recorder({});
-    return impulse;
 }
 
 TEST_F(HapticProbeTest, WhatTheHandGetsTheBodyLoses)
@@ -124,7 +58,7 @@ TEST_F(HapticProbeTest, WhatTheHandGetsTheBodyLoses)
     ProbeWorld world;
     const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0.01, 0.02, -0.05}, 3);
     ScriptedDevice device(reach({0, 0, 0.03}, {0.01, 0, -0.05}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(300));
+    HapticProbe probe(device, world.space, probe_radius, with_stiffness(300));
     const Vector3 impulse = impulse_on_hand(world, probe, 3000);
     EXPECT_GT(impulse.norm(), 0.1);
     EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
@@ -139,7 +73,7 @@ TEST_F(HapticProbeTest, TheSameWhileTheForceIsClampedAndSlewed)
         // Two blows: fast in, fast out.
         return {0, 0, seconds < 1 ? 0.03 : 0.03 - 0.06 * std::pow(std::sin(32 * (seconds - 1)), 2)};
     });
-    HapticProbe probe(device, world.space, radius, with_stiffness(1000, notices.sink()));
+    HapticProbe probe(device, world.space, probe_radius, with_stiffness(1000, notices.sink()));
     const Vector3 impulse = impulse_on_hand(world, probe, 1400);
     const SafetyReport &safety = probe.renderer().safety_report();
     EXPECT_GT(safety.count(SafetyAction::clamped), 50U);
@@ -154,7 +88,7 @@ TEST_F(HapticProbeTest, SeveralBodiesShareWhatTheHandGets)
     const dBodyID left = world.add_moving_box({0.1, 0.1, 0.1}, {-0.0549, 0, 0}, 50);
     const dBodyID right = world.add_moving_box({0.1, 0.1, 0.1}, {0.0549, 0, 0}, 70);
     ScriptedDevice device(reach({0, 0, 0.09}, {0.001, 0, 0.04}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(1000));
+    HapticProbe probe(device, world.space, probe_radius, with_stiffness(1000));
     const Vector3 impulse = impulse_on_hand(world, probe, 3000);
     EXPECT_GT(momentum_of(left).norm(), 0.1);
     EXPECT_GT(momentum_of(right).norm(), 0.1);
@@ -168,8 +102,8 @@ TEST_F(HapticProbeTest, ABodyOfSeveralGeomsIsOneObject)
     const dGeomID second = world.add_box({0.1, 0.1, 0.1}, Vector3::Zero());
     dGeomSetBody(second, body);
     dGeomSetOffsetPosition(second, 0.02, 0, 0.001);
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - 0.001}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(800));
+    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - 0.001}));
+    HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
     world.run(probe, reach_ticks);
     ASSERT_EQ(probe.touches().size(), 1U);
     EXPECT_NEAR(probe.touches()[0].depth, 0.002, 1e-6) << "the deeper one of the two";
@@ -181,7 +115,7 @@ TEST_F(HapticProbeTest, ADisabledBodyIsEnabledWhenItIsPushed)
     const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1);
     dBodyDisable(body);
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.005}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(800));
+    HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
     world.run(probe, 1100);
     EXPECT_EQ(dBodyIsEnabled(body), 0) << "not by coming near";
     world.run(probe, 500);
@@ -197,7 +131,7 @@ TEST_F(HapticProbeTest, NestedSpacesAreThere)
     const dGeomID box = dCreateBox(things, 0.4, 0.4, 0.2);
     dGeomSetPosition(box, 0, 0, -0.1);
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.007}));
-    HapticProbe probe(device, hands, radius, with_stiffness(800));
+    HapticProbe probe(device, hands, probe_radius, with_stiffness(800));
     EXPECT_EQ(dPredictiveSpaceGetGeomRole(hands, probe.geom()), dPredictiveRoleInteractive);
     world.run(probe, reach_ticks);
     EXPECT_NEAR(probe.last_tick().force.z(), 2.4, 1e-9);
@@ -213,12 +147,12 @@ TEST_F(HapticProbeTest, TheDeepestContactOfATriangleMeshCounts)
     dGeomTriMeshDataBuildDouble(data, vertices, 3 * sizeof(double), 4, triangles, 6, 3 * sizeof(dTriIndex));
     const dGeomID mesh = dCreateTriMesh(world.space, data, nullptr, nullptr, nullptr);
     ScriptedDevice device(reach({0.02, 0, 0.05}, {0.02, 0, -0.004}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(800));
+    HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
     world.run(probe, reach_ticks);
     ASSERT_EQ(probe.touches().size(), 1U);
     const Vector3 slope = Vector3(0.5, 0, 1).normalized();
     const double distance = slope.dot(Vector3(0.02, 0, -0.004));
-    EXPECT_NEAR(probe.touches()[0].depth, radius - distance, 1e-6);
+    EXPECT_NEAR(probe.touches()[0].depth, probe_radius - distance, 1e-6);
     EXPECT_NEAR(probe.touches()[0].normal.dot(slope), 1, 1e-6);
     EXPECT_GT(probe.last_tick().force.z(), 1);
     dGeomDestroy(mesh);
@@ -232,8 +166,8 @@ TEST_F(HapticProbeTest, AHeightfieldIsFelt)
     const dHeightfieldDataID data = dGeomHeightfieldDataCreate();
     dGeomHeightfieldDataBuildDouble(data, heights.data(), 0, 1, 1, 5, 5, 1, 0, 0.1, 0);
     const dGeomID field = dCreateHeightfield(world.space, data, 1); // its y is up
-    ScriptedDevice device(reach({0.03, 0.2, 0.02}, {0.03, 0.1 + radius - 0.002, 0.02}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(800));
+    ScriptedDevice device(reach({0.03, 0.2, 0.02}, {0.03, 0.1 + probe_radius - 0.002, 0.02}));
+    HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
     world.run(probe, reach_ticks);
     ASSERT_EQ(probe.touches().size(), 1U);
     EXPECT_NEAR(probe.last_tick().force.y(), 1.6, 1e-5);
@@ -252,7 +186,7 @@ TEST_F(HapticProbeTest, BodiesMayBeDestroyedAtAnyTime)
         dGeomSetCollideBits(dBodyGetFirstGeom(body), ~2UL);
     }
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.002}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(400));
+    HapticProbe probe(device, world.space, probe_radius, with_stiffness(400));
     world.run(probe, reach_ticks);
     ASSERT_EQ(probe.touches().size(), 2U);
 
@@ -267,8 +201,8 @@ TEST_F(HapticProbeTest, BodiesMayBeDestroyedAtAnyTime)
     world.collide(probe);
     dGeomDestroy(dBodyGetFirstGeom(second));
     dBodyDestroy(second);
-    probe.render(dt);
-    world.step(dt);
+    probe.render(tick_length);
+    world.step(tick_length);
     world.run(probe, 10);
     EXPECT_TRUE(probe.touches().empty());
     EXPECT_EQ(dSpaceGetNumGeoms(world.space), 1);
@@ -305,7 +239,7 @@ TEST_F(HapticProbeTest, AProbeThatRestsDoesNotBotherTheSpace)
     ProbeWorld world;
     add_shape(world, Shape::plane);
     ScriptedDevice device([](double) -> Vector3 { return {0, 0, 0.1}; });
-    HapticProbe probe(device, world.space, radius);
+    HapticProbe probe(device, world.space, probe_radius);
     world.run(probe, 100);
     dPredictiveSpaceStats before, after;
     dPredictiveSpaceGetStats(world.space, &before);
@@ -321,7 +255,7 @@ TEST_F(HapticProbeTest, CategoriesSayWhatCanBeTouched)
     dGeomSetCategoryBits(plane, 2);
     dGeomSetCollideBits(plane, 2);
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.007}));
-    HapticProbe probe(device, world.space, radius);
+    HapticProbe probe(device, world.space, probe_radius);
     dGeomSetCategoryBits(probe.geom(), 4);
     dGeomSetCollideBits(probe.geom(), 4);
     world.run(probe, reach_ticks);
@@ -333,8 +267,8 @@ TEST_F(HapticProbeTest, StiffnessBeyondTheDeviceIsClampedAndTold)
     ProbeWorld world;
     add_shape(world, Shape::plane);
     NoticeList notices;
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - 0.002}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(5000, notices.sink()));
+    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - 0.002}));
+    HapticProbe probe(device, world.space, probe_radius, with_stiffness(5000, notices.sink()));
     EXPECT_EQ(notices.count(NoticeKind::stability), 1);
     EXPECT_NE(notices.text(NoticeKind::stability).find("1000"), std::string::npos)
         << notices.text(NoticeKind::stability);
@@ -350,7 +284,7 @@ TEST_F(HapticProbeTest, AWorkspaceInAnotherFrameIsFeltTheSame)
     settings.placement.rotation = WorkspacePlacement::z_up();
     settings.placement.scale = 2;
     ScriptedDevice device(reach({0, 0.04, 0}, {0, 0.004, 0})); // y is up for the hand: 8 mm in the scene
-    HapticProbe probe(device, world.space, radius, std::move(settings));
+    HapticProbe probe(device, world.space, probe_radius, std::move(settings));
     world.run(probe, reach_ticks);
     EXPECT_NEAR(probe.last_tick().force.z(), 0.8, 1e-9);
     EXPECT_NEAR(device.last_wrench().force.y(), 0.8, 1e-9);
@@ -364,189 +298,10 @@ TEST_F(HapticProbeTest, ADeviceThatCannotPushStillPushesBodies)
     ProbeWorld world;
     const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1);
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, -0.02}), pointer);
-    HapticProbe probe(device, world.space, radius);
+    HapticProbe probe(device, world.space, probe_radius);
     world.run(probe, reach_ticks);
     EXPECT_LT(momentum_of(body).z(), -0.01);
     EXPECT_TRUE(device.last_wrench().force.isZero(0));
-}
-
-// --- A tool body --------------------------------------------------------------------------------------------------------
-
-TEST_F(HapticProbeTest, AToolBodyFollowsTheHandAndIsStoppedByAWall)
-{
-    ProbeWorld world;
-    dWorldSetGravity(world.world, 0, 0, 0);
-    dCreatePlane(world.space, 0, 0, 1, 0);
-    const dBodyID tool = world.add_moving_box({0.02, 0.02, 0.02}, {0, 0, 0.05}, 0.05);
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.006})); // the box would be 4 mm in the wall
-    HapticProbe probe(device, tool, CouplingProperties(), RenderSettings());
-    world.run(probe, 1000);
-    EXPECT_NEAR(dBodyGetPosition(tool)[2], 0.05, 1e-3);
-    world.run(probe, 2000);
-    EXPECT_NEAR(dBodyGetPosition(tool)[2], 0.01, 1e-3) << "it lies on the wall";
-    EXPECT_NEAR(probe.last_tick().force.z(), 500 * 0.004, 0.2);
-    EXPECT_EQ(probe.geom(), nullptr);
-}
-
-TEST_F(HapticProbeTest, WhatTheHandGetsTheToolLoses)
-{
-    ProbeWorld world;
-    const dBodyID tool = world.add_body({0, 0, 0.05}, 0.5);
-    ScriptedDevice device(reach({0, 0, 0.05}, {0.1, 0.02, 0.006}));
-    HapticProbe probe(device, tool, CouplingProperties(), RenderSettings());
-    const Vector3 impulse = impulse_on_hand(world, probe, 1300);
-    EXPECT_GT(impulse.norm(), 0.01);
-    EXPECT_LE((impulse + momentum_of(tool)).norm(), 1e-9 * impulse.norm());
-}
-
-// --- Prediction -----------------------------------------------------------------------------------------------------------
-
-TEST_F(HapticProbeTest, TellsWhatItWillMeetAndWhen)
-{
-    ProbeWorld world;
-    const dGeomID box = world.add_box({0.1, 0.1, 0.1}, {0, 0, -0.05});
-    world.add_box({0.1, 0.1, 0.1}, {0, 5, 0});
-    constexpr double speed = 0.1; // m/s
-    ScriptedDevice device([](double seconds) -> Vector3 { return {0, 0, 0.2 - speed * seconds}; });
-    HapticProbe probe(device, world.space, radius);
-    world.run(probe, 200);
-    probe.encounters();
-    world.run(probe, 1600); // up to 1 cm above the box
-    const std::vector<Encounter> &encounters = probe.encounters();
-    ASSERT_EQ(encounters.size(), 1U);
-    EXPECT_EQ(encounters[0].geom, box);
-    EXPECT_LE(encounters[0].seconds, 0.01 / speed) << "never late";
-}
-
-TEST_F(HapticProbeTest, TellsNothingInAnotherSpace)
-{
-    ProbeWorld world(SpaceChoice::hash);
-    add_shape(world, Shape::box);
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.007}));
-    HapticProbe probe(device, world.space, radius);
-    world.run(probe, 10);
-    EXPECT_TRUE(probe.encounters().empty());
-}
-
-// --- Faults ---------------------------------------------------------------------------------------------------------------
-
-/// Everything in a fault: something that is felt, a device that can break, and what was said.
-class ProbeFaultTest : public HapticProbeTest
-{
-protected:
-    static constexpr double depth = 0.004; // m
-
-    ProbeFaultTest() : scripted_(reach({0, 0, 0.05}, {0, 0, radius - depth})), device_(scripted_)
-    {
-        add_shape(world_, Shape::plane);
-    }
-
-    /// Until the force is there.
-    void press(HapticProbe &probe)
-    {
-        world_.run(probe, reach_ticks);
-        ASSERT_NEAR(device_.last_wrench().force.z(), 800 * depth, 1e-9);
-    }
-
-    ProbeWorld world_;
-    NoticeList notices_;
-    ScriptedDevice scripted_;
-    FaultyDevice device_;
-};
-
-constexpr int ticks_of_grace = 10; // 10 ms
-
-TEST_F(ProbeFaultTest, EveryWayForADeviceToBreakEndsWithZeroForceAndANotice)
-{
-    for (const Breakage breakage : {Breakage::lost, Breakage::unreadable, Breakage::unwritable, Breakage::not_a_number,
-                                    Breakage::endless_velocity, Breakage::stalled})
-    {
-        ProbeWorld world;
-        add_shape(world, Shape::plane);
-        NoticeList notices;
-        ScriptedDevice scripted(reach({0, 0, 0.05}, {0, 0, radius - depth}));
-        FaultyDevice device(scripted);
-        HapticProbe probe(device, world.space, radius, with_stiffness(800, notices.sink()));
-        world.run(probe, reach_ticks);
-        ASSERT_GT(device.last_wrench().force.z(), 3);
-        ASSERT_EQ(notices.count(NoticeKind::device), 0);
-        device.break_now(breakage);
-        world.run(probe, ticks_of_grace);
-        EXPECT_TRUE(device.last_wrench().force.isZero(0)) << static_cast<int>(breakage);
-        EXPECT_EQ(notices.count(NoticeKind::device), 1) << static_cast<int>(breakage);
-        world.run(probe, 1000); // the program goes on
-        EXPECT_TRUE(device.last_wrench().force.isZero(0)) << static_cast<int>(breakage);
-        EXPECT_EQ(notices.count(NoticeKind::device), 1) << "told once: " << static_cast<int>(breakage);
-    }
-}
-
-TEST_F(ProbeFaultTest, ABodyGetsNothingFromADeviceThatIsLost)
-{
-    ProbeWorld world;
-    const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1000);
-    HapticProbe probe(device_, world.space, radius, with_stiffness(800));
-    world.run(probe, reach_ticks);
-    device_.break_now(Breakage::lost);
-    world.run(probe, 1);
-    const Vector3 before = momentum_of(body);
-    EXPECT_LT(before.z(), 0);
-    world.run(probe, 100);
-    EXPECT_EQ(momentum_of(body), before);
-}
-
-TEST_F(ProbeFaultTest, TheForceComesBackSlowlyWhenTheDeviceDoes)
-{
-    HapticProbe probe(device_, world_.space, radius, with_stiffness(800, notices_.sink()));
-    press(probe);
-    device_.break_now(Breakage::unreadable);
-    world_.run(probe, 200);
-    device_.break_now(Breakage::none);
-    world_.run(probe, 110);
-    EXPECT_EQ(notices_.count(NoticeKind::device), 2) << "it says that it is back";
-    EXPECT_TRUE(device_.last_wrench().force.isZero(0)) << "the probe is deep in the plane: the stage waits";
-}
-
-TEST_F(ProbeFaultTest, AContactThatIsNotANumberEndsWithZeroForceAndANotice)
-{
-    HapticProbe probe(device_, world_.space, radius, with_stiffness(800, notices_.sink()));
-    press(probe);
-    const dGeomID broken = add_broken_geom(world_.space);
-    world_.run(probe, ticks_of_grace);
-    EXPECT_TRUE(device_.last_wrench().force.isZero(0));
-    EXPECT_EQ(notices_.count(NoticeKind::contact), 1);
-    dGeomDestroy(broken);
-}
-
-TEST_F(ProbeFaultTest, AVelocityThatIsNotANumberEndsWithZeroForceAndANotice)
-{
-    ProbeWorld world;
-    const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1000);
-    HapticProbe probe(device_, world.space, radius, with_stiffness(800, notices_.sink()));
-    world.run(probe, reach_ticks);
-    ASSERT_GT(device_.last_wrench().force.z(), 1);
-    dBodySetLinearVel(body, std::numeric_limits<dReal>::quiet_NaN(), 0, 0);
-    probe.begin(3);
-    world.collide(probe);
-    probe.render(dt);
-    EXPECT_TRUE(device_.last_wrench().force.isZero(0));
-    EXPECT_EQ(notices_.count(NoticeKind::contact), 1);
-}
-
-TEST_F(ProbeFaultTest, AtTheEndThereIsNoForceAndWhatWasOpenStaysOpen)
-{
-    scripted_.open();
-    {
-        HapticProbe probe(device_, world_.space, radius, with_stiffness(800));
-        press(probe);
-    }
-    EXPECT_TRUE(device_.last_wrench().force.isZero(0));
-    EXPECT_TRUE(scripted_.status().open);
-    scripted_.close();
-    {
-        const HapticProbe probe(device_, world_.space, radius);
-        EXPECT_TRUE(scripted_.status().open);
-    }
-    EXPECT_FALSE(scripted_.status().open);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

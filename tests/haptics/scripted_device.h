@@ -33,6 +33,7 @@ public:
     {}
 
     std::function<void()> before_read; ///< within the driver; may be empty
+    std::uint32_t buttons = 0;
 
 protected:
     DeviceState move_to(double seconds) override
@@ -44,6 +45,7 @@ protected:
         }
         DeviceState state;
         state.position = path_(seconds);
+        state.buttons = buttons;
         state.linear_velocity = (path_(seconds + step) - state.position) / step;
         return state;
     }

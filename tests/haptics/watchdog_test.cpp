@@ -158,6 +158,17 @@ TEST(Watchdog, ADeadlineMissedByLittleCostsLittleByMuchAll)
     program.settle();
 }
 
+TEST(Watchdog, OfTwoFaultsTheLongerOneCounts)
+{
+    Program program;
+    program.settle();
+    program.physics_runs = false;
+    program.watchdog.physics_fresh(program.time + 0.1 - 0.0045); // stale for half a millisecond
+    program.tick(0.1);                                           // but nobody was there for much longer
+    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::physics_stale);
+    EXPECT_EQ(program.watchdog.factor(), 0);
+}
+
 TEST(Watchdog, ManyMissedDeadlinesInARowAreTooMany)
 {
     Program program;
@@ -257,8 +268,8 @@ TEST(Watchdog, LimitsFollowFromTheRates)
     EXPECT_DOUBLE_EQ(fast.late_after, 0.004);
     EXPECT_DOUBLE_EQ(fast.late_period, 1.5 / 4000);
     const WatchdogLimits slow = WatchdogLimits::of(100, 50);
-    EXPECT_DOUBLE_EQ(slow.stale_after, 0.08);
-    EXPECT_DOUBLE_EQ(slow.late_after, 0.04);
+    EXPECT_DOUBLE_EQ(slow.stale_after, 0.023);
+    EXPECT_DOUBLE_EQ(slow.late_after, 0.013);
     EXPECT_THROW(WatchdogLimits::of(0, 1), std::invalid_argument);
     EXPECT_THROW(WatchdogLimits::of(1, -1), std::invalid_argument);
 }

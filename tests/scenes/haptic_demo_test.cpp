@@ -1,6 +1,6 @@
 // predictive_haptic_demo as a user meets it: exit status, output, result file.
 
-#include "demos/haptic_report.h"
+#include "demos/haptic/comparison_report.h"
 
 #include <filesystem>
 #include <fstream>
@@ -16,7 +16,7 @@ namespace
 {
 TEST(HapticDemo, EndsWellAndSaysThatAllSpacesAgree)
 {
-    const Outcome outcome = run(HAPTIC_DEMO, "--objects 40 --seconds 0.4");
+    const Outcome outcome = run(HAPTIC_DEMO, "--compare --objects 40 --seconds 0.4");
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "All 5 spaces reported the same pairs in each of the 400 ticks"))
         << outcome.output;
@@ -65,7 +65,7 @@ TEST(HapticDemo, WritesItsResultsForOtherPrograms)
 
 TEST(HapticDemo, RunsInOneSpaceAlone)
 {
-    const Outcome outcome = run(HAPTIC_DEMO, "--objects 20 --seconds 0.1 --space quadtree");
+    const Outcome outcome = run(HAPTIC_DEMO, "--compare --objects 20 --seconds 0.1 --space quadtree");
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "The space reported ")) << outcome.output;
 }
@@ -75,7 +75,7 @@ TEST(HapticDemo, RefusesWhatItCannotDo)
     EXPECT_GT(run(HAPTIC_DEMO, "--objects 0").status, 1);
     EXPECT_GT(run(HAPTIC_DEMO, "--seconds -1").status, 1);
     EXPECT_GT(run(HAPTIC_DEMO, "--space octree").status, 1);
-    const Outcome outcome = run(HAPTIC_DEMO, "--objects 5 --seconds 0.05 --json /no/such/folder/results.json");
+    const Outcome outcome = run(HAPTIC_DEMO, "--compare --objects 5 --seconds 0.05 --json /no/such/folder/results.json");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_TRUE(contains(outcome.output, "cannot write /no/such/folder/results.json")) << outcome.output;
 }

@@ -116,6 +116,7 @@ public:
     std::size_t contacts() const override { return 0; }
     bool moves_by_itself() const override { return true; }
     const ProbeReport *probe() const override { return nullptr; }
+    const std::vector<dGeomID> &geoms() const override { return boxes_; }
 
 private:
     std::vector<dGeomID> boxes_;

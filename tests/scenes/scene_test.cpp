@@ -96,6 +96,23 @@ TEST_P(AnyScene, LeavesNothingInTheSpace)
     EXPECT_EQ(dSpaceGetNumGeoms(space.get()), 0);
 }
 
+TEST_P(AnyScene, TellsItsGeoms)
+{
+    const OwnedSpace space(dSimpleSpaceCreate(nullptr));
+    const std::unique_ptr<Scene> scene = SceneFactory(spec()).make(space.get());
+    for (int tick = 0; tick < 20; ++tick)
+    {
+        scene->advance();
+    }
+    int alive = 0;
+    for (const dGeomID geom : scene->geoms())
+    {
+        alive += geom != nullptr ? 1 : 0;
+        EXPECT_TRUE(geom == nullptr || dSpaceQuery(space.get(), geom) != 0);
+    }
+    EXPECT_EQ(alive, dSpaceGetNumGeoms(space.get()));
+}
+
 TEST_P(AnyScene, HasADescription)
 {
     EXPECT_FALSE(describe_scene(GetParam()).empty());

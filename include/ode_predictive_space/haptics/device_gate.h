@@ -25,7 +25,8 @@ public:
     /// Of the servo. @return false when the guard is in the device: then state is left alone. @throws DeviceError
     bool read(double time, DeviceState &state);
 
-    /// Of the servo. @return false when the guard is in the device, or was since notice_closing(): then nothing is written.
+    /// Of the servo. @return false when the guard is in the device, or has closed the gate since notice_closing(): then nothing is
+    /// written, except that zero is always let through, as the guard may have found the device taken.
     /// @throws DeviceError
     bool write(const Wrench &wrench);
 
@@ -42,7 +43,14 @@ public:
     };
 
     /// Of the guard: no force, and the gate is closed. @throws DeviceError when the device refuses; then it was let go of.
-    Outcome close_with_zero();
+    /// @param now s; on any clock.
+    Outcome close_with_zero(double now);
+
+    /// How often the guard took the force away.
+    std::uint64_t zeros() const { return zeros_.load(std::memory_order_acquire); }
+
+    /// s; when it did so last, as close_with_zero() was told.
+    double last_zero() const { return last_zero_.load(std::memory_order_relaxed); }
 
 private:
     enum class User
@@ -61,6 +69,8 @@ private:
     Device &device_;
     std::atomic<User> user_{User::none};
     std::atomic<bool> closed_{false};
+    std::atomic<std::uint64_t> zeros_{0};
+    std::atomic<double> last_zero_{0}; ///< s
 };
 } // namespace ode_predictive_space::haptics
 

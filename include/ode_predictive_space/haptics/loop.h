@@ -30,12 +30,12 @@ struct LoopSettings
         1000; ///< Hz; of the scene when decoupled, not more than rate. Else it is stepped at the servo's rate
     double duration = std::numeric_limits<double>::infinity(); ///< s, simulated
     int most_steps_behind =
-        4; ///< a scene that lags makes up for so many steps, and drops the rest: simulated time lags, then
+        4; ///< a scene that lags makes up for so many steps. Of more, it drops all: simulated time lags, then
     double margin =
         0.01; ///< m, in the scene; how far around a sphere's probe the servo knows of surfaces when decoupled
     bool ask_for_priority = true; ///< SCHED_FIFO and locked memory; what is refused is told, and done without
     LoopClock *clock = nullptr;   ///< 0: the machine's. Not owned
-    NoticeSink notice; ///< called from the loop's guard, beside the loop: it may print, and need not be quick
+    NoticeSink notice; ///< called from a thread beside the loop: it may print and wait. What it throws ends the loop
 };
 
 /// How a loop ran, or runs.
@@ -62,13 +62,16 @@ class LoopParts;
 /// Single-threaded, the default: all in the caller's thread, at the servo's rate: read, collide, force, write, step.
 ///
 /// Decoupled: the caller's thread steps the scene at its own rate and publishes what the probe touches as planes; a servo thread reads
-/// the device, feels those planes (see ContactModel), and writes the force. Its cost does not depend on the scene. What it gave to the
+/// the device, feels those planes, which move on with their surfaces, and writes the force. Its cost does not depend on the scene. What it gave to the
 /// hand comes back to the scene as impulses, none lost and none twice. The probe's tool must not be a body then.
 ///
-/// There is zero force in the end, whichever it is: the duration is over, stop() or a StopRequest, an exception of the program (which
-/// run() throws on), a lost device. Scene and servo that hang are noticed: by the watchdog of the servo when decoupled; else by a guard,
-/// a thread of the loop, that sets the force to zero when there was no tick for too long (5 ms, or two periods if that is
-/// more). Only where a device's driver hangs in read() or write() nothing here can help: this is told.
+/// There is zero force in the end, whichever it is: the duration is over, stop() or a StopRequest (within 1 ms, whatever the loop does
+/// just then), an exception of the program (which run() throws on), a lost device. Scene and servo that hang are noticed:
+/// - a servo, and with it the scene of a single-threaded loop, by a guard, a thread of the loop, that sets the force to zero within 5 ms
+///   of the time at which the next tick should have begun: 6 ms after the last one at 1 kHz and above, 10 ms at 200 Hz, 15 ms at 100 Hz;
+/// - the scene of a decoupled loop by the servo's watchdog: the force is gone 8 ms after the next step should have begun: 9 ms after
+///   the last one at 1 kHz and above, 10 ms at 500 Hz, 18 ms at 100 Hz (see WatchdogLimits::of()).
+/// Only where a device's driver hangs in read() or write() nothing here can help: this is told.
 class HapticLoop
 {
 public:
@@ -84,7 +87,7 @@ public:
     /// long as it runs: such a signal ends the loop and not the program (see StopRequest::signal()). Once.
     ///
     /// @return the report at the end.
-    /// @throws what the program's callbacks throw, or the force law, after the force has been taken away.
+    /// @throws what the program's callbacks throw, the sink of notices among them, or the force law, after the force has been taken away.
     LoopReport run(const SceneWork &work);
 
     /// From any thread.

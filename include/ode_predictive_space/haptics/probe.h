@@ -38,7 +38,7 @@ struct Encounter
 /// interactive role.
 ///
 /// All from one thread, but where it says otherwise. Errors of the device end with zero force and a notice, never with an
-/// exception. Destroy the probe before its space, its geom, its tool and its device.
+/// exception. Destroy the probe before its world, its space, its geom, its tool and its device.
 class HapticProbe
 {
 public:

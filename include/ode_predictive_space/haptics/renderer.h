@@ -93,8 +93,8 @@ public:
     ///         cannot render is not felt, but turns the body all the same.
     Wrench render(const VirtualCoupling &coupling, const ToolState &body, double dt);
 
-    /// No force, now: at the end. The next force comes slowly, as at the start.
-    void relax();
+    /// No force, now: at the end. The next force comes slowly, as at the start. Calls nothing but the device.
+    void relax() noexcept;
 
     /// The scene's state is as of the last read().
     void note_fresh_physics() { physics_fresh(clock_time_); }
@@ -113,7 +113,8 @@ public:
     /// For virtual couplings, as set_law() for laws. @return the coupling, softer where it must be.
     VirtualCoupling softened(VirtualCoupling coupling);
 
-    /// Between two ticks. @throws std::invalid_argument as the constructor does: what is stiff depends on the scale.
+    /// Between two ticks; the force comes back slowly. @throws std::invalid_argument as the constructor does: what is stiff depends
+    /// on the scale.
     void set_placement(const WorkspacePlacement &placement);
     const WorkspaceMapping &mapping() const { return mapping_; }
 
@@ -155,7 +156,9 @@ private:
     bool read_device(double time);
     bool is_silent(const DeviceState &state, double time);
     void fail(std::string_view why);
+    void release_device() noexcept;
     void begin_anew();
+    void move_clutch();
     Wrench write(const Wrench &wished, double dt);
     Wrench limited(const Wrench &wished, double dt);
     Wrench delivered(const Wrench &safe);
@@ -177,6 +180,7 @@ private:
 
     bool answers_ = false;
     bool failed_ = false;    ///< and has not answered since
+    bool relaxed_ = false;   ///< and has not been read since
     double next_try_;        ///< s, simulated; when a device that failed is tried again
     double last_news_ = 0;   ///< s, simulated; when the device's state was a new one
     double last_state_time_; ///< s; of the last state, by the device

@@ -89,6 +89,9 @@ private:
     std::vector<dContactGeom> contacts_; ///< most_contacts of them, for dCollide() to write to
 };
 
+/// What Touch::object is for a geom: its body, or itself if it has none.
+std::uintptr_t object_of(dGeomID geom);
+
 /// What a body's motion is to force laws.
 ToolState tool_state_of(dBodyID body);
 

@@ -34,8 +34,9 @@ struct WatchdogLimits
     double decay_time = 0.005;   ///< s from full force to none, <= 0.01
     double ramp_time = 0.25;     ///< s from none to full force, when all is well again
 
-    /// What suits two rates in Hz: four periods without a sign of life, but not less than 4 ms, are too long. At 1 kHz the force is
-    /// gone 9 ms after the last sign of life.
+    /// What suits two rates in Hz: a sign of life is overdue 3 ms after it should have come, but not less than 4 ms after the one
+    /// before. The force is gone 8 ms after it should have come. That is 9 ms after the last one at 1 kHz, and 10 ms at 500 Hz, but
+    /// 18 ms at 100 Hz: whether a scene hangs, or only uses the time that it has, nobody can tell before its step is due.
     static WatchdogLimits of(double servo_rate, double physics_rate);
 };
 

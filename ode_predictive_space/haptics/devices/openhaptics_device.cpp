@@ -62,7 +62,8 @@ public:
     {
         const HdSample &sample = servo_.read();
         note_silence(sample.frame, time);
-        throw_faults();
+        const HdFault begun = servo_.take_pause();
+        throw_faults(begun ? begun : servo_.pause());
         DeviceState state = sample.state;
         state.time = time_of_frame_;
         return state;
@@ -71,7 +72,7 @@ public:
     void write(const Vector3 &force)
     {
         servo_.write(force.allFinite() ? force : Vector3(Vector3::Zero()));
-        throw_faults();
+        throw_faults(servo_.take_pause()); // once: who writes zero because of it has done what is to be done
         if (!force.allFinite())
         {
             throw DeviceError(DeviceFault::failed,
@@ -113,8 +114,8 @@ private:
         }
     }
 
-    /// @throws DeviceError for an end each time, for the begin of a pause once.
-    void throw_faults()
+    /// @throws DeviceError for an end or silence, or a pause if there is one.
+    void throw_faults(const HdFault &pause)
     {
         if (const HdFault end = servo_.end())
         {
@@ -124,7 +125,7 @@ private:
         {
             throw DeviceError(DeviceFault::lost, std::string("OpenHaptics: ") + silence);
         }
-        if (const HdFault pause = servo_.take_pause())
+        if (pause)
         {
             throw hd_error(library_, "no force is rendered for a while", pause.code, pause.internal_code);
         }

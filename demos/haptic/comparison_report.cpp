@@ -1,4 +1,4 @@
-#include "demos/haptic_report.h"
+#include "demos/haptic/comparison_report.h"
 
 #include "demos/scenes/result_records.h"
 #include "demos/scenes/table.h"

@@ -1,7 +1,7 @@
-// What predictive_haptic_demo has to say: before, after, and to a file.
+// What a comparison of spaces has to say: before, after, and to a file.
 
-#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_REPORT_H
-#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_REPORT_H
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_COMPARISON_REPORT_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_COMPARISON_REPORT_H
 
 #include "demos/scenes/scene_run.h"
 

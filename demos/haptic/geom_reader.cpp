@@ -1,25 +1,26 @@
-#include "demos/window/geom_reader.h"
+#include "demos/haptic/geom_reader.h"
+
+#include "demos/scenes/room.h"
 
 #include <algorithm>
 
-namespace ode_predictive_space::window
+namespace ode_predictive_space::demo
 {
 namespace
 {
-Eigen::AlignedBox3d bounds_of(dGeomID geom)
-{
-    dReal box[6];
-    dGeomGetAABB(geom, box);
-    return {Vector3(box[0], box[2], box[4]), Vector3(box[1], box[3], box[5])};
-}
+using scenes::bounds_of;
+using window::Part;
+using window::Solid;
+using window::Triangles;
+using window::Vector3;
 
-void read_pose(dGeomID geom, DrawnGeom &drawn)
+void read_pose(dGeomID geom, window::DrawnGeom &drawn)
 {
     std::copy_n(dGeomGetPosition(geom), 3, drawn.position.begin());
     std::copy_n(dGeomGetRotation(geom), 12, drawn.rotation.begin());
 }
 
-void read_body(dBodyID body, DrawnGeom &drawn)
+void read_body(dBodyID body, window::DrawnGeom &drawn)
 {
     if (body != nullptr)
     {
@@ -29,7 +30,7 @@ void read_body(dBodyID body, DrawnGeom &drawn)
 }
 
 /// The box that ODE would report, for shapes that are not drawn themselves.
-void read_bounds(dGeomID geom, DrawnGeom &drawn)
+void read_bounds(dGeomID geom, window::DrawnGeom &drawn)
 {
     const Eigen::AlignedBox3d box = bounds_of(geom);
     drawn.solid = Solid::bounds;
@@ -40,54 +41,26 @@ void read_bounds(dGeomID geom, DrawnGeom &drawn)
 }
 } // namespace
 
-Eigen::AlignedBox3d room_inside_walls(dSpaceID space, const Eigen::AlignedBox3d &bounds)
-{
-    Eigen::AlignedBox3d room = bounds;
-    const Vector3 middle = bounds.center();
-    for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
-    {
-        const dGeomID geom = dSpaceGetGeom(space, i);
-        const Eigen::AlignedBox3d box = bounds_of(geom);
-        if (dGeomGetBody(geom) != nullptr || dGeomGetClass(geom) != dBoxClass ||
-            box.sizes().maxCoeff() < bounds.sizes().minCoeff() / 2)
-        {
-            continue;
-        }
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            if (box.min()[axis] > middle[axis])
-            {
-                room.max()[axis] = std::min(room.max()[axis], box.min()[axis]);
-            }
-            if (box.max()[axis] < middle[axis])
-            {
-                room.min()[axis] = std::max(room.min()[axis], box.max()[axis]);
-            }
-        }
-    }
-    return room;
-}
-
-GeomReader::GeomReader(dSpaceID space, dGeomID probe, const Eigen::AlignedBox3d &room)
-    : space_(space), probe_(probe), wall_size_(room.sizes().minCoeff() / 2)
+GeomReader::GeomReader(const scenes::Scene &scene, const Eigen::AlignedBox3d &room)
+    : scene_(scene), wall_size_(room.sizes().minCoeff() / 2)
 {}
 
-bool GeomReader::read(int most, std::vector<DrawnGeom> &geoms)
+bool GeomReader::read(std::size_t most, std::vector<window::DrawnGeom> &geoms)
 {
     if (next_ == 0)
     {
         geoms.clear();
     }
-    const int end = std::min(dSpaceGetNumGeoms(space_), next_ + most);
+    const std::vector<dGeomID> &all = scene_.geoms();
+    const std::size_t end = next_ + std::min(most, all.size() - next_);
     for (; next_ < end; ++next_)
     {
-        const dGeomID geom = dSpaceGetGeom(space_, next_);
-        if (geom != probe_)
+        if (all[next_] != nullptr)
         {
-            geoms.push_back(drawn(geom));
+            geoms.push_back(drawn(all[next_]));
         }
     }
-    const bool complete = next_ >= dSpaceGetNumGeoms(space_);
+    const bool complete = next_ >= all.size();
     next_ = complete ? 0 : next_;
     return complete;
 }
@@ -97,9 +70,9 @@ bool GeomReader::is_wall(dGeomID geom) const
     return dGeomGetBody(geom) == nullptr && bounds_of(geom).sizes().maxCoeff() > wall_size_;
 }
 
-DrawnGeom GeomReader::drawn(dGeomID geom)
+window::DrawnGeom GeomReader::drawn(dGeomID geom)
 {
-    DrawnGeom result;
+    window::DrawnGeom result;
     result.id = id_of(geom);
     if (dGeomGetClass(geom) == dPlaneClass || is_wall(geom))
     {
@@ -168,4 +141,4 @@ std::shared_ptr<const Triangles> GeomReader::triangles_of(dGeomID mesh)
     }
     return kept;
 }
-} // namespace ode_predictive_space::window
+} // namespace ode_predictive_space::demo

@@ -1,0 +1,64 @@
+#include "demos/haptic/comparison.h"
+
+#include "demos/haptic/comparison_report.h"
+#include "demos/scenes/progress.h"
+#include "demos/scenes/result_records.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace ode_predictive_space::demo
+{
+namespace
+{
+using namespace scenes;
+
+constexpr int most_warm_up_ticks = 100;
+constexpr double usual_seconds = 2;
+
+std::vector<SpaceKind> kinds_of(const std::vector<std::string> &names)
+{
+    std::vector<SpaceKind> kinds;
+    for (const std::string &name : names)
+    {
+        const SpaceKind kind = space_named(name);
+        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+        {
+            kinds.push_back(kind);
+        }
+    }
+    return kinds;
+}
+} // namespace
+
+bool compare_spaces(const Options &options)
+{
+    SceneSpec spec;
+    spec.name = "mix";
+    spec.objects = options.objects;
+    spec.seed = options.seed;
+    const SceneFactory factory(spec);
+    const SceneRuns runs = make_runs(options.spaces.empty() ? all_spaces() : kinds_of(options.spaces), factory);
+    const double seconds = options.seconds > 0 ? options.seconds : usual_seconds;
+    const int ticks = static_cast<int>(std::lround(seconds / factory.tick_seconds()));
+    print_introduction(std::cout, spec, ticks, runs.size());
+    {
+        // The first ticks build what the spaces keep: their pairs count, their times do not.
+        const int warm_up = std::min(most_warm_up_ticks, ticks / 10);
+        Progress progress("Running", ticks);
+        run_by_turns(runs, warm_up);
+        for (const auto &run : runs)
+        {
+            run->start_measuring();
+        }
+        run_by_turns(runs, ticks - warm_up, [&](int done) { progress.show(warm_up + done); });
+    }
+    print_report(std::cout, runs);
+    if (!options.json_file.empty())
+    {
+        write_json(options.json_file, json_report(runs, spec));
+    }
+    return first_difference(runs) < 0;
+}
+} // namespace ode_predictive_space::demo

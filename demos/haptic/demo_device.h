@@ -1,0 +1,49 @@
+// The device of the demo: one of the library's, with a clutch on the keyboard.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_DEMO_DEVICE_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_DEMO_DEVICE_H
+
+#include "ode_predictive_space/haptics/device.h"
+
+#include <atomic>
+#include <memory>
+
+namespace ode_predictive_space::demo
+{
+/// The number of the button that moves the workspace instead of the probe. No device has so many.
+constexpr unsigned clutch_button = 31;
+
+/// Passes everything on, and reports the clutch's button as held while hold_clutch() says so.
+class DemoDevice : public haptics::Device
+{
+public:
+    explicit DemoDevice(std::unique_ptr<haptics::Device> device) : device_(std::move(device)) {}
+
+    /// From any thread.
+    void hold_clutch(bool held) { clutch_.store(held, std::memory_order_relaxed); }
+    bool clutch_held() const { return clutch_.load(std::memory_order_relaxed); }
+
+    /// Whether somebody or something feels the force.
+    bool can_push() const { return device_->capabilities().force_axes > 0; }
+
+    haptics::Device &inner() { return *device_; }
+
+    void open() override { device_->open(); }
+    void close() noexcept override { device_->close(); }
+    const haptics::Capabilities &capabilities() const override { return device_->capabilities(); }
+    haptics::DeviceState read(double time) override;
+    void write(const haptics::Wrench &wrench) override { device_->write(wrench); }
+    haptics::DeviceStatus status() const override { return device_->status(); }
+
+private:
+    std::unique_ptr<haptics::Device> device_;
+    std::atomic<bool> clutch_{false};
+};
+
+/// As haptics::make_device(), but that the hands of "virtual" and "hand-path" follow this seed.
+///
+/// @throws std::invalid_argument as that does.
+std::unique_ptr<haptics::Device> make_seeded_device(const std::string &name, std::uint64_t seed);
+} // namespace ode_predictive_space::demo
+
+#endif

@@ -1,0 +1,48 @@
+// From ODE's geoms to what is drawn of them.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_GEOM_READER_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_GEOM_READER_H
+
+#include "demos/scenes/scene.h"
+#include "demos/window/view.h"
+
+#include <Eigen/Geometry>
+#include <map>
+#include <ode/ode.h>
+
+namespace ode_predictive_space::demo
+{
+/// What a geom is called in a View.
+inline std::uintptr_t id_of(dGeomID geom)
+{
+    return reinterpret_cast<std::uintptr_t>(geom);
+}
+
+/// Reads the geoms of a scene some at a time, so that a loop of 1 kHz has little to do in each tick. Used by the thread that
+/// steps the world.
+class GeomReader
+{
+public:
+    /// @param room what is larger than half of it is a wall.
+    GeomReader(const scenes::Scene &scene, const Eigen::AlignedBox3d &room);
+
+    /// Read the next geoms.
+    ///
+    /// @param most how many at most.
+    /// @param geoms gets them; it is cleared when a new round begins.
+    /// @return whether all geoms have been read: geoms is complete, and the next call begins anew.
+    bool read(std::size_t most, std::vector<window::DrawnGeom> &geoms);
+
+private:
+    window::DrawnGeom drawn(dGeomID geom);
+    std::shared_ptr<const window::Triangles> triangles_of(dGeomID mesh);
+    bool is_wall(dGeomID geom) const;
+
+    const scenes::Scene &scene_;
+    double wall_size_; ///< m
+    std::size_t next_ = 0;
+    std::map<dTriMeshDataID, std::shared_ptr<const window::Triangles>> meshes_;
+};
+} // namespace ode_predictive_space::demo
+
+#endif

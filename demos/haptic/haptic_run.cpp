@@ -1,0 +1,262 @@
+#include "demos/haptic/haptic_run.h"
+
+#include "demos/scenes/room.h"
+#include "demos/scenes/scene_run.h"
+#include "ode_predictive_space/haptics/penalty_law.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
+#include "ode_predictive_space/haptics/replay_device.h"
+#include "ode_predictive_space/haptics/stability.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space::demo
+{
+namespace
+{
+constexpr double usual_rate = 1000;           // Hz
+constexpr std::uint64_t steps_per_look = 10;  // ahead: the question costs time
+constexpr double more_than_any_device = 1e12; // N/m
+
+using scenes::Clock;
+
+/// What a touched object is called by the library: its body, or the geom where it has none.
+std::uintptr_t object_of(dGeomID geom)
+{
+    const dBodyID body = dGeomGetBody(geom);
+    return body != nullptr ? reinterpret_cast<std::uintptr_t>(body) : reinterpret_cast<std::uintptr_t>(geom);
+}
+} // namespace
+
+HapticRun::HapticRun(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device,
+                     RunControl &control, const haptics::NoticeSink &notice)
+    : options_(options), device_(device), control_(control), tick_seconds_(factory.tick_seconds()),
+      decoupled_(options.decoupled || options.rate > 0 || tick_seconds_ > 1 / usual_rate),
+      servo_rate_(options.rate > 0 ? options.rate : usual_rate),
+      space_(scenes::make_space(scenes::space_named(options.spaces.front()), factory)),
+      scene_(factory.make(space_.get())), room_(scenes::room_inside_walls(*scene_, factory.bounds()))
+{
+    make_probe(notice);
+    make_loop(notice);
+}
+
+haptics::WorkspacePlacement HapticRun::placement() const
+{
+    const Vector3 reach = (room_.sizes() / 2 - Vector3::Constant(probe_radius)).cwiseMax(probe_radius);
+    // The person looks along the scene's -x, as the window does: x, to the right, is the scene's y; y, upwards, its z; and z,
+    // towards the person, its x.
+    const haptics::Quaternion axes(0.5, 0.5, 0.5, 0.5);
+    return haptics::WorkspacePlacement::covering({room_.center() - reach, room_.center() + reach},
+                                                 device_.capabilities().workspace, axes);
+}
+
+// A newton in the scene is one at the hand; but the probe goes deeper than the hand, by the scale of the workspace.
+std::shared_ptr<AdjustableLaw> HapticRun::make_law() const
+{
+    const haptics::SurfaceProperties surface{options_.stiffness / scale_, options_.damping / scale_, options_.friction};
+    if (options_.law == "proxy")
+    {
+        return std::make_shared<AdjustableLaw>(std::make_unique<haptics::ProxyLaw>(surface));
+    }
+    return std::make_shared<AdjustableLaw>(std::make_unique<haptics::PenaltyLaw>(surface));
+}
+
+double HapticRun::stiffest() const
+{
+    haptics::Rendering rendering;
+    rendering.stiffness = more_than_any_device;
+    rendering.damping = options_.damping;
+    rendering.rate = servo_rate_;
+    return haptics::check_stability(device_.capabilities(), rendering).stiffness;
+}
+
+void HapticRun::make_probe(const haptics::NoticeSink &notice)
+{
+    device_.open(); // only then it knows what it can do, and where
+    servo_log_.emplace(servo_rate_, options_.record_file, device_.capabilities(), !options_.replay_file.empty());
+    haptics::RenderSettings settings;
+    settings.placement = placement();
+    scale_ = settings.placement.scale;
+    settings.law = law_ = make_law();
+    settings.rate = servo_rate_;
+    settings.physics_rate = 1 / tick_seconds_;
+    settings.clutch_button = clutch_button;
+    settings.notice = notice;
+    max_stiffness_ = stiffest();
+    probe_ = std::make_unique<haptics::HapticProbe>(device_, space_.get(), probe_radius, settings);
+    probe_->set_recorder([this](const haptics::RenderedTick &tick) { servo_log_->add(tick); });
+    control_.stiffness = law_->stiffness() * scale_;
+}
+
+void HapticRun::make_loop(const haptics::NoticeSink &notice)
+{
+    haptics::LoopSettings settings;
+    settings.rate = servo_rate_;
+    settings.decoupled = decoupled_;
+    settings.physics_rate = 1 / tick_seconds_;
+    if (options_.seconds > 0)
+    {
+        settings.duration = options_.seconds;
+    }
+    if (options_.fast)
+    {
+        settings.clock = &simulated_clock_;
+        settings.ask_for_priority = false;
+    }
+    settings.notice = notice;
+    loop_ = std::make_unique<haptics::HapticLoop>(*probe_, settings);
+}
+
+HapticRun::~HapticRun()
+{
+    loop_.reset();
+    probe_.reset();
+    device_.close();
+}
+
+void HapticRun::near_callback(void *run, dGeomID first, dGeomID second)
+{
+    auto &self = *static_cast<HapticRun *>(run);
+    if (self.probe_->touch(first, second))
+    {
+        self.near_.push_back(first == self.probe_geom() ? second : first);
+        return;
+    }
+    scenes::PairList::collect(&self.pairs_, first, second);
+}
+
+void HapticRun::collide()
+{
+    pairs_.clear();
+    near_.clear();
+    const Clock::time_point begin = Clock::now();
+    dSpaceCollide(space_.get(), this, &near_callback);
+    collide_times_.add(scenes::seconds_between(begin, Clock::now()));
+    pair_count_ += pairs_.size() + near_.size();
+    adjust_stiffness();
+}
+
+/// After the forces of this step have been rendered.
+void HapticRun::advance()
+{
+    const Clock::time_point begin = Clock::now();
+    find_touched();
+    look_ahead();
+    if (control_.paused.load(std::memory_order_relaxed))
+    {
+        hold_still();
+    }
+    else
+    {
+        scene_->respond(pairs_.sorted());
+        scene_->advance();
+    }
+    ++steps_;
+    time_ = static_cast<double>(steps_) * tick_seconds_;
+    servo_log_->step_took(scenes::seconds_between(begin, Clock::now()));
+}
+
+void HapticRun::find_touched()
+{
+    touched_.clear();
+    for (const dGeomID geom : near_)
+    {
+        const auto &touches = probe_->touches();
+        if (std::any_of(touches.begin(), touches.end(), [geom](const haptics::Touch &touch) {
+                return touch.depth > 0 && touch.object == object_of(geom);
+            }))
+        {
+            touched_.push_back(geom);
+        }
+    }
+}
+
+void HapticRun::look_ahead()
+{
+    std::vector<std::uintptr_t> touched;
+    for (const dGeomID geom : touched_)
+    {
+        touched.push_back(reinterpret_cast<std::uintptr_t>(geom));
+    }
+    foretelling_.touching(time_, touched);
+    if (steps_ % steps_per_look == 0)
+    {
+        meetings_ = probe_->encounters();
+        std::vector<Foretold> foretold;
+        for (const haptics::Encounter &meeting : meetings_)
+        {
+            foretold.push_back({reinterpret_cast<std::uintptr_t>(meeting.geom), meeting.seconds});
+        }
+        foretelling_.foretold(time_, foretold);
+    }
+}
+
+/// The reactions of this step have been added to the bodies' forces, which the next step of the world would use.
+void HapticRun::hold_still()
+{
+    for (const dGeomID geom : near_)
+    {
+        if (const dBodyID body = dGeomGetBody(geom); body != nullptr)
+        {
+            dBodySetForce(body, 0, 0, 0);
+            dBodySetTorque(body, 0, 0, 0);
+        }
+    }
+}
+
+void HapticRun::adjust_stiffness()
+{
+    law_->wish_stiffness(control_.stiffness.load(std::memory_order_relaxed) / scale_);
+}
+
+RunResult HapticRun::run(const std::function<void()> &after_step)
+{
+    haptics::SceneWork work;
+    work.collide = [this] { collide(); };
+    work.advance = [this, &after_step](double) {
+        advance();
+        if (after_step)
+        {
+            after_step();
+        }
+    };
+    RunResult result;
+    result.loop = loop_->run(work);
+    servo_log_->close();
+    result.collide = collide_times_.summary();
+    result.servo = servo_log_->totals();
+    result.foretelling = foretelling_.report();
+    result.pairs = pair_count_;
+    result.stiffness = law_->stiffness() * scale_;
+    result.scale = scale_;
+    result.lost_in_recording = servo_log_->lost_in_recording();
+    if (dSpaceIsPredictive(space_.get()) != 0)
+    {
+        dPredictiveSpaceGetStats(space_.get(), &result.space_stats.emplace());
+    }
+    compare_with_recording(result);
+    return result;
+}
+
+void HapticRun::compare_with_recording(RunResult &result)
+{
+    const auto *replay = dynamic_cast<const haptics::ReplayDevice *>(&device_.inner());
+    if (replay == nullptr || !replay->recording().has_forces)
+    {
+        return;
+    }
+    std::vector<Vector3> recorded;
+    for (const haptics::RecordedTick &tick : replay->recording().ticks)
+    {
+        recorded.push_back(tick.force);
+    }
+    std::vector<Vector3> rendered = servo_log_->forces();
+    const std::size_t common = std::min(recorded.size(), rendered.size());
+    recorded.resize(common);
+    rendered.resize(common);
+    if (common > 0)
+    {
+        result.replay_error = haptics::compare_forces(recorded, rendered);
+        result.replayed_ticks = common;
+    }
+}
+} // namespace ode_predictive_space::demo

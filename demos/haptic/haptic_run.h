@@ -1,0 +1,127 @@
+// One run of a probe in one scene and one space.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_HAPTIC_RUN_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_HAPTIC_RUN_H
+
+#include "demos/haptic/adjustable_law.h"
+#include "demos/haptic/demo_device.h"
+#include "demos/haptic/foretelling.h"
+#include "demos/haptic/options.h"
+#include "demos/haptic/servo_log.h"
+#include "demos/scenes/contender.h"
+#include "demos/scenes/scene.h"
+#include "demos/scenes/spaces.h"
+#include "ode_predictive_space/haptics/loop.h"
+
+#include <ode_predictive_space/predictive_space.h>
+#include <optional>
+
+namespace ode_predictive_space::demo
+{
+using haptics::Vector3;
+
+/// What came of a run.
+struct RunResult
+{
+    haptics::LoopReport loop;
+    haptics::TimeSummary collide; ///< s; in dSpaceCollide()
+    ServoTotals servo;
+    ForetellingReport foretelling;
+    std::uint64_t pairs = 0;                          ///< reported by the space, summed over the steps
+    std::optional<dPredictiveSpaceStats> space_stats; ///< of a predictive space
+    std::optional<haptics::ForceError> replay_error;  ///< of a replay: against the recorded forces
+    std::uint64_t replayed_ticks = 0;                 ///< that were compared
+    double stiffness = 0;                             ///< N/m, at the hand; at the end
+    double scale = 1;                                 ///< metres of the scene per metre of the hand
+    std::size_t lost_in_recording = 0;                ///< ticks
+};
+
+/// Wishes of the person, from any thread.
+struct RunControl
+{
+    std::atomic<bool> paused{false};  ///< the scene stands still; the probe does not
+    std::atomic<double> stiffness{0}; ///< N/m, at the hand
+};
+
+/// Scene, space, probe and loop, made anew for each run. All that says nothing else is for the thread that calls run(), and for
+/// the function that this calls after each step.
+class HapticRun
+{
+public:
+    /// How large the probe is, in metres: as large as the objects.
+    static constexpr double probe_radius = scenes::object_radius;
+
+    /// @throws std::exception of many kinds, when something cannot be had.
+    HapticRun(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device, RunControl &control,
+              const haptics::NoticeSink &notice);
+    ~HapticRun();
+    HapticRun(const HapticRun &) = delete;
+    HapticRun &operator=(const HapticRun &) = delete;
+
+    /// Run to the end.
+    ///
+    /// @param after_step called after each step of the scene; may be empty.
+    RunResult run(const std::function<void()> &after_step = {});
+
+    void stop() { loop_->stop(); }                                 ///< from any thread
+    haptics::LoopReport report() const { return loop_->report(); } ///< from any thread
+    ServoLog &servo_log() { return *servo_log_; }
+
+    double time() const { return time_; } ///< s; simulated
+    const scenes::Scene &scene() const { return *scene_; }
+    dGeomID probe_geom() const { return probe_->geom(); }
+    const haptics::RenderedTick &rendered() const { return loop_->latest(); }
+    const scenes::PairList &pairs() const { return pairs_; }         ///< of the last step, without the probe's
+    const std::vector<dGeomID> &near_probe() const { return near_; } ///< in the last step
+    const std::vector<dGeomID> &touched() const { return touched_; } ///< in the last step
+    const std::vector<haptics::Encounter> &meetings() const { return meetings_; }
+    const Eigen::AlignedBox3d &room() const { return room_; }             ///< m; inside the walls
+    double max_force() const { return device_.capabilities().max_force; } ///< N
+    double max_stiffness() const { return max_stiffness_; }               ///< N/m, at the hand
+    double servo_rate() const { return servo_rate_; }                     ///< Hz
+    bool decoupled() const { return decoupled_; }
+
+private:
+    void make_probe(const haptics::NoticeSink &notice);
+    void make_loop(const haptics::NoticeSink &notice);
+    haptics::WorkspacePlacement placement() const;
+    std::shared_ptr<AdjustableLaw> make_law() const;
+    double stiffest() const;
+    void collide();
+    void advance();
+    void find_touched();
+    void look_ahead();
+    void hold_still();
+    void adjust_stiffness();
+    void compare_with_recording(RunResult &result);
+    static void near_callback(void *run, dGeomID first, dGeomID second);
+
+    const Options &options_;
+    DemoDevice &device_;
+    RunControl &control_;
+    double tick_seconds_;
+    bool decoupled_;
+    double servo_rate_;
+    double max_stiffness_ = 0;
+    double scale_ = 1; ///< metres of the scene per metre of the device
+    scenes::OwnedSpace space_;
+    std::unique_ptr<scenes::Scene> scene_;
+    Eigen::AlignedBox3d room_;
+    std::shared_ptr<AdjustableLaw> law_;
+    std::optional<ServoLog> servo_log_;
+    haptics::SimulatedClock simulated_clock_;
+    std::unique_ptr<haptics::HapticProbe> probe_;
+    std::unique_ptr<haptics::HapticLoop> loop_;
+    double time_ = 0; ///< s
+    std::uint64_t steps_ = 0;
+    scenes::PairList pairs_;
+    std::uint64_t pair_count_ = 0;
+    std::vector<dGeomID> near_;
+    std::vector<dGeomID> touched_;
+    std::vector<haptics::Encounter> meetings_;
+    Foretelling foretelling_;
+    haptics::TimeHistogram collide_times_;
+};
+} // namespace ode_predictive_space::demo
+
+#endif

@@ -1,0 +1,148 @@
+#include "demos/haptic/options.h"
+
+#include "demos/scenes/scene.h"
+#include "demos/scenes/spaces.h"
+#include "ode_predictive_space/haptics/device_factory.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace ode_predictive_space::demo
+{
+namespace
+{
+std::vector<std::string> names_of_spaces()
+{
+    std::vector<std::string> names{"predictive", "predictive-sphere"};
+    for (const scenes::SpaceKind kind : scenes::all_spaces())
+    {
+        names.push_back(scenes::space_name(kind));
+    }
+    return names;
+}
+
+std::string joined(const std::vector<std::string> &words)
+{
+    std::string text;
+    for (const std::string &word : words)
+    {
+        text += (text.empty() ? "" : ", ") + word;
+    }
+    return text;
+}
+
+void declare_scene_options(CLI::App &app, Options &options)
+{
+    app.add_option("--scene", options.scene, "What is around the probe")
+        ->check(CLI::IsMember(scenes_for_probes()))
+        ->capture_default_str();
+    app.add_option("--space", options.spaces,
+                   "The space that finds the pairs (default: predictive); several, separated by commas, are compared")
+        ->delimiter(',')
+        ->check(CLI::IsMember(names_of_spaces()));
+    app.add_option("--objects", options.objects, "How many objects there are besides the probe and the walls")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    app.add_option("--seconds", options.seconds,
+                   "How long to run, in simulated seconds (default: until the window is closed; 5 without a window; 2 "
+                   "in a comparison)")
+        ->check(CLI::Range(0.01, 3600.0));
+    app.add_option("--seed", options.seed, "Of the places, the motions and the hand; the same seed gives the same run")
+        ->capture_default_str();
+}
+
+void declare_probe_options(CLI::App &app, Options &options)
+{
+    app.add_option("--device", options.device,
+                   "What moves the probe and feels the force: " + joined(haptics::device_names()))
+        ->capture_default_str();
+    app.add_option("--law", options.law, "How a touch becomes a force: penalty (F = k d n) or proxy (god object)")
+        ->check(CLI::IsMember({"penalty", "proxy"}))
+        ->capture_default_str();
+    app.add_option("--stiffness", options.stiffness, "Of what is touched, as the hand feels it, in N/m")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+    app.add_option("--damping", options.damping, "Of what is touched, as the hand feels it, in N s/m")
+        ->check(CLI::Range(0.0, 1e4))
+        ->capture_default_str();
+    app.add_option("--friction", options.friction, "Coulomb's coefficient between the probe and what it touches")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str();
+    app.add_flag("--decoupled", options.decoupled,
+                 "Give the servo a thread of its own; scenes with steps longer than 1 ms have that anyway");
+    app.add_flag(
+        "--fast", options.fast,
+        "Do not wait for the clock: time is simulated, and the same options give the same forces to the last bit");
+    app.add_option("--rate", options.rate, "Of a servo with a thread of its own, in Hz (default: 1000)")
+        ->check(CLI::Range(100.0, 10000.0));
+}
+
+void declare_output_options(CLI::App &app, Options &options)
+{
+    app.add_option("--record", options.record_file, "Write what the device does and feels to this file")
+        ->type_name("FILE");
+    app.add_option("--replay", options.replay_file, "The same as --device replay:FILE, and compare the forces")
+        ->type_name("FILE");
+    app.add_option("--json", options.json_file, "Write the results to this file, too")->type_name("FILE");
+    app.add_flag("--headless", options.headless, "Open no window");
+    app.add_flag("--compare", options.compare,
+                 "Run the scene mix in several spaces, by turns, and compare what they cost");
+    app.add_option("--screenshot", options.screenshot_file,
+                   "Write a picture of the window to this file, as PNG, and end, unless --seconds says when")
+        ->type_name("FILE");
+    app.add_option("--at", options.screenshot_time, "When to take it, in simulated seconds")
+        ->check(CLI::Range(0.0, 3600.0))
+        ->capture_default_str();
+}
+} // namespace
+
+const std::vector<std::string> &scenes_for_probes()
+{
+    // Not those that bring a probe or queries of their own, that are of kilometres, or that leave no time to touch.
+    static const std::vector<std::string> names = {"mix",  "pile",  "stack", "gas",
+                                                   "game", "still", "churn", "explosion"};
+    return names;
+}
+
+void declare_options(CLI::App &app, Options &options)
+{
+    declare_scene_options(app, options);
+    declare_probe_options(app, options);
+    declare_output_options(app, options);
+}
+
+void complete(Options &options, const CLI::App &app)
+{
+    const auto given = [&app](const char *name) { return app.count(name) > 0; };
+    for (const char *name : {"--scene", "--device", "--law", "--stiffness", "--damping", "--friction", "--decoupled",
+                             "--fast", "--rate", "--record", "--replay", "--screenshot"})
+    {
+        if (given(name))
+        {
+            options.wants_one_run = true;
+            if (options.compare || options.spaces.size() > 1)
+            {
+                throw std::invalid_argument(std::string(name) + " has no meaning when spaces are compared");
+            }
+        }
+    }
+    options.compare = options.compare || options.spaces.size() > 1;
+    options.wants_one_run = options.wants_one_run || (!options.compare && options.spaces.size() == 1);
+    if (options.headless && given("--screenshot"))
+    {
+        throw std::invalid_argument("--screenshot needs a window, and --headless asks for none");
+    }
+    if (given("--replay"))
+    {
+        if (given("--device"))
+        {
+            throw std::invalid_argument("--replay and --device both say what moves the probe");
+        }
+        options.device = "replay:" + options.replay_file;
+    }
+    if (given("--screenshot") && options.seconds > 0 && options.seconds < options.screenshot_time)
+    {
+        throw std::invalid_argument("the run ends before the time of the screenshot");
+    }
+}
+} // namespace ode_predictive_space::demo

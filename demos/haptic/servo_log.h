@@ -1,0 +1,90 @@
+// What the servo does, tick by tick: for the recording, the comparison with an older one, and the chart.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_SERVO_LOG_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_SERVO_LOG_H
+
+#include "ode_predictive_space/haptics/exchange.h"
+#include "ode_predictive_space/haptics/recording.h"
+#include "ode_predictive_space/haptics/renderer.h"
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ode_predictive_space::demo
+{
+/// The largest values of some ticks.
+struct ServoColumn
+{
+    double force = 0;   ///< N; as written to the device
+    double period = 0;  ///< s; from one tick to the next
+    double compute = 0; ///< s; of a step of the scene
+};
+
+/// The latest columns, in a ring.
+struct ServoChart
+{
+    static constexpr std::size_t columns = 640;
+    std::array<ServoColumn, columns> ring{};
+    std::uint64_t made = 0; ///< column i is at i modulo columns
+};
+
+/// Over a whole run.
+struct ServoTotals
+{
+    std::uint64_t ticks = 0;
+    std::uint64_t ticks_with_force = 0;
+    double force_sum = 0; ///< N, over the ticks with force
+    double max_force = 0; ///< N
+};
+
+/// Used by the servo's thread, but for what says otherwise.
+class ServoLog
+{
+public:
+    /// Seconds of the servo's time that a column stands for.
+    static constexpr double column_seconds = 0.01;
+
+    /// @param rate Hz; of the servo. @param record_file empty: no recording. @param device what is recorded.
+    /// @param keep_forces whether forces() is wanted.
+    /// @throws haptics::DeviceError when the file cannot be made.
+    ServoLog(double rate, const std::string &record_file, const haptics::Capabilities &device, bool keep_forces);
+
+    /// A tick was rendered.
+    void add(const haptics::RenderedTick &tick);
+
+    /// A step of the scene took so long. By the thread that steps it.
+    void step_took(double seconds);
+
+    /// By one other thread: the latest columns.
+    const ServoChart &chart();
+
+    /// After the end.
+    const ServoTotals &totals() const { return totals_; }
+    const std::vector<haptics::Vector3> &forces() const { return forces_; } ///< N
+    std::size_t lost_in_recording() const { return recorder_ ? recorder_->lost() : 0; }
+
+    /// After the end. @throws haptics::DeviceError when the recording could not be written.
+    void close();
+
+private:
+    void add_to_chart(double force);
+
+    using Clock = std::chrono::steady_clock;
+
+    int ticks_per_column_;
+    std::unique_ptr<haptics::Recorder> recorder_;
+    bool keep_forces_;
+    std::vector<haptics::Vector3> forces_;
+    ServoTotals totals_;
+    Clock::time_point last_tick_{};
+    ServoColumn column_;
+    std::atomic<double> longest_step_{0};
+    ServoChart ring_;
+    haptics::Snapshot<ServoChart> chart_;
+};
+} // namespace ode_predictive_space::demo
+
+#endif

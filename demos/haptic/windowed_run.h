@@ -1,0 +1,18 @@
+// A run of the probe with a window: the loop in a thread of its own, the window in the caller's.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_WINDOWED_RUN_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_WINDOWED_RUN_H
+
+#include "demos/haptic/haptic_run.h"
+
+namespace ode_predictive_space::demo
+{
+/// Run until the time is over or the window is closed. There must be a display. Once per process.
+///
+/// @return of the last run, when the person began anew.
+/// @throws what HapticRun throws; std::runtime_error for a screenshot that cannot be written.
+RunResult run_in_window(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device,
+                        const haptics::NoticeSink &notice);
+} // namespace ode_predictive_space::demo
+
+#endif

@@ -1,0 +1,17 @@
+// Where in a scene there is room to move.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_ROOM_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_ROOM_H
+
+#include "demos/scenes/scene.h"
+
+namespace ode_predictive_space::scenes
+{
+/// The box that ODE reports for a geom, metres.
+Eigen::AlignedBox3d bounds_of(dGeomID geom);
+
+/// The room inside the walls of a scene: its bounds, less what large boxes without a body take away at their sides. Metres.
+Eigen::AlignedBox3d room_inside_walls(const Scene &scene, const SceneBounds &bounds);
+} // namespace ode_predictive_space::scenes
+
+#endif

@@ -1,0 +1,78 @@
+// What was predicted that the probe would meet, against what it touched.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_ENCOUNTER_LOG_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_ENCOUNTER_LOG_H
+
+#include "ode_predictive_space/haptics/probe.h"
+
+#include <string>
+
+namespace ode_predictive_space::haptics
+{
+/// A first contact with an object, after a time without.
+struct LoggedContact
+{
+    std::uintptr_t object = 0; ///< as in Touch
+    double time = 0;           ///< s; of the first tick in which it was touched
+    bool foretold = false;     ///< the space had listed it in a tick before
+    double warning = 0;        ///< s; for how long it had been listed then, without a gap
+    double forecast = 0;       ///< s; when it could be near, as predicted last before it was near
+};
+
+/// Of all contacts so far.
+struct EncounterSummary
+{
+    std::size_t contacts = 0;
+    std::size_t foretold = 0;
+    std::size_t missed = 0; ///< touched while the space did not hold it for near: never, unless the space is broken
+    std::size_t late = 0; ///< foretold, but for later: the hand left its predicted path, and the space saw that in time
+    double mean_warning = 0; ///< s; of those that were foretold
+    double mean_early = 0;   ///< s; contact minus forecast; of those that were foretold and not late
+    double max_early = 0;    ///< s
+
+    /// In sentences.
+    std::string text() const;
+};
+
+/// Compares the times of proximity that a predictive space predicts for the probe with the times of its contacts. The prediction is of
+/// bounding boxes, hence early; it must never be late.
+///
+/// Only objects in the probe's own space are listed by it: those in nested spaces are never foretold. Allocates: not for a servo of
+/// its own thread.
+class EncounterLog
+{
+public:
+    /// Call in each tick, between the collision and the next one. Asks the probe for its encounters, which costs time.
+    void add(double time, HapticProbe &probe);
+
+    /// The same with lists of one's own.
+    ///
+    /// @param time s; later than in the call before.
+    void add(double time, const std::vector<Encounter> &encounters, const std::vector<Touch> &touches);
+
+    const std::vector<LoggedContact> &contacts() const { return contacts_; }
+    EncounterSummary summary() const;
+
+private:
+    /// An object that is listed.
+    struct Listed
+    {
+        std::uintptr_t object;
+        double since;    ///< s
+        double forecast; ///< s; when it can be near
+        bool near;
+        bool now; ///< in this tick
+    };
+
+    Listed *find(std::uintptr_t object);
+    void log_contact(double time, const Touch &touch);
+    void list(double time, const std::vector<Encounter> &encounters);
+
+    std::vector<Listed> listed_;
+    std::vector<std::uintptr_t> touched_; ///< in the tick before
+    std::vector<LoggedContact> contacts_;
+    std::size_t missed_ = 0;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

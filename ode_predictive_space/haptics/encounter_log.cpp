@@ -1,0 +1,135 @@
+#include "ode_predictive_space/haptics/encounter_log.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace ode_predictive_space::haptics
+{
+void EncounterLog::add(double time, HapticProbe &probe)
+{
+    add(time, probe.encounters(), probe.touches());
+}
+
+void EncounterLog::add(double time, const std::vector<Encounter> &encounters, const std::vector<Touch> &touches)
+{
+    std::vector<std::uintptr_t> touched;
+    std::vector<const Touch *> begun;
+    for (const Touch &touch : touches)
+    {
+        if (touch.depth < 0)
+        {
+            continue; // near, in a decoupled loop's margin
+        }
+        touched.push_back(touch.object);
+        if (std::find(touched_.begin(), touched_.end(), touch.object) == touched_.end())
+        {
+            log_contact(time, touch);
+            begun.push_back(&touch);
+        }
+    }
+    touched_ = std::move(touched);
+    list(time, encounters);
+    for (const Touch *touch : begun)
+    {
+        const Listed *listed = find(touch->object);
+        missed_ += listed == nullptr || !listed->near ? 1 : 0;
+    }
+}
+
+EncounterLog::Listed *EncounterLog::find(std::uintptr_t object)
+{
+    const auto found =
+        std::find_if(listed_.begin(), listed_.end(), [&](const Listed &listed) { return listed.object == object; });
+    return found != listed_.end() ? &*found : nullptr;
+}
+
+void EncounterLog::log_contact(double time, const Touch &touch)
+{
+    LoggedContact contact;
+    contact.object = touch.object;
+    contact.time = time;
+    if (const Listed *listed = find(touch.object))
+    {
+        contact.foretold = true;
+        contact.warning = time - listed->since;
+        contact.forecast = listed->forecast;
+    }
+    contacts_.push_back(contact);
+}
+
+/// A body of several geoms can be listed several times: the soonest comes first, and counts.
+void EncounterLog::list(double time, const std::vector<Encounter> &encounters)
+{
+    for (Listed &listed : listed_)
+    {
+        listed.now = false;
+    }
+    for (const Encounter &encounter : encounters)
+    {
+        const std::uintptr_t object = object_of(encounter.geom);
+        Listed *known = find(object);
+        if (known == nullptr)
+        {
+            listed_.push_back({object, time, time, false, false});
+            known = &listed_.back();
+        }
+        if (known->now)
+        {
+            continue;
+        }
+        // What is near was foretold for this moment, unless it was for an earlier one.
+        const bool near = encounter.seconds <= 0;
+        known->forecast = near && known->since < time ? known->forecast : time + encounter.seconds;
+        known->near = near;
+        known->now = true;
+    }
+    listed_.erase(std::remove_if(listed_.begin(), listed_.end(), [](const Listed &listed) { return !listed.now; }),
+                  listed_.end());
+}
+
+EncounterSummary EncounterLog::summary() const
+{
+    EncounterSummary summary;
+    summary.contacts = contacts_.size();
+    summary.missed = missed_;
+    double warning = 0;
+    double early = 0;
+    for (const LoggedContact &contact : contacts_)
+    {
+        if (!contact.foretold)
+        {
+            continue;
+        }
+        ++summary.foretold;
+        warning += contact.warning;
+        const double earliness = contact.time - contact.forecast;
+        if (earliness < -1e-9)
+        {
+            ++summary.late;
+            continue;
+        }
+        early += earliness;
+        summary.max_early = std::max(summary.max_early, earliness);
+    }
+    if (summary.foretold > 0)
+    {
+        summary.mean_warning = warning / static_cast<double>(summary.foretold);
+    }
+    if (summary.foretold > summary.late)
+    {
+        summary.mean_early = early / static_cast<double>(summary.foretold - summary.late);
+    }
+    return summary;
+}
+
+std::string EncounterSummary::text() const
+{
+    std::ostringstream out;
+    out.precision(3);
+    out << "Of " << contacts << " first contacts, " << foretold << " were foretold, " << 1000 * mean_warning
+        << " ms ahead on average. They came " << 1000 * mean_early << " ms (at most " << 1000 * max_early
+        << " ms) after the predicted time of proximity, which is that of bounding boxes; " << late
+        << " came before it, as the hand had left its predicted path; " << missed << " were missed.";
+    return out.str();
+}
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,137 @@
+// How the hand's side of a probe is set up, and what the device can bear of what is asked for.
+
+#include "ode_predictive_space/haptics/penalty_law.h"
+#include "ode_predictive_space/haptics/renderer.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double never = -std::numeric_limits<double>::infinity();
+constexpr double usual_stiffness = 500; // N/m
+constexpr std::size_t usual_touches = 64;
+
+std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities)
+{
+    SurfaceProperties properties;
+    properties.stiffness = capabilities.max_stiffness > 0 ? capabilities.max_stiffness / 2 : usual_stiffness;
+    return std::make_shared<PenaltyLaw>(properties);
+}
+
+// With a device that cannot push, one can still push what is in the scene, as hard as with any other.
+SafetyLimits usual_limits(const Capabilities &capabilities)
+{
+    if (capabilities.force_axes > 0)
+    {
+        return SafetyLimits::of(capabilities);
+    }
+    Capabilities desktop = capabilities;
+    desktop.force_axes = 3;
+    desktop.max_force = 7.9; // N; a PHANToM Desktop
+    return SafetyLimits::of(desktop);
+}
+} // namespace
+
+Renderer::Opening::Opening(Device &device) : device_(device), opened_(!device.status().open)
+{
+    if (opened_)
+    {
+        device_.open();
+    }
+}
+
+Renderer::Opening::~Opening()
+{
+    if (opened_)
+    {
+        device_.close();
+    }
+}
+
+Renderer::Renderer(Device &device, RenderSettings settings)
+    : gate_(device), opening_(device), settings_(std::move(settings)),
+      law_(settings_.law ? settings_.law : usual_law(device.capabilities())), mapping_(settings_.placement),
+      safety_(settings_.safety ? *settings_.safety : usual_limits(device.capabilities())), next_try_(never),
+      last_state_time_(std::numeric_limits<double>::quiet_NaN())
+{
+    told_.fill(never);
+    forces_.reserve(usual_touches);
+    if (settings_.passivity_control)
+    {
+        passivity_.emplace(device.capabilities().max_damping);
+    }
+    set_rates(settings_.rate, settings_.physics_rate);
+}
+
+Renderer::~Renderer()
+{
+    relax();
+}
+
+void Renderer::set_rates(double rate, double physics_rate)
+{
+    if (!(rate > 0) || !(physics_rate > 0))
+    {
+        throw std::invalid_argument("The rates of a servo loop and of its scene must be above 0");
+    }
+    settings_.rate = rate;
+    settings_.physics_rate = physics_rate;
+    watchdog_.emplace(WatchdogLimits::of(rate, physics_rate));
+    soften_law();
+}
+
+void Renderer::set_law(std::shared_ptr<ForceLaw> law)
+{
+    law_ = std::move(law);
+    soften_law();
+    law_->reset();
+}
+
+void Renderer::set_placement(const WorkspacePlacement &placement)
+{
+    mapping_ = WorkspaceMapping(placement);
+    soften_law();
+    begin_anew(); // the tool jumps, perhaps into something
+}
+
+void Renderer::soften_law()
+{
+    const double stiffness = verdict(law_->stiffness(), law_->damping()).stiffness;
+    const double in_scene = mapping_.stiffness_in_scene(stiffness);
+    if (in_scene < law_->stiffness())
+    {
+        law_->set_stiffness(in_scene);
+    }
+}
+
+VirtualCoupling Renderer::softened(VirtualCoupling coupling)
+{
+    const double stiffness = verdict(coupling.stiffness(), coupling.damping()).stiffness;
+    coupling.set_stiffness(std::min(coupling.stiffness(), mapping_.stiffness_in_scene(stiffness)));
+    return coupling;
+}
+
+/// @param stiffness,damping of the scene. @return those of the device.
+StabilityVerdict Renderer::verdict(double stiffness, double damping)
+{
+    Rendering rendering;
+    rendering.stiffness = mapping_.stiffness_at_device(stiffness);
+    rendering.damping = mapping_.stiffness_at_device(damping);
+    rendering.rate = settings_.rate;
+    rendering.device_damping = settings_.device_damping;
+    StabilityVerdict verdict = check_stability(gate_.device().capabilities(), rendering);
+    if (verdict.outcome == StabilityOutcome::refused || verdict.damping < rendering.damping)
+    {
+        throw std::invalid_argument(verdict.reason);
+    }
+    if (verdict.outcome == StabilityOutcome::clamped)
+    {
+        tell(NoticeKind::stability, verdict.reason);
+    }
+    return verdict;
+}
+} // namespace ode_predictive_space::haptics

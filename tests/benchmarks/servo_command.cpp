@@ -1,0 +1,149 @@
+// predictive_bench servo: haptic loops at their rate, by the wall clock.
+
+#include "demos/scenes/table.h"
+#include "tests/benchmarks/commands.h"
+#include "tests/benchmarks/servo_measurement.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using namespace ode_predictive_space::scenes;
+
+constexpr double fast_rate = 4000;      // Hz; of a decoupled servo
+constexpr double most_part_of_tick = 5; // %
+constexpr double least_in_time = 99.9;  // %
+constexpr double same_cost = 1.25;      // times; what counts as no growth
+constexpr int decoupled_sizes[] = {100, 1000, 10000};
+
+std::string microseconds(double seconds)
+{
+    return fixed(1e6 * seconds, 1);
+}
+
+std::vector<SpaceKind> spaces(const Options &options)
+{
+    std::vector<SpaceKind> kinds;
+    for (const std::string &name : options.spaces)
+    {
+        kinds.push_back(space_named(name));
+    }
+    if (kinds.empty())
+    {
+        kinds = {SpaceKind::predictive, SpaceKind::hash, SpaceKind::quadtree, SpaceKind::sweep_and_prune};
+    }
+    return kinds;
+}
+
+ServoResult run(SpaceKind kind, const ServoSettings &settings, Findings &findings)
+{
+    std::cerr << "servo, " << space_name(kind) << ", " << grouped(static_cast<std::uint64_t>(settings.objects))
+              << " objects: " << fixed(settings.seconds, 0) << " s\n";
+    const ServoResult result = run_servo(kind, settings);
+    findings.record(servo_record(result, settings));
+    return result;
+}
+
+void print_title(const ServoSettings &settings)
+{
+    std::cout << (settings.decoupled ? "A servo of its own at " : "Single-threaded at ")
+              << grouped(static_cast<std::uint64_t>(settings.rate)) << " Hz";
+    if (settings.decoupled)
+    {
+        std::cout << ", the scene at " << grouped(static_cast<std::uint64_t>(settings.physics_rate)) << " Hz";
+    }
+    std::cout << "; microseconds\n\n";
+}
+
+void require_single(const ServoResult &ours, const ServoSettings &settings, Findings &findings)
+{
+    findings.require({"haptics", "10,000 objects, 1,000 moving: collide and force, of a tick of 1 ms",
+                      100 * settings.rate * ours.collide_and_force.mean, Requirement::at_most, most_part_of_tick, "%"});
+    findings.require({"haptics", "the same: ticks in time, by the wall clock", 100 * ours.share_in_time(),
+                      Requirement::at_least, least_in_time, "%"});
+}
+
+void measure_single(ServoSettings settings, const Options &options, Findings &findings)
+{
+    print_title(settings);
+    Table table({"space", "objects", "collide + force", "median", "p99.9", "tick's computing", "ticks in time",
+                 "real-time factor"});
+    for (const SpaceKind kind : spaces(options))
+    {
+        const ServoResult result = run(kind, settings, findings);
+        table.add({space_name(kind), grouped(static_cast<std::uint64_t>(settings.objects)),
+                   microseconds(result.collide_and_force.mean), microseconds(result.collide_and_force.p50),
+                   microseconds(result.collide_and_force.p999), microseconds(result.report.compute.mean),
+                   fixed(100 * result.share_in_time(), 2) + " %", fixed(result.report.real_time_factor, 2)});
+        if (kind == SpaceKind::predictive && settings.objects == ServoSettings().objects)
+        {
+            require_single(result, settings, findings);
+        }
+    }
+    table.print(std::cout);
+    std::cout << '\n';
+}
+
+void measure_decoupled(ServoSettings settings, const Options &options, Findings &findings)
+{
+    settings.decoupled = true;
+    settings.rate = fast_rate;
+    print_title(settings);
+    Table table({"space", "objects", "servo's computing", "median", "p99.9", "ticks in time", "step's collide"});
+    for (const SpaceKind kind : spaces(options))
+    {
+        double smallest = 0;
+        for (const int objects : decoupled_sizes)
+        {
+            settings.objects = objects;
+            const ServoResult result = run(kind, settings, findings);
+            table.add({space_name(kind), grouped(static_cast<std::uint64_t>(objects)),
+                       microseconds(result.report.compute.mean), microseconds(result.report.compute.p50),
+                       microseconds(result.report.compute.p999), fixed(100 * result.share_in_time(), 2) + " %",
+                       microseconds(result.collide_and_force.mean)});
+            smallest = smallest > 0 ? smallest : result.report.compute.p50;
+            if (kind == SpaceKind::predictive && objects == 10000)
+            {
+                findings.require({"haptics",
+                                  "decoupled servo at 4 kHz: its median computing at 10,000 objects over 100",
+                                  result.report.compute.p50 / smallest, Requirement::at_most, same_cost, "x"});
+            }
+        }
+    }
+    table.print(std::cout);
+    std::cout << '\n';
+}
+
+class ServoCommand : public Command
+{
+public:
+    std::string name() const override { return "servo"; }
+    std::string description() const override
+    {
+        return "Haptic loops by the wall clock: 10,000 objects at 1 kHz, and a servo of its own at 4 kHz";
+    }
+
+    void measure(const Options &options, Findings &findings) override
+    {
+        ServoSettings settings;
+        settings.seed = options.seed;
+        settings.objects = options.objects.value_or(settings.objects);
+        settings.seconds = options.quick ? 2 : 10;
+        if (options.ticks)
+        {
+            settings.seconds = *options.ticks / settings.rate;
+        }
+        measure_single(settings, options, findings);
+        measure_decoupled(settings, options, findings);
+    }
+};
+} // namespace
+
+std::unique_ptr<Command> make_servo_command()
+{
+    return std::make_unique<ServoCommand>();
+}
+} // namespace ode_predictive_space::benchmarks

@@ -1,0 +1,87 @@
+// predictive_haptic_demo with a probe and without a window.
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "demos/haptic/options.h"
+#include "tests/support/program.h"
+
+namespace ode_predictive_space::demo
+{
+namespace
+{
+class ProbeRun : public testing::Test
+{
+protected:
+    ProbeRun() : folder_(std::filesystem::temp_directory_path() / ("probe_run_" + std::to_string(getpid())))
+    {
+        std::filesystem::create_directories(folder_);
+    }
+
+    ~ProbeRun() override { std::filesystem::remove_all(folder_); }
+
+    std::string file(const char *name) const { return (folder_ / name).string(); }
+
+    nlohmann::json results(const std::string &options)
+    {
+        const Outcome outcome = run(HAPTIC_DEMO, "--headless --fast --json '" + file("results.json") + "' " + options);
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        return nlohmann::json::parse(std::ifstream(file("results.json")));
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(ProbeRun, FeelsTheSameInEverySpace)
+{
+    const std::string options = "--objects 60 --seconds 1.2 --space ";
+    const nlohmann::json predictive = results(options + "predictive").at("force");
+    EXPECT_GT(predictive.at("ticks_with_force").get<int>(), 0);
+    for (const char *space : {"hash", "quadtree", "simple", "sap"})
+    {
+        // Not to the last bit: the order in which touches come, and so their sum, is the space's.
+        const nlohmann::json force = results(options + space).at("force");
+        EXPECT_EQ(force.at("ticks_with_force"), predictive.at("ticks_with_force")) << space;
+        EXPECT_NEAR(force.at("sum_n").get<double>(), predictive.at("sum_n").get<double>(), 1e-6) << space;
+    }
+}
+
+TEST_F(ProbeRun, ReplaysTheForcesToTheLastBit)
+{
+    const std::string options = "--objects 60 --seconds 1.2 ";
+    results(options + "--record '" + file("run.txt") + "'");
+    const nlohmann::json replay = results(options + "--replay '" + file("run.txt") + "'").at("replay");
+    EXPECT_EQ(replay.at("ticks"), 1200);
+    EXPECT_EQ(replay.at("max_n"), 0.0);
+}
+
+TEST_F(ProbeRun, RunsInEverySceneThatItOffers)
+{
+    for (const std::string &scene : scenes_for_probes())
+    {
+        const nlohmann::json result = results("--scene " + scene + " --objects 30 --seconds 0.1");
+        EXPECT_GE(result.at("loop").at("steps").get<int>(), 20) << scene;
+        EXPECT_GE(result.at("loop").at("ticks").get<int>(), 90) << scene << ": the servo's, at 1 kHz";
+        EXPECT_EQ(result.at("scene"), scene);
+    }
+}
+
+TEST_F(ProbeRun, RendersNoMoreThanTheDeviceCan)
+{
+    const nlohmann::json force = results("--objects 30 --seconds 0.1 --stiffness 100000").at("force");
+    EXPECT_LE(force.at("stiffness_n_per_m").get<double>(), 1000.001) << "the most that a PHANToM Desktop can";
+}
+
+TEST_F(ProbeRun, RefusesWhatContradictsItself)
+{
+    EXPECT_EQ(run(HAPTIC_DEMO, "--compare --device virtual").status, 2);
+    EXPECT_EQ(run(HAPTIC_DEMO, "--headless --screenshot a.png").status, 2);
+    EXPECT_EQ(run(HAPTIC_DEMO, "--replay a.txt --device virtual").status, 2);
+    EXPECT_EQ(run(HAPTIC_DEMO, "--headless --device sponge").status, 2);
+    EXPECT_GT(run(HAPTIC_DEMO, "--law magnetism").status, 2);
+}
+} // namespace
+} // namespace ode_predictive_space::demo

@@ -1,0 +1,145 @@
+#include "ode_predictive_space/haptics/body_watch.h"
+
+#include "tests/haptics/probe_world.h"
+
+#include <gtest/gtest.h>
+#include <memory>
+#include <random>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+const Vector3 push = {1, 2, 3}; // N
+
+std::uintptr_t name(dBodyID body)
+{
+    return reinterpret_cast<std::uintptr_t>(body);
+}
+
+Vector3 force_on(dBodyID body)
+{
+    const dReal *force = dBodyGetForce(body);
+    return {force[0], force[1], force[2]};
+}
+
+class BodyWatchTest : public testing::Test
+{
+protected:
+    const OdeUse ode_;
+    ProbeWorld world_;
+    BodyWatch watch_;
+};
+
+TEST_F(BodyWatchTest, PushesWhatItKeepsWhereItIsTold)
+{
+    const dBodyID body = world_.add_body({1, 0, 0}, 2);
+    dBodyDisable(body);
+    watch_.keep(body);
+    EXPECT_EQ(dBodyIsEnabled(body), 0) << "to be watched is not to be pushed";
+    EXPECT_TRUE(watch_.push(name(body), push, {1, 0, 0.5}));
+    EXPECT_EQ(force_on(body), push);
+    const dReal *torque = dBodyGetTorque(body);
+    EXPECT_EQ(Vector3(torque[0], torque[1], torque[2]), Vector3(0, 0, 0.5).cross(push));
+    EXPECT_NE(dBodyIsEnabled(body), 0);
+}
+
+TEST_F(BodyWatchTest, KnowsNoneThatItDoesNotKeep)
+{
+    const dBodyID body = world_.add_body({0, 0, 0}, 2);
+    EXPECT_FALSE(watch_.push(name(body), push, {0, 0, 0}));
+    EXPECT_FALSE(watch_.push(12345, push, {0, 0, 0}));
+    EXPECT_TRUE(force_on(body).isZero(0));
+}
+
+TEST_F(BodyWatchTest, ForgetsWhatWasNotTouchedForLong)
+{
+    const dBodyID touched = world_.add_body({0, 0, 0}, 2);
+    const dBodyID left = world_.add_body({0, 0, 0}, 2);
+    watch_.keep(left);
+    for (int tick = 0; tick < 200; ++tick)
+    {
+        watch_.age();
+        watch_.keep(touched);
+    }
+    EXPECT_TRUE(watch_.push(name(touched), push, {0, 0, 0}));
+    EXPECT_EQ(dBodyGetNumJoints(touched), 1) << "kept once, however often it was touched";
+    EXPECT_FALSE(watch_.push(name(left), push, {0, 0, 0}));
+    EXPECT_EQ(dBodyGetNumJoints(left), 0);
+}
+
+TEST_F(BodyWatchTest, BodiesGoInAnyOrderAndNewOnesMayHaveTheirAddresses)
+{
+    std::mt19937 random(7);
+    std::vector<dBodyID> bodies;
+    for (int i = 0; i < 3000; ++i)
+    {
+        if (bodies.size() < 20)
+        {
+            bodies.push_back(world_.add_body({0, 0, 0}, 1));
+        }
+        const std::size_t which = random() % bodies.size();
+        const dBodyID body = bodies[which];
+        if (random() % 3 == 0)
+        {
+            const bool known = dBodyGetNumJoints(body) > 0;
+            EXPECT_EQ(watch_.push(name(body), push, {0, 0, 0}), known);
+            dBodyDestroy(body);
+            EXPECT_FALSE(watch_.push(name(body), push, {0, 0, 0}));
+            bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(which));
+        }
+        else
+        {
+            watch_.keep(body);
+        }
+        if (random() % 4 == 0)
+        {
+            watch_.age();
+        }
+    }
+}
+
+TEST_F(BodyWatchTest, AddsNothingToAStep)
+{
+    ProbeWorld alone;
+    const dBodyID watched = world_.add_body({0, 0, 1}, 1);
+    const dBodyID other = alone.add_body({0, 0, 1}, 1);
+    for (const ProbeWorld *world : {&world_, &alone})
+    {
+        dWorldSetGravity(world->world, 0, 0, -9.81);
+    }
+    watch_.keep(watched);
+    for (int i = 0; i < 10; ++i)
+    {
+        world_.step(0.01);
+        alone.step(0.01);
+    }
+    EXPECT_EQ(dBodyGetPosition(watched)[2], dBodyGetPosition(other)[2]);
+}
+
+TEST_F(BodyWatchTest, AWorldMayGoBeforeItsWatch)
+{
+    auto world = std::make_unique<ProbeWorld>();
+    const dBodyID body = world->add_body({0, 0, 0}, 1);
+    watch_.keep(body);
+    world.reset();
+    EXPECT_FALSE(watch_.push(name(body), push, {0, 0, 0}));
+    watch_.age();
+    const dBodyID another = world_.add_body({0, 0, 0}, 1);
+    watch_.keep(another);
+    EXPECT_TRUE(watch_.push(name(another), push, {0, 0, 0}));
+}
+
+TEST_F(BodyWatchTest, AWatchMayGoBeforeItsBodies)
+{
+    const dBodyID body = world_.add_body({0, 0, 0}, 1);
+    {
+        BodyWatch watch;
+        watch.keep(body);
+        EXPECT_EQ(dBodyGetNumJoints(body), 1);
+    }
+    EXPECT_EQ(dBodyGetNumJoints(body), 0);
+    world_.step(0.001);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,106 @@
+#include "ode_predictive_space/haptics/encounter_log.h"
+
+#include "ode_predictive_space/haptics/hand_path_device.h"
+#include "tests/haptics/probe_world.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+class EncounterLogTest : public testing::Test
+{
+protected:
+    std::vector<Touch> touching() const
+    {
+        Touch touch;
+        touch.object = object_of(geom_);
+        return {touch};
+    }
+
+    const OdeUse ode_;
+    dGeomID geom_ = dCreateSphere(nullptr, 1);
+    EncounterLog log_;
+
+    ~EncounterLogTest() override { dGeomDestroy(geom_); }
+};
+
+TEST_F(EncounterLogTest, ComparesTheForecastWithTheContact)
+{
+    log_.add(1.0, {}, {});
+    log_.add(2.0, {{geom_, 3.5}}, {});
+    log_.add(3.0, {{geom_, 2.0}}, {}); // near at 5
+    log_.add(5.0, {{geom_, 0.0}}, {});
+    log_.add(6.0, {{geom_, 0.0}}, touching());
+    log_.add(7.0, {{geom_, 0.0}}, touching());
+    ASSERT_EQ(log_.contacts().size(), 1U) << "first contacts only";
+    EXPECT_EQ(log_.contacts()[0].time, 6);
+    EXPECT_EQ(log_.contacts()[0].warning, 4);
+    EXPECT_EQ(log_.contacts()[0].forecast, 5);
+    const EncounterSummary summary = log_.summary();
+    EXPECT_EQ(summary.foretold, 1U);
+    EXPECT_EQ(summary.late, 0U);
+    EXPECT_EQ(summary.missed, 0U);
+    EXPECT_EQ(summary.mean_early, 1);
+    EXPECT_NE(summary.text().find("Of 1 first contacts, 1 were foretold"), std::string::npos) << summary.text();
+}
+
+TEST_F(EncounterLogTest, AGapBeginsANewWarning)
+{
+    log_.add(1.0, {{geom_, 1.0}}, {});
+    log_.add(2.0, {}, {});
+    log_.add(3.0, {{geom_, 1.0}}, {});
+    log_.add(4.0, {{geom_, 0.0}}, touching());
+    EXPECT_EQ(log_.contacts()[0].warning, 1);
+}
+
+TEST_F(EncounterLogTest, AContactBeforeItsForecastIsLate)
+{
+    log_.add(1.0, {{geom_, 5.0}}, {});
+    log_.add(2.0, {{geom_, 0.0}}, touching());
+    EXPECT_EQ(log_.summary().late, 1U);
+    EXPECT_EQ(log_.summary().missed, 0U);
+}
+
+TEST_F(EncounterLogTest, AContactOfWhatIsNotNearIsMissed)
+{
+    log_.add(1.0, {}, touching());
+    EXPECT_EQ(log_.summary().missed, 1U);
+    EXPECT_EQ(log_.summary().foretold, 0U);
+    log_.add(2.0, {}, {});
+    log_.add(3.0, {{geom_, 1.0}}, touching());
+    EXPECT_EQ(log_.summary().missed, 2U);
+}
+
+TEST_F(EncounterLogTest, InASceneNothingIsMissedAndMostIsForetold)
+{
+    ProbeWorld world;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-0.15, 0.15);
+    for (int i = 0; i < 400; ++i)
+    {
+        const Vector3 position(place(random), place(random), place(random));
+        i % 2 == 0 ? static_cast<void>(world.add_box({0.02, 0.02, 0.02}, position))
+                   : static_cast<void>(world.add_moving_box({0.02, 0.02, 0.02}, position, 0.2));
+    }
+    HandPathDevice hand;
+    HapticProbe probe(hand, world.space, 0.01);
+    for (int tick = 0; tick < 6000; ++tick)
+    {
+        probe.begin(0.001 * tick);
+        world.collide(probe);
+        probe.render(0.001);
+        log_.add(0.001 * tick, probe);
+        world.step(0.001);
+    }
+    const EncounterSummary summary = log_.summary();
+    EXPECT_GT(summary.contacts, 20U) << summary.text();
+    EXPECT_EQ(summary.missed, 0U) << summary.text();
+    EXPECT_GE(10 * summary.foretold, 9 * summary.contacts) << summary.text();
+    EXPECT_LE(10 * summary.late, summary.contacts) << summary.text();
+    RecordProperty("summary", summary.text());
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,158 @@
+#include "ode_predictive_space/haptics/loop_guard.h"
+
+#include "tests/haptics/faulty_device.h"
+#include "tests/haptics/probe_world.h"
+#include "tests/haptics/scripted_device.h"
+
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// A guard of a device that pushes with 1 N.
+class LoopGuardTest : public testing::Test
+{
+protected:
+    LoopGuardTest()
+        : device_([](double) { return Vector3(Vector3::Zero()); }), faulty_(device_), log_(faulty_, clock_), gate_(log_)
+    {
+        log_.open();
+        log_.read(0);
+        push();
+    }
+
+    void push()
+    {
+        Wrench wrench;
+        wrench.force.z() = 1;
+        gate_.write(wrench);
+    }
+
+    GuardDuties duties()
+    {
+        GuardDuties duties;
+        duties.sink = notices_.sink();
+        return duties;
+    }
+
+    double force() const { return log_.force_at(clock_.now()).z(); }
+
+    SimulatedClock clock_;
+    NoticeList notices_;
+    ScriptedDevice device_;
+    FaultyDevice faulty_;
+    WriteLog log_;
+    DeviceGate gate_;
+};
+
+TEST_F(LoopGuardTest, WaitsForTheFirstBeat)
+{
+    LoopGuard guard(clock_, gate_, duties());
+    clock_.advance(1);
+    EXPECT_EQ(force(), 1);
+    guard.beat(clock_.now());
+    clock_.advance(0.0061);
+    EXPECT_EQ(force(), 0);
+}
+
+TEST_F(LoopGuardTest, LeavesTheForceOfAServoThatTicks)
+{
+    LoopGuard guard(clock_, gate_, duties());
+    for (int tick = 0; tick < 100; ++tick)
+    {
+        guard.beat(clock_.now());
+        clock_.advance(0.0045);
+        ASSERT_EQ(force(), 1);
+    }
+    EXPECT_EQ(notices_.count(NoticeKind::guard), 0);
+}
+
+TEST_F(LoopGuardTest, TellsOfEachStallOnce)
+{
+    LoopGuard guard(clock_, gate_, duties());
+    for (int stall = 1; stall <= 3; ++stall)
+    {
+        guard.beat(clock_.now());
+        gate_.notice_closing();
+        push();
+        EXPECT_EQ(force(), 1);
+        clock_.advance(0.1);
+        EXPECT_EQ(force(), 0);
+        EXPECT_EQ(notices_.count(NoticeKind::guard), stall);
+    }
+}
+
+TEST_F(LoopGuardTest, TakesTheForceWhenItIsToEnd)
+{
+    bool over = false;
+    GuardDuties duties = this->duties();
+    duties.must_end = [&] { return over; };
+    LoopGuard guard(clock_, gate_, std::move(duties));
+    clock_.advance(0.1);
+    EXPECT_EQ(force(), 1);
+    over = true;
+    clock_.advance(0.001);
+    EXPECT_EQ(force(), 0);
+    clock_.advance(0.1);
+    EXPECT_EQ(notices_.count(NoticeKind::guard), 0) << "who ends it tells why";
+}
+
+TEST_F(LoopGuardTest, ADeviceThatTakesNoZeroIsClosedAndToldOf)
+{
+    LoopGuard guard(clock_, gate_, duties());
+    guard.beat(clock_.now());
+    faulty_.break_now(Breakage::lost);
+    clock_.advance(0.1);
+    EXPECT_FALSE(device_.status().open);
+    EXPECT_NE(notices_.text(NoticeKind::guard).find("the plug has been pulled"), std::string::npos);
+}
+
+TEST_F(LoopGuardTest, ASinkThatWaitsDoesNotKeepItFromWatching)
+{
+    GuardDuties duties;
+    double force_meanwhile = 1;
+    duties.sink = [&](const Notice &notice) {
+        if (notice.kind == NoticeKind::safety)
+        {
+            clock_.advance(0.5); // a terminal that somebody has stopped
+            force_meanwhile = force();
+        }
+    };
+    LoopGuard guard(clock_, gate_, std::move(duties));
+    guard.beat(clock_.now());
+    guard.post(Notice(NoticeKind::safety, 0, "something"));
+    clock_.advance(0.02);
+    EXPECT_EQ(force_meanwhile, 0);
+}
+
+TEST_F(LoopGuardTest, KeepsWhatTheSinkThrows)
+{
+    GuardDuties duties;
+    int calls = 0;
+    duties.sink = [&](const Notice &) {
+        ++calls;
+        throw std::runtime_error("the terminal is gone");
+    };
+    LoopGuard guard(clock_, gate_, std::move(duties));
+    EXPECT_FALSE(guard.sink_failed());
+    guard.post(Notice(NoticeKind::safety, 0, "something"));
+    guard.post(Notice(NoticeKind::safety, 0, "something else"));
+    clock_.advance(0.02);
+    guard.post(Notice(NoticeKind::safety, 0, "too late"));
+    guard.end();
+    EXPECT_EQ(calls, 1);
+    EXPECT_TRUE(guard.sink_failed());
+    EXPECT_THROW(std::rethrow_exception(guard.sink_error()), std::runtime_error);
+}
+
+TEST_F(LoopGuardTest, WhatIsPostedIsDeliveredAtTheEndAtTheLatest)
+{
+    LoopGuard guard(clock_, gate_, duties());
+    guard.post(Notice(NoticeKind::stop, 0, "the end"));
+    EXPECT_EQ(notices_.count(NoticeKind::stop), 0) << "not in the servo";
+    guard.end();
+    EXPECT_EQ(notices_.text(NoticeKind::stop), "the end");
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,197 @@
+// The loop on the machine's clock, with its threads: for ThreadSanitizer, and for what a simulated clock cannot show.
+
+#include "ode_predictive_space/haptics/loop.h"
+
+#include "ode_predictive_space/haptics/penalty_law.h"
+#include "tests/haptics/probe_world.h"
+#include "tests/haptics/scripted_device.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <gtest/gtest.h>
+#include <mutex>
+#include <thread>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double radius = 0.01; // m; of the probe
+
+/// Tells its force to any thread.
+class WatchedDevice : public ScriptedDevice
+{
+public:
+    using ScriptedDevice::ScriptedDevice;
+
+    void close() noexcept override
+    {
+        ScriptedDevice::close();
+        force = 0;
+    }
+
+    void write(const Wrench &wrench) override
+    {
+        ScriptedDevice::write(wrench);
+        force = wrench.force.z();
+    }
+
+    std::atomic<double> force{0}; ///< N
+};
+
+/// Forces at once, so that a test need not wait.
+RenderSettings without_ramp()
+{
+    SafetyLimits limits = SafetyLimits::of(desktop_capabilities());
+    limits.ramp_time = 0;
+    RenderSettings settings;
+    settings.safety = limits;
+    return settings;
+}
+
+class LoopThreadsTest : public testing::Test
+{
+protected:
+    LoopThreadsTest()
+        : device_([](double seconds) -> Vector3 {
+              return {0, 0, 0.012 - 0.008 * std::min(1.0, 10 * seconds)};
+          })
+    {}
+
+    LoopSettings settings(bool decoupled)
+    {
+        LoopSettings settings;
+        settings.decoupled = decoupled;
+        settings.rate = decoupled ? 2000 : 1000;
+        settings.notice = [this](const Notice &notice) {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            notices_.sink()(notice);
+        };
+        return settings;
+    }
+
+    int count(NoticeKind kind)
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return notices_.count(kind);
+    }
+
+    const OdeUse ode_;
+    ProbeWorld world_;
+    WatchedDevice device_;
+
+private:
+    std::mutex mutex_;
+    NoticeList notices_;
+};
+
+TEST_F(LoopThreadsTest, BothKindsRunAndAreWatchedFromAThirdThread)
+{
+    for (const bool decoupled : {false, true})
+    {
+        ProbeWorld world;
+        dCreatePlane(world.space, 0, 0, 1, 0);
+        world.add_moving_box({0.05, 0.05, 0.05}, {0, 0.01, -0.025}, 10);
+        HapticProbe probe(device_, world.space, radius, without_ramp());
+        LoopSettings settings = this->settings(decoupled);
+        settings.duration = 0.3;
+        HapticLoop loop(probe, settings);
+        std::atomic<bool> over{false};
+        std::thread watcher([&] {
+            while (!over)
+            {
+                const LoopReport report = loop.report();
+                EXPECT_LE(report.period.p50, report.period.max);
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+        });
+        double felt = 0;
+        const LoopReport report = loop.run({[&] { world.collide(probe); },
+                                            [&](double dt) {
+                                                felt = std::max(felt, loop.latest().wished.norm());
+                                                world.step(dt);
+                                            }});
+        over = true;
+        watcher.join();
+        EXPECT_EQ(report.steps, 300U);
+        EXPECT_GT(report.ticks, 10U);
+        EXPECT_GT(felt, 0);
+        EXPECT_FALSE(report.scheduling.empty());
+        EXPECT_EQ(device_.force, 0);
+    }
+}
+
+TEST_F(LoopThreadsTest, AHangingSceneHasNoForceWhileItHangs)
+{
+    for (const bool decoupled : {false, true})
+    {
+        ProbeWorld world;
+        dCreatePlane(world.space, 0, 0, 1, 0);
+        HapticProbe probe(device_, world.space, radius, without_ramp());
+        HapticLoop loop(probe, settings(decoupled));
+        const int before = count(NoticeKind::guard) + count(NoticeKind::watchdog);
+        // Where the machine itself delays the loop, the force may have gone before: then it is pressed on.
+        loop.run({[&] { world.collide(probe); },
+                  [&](double dt) {
+                      world.step(dt);
+                      if (device_.force <= 0)
+                      {
+                          return;
+                      }
+                      const auto hang_until = [&](auto condition) {
+                          while (!condition())
+                          {
+                              std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                          }
+                      };
+                      hang_until([&] { return device_.force == 0; });
+                      hang_until([&] { return count(NoticeKind::guard) + count(NoticeKind::watchdog) > before; });
+                      loop.stop();
+                  }});
+        EXPECT_EQ(device_.force, 0);
+    }
+}
+
+TEST_F(LoopThreadsTest, WhatTheNoticesSinkThrowsEndsTheLoopWithoutForce)
+{
+    for (const bool decoupled : {false, true})
+    {
+        ProbeWorld world;
+        dCreatePlane(world.space, 0, 0, 1, 0);
+        HapticProbe probe(device_, world.space, radius, without_ramp());
+        LoopSettings settings = this->settings(decoupled);
+        settings.notice = [](const Notice &) { throw std::runtime_error("the terminal is gone"); };
+        HapticLoop loop(probe, settings);
+        bool pressed = false;
+        EXPECT_THROW(loop.run({[&] { world.collide(probe); },
+                               [&](double dt) {
+                                   world.step(dt);
+                                   pressed = pressed || device_.force > 0;
+                                   if (pressed)
+                                   {
+                                       std::this_thread::sleep_for(std::chrono::milliseconds(20)); // worth a notice
+                                   }
+                               }}),
+                     std::runtime_error);
+        EXPECT_EQ(device_.force, 0);
+    }
+}
+
+TEST_F(LoopThreadsTest, AnExceptionEndsBothThreads)
+{
+    HapticProbe probe(device_, world_.space, radius, without_ramp());
+    HapticLoop loop(probe, settings(true));
+    EXPECT_THROW(loop.run({[] {},
+                           [&](double) {
+                               if (loop.report().ticks > 20)
+                               {
+                                   throw std::runtime_error("enough");
+                               }
+                           }}),
+                 std::runtime_error);
+    EXPECT_EQ(count(NoticeKind::exception), 1);
+    EXPECT_EQ(device_.force, 0);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,132 @@
+// Whatever goes wrong with a probe's device or contacts: zero force, and a notice.
+
+#include "tests/haptics/faulty_device.h"
+#include "tests/haptics/probe_fixture.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// Everything in a fault: something that is felt, a device that can break, and what was said.
+class ProbeFaultTest : public HapticProbeTest
+{
+protected:
+    static constexpr double depth = 0.004; // m
+
+    ProbeFaultTest() : scripted_(reach({0, 0, 0.05}, {0, 0, probe_radius - depth})), device_(scripted_)
+    {
+        add_shape(world_, Shape::plane);
+    }
+
+    /// Until the force is there.
+    void press(HapticProbe &probe)
+    {
+        world_.run(probe, reach_ticks);
+        ASSERT_NEAR(device_.last_wrench().force.z(), 800 * depth, 1e-9);
+    }
+
+    ProbeWorld world_;
+    NoticeList notices_;
+    ScriptedDevice scripted_;
+    FaultyDevice device_;
+};
+
+constexpr int ticks_of_grace = 10; // 10 ms
+
+TEST_F(ProbeFaultTest, EveryWayForADeviceToBreakEndsWithZeroForceAndANotice)
+{
+    for (const Breakage breakage : {Breakage::lost, Breakage::unreadable, Breakage::unwritable, Breakage::not_a_number,
+                                    Breakage::endless_velocity, Breakage::stalled})
+    {
+        ProbeWorld world;
+        add_shape(world, Shape::plane);
+        NoticeList notices;
+        ScriptedDevice scripted(reach({0, 0, 0.05}, {0, 0, probe_radius - depth}));
+        FaultyDevice device(scripted);
+        HapticProbe probe(device, world.space, probe_radius, with_stiffness(800, notices.sink()));
+        world.run(probe, reach_ticks);
+        ASSERT_GT(device.last_wrench().force.z(), 3);
+        ASSERT_EQ(notices.count(NoticeKind::device), 0);
+        device.break_now(breakage);
+        world.run(probe, ticks_of_grace);
+        EXPECT_TRUE(device.last_wrench().force.isZero(0)) << static_cast<int>(breakage);
+        EXPECT_EQ(notices.count(NoticeKind::device), 1) << static_cast<int>(breakage);
+        world.run(probe, 1000); // the program goes on
+        EXPECT_TRUE(device.last_wrench().force.isZero(0)) << static_cast<int>(breakage);
+        EXPECT_EQ(notices.count(NoticeKind::device), 1) << "told once: " << static_cast<int>(breakage);
+    }
+}
+
+TEST_F(ProbeFaultTest, ABodyGetsNothingFromADeviceThatIsLost)
+{
+    ProbeWorld world;
+    const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1000);
+    HapticProbe probe(device_, world.space, probe_radius, with_stiffness(800));
+    world.run(probe, reach_ticks);
+    device_.break_now(Breakage::lost);
+    world.run(probe, 1);
+    const Vector3 before = momentum_of(body);
+    EXPECT_LT(before.z(), 0);
+    world.run(probe, 100);
+    EXPECT_EQ(momentum_of(body), before);
+}
+
+TEST_F(ProbeFaultTest, TheForceComesBackSlowlyWhenTheDeviceDoes)
+{
+    HapticProbe probe(device_, world_.space, probe_radius, with_stiffness(800, notices_.sink()));
+    press(probe);
+    device_.break_now(Breakage::unreadable);
+    world_.run(probe, 200);
+    device_.break_now(Breakage::none);
+    world_.run(probe, 110);
+    EXPECT_EQ(notices_.count(NoticeKind::device), 2) << "it says that it is back";
+    EXPECT_TRUE(device_.last_wrench().force.isZero(0)) << "the probe is deep in the plane: the stage waits";
+}
+
+TEST_F(ProbeFaultTest, AContactThatIsNotANumberEndsWithZeroForceAndANotice)
+{
+    HapticProbe probe(device_, world_.space, probe_radius, with_stiffness(800, notices_.sink()));
+    press(probe);
+    const dGeomID broken = add_broken_geom(world_.space);
+    world_.run(probe, ticks_of_grace);
+    EXPECT_TRUE(device_.last_wrench().force.isZero(0));
+    EXPECT_EQ(notices_.count(NoticeKind::contact), 1);
+    dGeomDestroy(broken);
+}
+
+TEST_F(ProbeFaultTest, AVelocityThatIsNotANumberEndsWithZeroForceAndANotice)
+{
+    ProbeWorld world;
+    const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1000);
+    HapticProbe probe(device_, world.space, probe_radius, with_stiffness(800, notices_.sink()));
+    world.run(probe, reach_ticks);
+    ASSERT_GT(device_.last_wrench().force.z(), 1);
+    dBodySetLinearVel(body, std::numeric_limits<dReal>::quiet_NaN(), 0, 0);
+    probe.begin(3);
+    world.collide(probe);
+    probe.render(tick_length);
+    EXPECT_TRUE(device_.last_wrench().force.isZero(0));
+    EXPECT_EQ(notices_.count(NoticeKind::contact), 1);
+}
+
+TEST_F(ProbeFaultTest, AtTheEndThereIsNoForceAndWhatWasOpenStaysOpen)
+{
+    scripted_.open();
+    {
+        HapticProbe probe(device_, world_.space, probe_radius, with_stiffness(800));
+        press(probe);
+    }
+    EXPECT_TRUE(device_.last_wrench().force.isZero(0));
+    EXPECT_TRUE(scripted_.status().open);
+    scripted_.close();
+    {
+        const HapticProbe probe(device_, world_.space, probe_radius);
+        EXPECT_TRUE(scripted_.status().open);
+    }
+    EXPECT_FALSE(scripted_.status().open);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

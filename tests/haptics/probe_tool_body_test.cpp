@@ -1,0 +1,72 @@
+// A probe that holds a tool body, and what a probe tells of what it will meet.
+
+#include "ode_predictive_space/haptics/probe.h"
+
+#include "tests/haptics/probe_fixture.h"
+
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+// --- A tool body --------------------------------------------------------------------------------------------------------
+
+TEST_F(HapticProbeTest, AToolBodyFollowsTheHandAndIsStoppedByAWall)
+{
+    ProbeWorld world;
+    dWorldSetGravity(world.world, 0, 0, 0);
+    dCreatePlane(world.space, 0, 0, 1, 0);
+    const dBodyID tool = world.add_moving_box({0.02, 0.02, 0.02}, {0, 0, 0.05}, 0.05);
+    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.006})); // the box would be 4 mm in the wall
+    HapticProbe probe(device, tool, CouplingProperties(), RenderSettings());
+    world.run(probe, 1000);
+    EXPECT_NEAR(dBodyGetPosition(tool)[2], 0.05, 1e-3);
+    world.run(probe, 2000);
+    EXPECT_NEAR(dBodyGetPosition(tool)[2], 0.01, 1e-3) << "it lies on the wall";
+    EXPECT_NEAR(probe.last_tick().force.z(), 500 * 0.004, 0.2);
+    EXPECT_EQ(probe.geom(), nullptr);
+}
+
+TEST_F(HapticProbeTest, WhatTheHandGetsTheToolLoses)
+{
+    ProbeWorld world;
+    const dBodyID tool = world.add_body({0, 0, 0.05}, 0.5);
+    ScriptedDevice device(reach({0, 0, 0.05}, {0.1, 0.02, 0.006}));
+    HapticProbe probe(device, tool, CouplingProperties(), RenderSettings());
+    const Vector3 impulse = impulse_on_hand(world, probe, 1300);
+    EXPECT_GT(impulse.norm(), 0.01);
+    EXPECT_LE((impulse + momentum_of(tool)).norm(), 1e-9 * impulse.norm());
+}
+
+// --- Prediction -----------------------------------------------------------------------------------------------------------
+
+TEST_F(HapticProbeTest, TellsWhatItWillMeetAndWhen)
+{
+    ProbeWorld world;
+    const dGeomID box = world.add_box({0.1, 0.1, 0.1}, {0, 0, -0.05});
+    world.add_box({0.1, 0.1, 0.1}, {0, 5, 0});
+    constexpr double speed = 0.1; // m/s
+    ScriptedDevice device([](double seconds) -> Vector3 { return {0, 0, 0.2 - speed * seconds}; });
+    HapticProbe probe(device, world.space, probe_radius);
+    world.run(probe, 200);
+    probe.encounters();
+    world.run(probe, 1600); // up to 1 cm above the box
+    const std::vector<Encounter> &encounters = probe.encounters();
+    ASSERT_EQ(encounters.size(), 1U);
+    EXPECT_EQ(encounters[0].geom, box);
+    EXPECT_LE(encounters[0].seconds, 0.01 / speed) << "never late";
+}
+
+TEST_F(HapticProbeTest, TellsNothingInAnotherSpace)
+{
+    ProbeWorld world(SpaceChoice::hash);
+    add_shape(world, Shape::box);
+    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.007}));
+    HapticProbe probe(device, world.space, probe_radius);
+    world.run(probe, 10);
+    EXPECT_TRUE(probe.encounters().empty());
+}
+
+} // namespace
+} // namespace ode_predictive_space::haptics

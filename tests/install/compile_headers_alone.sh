@@ -1,0 +1,25 @@
+#!/bin/sh
+# Compiles each header of a folder of the prefix in a file of its own, with what pkg-config says.
+# Usage: compile_headers_alone.sh <libdir of the prefix> <package> <includedir of the prefix> <folder in it> <compiler> <flags>
+set -eu
+
+PKG_CONFIG_PATH=$1/pkgconfig${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
+export PKG_CONFIG_PATH
+package=$2
+includedir=$3
+folder=$4
+shift 4
+
+flags=$(pkg-config --cflags "$package")
+eval "set -- \"\$@\" $flags"
+failed=0
+count=0
+for header in "$includedir/$folder"/*.h; do
+    count=$((count + 1))
+    printf '#include <%s/%s>\n' "$folder" "$(basename "$header")" | "$@" -fsyntax-only -x c++ - || {
+        failed=$((failed + 1))
+        printf '%s does not compile alone\n' "$header"
+    }
+done
+printf '%s headers, %s failed\n' "$count" "$failed"
+[ -e "$header" ] && [ "$failed" -eq 0 ]
