@@ -23,6 +23,7 @@ extern "C" {
 
 /**
  * @defgroup predictive_space The predictive space
+ * @ingroup collide
  *
  * A dSpace that is created by dPredictiveSpaceCreate() and used like any other: dSpaceAdd(), dSpaceCollide(),
  * dSpaceCollide2(), dSpaceDestroy(). It calls the near callback for exactly the pairs for which a simple space would call
@@ -79,8 +80,9 @@ typedef struct dPredictiveSpaceStats
  * Make a predictive space.
  *
  * @param parent the space to put it into, or 0.
- * @return the space, to be destroyed with dSpaceDestroy() or by its parent; 0, after an ODE message, when the ODE library
- *         in this process is not one that this plugin was built for (another precision, another layout, or two copies).
+ * @return the space, to be destroyed with dSpaceDestroy() or by its parent; 0, after an ODE message, when there is none to
+ *         be had: from the plugin, when the ODE library in this process is not one that it was built for (another
+ *         precision, another layout, or two copies); from an ODE with the space inside, when that was not built.
  */
 ODE_PREDICTIVE_API dSpaceID dPredictiveSpaceCreate(dSpaceID parent);
 

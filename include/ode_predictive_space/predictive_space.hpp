@@ -19,9 +19,9 @@
  */
 class dPredictiveSpace : public dSpace
 {
-    // Spaces are owned handles: copying one would destroy it twice.
-    dPredictiveSpace(const dPredictiveSpace &) = delete;
-    void operator=(const dPredictiveSpace &) = delete;
+    // Never defined: spaces are owned handles, and copying one would destroy it twice.
+    dPredictiveSpace(const dPredictiveSpace &);
+    void operator=(const dPredictiveSpace &);
 
 public:
     dPredictiveSpace() { _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(0)); }

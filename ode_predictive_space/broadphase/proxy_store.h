@@ -136,26 +136,22 @@ struct ProxyStore
     }
 
     /// The envelope of a proxy, its time counted from `now` on.
-    Envelope envelope(ProxyId id, Tick now) const
-    {
-        const PackedPath &packed = paths[id];
-        return from_now(id, {packed.deviation[0], packed.deviation[1], packed.deviation[2]}, now);
-    }
+    Envelope envelope(ProxyId id, Tick now) const { return from_now(id, deviation(id), now); }
 
     /// The same, larger by what rounding can do in verification, which computes in single precision how far path and
-    /// deviation have come: where the object can be that has passed it.
+    /// deviation have come, and in a scene of single precision: where the object can be that has passed verification.
     Envelope outer_envelope(ProxyId id, Tick now) const
     {
         if (bounds[id].still)
-            return envelope(id, now);
+            return from_now(id, rounded_by_scene(id, deviation(id)), now);
         constexpr double rounding = 8 * std::numeric_limits<float>::epsilon();
         const PackedPath &packed = paths[id];
         const Path path = packed.path();
-        return from_now(id,
-                        {(1 + rounding) * packed.deviation[0],
-                         (1 + rounding) * packed.deviation[1] + rounding * path.velocity.lpNorm<Eigen::Infinity>(),
-                         (1 + rounding) * packed.deviation[2] + rounding * path.acceleration.lpNorm<Eigen::Infinity>()},
-                        now);
+        const Deviation outer = {
+            (1 + rounding) * packed.deviation[0],
+            (1 + rounding) * packed.deviation[1] + rounding * path.velocity.lpNorm<Eigen::Infinity>(),
+            (1 + rounding) * packed.deviation[2] + rounding * path.acceleration.lpNorm<Eigen::Infinity>()};
+        return from_now(id, rounded_by_scene(id, outer), now);
     }
 
     /// Ticks from `now` on for which an envelope is valid; a very large number for still ones.
@@ -187,6 +183,27 @@ struct ProxyStore
     }
 
 private:
+    Deviation deviation(ProxyId id) const
+    {
+        const PackedPath &packed = paths[id];
+        return {packed.deviation[0], packed.deviation[1], packed.deviation[2]};
+    }
+
+    // The bounding box that a scene computes from the centre is off by its rounding. In double precision that is a part of
+    // rounding_per_size already. (What the path adds to the centre, outer_envelope() does for velocity and acceleration.)
+    Deviation rounded_by_scene([[maybe_unused]] ProxyId id, Deviation deviation) const
+    {
+        if constexpr (sizeof(SceneReal) < sizeof(double))
+        {
+            constexpr double rounding = 8 * std::numeric_limits<SceneReal>::epsilon();
+            const double *centre = paths[id].position;
+            const double radius = std::isfinite(bounds[id].radius) ? bounds[id].radius : 0;
+            deviation.a +=
+                rounding * (std::max({std::abs(centre[0]), std::abs(centre[1]), std::abs(centre[2])}) + radius);
+        }
+        return deviation;
+    }
+
     Envelope from_now(ProxyId id, const Deviation &deviation, Tick now) const
     {
         const PackedBounds &box = bounds[id];

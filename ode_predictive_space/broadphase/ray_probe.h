@@ -19,14 +19,16 @@ class RayProbe
 {
 public:
     /// Both finite; a line of no length is a point.
-    RayProbe(const Vector3 &start, const Vector3 &end)
+    ///
+    /// @param miss by how much the line may miss a box and still meet it.
+    RayProbe(const Vector3 &start, const Vector3 &end, double miss = 0)
     {
         for (int axis = 0; axis < 3; ++axis)
         {
             centre_[axis] = static_cast<float>(0.5 * (start[axis] + end[axis]));
             half_[axis] = static_cast<float>(0.5 * (end[axis] - start[axis]));
             reach_[axis] = std::abs(half_[axis]);
-            margin_[axis] = rounding * (std::abs(centre_[axis]) + reach_[axis]);
+            margin_[axis] = rounding * (std::abs(centre_[axis]) + reach_[axis]) + static_cast<float>(miss);
         }
     }
 

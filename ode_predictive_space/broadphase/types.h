@@ -5,8 +5,20 @@
 
 #include <cstdint>
 
+#ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
+#include <ode/precision.h>
+#endif
+
 namespace ode_predictive_space
 {
+/// What the scene computes its positions and bounding boxes in. The broad phase itself computes in double precision, whatever
+/// the scene does.
+#if defined(ODE_PREDICTIVE_SPACE_INSIDE_ODE) && defined(dSINGLE)
+using SceneReal = float;
+#else
+using SceneReal = double;
+#endif
+
 /// Dense number of an object in the broad phase; reused after removal.
 using ProxyId = std::uint32_t;
 constexpr ProxyId no_proxy = ~ProxyId{0};

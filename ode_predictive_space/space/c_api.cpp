@@ -1,7 +1,5 @@
 // The public C functions: arguments are checked here, and nowhere behind.
 
-#include "ode_predictive_space/predictive_space.h"
-
 #include <algorithm>
 #include <cmath>
 

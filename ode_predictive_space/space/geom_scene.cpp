@@ -1,5 +1,6 @@
 #include "ode_predictive_space/space/geom_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,7 +10,7 @@ namespace
 {
 // Rotation matrices are orthonormal but for rounding: what a turned box may stick out of its sphere; and what two spheres
 // may be apart that dCollide() finds touching.
-constexpr dReal tolerance = sizeof(dReal) == sizeof(double) ? dReal(1e-9) : dReal(1e-5);
+constexpr double tolerance = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5;
 
 // Velocity of the geom's centre: an offset geom circles around its body.
 Vector3 velocity_of(dxGeom *geom)
@@ -32,7 +33,7 @@ bool turns_with_body(const dxGeom *geom)
 
 // Radius of the sphere around the geom's position that holds it, as long as its rotation matrix is a rotation; infinite for
 // classes that have no such sphere.
-dReal circumscribed_radius(const dxGeom *geom)
+double circumscribed_radius(const dxGeom *geom)
 {
     switch (geom->type)
     {
@@ -41,21 +42,32 @@ dReal circumscribed_radius(const dxGeom *geom)
     case dBoxClass:
     {
         const dReal *side = static_cast<const dxBox *>(geom)->side;
-        return std::sqrt(side[0] * side[0] + side[1] * side[1] + side[2] * side[2]) / 2 * (1 + tolerance);
+        const double x = side[0], y = side[1], z = side[2];
+        return std::sqrt(x * x + y * y + z * z) / 2 * (1 + tolerance);
     }
     case dCapsuleClass:
     {
         const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
-        return (capsule->radius + capsule->lz / 2) * (1 + tolerance);
+        return (capsule->radius + 0.5 * capsule->lz) * (1 + tolerance);
     }
     case dCylinderClass:
     {
         const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
-        return std::hypot(cylinder->radius, cylinder->lz / 2) * (1 + tolerance);
+        return std::hypot(double{cylinder->radius}, 0.5 * cylinder->lz) * (1 + tolerance);
     }
     default:
-        return dInfinity;
+        return std::numeric_limits<double>::infinity();
     }
+}
+
+// What ODE's colliders, which compute in its precision, can find to touch beyond the tolerance, far from the origin.
+double rounding_at([[maybe_unused]] const Box &bounds)
+{
+    if constexpr (sizeof(dReal) == sizeof(double))
+        return 0;
+    else
+        return 4 * double{std::numeric_limits<dReal>::epsilon()} *
+               std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
 }
 
 // The sphere by which the measure of spheres judges: the geom's own, if it has one and its box bears that out, otherwise
@@ -67,11 +79,12 @@ struct JudgedSphere
 
     JudgedSphere(const dxGeom *geom, const Box &bounds) : centre(bounds.center()), radius(circumscribed_radius(geom))
     {
-        const bool borne_out = 0.5 * bounds.diagonal().maxCoeff() <= radius * (1 + double{tolerance});
+        const bool borne_out = 0.5 * bounds.diagonal().maxCoeff() <= radius * (1 + tolerance);
         if (judged_by_box_alone(geom))
             radius = std::numeric_limits<double>::infinity();
         else if (!borne_out || !std::isfinite(radius))
             radius = 0.5 * bounds.diagonal().norm();
+        radius += rounding_at(bounds);
     }
 
     // True when anything is NaN or infinite: what cannot be judged is not left out.
@@ -115,14 +128,17 @@ std::optional<RayProbe> line_of_ray(dxGeom *ray)
     const Vector3 end = begin + double{length} * Vector3(R[2], R[6], R[10]);
     if (!FloatBox::around(Box(begin.cwiseMin(end), begin.cwiseMax(end))).bounded())
         return std::nullopt;
-    return RayProbe(begin, end);
+    // A ray hits a sphere or a cylinder when a difference of squared distances is not negative: in single precision it does
+    // when it misses by the root of an epsilon times its length.
+    constexpr double miss = sizeof(dReal) == sizeof(double) ? 0 : 1e-3;
+    return RayProbe(begin, end, miss * length);
 }
 
 BoundingSphere bounding_sphere(const dxGeom *geom)
 {
     if (geom->type == dSphereClass || turns_with_body(geom))
         return {circumscribed_radius(geom), geom->type == dSphereClass};
-    return {dInfinity, false};
+    return {std::numeric_limits<double>::infinity(), false};
 }
 
 Observation GeomScene::observe(ProxyId id, bool with_bounds) const

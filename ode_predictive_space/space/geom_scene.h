@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/measured_box.h"
@@ -19,7 +20,7 @@ namespace ode_predictive_space
 /// A sphere around a geom's position that holds it, however it is turned.
 struct BoundingSphere
 {
-    dReal radius;   ///< infinite for classes and geoms for which none is known
+    double radius;  ///< infinite for classes and geoms for which none is known
     bool is_sphere; ///< the geom is that sphere
 };
 
@@ -27,8 +28,11 @@ struct BoundingSphere
 /// the rotation matrix of other geoms can be anything.
 BoundingSphere bounding_sphere(const dxGeom *geom);
 
+static_assert(std::is_same<SceneReal, dReal>::value, "a broad phase for ODE's precision");
+
 /// Where a sphere, box, capsule or cylinder keeps its sizes: right behind the members that all geoms have (ode_mismatch()
 /// makes sure of it). To be read without a cast to one of these classes.
+static_assert(sizeof(dxBox) == sizeof(dxGeom) + sizeof(dVector3), "nothing is between them");
 inline const dReal *sizes_of(const dxGeom *geom)
 {
     return reinterpret_cast<const dReal *>(geom + 1);

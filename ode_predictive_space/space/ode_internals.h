@@ -1,22 +1,41 @@
 // The one header that includes ODE's internal classes.
 //
 // A dSpace of one's own must derive from dxSpace, which ODE declares only in its source package. Its members, the order of
-// its virtual functions and the class numbers are the same in ODE 0.13 to 0.16.6; ode_matches_headers() checks at run time
-// that the library in the process agrees with what was compiled here.
+// its virtual functions and the class numbers are the same in ODE 0.13 to 0.16.6; ode_mismatch() checks at run time
+// that the library in the process agrees with what was compiled here. Compiled as a part of ODE
+// (ODE_PREDICTIVE_SPACE_INSIDE_ODE), the space is of a class of its own, and nothing can disagree.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
 #define ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
 
-#include <ode/common.h>
+#ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
+#include <ode/predictive_space.h>
+#else
+#include "ode_predictive_space/predictive_space.h"
+#endif
 
 #include <ode/collision.h>
 #include <ode/collision_space.h>
 #include <ode/error.h>
 #include <ode/objects.h>
 
+#ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
+#include "config.h"
+#endif
+
 #include "odemath.h"
 
 #include "collision_kernel.h"
 #include "collision_std.h"
+
+namespace ode_predictive_space
+{
+#ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
+constexpr int class_of_predictive_space = dPredictiveSpaceClass;
+#else
+// One for which no function of ODE has a cast.
+constexpr int class_of_predictive_space = dSimpleSpaceClass;
+#endif
+} // namespace ode_predictive_space
 
 #endif

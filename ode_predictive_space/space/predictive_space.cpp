@@ -34,7 +34,7 @@ bool wants_callback(dxGeom *first, dxGeom *second)
 
 dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent) : dxSpace(parent)
 {
-    type = dSimpleSpaceClass;
+    type = class_of_predictive_space;
 }
 
 // When ~dxSpace() runs, remove() is no longer ours. So this empties the space, as that would.

@@ -13,11 +13,25 @@ namespace
 {
 using Contract = OdeTest;
 
-TEST_F(Contract, 17_TheClassIsThatOfASimpleSpace)
+#ifdef ODE_HAS_PREDICTIVE_SPACE
+constexpr int expected_class = dPredictiveSpaceClass;
+static_assert(dPredictiveSpaceClass == dLastSpaceClass && dFirstUserClass == dLastSpaceClass + 1,
+              "it is a class of space");
+static_assert(dQuadTreeSpaceClass == 13, "a program that was built for ODE without it knows its spaces by number");
+
+TEST(InsideOde, TheConfigurationTellsThatItIsThere)
+{
+    EXPECT_EQ(dCheckConfiguration("ODE_EXT_predictive_space"), 1);
+}
+#else
+constexpr int expected_class = dSimpleSpaceClass;
+#endif
+
+TEST_F(Contract, 17_TheClassIsThatOfASimpleSpaceOrItsOwn)
 {
     dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    EXPECT_EQ(dSpaceGetClass(space), static_cast<int>(dSimpleSpaceClass));
-    EXPECT_EQ(dGeomGetClass(as_geom(space)), static_cast<int>(dSimpleSpaceClass));
+    EXPECT_EQ(dSpaceGetClass(space), expected_class);
+    EXPECT_EQ(dGeomGetClass(as_geom(space)), expected_class);
     EXPECT_EQ(dGeomIsSpace(as_geom(space)), 1);
     // No setter of another class of space may take it for its own.
     EXPECT_NE(ode_complaint([=] { dHashSpaceSetLevels(space, -2, 2); }), "");

@@ -18,7 +18,7 @@ TEST_F(Contract, 01_BoxesThatOnlyTouchAreAPair)
         dGeomID touching = scene.box(1, 1, 1, 1);
         scene.tick();
         EXPECT_EQ(scene.log().back(), Pairs({{0, 1}}));
-        dGeomSetPosition(touching, std::nextafter(1.0, 2.0), 1, 1);
+        dGeomSetPosition(touching, std::nextafter(dReal(1), dReal(2)), 1, 1);
         scene.tick();
         EXPECT_TRUE(scene.log().back().empty());
         dGeomSetPosition(touching, 1, 1, 1);
@@ -37,6 +37,30 @@ TEST_F(Contract, 01_BoxesThatComeToTouchWhileMovingAreAPair)
             dGeomSetPosition(mover, 5 - tick / 64.0, 0, 0);
             scene.tick();
         }
+    });
+}
+
+// Far from the origin ODE rounds boxes so that some overlap although the spheres do not touch, and the other way round.
+TEST_F(Contract, 01_BoxesThatOverlapByRoundingAreAPair)
+{
+    expect_as_simple([](Scenario &scene) {
+        constexpr int twos = 200;
+        std::mt19937 random(7);
+        std::uniform_real_distribution<dReal> size(0.5, 1.5);
+        dGeomID mover = scene.sphere(0.5, 0, 0, 0);
+        for (int i = 0; i < twos; ++i)
+        {
+            const dReal one = size(random), other = size(random), x = 3000 + 10 * i + size(random);
+            scene.sphere(one, x, 0, 0);
+            scene.sphere(other, x + (one + other), 0, 0);
+        }
+        for (int tick = 0; tick < 20; ++tick)
+        {
+            dGeomSetPosition(mover, tick, 0, 0);
+            scene.tick();
+        }
+        EXPECT_GT(scene.log().back().size(), twos / 10u);
+        EXPECT_LT(scene.log().back().size(), twos * 9 / 10u);
     });
 }
 

@@ -198,7 +198,7 @@ private:
                                           -std::numeric_limits<double>::infinity(),
                                           1e12,
                                           -1e12,
-                                          1e39, // beyond single precision
+                                          1e39, // beyond single precision, as are those that follow
                                           -1e300,
                                           1e-300,
                                           5e-324};

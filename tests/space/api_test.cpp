@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -143,8 +144,9 @@ TEST_F(PredictiveSpace, EverySettingReportsTheSamePairs)
             dPredictiveSpaceSetDeviation(each.space(), dPredictiveRoleEnvironment, 1e-12, 0, 0);
         if (setting == 4)
             dPredictiveSpaceSetDeviation(each.space(), dPredictiveRoleEnvironment, 100, 10, 1);
+        constexpr dReal most = std::numeric_limits<dReal>::max();
         if (setting == 5)
-            dPredictiveSpaceSetDeviation(each.space(), dPredictiveRoleEnvironment, 1e300, 1e300, 1e300);
+            dPredictiveSpaceSetDeviation(each.space(), dPredictiveRoleEnvironment, most, most, most);
         for (int i = 0; i < 30; ++i)
         {
             dGeomID geom = each.sphere(0.5, 2 * (i % 6), 2 * (i / 6), 0);

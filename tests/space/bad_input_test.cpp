@@ -145,7 +145,7 @@ TEST_F(BadInput, Constants)
 
 TEST_F(BadInput, Deviations)
 {
-    for (dReal bad : {-1.0, -1e-300, nan_value, infinite, -infinite})
+    for (dReal bad : {dReal(-1), -std::numeric_limits<dReal>::min(), nan_value, infinite, -infinite})
     {
         for (int role : {0, 1})
         {
