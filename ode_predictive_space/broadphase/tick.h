@@ -151,7 +151,8 @@ template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet
 {
     suspects_.clear();
     for (std::size_t i = 0; i < wanted.words(); ++i)
-        IdSet::visit_word(i, wanted.word(i) & members_.word(i) & ~measured_.word(i), [this](ProxyId id) { suspects_.push_back(id); });
+        IdSet::visit_word(i, wanted.word(i) & members_.word(i) & ~measured_.word(i),
+                          [this](ProxyId id) { suspects_.push_back(id); });
     for (std::size_t i = 0; i < suspects_.size(); ++i)
     {
         prefetch_bounds(scene, i);

@@ -75,7 +75,8 @@ TEST(HapticDemo, RefusesWhatItCannotDo)
     EXPECT_GT(run(HAPTIC_DEMO, "--objects 0").status, 1);
     EXPECT_GT(run(HAPTIC_DEMO, "--seconds -1").status, 1);
     EXPECT_GT(run(HAPTIC_DEMO, "--space octree").status, 1);
-    const Outcome outcome = run(HAPTIC_DEMO, "--compare --objects 5 --seconds 0.05 --json /no/such/folder/results.json");
+    const Outcome outcome =
+        run(HAPTIC_DEMO, "--compare --objects 5 --seconds 0.05 --json /no/such/folder/results.json");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_TRUE(contains(outcome.output, "cannot write /no/such/folder/results.json")) << outcome.output;
 }
