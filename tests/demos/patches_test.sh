@@ -14,12 +14,12 @@ fail() {
     exit 1
 }
 
-# says <text> <command...>: whether the command, which may fail, says this.
-says() {
-    local text=$1
-    shift
-    "$@" >"$work/said" 2>&1 || true
-    grep -q "$text" "$work/said"
+# succeeds_saying, fails_saying <text> <command...>: the command ends so, and its output has the text in it.
+succeeds_saying() {
+    "${@:2}" >"$work/said" 2>&1 && grep -q "$1" "$work/said"
+}
+fails_saying() {
+    ! "${@:2}" >"$work/said" 2>&1 && grep -q "$1" "$work/said"
 }
 
 cp -r "$source" "$work/tree"
@@ -30,12 +30,12 @@ cp -r "$work/tree" "$work/pristine"
 "$apply" "$work/tree"
 grep -q dsSetPointerCallback "$work/tree/include/drawstuff/drawstuff.h" || fail "the patch is not in the tree"
 cp -r "$work/tree" "$work/patched"
-says 'applied already' "$apply" "$work/tree" drawstuff-pointer.patch || fail "a second time should say so"
+succeeds_saying 'applied already' "$apply" "$work/tree" drawstuff-pointer.patch || fail "a second time should say so"
 diff -r "$work/tree" "$work/patched" || fail "a second time changes something"
 
 "$apply" --undo "$work/tree"
 diff -r "$work/tree" "$work/pristine" || fail "undone is not as it was"
-says 'is not in it' "$apply" --undo "$work/tree" || fail "undoing a second time should say so"
+succeeds_saying 'is not in it' "$apply" --undo "$work/tree" || fail "undoing a second time should say so"
 
 sed -i 's/^static void handleEvent/static  void handleEvent/' "$work/tree/drawstuff/src/x11.cpp"
 cp -r "$work/tree" "$work/changed"
@@ -43,6 +43,6 @@ cp -r "$work/tree" "$work/changed"
 diff -r "$work/tree" "$work/changed" || fail "what does not fit changes something"
 
 sed -i 's/^AC_INIT(.*/AC_INIT([ODE],[9.9.9])/' "$work/tree/configure.ac"
-says 'has ODE 9.9.9' "$apply" "$work/tree" || fail "it takes another version"
-says 'not a source tree of ODE' "$apply" "$work" || fail "it takes any folder"
+fails_saying 'has ODE 9.9.9' "$apply" "$work/tree" || fail "it takes another version"
+fails_saying 'not a source tree of ODE' "$apply" "$work" || fail "it takes any folder"
 printf 'passed\n'
