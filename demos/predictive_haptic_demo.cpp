@@ -4,6 +4,7 @@
 #include "demos/haptic/haptic_run.h"
 #include "demos/haptic/run_summary.h"
 #include "demos/scenes/result_records.h"
+#include "ode_predictive_space/haptics/device_factory.h"
 #include "ode_predictive_space/haptics/stop_request.h"
 #ifdef HAPTIC_DEMO_HAS_WINDOW
 #include "demos/haptic/windowed_run.h"
@@ -70,7 +71,7 @@ void run_probe(Options options, bool in_window)
         options.seconds = usual_seconds_without_window;
     }
     const haptics::StopRequest stop_request; // signals end the loop, with zero force, and the summary comes
-    demo::DemoDevice device(demo::make_seeded_device(options.device, options.seed));
+    demo::DemoDevice device(haptics::make_device(options.device, options.seed));
     demo::print_beginning(std::cout, options, in_window);
     const demo::RunResult result = run(options, device, in_window);
     demo::print_summary(std::cout, options, result);

@@ -39,11 +39,6 @@ private:
     std::unique_ptr<haptics::Device> device_;
     std::atomic<bool> clutch_{false};
 };
-
-/// As haptics::make_device(), but that the hands of "virtual" and "hand-path" follow this seed.
-///
-/// @throws std::invalid_argument as that does.
-std::unique_ptr<haptics::Device> make_seeded_device(const std::string &name, std::uint64_t seed);
 } // namespace ode_predictive_space::demo
 
 #endif

@@ -14,17 +14,9 @@ namespace ode_predictive_space::demo
 namespace
 {
 constexpr double usual_rate = 1000;           // Hz
-constexpr std::uint64_t steps_per_look = 10;  // ahead: the question costs time
 constexpr double more_than_any_device = 1e12; // N/m
 
 using scenes::Clock;
-
-/// What a touched object is called by the library: its body, or the geom where it has none.
-std::uintptr_t object_of(dGeomID geom)
-{
-    const dBodyID body = dGeomGetBody(geom);
-    return body != nullptr ? reinterpret_cast<std::uintptr_t>(body) : reinterpret_cast<std::uintptr_t>(geom);
-}
 } // namespace
 
 HapticRun::HapticRun(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device,
@@ -162,7 +154,7 @@ void HapticRun::find_touched()
     {
         const auto &touches = probe_->touches();
         if (std::any_of(touches.begin(), touches.end(), [geom](const haptics::Touch &touch) {
-                return touch.depth > 0 && touch.object == object_of(geom);
+                return touch.depth > 0 && touch.object == haptics::object_of(geom);
             }))
         {
             touched_.push_back(geom);
@@ -172,22 +164,8 @@ void HapticRun::find_touched()
 
 void HapticRun::look_ahead()
 {
-    std::vector<std::uintptr_t> touched;
-    for (const dGeomID geom : touched_)
-    {
-        touched.push_back(reinterpret_cast<std::uintptr_t>(geom));
-    }
-    foretelling_.touching(time_, touched);
-    if (steps_ % steps_per_look == 0)
-    {
-        meetings_ = probe_->encounters();
-        std::vector<Foretold> foretold;
-        for (const haptics::Encounter &meeting : meetings_)
-        {
-            foretold.push_back({reinterpret_cast<std::uintptr_t>(meeting.geom), meeting.seconds});
-        }
-        foretelling_.foretold(time_, foretold);
-    }
+    meetings_ = probe_->encounters();
+    encounter_log_.add(time_, meetings_, probe_->touches());
 }
 
 /// The reactions of this step have been added to the bodies' forces, which the next step of the world would use.
@@ -224,7 +202,7 @@ RunResult HapticRun::run(const std::function<void()> &after_step)
     servo_log_->close();
     result.collide = collide_times_.summary();
     result.servo = servo_log_->totals();
-    result.foretelling = foretelling_.report();
+    result.encounters = encounter_log_.summary();
     result.pairs = pair_count_;
     result.stiffness = law_->stiffness() * scale_;
     result.scale = scale_;

@@ -5,12 +5,12 @@
 
 #include "demos/haptic/adjustable_law.h"
 #include "demos/haptic/demo_device.h"
-#include "demos/haptic/foretelling.h"
 #include "demos/haptic/options.h"
 #include "demos/haptic/servo_log.h"
 #include "demos/scenes/contender.h"
 #include "demos/scenes/scene.h"
 #include "demos/scenes/spaces.h"
+#include "ode_predictive_space/haptics/encounter_log.h"
 #include "ode_predictive_space/haptics/loop.h"
 
 #include <ode_predictive_space/predictive_space.h>
@@ -26,7 +26,7 @@ struct RunResult
     haptics::LoopReport loop;
     haptics::TimeSummary collide; ///< s; in dSpaceCollide()
     ServoTotals servo;
-    ForetellingReport foretelling;
+    haptics::EncounterSummary encounters;
     std::uint64_t pairs = 0;                          ///< reported by the space, summed over the steps
     std::optional<dPredictiveSpaceStats> space_stats; ///< of a predictive space
     std::optional<haptics::ForceError> replay_error;  ///< of a replay: against the recorded forces
@@ -119,7 +119,7 @@ private:
     std::vector<dGeomID> near_;
     std::vector<dGeomID> touched_;
     std::vector<haptics::Encounter> meetings_;
-    Foretelling foretelling_;
+    haptics::EncounterLog encounter_log_;
     haptics::TimeHistogram collide_times_;
 };
 } // namespace ode_predictive_space::demo

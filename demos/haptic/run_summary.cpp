@@ -81,22 +81,12 @@ void print_force(std::ostream &out, const RunResult &result)
                            << fixed(result.scale, 1) << " times as large as the workspace\n";
 }
 
-void print_foretelling(std::ostream &out, const RunResult &result)
+void print_encounters(std::ostream &out, const RunResult &result)
 {
-    const ForetellingReport &report = result.foretelling;
-    if (!result.space_stats)
+    if (result.space_stats)
     {
-        return;
+        line(out, "Prediction") << result.encounters.text() << '\n';
     }
-    line(out, "Prediction") << grouped(report.touches) << " touches began; " << grouped(report.foretold)
-                            << " of them were foretold";
-    if (report.foretold > 0)
-    {
-        out << ", " << milliseconds(report.mean_notice, 0) << " ms before on average, for a time "
-            << milliseconds(std::abs(report.mean_early), 0) << " ms " << (report.mean_early >= 0 ? "before" : "after")
-            << " the touch";
-    }
-    out << '\n';
 }
 
 void print_recordings(std::ostream &out, const Options &options, const RunResult &result)
@@ -156,10 +146,13 @@ nlohmann::json json_of_space(const RunResult &result)
         json["violations"] = stats.violations;
         json["woken"] = stats.woken;
         json["bytes"] = stats.bytes;
-        json["foretelling"] = {{"touches", result.foretelling.touches},
-                               {"foretold", result.foretelling.foretold},
-                               {"mean_notice_ms", 1e3 * result.foretelling.mean_notice},
-                               {"mean_early_ms", 1e3 * result.foretelling.mean_early}};
+        const haptics::EncounterSummary &encounters = result.encounters;
+        json["encounters"] = {{"contacts", encounters.contacts},
+                              {"foretold", encounters.foretold},
+                              {"late", encounters.late},
+                              {"missed", encounters.missed},
+                              {"mean_warning_ms", 1e3 * encounters.mean_warning},
+                              {"mean_early_ms", 1e3 * encounters.mean_early}};
     }
     return json;
 }
@@ -187,7 +180,7 @@ void print_summary(std::ostream &out, const Options &options, const RunResult &r
     print_loop(out, options, result.loop);
     print_collisions(out, result);
     print_force(out, result);
-    print_foretelling(out, result);
+    print_encounters(out, result);
     print_recordings(out, options, result);
 }
 
