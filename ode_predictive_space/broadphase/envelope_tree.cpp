@@ -4,13 +4,11 @@
 
 namespace ode_predictive_space
 {
-namespace
+void EnvelopeTree::make_room(ProxyId proxy)
 {
-float centre(const FloatBox &box, int axis)
-{
-    return 0.5f * (box.low[axis] + box.high[axis]);
+    if (proxy >= leaf_node_.size())
+        leaf_node_.resize(std::max<std::size_t>(proxy + 1, 2 * leaf_node_.size()), none);
 }
-} // namespace
 
 EnvelopeTree::Index EnvelopeTree::allocate_pair()
 {
@@ -88,8 +86,7 @@ EnvelopeTree::Index EnvelopeTree::find_sibling(const FloatBox &box, Index start)
 
 void EnvelopeTree::insert(ProxyId proxy, const FloatBox &box)
 {
-    if (proxy >= leaf_node_.size())
-        leaf_node_.resize(std::max<std::size_t>(proxy + 1, 2 * leaf_node_.size()), none);
+    make_room(proxy);
     if (nodes_.empty())
     {
         nodes_.resize(2);
@@ -202,61 +199,6 @@ void EnvelopeTree::rotate(Index index)
     swap_nodes(best_child, best_grandchild);
     Node &changed = nodes_[best_child ^ 1];
     changed.box = nodes_[changed.content].box.merged(nodes_[changed.content + 1].box);
-}
-
-void EnvelopeTree::build(std::vector<SweptProxy> &leaves)
-{
-    nodes_.clear();
-    free_pairs_.clear();
-    std::fill(leaf_node_.begin(), leaf_node_.end(), none);
-    if (leaves.empty())
-        return;
-    ProxyId largest = 0;
-    for (const SweptProxy &leaf : leaves)
-        largest = std::max(largest, leaf.proxy);
-    if (largest >= leaf_node_.size())
-        leaf_node_.resize(largest + 1, none);
-    nodes_.reserve(2 * leaves.size());
-    nodes_.resize(2);
-    nodes_[0].parent = none;
-    build_range(0, leaves.data(), leaves.data() + leaves.size());
-}
-
-// Splits at the median along the axis on which the centres are spread most.
-void EnvelopeTree::build_range(Index index, SweptProxy *begin, SweptProxy *end)
-{
-    if (end - begin == 1)
-    {
-        nodes_[index].box = begin->box;
-        nodes_[index].content = static_cast<Index>(~begin->proxy);
-        adopt(index);
-        return;
-    }
-    float low[3], high[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        low[axis] = high[axis] = centre(begin->box, axis);
-        for (const SweptProxy *leaf = begin + 1; leaf < end; ++leaf)
-        {
-            low[axis] = std::min(low[axis], centre(leaf->box, axis));
-            high[axis] = std::max(high[axis], centre(leaf->box, axis));
-        }
-    }
-    int axis = 0;
-    for (int other = 1; other < 3; ++other)
-        if (high[other] - low[other] > high[axis] - low[axis])
-            axis = other;
-    SweptProxy *middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end, [axis](const SweptProxy &a, const SweptProxy &b) {
-        return centre(a.box, axis) != centre(b.box, axis) ? centre(a.box, axis) < centre(b.box, axis)
-                                                          : a.proxy < b.proxy;
-    });
-    const Index pair = allocate_pair();
-    nodes_[index].content = pair;
-    adopt(index);
-    build_range(pair, begin, middle);
-    build_range(pair + 1, middle, end);
-    nodes_[index].box = nodes_[pair].box.merged(nodes_[pair + 1].box);
 }
 
 bool EnvelopeTree::consistent() const

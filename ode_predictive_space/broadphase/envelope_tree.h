@@ -31,7 +31,7 @@ public:
     void move(ProxyId proxy, const FloatBox &box);
 
     /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
-    void build(std::vector<SweptProxy> &leaves);
+    void build(const std::vector<SweptProxy> &leaves);
 
     bool empty() const { return nodes_.empty(); }
 
@@ -69,6 +69,7 @@ private:
     };
     static_assert(sizeof(Node) == 32, "two siblings share a cache line");
 
+    void make_room(ProxyId proxy);
     Index allocate_pair();
     void free_pair(Index first);
     Index find_sibling(const FloatBox &box, Index start) const;
@@ -80,7 +81,7 @@ private:
     void refit_upwards(Index node);
     void shrink_upwards(Index node);
     void rotate(Index node);
-    void build_range(Index node, SweptProxy *begin, SweptProxy *end);
+    class Builder;
     bool consistent(Index node) const;
     int depth(Index node) const;
 
