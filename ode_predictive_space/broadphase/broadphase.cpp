@@ -39,7 +39,8 @@ ProxyId Broadphase::add()
         id = static_cast<ProxyId>(proxies_.size());
         proxies_.grow();
         grow(boxes_, proxies_.size());
-        for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &measured_})
+        for (IdSet *set :
+             {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_, &measured_})
             set->resize(proxies_.size());
         near_.resize(proxies_.size());
     }
@@ -59,6 +60,7 @@ void Broadphase::remove(ProxyId id)
     index_.remove(proxies_, id);
     predictor.forget(proxies_, id);
     sample(id, false);
+    stop_waiting(id);
     for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &interactive_, &due_anew_})
         set->erase(id);
     free_ids_.push_back(id);
@@ -289,9 +291,57 @@ bool Broadphase::want_predictions()
     if (!policy_.at_beginning())
         return false;
     policy_.end();
-    clear_scan();
+    wheel_.restart(now_);
+    release_scan();
     predict_all_anew();
     return true;
+}
+
+// More have left their paths than can be predicted in a tick: from now on all are swept, until each had its turn. Where they
+// are in index, schedule and near set, they are stale.
+void Broadphase::postpone_batch()
+{
+    for (ProxyId id : batch_)
+    {
+        unpredicted_ += proxies_.bounds[id].check != Check::none;
+        proxies_.forget_prediction(id);
+        ++proxies_.generations[id];
+        moving_.erase(id);
+        sample(id, false);
+        in_batch_.erase(id);
+        waiting_count_ += !waiting_.contains(id);
+        waiting_.insert(id);
+    }
+    batch_.clear();
+    near_changed_ = true;
+}
+
+void Broadphase::stop_waiting(ProxyId id)
+{
+    if (!is_waiting(id))
+        return;
+    waiting_.erase(id);
+    --waiting_count_;
+}
+
+void Broadphase::add_part()
+{
+    std::size_t room = part();
+    for (std::size_t i = 0; i < waiting_.words() && room > 0; ++i)
+        IdSet::visit_word(i, waiting_.word(i), [&](ProxyId id) {
+            if (room > 0)
+            {
+                add_to_batch(id);
+                --room;
+            }
+        });
+}
+
+// What was inserted part by part makes no good trees.
+void Broadphase::finish_parts()
+{
+    release_scan();
+    index_.rebuild_trees(proxies_);
 }
 
 void Broadphase::start_scanning()
@@ -306,6 +356,8 @@ void Broadphase::start_scanning()
     // Nobody is remembered meanwhile: what is remembered of an object depends on how it is predicted.
     interactive_.clear();
     sampled_ = 0;
+    waiting_.clear();
+    waiting_count_ = 0;
     scouts_.choose(members_);
     unpredicted_ = objects();
     members_.for_each([&](ProxyId id) {
@@ -314,32 +366,32 @@ void Broadphase::start_scanning()
     });
 }
 
-void Broadphase::clear_scan()
-{
-    near_.clear();
-    near_changed_ = true;
-    items_ = {};
-    sweep_ = {};
-    wheel_.restart(now_);
-}
-
+// From now on all are swept only until each had its turn to be predicted.
 void Broadphase::stop_scanning()
 {
-    clear_scan();
-    members_.for_each([&](ProxyId id) { add_to_batch(id); });
+    wheel_.restart(now_);
+    waiting_ = members_;
+    waiting_count_ = objects();
+}
+
+void Broadphase::release_scan()
+{
+    items_ = {};
+    sweep_ = {};
+    scanned_ = {};
 }
 
 std::size_t Broadphase::bytes() const
 {
     std::size_t total = proxies_.bytes() + predictor.bytes() + index_.bytes() + wheel_.bytes() + sweep_.bytes();
     for (const IdSet *set :
-         {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &measured_})
+         {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_, &measured_})
         total += set->bytes();
     total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity()) * sizeof(ProxyId);
     total += swept_.capacity() * sizeof(SweptProxy);
     total += near_.bytes() + found_near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
     total += candidates_.capacity() * sizeof(CandidatePair) + scheduled_.capacity() * sizeof(ScheduledPair);
-    total += scouts_.bytes();
+    total += scouts_.bytes() + scanned_.capacity() * sizeof(NearPair);
     return total + items_.capacity() * sizeof(SweptProxy) + boxes_.capacity() * sizeof(MeasuredBox);
 }
 } // namespace ode_predictive_space

@@ -115,7 +115,8 @@ public:
     }
 
     const ProxyStore &proxies() const { return proxies_; }
-    const std::vector<NearPair> &near() const { return near_.pairs(); }
+    /// The pairs that are tested at each tick; stale ones among them.
+    const std::vector<NearPair> &near() const { return scanning() ? scanned_ : near_.pairs(); }
     const Counters &counters() const { return counters_; }
 
     /// Pairs that sleep until their time of proximity.
@@ -124,7 +125,8 @@ public:
     std::size_t near_pairs() const;
 
     Tick now() const { return now_; }
-    bool scanning() const { return policy_.scanning(); }
+    /// Are the pairs found by looking at all objects, because not all are predicted?
+    bool scanning() const { return policy_.scanning() || waiting_count_ > 0; }
     bool consistent() const { return index_.consistent(); }
     bool current(const NearPair &pair) const
     {
@@ -144,6 +146,7 @@ private:
     template <typename Scene> void remember(Scene &scene, ProxyId id);
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);
+    template <typename Scene> void sweep_all(Scene &scene);
     template <typename Scene> void measure_all(Scene &scene, const IdSet &wanted);
     bool has_stale_near() const;
     void drop_stale_near();
@@ -167,10 +170,17 @@ private:
     void note_crowded(const NearPair &pair);
     bool lingers(ProxyId id) const;
     void finish_update();
-    bool mostly_new() const { return !predictions_wanted_ && 2 * unpredicted_ > objects(); }
+    bool mostly_new() const { return !predictions_wanted_ && 2 * (unpredicted_ - waiting_count_) > objects(); }
+    std::size_t part() const { return std::max(least_part, objects() / parts); }
+    std::size_t most_at_once() const { return std::max(least_at_once, objects() / 8); }
+    bool is_waiting(ProxyId id) const { return waiting_count_ > 0 && waiting_.contains(id); }
+    void stop_waiting(ProxyId id);
+    void postpone_batch();
+    void add_part();
+    void finish_parts();
     void start_scanning();
-    void clear_scan();
     void stop_scanning();
+    void release_scan();
     void purge_stale_events();
 
     Proximity measure_ = Proximity::box;
@@ -184,6 +194,7 @@ private:
     IdSet interactive_; // remembered at each tick
     IdSet measured_;    // have not moved since their bounds were last looked at
     IdSet due_anew_;    // to be predicted anew at the next update, whether or not they move
+    IdSet waiting_;     // to be predicted when it is their turn; until then all are swept
     Tick now_ = 0;
     bool ticked_early_ = false; // time has already passed since the last tick, in a catch_up()
 
@@ -203,8 +214,16 @@ private:
     static constexpr Tick longest_wait = Tick{1} << 30;
     bool predictions_wanted_ = false;
     std::size_t unpredicted_ = 0; // members without a prediction
-    bool near_changed_ = false;   // pairs have come, or become stale, since drop_stale_near()
-    Tick next_leave_ = 0;         // the last tick at which none of the pairs has left
+
+    // Predicting all objects takes as long as several sweeps over them: it is done in so many parts, unless these would be
+    // small, while all are swept.
+    static constexpr std::size_t parts = 16;
+    static constexpr std::size_t least_part = 64;
+    static constexpr std::size_t least_at_once = 128;
+    std::size_t waiting_count_ = 0;
+    std::vector<NearPair> scanned_; // all pairs that the last sweep over all objects found
+    bool near_changed_ = false;     // pairs have come, or become stale, since drop_stale_near()
+    Tick next_leave_ = 0;           // the last tick at which none of the pairs has left
 
     static constexpr std::size_t least_purge = 4096;
     std::size_t purge_events_at_ = least_purge;

@@ -102,6 +102,18 @@ void EnvelopeIndex::rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &
             put(proxies, swept);
 }
 
+void EnvelopeIndex::rebuild_trees(const ProxyStore &proxies)
+{
+    for (Shelf shelf : {Shelf::still, Shelf::moving})
+    {
+        std::vector<SweptProxy> leaves;
+        for (ProxyId id = 0; id < proxies.size(); ++id)
+            if (proxies.bounds[id].shelf == shelf)
+                leaves.push_back({id, tree(shelf).box(id)});
+        tree(shelf).build(leaves);
+    }
+}
+
 void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)
 {
     Shelf &shelf = proxies.bounds[id].shelf;
@@ -114,9 +126,8 @@ void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)
 
 void EnvelopeIndex::clear(ProxyStore &proxies)
 {
-    std::vector<SweptProxy> nothing;
-    still_.build(nothing);
-    moving_.build(nothing);
+    still_.build({});
+    moving_.build({});
     list_.clear();
     for (PackedBounds &bounds : proxies.bounds)
         bounds.shelf = Shelf::none;

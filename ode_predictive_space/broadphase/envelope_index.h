@@ -23,6 +23,9 @@ public:
     /// that in proxies.bounds[id].shelf.
     void update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now);
 
+    /// Builds the trees anew over what they hold: one after another leaves a worse tree.
+    void rebuild_trees(const ProxyStore &proxies);
+
     /// Takes a proxy off its shelf, if it is on one.
     void remove(ProxyStore &proxies, ProxyId id);
 

@@ -34,16 +34,25 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
     }
     verify(scene, time_passes, now_ == expected);
     expire();
-    if (time_passes && policy_.prediction_fails(broken_, objects()))
+    if (time_passes && policy_.prediction_fails(broken_, objects() - waiting_count_))
     {
         start_scanning();
         scan(scene);
         return;
     }
+    const bool in_parts = scanning();
+    if (broken_ > most_at_once())
+        postpone_batch();
+    else if (in_parts)
+        add_part();
     predict(scene);
     find_pairs();
     schedule();
     wake();
+    if (scanning())
+        sweep_all(scene);
+    else if (in_parts)
+        finish_parts();
     finish_update();
 }
 
@@ -57,6 +66,8 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
         prefetch_bounds(scene, i);
         const ProxyId id = suspects_[i];
         scene.acknowledge(id);
+        if (is_waiting(id))
+            continue;
         if (!holds(scene, id))
             broken_ += proxies_.bounds[id].check != Check::none;
         else if (!has_stopped(id))
@@ -105,6 +116,7 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
     for (ProxyId id : batch_)
     {
         PackedBounds &bounds = proxies_.bounds[id];
+        stop_waiting(id);
         unpredicted_ -= bounds.check == Check::none;
         // Tight bounds are given up when they were in force and no near pair needed them.
         bounds.crowded &= near_.members().contains(id) || bounds.check != Check::bounds;
@@ -131,17 +143,21 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
     doubtful_.for_each([&](ProxyId id) { scene.acknowledge(id); });
     measured_ -= moved_;
     take_note_of_moves();
-    ++counters_.scans;
+    sweep_all(scene);
+}
 
+template <typename Scene> void Broadphase::sweep_all(Scene &scene)
+{
+    ++counters_.scans;
     measure_all(scene, members_);
     items_.resize(objects());
     std::size_t count = 0;
     members_.for_each([&](ProxyId id) { items_[count++] = {id, boxes_[id].outer()}; });
+    candidates_.clear();
     sweep_.find_pairs(items_, candidates_);
-    near_.clear();
-    near_changed_ = true;
+    scanned_.clear();
     for (const CandidatePair &pair : candidates_)
-        near_.add(NearPair::of(
+        scanned_.push_back(NearPair::of(
             {pair.first, pair.second, proxies_.generations[pair.first], proxies_.generations[pair.second]}, now_));
     candidates_.clear();
 }
@@ -180,10 +196,11 @@ template <typename Visit> void Broadphase::drop_stale_near(Visit visit)
 
 template <typename Scene> void Broadphase::report(Scene &scene, std::vector<CandidatePair> &overlapping)
 {
-    measure_all(scene, near_.members());
+    if (!scanning())
+        measure_all(scene, near_.members());
     // Each is written and those that are apart are overwritten: which they are is hard to foretell, and easy to count.
     const std::size_t before = overlapping.size();
-    overlapping.resize(before + near_.pairs().size());
+    overlapping.resize(before + near().size());
     CandidatePair *end = overlapping.data() + before;
     const bool by_sphere = measure_ == Proximity::sphere;
     auto test = [&](const NearPair &pair) {
@@ -194,7 +211,13 @@ template <typename Scene> void Broadphase::report(Scene &scene, std::vector<Cand
         *end = {pair.first, pair.second};
         end += overlap;
     };
-    if (has_stale_near())
+    if (scanning())
+    {
+        for (const NearPair &pair : scanned_)
+            if (current(pair))
+                test(pair);
+    }
+    else if (has_stale_near())
         drop_stale_near(test);
     else
         for (const NearPair &pair : near_.pairs())
@@ -204,7 +227,7 @@ template <typename Scene> void Broadphase::report(Scene &scene, std::vector<Cand
 
 template <typename Probe, typename Visit> void Broadphase::walk(const Probe &probe, Visit visit) const
 {
-    if (!policy_.scanning())
+    if (!scanning())
         index_.walk(probe, visit);
     else
         members_.for_each([&](ProxyId id) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/broadphase/support/calm_gas.h"
 #include "tests/broadphase/support/random.h"
 #include "tests/broadphase/support/world.h"
 
@@ -11,55 +12,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Balls in uniform motion, far enough apart for most to be alone; they bounce off the walls of a cube.
-class CalmGas
-{
-public:
-    explicit CalmGas(std::size_t count, std::uint64_t seed = 1)
-        : random_(seed), half_(std::cbrt(0.4 * static_cast<double>(count)))
-    {
-        for (std::size_t i = 0; i < count; ++i)
-            world.add(ball(random_.vector(half_), 0.1, random_.vector(0.001)));
-    }
-
-    Pairs tick()
-    {
-        world.advance();
-        for (ProxyId id : world.members())
-            bounce(world.object(id));
-        return world.tick();
-    }
-
-    void run(int ticks)
-    {
-        for (int i = 0; i < ticks; ++i)
-            tick();
-    }
-
-    void scatter()
-    {
-        for (ProxyId id : world.members())
-            world.place(id, random_.vector(half_));
-    }
-
-    double objects() const { return static_cast<double>(world.members().size()); }
-    std::uint64_t predictions() const { return world.broadphase.counters().repredictions; }
-
-    World world;
-
-private:
-    void bounce(Object &object) const
-    {
-        for (int axis = 0; axis < 3; ++axis)
-            if (std::abs(object.centre[axis]) > half_ && object.centre[axis] * object.displacement[axis] > 0)
-                object.displacement[axis] = -object.displacement[axis];
-        object.velocity = object.displacement / World::step;
-    }
-
-    Random random_;
-    double half_;
-};
-
 TEST(Tick, PassesTimeWhenSomethingHasMoved)
 {
     World world;
@@ -293,14 +245,15 @@ TEST(Tick, NewObjectsAreScannedUntilItIsKnownHowTheyMove)
     for (std::size_t count : {2, 30, 1000})
     {
         World world = newcomers(count);
-        for (int tick = 0; tick < 20; ++tick)
+        for (int tick = 0; tick < 30; ++tick)
         {
             world.advance();
             ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
         }
+        EXPECT_FALSE(world.broadphase.scanning());
         const Counters &counters = world.broadphase.counters();
         EXPECT_GE(counters.scans, 3u) << count;
-        EXPECT_LE(counters.scans, 5u) << count;
+        EXPECT_LE(counters.scans, count < 100 ? 5u : 20u) << count << ", many of which are predicted in parts";
         EXPECT_LT(counters.repredictions, 2 * count) << "predicted once, when the velocities mean something";
         EXPECT_EQ(counters.violations, 0u);
         EXPECT_EQ(world.violated_invariant(), "");
@@ -342,7 +295,7 @@ TEST(Tick, ManyNewObjectsAmongFewOldOnesAreScanned)
     EXPECT_FALSE(world.broadphase.scanning());
 }
 
-TEST(Tick, AnExplosionIsNoReasonToScan)
+TEST(Tick, AnExplosionIsNoReasonToScanForLong)
 {
     CalmGas gas(200);
     gas.run(300);

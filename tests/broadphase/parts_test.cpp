@@ -1,0 +1,159 @@
+// Many predictions at once: made in parts, while all objects are swept.
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/calm_gas.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+class Parts : public testing::Test
+{
+protected:
+    static constexpr std::size_t count = 1000;
+    static constexpr std::size_t most_at_once = count / 8;
+
+    Parts() : gas(count) { gas.run(300); }
+
+    // A tick that reports what overlaps.
+    void tick()
+    {
+        const Pairs reported = sorted_pairs(gas.tick());
+        ASSERT_EQ(reported, gas.world.overlapping());
+    }
+
+    // Ticks from an explosion on, until it leaves too many predictions broken for one tick.
+    void explode()
+    {
+        gas.explode();
+        for (int ticks = 0; ticks < 20 && !gas.world.broadphase.scanning(); ++ticks)
+            tick();
+        ASSERT_TRUE(gas.world.broadphase.scanning());
+    }
+
+    // Ticks until all are predicted again.
+    int ticks_to_the_end()
+    {
+        int ticks = 0;
+        for (; gas.world.broadphase.scanning() && ticks < 200; ++ticks)
+            tick();
+        return ticks;
+    }
+
+    CalmGas gas;
+};
+
+TEST_F(Parts, NoTickAfterAnExplosionPredictsMany)
+{
+    ASSERT_FALSE(gas.world.broadphase.scanning());
+    std::uint64_t most = 0;
+    for (int explosion = 0; explosion < 3; ++explosion)
+    {
+        gas.explode();
+        for (int ticks = 0; ticks < 100; ++ticks)
+        {
+            const std::uint64_t before = gas.predictions();
+            tick();
+            most = std::max(most, gas.predictions() - before);
+        }
+        EXPECT_FALSE(gas.world.broadphase.scanning()) << "it goes on for ever";
+    }
+    EXPECT_LT(most, 2 * most_at_once) << "with those whose horizon ends";
+    EXPECT_EQ(gas.world.violated_invariant(), "");
+}
+
+TEST_F(Parts, AllHaveTheirTurn)
+{
+    explode();
+    EXPECT_LE(ticks_to_the_end(), 60);
+    const std::uint64_t scans = gas.world.broadphase.counters().scans;
+    for (int ticks = 0; ticks < 100; ++ticks)
+        tick();
+    EXPECT_EQ(gas.world.broadphase.counters().scans, scans) << "and then no more is swept";
+}
+
+TEST_F(Parts, AFewThatBreakAreNoReason)
+{
+    const std::uint64_t scans = gas.world.broadphase.counters().scans;
+    for (int repetition = 0; repetition < 50; ++repetition)
+    {
+        for (ProxyId id = 0; id < most_at_once - 20; ++id)
+            gas.world.object(id).displacement *= -1;
+        tick();
+        tick();
+    }
+    EXPECT_EQ(gas.world.broadphase.counters().scans, scans);
+}
+
+TEST_F(Parts, ObjectsComeAndGoMeanwhile)
+{
+    Random random(3);
+    explode();
+    for (ProxyId id = 0; gas.world.broadphase.scanning() && id < 200; ++id)
+    {
+        gas.world.remove(count - 1 - id); // some that wait
+        gas.world.remove(id);             // and some that do not
+        gas.world.add(ball(random.vector(2), 0.3, random.vector(0.001)));
+        if (id % 2)
+            gas.world.broadphase.catch_up(gas.world);
+        tick();
+        ASSERT_EQ(gas.world.violated_invariant(), "");
+    }
+    EXPECT_FALSE(gas.world.broadphase.scanning());
+}
+
+TEST_F(Parts, SettingsChangeMeanwhile)
+{
+    explode();
+    Broadphase &broadphase = gas.world.broadphase;
+    for (int ticks = 0; broadphase.scanning() && ticks < 100; ++ticks)
+    {
+        broadphase.set_measure(ticks % 3 ? Proximity::sphere : Proximity::box);
+        broadphase.set_role(static_cast<ProxyId>(count - 1 - ticks), Role::fixed_interactive);
+        tick();
+        ASSERT_EQ(gas.world.violated_invariant(), "");
+    }
+    EXPECT_FALSE(broadphase.scanning());
+}
+
+TEST_F(Parts, QueriesFindAllMeanwhile)
+{
+    explode();
+    for (int ticks = 0; gas.world.broadphase.scanning() && ticks < 100; ++ticks)
+    {
+        std::size_t found = 0;
+        gas.world.broadphase.query({{-1e6f, -1e6f, -1e6f}, {1e6f, 1e6f, 1e6f}}, [&](ProxyId) { ++found; });
+        ASSERT_EQ(found, count);
+        tick();
+    }
+}
+
+TEST_F(Parts, NothingIsLeftOutWhileNothingMoves)
+{
+    explode();
+    tick();
+    const Pairs pairs = sorted_pairs(gas.world.report());
+    for (int ticks = 0; ticks < 50; ++ticks)
+    {
+        gas.world.broadphase.tick(gas.world);
+        ASSERT_EQ(sorted_pairs(gas.world.report()), pairs);
+    }
+}
+
+TEST_F(Parts, AreGivenUpWhenNothingIsToBePredicted)
+{
+    explode();
+    std::uint64_t before = gas.predictions();
+    for (int ticks = 0; ticks < 100; ++ticks)
+    {
+        gas.scatter();
+        const Pairs reported = sorted_pairs(gas.world.tick());
+        ASSERT_EQ(reported, gas.world.overlapping());
+        if (ticks == 20)
+            before = gas.predictions();
+    }
+    EXPECT_EQ(gas.predictions(), before) << "all are only swept";
+}
+} // namespace
+} // namespace ode_predictive_space
