@@ -221,6 +221,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
 {
     dAASSERT(geom && callback);
     catch_up();
+    index_when_asked_often();
     Lock lock(this);
     std::vector<ProxyId> found = std::exchange(found_, {});
     found.clear();
@@ -236,6 +237,16 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
             callback(data, other, geom);
     }
     found_ = std::move(found);
+}
+
+// New geoms are predicted when it is known how they move. A program that only asks never lets them move: each question would
+// look at all of them. So many looks cost what the predictions do.
+void dxPredictiveSpace::index_when_asked_often()
+{
+    constexpr int worth_predictions = 50;
+    looks_at_all_ = broadphase_.scanning() ? looks_at_all_ + 1 : 0;
+    if (looks_at_all_ == worth_predictions)
+        catch_up_with_predictions();
 }
 
 // All geoms whose bounding box the geom's may overlap. By the measure of spheres, a ray is followed along its line; only

@@ -78,6 +78,7 @@ private:
 
     static ProxyId proxy_of(const dxGeom *geom);
     ode_predictive_space::GeomScene scene() const;
+    void index_when_asked_often();
     void find_near(dxGeom *geom, std::vector<ProxyId> &found);
     void classify_new();
     void notice_unreported_moves();
@@ -94,6 +95,8 @@ private:
 
     // Nothing has been added, moved or set since the broad phase was last brought up to date: most queries find it so.
     bool caught_up_ = false;
+
+    int looks_at_all_ = 0; // questions in a row that found no index
 
     // Taken by collide() and collide2() while they call back, given back afterwards: a callback may collide this space.
     std::vector<ode_predictive_space::CandidatePair> pairs_;

@@ -241,6 +241,31 @@ TEST_F(Contract, 09_AQueryComputesNoBoxButThoseOfWhatItMayMeet)
     dGeomDestroy(probe);
 }
 
+// A program that plans paths, for example: it moves nothing in the space and never collides it.
+TEST_F(Contract, 09_AStillSpaceThatIsOnlyAskedGetsAnIndex)
+{
+    Scenario scene(SpaceKind::predictive);
+    constexpr unsigned long count = 1000;
+    for (int i = 0; i < static_cast<int>(count); ++i)
+        scene.sphere(0.5, i % 10, i / 10 % 10, i / 100);
+    dGeomID probe = dCreateSphere(nullptr, 0.6);
+    auto ask = [&](int questions) {
+        for (int i = 0; i < questions; ++i)
+        {
+            dGeomSetPosition(probe, i % 10, i / 10 % 10, i % 7);
+            ASSERT_GE(collide2(probe, as_geom(scene.space())).size(), 4u);
+        }
+    };
+    ask(10);
+    EXPECT_EQ(stats_of(scene).repredictions, 0u) << "a few questions are not worth it";
+    ask(90);
+    EXPECT_EQ(stats_of(scene).repredictions, count);
+    ask(100);
+    EXPECT_EQ(stats_of(scene).repredictions, count);
+    EXPECT_EQ(stats_of(scene).scans, 1u);
+    dGeomDestroy(probe);
+}
+
 TEST_F(Contract, 09_WhateverChangesBetweenTwoQueriesIsSeen)
 {
     expect_as_simple([](Scenario &scene) {
