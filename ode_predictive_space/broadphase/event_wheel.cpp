@@ -1,12 +1,17 @@
 #include "ode_predictive_space/broadphase/event_wheel.h"
 
+#include <utility>
+
 namespace ode_predictive_space
 {
-EventWheel::EventWheel() : buckets_(turn, none) {}
+EventWheel::EventWheel() : buckets_(2 * turn, none) {}
 
 EventWheel::Index &EventWheel::bucket(Tick due)
 {
-    return ticks_between(now_, due) < static_cast<std::int32_t>(turn) ? buckets_[due % turn] : beyond_;
+    const std::int32_t ahead = ticks_between(now_, due);
+    if (ahead < static_cast<std::int32_t>(turn))
+        return buckets_[due % turn];
+    return ahead < static_cast<std::int32_t>(long_turn) ? buckets_[turn + due / turn % turn] : beyond_;
 }
 
 EventWheel::Index EventWheel::take_free_entry()
@@ -44,23 +49,24 @@ void EventWheel::schedule(Tick due, const Event &event)
     link(index);
 }
 
+void EventWheel::link_all_of(Index &head)
+{
+    for (Index index = std::exchange(head, none); index != none;)
+    {
+        const Index next = pool_[index].next;
+        link(index);
+        index = next;
+    }
+}
+
 void EventWheel::advance(Tick now, std::vector<Event> &due)
 {
     now_ = now;
+    if (now % long_turn == 0)
+        link_all_of(beyond_);
     if (now % turn == 0)
-    {
-        Index index = beyond_;
-        beyond_ = none;
-        while (index != none)
-        {
-            const Index next = pool_[index].next;
-            link(index);
-            index = next;
-        }
-    }
-    Index index = buckets_[now % turn];
-    buckets_[now % turn] = none;
-    while (index != none)
+        link_all_of(buckets_[turn + now / turn % turn]);
+    for (Index index = std::exchange(buckets_[now % turn], none); index != none;)
     {
         const Index next = pool_[index].next;
         due.push_back(pool_[index].event);
@@ -71,7 +77,7 @@ void EventWheel::advance(Tick now, std::vector<Event> &due)
 
 void EventWheel::clear()
 {
-    buckets_.assign(turn, none);
+    buckets_.assign(2 * turn, none);
     beyond_ = none;
     pool_.clear();
     free_list_ = none;

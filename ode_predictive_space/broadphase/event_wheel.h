@@ -25,8 +25,8 @@ struct Event
     std::int32_t stay = stays; ///< ticks after which the pair has parted again; `stays` when it is near to the end
 };
 
-/// A timing wheel: one bucket per tick for the near future, and one list for all that lies beyond, which is looked through
-/// once per turn of the wheel.
+/// A hierarchical timing wheel: a bucket per tick for the near future, coarser ones for what comes later, each of which is
+/// spread over the fine ones when its time comes, and one list for all that lies beyond. So no tick has to deal with all.
 class EventWheel
 {
 public:
@@ -60,7 +60,8 @@ public:
 private:
     using Index = std::uint32_t;
     static constexpr Index none = ~Index{0};
-    static constexpr Tick turn = 1024;
+    static constexpr Tick turn = 64;               // of the fine buckets, in ticks: what one coarse bucket holds
+    static constexpr Tick long_turn = turn * turn; // of the coarse ones
 
     struct Entry
     {
@@ -73,8 +74,9 @@ private:
     Index take_free_entry();
     void release(Index index);
     void link(Index index);
+    void link_all_of(Index &head);
 
-    std::vector<Index> buckets_;
+    std::vector<Index> buckets_; // fine, coarse
     Index beyond_ = none;
     std::vector<Entry> pool_;
     Index free_list_ = none;

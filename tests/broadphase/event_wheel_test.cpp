@@ -92,19 +92,23 @@ private:
 
 constexpr std::uint64_t wrap = std::uint64_t{1} << 32;
 
-// Delays from the next tick to several turns of the wheel, the edges of a turn among them.
+// Delays from the next tick to several turns of the wheel, the edges of the turns of its fine and coarse buckets among them.
 std::uint64_t random_delay(Random &random)
 {
-    switch (random.index(4))
+    switch (random.index(6))
     {
     case 0:
         return 1 + random.index(10);
     case 1:
         return 1 + random.index(1100);
     case 2:
-        return 1020 + random.index(10);
+        return 60 + random.index(10);
+    case 3:
+        return 4030 + random.index(70);
+    case 4:
+        return 4092 + random.index(10);
     default:
-        return 1 + random.index(10000);
+        return 1 + random.index(20000);
     }
 }
 
@@ -127,13 +131,13 @@ TEST(EventWheel, GivesEachEventAtItsTickOverMillionsOfTicks)
 
 TEST(EventWheel, KnowsEveryDelayAtEveryPhaseOfATurn)
 {
-    for (std::uint64_t start : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{500}, std::uint64_t{1023}, wrap - 1,
-                                wrap - 1024, wrap - 1025})
+    for (std::uint64_t start : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{500}, std::uint64_t{63},
+                                std::uint64_t{64}, std::uint64_t{4095}, wrap - 1, wrap - 64, wrap - 4096, wrap - 4097})
     {
         CheckedWheel wheel(start);
-        for (std::uint64_t ticks = 1; ticks < 5000; ++ticks)
+        for (std::uint64_t ticks = 1; ticks < 9000; ++ticks)
             wheel.schedule(ticks);
-        for (int tick = 0; tick < 5000; ++tick)
+        for (int tick = 0; tick < 9000; ++tick)
             ASSERT_NO_FATAL_FAILURE(wheel.advance());
     }
 }
@@ -200,9 +204,9 @@ TEST(EventWheel, RestartForgetsAndSetsTheClock)
     {
         wheel.restart(now);
         wheel.expect_all_there();
-        for (std::uint64_t ticks : {1, 1023, 1024, 1025})
+        for (std::uint64_t ticks : {1, 63, 64, 65, 4095, 4096, 4097})
             wheel.schedule(ticks);
-        for (int tick = 0; tick < 1500; ++tick)
+        for (int tick = 0; tick < 4500; ++tick)
             ASSERT_NO_FATAL_FAILURE(wheel.advance());
         wheel.schedule(3);
     }
