@@ -30,6 +30,7 @@ public:
         command.add_flag(
             "--without-collide", without_collide_,
             "Call no dSpaceCollide() before the queries: the first one of a tick then pays for the motion");
+        command.add_flag("--still", still_, "Nothing moves but what asks, as where paths are planned");
     }
     void measure(const Options &options, Findings &findings) override;
 
@@ -37,6 +38,7 @@ private:
     QuerySettings settings(const Options &options) const;
 
     bool without_collide_ = false;
+    bool still_ = false;
 };
 
 QuerySettings QueryCommand::settings(const Options &options) const
@@ -46,6 +48,7 @@ QuerySettings QueryCommand::settings(const Options &options) const
     settings.ticks = options.ticks.value_or(options.quick ? quick_ticks : settings.ticks);
     settings.seed = options.seed;
     settings.collide_first = !without_collide_;
+    settings.still = still_;
     settings.check = options.check;
     settings.spaces = all_spaces();
     if (!options.spaces.empty())
@@ -101,6 +104,7 @@ void QueryCommand::measure(const Options &options, Findings &findings)
     }
     std::cout << "query, n = " << grouped(static_cast<std::uint64_t>(chosen.objects)) << ", seed " << chosen.seed
               << ", " << grouped(static_cast<std::uint64_t>(chosen.ticks)) << " ticks, "
+              << (chosen.still ? "nothing moves but what asks, " : "")
               << (chosen.collide_first ? "each after dSpaceCollide()" : "without dSpaceCollide()") << '\n';
     print(results, "spheres", &QueryResult::spheres);
     print(results, "rays", &QueryResult::rays);

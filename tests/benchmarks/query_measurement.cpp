@@ -143,6 +143,7 @@ nlohmann::json record_of(const QueryResult &result, const QuerySettings &setting
             {"what", what},
             {"queries_per_tick", QueryScene::probes},
             {"collide_first", settings.collide_first},
+            {"still", settings.still},
             {"n", settings.objects},
             {"space", space_name(result.space)},
             {"seed", settings.seed},
@@ -159,7 +160,8 @@ nlohmann::json record_of(const QueryResult &result, const QuerySettings &setting
 
 std::vector<QueryResult> measure_queries(const QuerySettings &settings, const std::function<void(int)> &progress)
 {
-    const SceneFactory factory({"query", settings.objects, settings.seed});
+    constexpr double usual = -1, none = 0; // share of the objects that move
+    const SceneFactory factory({"query", settings.objects, settings.seed, settings.still ? none : usual});
     QueryRuns runs;
     for (const SpaceKind kind : settings.spaces)
     {

@@ -19,6 +19,7 @@ struct QuerySettings
     /// Whether dSpaceCollide() is called in each tick before the queries, untimed, as most programs do. Without it, the first
     /// query of a tick also pays for the motion since the last one.
     bool collide_first = true;
+    bool still = false; ///< whether nothing moves but what asks
     bool check = false; ///< check the predictive spaces by brute force after every tick
 };
 

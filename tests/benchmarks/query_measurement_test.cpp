@@ -22,10 +22,11 @@ QuerySettings small_query()
 TEST(QueryMeasurement, AllSpacesFindTheSame)
 {
     const scenes::OdeSession ode;
-    for (const bool collide_first : {true, false})
+    for (const auto &[collide_first, still] : {std::pair(true, false), std::pair(false, false), std::pair(false, true)})
     {
         QuerySettings settings = small_query();
         settings.collide_first = collide_first;
+        settings.still = still;
         settings.check = true;
         const std::vector<QueryResult> results = measure_queries(settings);
         ASSERT_EQ(results.size(), 5u);
