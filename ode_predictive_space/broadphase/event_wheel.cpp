@@ -4,7 +4,7 @@
 
 namespace ode_predictive_space
 {
-EventWheel::EventWheel() : buckets_(2 * turn, none) {}
+EventWheel::EventWheel() : buckets_(bucket_count, none) {}
 
 EventWheel::Index &EventWheel::bucket(Tick due)
 {
@@ -77,7 +77,7 @@ void EventWheel::advance(Tick now, std::vector<Event> &due)
 
 void EventWheel::clear()
 {
-    buckets_.assign(2 * turn, none);
+    buckets_.assign(bucket_count, none);
     beyond_ = none;
     pool_.clear();
     free_list_ = none;

@@ -62,6 +62,7 @@ private:
     static constexpr Index none = ~Index{0};
     static constexpr Tick turn = 64;               // of the fine buckets, in ticks: what one coarse bucket holds
     static constexpr Tick long_turn = turn * turn; // of the coarse ones
+    static constexpr std::size_t bucket_count = std::size_t{2} * turn;
 
     struct Entry
     {
