@@ -51,6 +51,14 @@ void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback
     watch->collide2(first, second, data, callback);
 }
 
+// Both checks of ODE, ours and the plugin's, ask the dynamic linker for the objects of the process. Here it holds its lock
+// anyway; a thread that asked it later, with a lock of ours, could wait for one that has the linker's and waits for ours.
+__attribute__((constructor)) void check_ode()
+{
+    if (!ode_mismatch())
+        dSpaceDestroy(dPredictiveSpaceCreate(nullptr));
+}
+
 __attribute__((destructor)) void report()
 {
     if (watch)

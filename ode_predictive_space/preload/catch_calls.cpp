@@ -30,24 +30,28 @@ struct Ode
     const Hooks *hooks; // 0: the program keeps its own spaces
 };
 
-/// An object of the process, and the ODE that its calls go to.
+/// An object of the process, and the ODE that its calls go to. Once it is unloaded, another may have its map.
 struct Caller
 {
     const link_map *map;
+    const char *name;
     const Ode *ode;
     const Caller *next;
 };
 
 // Callers are added under the lock, in front, and never taken out: they are read without it. A program that loads thousands
 // of libraries which all call ODE is not to be expected.
+//
+// While a thread holds the lock, it asks nothing of the dynamic linker. That has a lock of its own, which threads hold that
+// run the constructors of a library; and these may call ODE.
 pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 const Caller *callers;
 constexpr int most_odes = 16;
 const Ode *odes[most_odes];
 int ode_count;
 
-// What the substitute calls while it works is meant for ODE.
-__thread bool inside;
+// The substitute is at work: what it calls is meant for this ODE.
+__thread const Ode *inside;
 
 // The library that the substitute has its code from lies beside this one.
 bool path_of_substitute(char *path, std::size_t size)
@@ -59,35 +63,23 @@ bool path_of_substitute(char *path, std::size_t size)
     return std::snprintf(path, size, "%.*s%s", length, name, SUBSTITUTE_FILE) < static_cast<int>(size);
 }
 
-const Hooks *attach_to(const OdeCalls *calls)
+// Loading the substitute loads the ODE that it was built with. Therefore the program's must be that one, or a second copy
+// would come into the process.
+bool can_be_served(const Ode &ode)
+{
+    return find_loaded(ODE_SONAME).map == ode.object.map;
+}
+
+// 0 when it cannot be loaded; dlerror() then tells why.
+Attach load_substitute(const Ode &ode)
 {
     char path[PATH_MAX];
     if (!path_of_substitute(path, sizeof path))
         return nullptr;
+    inside = &ode;
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-    const auto attach = library ? reinterpret_cast<Attach>(dlsym(library, attach_name)) : nullptr;
-    if (!attach)
-    {
-        say("%s; the program keeps its own spaces", dlerror());
-        return nullptr;
-    }
-    return attach(calls);
-}
-
-// Loading the substitute loads the ODE that it was built with. Therefore the program's must be that one, or a second copy
-// would come into the process.
-const Hooks *hooks_for(const Object &object, const OdeCalls *calls)
-{
-    if (find_loaded(ODE_SONAME).map != object.map)
-    {
-        say("the ODE of this program (%s) is not %s, which this was built for; the program keeps its own spaces",
-            object.map->l_name[0] ? object.map->l_name : program_invocation_name, ODE_SONAME);
-        return nullptr;
-    }
-    inside = true;
-    const Hooks *hooks = attach_to(calls);
-    inside = false;
-    return hooks;
+    inside = nullptr;
+    return library ? reinterpret_cast<Attach>(dlsym(library, attach_name)) : nullptr;
 }
 
 const Ode *known(const link_map *map)
@@ -98,18 +90,6 @@ const Ode *known(const link_map *map)
     return nullptr;
 }
 
-const Ode *introduce(const Object &object)
-{
-    auto *ode = static_cast<Ode *>(std::calloc(1, sizeof(Ode)));
-    if (!ode || ode_count == most_odes)
-        std::abort();
-    ode->object = object;
-    ode->calls = calls_of(object);
-    ode->hooks = hooks_for(ode->object, &ode->calls);
-    odes[ode_count++] = ode;
-    return ode;
-}
-
 // As the dynamic linker ends a program when a function that it calls is nowhere.
 [[noreturn]] void end_for_lack_of(const char *function)
 {
@@ -117,28 +97,72 @@ const Ode *introduce(const Object &object)
     std::exit(127);
 }
 
+Ode *new_ode(const Object &object)
+{
+    auto *ode = static_cast<Ode *>(std::calloc(1, sizeof(Ode)));
+    if (!ode)
+        std::abort();
+    ode->object = object;
+    ode->calls = calls_of(object);
+    return ode;
+}
+
+// Has it served, if that can be; under the lock.
+const Ode *introduce(Ode *ode, bool served, Attach attach)
+{
+    if (ode_count == most_odes)
+        std::abort();
+    if (!served)
+        say("the ODE of this program (%s) is not %s, which this was built for; the program keeps its own spaces",
+            ode->object.map->l_name[0] ? ode->object.map->l_name : program_invocation_name, ODE_SONAME);
+    else if (!attach)
+        say("%s; the program keeps its own spaces", dlerror());
+    else
+        ode->hooks = attach(&ode->calls);
+    odes[ode_count++] = ode;
+    return ode;
+}
+
+const char *name_of(const link_map *map)
+{
+    return map ? map->l_name : "";
+}
+
+// Under the lock.
+void remember(const link_map *map, const Ode *ode)
+{
+    auto *caller = static_cast<Caller *>(std::calloc(1, sizeof(Caller)));
+    const char *name = strdup(name_of(map));
+    if (!caller || !name)
+        std::abort();
+    *caller = {map, name, ode, callers};
+    __atomic_store_n(&callers, caller, __ATOMIC_RELEASE);
+}
+
 const Ode *meet(const char *function, const link_map *map)
 {
     const Object object = find_definition(function, map);
     if (!object.map)
         end_for_lack_of(function);
+    Ode *met = new_ode(object);
+    const bool served = can_be_served(*met);
+    const Attach attach = served ? load_substitute(*met) : nullptr;
+
+    pthread_mutex_lock(&lock);
     const Ode *ode = known(object.map);
-    if (!ode)
-        ode = introduce(object);
-    auto *caller = static_cast<Caller *>(std::calloc(1, sizeof(Caller)));
-    if (!caller)
-        std::abort();
-    caller->map = map;
-    caller->ode = ode;
-    caller->next = callers;
-    __atomic_store_n(&callers, caller, __ATOMIC_RELEASE);
+    if (ode)
+        std::free(met);
+    else
+        ode = introduce(met, served, attach);
+    remember(map, ode);
+    pthread_mutex_unlock(&lock);
     return ode;
 }
 
 const Ode *ode_met_by(const link_map *map)
 {
     for (const Caller *caller = __atomic_load_n(&callers, __ATOMIC_ACQUIRE); caller; caller = caller->next)
-        if (caller->map == map)
+        if (caller->map == map && std::strcmp(caller->name, name_of(map)) == 0)
             return caller->ode;
     return nullptr;
 }
@@ -147,24 +171,9 @@ const Ode *ode_met_by(const link_map *map)
 const Ode &ode_of(const char *function, const void *return_address)
 {
     const link_map *map = object_at(return_address);
-    const Ode *ode = ode_met_by(map);
-    if (!ode && inside)
-    {
-        // The substitute at work, with the lock held. Its calls go to the ODE that it was built with.
-        static Ode own;
-        own.object = find_loaded(ODE_SONAME);
-        own.calls = calls_of(own.object);
-        return own;
-    }
-    if (!ode)
-    {
-        pthread_mutex_lock(&lock);
-        ode = ode_met_by(map);
-        if (!ode)
-            ode = meet(function, map);
-        pthread_mutex_unlock(&lock);
-    }
-    return *ode;
+    if (const Ode *ode = ode_met_by(map))
+        return *ode;
+    return inside ? *inside : *meet(function, map);
 }
 
 // The library of the predictive space makes spaces of ODE's, to look at their layout.
@@ -180,7 +189,7 @@ dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, const void *re
 {
     if (!ode.hooks || inside || is_from_own_library(return_address))
         return native(ode.calls);
-    inside = true;
+    inside = &ode;
     dSpaceID space = ode.hooks->create(space_class, parent);
     if (!space)
     {
@@ -188,7 +197,7 @@ dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, const void *re
         if (ode.hooks->made)
             ode.hooks->made(space);
     }
-    inside = false;
+    inside = nullptr;
     return space;
 }
 

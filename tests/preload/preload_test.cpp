@@ -152,6 +152,23 @@ TEST(Preload, RefusesAnotherPrecision)
     EXPECT_TRUE(contains(one_line_refusal(OTHER_PRECISION), "precision"));
 }
 
+// The dynamic linker describes the second library where it had described the first one; the program ended in an assertion, as
+// its spaces were made by the wrong ODE.
+TEST(Preload, TellsALibraryFromOneThatWasThereBefore)
+{
+    const std::string libraries = FOREIGNER " " EXTENSION " " FOREIGNER;
+    EXPECT_EQ(launch(LOCAL " " + libraries).status, 0);
+    const ScratchFile complaints;
+    const Outcome outcome = launch(LOCAL " " + libraries + " 2>" + complaints.path() + " | cat");
+    EXPECT_EQ(outcome.output, run(LOCAL, libraries).output);
+}
+
+// One thread held the preload's lock and waited for the dynamic linker's, the other had it the other way round.
+TEST(Preload, ConstructorsMayUseOde)
+{
+    EXPECT_EQ(launch("timeout 20 " CONSTRUCTING " " CONSTRUCTOR).status, 0);
+}
+
 // Of the dynamic linker's two locks, the check of ODE took one and wanted the other, and a thread that loads or unloads has it
 // the other way round: one run in fifteen did not end.
 TEST(Preload, LibrariesMayBeLoadedMeanwhile)
