@@ -56,10 +56,14 @@ std::string described(dGeomID geom)
     return text;
 }
 
+// Without a buffer: each text is written at once and in one piece, also when other processes write to the same file, and when
+// this one forks there is nothing left that its child would write again.
 std::FILE *appended(const std::string &path)
 {
     std::FILE *file = std::fopen(path.c_str(), "ae");
-    if (!file)
+    if (file)
+        std::setvbuf(file, nullptr, _IONBF, 0);
+    else
         say("%s cannot be written: %s", path.c_str(), std::strerror(errno));
     return file;
 }
@@ -196,8 +200,6 @@ void Watch::report()
         text += ledger_.statistics();
     if (settings_.compare)
         text += ledger_.comparison();
-    if (trace_file_)
-        std::fflush(trace_file_);
     if (text.empty())
         return;
     text = "ode_predictive_space: " + std::string(program_invocation_short_name) + " (process " +

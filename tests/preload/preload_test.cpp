@@ -177,6 +177,21 @@ TEST(Preload, LibrariesMayBeLoadedMeanwhile)
         ASSERT_EQ(launch("timeout 20 " LOADING " " EXTENSION).status, 0);
 }
 
+// A child has its parent's memory, but of its threads only one: what another held or had not yet written stays so. Lines were
+// written by parent and children, and children did not end.
+TEST(Preload, ChildrenWriteTheirOwnLinesOfATraceOnly)
+{
+    const ScratchFile trace;
+    EXPECT_EQ(launch("--trace " + trace.path() + " " FORKING " 3").status, 0);
+    EXPECT_EQ(count_of("\n", trace.text()), 2 + 3 + 1) << trace.text();
+}
+
+TEST(Preload, ChildrenDoNotWaitForThreadsThatTheyHaveNot)
+{
+    const ScratchFile statistics;
+    EXPECT_EQ(launch("--stats=" + statistics.path() + " " FORKING " 100 busy").status, 0);
+}
+
 TEST(Preload, IsNotNoticedWithoutOde)
 {
     const Outcome outcome = launch("--stats --compare sh -c 'echo hello; exit 5'");
