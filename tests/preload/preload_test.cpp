@@ -189,7 +189,7 @@ TEST(Preload, ChildrenWriteTheirOwnLinesOfATraceOnly)
 TEST(Preload, ChildrenDoNotWaitForThreadsThatTheyHaveNot)
 {
     const ScratchFile statistics;
-    EXPECT_EQ(launch("--stats=" + statistics.path() + " " FORKING " 100 busy").status, 0);
+    EXPECT_EQ(launch("--stats=" + statistics.path() + " " FORKING " 20 busy").status, 0);
 }
 
 TEST(Preload, IsNotNoticedWithoutOde)
@@ -202,7 +202,7 @@ TEST(Preload, IsNotNoticedWithoutOde)
 // What is loaded into every process must not bring anything with it.
 TEST(Preload, NeedsTheCLibraryAlone)
 {
-    const Outcome outcome = run("readelf", "--dynamic --wide " PRELOAD);
+    const Outcome outcome = run("readelf", "--dynamic --wide " INSTALLED_PRELOAD);
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(count_of("(NEEDED)", outcome.output),
               count_of("[libc.so", outcome.output) + count_of("[ld-", outcome.output))
