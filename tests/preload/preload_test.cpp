@@ -177,6 +177,18 @@ TEST(Preload, LibrariesMayBeLoadedMeanwhile)
         ASSERT_EQ(launch("timeout 20 " LOADING " " EXTENSION).status, 0);
 }
 
+TEST(Preload, ThreadsMayMeetOdeAllAtOnce)
+{
+    for (int i = 0; i < 10; ++i)
+    {
+        const ScratchFile trace;
+        const std::string said = statistics_of("--compare --trace " + trace.path(), THREADS);
+        EXPECT_EQ(count_of("dSpaceCollide 50 calls", said), 4) << said;
+        EXPECT_TRUE(contains(said, "200 collides, 0 differences")) << said;
+        EXPECT_EQ(count_of("\n", trace.text()), 200);
+    }
+}
+
 // A child has its parent's memory, but of its threads only one: what another held or had not yet written stays so. Lines were
 // written by parent and children, and children did not end.
 TEST(Preload, ChildrenWriteTheirOwnLinesOfATraceOnly)
