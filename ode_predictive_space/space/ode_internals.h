@@ -8,8 +8,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
 #define ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
 
-// As a part of ODE, this is compiled with -fvisibility=hidden: ODE exports all that is not, and what is ours, or Eigen's, is not
-// for programs. What ODE declares is.
+// As a part of ODE, this is compiled with -fvisibility=hidden: ODE exports all that is not hidden, and what is ours, or
+// Eigen's, is not for programs. What ODE declares is.
 #ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
 #pragma GCC visibility push(default)
 #include <ode/predictive_space.h>
