@@ -83,6 +83,16 @@ TEST(Preload, IsInheritedByChildProcesses)
     EXPECT_EQ(count_of("(process ", statistics.text()), 2) << statistics.text();
 }
 
+TEST(Preload, HabitsOfProgramsMakeNoDifference)
+{
+    const std::string native = run(HABITS, "").output;
+    EXPECT_GT(count_of("\npairs: 1", native), 50) << native;
+    for (const char *options : {"", "--space simple", "--space all", "--space hash --stats=/dev/null"})
+        EXPECT_TRUE(launch(options + std::string(" " HABITS)).output == native) << options;
+    const Outcome compared = launch("--space all --compare " HABITS);
+    EXPECT_TRUE(contains(compared.output, " 0 differences")) << compared.output.substr(compared.output.size() - 100);
+}
+
 TEST(Preload, ComparisonFindsNoDifference)
 {
     const Outcome outcome = launch("--space all --compare " LINKED);
