@@ -35,7 +35,7 @@ struct Caller
 {
     const link_map *map;
     const char *name;
-    const Ode *ode;
+    const Ode *ode; // 0: it sees none, and calls that seem to be its own are others', by a jump
     const Caller *next;
 };
 
@@ -90,13 +90,6 @@ const Ode *known(const link_map *map)
     return nullptr;
 }
 
-// As the dynamic linker ends a program when a function that it calls is nowhere.
-[[noreturn]] void end_for_lack_of(const char *function)
-{
-    say("%s() was called, and there is no ODE", function);
-    std::exit(127);
-}
-
 Ode *new_ode(const Object &object)
 {
     auto *ode = static_cast<Ode *>(std::calloc(1, sizeof(Ode)));
@@ -128,8 +121,16 @@ const char *name_of(const link_map *map)
     return map ? map->l_name : "";
 }
 
+const Caller *known_caller(const link_map *map)
+{
+    for (const Caller *caller = __atomic_load_n(&callers, __ATOMIC_ACQUIRE); caller; caller = caller->next)
+        if (caller->map == map && std::strcmp(caller->name, name_of(map)) == 0)
+            return caller;
+    return nullptr;
+}
+
 // Under the lock.
-void remember(const link_map *map, const Ode *ode)
+const Caller *remember(const link_map *map, const Ode *ode)
 {
     auto *caller = static_cast<Caller *>(std::calloc(1, sizeof(Caller)));
     const char *name = strdup(name_of(map));
@@ -137,13 +138,12 @@ void remember(const link_map *map, const Ode *ode)
         std::abort();
     *caller = {map, name, ode, callers};
     __atomic_store_n(&callers, caller, __ATOMIC_RELEASE);
+    return caller;
 }
 
-const Ode *meet(const char *function, const link_map *map)
+// The ODE in this object.
+const Ode *meet_ode(const Object &object)
 {
-    const Object object = find_definition(function, map);
-    if (!object.map)
-        end_for_lack_of(function);
     Ode *met = new_ode(object);
     const bool served = can_be_served(*met);
     const Attach attach = served ? load_substitute(*met) : nullptr;
@@ -154,26 +154,57 @@ const Ode *meet(const char *function, const link_map *map)
         std::free(met);
     else
         ode = introduce(met, served, attach);
-    remember(map, ode);
     pthread_mutex_unlock(&lock);
     return ode;
 }
 
-const Ode *ode_met_by(const link_map *map)
+const Caller *meet_caller(const char *function, const link_map *map)
 {
-    for (const Caller *caller = __atomic_load_n(&callers, __ATOMIC_ACQUIRE); caller; caller = caller->next)
-        if (caller->map == map && std::strcmp(caller->name, name_of(map)) == 0)
-            return caller->ode;
-    return nullptr;
+    const Object object = find_definition(function, map);
+    const Ode *ode = object.map ? meet_ode(object) : nullptr;
+    pthread_mutex_lock(&lock);
+    const Caller *caller = remember(map, ode);
+    pthread_mutex_unlock(&lock);
+    return caller;
+}
+
+const Ode *ode_seen_by(const char *function, const link_map *map)
+{
+    const Caller *caller = known_caller(map);
+    return (caller ? caller : meet_caller(function, map))->ode;
+}
+
+// As the dynamic linker ends a program when a function that it calls is nowhere.
+[[noreturn]] void end_for_lack_of(const char *function)
+{
+    say("%s() was called, and there is no ODE, or several and nothing tells which is meant", function);
+    std::exit(127);
+}
+
+// A call by a jump. Which library has the functions of a geom tells whose geom it is; otherwise there must be one ODE only.
+const Ode *ode_by_jump(const char *function, const void *geom)
+{
+    const link_map *maker = geom ? object_at(*static_cast<const void *const *>(geom)) : nullptr;
+    const Ode *ode = maker ? ode_seen_by(function, maker) : nullptr;
+    if (ode)
+        return ode;
+    const Object object = find_only_definition(function);
+    if (!object.map)
+        end_for_lack_of(function);
+    return meet_ode(object);
 }
 
 // The ODE that a call from this address was meant for.
-const Ode &ode_of(const char *function, const void *return_address)
+const Ode &ode_of(const char *function, const void *return_address, const void *geom = nullptr)
 {
     const link_map *map = object_at(return_address);
-    if (const Ode *ode = ode_met_by(map))
-        return *ode;
-    return inside ? *inside : *meet(function, map);
+    const Caller *caller = known_caller(map);
+    if (caller && caller->ode)
+        return *caller->ode;
+    if (!caller && inside)
+        return *inside;
+    const Ode *ode = ode_seen_by(function, map);
+    return ode ? *ode : *ode_by_jump(function, geom);
 }
 
 // The library of the predictive space makes spaces of ODE's, to look at their layout.
@@ -256,7 +287,7 @@ CAUGHT dSpaceID dSweepAndPruneSpaceCreate(dSpaceID parent, int axis_order)
 
 CAUGHT void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback)
 {
-    const Ode &ode = ode_of(__func__, RETURN_ADDRESS);
+    const Ode &ode = ode_of(__func__, RETURN_ADDRESS, space);
     if (ode.hooks && ode.hooks->collide)
         ode.hooks->collide(space, data, callback);
     else
@@ -265,7 +296,7 @@ CAUGHT void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback)
 
 CAUGHT void dSpaceCollide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
 {
-    const Ode &ode = ode_of(__func__, RETURN_ADDRESS);
+    const Ode &ode = ode_of(__func__, RETURN_ADDRESS, first);
     if (ode.hooks && ode.hooks->collide2)
         ode.hooks->collide2(first, second, data, callback);
     else

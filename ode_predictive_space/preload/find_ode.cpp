@@ -49,30 +49,6 @@ int collect_name(dl_phdr_info *info, size_t, void *data)
     return 0;
 }
 
-// The names come first and are looked into afterwards: to open an object is to wait for threads that load one, and these wait
-// for whoever goes through the objects.
-link_map *only_definition(const char *function)
-{
-    Name *names = nullptr;
-    dl_iterate_phdr(collect_name, &names);
-    link_map *found = nullptr;
-    bool several = false;
-    while (names)
-    {
-        const Object object = opened(names->text);
-        link_map *map = defined_below(object, function);
-        several |= map && found && map != found;
-        found = map ? map : found;
-        if (object.handle)
-            dlclose(object.handle);
-        Name *next = names->next;
-        std::free(names->text);
-        std::free(names);
-        names = next;
-    }
-    return several ? nullptr : found;
-}
-
 template <typename Function> void look_up(void *handle, const char *name, Function *&function)
 {
     function = reinterpret_cast<Function *>(dlsym(handle, name));
@@ -96,9 +72,31 @@ Object find_definition(const char *function, const link_map *caller)
         if (from.handle)
             dlclose(from.handle);
     }
-    if (!map)
-        map = only_definition(function);
     return map ? opened(map->l_name) : Object();
+}
+
+// The names come first and are looked into afterwards: to open an object is to wait for threads that load one, and these wait
+// for whoever goes through the objects.
+Object find_only_definition(const char *function)
+{
+    Name *names = nullptr;
+    dl_iterate_phdr(collect_name, &names);
+    link_map *found = nullptr;
+    bool several = false;
+    while (names)
+    {
+        const Object object = opened(names->text);
+        link_map *map = defined_below(object, function);
+        several |= map && found && map != found;
+        found = map ? map : found;
+        if (object.handle)
+            dlclose(object.handle);
+        Name *next = names->next;
+        std::free(names->text);
+        std::free(names);
+        names = next;
+    }
+    return found && !several ? opened(found->l_name) : Object();
 }
 
 OdeCalls calls_of(const Object &ode)

@@ -173,6 +173,18 @@ TEST(Preload, TellsALibraryFromOneThatWasThereBefore)
     EXPECT_EQ(outcome.output, run(LOCAL, libraries).output);
 }
 
+// What a function does last it does by a jump, and its caller seems to have called ODE: here a program that has none, and two
+// libraries with an ODE each. It was ended, as if there were none.
+TEST(Preload, FollowsJumpsToTheRightOde)
+{
+    const std::string libraries = EXTENSION " " FOREIGNER " " EXTENSION;
+    EXPECT_EQ(launch(LOCAL " " + libraries).status, 0);
+    const ScratchFile said;
+    const Outcome outcome = launch("--stats " LOCAL " " + libraries + " 2>" + said.path() + " | cat");
+    EXPECT_EQ(outcome.output, run(LOCAL, libraries).output);
+    EXPECT_EQ(count_of("predictive by boxes", said.text()), 2 * 15);
+}
+
 // One thread held the preload's lock and waited for the dynamic linker's, the other had it the other way round.
 TEST(Preload, ConstructorsMayUseOde)
 {
