@@ -95,8 +95,11 @@ Watch::Watch(const Settings &settings, const OdeCalls &calls) : settings_(settin
         trace_file_ = appended(settings.trace_file);
 }
 
+// What ODE refuses is for it to refuse, as it does when nobody watches.
 void Watch::collide(dSpaceID space, void *data, dNearCallback *callback)
 {
+    if (!space || !callback)
+        return ode_.collide(space, data, callback);
     Call call{space, "dSpaceCollide", [=](void *d, dNearCallback *c) { ode_.collide(space, d, c); },
               [=] { return expected_pairs(space); }, &SpaceRecord::collide};
     run(call, data, callback);
@@ -104,7 +107,7 @@ void Watch::collide(dSpaceID space, void *data, dNearCallback *callback)
 
 void Watch::collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
 {
-    const dSpaceID space = asked_space(first, second);
+    const dSpaceID space = first && second && callback ? asked_space(first, second) : nullptr;
     if (!space)
         return ode_.collide2(first, second, data, callback);
     Call call{space, "dSpaceCollide2", [=](void *d, dNearCallback *c) { ode_.collide2(first, second, d, c); },

@@ -226,6 +226,14 @@ TEST(Preload, ChildrenDoNotWaitForThreadsThatTheyHaveNot)
     EXPECT_EQ(launch("--stats=" + statistics.path() + " " FORKING " 20 busy").status, 0);
 }
 
+// ODE's message came from within the ledger's lock, for another function than was called; a program that goes on after it
+// did not end.
+TEST(Preload, OdeRefusesWhatItRefusesWithout)
+{
+    for (const char *options : {"", "--stats=/dev/null"})
+        EXPECT_EQ(launch(options + std::string(" timeout 20 " REFUSED)).output, run(REFUSED, "").output) << options;
+}
+
 TEST(Preload, IsNotNoticedWithoutOde)
 {
     const Outcome outcome = launch("--stats --compare sh -c 'echo hello; exit 5'");
