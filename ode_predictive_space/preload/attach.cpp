@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <pthread.h>
+
 #include "ode_predictive_space/predictive_space.h"
 #include "ode_predictive_space/preload/say.h"
 #include "ode_predictive_space/preload/settings.h"
@@ -51,6 +53,19 @@ void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback
     watch->collide2(first, second, data, callback);
 }
 
+void keep_ledger_whole_in_children()
+{
+    pthread_atfork([] { watch->ledger().lock(); }, [] { watch->ledger().unlock(); }, [] { watch->ledger().unlock(); });
+}
+
+// Both checks of ODE, ours and the plugin's, ask the dynamic linker for the objects of the process. Here it holds its lock
+// anyway; a thread that asked it later, with a lock of ours, could wait for one that has the linker's and waits for ours.
+__attribute__((constructor)) void check_ode()
+{
+    if (!ode_mismatch())
+        dSpaceDestroy(dPredictiveSpaceCreate(nullptr));
+}
+
 __attribute__((destructor)) void report()
 {
     if (watch)
@@ -73,6 +88,7 @@ extern "C" __attribute__((visibility("default"))) const Hooks *ode_predictive_sp
     if (settings->watches())
     {
         watch = new Watch(*settings, *calls);
+        keep_ledger_whole_in_children();
         hooks = {create, made, collide, collide2};
     }
     return &hooks;

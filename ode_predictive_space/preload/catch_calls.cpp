@@ -30,24 +30,28 @@ struct Ode
     const Hooks *hooks; // 0: the program keeps its own spaces
 };
 
-/// An object of the process, and the ODE that its calls go to.
+/// An object of the process, and the ODE that its calls go to. Once it is unloaded, another may have its map.
 struct Caller
 {
     const link_map *map;
-    const Ode *ode;
+    const char *name;
+    const Ode *ode; // 0: it sees none, and calls that seem to be its own are others', by a jump
     const Caller *next;
 };
 
 // Callers are added under the lock, in front, and never taken out: they are read without it. A program that loads thousands
 // of libraries which all call ODE is not to be expected.
+//
+// While a thread holds the lock, it asks nothing of the dynamic linker. That has a lock of its own, which threads hold that
+// run the constructors of a library; and these may call ODE.
 pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 const Caller *callers;
 constexpr int most_odes = 16;
 const Ode *odes[most_odes];
 int ode_count;
 
-// What the substitute calls while it works is meant for ODE.
-__thread bool inside;
+// The substitute is at work: what it calls is meant for this ODE.
+__thread const Ode *inside;
 
 // The library that the substitute has its code from lies beside this one.
 bool path_of_substitute(char *path, std::size_t size)
@@ -59,35 +63,23 @@ bool path_of_substitute(char *path, std::size_t size)
     return std::snprintf(path, size, "%.*s%s", length, name, SUBSTITUTE_FILE) < static_cast<int>(size);
 }
 
-const Hooks *attach_to(const OdeCalls *calls)
+// Loading the substitute loads the ODE that it was built with. Therefore the program's must be that one, or a second copy
+// would come into the process.
+bool can_be_served(const Ode &ode)
+{
+    return find_loaded(ODE_SONAME).map == ode.object.map;
+}
+
+// 0 when it cannot be loaded; dlerror() then tells why.
+Attach load_substitute(const Ode &ode)
 {
     char path[PATH_MAX];
     if (!path_of_substitute(path, sizeof path))
         return nullptr;
+    inside = &ode;
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-    const auto attach = library ? reinterpret_cast<Attach>(dlsym(library, attach_name)) : nullptr;
-    if (!attach)
-    {
-        say("%s; the program keeps its own spaces", dlerror());
-        return nullptr;
-    }
-    return attach(calls);
-}
-
-// Loading the substitute loads the ODE that it was built with. Therefore the program's must be that one, or a second copy
-// would come into the process.
-const Hooks *hooks_for(const Object &object, const OdeCalls *calls)
-{
-    if (find_loaded(ODE_SONAME).map != object.map)
-    {
-        say("the ODE of this program (%s) is not %s, which this was built for; the program keeps its own spaces",
-            object.map->l_name[0] ? object.map->l_name : program_invocation_name, ODE_SONAME);
-        return nullptr;
-    }
-    inside = true;
-    const Hooks *hooks = attach_to(calls);
-    inside = false;
-    return hooks;
+    inside = nullptr;
+    return library ? reinterpret_cast<Attach>(dlsym(library, attach_name)) : nullptr;
 }
 
 const Ode *known(const link_map *map)
@@ -98,73 +90,121 @@ const Ode *known(const link_map *map)
     return nullptr;
 }
 
-const Ode *introduce(const Object &object)
+Ode *new_ode(const Object &object)
 {
     auto *ode = static_cast<Ode *>(std::calloc(1, sizeof(Ode)));
-    if (!ode || ode_count == most_odes)
+    if (!ode)
         std::abort();
     ode->object = object;
     ode->calls = calls_of(object);
-    ode->hooks = hooks_for(ode->object, &ode->calls);
+    return ode;
+}
+
+// Has it served, if that can be; under the lock.
+const Ode *introduce(Ode *ode, bool served, Attach attach)
+{
+    if (ode_count == most_odes)
+        std::abort();
+    if (!served)
+        say("the ODE of this program (%s) is not %s, which this was built for; the program keeps its own spaces",
+            ode->object.map->l_name[0] ? ode->object.map->l_name : program_invocation_name, ODE_SONAME);
+    else if (!attach)
+        say("%s; the program keeps its own spaces", dlerror());
+    else
+        ode->hooks = attach(&ode->calls);
     odes[ode_count++] = ode;
     return ode;
+}
+
+const char *name_of(const link_map *map)
+{
+    return map ? map->l_name : "";
+}
+
+const Caller *known_caller(const link_map *map)
+{
+    for (const Caller *caller = __atomic_load_n(&callers, __ATOMIC_ACQUIRE); caller; caller = caller->next)
+        if (caller->map == map && std::strcmp(caller->name, name_of(map)) == 0)
+            return caller;
+    return nullptr;
+}
+
+// Under the lock.
+const Caller *remember(const link_map *map, const Ode *ode)
+{
+    auto *caller = static_cast<Caller *>(std::calloc(1, sizeof(Caller)));
+    const char *name = strdup(name_of(map));
+    if (!caller || !name)
+        std::abort();
+    *caller = {map, name, ode, callers};
+    __atomic_store_n(&callers, caller, __ATOMIC_RELEASE);
+    return caller;
+}
+
+// The ODE in this object.
+const Ode *meet_ode(const Object &object)
+{
+    Ode *met = new_ode(object);
+    const bool served = can_be_served(*met);
+    const Attach attach = served ? load_substitute(*met) : nullptr;
+
+    pthread_mutex_lock(&lock);
+    const Ode *ode = known(object.map);
+    if (ode)
+        std::free(met);
+    else
+        ode = introduce(met, served, attach);
+    pthread_mutex_unlock(&lock);
+    return ode;
+}
+
+const Caller *meet_caller(const char *function, const link_map *map)
+{
+    const Object object = find_definition(function, map);
+    const Ode *ode = object.map ? meet_ode(object) : nullptr;
+    pthread_mutex_lock(&lock);
+    const Caller *caller = remember(map, ode);
+    pthread_mutex_unlock(&lock);
+    return caller;
+}
+
+const Ode *ode_seen_by(const char *function, const link_map *map)
+{
+    const Caller *caller = known_caller(map);
+    return (caller ? caller : meet_caller(function, map))->ode;
 }
 
 // As the dynamic linker ends a program when a function that it calls is nowhere.
 [[noreturn]] void end_for_lack_of(const char *function)
 {
-    say("%s() was called, and there is no ODE", function);
+    say("%s() was called, and there is no ODE, or several and nothing tells which is meant", function);
     std::exit(127);
 }
 
-const Ode *meet(const char *function, const link_map *map)
+// A call by a jump. Which library has the functions of a geom tells whose geom it is; otherwise there must be one ODE only.
+const Ode *ode_by_jump(const char *function, const void *geom)
 {
-    const Object object = find_definition(function, map);
+    const link_map *maker = geom ? object_at(*static_cast<const void *const *>(geom)) : nullptr;
+    const Ode *ode = maker ? ode_seen_by(function, maker) : nullptr;
+    if (ode)
+        return ode;
+    const Object object = find_only_definition(function);
     if (!object.map)
         end_for_lack_of(function);
-    const Ode *ode = known(object.map);
-    if (!ode)
-        ode = introduce(object);
-    auto *caller = static_cast<Caller *>(std::calloc(1, sizeof(Caller)));
-    if (!caller)
-        std::abort();
-    caller->map = map;
-    caller->ode = ode;
-    caller->next = callers;
-    __atomic_store_n(&callers, caller, __ATOMIC_RELEASE);
-    return ode;
-}
-
-const Ode *ode_met_by(const link_map *map)
-{
-    for (const Caller *caller = __atomic_load_n(&callers, __ATOMIC_ACQUIRE); caller; caller = caller->next)
-        if (caller->map == map)
-            return caller->ode;
-    return nullptr;
+    return meet_ode(object);
 }
 
 // The ODE that a call from this address was meant for.
-const Ode &ode_of(const char *function, const void *return_address)
+const Ode &ode_of(const char *function, const void *return_address, const void *geom = nullptr)
 {
     const link_map *map = object_at(return_address);
-    const Ode *ode = ode_met_by(map);
-    if (!ode && inside)
-    {
-        // The substitute at work, with the lock held. Its calls go to the ODE that it was built with.
-        static Ode own;
-        own.object = find_loaded(ODE_SONAME);
-        own.calls = calls_of(own.object);
-        return own;
-    }
-    if (!ode)
-    {
-        pthread_mutex_lock(&lock);
-        ode = ode_met_by(map);
-        if (!ode)
-            ode = meet(function, map);
-        pthread_mutex_unlock(&lock);
-    }
-    return *ode;
+    const Caller *caller = known_caller(map);
+    if (caller && caller->ode)
+        return *caller->ode;
+    if (!caller && inside)
+        return *inside;
+    const Ode *ode = ode_seen_by(function, map);
+    return ode ? *ode : *ode_by_jump(function, geom);
 }
 
 // The library of the predictive space makes spaces of ODE's, to look at their layout.
@@ -180,7 +220,7 @@ dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, const void *re
 {
     if (!ode.hooks || inside || is_from_own_library(return_address))
         return native(ode.calls);
-    inside = true;
+    inside = &ode;
     dSpaceID space = ode.hooks->create(space_class, parent);
     if (!space)
     {
@@ -188,7 +228,7 @@ dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, const void *re
         if (ode.hooks->made)
             ode.hooks->made(space);
     }
-    inside = false;
+    inside = nullptr;
     return space;
 }
 
@@ -247,7 +287,7 @@ CAUGHT dSpaceID dSweepAndPruneSpaceCreate(dSpaceID parent, int axis_order)
 
 CAUGHT void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback)
 {
-    const Ode &ode = ode_of(__func__, RETURN_ADDRESS);
+    const Ode &ode = ode_of(__func__, RETURN_ADDRESS, space);
     if (ode.hooks && ode.hooks->collide)
         ode.hooks->collide(space, data, callback);
     else
@@ -256,7 +296,7 @@ CAUGHT void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback)
 
 CAUGHT void dSpaceCollide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
 {
-    const Ode &ode = ode_of(__func__, RETURN_ADDRESS);
+    const Ode &ode = ode_of(__func__, RETURN_ADDRESS, first);
     if (ode.hooks && ode.hooks->collide2)
         ode.hooks->collide2(first, second, data, callback);
     else

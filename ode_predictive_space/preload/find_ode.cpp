@@ -1,5 +1,8 @@
 #include "ode_predictive_space/preload/find_ode.h"
 
+#include <cstdlib>
+#include <cstring>
+
 #include <dlfcn.h>
 
 namespace ode_predictive_space::preload
@@ -29,32 +32,21 @@ link_map *defined_below(const Object &object, const char *function)
     return map == ourselves() ? nullptr : map;
 }
 
-struct Search
+struct Name
 {
-    const char *function;
-    link_map *found;
-    bool several;
+    char *text;
+    Name *next;
 };
 
-int search_object(dl_phdr_info *info, size_t, void *data)
+int collect_name(dl_phdr_info *info, size_t, void *data)
 {
-    Search &search = *static_cast<Search *>(data);
-    const Object object = opened(info->dlpi_name);
-    link_map *map = defined_below(object, search.function);
-    if (map && search.found && map != search.found)
-        search.several = true;
-    if (map)
-        search.found = map;
-    if (object.handle)
-        dlclose(object.handle);
+    auto *name = static_cast<Name *>(std::malloc(sizeof(Name)));
+    if (!name)
+        std::abort();
+    auto **names = static_cast<Name **>(data);
+    *name = {strdup(info->dlpi_name ? info->dlpi_name : ""), *names};
+    *names = name;
     return 0;
-}
-
-link_map *only_definition(const char *function)
-{
-    Search search{function, nullptr, false};
-    dl_iterate_phdr(search_object, &search);
-    return search.several ? nullptr : search.found;
 }
 
 template <typename Function> void look_up(void *handle, const char *name, Function *&function)
@@ -80,9 +72,31 @@ Object find_definition(const char *function, const link_map *caller)
         if (from.handle)
             dlclose(from.handle);
     }
-    if (!map)
-        map = only_definition(function);
     return map ? opened(map->l_name) : Object();
+}
+
+// The names come first and are looked into afterwards: to open an object is to wait for threads that load one, and these wait
+// for whoever goes through the objects.
+Object find_only_definition(const char *function)
+{
+    Name *names = nullptr;
+    dl_iterate_phdr(collect_name, &names);
+    link_map *found = nullptr;
+    bool several = false;
+    while (names)
+    {
+        const Object object = opened(names->text);
+        link_map *map = defined_below(object, function);
+        several |= map && found && map != found;
+        found = map ? map : found;
+        if (object.handle)
+            dlclose(object.handle);
+        Name *next = names->next;
+        std::free(names->text);
+        std::free(names);
+        names = next;
+    }
+    return found && !several ? opened(found->l_name) : Object();
 }
 
 OdeCalls calls_of(const Object &ode)

@@ -21,11 +21,16 @@ link_map *object_at(const void *address);
 
 /// Finds the object whose definition of a function the dynamic linker would have taken for a caller if ours were not there:
 /// first the program and the libraries that all can see, in their order; then the caller's own libraries, which are not in
-/// there when it was loaded with RTLD_LOCAL (as Python does); at last, when a call came through a jump and its caller is
-/// not known, the only definition that there is.
+/// there when it was loaded with RTLD_LOCAL (as Python does).
 ///
-/// @return an object with map 0 when nobody else defines it.
+/// @return an object with map 0 when the caller sees none: then the call came by a jump from somebody else, as the last thing
+/// that he does.
 Object find_definition(const char *function, const link_map *caller);
+
+/// The only object that defines a function, besides us.
+///
+/// @return an object with map 0 when there is none, or several.
+Object find_only_definition(const char *function);
 
 /// The functions of an ODE, looked up in its object.
 OdeCalls calls_of(const Object &ode);

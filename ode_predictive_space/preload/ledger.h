@@ -54,6 +54,10 @@ public:
         return change(record_of(space));
     }
 
+    /// Keeps all other threads out: a process that forks takes the lock with it, and of its threads only the one that forks.
+    void lock() { mutex_.lock(); }
+    void unlock() { mutex_.unlock(); }
+
     /// What there is to say at the end: for each space a line, for a predictive one that was collided a second.
     std::string statistics();
 

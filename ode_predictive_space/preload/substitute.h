@@ -36,7 +36,8 @@ struct Hooks
     void (*collide2)(dGeomID, dGeomID, void *, dNearCallback *);
 };
 
-/// The substitute's only symbol.
+/// The substitute's only symbol. To be called once. It asks nothing of the dynamic linker: that is done when the substitute is
+/// loaded.
 ///
 /// @param calls stays valid.
 /// @return 0, after a line on standard error, when this ODE cannot be served. Otherwise the hooks, valid to the end.

@@ -56,10 +56,14 @@ std::string described(dGeomID geom)
     return text;
 }
 
+// Without a buffer: each text is written at once and in one piece, also when other processes write to the same file, and when
+// this one forks there is nothing left that its child would write again.
 std::FILE *appended(const std::string &path)
 {
     std::FILE *file = std::fopen(path.c_str(), "ae");
-    if (!file)
+    if (file)
+        std::setvbuf(file, nullptr, _IONBF, 0);
+    else
         say("%s cannot be written: %s", path.c_str(), std::strerror(errno));
     return file;
 }
@@ -91,8 +95,11 @@ Watch::Watch(const Settings &settings, const OdeCalls &calls) : settings_(settin
         trace_file_ = appended(settings.trace_file);
 }
 
+// What ODE refuses is for it to refuse, as it does when nobody watches.
 void Watch::collide(dSpaceID space, void *data, dNearCallback *callback)
 {
+    if (!space || !callback)
+        return ode_.collide(space, data, callback);
     Call call{space, "dSpaceCollide", [=](void *d, dNearCallback *c) { ode_.collide(space, d, c); },
               [=] { return expected_pairs(space); }, &SpaceRecord::collide};
     run(call, data, callback);
@@ -100,7 +107,7 @@ void Watch::collide(dSpaceID space, void *data, dNearCallback *callback)
 
 void Watch::collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
 {
-    const dSpaceID space = asked_space(first, second);
+    const dSpaceID space = first && second && callback ? asked_space(first, second) : nullptr;
     if (!space)
         return ode_.collide2(first, second, data, callback);
     Call call{space, "dSpaceCollide2", [=](void *d, dNearCallback *c) { ode_.collide2(first, second, d, c); },
@@ -196,8 +203,6 @@ void Watch::report()
         text += ledger_.statistics();
     if (settings_.compare)
         text += ledger_.comparison();
-    if (trace_file_)
-        std::fflush(trace_file_);
     if (text.empty())
         return;
     text = "ode_predictive_space: " + std::string(program_invocation_short_name) + " (process " +

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <dlfcn.h>
 #include <link.h>
@@ -20,24 +22,29 @@ bool precision_differs()
     return dCheckConfiguration(wanted) == 0;
 }
 
-int collect_ode_copies(dl_phdr_info *object, size_t, void *data)
+int collect_name(dl_phdr_info *object, size_t, void *names)
 {
-    // The main program has an empty name, for which dlopen wants a null pointer.
-    const char *name = object->dlpi_name && object->dlpi_name[0] ? object->dlpi_name : nullptr;
-    void *handle = dlopen(name, RTLD_LAZY | RTLD_NOLOAD);
-    if (handle)
-    {
-        if (void *symbol = dlsym(handle, "dSpaceGetNumGeoms"))
-            static_cast<std::set<void *> *>(data)->insert(symbol);
-        dlclose(handle);
-    }
+    static_cast<std::vector<std::string> *>(names)->emplace_back(object->dlpi_name ? object->dlpi_name : "");
     return 0;
 }
 
+// The names come first and are looked into afterwards: to open an object is to wait for threads that load one, and these wait
+// for whoever goes through the objects.
 bool several_copies()
 {
+    std::vector<std::string> names;
+    dl_iterate_phdr(collect_name, &names);
     std::set<void *> copies;
-    dl_iterate_phdr(collect_ode_copies, &copies);
+    for (const std::string &name : names)
+    {
+        // The main program has an empty name, for which dlopen wants a null pointer.
+        void *handle = dlopen(name.empty() ? nullptr : name.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+        if (!handle)
+            continue;
+        if (void *symbol = dlsym(handle, "dSpaceGetNumGeoms"))
+            copies.insert(symbol);
+        dlclose(handle);
+    }
     return copies.size() > 1;
 }
 

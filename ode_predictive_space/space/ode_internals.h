@@ -8,7 +8,10 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
 #define ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
 
+// As a part of ODE, this is compiled with -fvisibility=hidden: ODE exports all that is not hidden, and what is ours, or
+// Eigen's, is not for programs. What ODE declares is.
 #ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
+#pragma GCC visibility push(default)
 #include <ode/predictive_space.h>
 #else
 #include "ode_predictive_space/predictive_space.h"
@@ -27,6 +30,10 @@
 
 #include "collision_kernel.h"
 #include "collision_std.h"
+
+#ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
+#pragma GCC visibility pop
+#endif
 
 namespace ode_predictive_space
 {

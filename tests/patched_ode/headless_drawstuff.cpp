@@ -1,6 +1,13 @@
-// drawstuff without a window, for those of ODE's demos that check something and draw it: they are run for some steps.
+// drawstuff without a window, for those of ODE's demos that check something and draw it: they are run for some steps, each with
+// a scene of its own, for which these demos want the space bar. With COUNT_BOXES in the environment, the number of boxes that
+// were drawn in each step is printed: demo_collision draws one for each contact.
+
+#include <cstdio>
+#include <cstdlib>
 
 #include <drawstuff/drawstuff.h>
+
+static int boxes_drawn;
 
 extern "C" {
 void dsSimulationLoop(int, char **, int, int, dsFunctions *functions)
@@ -8,7 +15,13 @@ void dsSimulationLoop(int, char **, int, int, dsFunctions *functions)
     constexpr int steps = 200;
     functions->start();
     for (int i = 0; i < steps; ++i)
+    {
+        boxes_drawn = 0;
+        functions->command(' ');
         functions->step(0);
+        if (std::getenv("COUNT_BOXES"))
+            std::printf("step %d: %d boxes\n", i, boxes_drawn);
+    }
 }
 
 void dsSetViewpoint(float *, float *) {}
@@ -16,8 +29,14 @@ void dsSetColor(float, float, float) {}
 void dsSetColorAlpha(float, float, float, float) {}
 void dsSetSphereQuality(int) {}
 void dsSetCapsuleQuality(int) {}
-void dsDrawBox(const float *, const float *, const float *) {}
-void dsDrawBoxD(const double *, const double *, const double *) {}
+void dsDrawBox(const float *, const float *, const float *)
+{
+    ++boxes_drawn;
+}
+void dsDrawBoxD(const double *, const double *, const double *)
+{
+    ++boxes_drawn;
+}
 void dsDrawSphere(const float *, const float *, float) {}
 void dsDrawSphereD(const double *, const double *, float) {}
 void dsDrawLine(const float *, const float *) {}

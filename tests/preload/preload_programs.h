@@ -18,7 +18,7 @@ namespace ode_predictive_space::preload
 {
 inline Outcome launch(const std::string &arguments)
 {
-    // Programs that are built with AddressSanitizer want its library to be the first; ours, which is not, does no harm.
+    // AddressSanitizer wants its library to be the first in a process; ours, which comes before it, does no harm.
     setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
     return run(LAUNCHER, arguments);
 }

@@ -83,6 +83,16 @@ TEST(Preload, IsInheritedByChildProcesses)
     EXPECT_EQ(count_of("(process ", statistics.text()), 2) << statistics.text();
 }
 
+TEST(Preload, HabitsOfProgramsMakeNoDifference)
+{
+    const std::string native = run(HABITS, "").output;
+    EXPECT_GT(count_of("\npairs: 1", native), 50) << native;
+    for (const char *options : {"", "--space simple", "--space all", "--space hash --stats=/dev/null"})
+        EXPECT_TRUE(launch(options + std::string(" " HABITS)).output == native) << options;
+    const Outcome compared = launch("--space all --compare " HABITS);
+    EXPECT_TRUE(contains(compared.output, " 0 differences")) << compared.output.substr(compared.output.size() - 100);
+}
+
 TEST(Preload, ComparisonFindsNoDifference)
 {
     const Outcome outcome = launch("--space all --compare " LINKED);
@@ -152,6 +162,78 @@ TEST(Preload, RefusesAnotherPrecision)
     EXPECT_TRUE(contains(one_line_refusal(OTHER_PRECISION), "precision"));
 }
 
+// The dynamic linker describes the second library where it had described the first one; the program ended in an assertion, as
+// its spaces were made by the wrong ODE.
+TEST(Preload, TellsALibraryFromOneThatWasThereBefore)
+{
+    const std::string libraries = FOREIGNER " " EXTENSION " " FOREIGNER;
+    EXPECT_EQ(launch(LOCAL " " + libraries).status, 0);
+    const ScratchFile complaints;
+    const Outcome outcome = launch(LOCAL " " + libraries + " 2>" + complaints.path() + " | cat");
+    EXPECT_EQ(outcome.output, run(LOCAL, libraries).output);
+}
+
+// What a function does last it does by a jump, and its caller seems to have called ODE: here a program that has none, and two
+// libraries with an ODE each. It was ended, as if there were none.
+TEST(Preload, FollowsJumpsToTheRightOde)
+{
+    const std::string libraries = EXTENSION " " FOREIGNER " " EXTENSION;
+    EXPECT_EQ(launch(LOCAL " " + libraries).status, 0);
+    const ScratchFile said;
+    const Outcome outcome = launch("--stats " LOCAL " " + libraries + " 2>" + said.path() + " | cat");
+    EXPECT_EQ(outcome.output, run(LOCAL, libraries).output);
+    EXPECT_EQ(count_of("predictive by boxes", said.text()), 2 * 15);
+}
+
+// One thread held the preload's lock and waited for the dynamic linker's, the other had it the other way round.
+TEST(Preload, ConstructorsMayUseOde)
+{
+    EXPECT_EQ(launch("timeout 20 " CONSTRUCTING " " CONSTRUCTOR).status, 0);
+}
+
+// Of the dynamic linker's two locks, the check of ODE took one and wanted the other, and a thread that loads or unloads has it
+// the other way round: one run in fifteen did not end.
+TEST(Preload, LibrariesMayBeLoadedMeanwhile)
+{
+    for (int i = 0; i < 60; ++i)
+        ASSERT_EQ(launch("timeout 20 " LOADING " " EXTENSION).status, 0);
+}
+
+TEST(Preload, ThreadsMayMeetOdeAllAtOnce)
+{
+    for (int i = 0; i < 10; ++i)
+    {
+        const ScratchFile trace;
+        const std::string said = statistics_of("--compare --trace " + trace.path(), THREADS);
+        EXPECT_EQ(count_of("dSpaceCollide 50 calls", said), 4) << said;
+        EXPECT_TRUE(contains(said, "200 collides, 0 differences")) << said;
+        EXPECT_EQ(count_of("\n", trace.text()), 200);
+    }
+}
+
+// A child has its parent's memory, but of its threads only one: what another held or had not yet written stays so. Lines were
+// written by parent and children, and children did not end.
+TEST(Preload, ChildrenWriteTheirOwnLinesOfATraceOnly)
+{
+    const ScratchFile trace;
+    EXPECT_EQ(launch("--trace " + trace.path() + " " FORKING " 3").status, 0);
+    EXPECT_EQ(count_of("\n", trace.text()), 2 + 3 + 1) << trace.text();
+}
+
+TEST(Preload, ChildrenDoNotWaitForThreadsThatTheyHaveNot)
+{
+    const ScratchFile statistics;
+    EXPECT_EQ(launch("--stats=" + statistics.path() + " " FORKING " 20 busy").status, 0);
+}
+
+// ODE's message came from within the ledger's lock, for another function than was called; a program that goes on after it
+// did not end.
+TEST(Preload, OdeRefusesWhatItRefusesWithout)
+{
+    for (const char *options : {"", "--stats=/dev/null"})
+        EXPECT_EQ(launch(options + std::string(" timeout 20 " REFUSED)).output, run(REFUSED, "").output) << options;
+}
+
 TEST(Preload, IsNotNoticedWithoutOde)
 {
     const Outcome outcome = launch("--stats --compare sh -c 'echo hello; exit 5'");
@@ -162,7 +244,7 @@ TEST(Preload, IsNotNoticedWithoutOde)
 // What is loaded into every process must not bring anything with it.
 TEST(Preload, NeedsTheCLibraryAlone)
 {
-    const Outcome outcome = run("readelf", "--dynamic --wide " PRELOAD);
+    const Outcome outcome = run("readelf", "--dynamic --wide " INSTALLED_PRELOAD);
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(count_of("(NEEDED)", outcome.output),
               count_of("[libc.so", outcome.output) + count_of("[ld-", outcome.output))

@@ -1,20 +1,31 @@
-/* A program that knows nothing of ODE and loads a library that does, with RTLD_LOCAL, as Python loads its extensions.
- * Usage: local LIBRARY */
+/* A program that knows nothing of ODE and loads libraries that do, one after the other, with RTLD_LOCAL, as Python loads its
+ * extensions; each is unloaded before the next comes.
+ * Usage: local LIBRARY... */
 
 #include <dlfcn.h>
 #include <stdio.h>
 
-int main(int argc, char **argv)
+static int run_from(const char *file)
 {
-    void *library = argc > 1 ? dlopen(argv[1], RTLD_NOW | RTLD_LOCAL) : 0;
+    void *library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
     void (*run)(void) = 0;
     if (library)
         *(void **)&run = dlsym(library, "run_scene");
     if (!run)
     {
         fprintf(stderr, "%s\n", dlerror());
-        return 1;
+        return 0;
     }
     run();
+    dlclose(library);
+    return 1;
+}
+
+int main(int argc, char **argv)
+{
+    int i;
+    for (i = 1; i < argc; ++i)
+        if (!run_from(argv[i]))
+            return 1;
     return 0;
 }

@@ -7,7 +7,8 @@
 
 VISIBLE void *dHashSpaceCreate(void *parent)
 {
-    static int space;
+    /* As one that has virtual functions, it begins with an address of its library. */
+    static void *space = &space;
     (void)parent;
     return &space;
 }
