@@ -102,9 +102,8 @@ ExitStatus run_demo(const Options &options)
     run_probe(options, in_window);
     return exit_well;
 }
-} // namespace
 
-int main(int argc, char **argv)
+int run_as_asked(int argc, char **argv)
 {
     Options options;
     CLI::App app(
@@ -115,10 +114,16 @@ int main(int argc, char **argv)
         "failed.");
     demo::declare_options(app, options);
     CLI11_PARSE(app, argc, argv);
+    demo::complete(options, app);
+    return run_demo(options);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
     try
     {
-        demo::complete(options, app);
-        return run_demo(options);
+        return run_as_asked(argc, argv);
     }
     catch (const std::exception &failure)
     {

@@ -23,7 +23,7 @@ std::size_t TimeHistogram::bucket_of(double nanoseconds)
     int exponent = 0;
     const double mantissa = std::frexp(nanoseconds, &exponent); // in [0.5, 1)
     const int step = static_cast<int>((2 * mantissa - 1) * steps_per_octave);
-    return static_cast<std::size_t>((exponent - 1) * steps_per_octave + step);
+    return static_cast<std::size_t>(exponent - 1) * steps_per_octave + static_cast<std::size_t>(step);
 }
 
 double TimeHistogram::upper_end(std::size_t bucket)

@@ -220,7 +220,7 @@ Wrench Renderer::limited(const Wrench &wished, double dt)
     {
         at_device.force = passivity_->control(tick_.state, at_device.force, dt);
     }
-    const Wrench safe = safety_.limit(at_device, tick_.state.linear_velocity, tick_.time, watchdog_->factor());
+    Wrench safe = safety_.limit(at_device, tick_.state.linear_velocity, tick_.time, watchdog_->factor());
     tell_of_safety();
     return safe;
 }

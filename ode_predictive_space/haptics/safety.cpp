@@ -167,7 +167,7 @@ bool SafetyStage::has_engaged(const Wrench &wished)
 
 Wrench SafetyStage::clamp(const Wrench &wished)
 {
-    const Wrench result = bound(wished, 1);
+    Wrench result = bound(wished, 1);
     const bool changes_torque = limits_.max_torque > 0 && result.torque != wished.torque;
     if (result.force != wished.force || changes_torque)
         take(SafetyAction::clamped);

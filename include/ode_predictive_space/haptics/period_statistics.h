@@ -43,7 +43,7 @@ private:
     static std::size_t bucket_of(double nanoseconds);
     static double upper_end(std::size_t bucket); // nanoseconds
 
-    std::array<std::atomic<std::uint64_t>, steps_per_octave * octaves> buckets_{};
+    std::array<std::atomic<std::uint64_t>, std::size_t{octaves} * steps_per_octave> buckets_{};
     std::atomic<std::uint64_t> count_{0};
     std::atomic<double> sum_{0}; // seconds
     std::atomic<double> max_{0}; // seconds

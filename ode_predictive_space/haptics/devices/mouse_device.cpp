@@ -27,7 +27,7 @@ MouseDevice::MouseDevice(const MouseSettings &settings) : SoftwareDevice(capabil
     {
         check_positive(size, "mouse: the size of the workspace");
     }
-    start();
+    MouseDevice::start();
 }
 
 void MouseDevice::pointer(double dx, double dy) noexcept

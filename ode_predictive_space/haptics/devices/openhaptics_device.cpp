@@ -27,19 +27,19 @@ class OnlyOne
 public:
     OnlyOne()
     {
-        if (is_taken_.exchange(true))
+        if (is_taken.exchange(true))
         {
             throw DeviceError(
                 DeviceFault::permission_denied,
                 "OpenHaptics: another device is open in this program, and the library has but one scheduler");
         }
     }
-    ~OnlyOne() { is_taken_.store(false); }
+    ~OnlyOne() { is_taken.store(false); }
     OnlyOne(const OnlyOne &) = delete;
     OnlyOne &operator=(const OnlyOne &) = delete;
 
 private:
-    static inline std::atomic<bool> is_taken_{false};
+    static inline std::atomic<bool> is_taken{false};
 };
 } // namespace
 

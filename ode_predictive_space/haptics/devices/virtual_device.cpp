@@ -103,7 +103,7 @@ VirtualDevice::VirtualDevice(const VirtualDeviceSettings &settings, TargetPath t
         throw std::invalid_argument("virtual device: the hand has no target");
     }
     capabilities_.name = "virtual " + capabilities_.name;
-    start();
+    VirtualDevice::start();
 }
 
 void VirtualDevice::start()
