@@ -228,15 +228,10 @@ bool Window::pointer(const dsPointerEvent &event)
 
 bool has_display()
 {
-    Display *display = XOpenDisplay(nullptr);
-    if (display == nullptr)
-    {
-        return false;
-    }
+    // A server starts over when its last client leaves, and takes none meanwhile: this one stays until the program ends.
+    static Display *const display = XOpenDisplay(nullptr);
     int ignored = 0;
-    const bool has_opengl = XQueryExtension(display, "GLX", &ignored, &ignored, &ignored) != 0;
-    XCloseDisplay(display);
-    return has_opengl;
+    return display != nullptr && XQueryExtension(display, "GLX", &ignored, &ignored, &ignored) != 0;
 }
 
 void run_window(Shown &shown, const WindowSettings &settings)
