@@ -60,10 +60,15 @@ void Broadphase::remove(ProxyId id)
     index_.remove(proxies_, id);
     predictor.forget(proxies_, id);
     sample(id, false);
-    stop_waiting(id);
     for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &interactive_, &due_anew_})
         set->erase(id);
     free_ids_.push_back(id);
+    if (is_waiting(id))
+    {
+        stop_waiting(id);
+        if (!scanning())
+            finish_parts();
+    }
 }
 
 void Broadphase::set_role(ProxyId id, Role role)

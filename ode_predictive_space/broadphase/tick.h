@@ -20,9 +20,11 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
         advance_clock();
     if (policy_.scanning())
     {
-        scan(scene);
         if (!time_passes || !policy_.calm_returns(scouts_.calm(scene, members_, predictor.step_estimate)))
+        {
+            scan(scene);
             return;
+        }
         stop_scanning();
     }
     else if (mostly_new())
