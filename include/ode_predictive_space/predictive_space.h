@@ -72,7 +72,7 @@ typedef struct dPredictiveSpaceStats
     unsigned long near;          /**< pairs now in the near set */
     unsigned long reported;      /**< callbacks made by dSpaceCollide() */
     unsigned long
-        scans; /**< ticks in which the space swept the whole scene: most geoms were new, or prediction did not pay */
+        scans; /**< sweeps over the whole scene: most geoms were new, prediction did not pay, or many predictions were due */
     unsigned long bytes; /**< memory that the space now holds, in bytes, geoms not counted */
 } dPredictiveSpaceStats;
 

@@ -60,10 +60,15 @@ void Broadphase::remove(ProxyId id)
     index_.remove(proxies_, id);
     predictor.forget(proxies_, id);
     sample(id, false);
-    stop_waiting(id);
     for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &interactive_, &due_anew_})
         set->erase(id);
     free_ids_.push_back(id);
+    if (is_waiting(id))
+    {
+        stop_waiting(id);
+        if (!scanning())
+            finish_parts();
+    }
 }
 
 void Broadphase::set_role(ProxyId id, Role role)
@@ -297,6 +302,16 @@ bool Broadphase::want_predictions()
     return true;
 }
 
+void Broadphase::predict_the_rest()
+{
+    if (policy_.scanning())
+    {
+        policy_.end();
+        stop_scanning();
+    }
+    due_anew_ |= waiting_;
+}
+
 // More have left their paths than can be predicted in a tick: from now on all are swept, until each had its turn. Where they
 // are in index, schedule and near set, they are stale.
 void Broadphase::postpone_batch()
@@ -337,11 +352,12 @@ void Broadphase::add_part()
         });
 }
 
-// What was inserted part by part makes no good trees.
+// What was inserted part by part makes no good trees; what was predicted in one batch was not.
 void Broadphase::finish_parts()
 {
     release_scan();
-    index_.rebuild_trees(proxies_);
+    if (batch_.size() < objects())
+        index_.rebuild_trees(proxies_);
 }
 
 void Broadphase::start_scanning()

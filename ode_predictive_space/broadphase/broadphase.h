@@ -108,6 +108,9 @@ public:
     /// @return true when there will be new ones.
     bool want_predictions();
 
+    /// Makes predictions at the next update for all that have none, however many these are.
+    void predict_the_rest();
+
     /// When two objects may be near, in ticks from now on; none when they stay apart over their horizons.
     std::optional<ProximityInterval> proximity(ProxyId first, ProxyId second) const
     {
@@ -127,6 +130,8 @@ public:
     Tick now() const { return now_; }
     /// Are the pairs found by looking at all objects, because not all are predicted?
     bool scanning() const { return policy_.scanning() || waiting_count_ > 0; }
+    /// Has the object a path and an envelope? Not all have while the scene is scanned.
+    bool predicted(ProxyId id) const { return proxies_.bounds[id].check != Check::none; }
     bool consistent() const { return index_.consistent(); }
     bool current(const NearPair &pair) const
     {

@@ -20,9 +20,11 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
         advance_clock();
     if (policy_.scanning())
     {
-        scan(scene);
         if (!time_passes || !policy_.calm_returns(scouts_.calm(scene, members_, predictor.step_estimate)))
+        {
+            scan(scene);
             return;
+        }
         stop_scanning();
     }
     else if (mostly_new())
@@ -227,13 +229,16 @@ template <typename Scene> void Broadphase::report(Scene &scene, std::vector<Cand
 
 template <typename Probe, typename Visit> void Broadphase::walk(const Probe &probe, Visit visit) const
 {
-    if (!scanning())
-        index_.walk(probe, visit);
-    else
-        members_.for_each([&](ProxyId id) {
-            if (probe.overlaps(boxes_[id].outer()))
-                visit(id);
-        });
+    // Where those that wait are in the index, they are stale.
+    index_.walk(probe, [&](ProxyId id) {
+        if (!is_waiting(id))
+            visit(id);
+    });
+    const IdSet &unpredicted = policy_.scanning() ? members_ : waiting_;
+    unpredicted.for_each([&](ProxyId id) {
+        if (probe.overlaps(boxes_[id].outer()))
+            visit(id);
+    });
 }
 } // namespace ode_predictive_space
 

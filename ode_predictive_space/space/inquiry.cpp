@@ -14,7 +14,7 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom
     *apart_until = 0;
     if (scene().overlap(one, other))
         return 0.0;
-    if (broadphase_.scanning())
+    if (!broadphase_.predicted(one) || !broadphase_.predicted(other))
         return std::nullopt;
     const ProxyStore &proxies = broadphase_.proxies();
     const std::int32_t remaining =
@@ -30,8 +30,8 @@ std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *
     const ProxyId self = proxy_of(geom);
     geom->recomputeAABB();
     std::vector<Encounter> met;
-    const FloatBox box = broadphase_.scanning() ? FloatBox::around(to_box(geom->aabb))
-                                                : broadphase_.proxies().swept_box(self, broadphase_.now());
+    const FloatBox box = broadphase_.predicted(self) ? broadphase_.proxies().swept_box(self, broadphase_.now())
+                                                     : FloatBox::around(to_box(geom->aabb));
     broadphase_.query(box, [&](ProxyId other) {
         double apart_until;
         if (other == self)
@@ -46,8 +46,6 @@ std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *
 bool dxPredictiveSpace::lies_in_envelope(ProxyId id, const GeomScene &now) const
 {
     const ProxyStore &proxies = broadphase_.proxies();
-    if (proxies.bounds[id].check == Check::none)
-        return false;
     Envelope envelope = proxies.outer_envelope(id, broadphase_.now());
     // What is checked by its centre has its box computed another way: the two may differ by rounding.
     if (proxies.bounds[id].check == Check::centre)
@@ -67,7 +65,7 @@ const char *dxPredictiveSpace::find_violation()
     if (!broadphase_.consistent())
         return "the index of envelopes is damaged";
     for (ProxyId id : members)
-        if (!broadphase_.scanning() && !lies_in_envelope(id, now))
+        if (broadphase_.predicted(id) ? !lies_in_envelope(id, now) : !broadphase_.scanning())
             return "a geom is outside its envelope";
 
     std::vector<std::pair<ProxyId, ProxyId>> near;

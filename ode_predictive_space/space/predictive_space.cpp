@@ -239,14 +239,19 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     found_ = std::move(found);
 }
 
-// New geoms are predicted when it is known how they move. A program that only asks never lets them move: each question would
-// look at all of them. So many looks cost what the predictions do.
+// What is not predicted yet gets its predictions as time passes. For a program that only asks no time passes: each question
+// would look at all of that. So many looks cost what the predictions do.
 void dxPredictiveSpace::index_when_asked_often()
 {
     constexpr int worth_predictions = 50;
-    looks_at_all_ = broadphase_.scanning() ? looks_at_all_ + 1 : 0;
-    if (looks_at_all_ == worth_predictions)
-        catch_up_with_predictions();
+    if (!broadphase_.scanning() || std::exchange(asked_at_, broadphase_.now()) != broadphase_.now())
+        looks_at_all_ = 0;
+    else if (++looks_at_all_ == worth_predictions)
+    {
+        broadphase_.predict_the_rest();
+        caught_up_ = false;
+        catch_up();
+    }
 }
 
 // All geoms whose bounding box the geom's may overlap. By the measure of spheres, a ray is followed along its line; only

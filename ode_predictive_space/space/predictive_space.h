@@ -96,7 +96,8 @@ private:
     // Nothing has been added, moved or set since the broad phase was last brought up to date: most queries find it so.
     bool caught_up_ = false;
 
-    int looks_at_all_ = 0; // questions in a row that found no index
+    int looks_at_all_ = 0;                    // questions at this tick that found no index
+    ode_predictive_space::Tick asked_at_ = 0; // the tick of the last question
 
     // Taken by collide() and collide2() while they call back, given back afterwards: a callback may collide this space.
     std::vector<ode_predictive_space::CandidatePair> pairs_;

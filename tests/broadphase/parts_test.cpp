@@ -129,6 +129,30 @@ TEST_F(Parts, QueriesFindAllMeanwhile)
     }
 }
 
+TEST_F(Parts, WhatTheSweepTookIsGivenBackWhenTheLastThatWaitIsRemoved)
+{
+    explode();
+    const std::size_t bytes = gas.world.broadphase.bytes();
+    for (ProxyId id = count; gas.world.broadphase.scanning(); --id)
+        gas.world.remove(id - 1);
+    EXPECT_LT(gas.world.broadphase.bytes(), bytes);
+    tick();
+    EXPECT_EQ(gas.world.violated_invariant(), "");
+}
+
+TEST_F(Parts, NoTickSweepsTwice)
+{
+    for (int ticks = 0; ticks < 200; ++ticks)
+    {
+        const std::uint64_t scans = gas.world.broadphase.counters().scans;
+        if (ticks < 10)
+            gas.scatter();
+        tick();
+        ASSERT_LE(gas.world.broadphase.counters().scans, scans + 1) << "tick " << ticks;
+    }
+    EXPECT_FALSE(gas.world.broadphase.scanning()) << "it is calm again";
+}
+
 TEST_F(Parts, NothingIsLeftOutWhileNothingMoves)
 {
     explode();

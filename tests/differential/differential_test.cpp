@@ -68,6 +68,9 @@ TEST_P(DifferentialBySpheres, NoContactIsLeftOut)
 const auto every_flavour =
     ::testing::Values(Flavour::calm, Flavour::mixed, Flavour::wild, Flavour::teleport, Flavour::pile, Flavour::extreme);
 
+// Of so many that not all predictions that break are made anew in one tick.
+const auto explosions = ::testing::Values(Flavour::explosion);
+
 #ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
 INSTANTIATE_TEST_SUITE_P(Long, Differential,
                          ::testing::Combine(every_flavour, ::testing::Values(Size{"tiny", 20, 4000, 400},
@@ -78,6 +81,10 @@ INSTANTIATE_TEST_SUITE_P(Long, DifferentialBySpheres,
                          ::testing::Combine(every_flavour, ::testing::Values(Size{"tiny", 20, 2000, 400},
                                                                              Size{"medium", 200, 500, 50})),
                          name_of);
+INSTANTIATE_TEST_SUITE_P(LongExplosions, Differential,
+                         ::testing::Combine(explosions, ::testing::Values(Size{"many", 1000, 300, 60})), name_of);
+INSTANTIATE_TEST_SUITE_P(LongExplosions, DifferentialBySpheres,
+                         ::testing::Combine(explosions, ::testing::Values(Size{"many", 600, 300, 30})), name_of);
 #else
 INSTANTIATE_TEST_SUITE_P(Short, Differential,
                          ::testing::Combine(every_flavour,
@@ -88,6 +95,10 @@ INSTANTIATE_TEST_SUITE_P(Short, DifferentialBySpheres,
                          ::testing::Combine(every_flavour,
                                             ::testing::Values(Size{"tiny", 20, 1000, 40}, Size{"medium", 150, 200, 8})),
                          name_of);
+INSTANTIATE_TEST_SUITE_P(ShortExplosions, Differential,
+                         ::testing::Combine(explosions, ::testing::Values(Size{"many", 500, 150, 6})), name_of);
+INSTANTIATE_TEST_SUITE_P(ShortExplosions, DifferentialBySpheres,
+                         ::testing::Combine(explosions, ::testing::Values(Size{"many", 400, 100, 4})), name_of);
 #endif
 } // namespace
 } // namespace ode_predictive_space

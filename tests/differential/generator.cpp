@@ -164,6 +164,7 @@ private:
         switch (profile_.flavour)
         {
         case Flavour::calm:
+        case Flavour::explosion:
             return random_.below(3);
         case Flavour::teleport:
             return 2;
@@ -185,10 +186,30 @@ private:
                     add(Action::move_geom, i, -1, 0, place());
             }
         }
+        if (is(Flavour::explosion) && random_.chance(0.1))
+            explode();
         for (int i = surprises(); i > 0; --i)
             happen();
         if (is(Flavour::extreme))
             go_to_extremes();
+    }
+
+    // Other velocities for many, or others in the place of many.
+    void explode()
+    {
+        const double part = random_.between(0.1, 1);
+        const bool replaces = random_.chance(0.2);
+        for (int i = 0; i < profile_.geoms; ++i)
+        {
+            if (!random_.chance(part))
+                continue;
+            if (replaces)
+                add(Action::destroy_geom, i, -1, 0);
+            if (replaces && random_.chance(0.9))
+                make_object(i);
+            else if (i < bodies_)
+                add(Action::velocity, i, -1, 0, {speed(), speed(), speed(), speed()});
+        }
     }
 
     void go_to_extremes()
@@ -344,7 +365,8 @@ private:
 
 const char *flavour_name(Flavour flavour)
 {
-    static const char *const names[flavour_count] = {"calm", "mixed", "wild", "teleport", "pile", "extreme"};
+    static const char *const names[flavour_count] = {"calm", "mixed",   "wild",     "teleport",
+                                                     "pile", "extreme", "explosion"};
     return names[static_cast<int>(flavour)];
 }
 

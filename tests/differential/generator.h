@@ -12,13 +12,14 @@ namespace ode_predictive_space
 /// What a history is mostly about. Each is varied further by the seed.
 enum class Flavour
 {
-    calm,     ///< long stretches without a surprise, so that horizons grow long
-    mixed,    ///< surprises now and then
-    wild,     ///< surprises at every tick
-    teleport, ///< nothing stays where it was
-    pile,     ///< gravity and contacts
-    extreme,  ///< coordinates and velocities that are huge, tiny, infinite or not numbers
-    last = extreme
+    calm,      ///< long stretches without a surprise, so that horizons grow long
+    mixed,     ///< surprises now and then
+    wild,      ///< surprises at every tick
+    teleport,  ///< nothing stays where it was
+    pile,      ///< gravity and contacts
+    extreme,   ///< coordinates and velocities that are huge, tiny, infinite or not numbers
+    explosion, ///< now and then much happens at once, to many
+    last = explosion
 };
 constexpr int flavour_count = static_cast<int>(Flavour::last) + 1;
 const char *flavour_name(Flavour flavour);
