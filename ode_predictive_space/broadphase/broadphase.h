@@ -144,7 +144,9 @@ private:
     bool current(const Event &event) const;
 
     template <typename Scene> void update(Scene &scene, bool is_tick);
+    template <typename Scene> bool calm_returns(Scene &scene, bool time_passes);
     template <typename Scene> void verify(Scene &scene, bool time_passes, bool as_expected);
+    template <typename Scene> void renew(Scene &scene);
     template <typename Scene> bool holds(Scene &scene, ProxyId id);
     bool has_stopped(ProxyId id) const;
     template <typename Scene> void prefetch_bounds(const Scene &scene, std::size_t suspect) const;
@@ -227,8 +229,9 @@ private:
     static constexpr std::size_t least_at_once = 128;
     std::size_t waiting_count_ = 0;
     std::vector<NearPair> scanned_; // all pairs that the last sweep over all objects found
-    bool near_changed_ = false;     // pairs have come, or become stale, since drop_stale_near()
-    Tick next_leave_ = 0;           // the last tick at which none of the pairs has left
+
+    bool near_changed_ = false; // pairs have come, or become stale, since drop_stale_near()
+    Tick next_leave_ = 0;       // the last tick at which none of the pairs has left
 
     static constexpr std::size_t least_purge = 4096;
     std::size_t purge_events_at_ = least_purge;

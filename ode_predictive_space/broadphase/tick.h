@@ -18,19 +18,15 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
     counters_.moved += moved_.size();
     if (time_passes)
         advance_clock();
-    if (policy_.scanning())
-    {
-        if (!time_passes || !policy_.calm_returns(scouts_.calm(scene, members_, predictor.step_estimate)))
-        {
-            scan(scene);
-            return;
-        }
+    if (policy_.scanning() && calm_returns(scene, time_passes))
         stop_scanning();
-    }
-    else if (mostly_new())
+    else if (!policy_.scanning() && mostly_new())
     {
         policy_.begin();
         start_scanning();
+    }
+    if (policy_.scanning())
+    {
         scan(scene);
         return;
     }
@@ -42,6 +38,17 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
         scan(scene);
         return;
     }
+    renew(scene);
+}
+
+template <typename Scene> bool Broadphase::calm_returns(Scene &scene, bool time_passes)
+{
+    return time_passes && policy_.calm_returns(scouts_.calm(scene, members_, predictor.step_estimate));
+}
+
+// New predictions for the batch, or for as much of it as a tick can bear. As long as others wait, a sweep finds the pairs.
+template <typename Scene> void Broadphase::renew(Scene &scene)
+{
     const bool in_parts = scanning();
     if (broken_ > most_at_once())
         postpone_batch();
