@@ -224,7 +224,7 @@ private:
 
     // Predicting all objects takes as long as several sweeps over them: it is done in so many parts, unless these would be
     // small, while all are swept.
-    static constexpr std::size_t parts = 16;
+    static constexpr std::size_t parts = 8;
     static constexpr std::size_t least_part = 64;
     static constexpr std::size_t least_at_once = 128;
     std::size_t waiting_count_ = 0;

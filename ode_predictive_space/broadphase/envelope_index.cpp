@@ -5,14 +5,12 @@
 
 namespace ode_predictive_space
 {
-namespace
-{
 // Is it cheaper to deal with all than with these one by one?
-bool is_bulk(std::size_t batch, std::size_t all)
+bool EnvelopeIndex::is_bulk(const ProxyStore &proxies, std::size_t batch) const
 {
-    return all > EnvelopeIndex::small_scene && batch >= 16 && 4 * batch >= all;
+    const std::size_t present = still_.size() + moving_.size() + list_.size();
+    return proxies.size() > small_scene && batch >= 16 && 4 * batch >= present;
 }
-} // namespace
 
 Shelf EnvelopeIndex::shelf_for(const ProxyStore &proxies, const SweptProxy &swept) const
 {
@@ -34,7 +32,7 @@ void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &b
         outgrow_list(proxies);
     was_small_ = proxies.size() <= small_scene;
     // Building costs about a quarter of inserting one by one, and leaves a better tree.
-    if (is_bulk(batch.size(), proxies.size()))
+    if (is_bulk(proxies, batch.size()))
     {
         rebuild(proxies, batch, now);
         return;
@@ -136,7 +134,7 @@ void EnvelopeIndex::clear(ProxyStore &proxies)
 void EnvelopeIndex::find_pairs(const ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch,
                                std::vector<CandidatePair> &pairs) const
 {
-    if (is_bulk(batch.size(), proxies.size()))
+    if (is_bulk(proxies, batch.size()))
     {
         sweep_pairs(proxies, in_batch, pairs);
         return;

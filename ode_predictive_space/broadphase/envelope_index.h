@@ -55,6 +55,7 @@ public:
     std::size_t bytes() const;
 
 private:
+    bool is_bulk(const ProxyStore &proxies, std::size_t batch) const;
     Shelf shelf_for(const ProxyStore &proxies, const SweptProxy &swept) const;
     void outgrow_list(ProxyStore &proxies);
     EnvelopeTree &tree(Shelf shelf) { return shelf == Shelf::still ? still_ : moving_; }

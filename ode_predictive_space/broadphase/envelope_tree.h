@@ -35,6 +35,9 @@ public:
 
     bool empty() const { return nodes_.empty(); }
 
+    /// Proxies in it.
+    std::size_t size() const { return nodes_.size() / 2 - free_pairs_.size(); }
+
     /// Calls visit(proxy) for every proxy whose box overlaps `box`.
     template <typename Visit> void query(const FloatBox &box, Visit visit) const { walk(BoxProbe(box), visit); }
 

@@ -32,7 +32,8 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
     }
     verify(scene, time_passes, now_ == expected);
     expire();
-    if (time_passes && policy_.prediction_fails(broken_, objects() - waiting_count_))
+    const std::size_t predicted = objects() - waiting_count_;
+    if (time_passes && predicted > 0 && policy_.prediction_fails(broken_, predicted))
     {
         start_scanning();
         scan(scene);
