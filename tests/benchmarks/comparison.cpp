@@ -42,9 +42,13 @@ SceneRuns make_runs(const Plan &plan, const SceneFactory &factory, Findings &fin
     return runs;
 }
 
+// However little time there is: a new predictive space scans for some ticks, and then predicts for some.
+constexpr int least_warm_up = 16;
+
 void make_ticks(const Plan &plan, const SceneRuns &runs)
 {
-    run_by_turns(runs, plan.warm_up_ticks, {}, plan.seconds_each / 2);
+    run_by_turns(runs, std::min(plan.warm_up_ticks, least_warm_up), {});
+    run_by_turns(runs, plan.warm_up_ticks - least_warm_up, {}, plan.seconds_each / 2);
     for (const auto &run : runs)
     {
         run->start_measuring();
