@@ -63,12 +63,8 @@ void Broadphase::remove(ProxyId id)
     for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &interactive_, &due_anew_})
         set->erase(id);
     free_ids_.push_back(id);
-    if (is_waiting(id))
-    {
-        stop_waiting(id);
-        if (!scanning())
-            finish_parts();
-    }
+    if (stop_waiting(id) && !scanning())
+        finish_parts();
 }
 
 void Broadphase::set_role(ProxyId id, Role role)
@@ -331,12 +327,13 @@ void Broadphase::postpone_batch()
     near_changed_ = true;
 }
 
-void Broadphase::stop_waiting(ProxyId id)
+bool Broadphase::stop_waiting(ProxyId id)
 {
     if (!is_waiting(id))
-        return;
+        return false;
     waiting_.erase(id);
     --waiting_count_;
+    return true;
 }
 
 void Broadphase::add_part()
@@ -357,7 +354,7 @@ void Broadphase::finish_parts()
 {
     release_scan();
     if (batch_.size() < objects())
-        index_.rebuild_trees(proxies_);
+        index_.rebuild(proxies_, {}, now_);
 }
 
 void Broadphase::start_scanning()

@@ -181,7 +181,7 @@ private:
     std::size_t part() const { return std::max(least_part, objects() / parts); }
     std::size_t most_at_once() const { return std::max(least_at_once, objects() / 8); }
     bool is_waiting(ProxyId id) const { return waiting_count_ > 0 && waiting_.contains(id); }
-    void stop_waiting(ProxyId id);
+    bool stop_waiting(ProxyId id);
     void postpone_batch();
     void add_part();
     void finish_parts();
@@ -227,7 +227,7 @@ private:
     static constexpr std::size_t parts = 8;
     static constexpr std::size_t least_part = 64;
     static constexpr std::size_t least_at_once = 128;
-    std::size_t waiting_count_ = 0;
+    std::size_t waiting_count_ = 0; // of waiting_: asked for several times a tick, also where nobody waits
     std::vector<NearPair> scanned_; // all pairs that the last sweep over all objects found
 
     bool near_changed_ = false; // pairs have come, or become stale, since drop_stale_near()

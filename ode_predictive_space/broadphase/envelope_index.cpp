@@ -31,7 +31,7 @@ void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &b
     if (was_small_ && proxies.size() > small_scene)
         outgrow_list(proxies);
     was_small_ = proxies.size() <= small_scene;
-    // Building costs about a quarter of inserting one by one, and leaves a better tree.
+    // Building costs less than a quarter of inserting one by one, and leaves a better tree.
     if (is_bulk(proxies, batch.size()))
     {
         rebuild(proxies, batch, now);
@@ -98,18 +98,6 @@ void EnvelopeIndex::rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &
     for (const SweptProxy &swept : batch)
         if (proxies.bounds[swept.proxy].shelf == Shelf::none)
             put(proxies, swept);
-}
-
-void EnvelopeIndex::rebuild_trees(const ProxyStore &proxies)
-{
-    for (Shelf shelf : {Shelf::still, Shelf::moving})
-    {
-        std::vector<SweptProxy> leaves;
-        for (ProxyId id = 0; id < proxies.size(); ++id)
-            if (proxies.bounds[id].shelf == shelf)
-                leaves.push_back({id, tree(shelf).box(id)});
-        tree(shelf).build(leaves);
-    }
 }
 
 void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)

@@ -23,8 +23,8 @@ public:
     /// that in proxies.bounds[id].shelf.
     void update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now);
 
-    /// Builds the trees anew over what they hold: one after another leaves a worse tree.
-    void rebuild_trees(const ProxyStore &proxies);
+    /// The same, but builds the trees anew, whatever the size of the batch: inserting one after another leaves a worse tree.
+    void rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now);
 
     /// Takes a proxy off its shelf, if it is on one.
     void remove(ProxyStore &proxies, ProxyId id);
@@ -61,7 +61,6 @@ private:
     EnvelopeTree &tree(Shelf shelf) { return shelf == Shelf::still ? still_ : moving_; }
     void put(ProxyStore &proxies, const SweptProxy &swept);
     std::vector<SweptProxy>::iterator find_in_list(ProxyId id);
-    void rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now);
 
     void sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch, std::vector<CandidatePair> &pairs) const;
 

@@ -237,6 +237,11 @@ template <typename Scene> void Broadphase::report(Scene &scene, std::vector<Cand
 
 template <typename Probe, typename Visit> void Broadphase::walk(const Probe &probe, Visit visit) const
 {
+    if (!scanning())
+    {
+        index_.walk(probe, visit);
+        return;
+    }
     // Where those that wait are in the index, they are stale.
     index_.walk(probe, [&](ProxyId id) {
         if (!is_waiting(id))
