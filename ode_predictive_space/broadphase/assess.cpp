@@ -50,12 +50,11 @@ std::optional<ProximityInterval> proximity(const ProxyStore &proxies, ProxyId fi
 void assess(const ProxyStore &proxies, const std::vector<CandidatePair> &candidates, Tick now, Proximity measure,
             std::vector<NearPair> &near, std::vector<ScheduledPair> &scheduled)
 {
-    constexpr std::size_t ahead = 6;
     ProxyId last = no_proxy;
     Envelope envelope;
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
-        proxies.prefetch(candidates[std::min(i + ahead, candidates.size() - 1)].second);
+        proxies.prefetch(later(candidates, i).second);
         const CandidatePair &pair = candidates[i];
         // Candidates come by the object that was predicted.
         if (pair.first != last)

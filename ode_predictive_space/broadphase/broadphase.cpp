@@ -270,6 +270,16 @@ void Broadphase::purge_stale_events()
     purge_events_at_ = std::max(least_purge, 2 * wheel_.size());
 }
 
+// What the test of a pair some way behind the i-th reads.
+void Broadphase::prefetch_test(std::size_t i) const
+{
+    if (!overflows_cache())
+        return;
+    const NearPair &pair = later(near_.pairs(), i);
+    prefetch(&boxes_[pair.first]);
+    prefetch(&boxes_[pair.second]);
+}
+
 bool Broadphase::has_stale_near() const
 {
     return near_changed_ || ticks_between(now_, next_leave_) < 0;
@@ -372,11 +382,10 @@ void Broadphase::start_scanning()
     waiting_.clear();
     waiting_count_ = 0;
     scouts_.choose(members_);
+    if (unpredicted_ < objects())
+        members_.for_each([this](ProxyId id) { proxies_.forget_prediction(id); });
     unpredicted_ = objects();
-    members_.for_each([&](ProxyId id) {
-        proxies_.forget_prediction(id);
-        moved_.insert(id);
-    });
+    moved_ |= members_;
 }
 
 // From now on all are swept only until each had its turn to be predicted.

@@ -17,6 +17,7 @@
 #include "ode_predictive_space/broadphase/measured_box.h"
 #include "ode_predictive_space/broadphase/near_set.h"
 #include "ode_predictive_space/broadphase/predictor.h"
+#include "ode_predictive_space/broadphase/prefetch.h"
 #include "ode_predictive_space/broadphase/proxy_store.h"
 #include "ode_predictive_space/broadphase/scan_policy.h"
 #include "ode_predictive_space/broadphase/scouts.h"
@@ -46,7 +47,6 @@ struct Counters
 ///     void measure(ProxyId, MeasuredBox &)    the same
 ///     Observation observe(ProxyId, bool with_bounds)
 ///     bool overlap(ProxyId, ProxyId)          their bounding boxes do; by the measure of sphere, the spheres too
-///     void acknowledge(ProxyId)               it has been looked at; tell me of its next move
 class Broadphase
 {
 public:
@@ -149,7 +149,11 @@ private:
     template <typename Scene> void renew(Scene &scene);
     template <typename Scene> bool holds(Scene &scene, ProxyId id);
     bool has_stopped(ProxyId id) const;
-    template <typename Scene> void prefetch_bounds(const Scene &scene, std::size_t suspect) const;
+    template <typename Scene>
+    void prefetch_bounds(const Scene &scene, const std::vector<ProxyId> &ids, std::size_t i) const;
+    template <typename Scene> void prefetch_motion(const Scene &scene, std::size_t i) const;
+    void prefetch_test(std::size_t i) const;
+    bool overflows_cache() const { return objects() > cached_objects; }
     template <typename Scene> void remember(Scene &scene, ProxyId id);
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);

@@ -37,6 +37,8 @@ void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &b
         rebuild(proxies, batch, now);
         return;
     }
+    still_.foresee(batch);
+    moving_.foresee(batch);
     for (const SweptProxy &swept : batch)
     {
         const Shelf shelf = proxies.bounds[swept.proxy].shelf;
@@ -112,6 +114,8 @@ void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)
 
 void EnvelopeIndex::clear(ProxyStore &proxies)
 {
+    if (empty())
+        return;
     still_.build({});
     moving_.build({});
     list_.clear();

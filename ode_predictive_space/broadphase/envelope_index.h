@@ -51,6 +51,7 @@ public:
     void find_pairs(const ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch,
                     std::vector<CandidatePair> &pairs) const;
 
+    bool empty() const { return still_.empty() && moving_.empty() && list_.empty(); }
     bool consistent() const { return still_.consistent() && moving_.consistent(); }
     std::size_t bytes() const;
 

@@ -123,6 +123,42 @@ void EnvelopeTree::move(ProxyId proxy, const FloatBox &box)
     insert_below(proxy, box, start);
 }
 
+// All climb together, so that they do not wait for memory one after the other. Who moves stays close by, mostly: these are
+// the nodes that taking it out and putting it back will meet.
+void EnvelopeTree::foresee(const std::vector<SweptProxy> &batch) const
+{
+    constexpr std::size_t many = 4096;
+    if (nodes_.size() < many)
+        return;
+    for (const SweptProxy &swept : batch)
+        if (swept.proxy < leaf_node_.size())
+            prefetch(&leaf_node_[swept.proxy]);
+    std::vector<Index> climbing;
+    climbing.reserve(batch.size());
+    for (const SweptProxy &swept : batch)
+        if (swept.proxy < leaf_node_.size() && leaf_node_[swept.proxy] != none)
+        {
+            climbing.push_back(leaf_node_[swept.proxy]);
+            prefetch(&nodes_[climbing.back()]);
+        }
+    while (!climbing.empty())
+    {
+        std::size_t left = 0;
+        for (Index index : climbing)
+        {
+            const Index parent = nodes_[index].parent;
+            if (parent != none)
+            {
+                // rotate() looks at the children of both.
+                prefetch(&nodes_[std::max(nodes_[index ^ 1].content, 0)]);
+                prefetch(&nodes_[parent]);
+                climbing[left++] = parent;
+            }
+        }
+        climbing.resize(left);
+    }
+}
+
 // Returns the node that took the place of the proxy's parent; none when the tree is empty now.
 EnvelopeTree::Index EnvelopeTree::take_out(ProxyId proxy)
 {

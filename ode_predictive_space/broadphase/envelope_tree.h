@@ -8,6 +8,7 @@
 
 #include "ode_predictive_space/broadphase/float_box.h"
 #include "ode_predictive_space/broadphase/growth.h"
+#include "ode_predictive_space/broadphase/prefetch.h"
 #include "ode_predictive_space/broadphase/swept_proxy.h"
 #include "ode_predictive_space/broadphase/types.h"
 
@@ -32,6 +33,10 @@ public:
 
     /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
     void build(const std::vector<SweptProxy> &leaves);
+
+    /// These, if they are in the tree, will soon be given other boxes: fetches the nodes that this takes, in a tree so large
+    /// that they are not in the cache.
+    void foresee(const std::vector<SweptProxy> &batch) const;
 
     bool empty() const { return nodes_.empty(); }
 
@@ -117,7 +122,7 @@ template <typename Probe, typename Visit> void EnvelopeTree::walk(const Probe &p
         {
             const bool overlaps = probe.overlaps(node->box);
             waiting[end] = node->content;
-            __builtin_prefetch(&nodes_[static_cast<std::size_t>(std::max(node->content, 0))]);
+            prefetch(&nodes_[static_cast<std::size_t>(std::max(node->content, 0))]);
             end += overlaps & !node->leaf();
             found[count] = node->proxy();
             count += overlaps & node->leaf();

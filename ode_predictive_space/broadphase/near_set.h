@@ -33,11 +33,14 @@ public:
         count_in(pair.second);
     }
 
-    /// Drops all pairs for which keep(pair) is false.
-    template <typename Keep> void keep_if(Keep keep)
+    /// Drops all pairs for which keep(pair) is false, and calls at(i) before the i-th of them.
+    template <typename Keep, typename At> void keep_if(Keep keep, At at)
     {
         std::size_t left = 0;
-        for (const NearPair &pair : pairs_)
+        for (std::size_t i = 0; i < pairs_.size(); ++i)
+        {
+            at(i);
+            const NearPair &pair = pairs_[i];
             if (keep(pair))
                 pairs_[left++] = pair;
             else
@@ -45,7 +48,13 @@ public:
                 count_out(pair.first);
                 count_out(pair.second);
             }
+        }
         pairs_.resize(left);
+    }
+
+    template <typename Keep> void keep_if(Keep keep)
+    {
+        keep_if(keep, [](std::size_t) {});
     }
 
     void clear()

@@ -9,6 +9,7 @@
 
 #include "ode_predictive_space/broadphase/float_box.h"
 #include "ode_predictive_space/broadphase/growth.h"
+#include "ode_predictive_space/broadphase/prefetch.h"
 #include "ode_predictive_space/broadphase/types.h"
 #include "ode_predictive_space/prediction/envelope.h"
 
@@ -170,8 +171,9 @@ struct ProxyStore
     /// The envelope of a proxy will soon be asked for.
     void prefetch(ProxyId id) const
     {
-        __builtin_prefetch(&paths[id]);
-        __builtin_prefetch(&bounds[id]);
+        ode_predictive_space::prefetch(&paths[id]);
+        ode_predictive_space::prefetch(&bounds[id]);
+        ode_predictive_space::prefetch(&generations[id]);
     }
 
     bool current(ProxyId id, Generation generation) const { return generations[id] == generation; }

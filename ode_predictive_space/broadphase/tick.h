@@ -73,9 +73,9 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
     broken_ = 0;
     for (std::size_t i = 0; i < suspects_.size(); ++i)
     {
-        prefetch_bounds(scene, i);
+        if (overflows_cache())
+            prefetch_bounds(scene, suspects_, i);
         const ProxyId id = suspects_[i];
-        scene.acknowledge(id);
         if (is_waiting(id))
             continue;
         if (!holds(scene, id))
@@ -106,12 +106,19 @@ template <typename Scene> bool Broadphase::holds(Scene &scene, ProxyId id)
 }
 
 // What is read of each object is scattered over memory: it is fetched some objects ahead.
-template <typename Scene> void Broadphase::prefetch_bounds(const Scene &scene, std::size_t suspect) const
+template <typename Scene>
+void Broadphase::prefetch_bounds(const Scene &scene, const std::vector<ProxyId> &ids, std::size_t i) const
 {
-    constexpr std::size_t far_ahead = 16, ahead = 8;
-    const std::size_t last = suspects_.size() - 1;
-    scene.prefetch(suspects_[std::min(suspect + far_ahead, last)]);
-    scene.prefetch_pose(suspects_[std::min(suspect + ahead, last)]);
+    constexpr std::size_t far = 16;
+    scene.prefetch(later(ids, i, far));
+    scene.prefetch_pose(later(ids, i));
+}
+
+template <typename Scene> void Broadphase::prefetch_motion(const Scene &scene, std::size_t i) const
+{
+    prefetch_bounds(scene, batch_, i);
+    scene.prefetch_velocity(later(batch_, i));
+    proxies_.prefetch(later(batch_, i));
 }
 
 // The same point of the object that is predicted.
@@ -123,8 +130,11 @@ template <typename Scene> void Broadphase::remember(Scene &scene, ProxyId id)
 
 template <typename Scene> void Broadphase::predict(Scene &scene)
 {
-    for (ProxyId id : batch_)
+    for (std::size_t i = 0; i < batch_.size(); ++i)
     {
+        if (overflows_cache())
+            prefetch_motion(scene, i);
+        const ProxyId id = batch_[i];
         PackedBounds &bounds = proxies_.bounds[id];
         stop_waiting(id);
         unpredicted_ -= bounds.check == Check::none;
@@ -150,7 +160,6 @@ template <typename Scene> void Broadphase::scan(Scene &scene)
 {
     if (moved_.empty())
         return;
-    doubtful_.for_each([&](ProxyId id) { scene.acknowledge(id); });
     measured_ -= moved_;
     take_note_of_moves();
     sweep_all(scene);
@@ -181,7 +190,11 @@ template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet
                           [this](ProxyId id) { suspects_.push_back(id); });
     for (std::size_t i = 0; i < suspects_.size(); ++i)
     {
-        prefetch_bounds(scene, i);
+        if (overflows_cache())
+        {
+            prefetch_bounds(scene, suspects_, i);
+            prefetch(&boxes_[later(suspects_, i)]);
+        }
         scene.measure(suspects_[i], boxes_[suspects_[i]]);
     }
     measured_ |= wanted;
@@ -193,14 +206,15 @@ template <typename Visit> void Broadphase::drop_stale_near(Visit visit)
 {
     near_changed_ = false;
     next_leave_ = now_ + longest_wait;
-    near_.keep_if([&](const NearPair &pair) {
+    auto keep = [&](const NearPair &pair) {
         if (!current(pair) || pair.has_left(now_))
             return false;
         if (pair.leaves && ticks_between(pair.until, next_leave_) > 0)
             next_leave_ = pair.until;
         visit(pair);
         return true;
-    });
+    };
+    near_.keep_if(keep, [this](std::size_t i) { prefetch_test(i); });
     purge_near_at_ = std::max(least_purge, 2 * near_.pairs().size());
 }
 
@@ -230,8 +244,11 @@ template <typename Scene> void Broadphase::report(Scene &scene, std::vector<Cand
     else if (has_stale_near())
         drop_stale_near(test);
     else
-        for (const NearPair &pair : near_.pairs())
-            test(pair);
+        for (std::size_t i = 0; i < near_.pairs().size(); ++i)
+        {
+            prefetch_test(i);
+            test(near_.pairs()[i]);
+        }
     overlapping.resize(static_cast<std::size_t>(end - overlapping.data()));
 }
 

@@ -11,6 +11,7 @@
 
 #include "ode_predictive_space/broadphase/measured_box.h"
 #include "ode_predictive_space/broadphase/predictor.h"
+#include "ode_predictive_space/broadphase/prefetch.h"
 #include "ode_predictive_space/broadphase/ray_probe.h"
 #include "ode_predictive_space/broadphase/types.h"
 #include "ode_predictive_space/space/ode_internals.h"
@@ -147,15 +148,14 @@ public:
 
     void prefetch(ProxyId id) const
     {
-        const char *geom = reinterpret_cast<const char *>(geoms_[id]);
-        for (std::size_t line = 0; line < 3; ++line)
-            __builtin_prefetch(geom + line * 64);
+        constexpr std::size_t most_sizes = 3;
+        prefetch_block<sizeof(dxGeom) + most_sizes * sizeof(dReal)>(geoms_[id]);
     }
-    void prefetch_pose(ProxyId id) const
+    void prefetch_pose(ProxyId id) const { prefetch_block<sizeof(dxPosR)>(geoms_[id]->final_posr); }
+    void prefetch_velocity(ProxyId id) const
     {
-        const char *pose = reinterpret_cast<const char *>(geoms_[id]->final_posr);
-        __builtin_prefetch(pose);
-        __builtin_prefetch(pose + 64);
+        if (const dBodyID body = geoms_[id]->body)
+            ode_predictive_space::prefetch(dBodyGetLinearVel(body));
     }
 
     Box bounds(ProxyId id) const { return to_box(valid_aabb(id)); }
@@ -163,10 +163,6 @@ public:
     Observation observe(ProxyId id, bool with_bounds) const;
     bool overlap(ProxyId first, ProxyId second) const { return overlap(geoms_[first], geoms_[second]); }
     bool overlap(dxGeom *one, dxGeom *other) const;
-
-    /// ODE's dGeomMoved() calls dirty() only for geoms that are not dirty. The flag is cleared although the bounding box
-    /// may still be bad: it is computed when somebody needs it. remove() and cleanGeoms() restore what ODE expects.
-    void acknowledge(ProxyId id) const { geoms_[id]->gflags &= ~GEOM_DIRTY; }
 
 private:
     const dReal *valid_aabb(ProxyId id) const

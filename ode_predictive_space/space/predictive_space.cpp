@@ -15,8 +15,8 @@ bool enabled(const dxGeom *geom)
 // Both lines of a geom that the filters read.
 void prefetch_filters(const dxGeom *geom)
 {
-    __builtin_prefetch(&geom->gflags);
-    __builtin_prefetch(&geom->category_bits);
+    prefetch(&geom->gflags);
+    prefetch(&geom->category_bits);
 }
 
 // What collideAABBs() asks beside overlap. Bodies, bits and the rest change without notice: they are read here, each time.
@@ -29,6 +29,13 @@ bool wants_callback(dxGeom *first, dxGeom *second)
     // ODE's own classes have nothing to add to the test of the boxes.
     return (first->type < dFirstUserClass || first->AABBTest(second, second->aabb) != 0) &&
            (second->type < dFirstUserClass || second->AABBTest(first, first->aabb) != 0);
+}
+
+// ODE's dGeomMoved() calls dirty() only for geoms that are not dirty. The flag is cleared although the bounding box may still
+// be bad: it is computed when somebody needs it. remove() and cleanGeoms() restore what ODE expects.
+void listen_to(dxGeom *geom)
+{
+    geom->gflags &= ~GEOM_DIRTY;
 }
 } // namespace
 
@@ -96,7 +103,7 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     off_line_.erase(id);
     unclassified_.erase(id);
     geom->next_ex = nullptr;
-    // In here a geom with a bad box need not be dirty (see GeomScene::acknowledge()), nor a space in which a geom is;
+    // In here a geom with a bad box need not be dirty (see listen_to()), nor a space in which a geom is;
     // elsewhere they must be.
     if ((geom->gflags & GEOM_AABB_BAD) || IS_SPACE(geom))
         geom->gflags |= GEOM_DIRTY;
@@ -106,7 +113,7 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
 {
     const ProxyId id = proxy_of(geom);
     broadphase_.notice_move(id, NoticedGeom(geom));
-    geom->gflags &= ~GEOM_DIRTY;
+    listen_to(geom);
     caught_up_ = false;
 }
 
@@ -114,6 +121,8 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
 void dxPredictiveSpace::classify_new()
 {
     unclassified_.for_each([this](ProxyId id) {
+        prefetch(later(geoms_, id, 16));
+        listen_to(geoms_[id]);
         if (geoms_[id]->type == dTriMeshClass || IS_SPACE(geoms_[id]))
         {
             polled_.insert(id);
@@ -140,6 +149,7 @@ void dxPredictiveSpace::notice_unreported_moves()
         if (geoms_[id]->gflags & GEOM_DIRTY)
         {
             broadphase_.mark_moved(id);
+            listen_to(geoms_[id]);
             caught_up_ = false;
         }
     });
@@ -156,7 +166,6 @@ void dxPredictiveSpace::cleanGeoms()
         geom->recomputeAABB();
         if (geom->gflags & GEOM_DIRTY)
             dirty(geom);
-        geom->gflags &= ~GEOM_DIRTY;
     }
 }
 
@@ -196,16 +205,15 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     std::vector<CandidatePair> pairs = std::exchange(pairs_, {});
     pairs.clear();
     broadphase_.report(now, pairs);
-    constexpr std::size_t ahead = 6;
     const bool overflows_cache = geoms_.size() > 2000;
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
         const CandidatePair pair = pairs[i];
         if (overflows_cache)
         {
-            const CandidatePair later = pairs[std::min(i + ahead, pairs.size() - 1)];
-            prefetch_filters(geoms_[later.first]);
-            prefetch_filters(geoms_[later.second]);
+            const CandidatePair &next = later(pairs, i);
+            prefetch_filters(geoms_[next.first]);
+            prefetch_filters(geoms_[next.second]);
         }
         dxGeom *one = geoms_[pair.first], *other = geoms_[pair.second];
         if (enabled(one) && enabled(other) && wants_callback(one, other))
@@ -227,11 +235,9 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     found.clear();
     find_near(geom, found);
     const GeomScene now = scene();
-    constexpr std::size_t ahead = 4;
     for (std::size_t i = 0; i < found.size(); ++i)
     {
-        if (i + ahead < found.size())
-            scene().prefetch(found[i + ahead]);
+        scene().prefetch(later(found, i, 4));
         dxGeom *other = geoms_[found[i]];
         if (enabled(other) && now.overlap(other, geom) && wants_callback(other, geom))
             callback(data, other, geom);

@@ -62,6 +62,7 @@ public:
     // What Broadphase asks.
     void prefetch(ProxyId) const {}
     void prefetch_pose(ProxyId) const {}
+    void prefetch_velocity(ProxyId) const {}
     Vector3 position(ProxyId id) const { return objects_[id].centre; }
     const double *coordinates(ProxyId id) const { return objects_[id].centre.data(); }
     bool has_grown(ProxyId id, float radius) const { return !(objects_[id].radius <= radius); }
@@ -72,7 +73,6 @@ public:
     void measure(ProxyId id, MeasuredBox &box) const { box = MeasuredBox(bounds(id)); }
     Observation observe(ProxyId id, bool with_bounds) const;
     bool overlap(ProxyId first, ProxyId second) const;
-    void acknowledge(ProxyId) {}
 
 private:
     std::vector<Object> objects_;
