@@ -270,16 +270,6 @@ void Broadphase::purge_stale_events()
     purge_events_at_ = std::max(least_purge, 2 * wheel_.size());
 }
 
-// What the test of a pair some way behind the i-th reads.
-void Broadphase::prefetch_test(std::size_t i) const
-{
-    if (!overflows_cache())
-        return;
-    const NearPair &pair = later(near_.pairs(), i);
-    prefetch(&boxes_[pair.first]);
-    prefetch(&boxes_[pair.second]);
-}
-
 bool Broadphase::has_stale_near() const
 {
     return near_changed_ || ticks_between(now_, next_leave_) < 0;

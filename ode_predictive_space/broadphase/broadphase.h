@@ -88,8 +88,12 @@ public:
     /// The same without a tick: for questions between ticks.
     template <typename Scene> void catch_up(Scene &scene) { update(scene, false); }
 
-    /// Tests the near set on the objects' bounds as they are now and appends the pairs that overlap.
-    template <typename Scene> void report(Scene &scene, std::vector<CandidatePair> &overlapping);
+    /// Tests the near set on the objects' bounds as they are now.
+    ///
+    /// @param room is where the pairs that overlap are written, from its beginning on. It grows if need be and never shrinks;
+    ///     what is behind the pairs means nothing.
+    /// @return their number.
+    template <typename Scene> std::size_t report(Scene &scene, std::vector<CandidatePair> &room);
 
     /// Calls visit(id) for every object whose bounds may overlap `box`; the broad phase must be caught up.
     template <typename Visit> void query(const FloatBox &box, Visit visit) const { walk(BoxProbe(box), visit); }

@@ -201,6 +201,14 @@ template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet
     suspects_.clear();
 }
 
+// What the test of a pair some way behind the i-th reads.
+inline void Broadphase::prefetch_test(std::size_t i) const
+{
+    const NearPair &pair = later(near_.pairs(), i);
+    prefetch(&boxes_[pair.first]);
+    prefetch(&boxes_[pair.second]);
+}
+
 // Visits the pairs that are left. Notes, too, until when there is nothing more to drop unless something happens.
 template <typename Visit> void Broadphase::drop_stale_near(Visit visit)
 {
@@ -214,18 +222,21 @@ template <typename Visit> void Broadphase::drop_stale_near(Visit visit)
         visit(pair);
         return true;
     };
-    near_.keep_if(keep, [this](std::size_t i) { prefetch_test(i); });
+    near_.keep_if(keep, [this, overflows = overflows_cache()](std::size_t i) {
+        if (overflows)
+            prefetch_test(i);
+    });
     purge_near_at_ = std::max(least_purge, 2 * near_.pairs().size());
 }
 
-template <typename Scene> void Broadphase::report(Scene &scene, std::vector<CandidatePair> &overlapping)
+template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
 {
     if (!scanning())
         measure_all(scene, near_.members());
+    if (room.size() < near().size())
+        room.resize(near().size());
     // Each is written and those that are apart are overwritten: which they are is hard to foretell, and easy to count.
-    const std::size_t before = overlapping.size();
-    overlapping.resize(before + near().size());
-    CandidatePair *end = overlapping.data() + before;
+    CandidatePair *end = room.data();
     const bool by_sphere = measure_ == Proximity::sphere;
     auto test = [&](const NearPair &pair) {
         const Comparison boxes = compare(boxes_[pair.first], boxes_[pair.second]);
@@ -244,12 +255,13 @@ template <typename Scene> void Broadphase::report(Scene &scene, std::vector<Cand
     else if (has_stale_near())
         drop_stale_near(test);
     else
-        for (std::size_t i = 0; i < near_.pairs().size(); ++i)
+        for (std::size_t i = 0, count = near_.pairs().size(), overflows = overflows_cache(); i < count; ++i)
         {
-            prefetch_test(i);
+            if (overflows)
+                prefetch_test(i);
             test(near_.pairs()[i]);
         }
-    overlapping.resize(static_cast<std::size_t>(end - overlapping.data()));
+    return static_cast<std::size_t>(end - room.data());
 }
 
 template <typename Probe, typename Visit> void Broadphase::walk(const Probe &probe, Visit visit) const

@@ -203,15 +203,15 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
         broadphase_.tick(now);
     }
     std::vector<CandidatePair> pairs = std::exchange(pairs_, {});
-    pairs.clear();
-    broadphase_.report(now, pairs);
-    const bool overflows_cache = geoms_.size() > 2000;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
+    const std::size_t count = broadphase_.report(now, pairs);
+    constexpr std::size_t ahead = 8;
+    const bool overflows_cache = geoms_.size() > cached_objects;
+    for (std::size_t i = 0; i < count; ++i)
     {
         const CandidatePair pair = pairs[i];
         if (overflows_cache)
         {
-            const CandidatePair &next = later(pairs, i);
+            const CandidatePair &next = pairs[std::min(i + ahead, count - 1)];
             prefetch_filters(geoms_[next.first]);
             prefetch_filters(geoms_[next.second]);
         }

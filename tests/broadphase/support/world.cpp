@@ -93,11 +93,10 @@ Pairs World::tick()
 
 Pairs World::report()
 {
-    std::vector<CandidatePair> overlapping;
-    broadphase.report(*this, overlapping);
+    const std::size_t count = broadphase.report(*this, room_);
     Pairs pairs;
-    for (const CandidatePair &pair : overlapping)
-        pairs.emplace_back(pair.first, pair.second);
+    for (std::size_t i = 0; i < count; ++i)
+        pairs.emplace_back(room_[i].first, room_[i].second);
     return pairs;
 }
 

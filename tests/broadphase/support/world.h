@@ -77,6 +77,7 @@ public:
 private:
     std::vector<Object> objects_;
     std::vector<char> present_;
+    std::vector<CandidatePair> room_;
 };
 
 /// A ball without rotation, carried by a body that moves by `displacement` per tick.
