@@ -4,14 +4,18 @@
 
 namespace ode_predictive_space
 {
-EventWheel::EventWheel() : buckets_(bucket_count, none) {}
+EventWheel::EventWheel() : buckets_(fine + turn, none), sizes_(turn, 0) {}
 
-EventWheel::Index &EventWheel::bucket(Tick due)
+void EventWheel::link(Index index)
 {
-    const std::int32_t ahead = ticks_between(now_, due);
-    if (ahead < static_cast<std::int32_t>(turn))
-        return buckets_[due % turn];
-    return ahead < static_cast<std::int32_t>(long_turn) ? buckets_[turn + due / turn % turn] : beyond_;
+    constexpr Tick turns_until_ticks_wrap = ~Tick{0} / turn + 1;
+    const Tick due = pool_[index].due, in_turn = due / turn;
+    const Tick turns_ahead = (in_turn - now_ / turn) % turns_until_ticks_wrap;
+    const bool is_coarse = turns_ahead >= 2 && turns_ahead < turn;
+    sizes_[in_turn % turn] += is_coarse;
+    Index &head = turns_ahead < 2 ? buckets_[due % fine] : is_coarse ? coarse_bucket(in_turn) : beyond_;
+    pool_[index].next = head;
+    head = index;
 }
 
 EventWheel::Index EventWheel::take_free_entry()
@@ -34,13 +38,6 @@ void EventWheel::release(Index index)
     ++free_;
 }
 
-void EventWheel::link(Index index)
-{
-    Index &head = bucket(pool_[index].due);
-    pool_[index].next = head;
-    head = index;
-}
-
 void EventWheel::schedule(Tick due, const Event &event)
 {
     const Index index = take_free_entry();
@@ -59,14 +56,23 @@ void EventWheel::link_all_of(Index &head)
     }
 }
 
+// What comes into the next turn from now on goes to its ticks by itself.
+void EventWheel::spread_next_turn()
+{
+    const Tick next = now_ / turn + 1, ticks_left = turn - now_ % turn;
+    Index &head = coarse_bucket(next);
+    std::uint32_t &size = sizes_[next % turn];
+    for (std::uint32_t share = (size + ticks_left - 1) / ticks_left; share > 0; --share, --size)
+        link(std::exchange(head, pool_[head].next));
+}
+
 void EventWheel::advance(Tick now, std::vector<Event> &due)
 {
     now_ = now;
     if (now % long_turn == 0)
         link_all_of(beyond_);
-    if (now % turn == 0)
-        link_all_of(buckets_[turn + now / turn % turn]);
-    for (Index index = std::exchange(buckets_[now % turn], none); index != none;)
+    spread_next_turn();
+    for (Index index = std::exchange(buckets_[now % fine], none); index != none;)
     {
         const Index next = pool_[index].next;
         due.push_back(pool_[index].event);
@@ -77,7 +83,8 @@ void EventWheel::advance(Tick now, std::vector<Event> &due)
 
 void EventWheel::clear()
 {
-    buckets_.assign(bucket_count, none);
+    buckets_.assign(buckets_.size(), none);
+    sizes_.assign(sizes_.size(), 0);
     beyond_ = none;
     pool_.clear();
     free_list_ = none;
@@ -86,6 +93,7 @@ void EventWheel::clear()
 
 std::size_t EventWheel::bytes() const
 {
-    return buckets_.capacity() * sizeof(Index) + pool_.capacity() * sizeof(Entry);
+    return buckets_.capacity() * sizeof(Index) + sizes_.capacity() * sizeof(std::uint32_t) +
+           pool_.capacity() * sizeof(Entry);
 }
 } // namespace ode_predictive_space

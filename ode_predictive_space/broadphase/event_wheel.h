@@ -25,8 +25,9 @@ struct Event
     std::int32_t stay = stays; ///< ticks after which the pair has parted again; `stays` when it is near to the end
 };
 
-/// A hierarchical timing wheel: a bucket per tick for the near future, coarser ones for what comes later, each of which is
-/// spread over the fine ones when its time comes, and one list for all that lies beyond. So no tick has to deal with all.
+/// A hierarchical timing wheel: a bucket per tick for this turn and the next, coarser ones, of a turn each, for what comes
+/// later, and one list for all that lies beyond. While a turn passes, the coarse bucket of the next is spread over its ticks,
+/// as many events per tick. So no tick has to deal with all.
 class EventWheel
 {
 public:
@@ -60,9 +61,9 @@ public:
 private:
     using Index = std::uint32_t;
     static constexpr Index none = ~Index{0};
-    static constexpr Tick turn = 64;               // of the fine buckets, in ticks: what one coarse bucket holds
-    static constexpr Tick long_turn = turn * turn; // of the coarse ones
-    static constexpr std::size_t bucket_count = std::size_t{2} * turn;
+    static constexpr Tick turn = 64;               // in ticks: what one coarse bucket holds
+    static constexpr Tick long_turn = turn * turn; // of the coarse buckets
+    static constexpr Tick fine = 2 * turn;         // ticks that have a bucket each
 
     struct Entry
     {
@@ -71,13 +72,15 @@ private:
         Index next;
     };
 
-    Index &bucket(Tick due);
+    Index &coarse_bucket(Tick in_turn) { return buckets_[fine + in_turn % turn]; }
     Index take_free_entry();
     void release(Index index);
     void link(Index index);
     void link_all_of(Index &head);
+    void spread_next_turn();
 
-    std::vector<Index> buckets_; // fine, coarse
+    std::vector<Index> buckets_;       // fine, coarse
+    std::vector<std::uint32_t> sizes_; // of the coarse ones
     Index beyond_ = none;
     std::vector<Entry> pool_;
     Index free_list_ = none;

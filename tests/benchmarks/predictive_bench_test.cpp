@@ -80,7 +80,9 @@ TEST(PredictiveBench, TellsTheWorstTicksAndTheFloor)
 {
     const Outcome tail = run(PREDICTIVE_BENCH, "tail --n 300 --ticks 200");
     EXPECT_EQ(tail.status, 0) << tail.output;
-    EXPECT_TRUE(contains(tail.output, "P9  gas 300, p99.9 over the median")) << tail.output;
+    EXPECT_TRUE(contains(tail.output, "P9  gas 300, p99.9 over the median  ")) << tail.output;
+    EXPECT_TRUE(contains(tail.output, "P9  gas 300, maximum over the median, of each tick the shortest of"))
+        << tail.output;
     const Outcome floor = run(PREDICTIVE_BENCH, "floor --n 300 --ticks 200");
     EXPECT_EQ(floor.status, 0) << floor.output;
     EXPECT_TRUE(contains(floor.output, "P11  gas 300")) << floor.output;

@@ -6,6 +6,7 @@
 
 #include "demos/scenes/table.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace ode_predictive_space::benchmarks
@@ -17,6 +18,28 @@ using namespace scenes;
 constexpr int usual_objects = 10000;
 constexpr int usual_ticks = 5000;
 constexpr int warm_up = 500;
+
+/// All do the same in each tick: what the machine does meanwhile lengthens other ticks of each run, what the space does the
+/// same ones of all.
+constexpr int runs = 3;
+
+void shorten(std::vector<double> &times, const std::vector<double> &others)
+{
+    std::transform(times.begin(), times.end(), others.begin(), times.begin(),
+                   [](double one, double other) { return std::min(one, other); });
+}
+
+/// Of each tick the shortest time, this run's and that of further ones.
+std::vector<double> shortest_times(const Result &first, Plan plan, Findings &findings)
+{
+    plan.contenders = {first.name};
+    std::vector<double> shortest = first.times;
+    for (int run = 1; run < runs; ++run)
+    {
+        shorten(shortest, compare_single_ticks(plan, findings).results.front().times);
+    }
+    return shortest;
+}
 
 void show(const Result &result, const SceneSpec &spec, Findings &findings)
 {
@@ -33,12 +56,14 @@ void show(const Result &result, const SceneSpec &spec, Findings &findings)
                      {"counts", histogram.counts}});
 }
 
-void require(const Result &ours, const SceneSpec &spec, Findings &findings)
+void require(const std::vector<double> &ticks, const SceneSpec &spec, const std::string &which, Findings &findings)
 {
-    const Statistics times = summarise(ours.times);
+    const Statistics times = summarise(ticks);
     const std::string where = spec.name + " " + grouped(static_cast<std::uint64_t>(spec.objects)) + ", ";
-    findings.require({"P9", where + "p99.9 over the median", times.p999 / times.median, Requirement::at_most, 2, "x"});
-    findings.require({"P9", where + "maximum over the median", times.max / times.median, Requirement::at_most, 5, "x"});
+    findings.require(
+        {"P9", where + "p99.9 over the median" + which, times.p999 / times.median, Requirement::at_most, 2, "x"});
+    findings.require(
+        {"P9", where + "maximum over the median" + which, times.max / times.median, Requirement::at_most, 5, "x"});
 }
 
 class TailCommand : public Command
@@ -63,7 +88,9 @@ public:
         }
         if (const Result *ours = comparison.find("predictive-box"))
         {
-            require(*ours, plan.spec, findings);
+            require(ours->times, plan.spec, "", findings);
+            require(shortest_times(*ours, plan, findings), plan.spec, ", of each tick the shortest of three runs",
+                    findings);
         }
     }
 };
