@@ -3,6 +3,8 @@
 #include "tests/contract/support/geom_zoo.h"
 #include "tests/contract/support/scenario.h"
 
+#include <ode_predictive_space/predictive_space.h>
+
 namespace ode_predictive_space
 {
 namespace
@@ -195,6 +197,21 @@ TEST_F(Contract, 12_AMeshIsGivenOtherTrianglesWithoutASign)
         // The small mesh meets the far box, the large one the near box.
         EXPECT_EQ(scene.log().back().size(), (tick % 3 == 0) == (tick % 2 == 1) ? 1u : 0u) << tick;
     }
+}
+
+TEST_F(Contract, 12_AMeshWithOtherTrianglesHasMovedOnce)
+{
+    Scenario scene(SpaceKind::predictive);
+    dGeomID mesh = scene.numbered(create_geom(GeomKind::trimesh, 0.3, scene.space()));
+    scene.box(5, 0, 0, 0);
+    scene.tick();
+    dGeomTriMeshSetData(mesh, mesh_data(3));
+    dPredictiveSpaceStats before, after;
+    dPredictiveSpaceGetStats(scene.space(), &before);
+    for (int tick = 0; tick < 10; ++tick)
+        scene.tick();
+    dPredictiveSpaceGetStats(scene.space(), &after);
+    EXPECT_EQ(after.moved - before.moved, 1u);
 }
 } // namespace
 } // namespace ode_predictive_space
