@@ -43,6 +43,7 @@ struct Counters
 ///     const Real *coordinates(ProxyId)        the same, or null when no sphere around it holds the object however it turns
 ///     bool has_grown(ProxyId, float radius)   no longer fits into the sphere around its centre
 ///     void prefetch(ProxyId), void prefetch_pose(ProxyId)   the bounds will soon be asked for; the latter after the former
+///     void prefetch_velocity(ProxyId)         it will soon be observed; after prefetch()
 ///     Box bounds(ProxyId)                     bounding box
 ///     void measure(ProxyId, MeasuredBox &)    the same
 ///     Observation observe(ProxyId, bool with_bounds)
@@ -166,6 +167,7 @@ private:
     bool has_stale_near() const;
     void drop_stale_near();
     template <typename Visit> void drop_stale_near(Visit visit);
+    template <typename Visit> void visit_near(Visit visit);
     void take_note_of_moves();
 
     // At which the next update will probably be: noticed moves are judged by where objects should be then.

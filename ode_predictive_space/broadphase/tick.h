@@ -229,6 +229,30 @@ template <typename Visit> void Broadphase::drop_stale_near(Visit visit)
     purge_near_at_ = std::max(least_purge, 2 * near_.pairs().size());
 }
 
+// Visits the pairs that are not stale.
+template <typename Visit> void Broadphase::visit_near(Visit visit)
+{
+    if (scanning())
+    {
+        for (const NearPair &pair : scanned_)
+            if (current(pair))
+                visit(pair);
+        return;
+    }
+    if (has_stale_near())
+    {
+        drop_stale_near(visit);
+        return;
+    }
+    const bool overflows = overflows_cache();
+    for (std::size_t i = 0, count = near_.pairs().size(); i < count; ++i)
+    {
+        if (overflows)
+            prefetch_test(i);
+        visit(near_.pairs()[i]);
+    }
+}
+
 template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
 {
     if (!scanning())
@@ -238,29 +262,14 @@ template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vect
     // Each is written and those that are apart are overwritten: which they are is hard to foretell, and easy to count.
     CandidatePair *end = room.data();
     const bool by_sphere = measure_ == Proximity::sphere;
-    auto test = [&](const NearPair &pair) {
+    visit_near([&](const NearPair &pair) {
         const Comparison boxes = compare(boxes_[pair.first], boxes_[pair.second]);
         bool overlap = boxes.overlap;
         if (by_sphere ? !boxes.apart : boxes.apart == boxes.overlap)
             overlap = scene.overlap(pair.first, pair.second);
         *end = {pair.first, pair.second};
         end += overlap;
-    };
-    if (scanning())
-    {
-        for (const NearPair &pair : scanned_)
-            if (current(pair))
-                test(pair);
-    }
-    else if (has_stale_near())
-        drop_stale_near(test);
-    else
-        for (std::size_t i = 0, count = near_.pairs().size(), overflows = overflows_cache(); i < count; ++i)
-        {
-            if (overflows)
-                prefetch_test(i);
-            test(near_.pairs()[i]);
-        }
+    });
     return static_cast<std::size_t>(end - room.data());
 }
 
