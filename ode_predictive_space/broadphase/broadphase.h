@@ -157,8 +157,9 @@ private:
     template <typename Scene>
     void prefetch_bounds(const Scene &scene, const std::vector<ProxyId> &ids, std::size_t i) const;
     template <typename Scene> void prefetch_motion(const Scene &scene, std::size_t i) const;
-    void prefetch_test(std::size_t i) const;
+    void prefetch_boxes(const NearPair &pair, bool wanted) const;
     bool overflows_cache() const { return objects() > cached_objects; }
+    bool boxes_overflow_cache() const { return objects() > cached_boxes; }
     template <typename Scene> void remember(Scene &scene, ProxyId id);
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);
@@ -228,7 +229,7 @@ private:
     static constexpr std::size_t most_sampled = 64;
     std::size_t sampled_ = 0;
 
-    static constexpr Tick longest_wait = Tick{1} << 30;
+    static constexpr std::int32_t longest_wait = std::int32_t{1} << 30;
     bool predictions_wanted_ = false;
     std::size_t unpredicted_ = 0; // members without a prediction
 

@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SET_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SET_H
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -33,28 +34,31 @@ public:
         count_in(pair.second);
     }
 
-    /// Drops all pairs for which keep(pair) is false, and calls at(i) before the i-th of them.
-    template <typename Keep, typename At> void keep_if(Keep keep, At at)
+    /// Calls visit(pair) for all, and some time before that coming(pair).
+    template <typename Coming, typename Visit> void for_each(Coming coming, Visit visit) const
     {
-        std::size_t left = 0;
-        for (std::size_t i = 0; i < pairs_.size(); ++i)
+        const NearPair *const pairs = pairs_.data();
+        for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
         {
-            at(i);
-            const NearPair &pair = pairs_[i];
+            coming(pairs[std::min(i + ahead, count - 1)]);
+            visit(pairs[i]);
+        }
+    }
+
+    /// Drops all pairs for which keep(pair) is false.
+    template <typename Coming, typename Keep> void keep_if(Coming coming, Keep keep)
+    {
+        NearPair *left = pairs_.data();
+        for_each(coming, [&](const NearPair &pair) {
             if (keep(pair))
-                pairs_[left++] = pair;
+                *left++ = pair;
             else
             {
                 count_out(pair.first);
                 count_out(pair.second);
             }
-        }
-        pairs_.resize(left);
-    }
-
-    template <typename Keep> void keep_if(Keep keep)
-    {
-        keep_if(keep, [](std::size_t) {});
+        });
+        pairs_.resize(static_cast<std::size_t>(left - pairs_.data()));
     }
 
     void clear()
@@ -73,6 +77,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t ahead = 8;
+
     void count_in(ProxyId id)
     {
         if (counts_[id]++ == 0)

@@ -13,6 +13,9 @@ namespace ode_predictive_space
 /// What is read of so few objects stays in a cache nearby from one tick to the next.
 constexpr std::size_t cached_objects = 300;
 
+/// The same of what is kept of them to compare their boxes, which is much less.
+constexpr std::size_t cached_boxes = 2000;
+
 /// The cache line at the address, which may be any, will soon be read or written.
 inline void prefetch(const void *address)
 {

@@ -201,10 +201,11 @@ template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet
     suspects_.clear();
 }
 
-// What the test of a pair some way behind the i-th reads.
-inline void Broadphase::prefetch_test(std::size_t i) const
+// What the test of a pair reads.
+inline void Broadphase::prefetch_boxes(const NearPair &pair, bool wanted) const
 {
-    const NearPair &pair = later(near_.pairs(), i);
+    if (!wanted)
+        return;
     prefetch(&boxes_[pair.first]);
     prefetch(&boxes_[pair.second]);
 }
@@ -213,19 +214,19 @@ inline void Broadphase::prefetch_test(std::size_t i) const
 template <typename Visit> void Broadphase::drop_stale_near(Visit visit)
 {
     near_changed_ = false;
-    next_leave_ = now_ + longest_wait;
+    const Tick now = now_;
+    std::int32_t next_leave = longest_wait;
     auto keep = [&](const NearPair &pair) {
-        if (!current(pair) || pair.has_left(now_))
+        if (!current(pair) || pair.has_left(now))
             return false;
-        if (pair.leaves && ticks_between(pair.until, next_leave_) > 0)
-            next_leave_ = pair.until;
+        if (pair.leaves)
+            next_leave = std::min(next_leave, ticks_between(now, pair.until));
         visit(pair);
         return true;
     };
-    near_.keep_if(keep, [this, overflows = overflows_cache()](std::size_t i) {
-        if (overflows)
-            prefetch_test(i);
-    });
+    near_.keep_if([this, wanted = boxes_overflow_cache()](const NearPair &pair) { prefetch_boxes(pair, wanted); },
+                  keep);
+    next_leave_ = now + static_cast<Tick>(next_leave);
     purge_near_at_ = std::max(least_purge, 2 * near_.pairs().size());
 }
 
@@ -237,20 +238,12 @@ template <typename Visit> void Broadphase::visit_near(Visit visit)
         for (const NearPair &pair : scanned_)
             if (current(pair))
                 visit(pair);
-        return;
     }
-    if (has_stale_near())
-    {
+    else if (has_stale_near())
         drop_stale_near(visit);
-        return;
-    }
-    const bool overflows = overflows_cache();
-    for (std::size_t i = 0, count = near_.pairs().size(); i < count; ++i)
-    {
-        if (overflows)
-            prefetch_test(i);
-        visit(near_.pairs()[i]);
-    }
+    else
+        near_.for_each([this, wanted = boxes_overflow_cache()](const NearPair &pair) { prefetch_boxes(pair, wanted); },
+                       visit);
 }
 
 template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
@@ -265,6 +258,7 @@ template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vect
     visit_near([&](const NearPair &pair) {
         const Comparison boxes = compare(boxes_[pair.first], boxes_[pair.second]);
         bool overlap = boxes.overlap;
+        // (Asked in two steps, whether either is true, this becomes a branch on the one, too: a fifth of a pile's tick.)
         if (by_sphere ? !boxes.apart : boxes.apart == boxes.overlap)
             overlap = scene.overlap(pair.first, pair.second);
         *end = {pair.first, pair.second};
