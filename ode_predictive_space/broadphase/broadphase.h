@@ -157,9 +157,19 @@ private:
     template <typename Scene>
     void prefetch_bounds(const Scene &scene, const std::vector<ProxyId> &ids, std::size_t i) const;
     template <typename Scene> void prefetch_motion(const Scene &scene, std::size_t i) const;
-    void prefetch_boxes(const NearPair &pair, bool wanted) const;
     bool overflows_cache() const { return objects() > cached_objects; }
-    bool boxes_overflow_cache() const { return objects() > cached_boxes; }
+
+    // Fetches what the test of a pair reads, where that is not in the cache.
+    auto box_fetcher() const
+    {
+        return [this, wanted = objects() > cached_boxes](const NearPair &pair) {
+            if (!wanted)
+                return;
+            prefetch(&boxes_[pair.first]);
+            prefetch(&boxes_[pair.second]);
+        };
+    }
+
     template <typename Scene> void remember(Scene &scene, ProxyId id);
     template <typename Scene> void predict(Scene &scene);
     template <typename Scene> void scan(Scene &scene);

@@ -46,9 +46,9 @@ void EventWheel::schedule(Tick due, const Event &event)
     link(index);
 }
 
-void EventWheel::link_all_of(Index &head)
+void EventWheel::link_all_beyond()
 {
-    for (Index index = std::exchange(head, none); index != none;)
+    for (Index index = std::exchange(beyond_, none); index != none;)
     {
         const Index next = pool_[index].next;
         link(index);
@@ -70,7 +70,7 @@ void EventWheel::advance(Tick now, std::vector<Event> &due)
 {
     now_ = now;
     if (now % long_turn == 0)
-        link_all_of(beyond_);
+        link_all_beyond();
     spread_next_turn();
     for (Index index = std::exchange(buckets_[now % fine], none); index != none;)
     {

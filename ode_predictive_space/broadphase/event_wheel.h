@@ -27,7 +27,7 @@ struct Event
 
 /// A hierarchical timing wheel: a bucket per tick for this turn and the next, coarser ones, of a turn each, for what comes
 /// later, and one list for all that lies beyond. While a turn passes, the coarse bucket of the next is spread over its ticks,
-/// as many events per tick. So no tick has to deal with all.
+/// as many events at each of them. So no tick has to deal with all.
 class EventWheel
 {
 public:
@@ -76,7 +76,7 @@ private:
     Index take_free_entry();
     void release(Index index);
     void link(Index index);
-    void link_all_of(Index &head);
+    void link_all_beyond();
     void spread_next_turn();
 
     std::vector<Index> buckets_;       // fine, coarse

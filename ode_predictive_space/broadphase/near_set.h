@@ -3,13 +3,13 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SET_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SET_H
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/assess.h"
 #include "ode_predictive_space/broadphase/growth.h"
 #include "ode_predictive_space/broadphase/id_set.h"
+#include "ode_predictive_space/broadphase/prefetch.h"
 
 namespace ode_predictive_space
 {
@@ -40,7 +40,7 @@ public:
         const NearPair *const pairs = pairs_.data();
         for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
         {
-            coming(pairs[std::min(i + ahead, count - 1)]);
+            coming(later(pairs, count, i));
             visit(pairs[i]);
         }
     }
@@ -77,8 +77,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t ahead = 8;
-
     void count_in(ProxyId id)
     {
         if (counts_[id]++ == 0)

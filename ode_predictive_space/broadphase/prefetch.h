@@ -35,9 +35,14 @@ template <std::size_t bytes> void prefetch_block(const void *begin)
 }
 
 /// The element that comes some time after the i-th, far enough to be fetched meanwhile; the last one when there is none.
+template <typename T> const T &later(const T *elements, std::size_t count, std::size_t i, std::size_t distance = 8)
+{
+    return elements[std::min(i + distance, count - 1)];
+}
+
 template <typename T> const T &later(const std::vector<T> &elements, std::size_t i, std::size_t distance = 8)
 {
-    return elements[std::min(i + distance, elements.size() - 1)];
+    return later(elements.data(), elements.size(), i, distance);
 }
 } // namespace ode_predictive_space
 

@@ -201,15 +201,6 @@ template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet
     suspects_.clear();
 }
 
-// What the test of a pair reads.
-inline void Broadphase::prefetch_boxes(const NearPair &pair, bool wanted) const
-{
-    if (!wanted)
-        return;
-    prefetch(&boxes_[pair.first]);
-    prefetch(&boxes_[pair.second]);
-}
-
 // Visits the pairs that are left. Notes, too, until when there is nothing more to drop unless something happens.
 template <typename Visit> void Broadphase::drop_stale_near(Visit visit)
 {
@@ -224,8 +215,7 @@ template <typename Visit> void Broadphase::drop_stale_near(Visit visit)
         visit(pair);
         return true;
     };
-    near_.keep_if([this, wanted = boxes_overflow_cache()](const NearPair &pair) { prefetch_boxes(pair, wanted); },
-                  keep);
+    near_.keep_if(box_fetcher(), keep);
     next_leave_ = now + static_cast<Tick>(next_leave);
     purge_near_at_ = std::max(least_purge, 2 * near_.pairs().size());
 }
@@ -242,8 +232,7 @@ template <typename Visit> void Broadphase::visit_near(Visit visit)
     else if (has_stale_near())
         drop_stale_near(visit);
     else
-        near_.for_each([this, wanted = boxes_overflow_cache()](const NearPair &pair) { prefetch_boxes(pair, wanted); },
-                       visit);
+        near_.for_each(box_fetcher(), visit);
 }
 
 template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
@@ -258,7 +247,7 @@ template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vect
     visit_near([&](const NearPair &pair) {
         const Comparison boxes = compare(boxes_[pair.first], boxes_[pair.second]);
         bool overlap = boxes.overlap;
-        // (Asked in two steps, whether either is true, this becomes a branch on the one, too: a fifth of a pile's tick.)
+        // A single comparison: asked one after the other, one of them is a branch that is hard to foretell.
         if (by_sphere ? !boxes.apart : boxes.apart == boxes.overlap)
             overlap = scene.overlap(pair.first, pair.second);
         *end = {pair.first, pair.second};

@@ -204,14 +204,13 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     }
     std::vector<CandidatePair> pairs = std::exchange(pairs_, {});
     const std::size_t count = broadphase_.report(now, pairs);
-    constexpr std::size_t ahead = 8;
     const bool overflows_cache = geoms_.size() > cached_objects;
     for (std::size_t i = 0; i < count; ++i)
     {
         const CandidatePair pair = pairs[i];
         if (overflows_cache)
         {
-            const CandidatePair &next = pairs[std::min(i + ahead, count - 1)];
+            const CandidatePair &next = later(pairs.data(), count, i);
             prefetch_filters(geoms_[next.first]);
             prefetch_filters(geoms_[next.second]);
         }
