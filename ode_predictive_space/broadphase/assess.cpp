@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ode_predictive_space/broadphase/approach.h"
+
 namespace ode_predictive_space
 {
 namespace
@@ -24,47 +26,43 @@ double common_horizon(const ProxyStore &proxies, ProxyId first, ProxyId second, 
     return both_still ? 0 : std::min(proxies.remaining(first, now), proxies.remaining(second, now));
 }
 
-std::optional<ProximityInterval> proximity_of(const Envelope &one, const Envelope &other, double duration,
-                                              Proximity measure)
+// Both boxes and spheres must be near: not before the later of the two first times.
+std::optional<ProximityInterval> with_spheres(const ProximityInterval &boxes, const ProxyStore &proxies, ProxyId first,
+                                              ProxyId second, Tick now)
 {
-    std::optional<ProximityInterval> interval = box_proximity(one, other, duration);
-    if (interval && measure == Proximity::sphere)
-    {
-        // Both must be near: not before the later of the two first times.
-        const std::optional<double> time = sphere_time_of_proximity(spherical(one), spherical(other), duration);
-        if (!time)
-            return std::nullopt;
-        interval->enter = std::max(interval->enter, *time);
-    }
-    return interval;
+    const std::optional<double> time = sphere_time_of_proximity(spherical(proxies.outer_envelope(first, now)),
+                                                                spherical(proxies.outer_envelope(second, now)),
+                                                                common_horizon(proxies, first, second, now));
+    if (!time)
+        return std::nullopt;
+    return ProximityInterval{std::max(boxes.enter, *time), boxes.leave};
 }
 } // namespace
 
 std::optional<ProximityInterval> proximity(const ProxyStore &proxies, ProxyId first, ProxyId second, Tick now,
                                            Proximity measure)
 {
-    return proximity_of(proxies.outer_envelope(first, now), proxies.outer_envelope(second, now),
-                        common_horizon(proxies, first, second, now), measure);
+    const std::optional<ProximityInterval> boxes =
+        box_proximity(proxies.outer_envelope(first, now), proxies.outer_envelope(second, now),
+                      common_horizon(proxies, first, second, now));
+    return boxes && measure == Proximity::sphere ? with_spheres(*boxes, proxies, first, second, now) : boxes;
 }
 
 void assess(const ProxyStore &proxies, const std::vector<CandidatePair> &candidates, Tick now, Proximity measure,
             std::vector<NearPair> &near, std::vector<ScheduledPair> &scheduled)
 {
+    std::optional<Approach> approach;
     ProxyId last = no_proxy;
-    Envelope envelope;
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
         proxies.prefetch(later(candidates, i).second);
         const CandidatePair &pair = candidates[i];
         // Candidates come by the object that was predicted.
         if (pair.first != last)
-        {
-            last = pair.first;
-            envelope = proxies.outer_envelope(last, now);
-        }
-        const std::optional<ProximityInterval> interval =
-            proximity_of(envelope, proxies.outer_envelope(pair.second, now),
-                         common_horizon(proxies, pair.first, pair.second, now), measure);
+            approach.emplace(proxies, last = pair.first, now);
+        std::optional<ProximityInterval> interval = approach->to(pair.second);
+        if (interval && measure == Proximity::sphere)
+            interval = with_spheres(*interval, proxies, pair.first, pair.second, now);
         if (!interval)
             continue;
         // Objects are looked at at whole ticks only.
