@@ -210,7 +210,7 @@ void Broadphase::note_crowded(const NearPair &pair)
     for (ProxyId id : {pair.first, pair.second})
     {
         PackedBounds &bounds = proxies_.bounds[id];
-        if (bounds.check == Check::centre && !bounds.crowded && !bounds.is_sphere && lingers(id))
+        if (bounds.check == Check::centre && !bounds.crowded && bounds.tight_bounds_last && lingers(id))
         {
             bounds.crowded = true;
             due_anew_.insert(id);
@@ -221,7 +221,7 @@ void Broadphase::note_crowded(const NearPair &pair)
 // Does it take many ticks to move by its own size?
 bool Broadphase::lingers(ProxyId id) const
 {
-    constexpr double many = 4000;
+    constexpr double many = 600;
     return many * proxies_.paths[id].path().velocity.lpNorm<Eigen::Infinity>() < proxies_.bounds[id].radius;
 }
 

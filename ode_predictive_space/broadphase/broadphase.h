@@ -157,6 +157,7 @@ private:
     template <typename Scene>
     void prefetch_bounds(const Scene &scene, const std::vector<ProxyId> &ids, std::size_t i) const;
     template <typename Scene> void prefetch_motion(const Scene &scene, std::size_t i) const;
+    template <typename Scene> void prefetch_first_motions(const Scene &scene) const;
     bool overflows_cache() const { return objects() > cached_objects; }
 
     // Fetches what the test of a pair reads, where that is not in the cache.
@@ -177,8 +178,9 @@ private:
     template <typename Scene> void measure_all(Scene &scene, const IdSet &wanted);
     bool has_stale_near() const;
     void drop_stale_near();
-    template <typename Visit> void drop_stale_near(Visit visit);
-    template <typename Visit> void visit_near(Visit visit);
+    template <typename Visit> Visit drop_stale_near(Visit visit);
+    template <typename Visit> Visit visit_near(Visit visit);
+    template <typename Scene> struct OverlapTest;
     void take_note_of_moves();
 
     // At which the next update will probably be: noticed moves are judged by where objects should be then.

@@ -127,7 +127,7 @@ void EnvelopeTree::move(ProxyId proxy, const FloatBox &box)
 // the nodes that taking it out and putting it back will meet.
 void EnvelopeTree::foresee(const std::vector<SweptProxy> &batch) const
 {
-    constexpr std::size_t many = 4096;
+    constexpr std::size_t many = 256;
     if (nodes_.size() < many)
         return;
     for (const SweptProxy &swept : batch)

@@ -10,12 +10,12 @@
 
 namespace ode_predictive_space
 {
-/// What single precision can tell of two boxes: at most one of the two; neither, when they are too close to tell or one is
-/// not finite.
-struct Comparison
+/// What single precision can tell of two boxes.
+enum class Comparison : int
 {
-    bool apart;
-    bool overlap;
+    apart = -1,
+    unsure = 0, ///< they are too close to tell, or one is not finite
+    overlap = 1
 };
 
 /// A box in single precision that knows how far off it may be: two of them are compared in a few instructions, and only
@@ -76,20 +76,20 @@ public:
         const __m128 after = _mm_sub_ps(_mm_load_ps(one.low_), _mm_load_ps(other.high_));
         const __m128 gap = _mm_max_ps(before, after);
         const __m128 error = _mm_shuffle_ps(gap, gap, 0xff);
-        const int apart = _mm_movemask_ps(_mm_cmpgt_ps(gap, error));
+        const int apart = _mm_movemask_ps(_mm_cmpgt_ps(gap, error)) != 0;
         const int deep = _mm_movemask_ps(_mm_cmplt_ps(gap, _mm_sub_ps(_mm_setzero_ps(), error)));
-        return {apart != 0, (deep & 7) == 7};
+        const int overlap = (deep & 7) == 7;
 #else
         const float error = one.error_ + other.error_;
-        Comparison result = {false, true};
+        int apart = 0, overlap = 1;
         for (int axis = 0; axis < 3; ++axis)
         {
             const float gap = std::max(other.low_[axis] - one.high_[axis], one.low_[axis] - other.high_[axis]);
-            result.apart |= gap > error;
-            result.overlap &= gap < -error;
+            apart |= gap > error;
+            overlap &= gap < -error;
         }
-        return result;
 #endif
+        return static_cast<Comparison>(overlap - apart);
     }
 
 private:

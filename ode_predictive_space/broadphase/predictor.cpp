@@ -83,7 +83,13 @@ void set_bounds(PackedBounds &bounds, const Observation &seen, const Vector3 &ce
                              : seen.bounds ? farthest_corner(box)
                                            : seen.radius);
     bounds.check = seen.bounds ? Check::bounds : Check::centre;
-    bounds.is_sphere = seen.is_sphere;
+}
+
+// Tight bounds of what turns are left when their slack is used up. Are they likely to last so long that they pay?
+bool tight_bounds_last(const Observation &seen, double step)
+{
+    constexpr double least_ticks = 20;
+    return !seen.is_sphere && least_ticks * step * seen.spin < slack_of_bounds;
 }
 
 double reach_of(const PackedBounds &bounds)
@@ -359,6 +365,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &obse
     Motion motion = estimate_motion(bounds, outcome, seen, now);
 
     set_bounds(bounds, seen, seen.centre);
+    bounds.tight_bounds_last = tight_bounds_last(seen, step());
     proxies.stamps[id] = {bounds.check == Check::centre ? bounds.radius : -1, 0};
     const double size = size_of(bounds);
     if (motion.leaps(reach_of(bounds) * size))

@@ -22,6 +22,7 @@ struct Observation
     bool box_only = false;     ///< no sphere may judge it: it can be touched outside of any that holds its bounding box
     std::optional<Box> bounds; ///< its bounding box; needed when radius or centre is not finite
     std::optional<Vector3> velocity; ///< in the program's unit, if it has a body that tells
+    double spin = 0;                 ///< angular speed of that body, in the same unit
 };
 
 /// Horizons in ticks.

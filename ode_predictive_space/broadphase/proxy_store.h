@@ -83,11 +83,11 @@ struct alignas(64) PackedBounds
     Check check;
     Shelf shelf;
     Role role;
-    bool still;            ///< path and deviation are constant: valid as long as it does not leave its envelope
-    bool crowded;          ///< has or had near pairs: its tight bounds pay
-    bool is_sphere;        ///< its bounding sphere's box is its bounding box: no tighter bounds are to be had
-    bool unbounded;        ///< no tree can hold its envelope: infinite, or not a number
-    std::uint8_t mistrust; ///< how often in a row its body's velocity did not explain its motion
+    bool still;             ///< path and deviation are constant: valid as long as it does not leave its envelope
+    bool crowded;           ///< has or had near pairs: its tight bounds pay
+    bool tight_bounds_last; ///< there are tighter ones than its bounding sphere's, and it hardly turns
+    bool unbounded;         ///< no tree can hold its envelope: infinite, or not a number
+    std::uint8_t mistrust;  ///< how often in a row its body's velocity did not explain its motion
 };
 static_assert(sizeof(PackedBounds) == 64, "one cache line");
 constexpr std::uint32_t no_history = ~std::uint32_t{0};

@@ -121,6 +121,23 @@ template <typename Scene> void Broadphase::prefetch_motion(const Scene &scene, s
     proxies_.prefetch(later(batch_, i));
 }
 
+// A batch is often so small that nothing of it lies some objects ahead.
+template <typename Scene> void Broadphase::prefetch_first_motions(const Scene &scene) const
+{
+    constexpr std::size_t few = 16;
+    const std::size_t count = overflows_cache() ? std::min(few, batch_.size()) : 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        scene.prefetch(batch_[i]);
+        proxies_.prefetch(batch_[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        scene.prefetch_pose(batch_[i]);
+        scene.prefetch_velocity(batch_[i]);
+    }
+}
+
 // The same point of the object that is predicted.
 template <typename Scene> void Broadphase::remember(Scene &scene, ProxyId id)
 {
@@ -130,6 +147,7 @@ template <typename Scene> void Broadphase::remember(Scene &scene, ProxyId id)
 
 template <typename Scene> void Broadphase::predict(Scene &scene)
 {
+    prefetch_first_motions(scene);
     for (std::size_t i = 0; i < batch_.size(); ++i)
     {
         if (overflows_cache())
@@ -138,8 +156,9 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
         PackedBounds &bounds = proxies_.bounds[id];
         stop_waiting(id);
         unpredicted_ -= bounds.check == Check::none;
-        // Tight bounds are given up when they were in force and no near pair needed them.
-        bounds.crowded &= near_.members().contains(id) || bounds.check != Check::bounds;
+        // Tight bounds are given up when they do not last, or were in force and no near pair needed them.
+        bounds.crowded &=
+            bounds.tight_bounds_last && (near_.members().contains(id) || bounds.check != Check::bounds);
         predictor.predict(proxies_, id, scene.observe(id, bounds.crowded), now_);
         if (bounds.still)
             moving_.erase(id);
@@ -202,26 +221,29 @@ template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet
 }
 
 // Visits the pairs that are left. Notes, too, until when there is nothing more to drop unless something happens.
-template <typename Visit> void Broadphase::drop_stale_near(Visit visit)
+template <typename Visit> Visit Broadphase::drop_stale_near(Visit visit)
 {
     near_changed_ = false;
     const Tick now = now_;
+    const Generation *const generations = proxies_.generations.data(); // or it would be looked up for each pair
     std::int32_t next_leave = longest_wait;
-    auto keep = [&](const NearPair &pair) {
-        if (!current(pair) || pair.has_left(now))
+    const auto keep = [&](const NearPair &pair) {
+        const std::int32_t leave = pair.leaves ? ticks_between(now, pair.until) : longest_wait;
+        if (pair.first_generation != generations[pair.first] || pair.second_generation != generations[pair.second] ||
+            leave < 0)
             return false;
-        if (pair.leaves)
-            next_leave = std::min(next_leave, ticks_between(now, pair.until));
+        next_leave = std::min(next_leave, leave);
         visit(pair);
         return true;
     };
     near_.keep_if(box_fetcher(), keep);
     next_leave_ = now + static_cast<Tick>(next_leave);
     purge_near_at_ = std::max(least_purge, 2 * near_.pairs().size());
+    return visit;
 }
 
-// Visits the pairs that are not stale.
-template <typename Visit> void Broadphase::visit_near(Visit visit)
+// Visits the pairs that are not stale; returns the visitor, which is not shared meanwhile: what it counts stays in registers.
+template <typename Visit> Visit Broadphase::visit_near(Visit visit)
 {
     if (scanning())
     {
@@ -230,10 +252,30 @@ template <typename Visit> void Broadphase::visit_near(Visit visit)
                 visit(pair);
     }
     else if (has_stale_near())
-        drop_stale_near(visit);
+        return drop_stale_near(visit);
     else
-        near_.for_each(box_fetcher(), visit);
+        near_.for_each(box_fetcher(), [&](const NearPair &pair) { visit(pair); });
+    return visit;
 }
+
+// Each pair is written and those that are apart are overwritten: which they are is hard to foretell, and easy to count.
+template <typename Scene> struct Broadphase::OverlapTest
+{
+    Scene &scene;
+    const MeasuredBox *boxes;
+    bool by_sphere;
+    CandidatePair *end;
+
+    void operator()(const NearPair &pair)
+    {
+        const Comparison compared = compare(boxes[pair.first], boxes[pair.second]);
+        bool overlap = compared == Comparison::overlap;
+        if (compared == Comparison::unsure || (by_sphere && overlap))
+            overlap = scene.overlap(pair.first, pair.second);
+        *end = {pair.first, pair.second};
+        end += overlap;
+    }
+};
 
 template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
 {
@@ -241,19 +283,8 @@ template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vect
         measure_all(scene, near_.members());
     if (room.size() < near().size())
         room.resize(near().size());
-    // Each is written and those that are apart are overwritten: which they are is hard to foretell, and easy to count.
-    CandidatePair *end = room.data();
-    const bool by_sphere = measure_ == Proximity::sphere;
-    visit_near([&](const NearPair &pair) {
-        const Comparison boxes = compare(boxes_[pair.first], boxes_[pair.second]);
-        bool overlap = boxes.overlap;
-        // A single comparison: asked one after the other, one of them is a branch that is hard to foretell.
-        if (by_sphere ? !boxes.apart : boxes.apart == boxes.overlap)
-            overlap = scene.overlap(pair.first, pair.second);
-        *end = {pair.first, pair.second};
-        end += overlap;
-    });
-    return static_cast<std::size_t>(end - room.data());
+    const OverlapTest<Scene> test{scene, boxes_.data(), measure_ == Proximity::sphere, room.data()};
+    return static_cast<std::size_t>(visit_near(test).end - room.data());
 }
 
 template <typename Probe, typename Visit> void Broadphase::walk(const Probe &probe, Visit visit) const

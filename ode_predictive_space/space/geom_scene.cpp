@@ -26,6 +26,14 @@ Vector3 velocity_of(dxGeom *geom)
     return Vector3(at_centre[0], at_centre[1], at_centre[2]);
 }
 
+double spin_of(dBodyID body)
+{
+    if (!dBodyIsEnabled(body))
+        return 0;
+    const dReal *spin = dBodyGetAngularVel(body);
+    return Vector3(spin[0], spin[1], spin[2]).norm();
+}
+
 bool turns_with_body(const dxGeom *geom)
 {
     return geom->body != nullptr && geom->offset_posr == nullptr;
@@ -158,7 +166,10 @@ Observation GeomScene::observe(ProxyId id, bool with_bounds) const
     if (!by_centre)
         seen.bounds = bounds(id);
     if (geom->body && !dBodyIsKinematic(geom->body))
+    {
         seen.velocity = velocity_of(geom);
+        seen.spin = spin_of(geom->body);
+    }
     return seen;
 }
 

@@ -315,6 +315,24 @@ TEST(Predictor, CrowdedObjectsLookLessFarAhead)
     EXPECT_GT(crowded.predictions, alone.predictions);
 }
 
+TEST(Predictor, TightBoundsLastUnlessItTurnsFast)
+{
+    Predictor predictor;
+    Tracked tracked(predictor);
+    MovingBall object;
+    object.velocity = {0.5, 0, 0};
+    follow(tracked, object, 200);
+    EXPECT_FALSE(tracked.bounds().tight_bounds_last) << "a ball's are no tighter";
+    for (double spin : {0.0, 0.1, 10.0, nan})
+    {
+        Observation seen = object.next();
+        seen.is_sphere = false;
+        seen.spin = spin;
+        tracked.predict(seen);
+        EXPECT_EQ(tracked.bounds().tight_bounds_last, spin < 1) << spin;
+    }
+}
+
 TEST(Predictor, WhatIsNotANumberHarmsNobody)
 {
     Predictor predictor;
