@@ -1,6 +1,7 @@
 #include "ode_predictive_space/broadphase/broadphase.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ode_predictive_space
 {
@@ -125,9 +126,10 @@ void Broadphase::collect_suspects(bool time_passes, bool as_expected)
     auto collect = [this](ProxyId id) { suspects_.push_back(id); };
     for (std::size_t i = 0; i < moved_.words(); ++i)
     {
-        const std::uint64_t moved = moved_.word(i), stopped = time_passes ? moving_.word(i) & ~moved : 0;
+        const std::uint64_t predicted = ~waiting_.word(i), moved = moved_.word(i) & predicted;
+        const std::uint64_t stopped = time_passes ? moving_.word(i) & ~moved : 0;
         counters_.verified += IdSet::count(moved | stopped);
-        IdSet::visit_word(i, (as_expected ? doubtful_.word(i) : moved) | stopped, collect);
+        IdSet::visit_word(i, (as_expected ? doubtful_.word(i) & predicted : moved) | stopped, collect);
     }
 }
 
@@ -166,6 +168,16 @@ void Broadphase::expire()
             add_to_batch(event.first);
     due_anew_.for_each([this](ProxyId id) { add_to_batch(id); });
     due_anew_.clear();
+}
+
+void Broadphase::enter_in_index(std::size_t single)
+{
+    for (ProxyId id : batch_)
+        swept_.push_back({id, proxies_.swept_box(id, now_)});
+    if (std::exchange(parts_joined_, false))
+        index_.rebuild(proxies_, swept_, now_);
+    else
+        index_.update(proxies_, swept_, now_, single);
 }
 
 void Broadphase::find_pairs()
@@ -336,25 +348,25 @@ bool Broadphase::stop_waiting(ProxyId id)
     return true;
 }
 
+// Some that lie side by side, as the last sweep found them: they make a good part of a tree. Who was not there yet has a
+// place in the next queue.
 void Broadphase::add_part()
 {
-    std::size_t room = part();
-    for (std::size_t i = 0; i < waiting_.words() && room > 0; ++i)
-        IdSet::visit_word(i, waiting_.word(i), [&](ProxyId id) {
-            if (room > 0)
-            {
-                add_to_batch(id);
-                --room;
-            }
-        });
+    if (queue_.empty())
+        sweep_.sort_along_widest(items_, queue_);
+    for (std::size_t room = part(); room > 0 && !queue_.empty(); queue_.pop_back())
+        if (is_waiting(queue_.back()))
+        {
+            add_to_batch(queue_.back());
+            --room;
+        }
 }
 
-// What was inserted part by part makes no good trees; what was predicted in one batch was not.
+// A tree made of parts is not as good as one that is built at once; that is left to the next tick, which sweeps nothing.
 void Broadphase::finish_parts()
 {
     release_scan();
-    if (batch_.size() < objects())
-        index_.rebuild(proxies_, {}, now_);
+    parts_joined_ = batch_.size() < objects();
 }
 
 void Broadphase::start_scanning()
@@ -391,6 +403,7 @@ void Broadphase::release_scan()
     items_ = {};
     sweep_ = {};
     scanned_ = {};
+    queue_ = {};
 }
 
 std::size_t Broadphase::bytes() const
@@ -399,7 +412,7 @@ std::size_t Broadphase::bytes() const
     for (const IdSet *set :
          {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_, &measured_})
         total += set->bytes();
-    total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity()) * sizeof(ProxyId);
+    total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity() + queue_.capacity()) * sizeof(ProxyId);
     total += swept_.capacity() * sizeof(SweptProxy);
     total += near_.bytes() + found_near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
     total += candidates_.capacity() * sizeof(CandidatePair) + scheduled_.capacity() * sizeof(ScheduledPair);

@@ -193,6 +193,7 @@ private:
     void expire();
     void add_to_batch(ProxyId id);
     void sample(ProxyId id, bool wanted);
+    void enter_in_index(std::size_t single);
     void find_pairs();
     void schedule();
     void wake();
@@ -247,10 +248,12 @@ private:
 
     // Predicting all objects takes as long as several sweeps over them: it is done in so many parts, unless these would be
     // small, while all are swept.
-    static constexpr std::size_t parts = 8;
+    static constexpr std::size_t parts = 16;
     static constexpr std::size_t least_part = 64;
     static constexpr std::size_t least_at_once = 128;
     std::size_t waiting_count_ = 0; // of waiting_: asked for several times a tick, also where nobody waits
+    bool parts_joined_ = false;     // all have been predicted, part by part, at the last update
+    std::vector<ProxyId> queue_;    // in which they are predicted, from the last one on; of others, too
     std::vector<NearPair> scanned_; // all pairs that the last sweep over all objects found
 
     bool near_changed_ = false; // pairs have come, or become stale, since drop_stale_near()

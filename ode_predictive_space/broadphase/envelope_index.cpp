@@ -9,7 +9,7 @@ namespace ode_predictive_space
 bool EnvelopeIndex::is_bulk(const ProxyStore &proxies, std::size_t batch) const
 {
     const std::size_t present = still_.size() + moving_.size() + list_.size();
-    return proxies.size() > small_scene && batch >= 16 && 4 * batch >= present;
+    return proxies.size() > small_scene && batch >= 16 && 2 * batch > present;
 }
 
 Shelf EnvelopeIndex::shelf_for(const ProxyStore &proxies, const SweptProxy &swept) const
@@ -19,19 +19,19 @@ Shelf EnvelopeIndex::shelf_for(const ProxyStore &proxies, const SweptProxy &swep
     return proxies.bounds[swept.proxy].still ? Shelf::still : Shelf::moving;
 }
 
-// Moves what a tree can hold there: the scene is not small any more.
+// Moves what a tree can hold there when the scene is not small any more.
 void EnvelopeIndex::outgrow_list(ProxyStore &proxies)
 {
-    for (const SweptProxy &leaf : std::exchange(list_, {}))
-        put(proxies, leaf);
+    const bool is_small = proxies.size() <= small_scene;
+    if (std::exchange(was_small_, is_small) && !is_small)
+        for (const SweptProxy &leaf : std::exchange(list_, {}))
+            put(proxies, leaf);
 }
 
-void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now)
+void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now, std::size_t single)
 {
-    if (was_small_ && proxies.size() > small_scene)
-        outgrow_list(proxies);
-    was_small_ = proxies.size() <= small_scene;
-    // Building costs less than a quarter of inserting one by one, and leaves a better tree.
+    outgrow_list(proxies);
+    // Building costs less than half of inserting one by one, and leaves a better tree.
     if (is_bulk(proxies, batch.size()))
     {
         rebuild(proxies, batch, now);
@@ -39,22 +39,48 @@ void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &b
     }
     still_.foresee(batch);
     moving_.foresee(batch);
-    for (const SweptProxy &swept : batch)
+    const auto part = batch.begin() + static_cast<std::ptrdiff_t>(std::min(single, batch.size()));
+    for (auto swept = batch.begin(); swept != part; ++swept)
+        put_anew(proxies, *swept);
+    if (part != batch.end())
+        graft(proxies, {part, batch.end()});
+}
+
+void EnvelopeIndex::put_anew(ProxyStore &proxies, const SweptProxy &swept)
+{
+    const Shelf shelf = proxies.bounds[swept.proxy].shelf;
+    if (shelf == Shelf::none || shelf != shelf_for(proxies, swept))
     {
-        const Shelf shelf = proxies.bounds[swept.proxy].shelf;
-        if (shelf == Shelf::none || shelf != shelf_for(proxies, swept))
-        {
-            remove(proxies, swept.proxy);
-            put(proxies, swept);
-        }
-        else if (shelf == Shelf::list)
-        {
-            find_in_list(swept.proxy)->box = swept.box;
-            proxies.bounds[swept.proxy].unbounded = !swept.box.bounded();
-        }
-        else
-            tree(shelf).move(swept.proxy, swept.box);
+        remove(proxies, swept.proxy);
+        put(proxies, swept);
     }
+    else if (shelf == Shelf::list)
+    {
+        find_in_list(swept.proxy)->box = swept.box;
+        proxies.bounds[swept.proxy].unbounded = !swept.box.bounded();
+    }
+    else
+        tree(shelf).move(swept.proxy, swept.box);
+}
+
+void EnvelopeIndex::graft(ProxyStore &proxies, const std::vector<SweptProxy> &part)
+{
+    std::vector<SweptProxy> still, moving;
+    for (const SweptProxy &swept : part)
+    {
+        const Shelf shelf = shelf_for(proxies, swept);
+        if (shelf == Shelf::list)
+        {
+            put_anew(proxies, swept);
+            continue;
+        }
+        remove(proxies, swept.proxy);
+        (shelf == Shelf::still ? still : moving).push_back(swept);
+        proxies.bounds[swept.proxy].shelf = shelf;
+        proxies.bounds[swept.proxy].unbounded = false;
+    }
+    still_.graft(still);
+    moving_.graft(moving);
 }
 
 void EnvelopeIndex::put(ProxyStore &proxies, const SweptProxy &swept)

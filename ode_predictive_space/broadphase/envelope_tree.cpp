@@ -97,14 +97,21 @@ void EnvelopeTree::insert(ProxyId proxy, const FloatBox &box)
     insert_below(proxy, box, 0);
 }
 
+// What was in the node becomes the first of two below it; the second is the caller's to fill.
+EnvelopeTree::Index EnvelopeTree::open_pair(Index node)
+{
+    const Index pair = allocate_pair();
+    move_node(node, pair);
+    nodes_[node].content = pair;
+    return pair;
+}
+
 void EnvelopeTree::insert_below(ProxyId proxy, const FloatBox &box, Index start)
 {
     const Index place = find_sibling(box, start);
-    const Index pair = allocate_pair();
-    move_node(place, pair);
+    const Index pair = open_pair(place);
     nodes_[pair + 1].box = box;
     nodes_[pair + 1].content = static_cast<Index>(~proxy);
-    nodes_[place].content = pair;
     adopt(pair + 1);
     adopt(place);
     refit_upwards(place);

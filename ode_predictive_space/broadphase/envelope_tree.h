@@ -34,6 +34,10 @@ public:
     /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
     void build(const std::vector<SweptProxy> &leaves);
 
+    /// Adds proxies that are not in the tree and lie side by side: as a tree of their own, built from the top and put in its
+    /// place as a whole. Of what is spread over the whole tree that would make a bad one.
+    void graft(const std::vector<SweptProxy> &leaves);
+
     /// These, if they are in the tree, will soon be given other boxes: fetches the nodes that this takes, in a tree so large
     /// that they are not in the cache.
     void foresee(const std::vector<SweptProxy> &batch) const;
@@ -81,6 +85,7 @@ private:
     Index allocate_pair();
     void free_pair(Index first);
     Index find_sibling(const FloatBox &box, Index start) const;
+    Index open_pair(Index node);
     void insert_below(ProxyId proxy, const FloatBox &box, Index start);
     Index take_out(ProxyId proxy);
     void adopt(Index node);

@@ -344,6 +344,19 @@ void Sweep::find_pairs(const std::vector<SweptProxy> &items, std::vector<Candida
     find_bounded_pairs(bounded_, pairs);
 }
 
+void Sweep::sort_along_widest(const std::vector<SweptProxy> &items, std::vector<ProxyId> &order)
+{
+    if (items.empty())
+        return;
+    const Layout layout = Layout::fit_for(items);
+    order_.clear();
+    for (std::size_t i = 0; i < items.size(); ++i)
+        order_.push_back(std::uint64_t{layout.place(items[i].box.low[layout.along])} << 32 | i);
+    sort_keys();
+    for (std::uint64_t element : order_)
+        order.push_back(items[element & 0xffffffffu].proxy);
+}
+
 void Sweep::find_bounded_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs)
 {
     const std::vector<SweptProxy> *left = &items;

@@ -27,6 +27,9 @@ public:
     /// Appends every overlapping pair, each once; the smaller number first.
     void find_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs);
 
+    /// Appends the numbers of all items in the order in which they lie along the axis on which they are spread most.
+    void sort_along_widest(const std::vector<SweptProxy> &items, std::vector<ProxyId> &order);
+
     std::size_t bytes() const;
 
 private:

@@ -53,9 +53,11 @@ template <typename Scene> void Broadphase::renew(Scene &scene)
     const bool in_parts = scanning();
     if (broken_ > most_at_once())
         postpone_batch();
-    else if (in_parts)
+    const std::size_t single = batch_.size();
+    if (in_parts && broken_ <= most_at_once())
         add_part();
     predict(scene);
+    enter_in_index(single);
     find_pairs();
     schedule();
     wake();
@@ -76,8 +78,6 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
         if (overflows_cache())
             prefetch_bounds(scene, suspects_, i);
         const ProxyId id = suspects_[i];
-        if (is_waiting(id))
-            continue;
         if (!holds(scene, id))
             broken_ += proxies_.bounds[id].check != Check::none;
         else if (!has_stopped(id))
@@ -157,8 +157,7 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
         stop_waiting(id);
         unpredicted_ -= bounds.check == Check::none;
         // Tight bounds are given up when they do not last, or were in force and no near pair needed them.
-        bounds.crowded &=
-            bounds.tight_bounds_last && (near_.members().contains(id) || bounds.check != Check::bounds);
+        bounds.crowded &= bounds.tight_bounds_last && (near_.members().contains(id) || bounds.check != Check::bounds);
         predictor.predict(proxies_, id, scene.observe(id, bounds.crowded), now_);
         if (bounds.still)
             moving_.erase(id);
@@ -170,9 +169,6 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
                                                               (interactive_.contains(id) || sampled_ < most_sampled)));
     }
     counters_.repredictions += batch_.size();
-    for (ProxyId id : batch_)
-        swept_.push_back({id, proxies_.swept_box(id, now_)});
-    index_.update(proxies_, swept_, now_);
 }
 
 template <typename Scene> void Broadphase::scan(Scene &scene)

@@ -32,7 +32,8 @@ public:
         for (ProxyId id : batch_)
             predict(id);
         present_.insert(chosen.begin(), chosen.end());
-        index_.update(store_, swept(batch_), now_);
+        const std::size_t single = random_.chance(0.5) ? count : random_.index(count + 1);
+        index_.update(store_, swept(batch_), now_, single);
     }
 
     void remove_some()

@@ -73,6 +73,41 @@ TEST_F(Parts, AllHaveTheirTurn)
     EXPECT_EQ(gas.world.broadphase.counters().scans, scans) << "and then no more is swept";
 }
 
+// So that each part makes a good part of a tree.
+TEST_F(Parts, EachLiesSideBySide)
+{
+    explode();
+    const auto predicted = [this] {
+        std::vector<bool> result;
+        for (ProxyId id : gas.world.members())
+            result.push_back(gas.world.broadphase.predicted(id));
+        return result;
+    };
+    int slabs = 0;
+    for (int ticks = 0; gas.world.broadphase.scanning() && ticks < 200; ++ticks)
+    {
+        const std::vector<bool> before = predicted();
+        tick();
+        const std::vector<bool> after = predicted();
+        Box part, all;
+        int size = 0;
+        for (ProxyId id = 0; id < count; ++id)
+        {
+            all.extend(gas.world.object(id).centre);
+            if (after[id] && !before[id])
+            {
+                part.extend(gas.world.object(id).centre);
+                ++size;
+            }
+        }
+        if (size < 50)
+            continue;
+        ++slabs;
+        EXPECT_LT((part.sizes().array() / all.sizes().array()).minCoeff(), 0.2) << size;
+    }
+    EXPECT_GT(slabs, 10);
+}
+
 TEST_F(Parts, AFewThatBreakAreNoReason)
 {
     const std::uint64_t scans = gas.world.broadphase.counters().scans;

@@ -1,6 +1,7 @@
 #include "ode_predictive_space/broadphase/sweep.h"
 
 #include <limits>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -145,6 +146,33 @@ TEST(Sweep, InfiniteBoxesMeetAllThatIsInTheirReach)
         items.push_back({20002, {{-infinity, -infinity, -infinity}, {-infinity, -infinity, -infinity}}});
         expect_all_pairs(sweep, items);
     }
+}
+
+TEST(Sweep, SortsAlongTheAxisOfTheWidestSpread)
+{
+    Random random(6);
+    Sweep sweep;
+    for (std::size_t count : {0, 1, 30, 5000})
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            Items items = random_items(random, count, 2, 0.1);
+            for (SweptProxy &item : items)
+            {
+                const auto shift = static_cast<float>(random.uniform(-30, 30));
+                item.box.low[axis] += shift;
+                item.box.high[axis] += shift;
+            }
+            std::vector<ProxyId> order = {7};
+            sweep.sort_along_widest(items, order);
+            ASSERT_EQ(order.size(), count + 1) << "it appends";
+            std::map<ProxyId, float> lows;
+            for (const SweptProxy &item : items)
+                lows[item.proxy] = item.box.low[axis];
+            for (std::size_t i = 2; i <= count; ++i)
+                ASSERT_GT(lows.at(order[i]), lows.at(order[i - 1]) - 0.01f);
+            std::sort(order.begin() + 1, order.end());
+            ASSERT_EQ(std::unique(order.begin() + 1, order.end()), order.end());
+        }
 }
 
 TEST(Sweep, AppendsToWhatIsThere)
