@@ -150,10 +150,18 @@ struct FloatBox
     bool bounded() const
     {
         constexpr float limit = 1e15f;
+#if defined(__SSE2__)
+        // low[2] and high[0] are in both.
+        const __m128 most = _mm_set1_ps(limit), no_sign = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
+        const __m128 lows = _mm_cmplt_ps(_mm_and_ps(_mm_loadu_ps(low), no_sign), most);
+        const __m128 highs = _mm_cmplt_ps(_mm_and_ps(_mm_loadu_ps(low + 2), no_sign), most);
+        return _mm_movemask_ps(_mm_and_ps(lows, highs)) == 15;
+#else
         for (int axis = 0; axis < 3; ++axis)
-            if (!(low[axis] > -limit && high[axis] < limit && high[axis] > -limit && low[axis] < limit))
+            if (!(std::abs(low[axis]) < limit && std::abs(high[axis]) < limit))
                 return false;
         return true;
+#endif
     }
 
 #if defined(__SSE2__)

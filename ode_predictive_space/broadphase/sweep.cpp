@@ -229,43 +229,44 @@ void Sweep::sort_into_strips(const std::vector<SweptProxy> &items, const Layout 
 // Compares with those from `begin` on whose keys are not greater than `end`. What lies beyond in the same strip is apart
 // along it, so that only where there are others the keys have to be compared, too.
 template <bool single_strip>
-void Sweep::compare_from(std::size_t begin, std::uint32_t end, const Probe &probe,
-                         std::vector<CandidatePair> &pairs) const
+inline void Sweep::compare_from(std::size_t begin, std::uint32_t end, const Probe &probe,
+                                std::vector<CandidatePair> &pairs) const
 {
+    // Known not to change when a pair is stored.
+    const std::uint32_t *const keys = keys_.data();
+    const float *const low_x = sides_.low[0].data(), *const high_x = sides_.high[0].data();
+    const float *const low_y = sides_.low[1].data(), *const high_y = sides_.high[1].data();
+    const float *const low_z = sides_.low[2].data(), *const high_z = sides_.high[2].data();
     auto met = [&](std::size_t j) {
         // The order is by places, which are coarser than coordinates.
-        if (probe.low[0] <= sides_.high[0][j])
+        if (probe.low[0] <= high_x[j])
             add_pair(pairs, probe.proxy, proxies_[j]);
     };
 #if defined(__SSE2__)
     const __m128i last = _mm_set1_epi32(static_cast<int>(end));
-    const __m128 high_x = _mm_set1_ps(probe.high[0]), high_y = _mm_set1_ps(probe.high[1]);
-    const __m128 high_z = _mm_set1_ps(probe.high[2]), low_y = _mm_set1_ps(probe.low[1]);
-    const __m128 low_z = _mm_set1_ps(probe.low[2]);
-    for (std::size_t j = begin; keys_[j] <= end; j += 4)
+    const __m128 x_end = _mm_set1_ps(probe.high[0]), y_end = _mm_set1_ps(probe.high[1]);
+    const __m128 z_end = _mm_set1_ps(probe.high[2]), y_begin = _mm_set1_ps(probe.low[1]);
+    const __m128 z_begin = _mm_set1_ps(probe.low[2]);
+    for (std::size_t j = begin; keys[j] <= end; j += 4)
     {
-        __m128 apart = _mm_cmpgt_ps(_mm_loadu_ps(&sides_.low[0][j]), high_x);
-        apart = _mm_or_ps(apart, _mm_cmpgt_ps(_mm_loadu_ps(&sides_.low[1][j]), high_y));
-        apart = _mm_or_ps(apart, _mm_cmpgt_ps(_mm_loadu_ps(&sides_.low[2][j]), high_z));
-        apart = _mm_or_ps(apart, _mm_cmplt_ps(_mm_loadu_ps(&sides_.high[1][j]), low_y));
-        apart = _mm_or_ps(apart, _mm_cmplt_ps(_mm_loadu_ps(&sides_.high[2][j]), low_z));
+        __m128 apart = _mm_cmpgt_ps(_mm_loadu_ps(low_x + j), x_end);
+        apart = _mm_or_ps(apart, _mm_cmpgt_ps(_mm_loadu_ps(low_y + j), y_end));
+        apart = _mm_or_ps(apart, _mm_cmpgt_ps(_mm_loadu_ps(low_z + j), z_end));
+        apart = _mm_or_ps(apart, _mm_cmplt_ps(_mm_loadu_ps(high_y + j), y_begin));
+        apart = _mm_or_ps(apart, _mm_cmplt_ps(_mm_loadu_ps(high_z + j), z_begin));
         if (!single_strip)
         {
-            const __m128i keys = _mm_loadu_si128(reinterpret_cast<const __m128i *>(&keys_[j]));
-            apart = _mm_or_ps(apart, _mm_castsi128_ps(_mm_cmpgt_epi32(keys, last)));
+            const __m128i these = _mm_loadu_si128(reinterpret_cast<const __m128i *>(keys + j));
+            apart = _mm_or_ps(apart, _mm_castsi128_ps(_mm_cmpgt_epi32(these, last)));
         }
         for (int close = ~_mm_movemask_ps(apart) & 15; close; close &= close - 1)
             met(j + static_cast<std::size_t>(__builtin_ctz(static_cast<unsigned>(close))));
     }
 #else
-    for (std::size_t j = begin; keys_[j] <= end; ++j)
-    {
-        bool overlap = true;
-        for (std::size_t side = 0; side < 3; ++side)
-            overlap &= sides_.low[side][j] <= probe.high[side] && probe.low[side] <= sides_.high[side][j];
-        if (overlap)
+    for (std::size_t j = begin; keys[j] <= end; ++j)
+        if (low_x[j] <= probe.high[0] && low_y[j] <= probe.high[1] && low_z[j] <= probe.high[2] &&
+            probe.low[1] <= high_y[j] && probe.low[2] <= high_z[j])
             met(j);
-    }
 #endif
 }
 
