@@ -67,6 +67,17 @@ public:
         return box;
     }
 
+#if defined(__SSE2__)
+    /// Is the box within these sides, of which three components count? False, too, when that is too close to tell.
+    bool inside(__m128 low, __m128 high) const
+    {
+        const __m128 error = _mm_set1_ps(error_);
+        const __m128 above = _mm_cmpge_ps(_mm_sub_ps(_mm_load_ps(low_), low), error);
+        const __m128 below = _mm_cmpge_ps(_mm_sub_ps(high, _mm_load_ps(high_)), error);
+        return (_mm_movemask_ps(_mm_and_ps(above, below)) & 7) == 7;
+    }
+#endif
+
     /// Without a branch on the outcome, which is hard to foretell.
     friend Comparison compare(const MeasuredBox &one, const MeasuredBox &other)
     {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "ode_predictive_space/broadphase/id_set.h"
+#include "ode_predictive_space/broadphase/measured_box.h"
 #include "ode_predictive_space/broadphase/proxy_store.h"
 
 namespace ode_predictive_space
@@ -79,6 +80,31 @@ inline bool bounds_inside(const PackedPath &path, const PackedBounds &bounds, co
         inside &= (box.max()[axis] <= centre + bounds.high[axis] + reach) | (bounds.high[axis] == infinity);
     }
     return inside;
+}
+
+/// The same by single precision: false, too, when it is too close to tell.
+inline bool surely_inside([[maybe_unused]] const PackedPath &path, [[maybe_unused]] const PackedBounds &bounds,
+                          [[maybe_unused]] const MeasuredBox &box, [[maybe_unused]] Tick now)
+{
+#if defined(__SSE2__)
+    const float t = bounds.still ? 0 : static_cast<float>(ticks_between(path.since, now));
+    const __m128d xy = _mm_loadu_pd(path.position), z = _mm_load_sd(path.position + 2);
+    const __m128 time = _mm_set1_ps(t), half_time = _mm_set1_ps(0.5f * t);
+    const __m128 moved = _mm_mul_ps(
+        time, _mm_add_ps(_mm_loadu_ps(path.velocity), _mm_mul_ps(half_time, _mm_loadu_ps(path.acceleration))));
+    const __m128 position = _mm_movelh_ps(_mm_cvtpd_ps(xy), _mm_cvtpd_ps(z));
+    const __m128 reach = _mm_set1_ps(path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]));
+    const __m128 centre = _mm_add_ps(position, moved);
+    const __m128 low = _mm_sub_ps(_mm_add_ps(centre, _mm_loadu_ps(bounds.low)), reach);
+    const __m128 high = _mm_add_ps(_mm_add_ps(centre, _mm_loadu_ps(bounds.high)), reach);
+    const __m128 no_sign = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
+    const __m128 size = _mm_add_ps(_mm_add_ps(_mm_and_ps(position, no_sign), _mm_and_ps(moved, no_sign)),
+                                   _mm_add_ps(_mm_and_ps(low, no_sign), _mm_and_ps(high, no_sign)));
+    const __m128 rounding = _mm_mul_ps(size, _mm_set1_ps(4 * std::numeric_limits<float>::epsilon()));
+    return box.inside(_mm_add_ps(low, rounding), _mm_sub_ps(high, rounding)) && !bounds.unbounded;
+#else
+    return false;
+#endif
 }
 
 /// The check of those that have no sphere, or are predicted by tight bounds.

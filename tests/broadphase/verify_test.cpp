@@ -55,6 +55,75 @@ TEST(Verify, NoCentreThatIsNotANumberIsInside)
         EXPECT_FALSE(centre_inside(store.paths[0], Vector3(1, 2, bad).data(), 100));
 }
 
+// Envelopes, and boxes with sides near theirs: within, on and beyond them, by more or by less than single precision tells.
+TEST(Verify, WhatIsSurelyInsideIsInside)
+{
+    Random random(21);
+    int sure = 0, inside = 0;
+    for (int i = 0; i < 40000; ++i)
+    {
+        ProxyStore store;
+        const Vector3 place = Vector3::Constant(random.chance(0.3) ? 1000 : 0);
+        const Tick begin = 100, now = begin + static_cast<Tick>(random.index(500));
+        const Path path = {place + random.vector(1), random.vector(0.01), random.vector(1e-4)};
+        add_proxy(store, path, {random.uniform(0, 0.1), random.uniform(0, 1e-3), 0}, random.uniform(0.01, 1), begin,
+                  600);
+        store.bounds[0].still = random.chance(0.2);
+        if (store.bounds[0].still)
+            store.paths[0] = PackedPath{{place.x(), place.y(), place.z()}, {}, {}, {0.1f, 0, 0}, begin};
+        Box box = store.envelope(0, now).at(0);
+        const double margin = std::pow(10, random.uniform(-9, 0));
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            box.min()[axis] += margin * random.uniform(-0.1, 1);
+            box.max()[axis] -= margin * random.uniform(-0.1, 1);
+        }
+        const bool surely = surely_inside(store.paths[0], store.bounds[0], MeasuredBox(box), now);
+        const bool really = bounds_inside(store.paths[0], store.bounds[0], box, now);
+        ASSERT_LE(surely, really) << i;
+        sure += surely;
+        inside += really;
+    }
+    EXPECT_GT(inside, 10000);
+    EXPECT_LT(inside, 30000);
+#if defined(__SSE2__)
+    EXPECT_GT(sure, inside / 2);
+#endif
+}
+
+TEST(Verify, NothingIsSureOfWhatIsNotANumber)
+{
+    const Box good(Vector3(-0.5, -0.5, -0.5), Vector3(0.5, 0.5, 0.5));
+    for (int axis = 0; axis < 3; ++axis)
+        for (double bad : {nan, infinity, -infinity})
+        {
+            const auto number = static_cast<float>(bad);
+            ProxyStore store;
+            add_still_proxy(store, {0, 0, 0}, 1, 0);
+            const auto sure = [&store](const Box &box) {
+                return surely_inside(store.paths[0], store.bounds[0], MeasuredBox(box), 5);
+            };
+            Box box = good;
+            box.min()[axis] = bad;
+            EXPECT_FALSE(sure(box));
+            box = good;
+            box.max()[axis] = bad;
+            EXPECT_FALSE(sure(box));
+            const ProxyStore unspoilt = store;
+            store.bounds[0].low[axis] = number;
+            EXPECT_FALSE(sure(good));
+            store = unspoilt;
+            store.bounds[0].high[axis] = number;
+            EXPECT_FALSE(sure(good));
+            store = unspoilt;
+            store.paths[0].position[axis] = bad;
+            EXPECT_FALSE(sure(good));
+            store = unspoilt;
+            store.bounds[0].unbounded = true;
+            EXPECT_FALSE(sure(good)) << "it is predicted anew whenever it moves";
+        }
+}
+
 TEST(Verify, BoundsMustBeInsideOnEverySide)
 {
     const Envelope envelope = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0.5, 0, 0}, {-1, -1, -1}, {1, 1, 1}, 2};
