@@ -19,16 +19,21 @@ void prefetch_filters(const dxGeom *geom)
     prefetch(&geom->category_bits);
 }
 
+// ODE's own classes have nothing to add to the test of the boxes.
+[[gnu::noinline]] bool user_classes_agree(dxGeom *first, dxGeom *second)
+{
+    return (first->type < dFirstUserClass || first->AABBTest(second, second->aabb) != 0) &&
+           (second->type < dFirstUserClass || second->AABBTest(first, first->aabb) != 0);
+}
+
 // What collideAABBs() asks beside overlap. Bodies, bits and the rest change without notice: they are read here, each time.
-bool wants_callback(dxGeom *first, dxGeom *second)
+inline bool wants_callback(dxGeom *first, dxGeom *second)
 {
     if (first->body == second->body && first->body)
         return false;
-    if (!(first->category_bits & second->collide_bits) && !(second->category_bits & first->collide_bits))
+    if (!((first->category_bits & second->collide_bits) | (second->category_bits & first->collide_bits)))
         return false;
-    // ODE's own classes have nothing to add to the test of the boxes.
-    return (first->type < dFirstUserClass || first->AABBTest(second, second->aabb) != 0) &&
-           (second->type < dFirstUserClass || second->AABBTest(first, first->aabb) != 0);
+    return std::max(first->type, second->type) < dFirstUserClass || user_classes_agree(first, second);
 }
 
 // ODE's dGeomMoved() calls dirty() only for geoms that are not dirty. The flag is cleared although the bounding box may still
