@@ -1,6 +1,7 @@
 #include "ode_predictive_space/broadphase/envelope_index.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace ode_predictive_space
@@ -150,19 +151,46 @@ void EnvelopeIndex::clear(ProxyStore &proxies)
 }
 
 void EnvelopeIndex::find_pairs(const ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch,
-                               std::vector<CandidatePair> &pairs) const
+                               std::vector<CandidatePair> &pairs)
 {
     if (is_bulk(proxies, batch.size()))
     {
         sweep_pairs(proxies, in_batch, pairs);
         return;
     }
-    for (const SweptProxy &swept : batch)
-        query(swept.box, [&, id = swept.proxy](ProxyId other) {
-            // Two of the batch find each other twice.
-            if (other != id && (other > id || !in_batch.contains(other)))
-                pairs.push_back({id, other});
-        });
+    for (std::size_t i = 0; i < batch.size(); i += EnvelopeTree::most_together)
+        find_pairs(batch.data() + i, std::min(batch.size() - i, EnvelopeTree::most_together), in_batch, pairs);
+}
+
+void EnvelopeIndex::find_pairs(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
+                               std::vector<CandidatePair> &pairs)
+{
+    std::array<BoxProbe, EnvelopeTree::most_together> probes{};
+    std::array<std::size_t, EnvelopeTree::most_together> ends{};
+    hits_.clear();
+    const auto visit = [&](std::uint32_t i, ProxyId other) {
+        // Two of the batch find each other twice.
+        const ProxyId id = some[i].proxy;
+        if (other == id || (other < id && in_batch.contains(other)))
+            return;
+        hits_.push_back({i, other});
+        ++ends[i];
+    };
+    for (std::size_t i = 0; i < count; ++i)
+        probes[i] = BoxProbe(some[i].box);
+    still_.walk_together(probes.data(), count, visit);
+    moving_.walk_together(probes.data(), count, visit);
+    for (const SweptProxy &leaf : list_)
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (probes[i].overlaps(leaf.box))
+                visit(i, leaf.proxy);
+    // One object after the other.
+    std::size_t begin = pairs.size();
+    for (std::size_t &end : ends)
+        begin += std::exchange(end, begin);
+    pairs.resize(begin);
+    for (const EnvelopeTree::Hit &hit : hits_)
+        pairs[ends[hit.probe]++] = {some[hit.probe].proxy, hit.proxy};
 }
 
 void EnvelopeIndex::sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch,

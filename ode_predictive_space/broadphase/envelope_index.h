@@ -54,7 +54,7 @@ public:
     ///
     /// @param in_batch the batch as a set.
     void find_pairs(const ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch,
-                    std::vector<CandidatePair> &pairs) const;
+                    std::vector<CandidatePair> &pairs);
 
     bool empty() const { return still_.empty() && moving_.empty() && list_.empty(); }
     bool consistent() const { return still_.consistent() && moving_.consistent(); }
@@ -70,11 +70,14 @@ private:
     void put(ProxyStore &proxies, const SweptProxy &swept);
     std::vector<SweptProxy>::iterator find_in_list(ProxyId id);
 
+    void find_pairs(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
+                    std::vector<CandidatePair> &pairs);
     void sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch, std::vector<CandidatePair> &pairs) const;
 
     EnvelopeTree still_;
     EnvelopeTree moving_;
     std::vector<SweptProxy> list_;
+    std::vector<EnvelopeTree::Hit> hits_; // empty between calls
     bool was_small_ = false; // so that what a tree can hold is in the list
 };
 } // namespace ode_predictive_space

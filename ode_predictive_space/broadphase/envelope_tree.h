@@ -21,6 +21,13 @@ namespace ode_predictive_space
 class EnvelopeTree
 {
 public:
+    /// What the probe of this number overlaps.
+    struct Hit
+    {
+        std::uint32_t probe;
+        ProxyId proxy;
+    };
+
     /// Adds a proxy that is not in the tree. The box must be bounded().
     void insert(ProxyId proxy, const FloatBox &box);
 
@@ -53,7 +60,18 @@ public:
     /// Calls visit(proxy) for every proxy whose box overlaps the probe, which is of any shape: it tells by
     /// `bool overlaps(const FloatBox &) const`. It is asked about the boxes of whole branches, too, and must not deny
     /// those that hold a box it overlaps.
-    template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const;
+    template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
+    {
+        walk_together(&probe, 1, [&](std::uint32_t, ProxyId proxy) { visit(proxy); });
+    }
+
+    /// The same for several probes at once, which is quicker where the nodes are not in the cache: none waits for another's.
+    ///
+    /// @param count at most most_together.
+    /// @param visit visit(i, proxy) for what the i-th overlaps; not in the order of the probes.
+    template <typename Probe, typename Visit>
+    void walk_together(const Probe *probes, std::size_t count, Visit visit) const;
+    static constexpr std::size_t most_together = 16;
 
     /// The box stored for a proxy that is in the tree.
     const FloatBox &box(ProxyId proxy) const { return nodes_[leaf_node_[proxy]].box; }
@@ -70,6 +88,13 @@ private:
     using Index = std::int32_t;
     static constexpr Index none = -1;
     static constexpr std::size_t walk_room = 256;
+    static_assert(most_together + 2 <= walk_room, "all begin in there");
+
+    struct Step
+    {
+        Index pair;
+        std::uint32_t probe;
+    };
 
     struct Node
     {
@@ -106,36 +131,40 @@ private:
 // Level by level, so that the processor can look at several pairs of siblings at once: which they are was known long
 // before. Whether a box overlaps is as good as random, and a branch on it would often be mispredicted; so everything is
 // written down in any case, and counted if it counts.
-template <typename Probe, typename Visit> void EnvelopeTree::walk(const Probe &probe, Visit visit) const
+template <typename Probe, typename Visit>
+void EnvelopeTree::walk_together(const Probe *probes, std::size_t count, Visit visit) const
 {
-    if (nodes_.empty() || !probe.overlaps(nodes_[0].box))
+    if (nodes_.empty())
         return;
-    if (nodes_[0].leaf())
+    Step waiting[walk_room]; // pairs of siblings whose parent overlaps
+    Hit found[walk_room];
+    std::vector<Step> postponed; // for large queries, when there is no more room
+    std::size_t begin = 0, end = 0, found_count = 0;
+    for (std::uint32_t i = 0; i < count; ++i)
     {
-        visit(nodes_[0].proxy());
-        return;
+        const bool overlaps = probes[i].overlaps(nodes_[0].box);
+        if (overlaps && nodes_[0].leaf())
+            visit(i, nodes_[0].proxy());
+        else if (overlaps)
+            waiting[end++] = {nodes_[0].content, i};
     }
-    Index waiting[walk_room]; // pairs of siblings whose parent overlaps
-    ProxyId found[walk_room];
-    std::vector<Index> postponed; // for large queries, when there is no more room
-    std::size_t begin = 0, end = 0, count = 0;
-    waiting[end++] = nodes_[0].content;
     while (begin < end)
     {
-        const Node *pair = &nodes_[static_cast<std::size_t>(waiting[begin++])];
+        const Step step = waiting[begin++];
+        const Node *pair = &nodes_[static_cast<std::size_t>(step.pair)];
         for (const Node *node = pair; node < pair + 2; ++node)
         {
-            const bool overlaps = probe.overlaps(node->box);
-            waiting[end] = node->content;
+            const bool overlaps = probes[step.probe].overlaps(node->box);
+            waiting[end] = {node->content, step.probe};
             prefetch(&nodes_[static_cast<std::size_t>(std::max(node->content, 0))]);
             end += overlaps & !node->leaf();
-            found[count] = node->proxy();
-            count += overlaps & node->leaf();
+            found[found_count] = {step.probe, node->proxy()};
+            found_count += overlaps & node->leaf();
         }
-        if (count + 2 > walk_room || begin == end)
+        if (found_count + 2 > walk_room || begin == end)
         {
-            std::for_each(found, found + count, visit);
-            count = 0;
+            std::for_each(found, found + found_count, [&](const Hit &hit) { visit(hit.probe, hit.proxy); });
+            found_count = 0;
         }
         if (end + 2 > walk_room || begin == end)
         {
