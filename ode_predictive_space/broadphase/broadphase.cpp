@@ -170,19 +170,14 @@ void Broadphase::expire()
     due_anew_.clear();
 }
 
-void Broadphase::enter_in_index(std::size_t single)
+// @param single see EnvelopeIndex::update().
+void Broadphase::find_pairs(std::size_t single)
 {
     for (ProxyId id : batch_)
         swept_.push_back({id, proxies_.swept_box(id, now_)});
+    index_.update(proxies_, swept_, in_batch_, now_, single, candidates_);
     if (std::exchange(parts_joined_, false))
-        index_.rebuild(proxies_, swept_, now_);
-    else
-        index_.update(proxies_, swept_, now_, single);
-}
-
-void Broadphase::find_pairs()
-{
-    index_.find_pairs(proxies_, swept_, in_batch_, candidates_);
+        index_.rebuild(proxies_, {}, now_);
 }
 
 void Broadphase::schedule()

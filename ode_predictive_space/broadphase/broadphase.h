@@ -193,8 +193,7 @@ private:
     void expire();
     void add_to_batch(ProxyId id);
     void sample(ProxyId id, bool wanted);
-    void enter_in_index(std::size_t single);
-    void find_pairs();
+    void find_pairs(std::size_t single);
     void schedule();
     void wake();
     void add_near(const NearPair &pair);

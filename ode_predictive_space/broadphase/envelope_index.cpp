@@ -29,15 +29,19 @@ void EnvelopeIndex::outgrow_list(ProxyStore &proxies)
             put(proxies, leaf);
 }
 
-void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now, std::size_t single)
+void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch, Tick now,
+                           std::size_t single, std::vector<CandidatePair> &pairs)
 {
     outgrow_list(proxies);
     // Building costs less than half of inserting one by one, and leaves a better tree.
     if (is_bulk(proxies, batch.size()))
     {
         rebuild(proxies, batch, now);
+        sweep_pairs(proxies, in_batch, pairs);
         return;
     }
+    // First the pairs: the nodes that this looks at are those that the batch is put beside.
+    find_pairs(batch, in_batch, pairs);
     still_.foresee(batch);
     moving_.foresee(batch);
     const auto part = batch.begin() + static_cast<std::ptrdiff_t>(std::min(single, batch.size()));
@@ -150,18 +154,15 @@ void EnvelopeIndex::clear(ProxyStore &proxies)
         bounds.shelf = Shelf::none;
 }
 
-void EnvelopeIndex::find_pairs(const ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch,
+void EnvelopeIndex::find_pairs(const std::vector<SweptProxy> &batch, const IdSet &in_batch,
                                std::vector<CandidatePair> &pairs)
 {
-    if (is_bulk(proxies, batch.size()))
-    {
-        sweep_pairs(proxies, in_batch, pairs);
-        return;
-    }
+    sweep_.find_pairs(batch, pairs);
     for (std::size_t i = 0; i < batch.size(); i += EnvelopeTree::most_together)
         find_pairs(batch.data() + i, std::min(batch.size() - i, EnvelopeTree::most_together), in_batch, pairs);
 }
 
+// With those that are not in the batch: where the others are in the index, they are as they were before.
 void EnvelopeIndex::find_pairs(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
                                std::vector<CandidatePair> &pairs)
 {
@@ -169,9 +170,7 @@ void EnvelopeIndex::find_pairs(const SweptProxy *some, std::size_t count, const 
     std::array<std::size_t, EnvelopeTree::most_together> ends{};
     hits_.clear();
     const auto visit = [&](std::uint32_t i, ProxyId other) {
-        // Two of the batch find each other twice.
-        const ProxyId id = some[i].proxy;
-        if (other == id || (other < id && in_batch.contains(other)))
+        if (in_batch.contains(other))
             return;
         hits_.push_back({i, other});
         ++ends[i];
@@ -213,6 +212,7 @@ void EnvelopeIndex::sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch
 
 std::size_t EnvelopeIndex::bytes() const
 {
-    return still_.bytes() + moving_.bytes() + list_.capacity() * sizeof(SweptProxy);
+    return still_.bytes() + moving_.bytes() + list_.capacity() * sizeof(SweptProxy) + sweep_.bytes() +
+           hits_.capacity() * sizeof(EnvelopeTree::Hit);
 }
 } // namespace ode_predictive_space

@@ -16,19 +16,20 @@ namespace ode_predictive_space
 class EnvelopeIndex
 {
 public:
-    static constexpr std::size_t all = ~std::size_t{0};
-
     /// So many are looked through quicker than any tree.
     static constexpr std::size_t small_scene = 128;
 
     /// Puts newly predicted proxies, given with their swept boxes, on the shelves where their envelopes belong, and notes
-    /// that in proxies.bounds[id].shelf.
+    /// that in proxies.bounds[id].shelf. Appends to `pairs` all pairs of which at least one is in the batch and whose
+    /// envelopes may overlap, each once.
     ///
+    /// @param in_batch the batch as a set.
     /// @param single so many at the beginning of the batch lie anywhere. Those behind them lie side by side: they become a
     ///     part of a tree that is built at once, which takes a quarter of the time.
-    void update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now, std::size_t single = all);
+    void update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch, Tick now,
+                std::size_t single, std::vector<CandidatePair> &pairs);
 
-    /// The same, but builds the trees anew, whatever the size of the batch: inserting one after another leaves a worse tree.
+    /// Builds the trees anew, with the batch in its places: inserting one after another leaves a worse tree.
     void rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now);
 
     /// Takes a proxy off its shelf, if it is on one.
@@ -50,12 +51,6 @@ public:
                 visit(leaf.proxy);
     }
 
-    /// Finds all pairs of which at least one is in the batch and whose envelopes may overlap, each once.
-    ///
-    /// @param in_batch the batch as a set.
-    void find_pairs(const ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch,
-                    std::vector<CandidatePair> &pairs);
-
     bool empty() const { return still_.empty() && moving_.empty() && list_.empty(); }
     bool consistent() const { return still_.consistent() && moving_.consistent(); }
     std::size_t bytes() const;
@@ -70,6 +65,7 @@ private:
     void put(ProxyStore &proxies, const SweptProxy &swept);
     std::vector<SweptProxy>::iterator find_in_list(ProxyId id);
 
+    void find_pairs(const std::vector<SweptProxy> &batch, const IdSet &in_batch, std::vector<CandidatePair> &pairs);
     void find_pairs(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
                     std::vector<CandidatePair> &pairs);
     void sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch, std::vector<CandidatePair> &pairs) const;
@@ -77,8 +73,9 @@ private:
     EnvelopeTree still_;
     EnvelopeTree moving_;
     std::vector<SweptProxy> list_;
+    Sweep sweep_;
     std::vector<EnvelopeTree::Hit> hits_; // empty between calls
-    bool was_small_ = false; // so that what a tree can hold is in the list
+    bool was_small_ = false;              // so that what a tree can hold is in the list
 };
 } // namespace ode_predictive_space
 

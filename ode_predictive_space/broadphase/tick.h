@@ -57,8 +57,7 @@ template <typename Scene> void Broadphase::renew(Scene &scene)
     if (in_parts && broken_ <= most_at_once())
         add_part();
     predict(scene);
-    enter_in_index(single);
-    find_pairs();
+    find_pairs(single);
     schedule();
     wake();
     if (scanning())

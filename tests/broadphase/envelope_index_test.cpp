@@ -32,8 +32,7 @@ public:
         for (ProxyId id : batch_)
             predict(id);
         present_.insert(chosen.begin(), chosen.end());
-        const std::size_t single = random_.chance(0.5) ? count : random_.index(count + 1);
-        index_.update(store_, swept(batch_), now_, single);
+        enter(batch_, random_.chance(0.5) ? count : random_.index(count + 1));
     }
 
     void remove_some()
@@ -63,18 +62,14 @@ public:
                 expired.push_back(id);
         for (ProxyId id : expired)
             predict(id);
-        index_.update(store_, swept(expired), now_);
+        enter(expired, expired.size());
     }
 
+    // That the last update found.
     void expect_pairs_of_batch() const
     {
-        IdSet in_batch;
-        in_batch.resize(store_.size());
-        for (ProxyId id : batch_)
-            in_batch.insert(id);
-        std::vector<CandidatePair> found;
-        index_.find_pairs(store_, swept(batch_), in_batch, found);
-        const Pairs pairs = sorted_pairs(found);
+        const IdSet in_batch = as_set(batch_);
+        const Pairs pairs = sorted_pairs(found_);
         ASSERT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end()) << "a pair is found twice";
         for (const auto &[first, second] : pairs)
         {
@@ -124,6 +119,21 @@ public:
     }
 
 private:
+    void enter(const std::vector<ProxyId> &batch, std::size_t single)
+    {
+        found_.clear();
+        index_.update(store_, swept(batch), as_set(batch), now_, single, found_);
+    }
+
+    IdSet as_set(const std::vector<ProxyId> &ids) const
+    {
+        IdSet set;
+        set.resize(store_.size());
+        for (ProxyId id : ids)
+            set.insert(id);
+        return set;
+    }
+
     std::vector<SweptProxy> swept(const std::vector<ProxyId> &ids) const
     {
         std::vector<SweptProxy> result;
@@ -152,8 +162,18 @@ private:
     ProxyStore store_;
     EnvelopeIndex index_;
     std::vector<ProxyId> batch_;
+    std::vector<CandidatePair> found_;
     std::set<ProxyId> present_;
 };
+
+void enter(EnvelopeIndex &index, ProxyStore &store, ProxyId id)
+{
+    IdSet in_batch;
+    in_batch.resize(store.size());
+    in_batch.insert(id);
+    std::vector<CandidatePair> found;
+    index.update(store, {{id, store.swept_box(id, 0)}}, in_batch, 0, 1, found);
+}
 
 TEST(EnvelopeIndex, FindsWhatBruteForceFindsWhateverIsUpdated)
 {
@@ -189,7 +209,7 @@ TEST(EnvelopeIndex, KeepsWhatNoTreeCanHoldInAList)
     for (std::size_t i = 0; i < EnvelopeIndex::small_scene; ++i)
         add_empty_proxy(store);
     for (ProxyId id : {ball, floor, lost})
-        index.update(store, {{id, store.swept_box(id, 0)}}, 0);
+        enter(index, store, id);
     EXPECT_EQ(store.bounds[ball].shelf, Shelf::still);
     EXPECT_EQ(store.bounds[floor].shelf, Shelf::list);
     EXPECT_EQ(store.bounds[lost].shelf, Shelf::list);
@@ -198,7 +218,7 @@ TEST(EnvelopeIndex, KeepsWhatNoTreeCanHoldInAList)
     EXPECT_EQ(found, (std::vector<ProxyId>{floor, lost}));
     index.remove(store, floor);
     store.bounds[floor].low[2] = -1;
-    index.update(store, {{floor, store.swept_box(floor, 0)}}, 0);
+    enter(index, store, floor);
     EXPECT_EQ(store.bounds[floor].shelf, Shelf::still) << "it has become finite";
 }
 
@@ -208,7 +228,7 @@ TEST(EnvelopeIndex, KeepsAllInTheListWhileTheyAreFew)
     EnvelopeIndex index;
     auto add = [&](const Vector3 &place) {
         const ProxyId id = add_still_proxy(store, place, 1, 0);
-        index.update(store, {{id, store.swept_box(id, 0)}}, 0);
+        enter(index, store, id);
         return id;
     };
     const ProxyId first = add({0, 0, 0});
@@ -229,7 +249,7 @@ TEST(EnvelopeIndex, RemovingWhatIsNotInItDoesNothing)
     EnvelopeIndex index;
     const ProxyId id = add_still_proxy(store, {0, 0, 0}, 1, 0);
     index.remove(store, id);
-    index.update(store, {{id, store.swept_box(id, 0)}}, 0);
+    enter(index, store, id);
     index.remove(store, id);
     index.remove(store, id);
     EXPECT_EQ(store.bounds[id].shelf, Shelf::none);
