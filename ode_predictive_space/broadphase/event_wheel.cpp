@@ -2,9 +2,11 @@
 
 #include <utility>
 
+#include "ode_predictive_space/broadphase/prefetch.h"
+
 namespace ode_predictive_space
 {
-EventWheel::EventWheel() : buckets_(fine + turn, none), sizes_(turn, 0) {}
+EventWheel::EventWheel() : buckets_(fine + turn, no_entries), sizes_(turn, 0) {}
 
 void EventWheel::link(Index index)
 {
@@ -13,7 +15,9 @@ void EventWheel::link(Index index)
     const Tick turns_ahead = (in_turn - now_ / turn) % turns_until_ticks_wrap;
     const bool is_coarse = turns_ahead >= 2 && turns_ahead < turn;
     sizes_[in_turn % turn] += is_coarse;
-    Index &head = turns_ahead < 2 ? buckets_[due % fine] : is_coarse ? coarse_bucket(in_turn) : beyond_;
+    Index &head = turns_ahead < 2 ? buckets_[due % fine][index % lanes]
+                  : is_coarse     ? coarse_bucket(in_turn)[index % lanes]
+                                  : beyond_;
     pool_[index].next = head;
     head = index;
 }
@@ -60,10 +64,18 @@ void EventWheel::link_all_beyond()
 void EventWheel::spread_next_turn()
 {
     const Tick next = now_ / turn + 1, ticks_left = turn - now_ % turn;
-    Index &head = coarse_bucket(next);
+    Bucket &bucket = coarse_bucket(next);
     std::uint32_t &size = sizes_[next % turn];
-    for (std::uint32_t share = (size + ticks_left - 1) / ticks_left; share > 0; --share, --size)
-        link(std::exchange(head, pool_[head].next));
+    std::uint32_t share = (size + ticks_left - 1) / ticks_left;
+    size -= share;
+    for (std::size_t lane = 0; share > 0; lane = (lane + 1) % lanes)
+        if (const Index index = bucket[lane]; index != none)
+        {
+            bucket[lane] = pool_[index].next;
+            fetch(bucket[lane]);
+            link(index);
+            --share;
+        }
 }
 
 void EventWheel::advance(Tick now, std::vector<Event> &due)
@@ -72,18 +84,27 @@ void EventWheel::advance(Tick now, std::vector<Event> &due)
     if (now % long_turn == 0)
         link_all_beyond();
     spread_next_turn();
-    for (Index index = std::exchange(buckets_[now % fine], none); index != none;)
-    {
-        const Index next = pool_[index].next;
-        due.push_back(pool_[index].event);
-        release(index);
-        index = next;
-    }
+    Bucket bucket = std::exchange(buckets_[now % fine], no_entries);
+    while (bucket != no_entries)
+        for (Index &index : bucket)
+            if (index != none)
+            {
+                const Index taken = std::exchange(index, pool_[index].next);
+                fetch(index);
+                due.push_back(pool_[taken].event);
+                release(taken);
+            }
+}
+
+void EventWheel::fetch(Index index) const
+{
+    if (index != none)
+        prefetch(&pool_[index]);
 }
 
 void EventWheel::clear()
 {
-    buckets_.assign(buckets_.size(), none);
+    buckets_.assign(buckets_.size(), no_entries);
     sizes_.assign(sizes_.size(), 0);
     beyond_ = none;
     pool_.clear();
@@ -93,7 +114,7 @@ void EventWheel::clear()
 
 std::size_t EventWheel::bytes() const
 {
-    return buckets_.capacity() * sizeof(Index) + sizes_.capacity() * sizeof(std::uint32_t) +
+    return buckets_.capacity() * sizeof(Bucket) + sizes_.capacity() * sizeof(std::uint32_t) +
            pool_.capacity() * sizeof(Entry);
 }
 } // namespace ode_predictive_space

@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_EVENT_WHEEL_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_EVENT_WHEEL_H
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -72,14 +73,20 @@ private:
         Index next;
     };
 
-    Index &coarse_bucket(Tick in_turn) { return buckets_[fine + in_turn % turn]; }
+    /// Lists that are walked side by side, so that the processor can wait for several entries at once.
+    static constexpr std::size_t lanes = 4;
+    using Bucket = std::array<Index, lanes>;
+    static constexpr Bucket no_entries = {none, none, none, none};
+
+    Bucket &coarse_bucket(Tick in_turn) { return buckets_[fine + in_turn % turn]; }
+    void fetch(Index index) const;
     Index take_free_entry();
     void release(Index index);
     void link(Index index);
     void link_all_beyond();
     void spread_next_turn();
 
-    std::vector<Index> buckets_;       // fine, coarse
+    std::vector<Bucket> buckets_;      // fine, coarse
     std::vector<std::uint32_t> sizes_; // of the coarse ones
     Index beyond_ = none;
     std::vector<Entry> pool_;
@@ -94,26 +101,36 @@ template <typename Visit> void EventWheel::for_each(Visit visit) const
         for (; index != none; index = pool_[index].next)
             visit(pool_[index].event);
     };
-    for (Index head : buckets_)
-        walk(head);
+    for (const Bucket &bucket : buckets_)
+        for (Index head : bucket)
+            walk(head);
     walk(beyond_);
 }
 
 template <typename Keep> void EventWheel::purge(Keep keep)
 {
-    std::vector<Entry> kept;
-    auto collect = [&](Index head) {
-        for (Index index = head; index != none; index = pool_[index].next)
-            if (keep(pool_[index].event))
-                kept.push_back(pool_[index]);
+    // Takes them out of a list that begins with `*place`; returns how many these were.
+    auto purge_list = [&](Index *place) {
+        std::uint32_t count = 0;
+        while (*place != none)
+            if (const Index index = *place; keep(pool_[index].event))
+                place = &pool_[index].next;
+            else
+            {
+                *place = pool_[index].next;
+                release(index);
+                ++count;
+            }
+        return count;
     };
-    for (Index head : buckets_)
-        collect(head);
-    collect(beyond_);
-    clear();
-    // Lists are filled from the front: going backwards leaves the events in the order they had.
-    for (auto entry = kept.rbegin(); entry != kept.rend(); ++entry)
-        schedule(entry->due, entry->event);
+    for (std::size_t i = 0; i < buckets_.size(); ++i)
+        for (Index &head : buckets_[i])
+        {
+            const std::uint32_t count = purge_list(&head);
+            if (i >= fine)
+                sizes_[i - fine] -= count;
+        }
+    purge_list(&beyond_);
 }
 } // namespace ode_predictive_space
 
