@@ -157,32 +157,36 @@ void EnvelopeIndex::clear(ProxyStore &proxies)
 void EnvelopeIndex::find_pairs(const std::vector<SweptProxy> &batch, const IdSet &in_batch,
                                std::vector<CandidatePair> &pairs)
 {
-    sweep_.find_pairs(batch, pairs);
-    for (std::size_t i = 0; i < batch.size(); i += EnvelopeTree::most_together)
-        find_pairs(batch.data() + i, std::min(batch.size() - i, EnvelopeTree::most_together), in_batch, pairs);
+    if (batch.size() > 1)
+        sweep_.find_pairs(batch, pairs);
+    // With the others: where those of the batch are in the index, they are as they were before.
+    for (std::size_t i = 0; i < batch.size() && has_trees(); i += EnvelopeTree::most_together)
+        find_in_trees(batch.data() + i, std::min(batch.size() - i, EnvelopeTree::most_together), in_batch, pairs);
+    for (const SweptProxy &swept : batch)
+    {
+        const BoxProbe probe(swept.box);
+        for (const SweptProxy &leaf : list_)
+            if (probe.overlaps(leaf.box) && !in_batch.contains(leaf.proxy))
+                pairs.push_back({swept.proxy, leaf.proxy});
+    }
 }
 
-// With those that are not in the batch: where the others are in the index, they are as they were before.
-void EnvelopeIndex::find_pairs(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
-                               std::vector<CandidatePair> &pairs)
+void EnvelopeIndex::find_in_trees(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
+                                  std::vector<CandidatePair> &pairs)
 {
-    std::array<BoxProbe, EnvelopeTree::most_together> probes{};
-    std::array<std::size_t, EnvelopeTree::most_together> ends{};
+    probes_.clear();
+    for (std::size_t i = 0; i < count; ++i)
+        probes_.emplace_back(some[i].box);
     hits_.clear();
+    std::array<std::size_t, EnvelopeTree::most_together> ends{};
     const auto visit = [&](std::uint32_t i, ProxyId other) {
         if (in_batch.contains(other))
             return;
         hits_.push_back({i, other});
         ++ends[i];
     };
-    for (std::size_t i = 0; i < count; ++i)
-        probes[i] = BoxProbe(some[i].box);
-    still_.walk_together(probes.data(), count, visit);
-    moving_.walk_together(probes.data(), count, visit);
-    for (const SweptProxy &leaf : list_)
-        for (std::uint32_t i = 0; i < count; ++i)
-            if (probes[i].overlaps(leaf.box))
-                visit(i, leaf.proxy);
+    still_.walk_together(probes_.data(), count, visit);
+    moving_.walk_together(probes_.data(), count, visit);
     // One object after the other.
     std::size_t begin = pairs.size();
     for (std::size_t &end : ends)
@@ -213,6 +217,6 @@ void EnvelopeIndex::sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch
 std::size_t EnvelopeIndex::bytes() const
 {
     return still_.bytes() + moving_.bytes() + list_.capacity() * sizeof(SweptProxy) + sweep_.bytes() +
-           hits_.capacity() * sizeof(EnvelopeTree::Hit);
+           hits_.capacity() * sizeof(EnvelopeTree::Hit) + probes_.capacity() * sizeof(BoxProbe);
 }
 } // namespace ode_predictive_space

@@ -66,16 +66,18 @@ private:
     std::vector<SweptProxy>::iterator find_in_list(ProxyId id);
 
     void find_pairs(const std::vector<SweptProxy> &batch, const IdSet &in_batch, std::vector<CandidatePair> &pairs);
-    void find_pairs(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
-                    std::vector<CandidatePair> &pairs);
+    bool has_trees() const { return !still_.empty() || !moving_.empty(); }
+    void find_in_trees(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
+                       std::vector<CandidatePair> &pairs);
     void sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch, std::vector<CandidatePair> &pairs) const;
 
     EnvelopeTree still_;
     EnvelopeTree moving_;
     std::vector<SweptProxy> list_;
     Sweep sweep_;
-    std::vector<EnvelopeTree::Hit> hits_; // empty between calls
-    bool was_small_ = false;              // so that what a tree can hold is in the list
+    std::vector<BoxProbe> probes_; // scratch, as the next
+    std::vector<EnvelopeTree::Hit> hits_;
+    bool was_small_ = false; // so that what a tree can hold is in the list
 };
 } // namespace ode_predictive_space
 

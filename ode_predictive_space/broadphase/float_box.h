@@ -182,7 +182,6 @@ private:
 class BoxProbe
 {
 public:
-    BoxProbe() = default;
 #if defined(__SSE2__)
     explicit BoxProbe(const FloatBox &box)
         : high_(_mm_setr_ps(box.high[0], box.high[1], box.high[2], infinity)),
