@@ -39,7 +39,10 @@ struct NearPair
                 event.stay != Event::stays};
     }
 
-    bool has_left(Tick now) const { return leaves && ticks_between(now, until) < 0; }
+    static constexpr std::int32_t for_long = std::int32_t{1} << 30;
+
+    /// Ticks from `now` on until it leaves; negative when it has left, for_long when it stays.
+    std::int32_t ticks_left(Tick now) const { return leaves ? ticks_between(now, until) : for_long; }
 };
 
 /// A pair's time of proximity, counted from now on.

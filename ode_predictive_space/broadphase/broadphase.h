@@ -241,7 +241,6 @@ private:
     static constexpr std::size_t most_sampled = 64;
     std::size_t sampled_ = 0;
 
-    static constexpr std::int32_t longest_wait = std::int32_t{1} << 30;
     bool predictions_wanted_ = false;
     std::size_t unpredicted_ = 0; // members without a prediction
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace ode_predictive_space
@@ -347,9 +348,11 @@ void Sweep::find_pairs(const std::vector<SweptProxy> &items, std::vector<Candida
 
 void Sweep::sort_along_widest(const std::vector<SweptProxy> &items, std::vector<ProxyId> &order)
 {
-    if (items.empty())
-        return;
-    const Layout layout = Layout::fit_for(items);
+    // The others tell nothing about where most are; they are put at an end.
+    bounded_.clear();
+    std::copy_if(items.begin(), items.end(), std::back_inserter(bounded_),
+                 [](const SweptProxy &item) { return item.box.bounded(); });
+    const Layout layout = bounded_.empty() ? Layout() : Layout::fit_for(bounded_);
     order_.clear();
     for (std::size_t i = 0; i < items.size(); ++i)
         order_.push_back(std::uint64_t{layout.place(items[i].box.low[layout.along])} << 32 | i);

@@ -227,13 +227,13 @@ template <typename Visit> Visit Broadphase::drop_stale_near(Visit visit)
     near_changed_ = false;
     const Tick now = now_;
     const Generation *const generations = proxies_.generations.data(); // or it would be looked up for each pair
-    std::int32_t next_leave = longest_wait;
+    std::int32_t next_leave = NearPair::for_long;
     const auto keep = [&](const NearPair &pair) {
-        const std::int32_t leave = pair.leaves ? ticks_between(now, pair.until) : longest_wait;
+        const std::int32_t left = pair.ticks_left(now);
         if (pair.first_generation != generations[pair.first] || pair.second_generation != generations[pair.second] ||
-            leave < 0)
+            left < 0)
             return false;
-        next_leave = std::min(next_leave, leave);
+        next_leave = std::min(next_leave, left);
         visit(pair);
         return true;
     };

@@ -84,8 +84,8 @@ TEST(Assess, WhatPassesKnowsWhenItHasLeft)
     EXPECT_EQ(pair.event.stay, 16) << "until 2.5 - 18 * 0.25 = -2";
     const NearPair near = NearPair::of(pair.event, 12);
     EXPECT_TRUE(near.leaves);
-    EXPECT_FALSE(near.has_left(28));
-    EXPECT_TRUE(near.has_left(29));
+    EXPECT_EQ(near.ticks_left(28), 0);
+    EXPECT_LT(near.ticks_left(29), 0);
 }
 
 TEST(Assess, WhatPassesBetweenTwoTicksIsDropped)

@@ -175,6 +175,30 @@ TEST(Sweep, SortsAlongTheAxisOfTheWidestSpread)
         }
 }
 
+TEST(Sweep, SortsWhatIsNotFiniteSomewhere)
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    Random random(7);
+    Sweep sweep;
+    for (std::size_t finite : {0, 5, 3000})
+    {
+        Items items = random_items(random, finite, 2, 0.1);
+        for (ProxyId i = 0; i < 100; ++i)
+        {
+            const float bad = i % 3 == 0 ? nan : i % 3 == 1 ? infinity : -infinity;
+            items.insert(items.begin() + static_cast<std::ptrdiff_t>(random.index(items.size() + 1)),
+                         {1000000 + i, {{bad, -infinity, bad}, {infinity, bad, bad}}});
+        }
+        std::vector<ProxyId> order;
+        sweep.sort_along_widest(items, order);
+        std::sort(order.begin(), order.end());
+        ASSERT_EQ(std::unique(order.begin(), order.end()) - order.begin(), static_cast<std::ptrdiff_t>(items.size()));
+    }
+    std::vector<ProxyId> none;
+    sweep.sort_along_widest({}, none);
+    EXPECT_TRUE(none.empty());
+}
+
 TEST(Sweep, AppendsToWhatIsThere)
 {
     Sweep sweep;
