@@ -106,13 +106,12 @@ struct Approach::Gaps
 };
 
 Approach::Approach(const ProxyStore &proxies, ProxyId id, Tick now)
-    : proxies_(proxies), now_(now), still_(proxies.bounds[id].still), remaining_(proxies.remaining(id, now)),
-      age_(age(id))
+    : proxies_(proxies), id_(id), now_(now), age_(age(id))
 {
     const PackedPath &path = proxies.paths[id];
     const PackedBounds &bounds = proxies.bounds[id];
     const Path since = path.path(), current = since.advanced(age_);
-    deviation_[0] = path.deviation[0] + age_ * (path.deviation[1] + age_ * path.deviation[2]);
+    deviation_[0] = path.reach(age_);
     deviation_[1] = path.deviation[1] + 2 * age_ * path.deviation[2];
     deviation_[2] = path.deviation[2];
     position_ = current.position;
@@ -130,13 +129,6 @@ Approach::Approach(const ProxyStore &proxies, ProxyId id, Tick now)
 float Approach::age(ProxyId id) const
 {
     return proxies_.bounds[id].still ? 0 : static_cast<float>(ticks_between(proxies_.paths[id].since, now_));
-}
-
-// Between two that are still time does not count.
-float Approach::common_horizon(ProxyId other) const
-{
-    const bool both_still = still_ && proxies_.bounds[other].still;
-    return both_still ? 0 : static_cast<float>(std::min(remaining_, proxies_.remaining(other, now_)));
 }
 
 Axes Approach::rounding(ProxyId other, const Axes &offset, const Axes &terms) const
@@ -160,7 +152,7 @@ Approach::Gaps Approach::gaps(ProxyId other, float duration) const
     const Axes begin = offset + age * (velocity + (0.5f * age) * acceleration);
     const Axes end = begin + duration * (velocity + age * acceleration - velocity_ + (0.5f * duration) * bend);
 
-    const float reach = deviation_[0] + path.deviation[0] + age * (path.deviation[1] + age * path.deviation[2]);
+    const float reach = deviation_[0] + path.reach(age);
     const float spread = deviation_[1] + path.deviation[1] + 2 * age * path.deviation[2];
     const float curvature = deviation_[2] + path.deviation[2];
     const float reach_at_end = reach + duration * (spread + duration * curvature);
@@ -181,7 +173,7 @@ Approach::Gaps Approach::gaps(ProxyId other, float duration) const
 std::optional<ProximityInterval> Approach::to(ProxyId other) const
 {
     constexpr double never = std::numeric_limits<double>::infinity();
-    const float duration = common_horizon(other);
+    const auto duration = static_cast<float>(proxies_.common_horizon(id_, other, now_));
     const Gaps gaps = this->gaps(other, duration);
     if (!gaps.known())
         return ProximityInterval{0, never};

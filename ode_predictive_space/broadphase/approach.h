@@ -32,14 +32,12 @@ private:
     struct Gaps;
 
     float age(ProxyId id) const;
-    float common_horizon(ProxyId other) const;
     Axes rounding(ProxyId other, const Axes &offset, const Axes &terms) const;
     Gaps gaps(ProxyId other, float duration) const;
 
     const ProxyStore &proxies_;
+    ProxyId id_;
     Tick now_;
-    bool still_;
-    std::int32_t remaining_;
     float age_;
     float deviation_[3];           // from now on
     Vector3 position_;             // now

@@ -19,20 +19,13 @@ Envelope spherical(Envelope envelope)
     return envelope;
 }
 
-// Ticks that may pass, from now on.
-double common_horizon(const ProxyStore &proxies, ProxyId first, ProxyId second, Tick now)
-{
-    const bool both_still = proxies.bounds[first].still && proxies.bounds[second].still;
-    return both_still ? 0 : std::min(proxies.remaining(first, now), proxies.remaining(second, now));
-}
-
 // Both boxes and spheres must be near: not before the later of the two first times.
 std::optional<ProximityInterval> with_spheres(const ProximityInterval &boxes, const ProxyStore &proxies, ProxyId first,
                                               ProxyId second, Tick now)
 {
     const std::optional<double> time = sphere_time_of_proximity(spherical(proxies.outer_envelope(first, now)),
                                                                 spherical(proxies.outer_envelope(second, now)),
-                                                                common_horizon(proxies, first, second, now));
+                                                                proxies.common_horizon(first, second, now));
     if (!time)
         return std::nullopt;
     return ProximityInterval{std::max(boxes.enter, *time), boxes.leave};
@@ -44,7 +37,7 @@ std::optional<ProximityInterval> proximity(const ProxyStore &proxies, ProxyId fi
 {
     const std::optional<ProximityInterval> boxes =
         box_proximity(proxies.outer_envelope(first, now), proxies.outer_envelope(second, now),
-                      common_horizon(proxies, first, second, now));
+                      proxies.common_horizon(first, second, now));
     return boxes && measure == Proximity::sphere ? with_spheres(*boxes, proxies, first, second, now) : boxes;
 }
 

@@ -144,10 +144,11 @@ private:
 
 void EnvelopeTree::graft(const std::vector<SweptProxy> &leaves)
 {
-    if (nodes_.empty() || leaves.empty())
+    if (leaves.empty())
+        return;
+    if (nodes_.empty())
     {
-        if (!leaves.empty())
-            build(leaves);
+        build(leaves);
         return;
     }
     FloatBox box = leaves.front().box;

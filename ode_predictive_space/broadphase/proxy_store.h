@@ -27,6 +27,9 @@ struct alignas(64) PackedPath
     float deviation[3];
     Tick since;
 
+    /// R(t), as verification computes it.
+    float reach(float t) const { return deviation[0] + t * (deviation[1] + t * deviation[2]); }
+
     Path path() const
     {
         return {Vector3(position[0], position[1], position[2]), Vector3(velocity[0], velocity[1], velocity[2]),
@@ -159,6 +162,13 @@ struct ProxyStore
     std::int32_t remaining(ProxyId id, Tick now) const
     {
         return bounds[id].still ? std::int32_t{0x7fffffff} : ticks_between(now, bounds[id].until);
+    }
+
+    /// The shorter of both: ticks that count for the pair. None between two that are still.
+    std::int32_t common_horizon(ProxyId first, ProxyId second, Tick now) const
+    {
+        const bool both_still = bounds[first].still && bounds[second].still;
+        return both_still ? 0 : std::min(remaining(first, now), remaining(second, now));
     }
 
     /// A box that holds the envelope from `now` to its end.

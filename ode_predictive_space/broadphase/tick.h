@@ -51,10 +51,11 @@ template <typename Scene> bool Broadphase::calm_returns(Scene &scene, bool time_
 template <typename Scene> void Broadphase::renew(Scene &scene)
 {
     const bool in_parts = scanning();
-    if (broken_ > most_at_once())
+    const bool too_many = broken_ > most_at_once();
+    if (too_many)
         postpone_batch();
     const std::size_t single = batch_.size();
-    if (in_parts && broken_ <= most_at_once())
+    if (in_parts && !too_many)
         add_part();
     predict(scene);
     find_pairs(single);

@@ -19,7 +19,7 @@ namespace ode_predictive_space
 template <typename Real> inline bool centre_inside(const PackedPath &path, const Real *centre, Tick now)
 {
     const float t = static_cast<float>(ticks_between(path.since, now));
-    const double reach = path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]);
+    const double reach = path.reach(t);
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -45,7 +45,7 @@ template <> inline bool centre_inside<double>(const PackedPath &path, const doub
     const __m128d centre_xy = _mm_loadh_pd(_mm_load_sd(centre), centre + 1);
     const __m128d off_xy = _mm_andnot_pd(sign, _mm_sub_pd(centre_xy, xy));
     const __m128d off_z = _mm_andnot_pd(sign, _mm_sub_sd(_mm_load_sd(centre + 2), z));
-    const __m128d reach = _mm_set1_pd(path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]));
+    const __m128d reach = _mm_set1_pd(path.reach(t));
     const int inside_xy = _mm_movemask_pd(_mm_cmple_pd(off_xy, reach));
     const int inside_z = _mm_movemask_pd(_mm_cmple_sd(off_z, reach)) & 1;
     return (inside_xy & (inside_z | 2)) == 3;
@@ -71,7 +71,7 @@ inline bool bounds_inside(const PackedPath &path, const PackedBounds &bounds, co
 {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const float t = bounds.still ? 0 : static_cast<float>(ticks_between(path.since, now));
-    const double reach = path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]);
+    const double reach = path.reach(t);
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -93,7 +93,7 @@ inline bool surely_inside([[maybe_unused]] const PackedPath &path, [[maybe_unuse
     const __m128 moved = _mm_mul_ps(
         time, _mm_add_ps(_mm_loadu_ps(path.velocity), _mm_mul_ps(half_time, _mm_loadu_ps(path.acceleration))));
     const __m128 position = _mm_movelh_ps(_mm_cvtpd_ps(xy), _mm_cvtpd_ps(z));
-    const __m128 reach = _mm_set1_ps(path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]));
+    const __m128 reach = _mm_set1_ps(path.reach(t));
     const __m128 centre = _mm_add_ps(position, moved);
     const __m128 low = _mm_sub_ps(_mm_add_ps(centre, _mm_loadu_ps(bounds.low)), reach);
     const __m128 high = _mm_add_ps(_mm_add_ps(centre, _mm_loadu_ps(bounds.high)), reach);

@@ -12,12 +12,6 @@ namespace
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-double common_horizon(const ProxyStore &store, Tick now)
-{
-    const bool both_still = store.bounds[0].still && store.bounds[1].still;
-    return both_still ? 0 : std::min(store.remaining(0, now), store.remaining(1, now));
-}
-
 struct Found
 {
     int near = 0;
@@ -28,7 +22,7 @@ struct Found
 // Never late to enter, never early to leave, with respect to double precision; and rarely near for nothing.
 void check(const ProxyStore &store, Tick now, Found &found)
 {
-    const double horizon = common_horizon(store, now);
+    const double horizon = store.common_horizon(0, 1, now);
     const std::optional<ProximityInterval> expected =
                                                box_proximity(store.envelope(0, now), store.envelope(1, now), horizon),
                                            with_rounding = box_proximity(store.outer_envelope(0, now),
