@@ -40,7 +40,7 @@ public:
         const NearPair *const pairs = pairs_.data();
         for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
         {
-            coming(later(pairs, count, i));
+            coming(later(pairs, count, i, 16));
             visit(pairs[i]);
         }
     }

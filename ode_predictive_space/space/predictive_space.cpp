@@ -214,11 +214,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     {
         const CandidatePair pair = pairs[i];
         if (overflows_cache)
-        {
-            const CandidatePair &next = later(pairs.data(), count, i);
-            prefetch_filters(geoms_[next.first]);
-            prefetch_filters(geoms_[next.second]);
-        }
+            prefetch_pair(pairs.data(), count, i);
         dxGeom *one = geoms_[pair.first], *other = geoms_[pair.second];
         if (enabled(one) && enabled(other) && wants_callback(one, other))
         {
@@ -227,6 +223,17 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
         }
     }
     pairs_ = std::move(pairs);
+}
+
+// What the filters read of pairs that come after the i-th. Where the geoms are has to be fetched, too, and before them.
+void dxPredictiveSpace::prefetch_pair(const CandidatePair *pairs, std::size_t count, std::size_t i) const
+{
+    constexpr std::size_t soon = 12;
+    const CandidatePair &pair = later(pairs, count, i, soon), &farther = later(pairs, count, i, 2 * soon);
+    prefetch(&geoms_[farther.first]);
+    prefetch(&geoms_[farther.second]);
+    prefetch_filters(geoms_[pair.first]);
+    prefetch_filters(geoms_[pair.second]);
 }
 
 void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback)

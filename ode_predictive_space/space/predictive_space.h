@@ -78,6 +78,7 @@ private:
 
     static ProxyId proxy_of(const dxGeom *geom);
     ode_predictive_space::GeomScene scene() const;
+    void prefetch_pair(const ode_predictive_space::CandidatePair *pairs, std::size_t count, std::size_t i) const;
     void index_when_asked_often();
     void find_near(dxGeom *geom, std::vector<ProxyId> &found);
     void classify_new();
