@@ -41,7 +41,8 @@ ProxyId Broadphase::add()
         proxies_.grow();
         grow(boxes_, proxies_.size());
         for (IdSet *set :
-             {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_, &measured_})
+             {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_, &measured_,
+              &stirred_})
             set->resize(proxies_.size());
         near_.resize(proxies_.size());
     }
@@ -56,6 +57,7 @@ void Broadphase::remove(ProxyId id)
 {
     // Whatever speaks of the old generation, in near set, schedule or elsewhere, is stale from now on.
     ++proxies_.generations[id];
+    near_.disturb(id);
     near_changed_ = true;
     unpredicted_ -= proxies_.bounds[id].check == Check::none;
     index_.remove(proxies_, id);
@@ -264,8 +266,9 @@ std::size_t Broadphase::scheduled_pairs() const
 
 std::size_t Broadphase::near_pairs() const
 {
-    return static_cast<std::size_t>(
-        std::count_if(near().begin(), near().end(), [this](const NearPair &pair) { return current(pair); }));
+    std::size_t count = 0;
+    each_near([&](const NearPair &, NearSet::Verdict) { ++count; });
+    return count;
 }
 
 // Stale events wait for their tick. Where many predictions break early they would pile up.
@@ -289,6 +292,8 @@ void Broadphase::drop_stale_near()
 
 void Broadphase::take_note_of_moves()
 {
+    near_.disturb(moved_);
+    stirred_ |= moved_;
     moved_.clear();
     doubtful_.clear();
 }
@@ -405,7 +410,8 @@ std::size_t Broadphase::bytes() const
 {
     std::size_t total = proxies_.bytes() + predictor.bytes() + index_.bytes() + wheel_.bytes() + sweep_.bytes();
     for (const IdSet *set :
-         {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_, &measured_})
+         {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_, &measured_,
+          &stirred_})
         total += set->bytes();
     total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity() + queue_.capacity()) * sizeof(ProxyId);
     total += swept_.capacity() * sizeof(SweptProxy);

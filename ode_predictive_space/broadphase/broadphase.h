@@ -123,8 +123,23 @@ public:
     }
 
     const ProxyStore &proxies() const { return proxies_; }
-    /// The pairs that are tested at each tick; stale ones among them.
+    /// The pairs that are tested at each tick; stale ones among them. Pairs in the near set that rest are not.
     const std::vector<NearPair> &near() const { return scanning() ? scanned_ : near_.pairs(); }
+
+    /// Calls visit(pair, verdict) for each pair in the near set that is not stale, whether it is tested at each tick or rests.
+    template <typename Visit> void each_near(Visit visit) const
+    {
+        const auto visit_current = [&](const NearPair &pair, NearSet::Verdict verdict) {
+            if (current(pair))
+                visit(pair, verdict);
+        };
+        if (!scanning())
+            near_.for_all(visit_current);
+        else
+            for (const NearPair &pair : scanned_)
+                visit_current(pair, NearSet::Verdict::open);
+    }
+
     const Counters &counters() const { return counters_; }
 
     /// Pairs that sleep until their time of proximity.
@@ -181,6 +196,8 @@ private:
     template <typename Visit> Visit drop_stale_near(Visit visit);
     template <typename Visit> Visit visit_near(Visit visit);
     template <typename Scene> struct OverlapTest;
+    template <typename Scene> std::size_t test_near(Scene &scene, std::vector<CandidatePair> &room);
+    template <typename Scene> void let_rest(Scene &scene);
     void take_note_of_moves();
 
     // At which the next update will probably be: noticed moves are judged by where objects should be then.
@@ -225,6 +242,7 @@ private:
     IdSet measured_;    // have not moved since their bounds were last looked at
     IdSet due_anew_;    // to be predicted anew at the next update, whether or not they move
     IdSet waiting_;     // to be predicted when it is their turn; until then all are swept
+    IdSet stirred_;     // have moved since pairs were last let rest
     Tick now_ = 0;
     bool ticked_early_ = false; // time has already passed since the last tick, in a catch_up()
 
@@ -256,6 +274,7 @@ private:
 
     bool near_changed_ = false; // pairs have come, or become stale, since drop_stale_near()
     Tick next_leave_ = 0;       // the last tick at which none of the pairs has left
+    unsigned reports_ = 0;
 
     static constexpr std::size_t least_purge = 4096;
     std::size_t purge_events_at_ = least_purge;

@@ -161,6 +161,7 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
         const ProxyId id = batch_[i];
         PackedBounds &bounds = proxies_.bounds[id];
         stop_waiting(id);
+        near_.disturb(id);
         unpredicted_ -= bounds.check == Check::none;
         // Tight bounds are given up when they do not last, or were in force and no near pair needed them.
         bounds.crowded &= bounds.tight_bounds_last && (near_.members().contains(id) || bounds.check != Check::bounds);
@@ -268,25 +269,58 @@ template <typename Scene> struct Broadphase::OverlapTest
     bool by_sphere;
     CandidatePair *end;
 
-    void operator()(const NearPair &pair)
+    bool overlap(const NearPair &pair) const
     {
         const Comparison compared = compare(boxes[pair.first], boxes[pair.second]);
-        bool overlap = compared == Comparison::overlap;
+        const bool overlap = compared == Comparison::overlap;
         if (compared == Comparison::unsure || (by_sphere && overlap))
-            overlap = scene.overlap(pair.first, pair.second);
+            return scene.overlap(pair.first, pair.second);
+        return overlap;
+    }
+
+    void operator()(const NearPair &pair)
+    {
+        const bool overlaps = overlap(pair);
         *end = {pair.first, pair.second};
-        end += overlap;
+        end += overlaps;
     }
 };
 
 template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
 {
-    if (!scanning())
-        measure_all(scene, near_.members());
-    if (room.size() < near().size())
-        room.resize(near().size());
+    if (scanning())
+        return test_near(scene, room);
+    measure_all(scene, near_.members());
+    near_.wake_disturbed();
+    let_rest(scene);
+    std::size_t count = test_near(scene, room);
+    for (const NearPair &pair : near_.together())
+        room[count++] = {pair.first, pair.second};
+    return count;
+}
+
+template <typename Scene> std::size_t Broadphase::test_near(Scene &scene, std::vector<CandidatePair> &room)
+{
+    const std::size_t most = near().size() + near_.together().size();
+    if (room.size() < most)
+        room.resize(most);
     const OverlapTest<Scene> test{scene, boxes_.data(), measure_ == Proximity::sphere, room.data()};
     return static_cast<std::size_t>(visit_near(test).end - room.data());
+}
+
+// Once in some reports the pairs of those that have not moved since the last time are told from the others.
+template <typename Scene> void Broadphase::let_rest(Scene &scene)
+{
+    constexpr unsigned reports_per_rest = 32;
+    if (++reports_ % reports_per_rest != 0)
+        return;
+    const OverlapTest<Scene> test{scene, boxes_.data(), measure_ == Proximity::sphere, nullptr};
+    near_.let_rest([&](const NearPair &pair) {
+        if (stirred_.contains(pair.first) || stirred_.contains(pair.second) || !current(pair))
+            return NearSet::Verdict::open;
+        return test.overlap(pair) ? NearSet::Verdict::together : NearSet::Verdict::apart;
+    });
+    stirred_.clear();
 }
 
 template <typename Probe, typename Visit> void Broadphase::walk(const Probe &probe, Visit visit) const

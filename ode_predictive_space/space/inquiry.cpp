@@ -69,9 +69,14 @@ const char *dxPredictiveSpace::find_violation()
             return "a geom is outside its envelope";
 
     std::vector<std::pair<ProxyId, ProxyId>> near;
-    for (const NearPair &pair : broadphase_.near())
-        if (broadphase_.current(pair))
-            near.push_back(std::minmax(pair.first, pair.second));
+    bool verdicts_hold = true;
+    broadphase_.each_near([&](const NearPair &pair, NearSet::Verdict verdict) {
+        near.push_back(std::minmax(pair.first, pair.second));
+        if (verdict != NearSet::Verdict::open)
+            verdicts_hold &= now.overlap(pair.first, pair.second) == (verdict == NearSet::Verdict::together);
+    });
+    if (!verdicts_hold)
+        return "what is known of a pair at rest is wrong";
     std::sort(near.begin(), near.end());
     if (std::adjacent_find(near.begin(), near.end()) != near.end())
         return "a pair is twice in the near set";

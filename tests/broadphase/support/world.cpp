@@ -125,9 +125,14 @@ std::string World::violated_invariant()
             if (!holds(FloatBox::around(broadphase.proxies().envelope(id, broadphase.now()).at(0)), bounds(id)))
                 return "object " + std::to_string(id) + " is outside its envelope";
     std::vector<CandidatePair> current;
-    for (const NearPair &pair : broadphase.near())
-        if (broadphase.current(pair))
-            current.push_back({pair.first, pair.second});
+    bool verdicts_hold = true;
+    broadphase.each_near([&](const NearPair &pair, NearSet::Verdict verdict) {
+        current.push_back({pair.first, pair.second});
+        if (verdict != NearSet::Verdict::open)
+            verdicts_hold &= overlap(pair.first, pair.second) == (verdict == NearSet::Verdict::together);
+    });
+    if (!verdicts_hold)
+        return "what is known of a pair at rest is wrong";
     const Pairs near = sorted_pairs(current);
     if (std::adjacent_find(near.begin(), near.end()) != near.end())
         return "a pair is twice in the near set";

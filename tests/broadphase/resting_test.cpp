@@ -1,0 +1,144 @@
+// Pairs of two that have not moved for a while are not tested any more, until something happens to one of them.
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/random.h"
+#include "tests/broadphase/support/world.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr int long_enough = 200;
+
+// A row of boxes of which each touches the next, a pair that only just does not, and one object far away that moves all
+// the time, so that time passes.
+class Resting : public testing::Test
+{
+protected:
+    Resting()
+    {
+        for (int i = 0; i < count; ++i)
+            world.add(box(Vector3(0.19 * i, 0, 0), Vector3::Constant(0.1), Vector3::Zero(), true));
+        const ProxyId beside = world.add(box(Vector3(0, 0.2 + 1e-9, 0), Vector3::Constant(0.1), Vector3::Zero(), true));
+        EXPECT_EQ(beside, neighbour);
+        world.add(ball(Vector3(0, 0, 100), 0.1, Vector3(0.0001, 0, 0)));
+        run(long_enough);
+    }
+
+    void tick()
+    {
+        world.advance();
+        ASSERT_EQ(sorted_pairs(world.tick()), sorted_pairs(world.overlapping()));
+        ASSERT_EQ(world.violated_invariant(), "");
+    }
+
+    void run(int ticks)
+    {
+        for (int i = 0; i < ticks; ++i)
+            tick();
+    }
+
+    std::size_t tested() const { return world.broadphase.near().size(); }
+
+    static constexpr int count = 10;
+    static constexpr ProxyId neighbour = count;
+    World world;
+};
+
+TEST_F(Resting, PairsThatDoNotMoveAreNotTested)
+{
+    EXPECT_EQ(tested(), 0u);
+    EXPECT_GE(world.broadphase.near_pairs(), std::size_t{count - 1});
+}
+
+TEST_F(Resting, ASmallMoveIsSeenAtOnce)
+{
+    world.place(neighbour, world.object(neighbour).centre - Vector3(0, 2e-9, 0));
+    const std::size_t before = world.overlapping().size();
+    tick();
+    EXPECT_EQ(before, std::size_t{count + 1}) << "it was to touch the first two";
+    EXPECT_GE(tested(), 1u);
+}
+
+TEST_F(Resting, GrowthAndShrinkingAreSeenAtOnce)
+{
+    for (double half : {0.05, 0.3, 0.1})
+    {
+        world.object(4).half = Vector3::Constant(half);
+        world.touch(4);
+        run(long_enough);
+        EXPECT_EQ(tested(), 0u);
+    }
+}
+
+TEST_F(Resting, WhatIsRemovedIsNotReported)
+{
+    world.remove(5);
+    tick();
+    world.remove(2);
+    world.add(box(Vector3(0.19 * 5, 0, 0), Vector3::Constant(0.1), Vector3::Zero(), true));
+    run(long_enough);
+    EXPECT_EQ(tested(), 0u);
+}
+
+TEST_F(Resting, AMoveNoticedByAQuestionIsNotForgotten)
+{
+    world.place(3, world.object(3).centre + Vector3(0, 1, 0));
+    world.broadphase.catch_up(world);
+    ASSERT_EQ(world.violated_invariant(), "");
+    tick();
+}
+
+TEST_F(Resting, NewSettingsAreFollowed)
+{
+    world.broadphase.set_measure(Proximity::sphere);
+    run(long_enough);
+    world.broadphase.set_measure(Proximity::box);
+    run(long_enough);
+    EXPECT_EQ(tested(), 0u);
+}
+
+TEST_F(Resting, PairsThatMoveAreTestedOn)
+{
+    for (int i = 0; i < long_enough; ++i)
+    {
+        world.place(0, world.object(0).centre + Vector3(0, i % 2 ? 1e-4 : -1e-4, 0));
+        tick();
+        ASSERT_GE(tested(), 1u);
+    }
+    EXPECT_LE(tested(), 4u);
+}
+
+TEST(RestingAtRandom, ReportsWhatOverlaps)
+{
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    {
+        Random random(seed);
+        World world;
+        const auto anywhere = [&] {
+            return box(random.vector(0.6), Vector3::Constant(random.uniform(0.05, 0.15)), Vector3::Zero(), true);
+        };
+        for (int i = 0; i < 60; ++i)
+            world.add(anywhere());
+        world.add(ball(Vector3(0, 0, 100), 0.1, Vector3(0.0001, 0, 0)));
+        std::size_t ticks_at_rest = 0;
+        for (int tick = 0; tick < 3000; ++tick)
+        {
+            world.advance();
+            const ProxyId id = static_cast<ProxyId>(random.index(60));
+            if (world.present(id) && random.chance(0.02))
+                world.place(id, world.object(id).centre + random.vector(random.chance(0.5) ? 1e-3 : 0.3));
+            if (world.present(id) && random.chance(0.005))
+                world.remove(id);
+            if (random.chance(0.005))
+                world.add(anywhere());
+            ASSERT_EQ(sorted_pairs(world.tick()), sorted_pairs(world.overlapping())) << seed << " at " << tick;
+            ASSERT_EQ(world.violated_invariant(), "") << seed << " at " << tick;
+            ticks_at_rest += world.broadphase.near().size() < world.broadphase.near_pairs() / 2;
+        }
+        EXPECT_GT(ticks_at_rest, 1000u);
+    }
+}
+} // namespace
+} // namespace ode_predictive_space
