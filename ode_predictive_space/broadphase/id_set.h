@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_ID_SET_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_ID_SET_H
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -30,7 +31,7 @@ public:
         return true;
     }
 
-    void clear() { words_.assign(words_.size(), 0); }
+    void clear() { std::fill(words_.begin(), words_.end(), 0); }
 
     IdSet &operator|=(const IdSet &other)
     {

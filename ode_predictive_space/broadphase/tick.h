@@ -39,7 +39,8 @@ template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
         scan(scene);
         return;
     }
-    renew(scene);
+    if (!batch_.empty() || !due_.empty() || scanning() || parts_joined_)
+        renew(scene);
 }
 
 template <typename Scene> bool Broadphase::calm_returns(Scene &scene, bool time_passes)
