@@ -35,21 +35,35 @@ public:
     /// @param sides lowest and highest x, then y, then z.
     template <typename Real> void assign(const Real sides[6])
     {
-        float largest = 0;
-        bool exact = true;
+        float largest = 0, sum = 0;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
             low_[axis] = static_cast<float>(sides[2 * axis]);
             high_[axis] = static_cast<float>(sides[2 * axis + 1]);
             const float low_size = std::abs(low_[axis]), high_size = std::abs(high_[axis]);
             largest = std::max(largest, std::max(low_size, high_size));
-            exact &= (low_size <= most) & (high_size <= most);
+            sum += low_size + high_size;
         }
-        if (!exact)
-            exact = forgive_infinite_sides(sides, largest);
-        error_ = exact ? unit * largest + least : std::numeric_limits<float>::infinity();
-        minus_error_ = -error_;
+        set_error(sides, largest, sum);
     }
+
+#if defined(__SSE2__)
+    /// The same in vector instructions. The sides are loaded one by one, as they were probably stored a moment ago: a wider
+    /// load would have to wait for the stores.
+    void assign(const double sides[6])
+    {
+        const __m128 low_xy = _mm_cvtpd_ps(_mm_loadh_pd(_mm_load_sd(sides), sides + 2));
+        const __m128 high_xy = _mm_cvtpd_ps(_mm_loadh_pd(_mm_load_sd(sides + 1), sides + 3));
+        const __m128 low = _mm_movelh_ps(low_xy, _mm_cvtpd_ps(_mm_load_sd(sides + 4)));
+        const __m128 high = _mm_movelh_ps(high_xy, _mm_cvtpd_ps(_mm_load_sd(sides + 5)));
+        const __m128 sign = _mm_set1_ps(-0.0f);
+        const __m128 low_size = _mm_andnot_ps(sign, low), high_size = _mm_andnot_ps(sign, high);
+        _mm_store_ps(low_, low);
+        _mm_store_ps(high_, high);
+        const __m128 larger = _mm_max_ps(low_size, high_size), sums = _mm_add_ps(low_size, high_size);
+        set_error(sides, largest_of(larger), sum_of(sums));
+    }
+#endif
 
     /// A box that holds the measured one.
     FloatBox outer() const
@@ -104,6 +118,28 @@ public:
     }
 
 private:
+    // @param sum of all sizes: too large, or not a number, when one is.
+    template <typename Real> void set_error(const Real sides[6], float largest, float sum)
+    {
+        const bool exact = sum <= most || forgive_infinite_sides(sides, largest);
+        error_ = exact ? unit * largest + least : std::numeric_limits<float>::infinity();
+        minus_error_ = -error_;
+    }
+
+#if defined(__SSE2__)
+    // Of the first three components; the fourth is 0.
+    static float largest_of(__m128 values)
+    {
+        const __m128 two = _mm_max_ps(values, _mm_movehl_ps(values, values));
+        return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
+    }
+    static float sum_of(__m128 values)
+    {
+        const __m128 two = _mm_add_ps(values, _mm_movehl_ps(values, values));
+        return _mm_cvtss_f32(_mm_add_ss(two, _mm_shuffle_ps(two, two, 1)));
+    }
+#endif
+
     // A side that lies at infinity is known well: there is no gap. (What overflowed single precision is not known so.)
     template <typename Real> static bool forgive_infinite_sides(const Real sides[6], float &largest)
     {

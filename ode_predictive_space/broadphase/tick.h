@@ -211,9 +211,10 @@ template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet
     for (std::size_t i = 0; i < wanted.words(); ++i)
         IdSet::visit_word(i, wanted.word(i) & members_.word(i) & ~measured_.word(i),
                           [this](ProxyId id) { suspects_.push_back(id); });
-    for (std::size_t i = 0; i < suspects_.size(); ++i)
+    const bool fetch = overflows_cache();
+    for (std::size_t i = 0, count = suspects_.size(); i < count; ++i)
     {
-        if (overflows_cache())
+        if (fetch)
         {
             prefetch_bounds(scene, suspects_, i);
             prefetch(&boxes_[later(suspects_, i)]);
