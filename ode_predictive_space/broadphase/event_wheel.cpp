@@ -104,6 +104,9 @@ void EventWheel::fetch(Index index) const
 
 void EventWheel::clear()
 {
+    // At the first tick it is, and there are many buckets.
+    if (pool_.empty())
+        return;
     buckets_.assign(buckets_.size(), no_entries);
     sizes_.assign(sizes_.size(), 0);
     beyond_ = none;

@@ -18,6 +18,9 @@ namespace ode_predictive_space
 class Scouts
 {
 public:
+    /// Makes room, which the first tick should not spend its time on.
+    Scouts() { scouts_.reserve(most); }
+
     /// Chooses among the members, evenly by number, the same ones for the same members.
     void choose(const IdSet &members)
     {
@@ -26,7 +29,6 @@ public:
         const std::size_t stride = std::max<std::size_t>(1, count / wanted) | 1;
         std::size_t rank = 0;
         scouts_.clear();
-        scouts_.reserve(most);
         members.for_each([&](ProxyId id) {
             if (rank++ % stride == 0 && scouts_.size() < most)
                 scouts_.push_back({id, 0, Vector3::Zero(), Vector3::Zero(), Vector3::Zero()});
