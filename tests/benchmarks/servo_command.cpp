@@ -1,5 +1,6 @@
 // predictive_bench servo: haptic loops at their rate, by the wall clock.
 
+#include "demos/scenes/statistics.h"
 #include "demos/scenes/table.h"
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/servo_measurement.h"
@@ -18,6 +19,7 @@ constexpr double most_part_of_tick = 5; // %
 constexpr double least_in_time = 99.9;  // %
 constexpr double same_cost = 1.25;      // times; what counts as no growth
 constexpr int decoupled_sizes[] = {100, 1000, 10000};
+constexpr int turns = 5; // of the two sizes that are compared
 
 std::string microseconds(double seconds)
 {
@@ -102,7 +104,6 @@ void measure_decoupled(ServoSettings settings, const Options &options, Findings 
     Table table({"space", "objects", "servo's computing", "median", "p99.9", "ticks in time", "step's collide"});
     for (const SpaceKind kind : spaces(options))
     {
-        double smallest = 0;
         for (const int objects : decoupled_sizes)
         {
             settings.objects = objects;
@@ -111,16 +112,30 @@ void measure_decoupled(ServoSettings settings, const Options &options, Findings 
                        microseconds(result.report.compute.mean), microseconds(result.report.compute.p50),
                        microseconds(result.report.compute.p999), fixed(100 * result.share_in_time(), 2) + " %",
                        microseconds(result.collide_and_force.mean)});
-            smallest = smallest > 0 ? smallest : result.report.compute.p50;
-            if (kind == SpaceKind::predictive && objects == 10000)
-            {
-                findings.require({"P15", "decoupled servo at 4 kHz: its median computing at 10,000 objects over 100",
-                                  result.report.compute.p50 / smallest, Requirement::at_most, same_cost, "x"});
-            }
         }
     }
     table.print(std::cout);
     std::cout << '\n';
+}
+
+// The servo's computing takes half a microsecond, and whatever else the processor does can double that for seconds: the two
+// sizes take turns.
+void require_same_cost(ServoSettings settings, Findings &findings)
+{
+    settings.decoupled = true;
+    settings.rate = fast_rate;
+    settings.seconds /= turns;
+    std::vector<double> few, many;
+    for (int turn = 0; turn < turns; ++turn)
+    {
+        std::cerr << "servo, 100 and 10,000 objects: turn " << turn + 1 << " of " << turns << '\n';
+        settings.objects = 100;
+        few.push_back(run_servo(SpaceKind::predictive, settings).report.compute.p50);
+        settings.objects = 10000;
+        many.push_back(run_servo(SpaceKind::predictive, settings).report.compute.p50);
+    }
+    findings.require({"P15", "decoupled servo at 4 kHz: its median computing at 10,000 objects over 100",
+                      summarise(many).median / summarise(few).median, Requirement::at_most, same_cost, "x"});
 }
 
 class ServoCommand : public Command
@@ -144,6 +159,11 @@ public:
         }
         measure_single(settings, options, findings);
         measure_decoupled(settings, options, findings);
+        const std::vector<SpaceKind> kinds = spaces(options);
+        if (std::find(kinds.begin(), kinds.end(), SpaceKind::predictive) != kinds.end())
+        {
+            require_same_cost(settings, findings);
+        }
     }
 };
 } // namespace
