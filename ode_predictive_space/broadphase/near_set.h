@@ -106,15 +106,18 @@ public:
     }
 
     /// Has the pairs of all that were disturbed tested again.
-    void wake_disturbed()
+    ///
+    /// @return true when there may be any; stale ones may be among them.
+    bool wake_disturbed()
     {
         if (!is_disturbed_)
-            return;
+            return false;
         wake_disturbed(together_);
         wake_disturbed(apart_);
         resting_ -= disturbed_;
         disturbed_.clear();
         is_disturbed_ = false;
+        return true;
     }
 
     void clear()

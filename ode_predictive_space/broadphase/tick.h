@@ -293,7 +293,7 @@ template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vect
     if (scanning())
         return test_near(scene, room);
     measure_all(scene, near_.members());
-    near_.wake_disturbed();
+    near_changed_ |= near_.wake_disturbed();
     let_rest(scene);
     std::size_t count = test_near(scene, room);
     for (const NearPair &pair : near_.together())

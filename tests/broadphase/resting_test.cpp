@@ -90,6 +90,27 @@ TEST_F(Resting, AMoveNoticedByAQuestionIsNotForgotten)
     tick();
 }
 
+// A program that asks often between two ticks: what is stale in the near set is dropped in between.
+TEST_F(Resting, NoPairIsReportedTwiceAfterManyQuestions)
+{
+    constexpr int crowd = 60;
+    const Vector3 place(0, 50, 0);
+    std::vector<ProxyId> ids;
+    for (int i = 0; i < crowd; ++i)
+        ids.push_back(world.add(box(place, Vector3::Constant(0.1), Vector3::Zero(), true)));
+    tick();
+    world.broadphase.set_role(3, Role::fixed_environment);
+    std::size_t before = 0;
+    do
+    {
+        before = tested();
+        for (ProxyId id : ids)
+            world.place(id, world.object(id).centre + Vector3(0.01, 0, 0));
+        world.broadphase.catch_up(world);
+    } while (tested() > before);
+    EXPECT_EQ(sorted_pairs(world.tick()), sorted_pairs(world.overlapping()));
+}
+
 TEST_F(Resting, NewSettingsAreFollowed)
 {
     world.broadphase.set_measure(Proximity::sphere);
