@@ -40,9 +40,8 @@ ProxyId Broadphase::add()
         id = static_cast<ProxyId>(proxies_.size());
         proxies_.grow();
         grow(boxes_, proxies_.size());
-        for (IdSet *set :
-             {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_, &measured_,
-              &stirred_})
+        for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_,
+                           &measured_, &stirred_})
             set->resize(proxies_.size());
         near_.resize(proxies_.size());
     }
@@ -409,9 +408,8 @@ void Broadphase::release_scan()
 std::size_t Broadphase::bytes() const
 {
     std::size_t total = proxies_.bytes() + predictor.bytes() + index_.bytes() + wheel_.bytes() + sweep_.bytes();
-    for (const IdSet *set :
-         {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_, &measured_,
-          &stirred_})
+    for (const IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_,
+                             &measured_, &stirred_})
         total += set->bytes();
     total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity() + queue_.capacity()) * sizeof(ProxyId);
     total += swept_.capacity() * sizeof(SweptProxy);

@@ -274,7 +274,7 @@ private:
 
     bool near_changed_ = false; // pairs have come, or become stale, since drop_stale_near()
     Tick next_leave_ = 0;       // the last tick at which none of the pairs has left
-    unsigned reports_ = 0;
+    unsigned reports_ = 0;      // so far, to know which of them is to let pairs rest
 
     static constexpr std::size_t least_purge = 4096;
     std::size_t purge_events_at_ = least_purge;

@@ -21,12 +21,12 @@ namespace ode_predictive_space
 class NearSet
 {
 public:
-    /// What a test of a pair can have come to.
+    /// What is known of a pair.
     enum class Verdict
     {
-        open,  ///< to be tested at each tick
-        apart, ///< may rest
-        together
+        open,    ///< nothing for long: it is tested at each tick
+        apart,   ///< it rests, and its objects do not overlap
+        together ///< it rests, and they do
     };
 
     /// Makes room for proxies 0 to count - 1.
@@ -49,10 +49,11 @@ public:
     /// Calls visit(pair) for all that are tested, and some time before that coming(pair).
     template <typename Coming, typename Visit> void for_each(Coming coming, Visit visit) const
     {
+        constexpr std::size_t soon = 16; // in the time of so many tests, memory far away is fetched
         const NearPair *const pairs = pairs_.data();
         for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
         {
-            coming(later(pairs, count, i, 16));
+            coming(later(pairs, count, i, soon));
             visit(pairs[i]);
         }
     }
@@ -73,7 +74,7 @@ public:
         pairs_.resize(static_cast<std::size_t>(left - pairs_.data()));
     }
 
-    /// Lets pairs rest, as judge(pair) says.
+    /// Lets pairs rest, as the verdict judge(pair) says, or be tested on.
     template <typename Judge> void let_rest(Judge judge)
     {
         NearPair *left = pairs_.data();
@@ -192,8 +193,7 @@ private:
     }
 
     std::vector<NearPair> pairs_;
-    std::vector<NearPair> together_; // rest
-    std::vector<NearPair> apart_;    // rest
+    std::vector<NearPair> together_, apart_; // those that rest
     IdSet members_;
     IdSet resting_;   // all in pairs that rest, and maybe some whose partners have been disturbed
     IdSet disturbed_; // of these

@@ -16,7 +16,8 @@ namespace
 using namespace scenes;
 
 constexpr double most_seconds_each = 10;
-constexpr double seconds_for_stack = 2; ///< also when quick: its ball is thrown every 400 ticks, and it settles in between
+constexpr double seconds_for_stack =
+    2;                            ///< also when quick: its ball is thrown every 400 ticks, and it settles in between
 constexpr int short_warm_up = 30; ///< of scenes with contacts, whose slow contenders else would have no tick in common
 constexpr double times_as_fast_as_bullet = 3;
 

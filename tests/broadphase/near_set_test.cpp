@@ -36,7 +36,8 @@ protected:
     std::map<ProxyId, Verdict> verdicts() const
     {
         std::map<ProxyId, Verdict> found;
-        set.for_all([&](const NearPair &pair, Verdict verdict) { EXPECT_TRUE(found.emplace(pair.first, verdict).second); });
+        set.for_all(
+            [&](const NearPair &pair, Verdict verdict) { EXPECT_TRUE(found.emplace(pair.first, verdict).second); });
         return found;
     }
 
@@ -57,8 +58,9 @@ TEST_F(NearSetTest, WhatRestsIsNotTestedAndStaysAMember)
     EXPECT_TRUE(set.pairs().empty());
     EXPECT_EQ(firsts(set.together()), (std::vector<ProxyId>{0, 2}));
     EXPECT_EQ(set.members().size(), 5u);
-    EXPECT_EQ(verdicts(), (std::map<ProxyId, Verdict>{
-                              {0, Verdict::together}, {1, Verdict::apart}, {2, Verdict::together}, {3, Verdict::apart}}));
+    EXPECT_EQ(verdicts(),
+              (std::map<ProxyId, Verdict>{
+                  {0, Verdict::together}, {1, Verdict::apart}, {2, Verdict::together}, {3, Verdict::apart}}));
 }
 
 TEST_F(NearSetTest, OpenPairsAreTestedOn)
