@@ -24,7 +24,7 @@ public:
     /// What is known of a pair.
     enum class Verdict
     {
-        open,    ///< nothing for long: it is tested at each tick
+        open,    ///< nothing that lasts: it is tested at each tick
         apart,   ///< it rests, and its objects do not overlap
         together ///< it rests, and they do
     };

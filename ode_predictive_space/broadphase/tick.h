@@ -301,6 +301,7 @@ template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vect
     return count;
 }
 
+// Leaves room for those at rest.
 template <typename Scene> std::size_t Broadphase::test_near(Scene &scene, std::vector<CandidatePair> &room)
 {
     const std::size_t most = near().size() + near_.together().size();

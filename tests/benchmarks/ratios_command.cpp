@@ -57,7 +57,7 @@ constexpr Case cases[] = {
     {"P8", "churn", 10000, 5, false},
 };
 
-/// Enough for a steady mean, without the explosions and hits of balls that some scenes have from time to time.
+/// Enough for a steady mean.
 int usual_ticks(const Case &one)
 {
     // Nearly all of a tick of a pile is the step of the world, and one is like the other.
