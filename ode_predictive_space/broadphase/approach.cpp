@@ -112,8 +112,8 @@ Approach::Approach(const ProxyStore &proxies, ProxyId id, Tick now)
     const PackedBounds &bounds = proxies.bounds[id];
     const Path since = path.path(), current = since.advanced(age_);
     deviation_[0] = path.reach(age_);
-    deviation_[1] = path.deviation[1] + 2 * age_ * path.deviation[2];
-    deviation_[2] = path.deviation[2];
+    deviation_[1] = path.deviation_rate + age_ * path.deviation_bend;
+    deviation_[2] = 0.5f * path.deviation_bend;
     position_ = current.position;
     velocity_ = axes(current.velocity);
     acceleration_ = axes(path.acceleration);
@@ -153,8 +153,8 @@ Approach::Gaps Approach::gaps(ProxyId other, float duration) const
     const Axes end = begin + duration * (velocity + age * acceleration - velocity_ + (0.5f * duration) * bend);
 
     const float reach = deviation_[0] + path.reach(age);
-    const float spread = deviation_[1] + path.deviation[1] + 2 * age * path.deviation[2];
-    const float curvature = deviation_[2] + path.deviation[2];
+    const float spread = deviation_[1] + path.deviation_rate + age * path.deviation_bend;
+    const float curvature = deviation_[2] + 0.5f * path.deviation_bend;
     const float reach_at_end = reach + duration * (spread + duration * curvature);
 
     const float until = age + duration, own_until = age_ + duration;

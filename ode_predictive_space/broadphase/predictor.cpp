@@ -153,11 +153,7 @@ void pack(PackedPath &packed, const Path &path, const Deviation &deviation, Tick
         packed.velocity[axis] = static_cast<float>(path.velocity[axis]);
         packed.acceleration[axis] = static_cast<float>(path.acceleration[axis]);
     }
-    // A limit far beyond any scene, so that no product of it with a time is infinite or NaN.
-    constexpr double limit = 1e30;
-    packed.deviation[0] = static_cast<float>(std::min(deviation.a, limit));
-    packed.deviation[1] = static_cast<float>(std::min(deviation.b, limit));
-    packed.deviation[2] = static_cast<float>(std::min(deviation.c, limit));
+    packed.set_deviation(deviation);
     packed.since = now;
 }
 } // namespace
@@ -215,10 +211,8 @@ Predictor::Outcome Predictor::judge(const ProxyStore &proxies, ProxyId id, const
     outcome.moved = !outcome.displacement.isZero(0);
     const double elapsed = bounds.still ? 0 : outcome.ticks;
     outcome.acceleration = path.acceleration;
-    const PackedPath &packed = proxies.paths[id];
-    const Deviation deviation{packed.deviation[0], packed.deviation[1], packed.deviation[2]};
     outcome.error = finite_or_zero(seen.centre - path.at(elapsed)).lpNorm<Eigen::Infinity>();
-    outcome.kept = outcome.error <= deviation.at(elapsed);
+    outcome.kept = outcome.error <= proxies.paths[id].deviation().at(elapsed);
     outcome.settled = bounds.still && outcome.kept && outcome.ticks >= 0.5 * settling_ticks;
     return outcome;
 }

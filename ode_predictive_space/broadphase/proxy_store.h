@@ -17,18 +17,31 @@ namespace ode_predictive_space
 {
 /// The hot half of a proxy: where its centre may be. One cache line, the only one that a check of the centre reads.
 ///
-/// Velocity, acceleration and deviation are floats: the path is *defined* by the rounded values. A member follows each of
-/// them, so that four floats can be loaded where three are wanted.
+/// Velocity, acceleration and deviation are floats: the path is *defined* by the rounded values. What the deviation grows by
+/// lies beside them as that of a fourth axis would: four floats are computed with at once.
 struct alignas(64) PackedPath
 {
     double position[3];
     float velocity[3];
+    float deviation_rate; ///< b of R(t) = a + b t + c t^2
     float acceleration[3];
-    float deviation[3];
+    float deviation_bend; ///< 2 c
+    float deviation_base; ///< a
     Tick since;
 
+    void set_deviation(const Deviation &R)
+    {
+        // A limit far beyond any scene, so that no product of it with a time is infinite or NaN.
+        constexpr double limit = 1e30;
+        deviation_base = static_cast<float>(std::min(R.a, limit));
+        deviation_rate = static_cast<float>(std::min(R.b, limit));
+        deviation_bend = static_cast<float>(std::min(2 * R.c, limit));
+    }
+
+    Deviation deviation() const { return {deviation_base, deviation_rate, 0.5 * double{deviation_bend}}; }
+
     /// R(t), as verification computes it.
-    float reach(float t) const { return deviation[0] + t * (deviation[1] + t * deviation[2]); }
+    float reach(float t) const { return deviation_base + t * (deviation_rate + 0.5f * t * deviation_bend); }
 
     Path path() const
     {
@@ -149,12 +162,11 @@ struct ProxyStore
         if (bounds[id].still)
             return from_now(id, rounded_by_scene(id, deviation(id)), now);
         constexpr double rounding = 8 * std::numeric_limits<float>::epsilon();
-        const PackedPath &packed = paths[id];
-        const Path path = packed.path();
-        const Deviation outer = {
-            (1 + rounding) * packed.deviation[0],
-            (1 + rounding) * packed.deviation[1] + rounding * path.velocity.lpNorm<Eigen::Infinity>(),
-            (1 + rounding) * packed.deviation[2] + rounding * path.acceleration.lpNorm<Eigen::Infinity>()};
+        const Path path = paths[id].path();
+        Deviation outer = deviation(id);
+        outer.a += rounding * outer.a;
+        outer.b += rounding * (outer.b + path.velocity.lpNorm<Eigen::Infinity>());
+        outer.c += rounding * (outer.c + path.acceleration.lpNorm<Eigen::Infinity>());
         return from_now(id, rounded_by_scene(id, outer), now);
     }
 
@@ -195,11 +207,7 @@ struct ProxyStore
     }
 
 private:
-    Deviation deviation(ProxyId id) const
-    {
-        const PackedPath &packed = paths[id];
-        return {packed.deviation[0], packed.deviation[1], packed.deviation[2]};
-    }
+    Deviation deviation(ProxyId id) const { return paths[id].deviation(); }
 
     // The bounding box that a scene computes from the centre is off by its rounding. In double precision that is a part of
     // rounding_per_size already. (What the path adds to the centre, outer_envelope() does for velocity and acceleration.)

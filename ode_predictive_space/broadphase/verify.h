@@ -30,25 +30,30 @@ template <typename Real> inline bool centre_inside(const PackedPath &path, const
 }
 
 #if defined(__SSE2__)
+/// How far the path has come along each axis after t, and in the fourth component what the deviation has grown by.
+inline __m128 moved_and_grown(const PackedPath &path, float t)
+{
+    const __m128 rate = _mm_loadu_ps(path.velocity), bend = _mm_loadu_ps(path.acceleration);
+    return _mm_mul_ps(_mm_set1_ps(t), _mm_add_ps(rate, _mm_mul_ps(_mm_set1_ps(0.5f * t), bend)));
+}
+
 /// The same in a few vector instructions.
 template <> inline bool centre_inside<double>(const PackedPath &path, const double *centre, Tick now)
 {
     const float t = static_cast<float>(ticks_between(path.since, now));
-    const __m128 time = _mm_set1_ps(t), half_time = _mm_set1_ps(0.5f * t);
-    // Each load takes one float more than the vector has; the fourth components are never looked at.
-    const __m128 velocity = _mm_loadu_ps(path.velocity), acceleration = _mm_loadu_ps(path.acceleration);
-    const __m128 moved = _mm_mul_ps(time, _mm_add_ps(velocity, _mm_mul_ps(half_time, acceleration)));
+    const __m128 moved = moved_and_grown(path, t);
     const __m128d xy = _mm_add_pd(_mm_loadu_pd(path.position), _mm_cvtps_pd(moved));
-    const __m128d z = _mm_add_sd(_mm_load_sd(path.position + 2), _mm_cvtps_pd(_mm_movehl_ps(moved, moved)));
-    const __m128d sign = _mm_set1_pd(-0.0);
+    const __m128d z = _mm_add_pd(_mm_load_sd(path.position + 2), _mm_cvtps_pd(_mm_movehl_ps(moved, moved)));
     // One by one: they may have been stored so a moment ago, and a wider load would have to wait for the stores.
-    const __m128d centre_xy = _mm_loadh_pd(_mm_load_sd(centre), centre + 1);
-    const __m128d off_xy = _mm_andnot_pd(sign, _mm_sub_pd(centre_xy, xy));
-    const __m128d off_z = _mm_andnot_pd(sign, _mm_sub_sd(_mm_load_sd(centre + 2), z));
-    const __m128d reach = _mm_set1_pd(path.reach(t));
-    const int inside_xy = _mm_movemask_pd(_mm_cmple_pd(off_xy, reach));
-    const int inside_z = _mm_movemask_pd(_mm_cmple_sd(off_z, reach)) & 1;
-    return (inside_xy & (inside_z | 2)) == 3;
+    const __m128d off_xy = _mm_sub_pd(_mm_loadh_pd(_mm_load_sd(centre), centre + 1), xy);
+    const __m128d off_z = _mm_sub_pd(_mm_load_sd(centre + 2), z);
+    const __m128 reach_of_all = _mm_add_ps(_mm_set1_ps(path.deviation_base), _mm_shuffle_ps(moved, moved, 0xff));
+    const __m128d reach = _mm_cvtps_pd(reach_of_all);
+    const __m128d no_sign = _mm_castsi128_pd(_mm_set1_epi64x(0x7fffffffffffffff));
+    const __m128d inside_xy = _mm_cmple_pd(_mm_and_pd(off_xy, no_sign), reach);
+    // Beside z, what the deviation has grown by: no more than all of it.
+    const __m128d inside_z = _mm_cmple_pd(_mm_and_pd(off_z, no_sign), reach);
+    return _mm_movemask_pd(_mm_and_pd(inside_xy, inside_z)) == 3;
 }
 #endif
 
@@ -89,11 +94,9 @@ inline bool surely_inside([[maybe_unused]] const PackedPath &path, [[maybe_unuse
 #if defined(__SSE2__)
     const float t = bounds.still ? 0 : static_cast<float>(ticks_between(path.since, now));
     const __m128d xy = _mm_loadu_pd(path.position), z = _mm_load_sd(path.position + 2);
-    const __m128 time = _mm_set1_ps(t), half_time = _mm_set1_ps(0.5f * t);
-    const __m128 moved = _mm_mul_ps(
-        time, _mm_add_ps(_mm_loadu_ps(path.velocity), _mm_mul_ps(half_time, _mm_loadu_ps(path.acceleration))));
+    const __m128 moved = moved_and_grown(path, t);
     const __m128 position = _mm_movelh_ps(_mm_cvtpd_ps(xy), _mm_cvtpd_ps(z));
-    const __m128 reach = _mm_set1_ps(path.reach(t));
+    const __m128 reach = _mm_add_ps(_mm_set1_ps(path.deviation_base), _mm_shuffle_ps(moved, moved, 0xff));
     const __m128 centre = _mm_add_ps(position, moved);
     const __m128 low = _mm_sub_ps(_mm_add_ps(centre, _mm_loadu_ps(bounds.low)), reach);
     const __m128 high = _mm_add_ps(_mm_add_ps(centre, _mm_loadu_ps(bounds.high)), reach);

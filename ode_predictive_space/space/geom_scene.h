@@ -112,17 +112,16 @@ public:
     std::uint32_t pose_digest() const
     {
         const dxPosR *pose = geom_->final_posr;
-        const std::uint64_t digest =
-            bits_of(pose->pos[0]) + bits_of(pose->pos[1]) + bits_of(pose->pos[2]) + bits_of(pose->R[0]);
-        return static_cast<std::uint32_t>(digest ^ (digest >> 32));
+        return low_bits_of(pose->pos[0]) + low_bits_of(pose->pos[1]) + low_bits_of(pose->pos[2]) +
+               low_bits_of(pose->R[0]);
     }
 
 private:
-    static std::uint64_t bits_of(dReal value)
+    static std::uint32_t low_bits_of(dReal value)
     {
         std::uint64_t bits = 0;
         std::memcpy(&bits, &value, sizeof value);
-        return bits;
+        return static_cast<std::uint32_t>(bits);
     }
 
     const dxGeom *geom_;

@@ -46,7 +46,7 @@ Vector3 farthest(const PackedPath &path, Tick now, double side)
 {
     const double t = ticks_between(path.since, now);
     Vector3 passes = path.path().at(t);
-    const double reach = path.deviation[0] + t * (path.deviation[1] + t * path.deviation[2]);
+    const double reach = path.deviation().at(t);
     double inside = 0, outside = reach * 1.01 + 1e-3;
     for (int i = 0; i < 80; ++i)
     {
@@ -205,7 +205,7 @@ TEST(Approach, WhatIsNotANumberIsNear)
         else if (what == 4)
             path.position[0] = 1e300;
         else
-            (what == 1 ? path.velocity : what == 2 ? bounds.low : path.deviation)[0] = nan;
+            (what == 1 ? path.velocity : what == 2 ? bounds.low : &path.deviation_base)[0] = nan;
         for (ProxyId id : {0u, 1u})
         {
             const auto interval = Approach(store, id, 10).to(1 - id);

@@ -96,7 +96,7 @@ TEST(Predictor, AnObjectThatNeverMovedHasNoSlack)
     Tracked tracked(predictor);
     tracked.see(seen_alone({1, 2, 3}, radius));
     EXPECT_TRUE(tracked.bounds().still);
-    EXPECT_EQ(tracked.path().deviation[0], 0);
+    EXPECT_EQ(tracked.path().deviation_base, 0);
     EXPECT_EQ(tracked.bounds().role, Role::environment);
 }
 
@@ -160,7 +160,7 @@ TEST(Predictor, JitterEndsInSlack)
     };
     jitter(500);
     EXPECT_TRUE(tracked.bounds().still);
-    EXPECT_GT(tracked.path().deviation[0], 0);
+    EXPECT_GT(tracked.path().deviation_base, 0);
     const int before = tracked.predictions;
     jitter(5000);
     EXPECT_EQ(tracked.predictions, before);
@@ -248,12 +248,12 @@ TEST(Predictor, AFixedDeviationIsThatOfTheRole)
             still.see(seen_alone({1, 2, 3}, radius));
         }
         ASSERT_FALSE(moving.bounds().still);
-        EXPECT_EQ(moving.path().deviation[0], expected.a);
-        EXPECT_EQ(moving.path().deviation[1], expected.b);
-        EXPECT_EQ(moving.path().deviation[2], expected.c);
+        EXPECT_EQ(moving.path().deviation().a, expected.a);
+        EXPECT_EQ(moving.path().deviation().b, expected.b);
+        EXPECT_EQ(moving.path().deviation().c, expected.c);
         ASSERT_TRUE(still.bounds().still);
-        EXPECT_EQ(still.path().deviation[0], expected.a);
-        EXPECT_EQ(still.path().deviation[1], 0) << "what is still does not become less certain";
+        EXPECT_EQ(still.path().deviation().a, expected.a);
+        EXPECT_EQ(still.path().deviation().b, 0) << "what is still does not become less certain";
     }
 }
 

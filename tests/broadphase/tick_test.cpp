@@ -143,7 +143,7 @@ TEST(Tick, WhatHasComeToRestLetsGoOfItsNeighbour)
         }
     }
     EXPECT_EQ(world.broadphase.near_pairs(), 0u);
-    EXPECT_EQ(world.broadphase.proxies().paths[mover].deviation[0], 0);
+    EXPECT_EQ(world.broadphase.proxies().paths[mover].deviation_base, 0);
     EXPECT_EQ(world.violated_invariant(), "");
     world.place(mover, world.object(mover).centre + Vector3(0.001, 0, 0));
     EXPECT_EQ(world.tick(), (Pairs{{mover, still}}));

@@ -1,5 +1,6 @@
 #include "ode_predictive_space/broadphase/verify.h"
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -70,7 +71,12 @@ TEST(Verify, WhatIsSurelyInsideIsInside)
                   600);
         store.bounds[0].still = random.chance(0.2);
         if (store.bounds[0].still)
-            store.paths[0] = PackedPath{{place.x(), place.y(), place.z()}, {}, {}, {0.1f, 0, 0}, begin};
+        {
+            store.paths[0] = PackedPath{};
+            std::copy_n(place.data(), 3, store.paths[0].position);
+            store.paths[0].set_deviation({0.1, 0, 0});
+            store.paths[0].since = begin;
+        }
         Box box = store.envelope(0, now).at(0);
         const double margin = std::pow(10, random.uniform(-9, 0));
         for (int axis = 0; axis < 3; ++axis)

@@ -32,8 +32,7 @@ Moved moved_objects(std::size_t count)
             path.velocity[axis] = static_cast<float>(envelope.path.velocity[axis]);
             path.acceleration[axis] = static_cast<float>(envelope.path.acceleration[axis]);
         }
-        path.deviation[0] = static_cast<float>(envelope.deviation.a);
-        path.deviation[1] = static_cast<float>(envelope.deviation.b);
+        path.set_deviation({envelope.deviation.a, envelope.deviation.b, 0});
         const Vector3 centre = path.path().at(1);
         result.paths.push_back(path);
         result.centres.push_back({centre.x(), centre.y(), centre.z(), 0});

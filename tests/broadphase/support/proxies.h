@@ -30,9 +30,7 @@ inline ProxyId add_proxy(ProxyStore &store, const Path &path, const Deviation &d
         bounds.low[axis] = round_down(-radius);
         bounds.high[axis] = round_up(radius);
     }
-    packed.deviation[0] = round_up(deviation.a);
-    packed.deviation[1] = round_up(deviation.b);
-    packed.deviation[2] = round_up(deviation.c);
+    packed.set_deviation({round_up(deviation.a), round_up(deviation.b), round_up(deviation.c)});
     packed.since = since;
     bounds.radius = round_up(radius);
     bounds.until = since + ticks;
