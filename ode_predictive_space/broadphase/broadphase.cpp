@@ -43,6 +43,7 @@ ProxyId Broadphase::add()
         for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_,
                            &measured_, &stirred_})
             set->resize(proxies_.size());
+        noticed_.resize(proxies_.size());
         near_.resize(proxies_.size());
     }
     proxies_.forget(id);
@@ -62,6 +63,7 @@ void Broadphase::remove(ProxyId id)
     index_.remove(proxies_, id);
     predictor.forget(proxies_, id);
     sample(id, false);
+    noticed_.erase(id);
     for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &interactive_, &due_anew_})
         set->erase(id);
     free_ids_.push_back(id);
@@ -411,6 +413,7 @@ std::size_t Broadphase::bytes() const
     for (const IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_,
                              &measured_, &stirred_})
         total += set->bytes();
+    total += noticed_.bytes();
     total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity() + queue_.capacity()) * sizeof(ProxyId);
     total += swept_.capacity() * sizeof(SweptProxy);
     total += near_.bytes() + found_near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);

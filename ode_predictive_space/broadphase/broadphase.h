@@ -16,6 +16,7 @@
 #include "ode_predictive_space/broadphase/id_set.h"
 #include "ode_predictive_space/broadphase/measured_box.h"
 #include "ode_predictive_space/broadphase/near_set.h"
+#include "ode_predictive_space/broadphase/notice_board.h"
 #include "ode_predictive_space/broadphase/predictor.h"
 #include "ode_predictive_space/broadphase/prefetch.h"
 #include "ode_predictive_space/broadphase/proxy_store.h"
@@ -71,7 +72,7 @@ public:
     ///     std::uint32_t pose_digest()      another number, most of the time, when coordinates or rotation are others
     template <typename Object> void notice_move(ProxyId id, const Object &object)
     {
-        moved_.insert(id);
+        noticed_.note(id);
         if (!notice_holds(proxies_, id, object, expected_tick()))
             doubtful_.insert(id);
     }
@@ -175,12 +176,11 @@ private:
     template <typename Scene> void prefetch_first_motions(const Scene &scene) const;
     bool overflows_cache() const { return objects() > cached_objects; }
 
-    // Fetches what the test of a pair reads, where that is not in the cache.
+    bool boxes_overflow_cache() const { return objects() > cached_boxes; }
+    // Fetches what the test of a pair reads.
     auto box_fetcher() const
     {
-        return [this, wanted = objects() > cached_boxes](const NearPair &pair) {
-            if (!wanted)
-                return;
+        return [this](const NearPair &pair) {
             prefetch(&boxes_[pair.first]);
             prefetch(&boxes_[pair.second]);
         };
@@ -234,15 +234,16 @@ private:
     ProxyStore proxies_;
     std::vector<ProxyId> free_ids_;
     IdSet members_;
-    IdSet moved_;       // since the last update
-    IdSet doubtful_;    // those of them that were not found, when the move was noticed, where they should be
-    IdSet moving_;      // predicted to move: verified although nobody reports them, for they may have stopped
-    IdSet in_batch_;    // members of batch_
-    IdSet interactive_; // remembered at each tick
-    IdSet measured_;    // have not moved since their bounds were last looked at
-    IdSet due_anew_;    // to be predicted anew at the next update, whether or not they move
-    IdSet waiting_;     // to be predicted when it is their turn; until then all are swept
-    IdSet stirred_;     // have moved since pairs were last let rest
+    NoticeBoard noticed_; // moves since the last update; it begins with moving them to moved_
+    IdSet moved_;         // since the last update
+    IdSet doubtful_;      // those of them that were not found, when the move was noticed, where they should be
+    IdSet moving_;        // predicted to move: verified although nobody reports them, for they may have stopped
+    IdSet in_batch_;      // members of batch_
+    IdSet interactive_;   // remembered at each tick
+    IdSet measured_;      // have not moved since their bounds were last looked at
+    IdSet due_anew_;      // to be predicted anew at the next update, whether or not they move
+    IdSet waiting_;       // to be predicted when it is their turn; until then all are swept
+    IdSet stirred_;       // have moved since pairs were last let rest
     Tick now_ = 0;
     bool ticked_early_ = false; // time has already passed since the last tick, in a catch_up()
 

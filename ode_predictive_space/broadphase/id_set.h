@@ -23,6 +23,9 @@ public:
     void erase(ProxyId id) { words_[id >> 6] &= ~bit(id); }
     bool contains(ProxyId id) const { return (words_[id >> 6] & bit(id)) != 0; }
 
+    /// Inserts those of the bits of one word; see word().
+    void insert_word(std::size_t index, std::uint64_t word) { words_[index] |= word; }
+
     bool empty() const
     {
         for (std::uint64_t word : words_)

@@ -11,11 +11,21 @@
 namespace ode_predictive_space
 {
 /// What single precision can tell of two boxes.
-enum class Comparison : int
+class Comparison
 {
-    apart = -1,
-    unsure = 0, ///< they are too close to tell, or one is not finite
-    overlap = 1
+public:
+    /// @param apart a bit for each of three axes along which they are apart
+    /// @param not_overlapping a bit for each along which it is not sure that they overlap, and one more that is always set
+    Comparison(int apart, int not_overlapping) : bits_(16 * apart + not_overlapping) {}
+
+    bool apart() const { return bits_ > overlapping + unsure_axes; }
+    bool overlap() const { return bits_ == overlapping; }
+    /// They are too close to tell, or one is not finite.
+    bool unsure() const { return static_cast<unsigned>(bits_ - overlapping - 1) < unsure_axes; }
+
+private:
+    static constexpr int overlapping = 8, unsure_axes = 7;
+    int bits_;
 };
 
 /// A box in single precision that knows how far off it may be: two of them are compared in a few instructions, and only
@@ -35,16 +45,17 @@ public:
     /// @param sides lowest and highest x, then y, then z.
     template <typename Real> void assign(const Real sides[6])
     {
-        float largest = 0, sum = 0;
+        float largest = 0;
+        bool known = true;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
             low_[axis] = static_cast<float>(sides[2 * axis]);
             high_[axis] = static_cast<float>(sides[2 * axis + 1]);
             const float low_size = std::abs(low_[axis]), high_size = std::abs(high_[axis]);
             largest = std::max(largest, std::max(low_size, high_size));
-            sum += low_size + high_size;
+            known &= low_size + high_size <= most;
         }
-        set_error(sides, largest, sum);
+        set_error(sides, largest, known);
     }
 
 #if defined(__SSE2__)
@@ -56,12 +67,12 @@ public:
         const __m128 high_xy = _mm_cvtpd_ps(_mm_loadh_pd(_mm_load_sd(sides + 1), sides + 3));
         const __m128 low = _mm_movelh_ps(low_xy, _mm_cvtpd_ps(_mm_load_sd(sides + 4)));
         const __m128 high = _mm_movelh_ps(high_xy, _mm_cvtpd_ps(_mm_load_sd(sides + 5)));
-        const __m128 sign = _mm_set1_ps(-0.0f);
-        const __m128 low_size = _mm_andnot_ps(sign, low), high_size = _mm_andnot_ps(sign, high);
         _mm_store_ps(low_, low);
         _mm_store_ps(high_, high);
-        const __m128 larger = _mm_max_ps(low_size, high_size), sums = _mm_add_ps(low_size, high_size);
-        set_error(sides, largest_of(larger), sum_of(sums));
+        const __m128 no_sign = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
+        const __m128 low_size = _mm_and_ps(low, no_sign), high_size = _mm_and_ps(high, no_sign);
+        const __m128 known = _mm_cmple_ps(_mm_add_ps(low_size, high_size), _mm_set1_ps(most));
+        set_error(sides, largest_of_three(_mm_max_ps(low_size, high_size)), _mm_movemask_ps(known) == 15);
     }
 #endif
 
@@ -101,42 +112,37 @@ public:
         const __m128 after = _mm_sub_ps(_mm_load_ps(one.low_), _mm_load_ps(other.high_));
         const __m128 gap = _mm_max_ps(before, after);
         const __m128 error = _mm_shuffle_ps(gap, gap, 0xff);
-        const int apart = _mm_movemask_ps(_mm_cmpgt_ps(gap, error)) != 0;
-        const int deep = _mm_movemask_ps(_mm_cmplt_ps(gap, _mm_sub_ps(_mm_setzero_ps(), error)));
-        const int overlap = (deep & 7) == 7;
+        const int apart = _mm_movemask_ps(_mm_cmpgt_ps(gap, error));
+        const int not_deep = _mm_movemask_ps(_mm_cmpnlt_ps(gap, _mm_sub_ps(_mm_setzero_ps(), error)));
+        return {apart, not_deep};
 #else
         const float error = one.error_ + other.error_;
-        int apart = 0, overlap = 1;
+        int apart = 0, not_deep = 8;
         for (int axis = 0; axis < 3; ++axis)
         {
             const float gap = std::max(other.low_[axis] - one.high_[axis], one.low_[axis] - other.high_[axis]);
-            apart |= gap > error;
-            overlap &= gap < -error;
+            apart |= (gap > error) << axis;
+            not_deep |= !(gap < -error) << axis;
         }
+        return {apart, not_deep};
 #endif
-        return static_cast<Comparison>(overlap - apart);
     }
 
 private:
-    // @param sum of all sizes: too large, or not a number, when one is.
-    template <typename Real> void set_error(const Real sides[6], float largest, float sum)
+    // @param known no side is, or is nearly, infinite or not a number: otherwise `largest` means nothing.
+    template <typename Real> void set_error(const Real sides[6], float largest, bool known)
     {
-        const bool exact = sum <= most || forgive_infinite_sides(sides, largest);
+        const bool exact = known || forgive_infinite_sides(sides, largest);
         error_ = exact ? unit * largest + least : std::numeric_limits<float>::infinity();
         minus_error_ = -error_;
     }
 
 #if defined(__SSE2__)
-    // Of the first three components; the fourth is 0.
-    static float largest_of(__m128 values)
+    // The fourth is 0.
+    static float largest_of_three(__m128 values)
     {
         const __m128 two = _mm_max_ps(values, _mm_movehl_ps(values, values));
         return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
-    }
-    static float sum_of(__m128 values)
-    {
-        const __m128 two = _mm_add_ps(values, _mm_movehl_ps(values, values));
-        return _mm_cvtss_f32(_mm_add_ss(two, _mm_shuffle_ps(two, two, 1)));
     }
 #endif
 

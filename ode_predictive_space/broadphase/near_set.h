@@ -46,23 +46,24 @@ public:
         count_in(pair.second);
     }
 
-    /// Calls visit(pair) for all that are tested, and some time before that coming(pair).
-    template <typename Coming, typename Visit> void for_each(Coming coming, Visit visit) const
+    /// Calls visit(pair) for all that are tested, and some time before that coming(pair), if that is `wanted`.
+    template <typename Coming, typename Visit> void for_each(bool wanted, Coming coming, Visit visit) const
     {
         constexpr std::size_t soon = 16; // in the time of so many tests, memory far away is fetched
         const NearPair *const pairs = pairs_.data();
         for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
         {
-            coming(later(pairs, count, i, soon));
+            if (wanted)
+                coming(later(pairs, count, i, soon));
             visit(pairs[i]);
         }
     }
 
     /// Drops all of these for which keep(pair) is false.
-    template <typename Coming, typename Keep> void keep_if(Coming coming, Keep keep)
+    template <typename Coming, typename Keep> void keep_if(bool wanted, Coming coming, Keep keep)
     {
         NearPair *left = pairs_.data();
-        for_each(coming, [&](const NearPair &pair) {
+        for_each(wanted, coming, [&](const NearPair &pair) {
             if (keep(pair))
                 *left++ = pair;
             else

@@ -12,6 +12,7 @@ namespace ode_predictive_space
 template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
 {
     const Tick expected = expected_tick();
+    noticed_.take_down(moved_);
     const bool time_passes = this->time_passes(is_tick);
     if (moved_.empty() && due_anew_.empty())
         return;
@@ -207,22 +208,25 @@ template <typename Scene> void Broadphase::sweep_all(Scene &scene)
 // Looks at the bounds of those that have moved since they were last looked at, and are still there.
 template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet &wanted)
 {
-    suspects_.clear();
-    for (std::size_t i = 0; i < wanted.words(); ++i)
-        IdSet::visit_word(i, wanted.word(i) & members_.word(i) & ~measured_.word(i),
-                          [this](ProxyId id) { suspects_.push_back(id); });
-    const bool fetch = overflows_cache();
-    for (std::size_t i = 0, count = suspects_.size(); i < count; ++i)
+    MeasuredBox *const boxes = boxes_.data();
+    const auto each = [&](auto visit) {
+        for (std::size_t i = 0; i < wanted.words(); ++i)
+            IdSet::visit_word(i, wanted.word(i) & members_.word(i) & ~measured_.word(i), visit);
+    };
+    if (!overflows_cache())
+        each([&](ProxyId id) { scene.measure(id, boxes[id]); });
+    else
     {
-        if (fetch)
+        each([this](ProxyId id) { suspects_.push_back(id); });
+        for (std::size_t i = 0; i < suspects_.size(); ++i)
         {
             prefetch_bounds(scene, suspects_, i);
-            prefetch(&boxes_[later(suspects_, i)]);
+            prefetch(&boxes[later(suspects_, i)]);
+            scene.measure(suspects_[i], boxes[suspects_[i]]);
         }
-        scene.measure(suspects_[i], boxes_[suspects_[i]]);
+        suspects_.clear();
     }
     measured_ |= wanted;
-    suspects_.clear();
 }
 
 // Visits the pairs that are left. Notes, too, until when there is nothing more to drop unless something happens.
@@ -241,7 +245,7 @@ template <typename Visit> Visit Broadphase::drop_stale_near(Visit visit)
         visit(pair);
         return true;
     };
-    near_.keep_if(box_fetcher(), keep);
+    near_.keep_if(boxes_overflow_cache(), box_fetcher(), keep);
     next_leave_ = now + static_cast<Tick>(next_leave);
     purge_near_at_ = std::max(least_purge, 2 * near_.pairs().size());
     return visit;
@@ -259,7 +263,7 @@ template <typename Visit> Visit Broadphase::visit_near(Visit visit)
     else if (has_stale_near())
         return drop_stale_near(visit);
     else
-        near_.for_each(box_fetcher(), [&](const NearPair &pair) { visit(pair); });
+        near_.for_each(boxes_overflow_cache(), box_fetcher(), [&](const NearPair &pair) { visit(pair); });
     return visit;
 }
 
@@ -274,10 +278,9 @@ template <typename Scene> struct Broadphase::OverlapTest
     bool overlap(const NearPair &pair) const
     {
         const Comparison compared = compare(boxes[pair.first], boxes[pair.second]);
-        const bool overlap = compared == Comparison::overlap;
-        if (compared == Comparison::unsure || (by_sphere && overlap))
+        if (compared.unsure() || (by_sphere && compared.overlap()))
             return scene.overlap(pair.first, pair.second);
-        return overlap;
+        return compared.overlap();
     }
 
     void operator()(const NearPair &pair)

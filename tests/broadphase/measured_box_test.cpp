@@ -27,10 +27,12 @@ bool decides(const Box &one, const Box &other)
 {
     const MeasuredBox first(one), second(other);
     const Comparison forth = compare(first, second), back = compare(second, first);
-    EXPECT_EQ(forth, back);
-    EXPECT_FALSE(forth == Comparison::apart && overlap(one, other));
-    EXPECT_FALSE(forth == Comparison::overlap && !overlap(one, other));
-    return forth != Comparison::unsure;
+    EXPECT_EQ(forth.apart(), back.apart());
+    EXPECT_EQ(forth.overlap(), back.overlap());
+    EXPECT_EQ(forth.apart() + forth.overlap() + forth.unsure(), 1);
+    EXPECT_FALSE(forth.apart() && overlap(one, other));
+    EXPECT_FALSE(forth.overlap() && !overlap(one, other));
+    return !forth.unsure();
 }
 
 Box cube(double low, double high)
@@ -88,9 +90,9 @@ TEST(MeasuredBox, KnowsSidesThatLieAtInfinity)
     {
         Box ground = cube(-infinity, infinity);
         ground.max()[axis] = 0;
-        EXPECT_EQ(compare(MeasuredBox(ground), MeasuredBox(cube(-1, 1))), Comparison::overlap);
-        EXPECT_EQ(compare(MeasuredBox(ground), MeasuredBox(cube(0.1, 1))), Comparison::apart);
-        EXPECT_EQ(compare(MeasuredBox(ground), MeasuredBox(ground)), Comparison::overlap);
+        EXPECT_TRUE(compare(MeasuredBox(ground), MeasuredBox(cube(-1, 1))).overlap());
+        EXPECT_TRUE(compare(MeasuredBox(ground), MeasuredBox(cube(0.1, 1))).apart());
+        EXPECT_TRUE(compare(MeasuredBox(ground), MeasuredBox(ground)).overlap());
         EXPECT_FALSE(decides(ground, cube(0, 1))) << "it touches";
         EXPECT_TRUE(MeasuredBox(ground).outer().overlaps(FloatBox::around(cube(-1e30, -1e29))));
         EXPECT_FALSE(MeasuredBox(ground).outer().overlaps(FloatBox::around(cube(0.1, 1))));

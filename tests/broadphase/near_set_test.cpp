@@ -111,7 +111,8 @@ TEST_F(NearSetTest, WhoIsDroppedAfterRestingIsNoMemberAnyMore)
     let_all_rest();
     set.disturb(0);
     set.wake_disturbed();
-    set.keep_if([](const NearPair &) {}, [](const NearPair &) { return false; });
+    set.keep_if(
+        false, [](const NearPair &) {}, [](const NearPair &) { return false; });
     EXPECT_FALSE(set.members().contains(0));
     EXPECT_TRUE(set.members().contains(1)) << "it rests with another";
 }
