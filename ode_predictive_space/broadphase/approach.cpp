@@ -27,28 +27,45 @@ Axes axes(const float *three)
     return Eigen::Map<const Axes>(three);
 }
 
-Axes axes(const Vector3 &vector)
+Axes axes(const Vector3 &vector, float fourth)
 {
-    return {static_cast<float>(vector.x()), static_cast<float>(vector.y()), static_cast<float>(vector.z()), 0};
+    return {static_cast<float>(vector.x()), static_cast<float>(vector.y()), static_cast<float>(vector.z()), fourth};
 }
 
-// Without a detour through memory, for which the processor would have to wait.
-Axes difference(const double *left, const double *right)
+// Of two positions, with something else behind it. Without a detour through memory, for which the processor would have to
+// wait.
+Axes difference(const double *left, const double *right, float fourth)
 {
 #if defined(__SSE2__)
     const __m128d xy = _mm_sub_pd(_mm_loadu_pd(left), _mm_loadu_pd(right));
     const __m128d z = _mm_sub_sd(_mm_load_sd(left + 2), _mm_load_sd(right + 2));
     Axes result;
-    _mm_store_ps(result.data(), _mm_movelh_ps(_mm_cvtpd_ps(xy), _mm_cvtpd_ps(z)));
+    const __m128 z_and_fourth = _mm_unpacklo_ps(_mm_cvtpd_ps(z), _mm_set_ss(fourth));
+    _mm_store_ps(result.data(), _mm_movelh_ps(_mm_cvtpd_ps(xy), z_and_fourth));
     return result;
 #else
-    return axes(Vector3(left[0] - right[0], left[1] - right[1], left[2] - right[2]));
+    return axes(Vector3(left[0] - right[0], left[1] - right[1], left[2] - right[2]), fourth);
 #endif
 }
 
-float sum_of_three(const Axes &values)
+// Is one of the first three positive?
+bool one_is_positive(const Axes &values)
 {
-    return values[0] + values[1] + values[2];
+#if defined(__SSE2__)
+    return (_mm_movemask_ps(_mm_cmpgt_ps(_mm_load_ps(values.data()), _mm_setzero_ps())) & 7) != 0;
+#else
+    return (values[0] > 0) | (values[1] > 0) | (values[2] > 0);
+#endif
+}
+
+// Are the first three below infinity, and numbers?
+bool all_are_below_infinity(const Axes &values)
+{
+#if defined(__SSE2__)
+    return (_mm_movemask_ps(_mm_cmplt_ps(_mm_load_ps(values.data()), _mm_set1_ps(infinity))) & 7) == 7;
+#else
+    return (values[0] < infinity) & (values[1] < infinity) & (values[2] < infinity);
+#endif
 }
 
 float largest_of_three(const Axes &values)
@@ -90,9 +107,9 @@ struct Approach::Gaps
     Axes above_begin, above_end, below_begin, below_end;
 
     // False as soon as one is not a number.
-    bool known() const { return sum_of_three(above_begin + above_end + below_begin + below_end) < infinity; }
+    bool known() const { return all_are_below_infinity(above_begin + above_end + below_begin + below_end); }
 
-    bool stay_apart() const { return largest_of_three(above_begin.min(above_end).max(below_begin.min(below_end))) > 0; }
+    bool stay_apart() const { return one_is_positive(above_begin.min(above_end).max(below_begin.min(below_end))); }
 
     float enter() const
     {
@@ -111,18 +128,17 @@ Approach::Approach(const ProxyStore &proxies, ProxyId id, Tick now)
     const PackedPath &path = proxies.paths[id];
     const PackedBounds &bounds = proxies.bounds[id];
     const Path since = path.path(), current = since.advanced(age_);
-    deviation_[0] = path.reach(age_);
-    deviation_[1] = path.deviation_rate + age_ * path.deviation_bend;
-    deviation_[2] = 0.5f * path.deviation_bend;
     position_ = current.position;
-    velocity_ = axes(current.velocity);
-    acceleration_ = axes(path.acceleration);
-    low_ = axes(bounds.low);
-    high_ = axes(bounds.high);
+    reach_ = path.reach(age_);
+    velocity_ = axes(current.velocity, -(path.deviation_rate + age_ * path.deviation_bend));
+    acceleration_ = axes(since.acceleration, -path.deviation_bend);
     speed_ = axes(path.velocity).abs();
-    bend_ = acceleration_.abs();
+    bend_ = axes(path.acceleration).abs();
+    const Axes low = axes(bounds.low), high = axes(bounds.high);
+    low_ = low - rounding_unit * low.abs();
+    high_ = high + rounding_unit * high.abs();
     // Four times: the other's position is hardly farther away from the origin.
-    double_rounding_ = axes(Vector3(4 * rounding_per_size * size_of_terms(since, age_)));
+    double_rounding_ = axes(Vector3(4 * rounding_per_size * size_of_terms(since, age_)), 0);
     scene_rounding_ = static_cast<float>(2 * position_.lpNorm<Eigen::Infinity>()) + radius_or_zero(bounds.radius);
 }
 
@@ -142,20 +158,19 @@ Axes Approach::rounding(ProxyId other, const Axes &offset, const Axes &terms) co
 
 // Each gap is of second degree. Where its chord lies above it, the chord is lowered; where it is concave, it lies above its
 // chord anyway.
-Approach::Gaps Approach::gaps(ProxyId other, float duration) const
+//
+// The deviations of both together are computed as a fourth axis along which the two move away from each other.
+inline Approach::Gaps Approach::gaps(ProxyId other, float duration) const
 {
     const PackedPath &path = proxies_.paths[other];
     const PackedBounds &bounds = proxies_.bounds[other];
     const float age = this->age(other);
     const Axes velocity = axes(path.velocity), acceleration = axes(path.acceleration);
-    const Axes offset = difference(path.position, position_.data()), bend = acceleration - acceleration_;
+    const Axes offset = difference(path.position, position_.data(), reach_ + path.deviation_base);
+    const Axes bend = acceleration - acceleration_;
     const Axes begin = offset + age * (velocity + (0.5f * age) * acceleration);
     const Axes end = begin + duration * (velocity + age * acceleration - velocity_ + (0.5f * duration) * bend);
-
-    const float reach = deviation_[0] + path.reach(age);
-    const float spread = deviation_[1] + path.deviation_rate + age * path.deviation_bend;
-    const float curvature = deviation_[2] + 0.5f * path.deviation_bend;
-    const float reach_at_end = reach + duration * (spread + duration * curvature);
+    const float reach = begin[3], reach_at_end = end[3], reach_bend = bend[3];
 
     const float until = age + duration, own_until = age_ + duration;
     const Axes terms = offset.abs() + until * (velocity.abs() + until * acceleration.abs()) +
@@ -163,10 +178,8 @@ Approach::Gaps Approach::gaps(ProxyId other, float duration) const
     const Axes rounding = this->rounding(other, offset, terms);
     const Axes low = axes(bounds.low), high = axes(bounds.high);
     const float eighth = 0.125f * duration * duration;
-    const Axes above =
-        low - high_ - rounding_unit * (low.abs() + high_.abs()) - rounding - eighth * (bend - 2 * curvature).max(0);
-    const Axes below =
-        low_ - high - rounding_unit * (low_.abs() + high.abs()) - rounding - eighth * (-bend - 2 * curvature).max(0);
+    const Axes above = low - rounding_unit * low.abs() - high_ - rounding - eighth * (bend - reach_bend).max(0);
+    const Axes below = low_ - high - rounding_unit * high.abs() - rounding - eighth * (-bend - reach_bend).max(0);
     return {above + begin - reach, above + end - reach_at_end, below - begin - reach, below - end - reach_at_end};
 }
 

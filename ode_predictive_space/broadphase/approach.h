@@ -28,7 +28,7 @@ public:
     std::optional<ProximityInterval> to(ProxyId other) const;
 
 private:
-    using Axes = Eigen::Array4f; // x, y, z, and one that means nothing
+    using Axes = Eigen::Array4f; // x, y, z, and one for the deviation, or that means nothing
     struct Gaps;
 
     float age(ProxyId id) const;
@@ -39,10 +39,10 @@ private:
     ProxyId id_;
     Tick now_;
     float age_;
-    float deviation_[3];           // from now on
+    float reach_;                  // the deviation now
     Vector3 position_;             // now
-    Axes velocity_, acceleration_; // now
-    Axes low_, high_;              // relative to the position
+    Axes velocity_, acceleration_; // now; and minus what the deviation grows by
+    Axes low_, high_;              // relative to the position, and outwards by what rounding can do
     Axes speed_, bend_;            // sizes of velocity, when it was predicted, and acceleration
     Axes double_rounding_;         // of positions in double precision
     float scene_rounding_;         // of what the scene computes, where that is in single precision

@@ -61,7 +61,7 @@ void EnvelopeIndex::put_anew(ProxyStore &proxies, const SweptProxy &swept)
     }
     else if (shelf == Shelf::list)
     {
-        find_in_list(swept.proxy)->box = swept.box;
+        place_in_list(swept.proxy)->box = swept.box;
         proxies.bounds[swept.proxy].unbounded = !swept.box.bounded();
     }
     else
@@ -99,7 +99,7 @@ void EnvelopeIndex::put(ProxyStore &proxies, const SweptProxy &swept)
     proxies.bounds[swept.proxy].unbounded = !swept.box.bounded();
 }
 
-std::vector<SweptProxy>::iterator EnvelopeIndex::find_in_list(ProxyId id)
+std::vector<SweptProxy>::iterator EnvelopeIndex::place_in_list(ProxyId id)
 {
     return std::find_if(list_.begin(), list_.end(), [id](const SweptProxy &leaf) { return leaf.proxy == id; });
 }
@@ -137,7 +137,7 @@ void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)
 {
     Shelf &shelf = proxies.bounds[id].shelf;
     if (shelf == Shelf::list)
-        list_.erase(find_in_list(id));
+        list_.erase(place_in_list(id));
     else if (shelf != Shelf::none)
         tree(shelf).remove(id);
     shelf = Shelf::none;
@@ -163,12 +163,24 @@ void EnvelopeIndex::find_pairs(const std::vector<SweptProxy> &batch, const IdSet
     for (std::size_t i = 0; i < batch.size() && has_trees(); i += EnvelopeTree::most_together)
         find_in_trees(batch.data() + i, std::min(batch.size() - i, EnvelopeTree::most_together), in_batch, pairs);
     for (const SweptProxy &swept : batch)
+        find_in_list(swept, in_batch, pairs);
+}
+
+// Which boxes overlap is hard to foretell: all are written down, and counted if they count.
+void EnvelopeIndex::find_in_list(const SweptProxy &swept, const IdSet &in_batch, std::vector<CandidatePair> &pairs)
+{
+    const BoxProbe probe(swept.box);
+    if (in_list_.size() < list_.size())
+        in_list_.resize(list_.size());
+    ProxyId *end = in_list_.data();
+    for (const SweptProxy &leaf : list_)
     {
-        const BoxProbe probe(swept.box);
-        for (const SweptProxy &leaf : list_)
-            if (probe.overlaps(leaf.box) && !in_batch.contains(leaf.proxy))
-                pairs.push_back({swept.proxy, leaf.proxy});
+        *end = leaf.proxy;
+        end += probe.overlaps(leaf.box);
     }
+    for (const ProxyId *hit = in_list_.data(); hit != end; ++hit)
+        if (!in_batch.contains(*hit))
+            pairs.push_back({swept.proxy, *hit});
 }
 
 void EnvelopeIndex::find_in_trees(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
@@ -217,6 +229,7 @@ void EnvelopeIndex::sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch
 std::size_t EnvelopeIndex::bytes() const
 {
     return still_.bytes() + moving_.bytes() + list_.capacity() * sizeof(SweptProxy) + sweep_.bytes() +
-           hits_.capacity() * sizeof(EnvelopeTree::Hit) + probes_.capacity() * sizeof(BoxProbe);
+           in_list_.capacity() * sizeof(ProxyId) + hits_.capacity() * sizeof(EnvelopeTree::Hit) +
+           probes_.capacity() * sizeof(BoxProbe);
 }
 } // namespace ode_predictive_space

@@ -63,9 +63,10 @@ private:
     void graft(ProxyStore &proxies, const std::vector<SweptProxy> &part);
     EnvelopeTree &tree(Shelf shelf) { return shelf == Shelf::still ? still_ : moving_; }
     void put(ProxyStore &proxies, const SweptProxy &swept);
-    std::vector<SweptProxy>::iterator find_in_list(ProxyId id);
+    std::vector<SweptProxy>::iterator place_in_list(ProxyId id);
 
     void find_pairs(const std::vector<SweptProxy> &batch, const IdSet &in_batch, std::vector<CandidatePair> &pairs);
+    void find_in_list(const SweptProxy &swept, const IdSet &in_batch, std::vector<CandidatePair> &pairs);
     bool has_trees() const { return !still_.empty() || !moving_.empty(); }
     void find_in_trees(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
                        std::vector<CandidatePair> &pairs);
@@ -75,8 +76,9 @@ private:
     EnvelopeTree moving_;
     std::vector<SweptProxy> list_;
     Sweep sweep_;
-    std::vector<BoxProbe> probes_; // scratch, as the next
+    std::vector<BoxProbe> probes_; // scratch, as the next two
     std::vector<EnvelopeTree::Hit> hits_;
+    std::vector<ProxyId> in_list_;
     bool was_small_ = false; // so that what a tree can hold is in the list
 };
 } // namespace ode_predictive_space
