@@ -227,46 +227,79 @@ void Sweep::sort_into_strips(const std::vector<SweptProxy> &items, const Layout 
     }
 }
 
-// Compares with those from `begin` on whose keys are not greater than `end`. What lies beyond in the same strip is apart
-// along it, so that only where there are others the keys have to be compared, too.
-template <bool single_strip>
+// Where the sides of boxes are, in their order: known not to change when a pair is stored.
+struct Sweep::Columns
+{
+    const std::uint32_t *keys;
+    const float *low_x, *low_y, *low_z, *high_x, *high_y, *high_z;
+
+    explicit Columns(const Sweep &sweep)
+        : keys(sweep.keys_.data()), low_x(sweep.sides_.low[0].data()), low_y(sweep.sides_.low[1].data()),
+          low_z(sweep.sides_.low[2].data()), high_x(sweep.sides_.high[0].data()), high_y(sweep.sides_.high[1].data()),
+          high_z(sweep.sides_.high[2].data())
+    {}
+};
+
+#if defined(__SSE2__)
+// The sides of four boxes by which they are compared with one that does not begin behind them.
+struct Sweep::Four
+{
+    __m128 low_x, low_y, low_z, high_y, high_z;
+
+    Four(const Columns &columns, std::size_t i)
+        : low_x(_mm_loadu_ps(columns.low_x + i)), low_y(_mm_loadu_ps(columns.low_y + i)),
+          low_z(_mm_loadu_ps(columns.low_z + i)), high_y(_mm_loadu_ps(columns.high_y + i)),
+          high_z(_mm_loadu_ps(columns.high_z + i))
+    {}
+};
+
+class Sweep::FourfoldProbe
+{
+public:
+    explicit FourfoldProbe(const Probe &box)
+        : x_end_(_mm_set1_ps(box.high[0])), y_end_(_mm_set1_ps(box.high[1])), z_end_(_mm_set1_ps(box.high[2])),
+          y_begin_(_mm_set1_ps(box.low[1])), z_begin_(_mm_set1_ps(box.low[2]))
+    {}
+
+    __m128 apart(const Four &boxes) const
+    {
+        __m128 apart = _mm_cmpgt_ps(boxes.low_x, x_end_);
+        apart = _mm_or_ps(apart, _mm_cmpgt_ps(boxes.low_y, y_end_));
+        apart = _mm_or_ps(apart, _mm_cmpgt_ps(boxes.low_z, z_end_));
+        apart = _mm_or_ps(apart, _mm_cmplt_ps(boxes.high_y, y_begin_));
+        return _mm_or_ps(apart, _mm_cmplt_ps(boxes.high_z, z_begin_));
+    }
+
+private:
+    __m128 x_end_, y_end_, z_end_, y_begin_, z_begin_;
+};
+#endif
+
+// Compares with those from `begin` on whose keys are not greater than `end`.
 inline void Sweep::compare_from(std::size_t begin, std::uint32_t end, const Probe &probe,
                                 std::vector<CandidatePair> &pairs) const
 {
-    // Known not to change when a pair is stored.
-    const std::uint32_t *const keys = keys_.data();
-    const float *const low_x = sides_.low[0].data(), *const high_x = sides_.high[0].data();
-    const float *const low_y = sides_.low[1].data(), *const high_y = sides_.high[1].data();
-    const float *const low_z = sides_.low[2].data(), *const high_z = sides_.high[2].data();
+    const Columns columns(*this);
     auto met = [&](std::size_t j) {
         // The order is by places, which are coarser than coordinates.
-        if (probe.low[0] <= high_x[j])
+        if (probe.low[0] <= columns.high_x[j])
             add_pair(pairs, probe.proxy, proxies_[j]);
     };
 #if defined(__SSE2__)
     const __m128i last = _mm_set1_epi32(static_cast<int>(end));
-    const __m128 x_end = _mm_set1_ps(probe.high[0]), y_end = _mm_set1_ps(probe.high[1]);
-    const __m128 z_end = _mm_set1_ps(probe.high[2]), y_begin = _mm_set1_ps(probe.low[1]);
-    const __m128 z_begin = _mm_set1_ps(probe.low[2]);
-    for (std::size_t j = begin; keys[j] <= end; j += 4)
+    const FourfoldProbe box(probe);
+    for (std::size_t j = begin; columns.keys[j] <= end; j += 4)
     {
-        __m128 apart = _mm_cmpgt_ps(_mm_loadu_ps(low_x + j), x_end);
-        apart = _mm_or_ps(apart, _mm_cmpgt_ps(_mm_loadu_ps(low_y + j), y_end));
-        apart = _mm_or_ps(apart, _mm_cmpgt_ps(_mm_loadu_ps(low_z + j), z_end));
-        apart = _mm_or_ps(apart, _mm_cmplt_ps(_mm_loadu_ps(high_y + j), y_begin));
-        apart = _mm_or_ps(apart, _mm_cmplt_ps(_mm_loadu_ps(high_z + j), z_begin));
-        if (!single_strip)
-        {
-            const __m128i these = _mm_loadu_si128(reinterpret_cast<const __m128i *>(keys + j));
-            apart = _mm_or_ps(apart, _mm_castsi128_ps(_mm_cmpgt_epi32(these, last)));
-        }
+        const __m128i these = _mm_loadu_si128(reinterpret_cast<const __m128i *>(columns.keys + j));
+        const __m128 beyond = _mm_castsi128_ps(_mm_cmpgt_epi32(these, last));
+        const __m128 apart = _mm_or_ps(box.apart(Four(columns, j)), beyond);
         for (int close = ~_mm_movemask_ps(apart) & 15; close; close &= close - 1)
             met(j + static_cast<std::size_t>(__builtin_ctz(static_cast<unsigned>(close))));
     }
 #else
-    for (std::size_t j = begin; keys[j] <= end; ++j)
-        if (low_x[j] <= probe.high[0] && low_y[j] <= probe.high[1] && low_z[j] <= probe.high[2] &&
-            probe.low[1] <= high_y[j] && probe.low[2] <= high_z[j])
+    for (std::size_t j = begin; columns.keys[j] <= end; ++j)
+        if (columns.low_x[j] <= probe.high[0] && columns.low_y[j] <= probe.high[1] &&
+            columns.low_z[j] <= probe.high[2] && probe.low[1] <= columns.high_y[j] && probe.low[2] <= columns.high_z[j])
             met(j);
 #endif
 }
@@ -278,10 +311,38 @@ Sweep::Probe Sweep::probe(std::size_t i) const
             {sides_.high[0][i], sides_.high[1][i], sides_.high[2][i]}};
 }
 
+// Two beside each other meet nearly the same others: these are loaded once, and of two rows one ends in a branch that is
+// mispredicted. What lies beyond the end of one is apart from it along the axis, so that only ends have to be looked at.
 void Sweep::sweep_single_strip(std::vector<CandidatePair> &pairs) const
 {
+#if defined(__SSE2__)
+    const Columns columns(*this);
+    for (std::size_t i = 0; i + 1 < ends_.size(); i += 2)
+    {
+        const std::uint32_t end = std::max(ends_[i], ends_[i + 1]);
+        const FourfoldProbe first(probe(i)), second(probe(i + 1));
+        int itself = 1; // the second is the first of those that are behind the first
+        for (std::size_t j = i + 1; columns.keys[j] <= end; j += 4)
+        {
+            const Four four(columns, j);
+            const int apart_from_second = _mm_movemask_ps(second.apart(four)) | itself;
+            const int apart = _mm_movemask_ps(first.apart(four)) | apart_from_second << 4;
+            itself = 0;
+            for (int close = ~apart & 255; close; close &= close - 1)
+            {
+                const int bit = __builtin_ctz(static_cast<unsigned>(close));
+                const std::size_t one = i + static_cast<std::size_t>(bit >> 2);
+                const std::size_t other = j + static_cast<std::size_t>(bit & 3);
+                // The order is by places, which are coarser than coordinates.
+                if (columns.low_x[one] <= columns.high_x[other])
+                    add_pair(pairs, proxies_[one], proxies_[other]);
+            }
+        }
+    }
+#else
     for (std::size_t i = 0; i < ends_.size(); ++i)
-        compare_from<true>(i + 1, ends_[i], probe(i), pairs);
+        compare_from(i + 1, ends_[i], probe(i), pairs);
+#endif
 }
 
 // What begins at the same place or behind it, in the box's own strip and in the next, and what begins behind it in the strip
@@ -292,13 +353,13 @@ void Sweep::sweep_strips(std::vector<CandidatePair> &pairs) const
     for (std::size_t i = 0; i < ends_.size(); ++i)
     {
         const Probe self = probe(i);
-        compare_from<false>(i + 1, ends_[i], self, pairs);
+        compare_from(i + 1, ends_[i], self, pairs);
         while (keys_[after] < keys_[i] + one_strip)
             ++after;
-        compare_from<false>(after, ends_[i] + one_strip, self, pairs);
+        compare_from(after, ends_[i] + one_strip, self, pairs);
         while (keys_[before] <= keys_[i] - one_strip)
             ++before;
-        compare_from<false>(before, ends_[i] - one_strip, self, pairs);
+        compare_from(before, ends_[i] - one_strip, self, pairs);
     }
 }
 
@@ -317,8 +378,8 @@ void Sweep::look_up(const SweptProxy &item, const Layout &layout, std::vector<Ca
         if ((*begin >> 16) > strip)
             strip = *begin >> 16;
         if (strip <= last)
-            compare_from<false>(static_cast<std::size_t>(begin - keys_.begin()), layout.key(strip, probe.high[0]),
-                                probe, pairs);
+            compare_from(static_cast<std::size_t>(begin - keys_.begin()), layout.key(strip, probe.high[0]), probe,
+                         pairs);
     }
 }
 

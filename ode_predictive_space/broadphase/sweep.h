@@ -63,6 +63,10 @@ private:
         void resize(std::size_t count);
     };
 
+    struct Columns;
+    struct Four;
+    class FourfoldProbe;
+
     void find_bounded_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs);
     void sort_into_strips(const std::vector<SweptProxy> &items, const Layout &layout);
     void sort_keys();
@@ -70,7 +74,6 @@ private:
     void sweep_single_strip(std::vector<CandidatePair> &pairs) const;
     Probe probe(std::size_t i) const;
     void look_up(const SweptProxy &item, const Layout &layout, std::vector<CandidatePair> &pairs) const;
-    template <bool single_strip>
     void compare_from(std::size_t begin, std::uint32_t end, const Probe &probe,
                       std::vector<CandidatePair> &pairs) const;
 
