@@ -48,6 +48,7 @@ ProxyId Broadphase::add()
     }
     proxies_.forget(id);
     members_.insert(id);
+    ++objects_;
     ++unpredicted_;
     mark_moved(id);
     return id;
@@ -67,6 +68,7 @@ void Broadphase::remove(ProxyId id)
     for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &interactive_, &due_anew_})
         set->erase(id);
     free_ids_.push_back(id);
+    --objects_;
     if (stop_waiting(id) && !scanning())
         finish_parts();
 }
@@ -169,6 +171,8 @@ void Broadphase::expire()
     for (const Event &event : due_)
         if (event.second == no_proxy && current(event))
             add_to_batch(event.first);
+    if (due_anew_.empty())
+        return;
     due_anew_.for_each([this](ProxyId id) { add_to_batch(id); });
     due_anew_.clear();
 }

@@ -202,7 +202,7 @@ private:
 
     // At which the next update will probably be: noticed moves are judged by where objects should be then.
     Tick expected_tick() const { return ticked_early_ ? now_ : now_ + 1; }
-    std::size_t objects() const { return proxies_.size() - free_ids_.size(); }
+    std::size_t objects() const { return objects_; }
     bool time_passes(bool is_tick);
     bool most_moving_have_moved() const;
     void collect_suspects(bool time_passes, bool as_expected);
@@ -233,6 +233,7 @@ private:
     Proximity measure_ = Proximity::box;
     ProxyStore proxies_;
     std::vector<ProxyId> free_ids_;
+    std::size_t objects_ = 0; // members
     IdSet members_;
     NoticeBoard noticed_; // moves since the last update; it begins with moving them to moved_
     IdSet moved_;         // since the last update

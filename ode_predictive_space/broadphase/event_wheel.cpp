@@ -66,6 +66,8 @@ void EventWheel::spread_next_turn()
     const Tick next = now_ / turn + 1, ticks_left = turn - now_ % turn;
     Bucket &bucket = coarse_bucket(next);
     std::uint32_t &size = sizes_[next % turn];
+    if (size == 0)
+        return;
     std::uint32_t share = (size + ticks_left - 1) / ticks_left;
     size -= share;
     for (std::size_t lane = 0; share > 0; lane = (lane + 1) % lanes)

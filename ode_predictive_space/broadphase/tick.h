@@ -88,10 +88,11 @@ template <typename Scene> void Broadphase::verify(Scene &scene, bool time_passes
     }
     counters_.violations += broken_;
     suspects_.clear();
-    interactive_.for_each([&](ProxyId id) {
-        if (moved_.contains(id))
-            remember(scene, id);
-    });
+    if (sampled_ > 0)
+        interactive_.for_each([&](ProxyId id) {
+            if (moved_.contains(id))
+                remember(scene, id);
+        });
     take_note_of_moves();
 }
 

@@ -125,6 +125,8 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
 // Only now is the class of new geoms known.
 void dxPredictiveSpace::classify_new()
 {
+    if (unclassified_.empty())
+        return;
     unclassified_.for_each([this](ProxyId id) {
         prefetch(later(geoms_, id, 16));
         listen_to(geoms_[id]);
