@@ -311,55 +311,116 @@ Sweep::Probe Sweep::probe(std::size_t i) const
             {sides_.high[0][i], sides_.high[1][i], sides_.high[2][i]}};
 }
 
-// Two beside each other meet nearly the same others: these are loaded once, and of two rows one ends in a branch that is
-// mispredicted. What lies beyond the end of one is apart from it along the axis, so that only ends have to be looked at.
-void Sweep::sweep_single_strip(std::vector<CandidatePair> &pairs) const
-{
 #if defined(__SSE2__)
-    const Columns columns(*this);
-    for (std::size_t i = 0; i + 1 < ends_.size(); i += 2)
+// Two boxes beside each other in the same strip meet nearly the same others: these are loaded once, and of two rows one ends
+// in a branch that is mispredicted. What lies beyond the end of one of them in its strip is apart from it along the axis.
+class Sweep::TwoProbes
+{
+public:
+    TwoProbes(const Sweep &sweep, std::size_t first)
+        : sweep_(sweep), first_index_(first), first_(sweep.probe(first)), second_(sweep.probe(first + 1))
+    {}
+
+    static constexpr std::size_t most_between = 4;
+
+    // Compares the first with those from `begin` on, the second with those from `second_begin` on, which are at most
+    // most_between behind it, whose keys are not greater than `end`.
+    template <bool single_strip>
+    void compare_from(std::size_t begin, std::size_t second_begin, std::uint32_t end,
+                      std::vector<CandidatePair> &pairs) const
     {
-        const std::uint32_t end = std::max(ends_[i], ends_[i + 1]);
-        const FourfoldProbe first(probe(i)), second(probe(i + 1));
-        int itself = 1; // the second is the first of those that are behind the first
-        for (std::size_t j = i + 1; columns.keys[j] <= end; j += 4)
+        const Columns columns(sweep_);
+        const __m128i last = _mm_set1_epi32(static_cast<int>(end));
+        int not_of_second = (1 << (second_begin - begin)) - 1;
+        for (std::size_t j = begin; columns.keys[j] <= end; j += 4)
         {
             const Four four(columns, j);
-            const int apart_from_second = _mm_movemask_ps(second.apart(four)) | itself;
-            const int apart = _mm_movemask_ps(first.apart(four)) | apart_from_second << 4;
-            itself = 0;
+            const int apart_from_second = _mm_movemask_ps(second_.apart(four)) | not_of_second;
+            int apart = _mm_movemask_ps(first_.apart(four)) | apart_from_second << 4;
+            not_of_second = 0;
+            if (!single_strip)
+            {
+                const __m128i these = _mm_loadu_si128(reinterpret_cast<const __m128i *>(columns.keys + j));
+                apart |= _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpgt_epi32(these, last))) * 17;
+            }
             for (int close = ~apart & 255; close; close &= close - 1)
             {
                 const int bit = __builtin_ctz(static_cast<unsigned>(close));
-                const std::size_t one = i + static_cast<std::size_t>(bit >> 2);
+                const std::size_t one = first_index_ + static_cast<std::size_t>(bit >> 2);
                 const std::size_t other = j + static_cast<std::size_t>(bit & 3);
                 // The order is by places, which are coarser than coordinates.
                 if (columns.low_x[one] <= columns.high_x[other])
-                    add_pair(pairs, proxies_[one], proxies_[other]);
+                    add_pair(pairs, sweep_.proxies_[one], sweep_.proxies_[other]);
             }
         }
     }
+
+private:
+    const Sweep &sweep_;
+    std::size_t first_index_;
+    FourfoldProbe first_, second_;
+};
+#endif
+
+void Sweep::sweep_single_strip(std::vector<CandidatePair> &pairs) const
+{
+#if defined(__SSE2__)
+    for (std::size_t i = 0; i + 1 < ends_.size(); i += 2)
+        TwoProbes(*this, i).compare_from<true>(i + 1, i + 2, std::max(ends_[i], ends_[i + 1]), pairs);
 #else
     for (std::size_t i = 0; i < ends_.size(); ++i)
         compare_from(i + 1, ends_[i], probe(i), pairs);
 #endif
 }
 
+// Where the rows of a box begin in the strips beside its own. Boxes come in their order.
+class Sweep::RowsBeside
+{
+public:
+    explicit RowsBeside(const std::vector<std::uint32_t> &keys) : keys_(keys) {}
+
+    void advance_to(std::uint32_t key)
+    {
+        while (keys_[after] < key + one_strip)
+            ++after;
+        while (keys_[before] <= key - one_strip)
+            ++before;
+    }
+
+    std::size_t before = 0, after = 0;
+
+private:
+    const std::vector<std::uint32_t> &keys_;
+};
+
 // What begins at the same place or behind it, in the box's own strip and in the next, and what begins behind it in the strip
 // before: so each pair is found once. Keys beyond a strip are those of the next; no search has to ask for its end.
 void Sweep::sweep_strips(std::vector<CandidatePair> &pairs) const
 {
-    std::size_t before = 0, after = 0;
+    RowsBeside rows(keys_);
     for (std::size_t i = 0; i < ends_.size(); ++i)
     {
+        rows.advance_to(keys_[i]);
+        const RowsBeside own = rows;
+#if defined(__SSE2__)
+        const bool next_is_beside = i + 1 < ends_.size() && keys_[i] >> 16 == keys_[i + 1] >> 16;
+        if (next_is_beside)
+            rows.advance_to(keys_[i + 1]);
+        if (next_is_beside && std::max(rows.before - own.before, rows.after - own.after) <= TwoProbes::most_between)
+        {
+            const TwoProbes both(*this, i);
+            const std::uint32_t end = std::max(ends_[i], ends_[i + 1]);
+            both.compare_from<false>(i + 1, i + 2, end, pairs);
+            both.compare_from<false>(own.after, rows.after, end + one_strip, pairs);
+            both.compare_from<false>(own.before, rows.before, end - one_strip, pairs);
+            ++i;
+            continue;
+        }
+#endif
         const Probe self = probe(i);
         compare_from(i + 1, ends_[i], self, pairs);
-        while (keys_[after] < keys_[i] + one_strip)
-            ++after;
-        compare_from(after, ends_[i] + one_strip, self, pairs);
-        while (keys_[before] <= keys_[i] - one_strip)
-            ++before;
-        compare_from(before, ends_[i] - one_strip, self, pairs);
+        compare_from(own.after, ends_[i] + one_strip, self, pairs);
+        compare_from(own.before, ends_[i] - one_strip, self, pairs);
     }
 }
 

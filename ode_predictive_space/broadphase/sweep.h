@@ -66,6 +66,8 @@ private:
     struct Columns;
     struct Four;
     class FourfoldProbe;
+    class TwoProbes;
+    class RowsBeside;
 
     void find_bounded_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs);
     void sort_into_strips(const std::vector<SweptProxy> &items, const Layout &layout);

@@ -84,6 +84,44 @@ TEST(Sweep, BoxesOfTheSameWidthFitIntoAStrip)
     }
 }
 
+// So long that they meet what begins anywhere along them: in rows of four, some are of another strip.
+TEST(Sweep, LongBoxesInStripsOfAFewAreFoundOnce)
+{
+    Random random(3);
+    Sweep sweep;
+    for (double strips : {30, 300, 1000, 3000})
+    {
+        Items items;
+        for (ProxyId id = 0; id < 2500; ++id)
+        {
+            const auto x = static_cast<float>(strips * random.uniform(-1, 1));
+            const auto y = static_cast<float>(strips * random.uniform(-0.5, 0.5)),
+                       z = static_cast<float>(random.index(4));
+            const auto length = static_cast<float>(strips * random.uniform(0, 2));
+            items.push_back({id, {{x, y, z}, {x + length, y + 1, z + 0.5f}}});
+        }
+        expect_all_pairs(sweep, items);
+    }
+}
+
+// The order is by places, of which there are 65536: what begins at the same one need not overlap.
+TEST(Sweep, TinyBoxesAtTheSamePlaceAreToldApart)
+{
+    Random random(4);
+    Sweep sweep;
+    for (ProxyId count : {500, 3000})
+    {
+        Items items;
+        for (ProxyId id = 0; id < count; ++id)
+        {
+            // In clusters, each much smaller than a place.
+            const float x = static_cast<float>(id / 8) + static_cast<float>(random.index(8)) * 0x1p-14f;
+            items.push_back({id, {{x, 0, 0}, {x + 0x1p-14f * static_cast<float>(random.index(3)) / 2, 0.1f, 0.1f}}});
+        }
+        expect_all_pairs(sweep, items);
+    }
+}
+
 TEST(Sweep, TouchingBoxesOverlap)
 {
     Items items;
