@@ -177,6 +177,7 @@ private:
     bool overflows_cache() const { return objects() > cached_objects; }
 
     bool boxes_overflow_cache() const { return objects() > cached_boxes; }
+
     // Fetches what the test of a pair reads.
     auto box_fetcher() const
     {
@@ -235,7 +236,7 @@ private:
     std::vector<ProxyId> free_ids_;
     std::size_t objects_ = 0; // members
     IdSet members_;
-    NoticeBoard noticed_; // moves since the last update; it begins with moving them to moved_
+    NoticeBoard noticed_; // moves since the last update, which begins with putting them into moved_
     IdSet moved_;         // since the last update
     IdSet doubtful_;      // those of them that were not found, when the move was noticed, where they should be
     IdSet moving_;        // predicted to move: verified although nobody reports them, for they may have stopped

@@ -312,8 +312,8 @@ Sweep::Probe Sweep::probe(std::size_t i) const
 }
 
 #if defined(__SSE2__)
-// Two boxes beside each other in the same strip meet nearly the same others: these are loaded once, and of two rows one ends
-// in a branch that is mispredicted. What lies beyond the end of one of them in its strip is apart from it along the axis.
+// Two boxes beside each other in the same strip meet nearly the same others: these are loaded once for both, and both rows
+// end in one branch that is mispredicted. What lies beyond the end of one of them in its strip is apart from it along the axis.
 class Sweep::TwoProbes
 {
 public:
