@@ -13,8 +13,8 @@
 
 namespace ode_predictive_space
 {
-/// Sort and sweep from scratch: boxes are sorted along the axis on which they are spread most, and each is compared, four at
-/// a time, with those that begin before it ends.
+/// Sort and sweep from scratch: boxes are sorted along the axis on which they are spread most, and each two that are beside
+/// each other are compared, four at a time, with those that begin before they end.
 ///
 /// Where there are many, space is first cut into strips as wide as most boxes are, across the axis of the second widest
 /// spread. A box belongs to the strip in which it begins, so that it can meet only what begins there or in a strip beside
