@@ -29,7 +29,7 @@ struct Size
 
 constexpr Size sizes[] = {
     {10, 1, 20000, 50, 500, true}, {30, 1, 20000, 50, 500, true}, {100, 1, 10000, 50, 200, true},
-    {1000, 3, 1000, 10, 30, true}, {10000, 5, 200, 3, 8, false},
+    {1000, 3, 1000, 10, 100, true}, {10000, 5, 200, 3, 8, false},
 };
 
 constexpr int quick_explosions = 2;
