@@ -149,7 +149,7 @@ float Approach::age(ProxyId id) const
 
 Axes Approach::rounding(ProxyId other, const Axes &offset, const Axes &terms) const
 {
-    const Axes sum = rounding_unit * terms + double_rounding_;
+    Axes sum = rounding_unit * terms + double_rounding_;
     if constexpr (!scene_rounds)
         return sum;
     const float radius = radius_or_zero(proxies_.bounds[other].radius);

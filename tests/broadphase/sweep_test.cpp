@@ -115,7 +115,8 @@ TEST(Sweep, TinyBoxesAtTheSamePlaceAreToldApart)
         for (ProxyId id = 0; id < count; ++id)
         {
             // In clusters, each much smaller than a place.
-            const float x = static_cast<float>(id / 8) + static_cast<float>(random.index(8)) * 0x1p-14f;
+            const ProxyId cluster = id / 8;
+            const float x = static_cast<float>(cluster) + static_cast<float>(random.index(8)) * 0x1p-14f;
             items.push_back({id, {{x, 0, 0}, {x + 0x1p-14f * static_cast<float>(random.index(3)) / 2, 0.1f, 0.1f}}});
         }
         expect_all_pairs(sweep, items);
