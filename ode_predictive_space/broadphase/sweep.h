@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SWEEP_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SWEEP_H
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,12 @@
 
 namespace ode_predictive_space
 {
+/// A pair with the smaller number first.
+inline CandidatePair in_order(ProxyId one, ProxyId other)
+{
+    return {std::min(one, other), std::max(one, other)};
+}
+
 /// Sort and sweep from scratch: boxes are sorted along the axis on which they are spread most, and each two that are beside
 /// each other are compared, four at a time, with those that begin before they end.
 ///
