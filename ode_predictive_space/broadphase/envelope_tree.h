@@ -123,7 +123,7 @@ private:
     bool consistent(Index node) const;
     int depth(Index node) const;
 
-    std::vector<Node> nodes_;
+    std::vector<Node, CacheLineAllocator<Node>> nodes_;
     std::vector<Index> free_pairs_;
     std::vector<Index> leaf_node_; // by proxy
 };

@@ -1,0 +1,41 @@
+#include "ode_predictive_space/broadphase/growth.h"
+
+#include <array>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space
+{
+namespace
+{
+using Half = std::array<std::uint8_t, 32>; // of a cache line
+using Halves = std::vector<Half, CacheLineAllocator<Half>>;
+
+bool begins_with_a_line(const Halves &halves)
+{
+    return reinterpret_cast<std::uintptr_t>(halves.data()) % 64 == 0;
+}
+
+TEST(Growth, AnArrayBeginsWithACacheLineHoweverLargeItGets)
+{
+    Halves halves;
+    for (std::size_t count = 1; count < 100000; count += 1 + count / 3)
+    {
+        grow(halves, count);
+        EXPECT_EQ(halves.size(), count);
+        EXPECT_TRUE(begins_with_a_line(halves)) << count;
+    }
+    const Halves copy = halves;
+    EXPECT_TRUE(begins_with_a_line(copy));
+}
+
+TEST(Growth, ANewElementIsEmptyAndTheOthersStay)
+{
+    std::vector<int> numbers = {7};
+    grow(numbers, 100);
+    EXPECT_EQ(numbers.front(), 7);
+    EXPECT_EQ(numbers.back(), 0);
+}
+} // namespace
+} // namespace ode_predictive_space
