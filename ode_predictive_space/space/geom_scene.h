@@ -154,7 +154,7 @@ public:
     void prefetch_velocity(ProxyId id) const
     {
         if (const dBodyID body = geoms_[id]->body)
-            ode_predictive_space::prefetch(dBodyGetLinearVel(body));
+            prefetch_block<2 * sizeof(dVector3)>(dBodyGetLinearVel(body)); // behind it, the angular velocity
     }
 
     Box bounds(ProxyId id) const { return to_box(valid_aabb(id)); }
