@@ -27,11 +27,13 @@ public:
         // An eighth of a small scene will do. Odd strides meet all sorts where sorts alternate.
         const std::size_t count = members.size(), wanted = std::clamp(count / 8, least, most);
         const std::size_t stride = std::max<std::size_t>(1, count / wanted) | 1;
-        std::size_t rank = 0;
+        std::size_t rank = 0, next = 0;
         scouts_.clear();
         members.for_each([&](ProxyId id) {
-            if (rank++ % stride == 0 && scouts_.size() < most)
-                scouts_.push_back({id, 0, Vector3::Zero(), Vector3::Zero(), Vector3::Zero()});
+            if (rank++ != next || scouts_.size() == most)
+                return;
+            scouts_.push_back({id, 0, Vector3::Zero(), Vector3::Zero(), Vector3::Zero()});
+            next += stride;
         });
     }
 
