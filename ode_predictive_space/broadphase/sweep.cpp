@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -12,17 +14,19 @@ namespace
 // Fewer are compared each with each.
 constexpr std::size_t few = 40;
 
-// Fewer are swept in a single strip: more comparisons, but they come in longer rows.
-constexpr std::size_t many = 2000;
-
 // A sample tells how the boxes lie.
 constexpr std::size_t sample_size = 24;
 
-constexpr float places = 65535;
-constexpr float most_strips = 30000;
+constexpr float last_place = 65535; // along
+constexpr int bits_beside = 15;     // of places on the other axes, which are compared as signed numbers
+constexpr float places_beside = 1 << bits_beside;
 
-// Of a strip: single precision may put a box one hundredth of a strip beside where it belongs.
-constexpr float safe_part = 0.98f;
+// Standard ones, from the middle of an axis to the ends of its places. What lies outside is put at the ends.
+constexpr double deviations = 4;
+
+// A slab is as wide as so many boxes or more, so that few boxes are in two; and it has so many or more.
+constexpr double least_widths = 4;
+constexpr double least_boxes = 1000;
 
 constexpr std::uint32_t last_key = 0x7fffffff;
 
@@ -37,58 +41,38 @@ void compare_each_with_each(const std::vector<SweptProxy> &items, std::vector<Ca
     }
 }
 
-// Some numbers, one for each of a sample of the items.
-class Sample
+// Of a number that each item has; a sample tells.
+struct Moments
 {
-public:
-    template <typename Value> Sample(const std::vector<SweptProxy> &items, Value value)
+    double mean = 0, variance = 0;
+
+    template <typename Value> Moments(const std::vector<SweptProxy> &items, Value value)
     {
         const std::size_t stride = (items.size() + sample_size - 1) / sample_size;
+        double sum = 0, squares = 0, count = 0;
         for (std::size_t i = 0; i < items.size(); i += stride)
-            values_[count_++] = value(items[i].box);
-    }
-
-    double variance() const
-    {
-        double sum = 0, squares = 0;
-        for (std::size_t i = 0; i < count_; ++i)
         {
-            sum += values_[i];
-            squares += double{values_[i]} * values_[i];
+            const double number = value(items[i].box);
+            sum += number;
+            squares += number * number;
+            ++count;
         }
-        const double count = static_cast<double>(count_);
-        return squares / count - (sum / count) * (sum / count);
+        mean = sum / count;
+        variance = std::max(0.0, squares / count - mean * mean);
     }
-
-    void sort() { std::sort(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(count_)); }
-
-    // The number that this part of them, sorted, does not exceed.
-    float quantile(double part) const
-    {
-        return values_[static_cast<std::size_t>(part * static_cast<double>(count_ - 1))];
-    }
-
-private:
-    std::array<float, sample_size> values_;
-    std::size_t count_ = 0;
 };
 
-Sample centres(const std::vector<SweptProxy> &items, int axis)
+// Where the centres lie.
+struct Spread
 {
-    return Sample(items, [axis](const FloatBox &box) { return 0.5f * (box.low[axis] + box.high[axis]); });
-}
+    int axis;
+    Moments centres;
 
-// Where most values are, with half as much again on both sides. What lies outside is put at its ends.
-struct Range
-{
-    float begin, length;
-    explicit Range(Sample values)
-    {
-        values.sort();
-        const float low = values.quantile(0.06), high = values.quantile(0.94);
-        begin = low - 0.5f * (high - low);
-        length = 2 * (high - low);
-    }
+    Spread(const std::vector<SweptProxy> &items, int axis)
+        : axis(axis), centres(items, [axis](const FloatBox &box) { return 0.5f * (box.low[axis] + box.high[axis]); })
+    {}
+
+    bool operator>(const Spread &other) const { return centres.variance > other.centres.variance; }
 };
 
 // Least significant digit first, of the upper halves. A digit that is the same in all is passed over.
@@ -116,58 +100,77 @@ template <int bits> void radix_sort(std::vector<std::uint64_t> &order, std::vect
 }
 } // namespace
 
-Sweep::Layout Sweep::Layout::fit_for(const std::vector<SweptProxy> &items)
+Sweep::Layout Sweep::Layout::fit_for(const Items &items)
 {
-    const std::array<double, 3> spread = {centres(items, 0).variance(), centres(items, 1).variance(),
-                                          centres(items, 2).variance()};
-    std::array<int, 3> axes = {0, 1, 2};
-    std::sort(axes.begin(), axes.end(),
-              [&](int a, int b) { return spread[static_cast<std::size_t>(a)] > spread[static_cast<std::size_t>(b)]; });
-    Layout layout;
-    layout.along = axes[0];
-    layout.across = axes[1];
-    layout.other = axes[2];
-    const Range range(centres(items, layout.along));
-    layout.begin = range.begin;
-    layout.scale = range.length > 0 ? places / range.length : 0;
-    layout.widest = std::numeric_limits<float>::infinity();
-    if (items.size() > many)
-        layout.cut_into_strips(items);
+    std::array<Spread, 3> spreads = {Spread(items, 0), Spread(items, 1), Spread(items, 2)};
+    std::sort(spreads.begin(), spreads.end(), std::greater<>());
+    const auto cut = [](const Spread &spread, float places) {
+        const auto half = static_cast<float>(deviations * std::sqrt(spread.centres.variance));
+        return Scale{spread.axis, static_cast<float>(spread.centres.mean) - half, half > 0 ? places / (2 * half) : 0};
+    };
+    Layout layout{cut(spreads[0], last_place), cut(spreads[1], places_beside), cut(spreads[2], places_beside), 0};
+    layout.slab_bits = layout.bits_of_slabs(items);
     return layout;
 }
 
-// As wide as all boxes are, when they differ little; never narrower than half of them.
-void Sweep::Layout::cut_into_strips(const std::vector<SweptProxy> &items)
+int Sweep::Layout::bits_of_slabs(const Items &items) const
 {
-    Sample widths(items, [this](const FloatBox &box) { return box.high[across] - box.low[across]; });
-    const Range range(centres(items, across));
-    widths.sort();
-    const float typical = std::min(widths.quantile(1), 2 * widths.quantile(0.75));
-    const float width = std::max(typical / safe_part, range.length / most_strips);
-    first = range.begin;
-    strips_per_unit = width > 0 ? 1 / width : 0;
-    widest = std::max(typical, safe_part * width);
+    constexpr int fewest_bits = 4;
+    const int axis = across.axis;
+    const double width = Moments(items, [axis](const FloatBox &box) { return box.high[axis] - box.low[axis]; }).mean;
+    // Of boxes that lie evenly, all are within this part of the places.
+    const double part = std::sqrt(3) / deviations;
+    const double least = std::max(least_widths * width * across.places_per_unit,
+                                  least_boxes * part * places_beside / static_cast<double>(items.size()));
+    int bits = fewest_bits;
+    while (bits < bits_beside && (1 << bits) < least)
+        ++bits;
+    return bits;
 }
 
-// Does not decrease with the coordinate, whatever the rounding; 0 also when it is not a number.
-std::uint32_t Sweep::Layout::place(float coordinate) const
+std::uint32_t Sweep::Layout::place_along(float coordinate) const
 {
-    const float place = (coordinate - begin) * scale;
-    return place > 0 ? static_cast<std::uint32_t>(std::min(place, places)) : 0;
+    const float place = (coordinate - along.begin) * along.places_per_unit;
+    return place > 0 ? static_cast<std::uint32_t>(std::min(place, last_place)) : 0;
 }
 
-std::uint32_t Sweep::Layout::strip(float coordinate) const
+Sweep::Sides Sweep::Sides::of(const FloatBox &box, const Layout &layout)
 {
-    const float strip = (coordinate - first) * strips_per_unit;
-    return 1 + (strip > 0 ? static_cast<std::uint32_t>(std::min(strip, most_strips)) : 0);
+    const Scale &y = layout.across, &z = layout.other;
+#if defined(__SSE2__)
+    const __m128 coordinates = _mm_setr_ps(box.low[y.axis], box.high[y.axis], box.low[z.axis], box.high[z.axis]);
+    const __m128 begin = _mm_setr_ps(y.begin, y.begin, z.begin, z.begin);
+    const __m128 scale = _mm_setr_ps(y.places_per_unit, y.places_per_unit, z.places_per_unit, z.places_per_unit);
+    // The larger of what is not a number and 0 is 0.
+    const __m128 positive = _mm_max_ps(_mm_mul_ps(_mm_sub_ps(coordinates, begin), scale), _mm_setzero_ps());
+    const __m128i places = _mm_cvttps_epi32(_mm_min_ps(positive, _mm_set1_ps(places_beside - 1)));
+    const __m128i packed = _mm_packs_epi32(places, places);
+    Sides sides;
+    _mm_storel_epi64(reinterpret_cast<__m128i *>(&sides), packed);
+    sides.high_x = layout.place_along(box.high[layout.along.axis]);
+    return sides;
+#else
+    const auto place = [](const Scale &scale, float coordinate) {
+        const float place = (coordinate - scale.begin) * scale.places_per_unit;
+        return static_cast<std::int16_t>(place > 0 ? std::min(place, places_beside - 1) : 0);
+    };
+    return {place(y, box.low[y.axis]), place(y, box.high[y.axis]), place(z, box.low[z.axis]),
+            place(z, box.high[z.axis]), layout.place_along(box.high[layout.along.axis])};
+#endif
 }
 
-void Sweep::Sides::resize(std::size_t count)
+void Sweep::Columns::resize(std::size_t count)
 {
-    for (std::vector<float> &side : low)
-        side.resize(count);
-    for (std::vector<float> &side : high)
-        side.resize(count);
+    for (std::vector<std::int16_t> *side : {&low_y, &high_y, &low_z, &high_z})
+        side->resize(count);
+}
+
+void Sweep::Columns::set(std::size_t i, const Sides &sides)
+{
+    low_y[i] = sides.low_y;
+    high_y[i] = sides.high_y;
+    low_z[i] = sides.low_z;
+    high_z[i] = sides.high_z;
 }
 
 void Sweep::sort_keys()
@@ -180,44 +183,30 @@ void Sweep::sort_keys()
         radix_sort<11>(order_, other_order_);
 }
 
-// Leaves those that are wider than a strip in wider_.
-void Sweep::sort_into_strips(const std::vector<SweptProxy> &items, const Layout &layout)
+void Sweep::sort_into_slabs(const Items &items, const Layout &layout)
 {
     order_.clear();
-    still_wider_.clear();
-    longest_ = 0;
+    sides_.resize(items.size());
     for (std::size_t i = 0; i < items.size(); ++i)
     {
         const FloatBox &box = items[i].box;
-        if (!layout.fits(box))
-        {
-            still_wider_.push_back(items[i]);
-            continue;
-        }
-        const std::uint32_t key = layout.key(layout.strip(box.low[layout.across]), box.low[layout.along]);
-        order_.push_back(std::uint64_t{key} << 32 | i);
-        longest_ = std::max(longest_, box.high[layout.along] - box.low[layout.along]);
+        const Sides sides = sides_[i] = Sides::of(box, layout);
+        const std::uint32_t place = layout.place_along(box.low[layout.along.axis]);
+        const int last = sides.high_y >> layout.slab_bits;
+        for (int slab = sides.low_y >> layout.slab_bits; slab <= last; ++slab)
+            order_.push_back((std::uint64_t{static_cast<std::uint32_t>(slab)} << 16 | place) << 32 | i);
     }
     sort_keys();
     const std::size_t count = order_.size();
     keys_.assign(count + spare, last_key);
     ends_.resize(count);
-    proxies_.resize(count);
-    sides_.resize(count + spare);
-    std::fill_n(sides_.low[0].begin() + static_cast<std::ptrdiff_t>(count), spare,
-                std::numeric_limits<float>::infinity());
-    const int axes[] = {layout.along, layout.across, layout.other};
+    columns_.resize(count + spare);
     for (std::size_t i = 0; i < count; ++i)
     {
-        const SweptProxy &item = items[order_[i] & 0xffffffffu];
+        const Sides &sides = sides_[order_[i] & item_mask];
         keys_[i] = static_cast<std::uint32_t>(order_[i] >> 32);
-        ends_[i] = layout.key(keys_[i] >> 16, item.box.high[layout.along]);
-        proxies_[i] = item.proxy;
-        for (std::size_t side = 0; side < 3; ++side)
-        {
-            sides_.low[side][i] = item.box.low[axes[side]];
-            sides_.high[side][i] = item.box.high[axes[side]];
-        }
+        ends_[i] = (keys_[i] & ~0xffffu) | sides.high_x;
+        columns_.set(i, sides);
     }
 }
 
@@ -254,40 +243,31 @@ void Sweep::sort_along_widest(const std::vector<SweptProxy> &items, std::vector<
     const Layout layout = bounded_.empty() ? Layout() : Layout::fit_for(bounded_);
     order_.clear();
     for (std::size_t i = 0; i < items.size(); ++i)
-        order_.push_back(std::uint64_t{layout.place(items[i].box.low[layout.along])} << 32 | i);
+        order_.push_back(std::uint64_t{layout.place_along(items[i].box.low[layout.along.axis])} << 32 | i);
     sort_keys();
     for (std::uint64_t element : order_)
-        order.push_back(items[element & 0xffffffffu].proxy);
+        order.push_back(items[element & item_mask].proxy);
 }
 
-void Sweep::find_bounded_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs)
+void Sweep::find_bounded_pairs(const Items &items, Pairs &pairs)
 {
-    const std::vector<SweptProxy> *left = &items;
-    while (left->size() > few)
+    if (items.size() <= few)
     {
-        const Layout layout = Layout::fit_for(*left);
-        sort_into_strips(*left, layout);
-        if (layout.strips_per_unit > 0)
-            sweep_strips(pairs);
-        else
-            sweep_single_strip(pairs);
-        for (const SweptProxy &item : still_wider_)
-            look_up(item, layout, pairs);
-        wider_.swap(still_wider_);
-        left = &wider_;
+        compare_each_with_each(items, pairs);
+        return;
     }
-    compare_each_with_each(*left, pairs);
+    const Layout layout = Layout::fit_for(items);
+    sort_into_slabs(items, layout);
+    sweep_rows(items, layout, pairs);
 }
 
 std::size_t Sweep::bytes() const
 {
-    std::size_t floats = 0;
-    for (std::size_t side = 0; side < 3; ++side)
-        floats += sides_.low[side].capacity() + sides_.high[side].capacity();
-    return (wider_.capacity() + still_wider_.capacity() + bounded_.capacity() + unbounded_.capacity()) *
-               sizeof(SweptProxy) +
+    const std::size_t sides =
+        columns_.low_y.capacity() + columns_.high_y.capacity() + columns_.low_z.capacity() + columns_.high_z.capacity();
+    return (bounded_.capacity() + unbounded_.capacity()) * sizeof(SweptProxy) +
            (order_.capacity() + other_order_.capacity()) * sizeof(std::uint64_t) +
-           (keys_.capacity() + ends_.capacity()) * sizeof(std::uint32_t) + proxies_.capacity() * sizeof(ProxyId) +
-           floats * sizeof(float);
+           (keys_.capacity() + ends_.capacity()) * sizeof(std::uint32_t) + sides_.capacity() * sizeof(Sides) +
+           sides * sizeof(std::int16_t);
 }
 } // namespace ode_predictive_space

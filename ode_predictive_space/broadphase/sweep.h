@@ -1,4 +1,4 @@
-// All overlapping pairs of many boxes at once: strips, sorted and swept.
+// All overlapping pairs of many boxes at once: sorted and swept.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SWEEP_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SWEEP_H
@@ -21,11 +21,11 @@ inline CandidatePair in_order(ProxyId one, ProxyId other)
 }
 
 /// Sort and sweep from scratch: boxes are sorted along the axis on which they are spread most, and each two that are beside
-/// each other are compared, four at a time, with those that begin before they end.
+/// each other are compared with those that begin before they end, eight at a time: by where they lie across that axis, in
+/// 16 bits. The few that seem to overlap are compared exactly.
 ///
-/// Where there are many, space is first cut into strips as wide as most boxes are, across the axis of the second widest
-/// spread. A box belongs to the strip in which it begins, so that it can meet only what begins there or in a strip beside
-/// it. Boxes wider than a strip look up those that they can meet, and are then swept among themselves in the same way.
+/// Where there are many, space is first cut into slabs, some times as wide as boxes are, across the axis of the second widest
+/// spread. A box is in all the slabs that it reaches; two are found in the slab in which both are first.
 ///
 /// Keeps its memory, not its results, from one call to the next.
 class Sweep
@@ -40,61 +40,62 @@ public:
     std::size_t bytes() const;
 
 private:
-    /// How boxes become keys: the strip in the upper half, the place along it in the lower. Keys are less than 2^31.
+    using Items = std::vector<SweptProxy>;
+    using Pairs = std::vector<CandidatePair>;
+
+    /// An axis cut into places.
+    struct Scale
+    {
+        int axis = 0;
+        float begin = 0, places_per_unit = 0;
+    };
+
+    /// How boxes become keys: the slab in the upper half, the place along it in the lower. Keys are less than 2^31.
     struct Layout
     {
-        int along = 0, across = 1, other = 2; // axes
-        float begin = 0, scale = 0;           // along
-        float first = 0, strips_per_unit = 0; // across
-        float widest = 0;                     // of what belongs to a single strip
+        Scale along, across, other;
+        int slab_bits = 0; // a slab is 2^slab_bits places wide
 
-        static Layout fit_for(const std::vector<SweptProxy> &items);
-        void cut_into_strips(const std::vector<SweptProxy> &items);
-        std::uint32_t place(float coordinate) const;
-        std::uint32_t strip(float coordinate) const;
-        bool fits(const FloatBox &box) const { return box.high[across] - box.low[across] <= widest; }
-        std::uint32_t key(std::uint32_t strip, float coordinate) const { return strip << 16 | place(coordinate); }
+        static Layout fit_for(const Items &items);
+        int bits_of_slabs(const Items &items) const;
+
+        /// Does not decrease with the coordinate, whatever the rounding; 0 also when it is not a number.
+        std::uint32_t place_along(float coordinate) const;
     };
 
-    /// What a box is compared with the others by.
-    struct Probe
-    {
-        ProxyId proxy;
-        std::array<float, 3> low, high; // along, across, other
-    };
-
-    /// Boxes in the order of their keys, one array for each side, with some to spare that no comparison meets.
+    /// In which places a box begins and ends across the axis along which it is sorted (first those of the slabs), and in which
+    /// it ends along that.
     struct Sides
     {
-        std::array<std::vector<float>, 3> low, high; // along, across, other
-        void resize(std::size_t count);
+        std::int16_t low_y, high_y, low_z, high_z;
+        std::uint32_t high_x;
+        static Sides of(const FloatBox &box, const Layout &layout);
     };
 
-    struct Columns;
-    struct Four;
-    class FourfoldProbe;
-    class TwoProbes;
-    class RowsBeside;
+    /// The sides of boxes in the order of their keys, one array for each, with some to spare.
+    struct Columns
+    {
+        std::vector<std::int16_t> low_y, high_y, low_z, high_z;
+        void resize(std::size_t count);
+        void set(std::size_t i, const Sides &sides);
+    };
 
-    void find_bounded_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs);
-    void sort_into_strips(const std::vector<SweptProxy> &items, const Layout &layout);
+    class Rows;
+
+    void find_bounded_pairs(const Items &items, Pairs &pairs);
+    void sort_into_slabs(const Items &items, const Layout &layout);
     void sort_keys();
-    void sweep_strips(std::vector<CandidatePair> &pairs) const;
-    void sweep_single_strip(std::vector<CandidatePair> &pairs) const;
-    Probe probe(std::size_t i) const;
-    void look_up(const SweptProxy &item, const Layout &layout, std::vector<CandidatePair> &pairs) const;
-    void compare_from(std::size_t begin, std::uint32_t end, const Probe &probe,
-                      std::vector<CandidatePair> &pairs) const;
+    void sweep_rows(const Items &items, const Layout &layout, Pairs &pairs) const;
 
-    static constexpr std::size_t spare = 4;
+    static constexpr std::size_t row = 8;     // boxes that are compared at once
+    static constexpr std::size_t spare = row; // boxes behind the last that may be compared, too
 
-    std::vector<SweptProxy> wider_, still_wider_;    // than the strips of this level and the next
-    std::vector<SweptProxy> bounded_, unbounded_;    // where there are some that no strip can hold
+    Items bounded_, unbounded_; // where there are some that no slab can hold
+    static constexpr std::uint64_t item_mask = 0xffffffffu;
     std::vector<std::uint64_t> order_, other_order_; // key, number of the item
     std::vector<std::uint32_t> keys_, ends_;         // of the lowest and the highest coordinate along
-    std::vector<ProxyId> proxies_;
-    Sides sides_;
-    float longest_ = 0; // along, of the boxes in strips
+    std::vector<Sides> sides_;                       // by item
+    Columns columns_;                                // by place in the order
 };
 } // namespace ode_predictive_space
 

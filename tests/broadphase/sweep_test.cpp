@@ -68,40 +68,72 @@ TEST(Sweep, FindsThemWhicheverAxisIsWidest)
         }
 }
 
-// Rounding must not make them all wider than a strip: then none would ever be swept.
-TEST(Sweep, BoxesOfTheSameWidthFitIntoAStrip)
+// As many as are cut into slabs, of all widths: many lie in one slab, some in a few, some in all. Where all meet along the
+// axis, the last of a slab meets the first of the next.
+TEST(Sweep, BoxesInSeveralSlabsAreFoundOnce)
 {
+    Random random(8);
     Sweep sweep;
-    for (float width : {1.0f, 1.9688f, 1.9712f, 1.9821f, 1.9999999f, 0.1f, 3.3f})
+    for (double part_of_wide : {0.0, 0.02, 0.3})
+        for (double width : {0.02, 1.0, 4.0})
+            for (float length : {0.3f, 200.0f})
+            {
+                Items items;
+                for (ProxyId id = 0; id < 4000; ++id)
+                {
+                    FloatBox box = random.box(20, 0.5);
+                    // Along the axis of the widest spread they lie twice as far apart.
+                    box.low[0] *= 2;
+                    box.high[0] = box.low[0] + length;
+                    const double wide = random.chance(part_of_wide) ? random.uniform(0, 60) : width;
+                    box.high[1] = box.low[1] + static_cast<float>(wide);
+                    items.push_back({id, box});
+                }
+                expect_all_pairs(sweep, items);
+            }
+}
+
+// So long that they meet what begins anywhere along them: in rows of eight, some are of another slab.
+TEST(Sweep, LongBoxesInSlabsOfAFewAreFoundOnce)
+{
+    Random random(3);
+    Sweep sweep;
+    for (double slabs : {30, 300, 1000, 3000})
     {
         Items items;
-        for (ProxyId id = 0; id < 2100; ++id)
+        for (ProxyId id = 0; id < 5000; ++id)
         {
-            const float x = 1.5f * static_cast<float>(id);
-            items.push_back({id, {{x, 0, 1000}, {x + 2, width, 1000 + width}}});
+            const auto x = static_cast<float>(slabs * random.uniform(-1, 1));
+            const auto y = static_cast<float>(slabs * random.uniform(-0.5, 0.5)),
+                       z = static_cast<float>(random.index(4));
+            const auto length = static_cast<float>(slabs * random.uniform(0, 2));
+            items.push_back({id, {{x, y, z}, {x + length, y + 1, z + 0.5f}}});
         }
         expect_all_pairs(sweep, items);
     }
 }
 
-// So long that they meet what begins anywhere along them: in rows of four, some are of another strip.
-TEST(Sweep, LongBoxesInStripsOfAFewAreFoundOnce)
+// A few far away must not spoil how the others are told apart, and all may lie in a plane, or on a line.
+TEST(Sweep, FindsThemWhereverTheOthersLie)
 {
-    Random random(3);
+    Random random(9);
     Sweep sweep;
-    for (double strips : {30, 300, 1000, 3000})
-    {
-        Items items;
-        for (ProxyId id = 0; id < 2500; ++id)
+    for (int flat_axes : {0, 1, 2})
+        for (float far : {0.0f, 1e4f, 1e14f})
         {
-            const auto x = static_cast<float>(strips * random.uniform(-1, 1));
-            const auto y = static_cast<float>(strips * random.uniform(-0.5, 0.5)),
-                       z = static_cast<float>(random.index(4));
-            const auto length = static_cast<float>(strips * random.uniform(0, 2));
-            items.push_back({id, {{x, y, z}, {x + length, y + 1, z + 0.5f}}});
+            Items items = random_items(random, 3000, 1, 0.1);
+            for (SweptProxy &item : items)
+                for (int axis = 0; axis < flat_axes; ++axis)
+                    item.box.low[axis] = item.box.high[axis] = 0.25f;
+            for (ProxyId i = 0; i < 20; ++i)
+                for (int axis = 0; axis < 3; ++axis)
+                {
+                    FloatBox &box = items[149 * i].box;
+                    box.low[axis] += far;
+                    box.high[axis] += far;
+                }
+            expect_all_pairs(sweep, items);
         }
-        expect_all_pairs(sweep, items);
-    }
 }
 
 // The order is by places, of which there are 65536: what begins at the same one need not overlap.
