@@ -336,7 +336,12 @@ Predictor::Motion Predictor::estimate_motion(PackedBounds &bounds, const Outcome
     if (has_body)
         motion = motion_of_body(bounds, outcome, finite_or_zero(*seen.velocity));
     if (!has_body || bounds.mistrust >= patience)
-        motion = motion_from_history(bounds, outcome, seen.centre, now);
+    {
+        const Motion as_seen = motion_from_history(bounds, outcome, seen.centre, now);
+        // A few positions tell less than a velocity by which the object has kept to its prediction.
+        if (!has_body || !as_seen.brief || !outcome.kept)
+            motion = as_seen;
+    }
     return motion;
 }
 

@@ -189,6 +189,29 @@ TEST(Predictor, AVelocityThatExplainsNothingIsNotBelievedForever)
     EXPECT_NEAR(predictor.step(), step, 0.05 * step);
 }
 
+// In a pile velocities are noise. As long as predictions hold nevertheless, none of them need be a guess for a tick.
+TEST(Predictor, AVelocityThatExplainsLittleIsNotMistrustedWhilePredictionsHold)
+{
+    Predictor predictor;
+    Tracked other(predictor), tracked(predictor);
+    MovingBall honest;
+    honest.velocity = {1, 0, 0};
+    Random random(1);
+    Vector3 centre = Vector3::Zero();
+    int guesses = 0;
+    for (int tick = 0; tick < 20000; ++tick)
+    {
+        other.see(honest.next());
+        centre += random.vector(4e-5);
+        const int violations = tracked.violations, predictions = tracked.predictions;
+        tracked.see(seen_ball(centre, radius, random.vector(0.02)));
+        const bool kept = tracked.violations == violations, anew = tracked.predictions > predictions;
+        guesses += tick > 100 && kept && anew && tracked.store.remaining(0, tracked.now) == 1;
+    }
+    EXPECT_EQ(guesses, 0);
+    EXPECT_GT(tracked.predictions, 50) << "it does move";
+}
+
 // Reaches of minimum jerk between random points, with a tremor.
 Vector3 hand(Random &random, int tick, Vector3 &from, Vector3 &to)
 {
