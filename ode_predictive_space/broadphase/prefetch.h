@@ -16,6 +16,9 @@ constexpr std::size_t cached_objects = 300;
 /// The same of what is kept of them to compare their boxes, which is much less.
 constexpr std::size_t cached_boxes = 2000;
 
+/// The same of what was read to measure their boxes, later in the same tick.
+constexpr std::size_t cached_measured = 2000;
+
 /// The cache line at the address, which may be any, will soon be read or written.
 inline void prefetch(const void *address)
 {

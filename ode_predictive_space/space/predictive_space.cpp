@@ -211,7 +211,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     }
     std::vector<CandidatePair> pairs = std::exchange(pairs_, {});
     const std::size_t count = broadphase_.report(now, pairs);
-    const bool overflows_cache = geoms_.size() > cached_objects;
+    const bool overflows_cache = geoms_.size() > cached_measured;
     for (std::size_t i = 0; i < count; ++i)
     {
         const CandidatePair pair = pairs[i];
