@@ -25,7 +25,7 @@ inline CandidatePair in_order(ProxyId one, ProxyId other)
 /// 16 bits. The few that seem to overlap are compared exactly.
 ///
 /// Where there are many, space is first cut into slabs, some times as wide as boxes are, across the axis of the second widest
-/// spread. A box is in all the slabs that it reaches; two are found in the slab in which both are first.
+/// spread. A box is in all the slabs that it reaches into; a pair is found in the slab in which the later of both begins.
 ///
 /// Keeps its memory, not its results, from one call to the next.
 class Sweep
@@ -90,8 +90,9 @@ private:
     static constexpr std::size_t row = 8;     // boxes that are compared at once
     static constexpr std::size_t spare = row; // boxes behind the last that may be compared, too
 
-    Items bounded_, unbounded_; // where there are some that no slab can hold
     static constexpr std::uint64_t item_mask = 0xffffffffu;
+
+    Items bounded_, unbounded_;                      // where there are some that no slab can hold
     std::vector<std::uint64_t> order_, other_order_; // key, number of the item
     std::vector<std::uint32_t> keys_, ends_;         // of the lowest and the highest coordinate along
     std::vector<Sides> sides_;                       // by item
