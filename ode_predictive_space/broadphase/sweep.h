@@ -4,7 +4,6 @@
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SWEEP_H
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
