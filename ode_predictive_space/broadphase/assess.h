@@ -20,29 +20,29 @@ enum class Proximity
 };
 
 /// A pair that is tested every tick, as long as neither object has been predicted anew and they have not left each other.
-struct NearPair
+struct NearPair : CandidatePair
 {
-    ProxyId first;
-    ProxyId second;
-    Generation first_generation;
-    Generation second_generation;
-    Tick until;  ///< last tick at which they may be near, when they leave each other
-    bool leaves; ///< before the first of both horizons ends
+    Tick until; ///< last tick at which they may be near; to_the_end when they do not part before the first of both horizons ends
+
+    static constexpr Tick to_the_end = 0;
 
     static NearPair of(const Event &event, Tick now)
     {
-        return {event.first,
-                event.second,
-                event.first_generation,
-                event.second_generation,
-                now + static_cast<Tick>(event.stay),
-                event.stay != Event::stays};
+        const Tick parting = now + static_cast<Tick>(event.stay);
+        // A tick that is called as what never parts is replaced by the next one.
+        const Tick until = event.stay == Event::stays ? to_the_end : parting + (parting == to_the_end);
+        return {{event.first, event.second}, until};
     }
 
     static constexpr std::int32_t for_long = std::int32_t{1} << 30;
 
     /// Ticks from `now` on until it leaves; negative when it has left, for_long when it stays.
-    std::int32_t ticks_left(Tick now) const { return leaves ? ticks_between(now, until) : for_long; }
+    /// (Without a branch: pairs of both kinds come at random.)
+    std::int32_t ticks_left(Tick now) const
+    {
+        const std::int32_t stays = -static_cast<std::int32_t>(until == to_the_end);
+        return (ticks_between(now, until) & ~stays) | (for_long & stays);
+    }
 };
 
 /// A pair's time of proximity, counted from now on.

@@ -58,8 +58,7 @@ void Broadphase::remove(ProxyId id)
 {
     // Whatever speaks of the old generation, in near set, schedule or elsewhere, is stale from now on.
     ++proxies_.generations[id];
-    near_.disturb(id);
-    near_changed_ = true;
+    near_.retire(id, now_);
     unpredicted_ -= proxies_.bounds[id].check == Check::none;
     index_.remove(proxies_, id);
     predictor.forget(proxies_, id);
@@ -199,7 +198,6 @@ void Broadphase::schedule()
 void Broadphase::add_near(const NearPair &pair)
 {
     near_.add(pair);
-    near_changed_ = true;
     note_crowded(pair);
 }
 
@@ -241,7 +239,6 @@ bool Broadphase::lingers(ProxyId id) const
 
 void Broadphase::finish_update()
 {
-    near_changed_ |= !batch_.empty();
     for (ProxyId id : batch_)
         in_batch_.erase(id);
     empty(batch_);
@@ -251,9 +248,6 @@ void Broadphase::finish_update()
     empty(scheduled_);
     empty(found_near_);
     purge_stale_events();
-    // Stale near pairs wait for the next report. A program that only asks, and never collides, makes none.
-    if (near_.pairs().size() >= purge_near_at_)
-        drop_stale_near();
 }
 
 bool Broadphase::current(const Event &event) const
@@ -272,7 +266,7 @@ std::size_t Broadphase::scheduled_pairs() const
 std::size_t Broadphase::near_pairs() const
 {
     std::size_t count = 0;
-    each_near([&](const NearPair &, NearSet::Verdict) { ++count; });
+    each_near([&](const CandidatePair &, NearSet::Verdict) { ++count; });
     return count;
 }
 
@@ -283,16 +277,6 @@ void Broadphase::purge_stale_events()
         return;
     wheel_.purge([this](const Event &event) { return current(event); });
     purge_events_at_ = std::max(least_purge, 2 * wheel_.size());
-}
-
-bool Broadphase::has_stale_near() const
-{
-    return near_changed_ || ticks_between(now_, next_leave_) < 0;
-}
-
-void Broadphase::drop_stale_near()
-{
-    drop_stale_near([](const NearPair &) {});
 }
 
 void Broadphase::take_note_of_moves()
@@ -341,7 +325,6 @@ void Broadphase::postpone_batch()
         waiting_.insert(id);
     }
     batch_.clear();
-    near_changed_ = true;
 }
 
 bool Broadphase::stop_waiting(ProxyId id)
@@ -380,7 +363,6 @@ void Broadphase::start_scanning()
     index_.clear(proxies_);
     wheel_.clear();
     near_.clear();
-    near_changed_ = true;
     due_anew_.clear();
     moving_.clear();
     // Nobody is remembered meanwhile: what is remembered of an object depends on how it is predicted.
@@ -422,7 +404,7 @@ std::size_t Broadphase::bytes() const
     total += swept_.capacity() * sizeof(SweptProxy);
     total += near_.bytes() + found_near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
     total += candidates_.capacity() * sizeof(CandidatePair) + scheduled_.capacity() * sizeof(ScheduledPair);
-    total += scouts_.bytes() + scanned_.capacity() * sizeof(NearPair);
+    total += scouts_.bytes() + scanned_.capacity() * sizeof(CandidatePair);
     return total + items_.capacity() * sizeof(SweptProxy) + boxes_.capacity() * sizeof(MeasuredBox);
 }
 } // namespace ode_predictive_space

@@ -124,21 +124,16 @@ public:
     }
 
     const ProxyStore &proxies() const { return proxies_; }
-    /// The pairs that are tested at each tick; stale ones among them. Pairs in the near set that rest are not.
-    const std::vector<NearPair> &near() const { return scanning() ? scanned_ : near_.pairs(); }
+    /// How many pairs are tested at each tick; stale ones among them. Pairs in the near set that rest are not.
+    std::size_t tested_pairs() const { return scanning() ? scanned_.size() : near_.pairs().size(); }
 
     /// Calls visit(pair, verdict) for each pair in the near set that is not stale, whether it is tested at each tick or rests.
     template <typename Visit> void each_near(Visit visit) const
     {
-        const auto visit_current = [&](const NearPair &pair, NearSet::Verdict verdict) {
-            if (current(pair))
-                visit(pair, verdict);
-        };
-        if (!scanning())
-            near_.for_all(visit_current);
+        if (scanning())
+            for_scanned([&](const CandidatePair &pair) { visit(pair, NearSet::Verdict::open); });
         else
-            for (const NearPair &pair : scanned_)
-                visit_current(pair, NearSet::Verdict::open);
+            near_.for_all(visit);
     }
 
     const Counters &counters() const { return counters_; }
@@ -154,11 +149,6 @@ public:
     /// Has the object a path and an envelope? Not all have while the scene is scanned.
     bool predicted(ProxyId id) const { return proxies_.bounds[id].check != Check::none; }
     bool consistent() const { return index_.consistent(); }
-    bool current(const NearPair &pair) const
-    {
-        return proxies_.current(pair.first, pair.first_generation) &&
-               proxies_.current(pair.second, pair.second_generation);
-    }
     std::size_t bytes() const;
 
 private:
@@ -181,7 +171,7 @@ private:
     // Fetches what the test of a pair reads.
     auto box_fetcher() const
     {
-        return [this](const NearPair &pair) {
+        return [this](const CandidatePair &pair) {
             prefetch(&boxes_[pair.first]);
             prefetch(&boxes_[pair.second]);
         };
@@ -192,10 +182,8 @@ private:
     template <typename Scene> void scan(Scene &scene);
     template <typename Scene> void sweep_all(Scene &scene);
     template <typename Scene> void measure_all(Scene &scene, const IdSet &wanted);
-    bool has_stale_near() const;
-    void drop_stale_near();
-    template <typename Visit> Visit drop_stale_near(Visit visit);
-    template <typename Visit> Visit visit_near(Visit visit);
+    template <typename Visit> Visit for_scanned(Visit visit) const;
+    template <typename Visit> Visit visit_tested(Visit visit);
     template <typename Scene> struct OverlapTest;
     template <typename Scene> std::size_t test_near(Scene &scene, std::vector<CandidatePair> &room);
     template <typename Scene> void let_rest(Scene &scene);
@@ -270,18 +258,15 @@ private:
     static constexpr std::size_t parts = 16;
     static constexpr std::size_t least_part = 64;
     static constexpr std::size_t least_at_once = 128;
-    std::size_t waiting_count_ = 0; // of waiting_: asked for several times a tick, also where nobody waits
-    bool parts_joined_ = false;     // all have been predicted, part by part, at the last update
-    std::vector<ProxyId> queue_;    // in which they are predicted, from the last one on; of others, too
-    std::vector<NearPair> scanned_; // all pairs that the last sweep over all objects found
+    std::size_t waiting_count_ = 0;      // of waiting_: asked for several times a tick, also where nobody waits
+    bool parts_joined_ = false;          // all have been predicted, part by part, at the last update
+    std::vector<ProxyId> queue_;         // in which they are predicted, from the last one on; of others, too
+    std::vector<CandidatePair> scanned_; // all pairs that the last sweep over all objects found
 
-    bool near_changed_ = false; // pairs have come, or become stale, since drop_stale_near()
-    Tick next_leave_ = 0;       // the last tick at which none of the pairs has left
-    unsigned reports_ = 0;      // so far, to know which of them is to let pairs rest
+    unsigned reports_ = 0; // so far, to know which of them is to let pairs rest
 
     static constexpr std::size_t least_purge = 4096;
     std::size_t purge_events_at_ = least_purge;
-    std::size_t purge_near_at_ = least_purge;
     std::size_t broken_ = 0; // predictions that the last verification found broken
 
     // What one stage hands to the next; empty between updates.

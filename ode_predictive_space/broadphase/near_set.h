@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SET_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SET_H
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace ode_predictive_space
 /// members need not be made anew whenever a pair has gone.
 ///
 /// A pair is tested at each tick, or it rests: then it is known whether its two objects overlap, until one of them is
-/// disturbed.
+/// disturbed. When an object is retired, all pairs that it is in become stale; they are dropped later, all at once.
 class NearSet
 {
 public:
@@ -35,6 +36,7 @@ public:
         for (IdSet *set : {&members_, &resting_, &disturbed_})
             set->resize(count);
         grow(counts_, count);
+        grow(is_retired_, count);
     }
 
     void reserve(std::size_t pairs) { pairs_.reserve(pairs); }
@@ -46,51 +48,21 @@ public:
         count_in(pair.second);
     }
 
-    /// Calls visit(pair) for all that are tested, and some time before that coming(pair), if that is `wanted`.
-    template <typename Coming, typename Visit> void for_each(bool wanted, Coming coming, Visit visit) const
+    /// The object has got another prediction or is gone: of its pairs only those count that are added from now on.
+    void retire(ProxyId id, Tick now)
     {
-        constexpr std::size_t soon = 16; // in the time of so many tests, memory far away is fetched
-        const NearPair *const pairs = pairs_.data();
-        for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
-        {
-            if (wanted)
-                coming(later(pairs, count, i, soon));
-            visit(pairs[i]);
-        }
+        if (!members_.contains(id))
+            return;
+        // What came after the last time is not to be mixed up with what comes after this one.
+        if (settled_ != pairs_.size())
+            drop_stale(now);
+        disturb(id);
+        if (!is_retired_[id])
+            retired_.push_back(id);
+        is_retired_[id] = true;
     }
 
-    /// Drops all of these for which keep(pair) is false.
-    template <typename Coming, typename Keep> void keep_if(bool wanted, Coming coming, Keep keep)
-    {
-        NearPair *left = pairs_.data();
-        for_each(wanted, coming, [&](const NearPair &pair) {
-            if (keep(pair))
-                *left++ = pair;
-            else
-            {
-                count_out(pair.first);
-                count_out(pair.second);
-            }
-        });
-        pairs_.resize(static_cast<std::size_t>(left - pairs_.data()));
-    }
-
-    /// Lets pairs rest, as the verdict judge(pair) says, or be tested on.
-    template <typename Judge> void let_rest(Judge judge)
-    {
-        NearPair *left = pairs_.data();
-        for (const NearPair &pair : pairs_)
-        {
-            const Verdict verdict = judge(pair);
-            if (verdict == Verdict::open)
-                *left++ = pair;
-            else
-                rest(verdict == Verdict::together ? together_ : apart_, pair);
-        }
-        pairs_.resize(static_cast<std::size_t>(left - pairs_.data()));
-    }
-
-    /// The object has moved, got another prediction or is gone: its pairs must not rest.
+    /// The object has moved: its pairs must not rest.
     void disturb(ProxyId id)
     {
         if (!resting_.contains(id))
@@ -108,18 +80,48 @@ public:
     }
 
     /// Has the pairs of all that were disturbed tested again.
-    ///
-    /// @return true when there may be any; stale ones may be among them.
-    bool wake_disturbed()
+    void wake_disturbed()
     {
         if (!is_disturbed_)
-            return false;
+            return;
         wake_disturbed(together_);
         wake_disturbed(apart_);
         resting_ -= disturbed_;
         disturbed_.clear();
         is_disturbed_ = false;
-        return true;
+    }
+
+    /// Drops what is stale and calls visit(pair) for all others that are tested, and some time before that coming(pair), if
+    /// that is `wanted`. To be called when all that were disturbed have been woken.
+    ///
+    /// @return the visitor, which is not shared meanwhile: what it counts stays in registers.
+    template <typename Coming, typename Visit> Visit visit_tested(Tick now, bool wanted, Coming coming, Visit visit)
+    {
+        if (may_have_stale(now))
+            return drop_stale(now, wanted, coming, visit);
+        const NearPair *const pairs = pairs_.data();
+        for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
+        {
+            if (wanted)
+                coming(later(pairs, count, i, soon));
+            visit(pairs[i]);
+        }
+        return visit;
+    }
+
+    /// Lets pairs rest, as the verdict judge(pair) says, or be tested on. To be called when nothing is stale.
+    template <typename Judge> void let_rest(Judge judge)
+    {
+        NearPair *left = pairs_.data();
+        for (const NearPair &pair : pairs_)
+        {
+            const Verdict verdict = judge(pair);
+            if (verdict == Verdict::open)
+                *left++ = pair;
+            else
+                rest(verdict == Verdict::together ? together_ : apart_, pair);
+        }
+        settle(left);
     }
 
     void clear()
@@ -128,19 +130,20 @@ public:
             pairs->clear();
         for (IdSet *set : {&members_, &resting_, &disturbed_})
             set->clear();
+        forget_retired();
+        settled_ = 0;
         is_disturbed_ = false;
         counts_.assign(counts_.size(), 0);
     }
 
-    /// Calls visit(pair, verdict) for all, whether they are tested or rest.
+    /// Calls visit(pair, verdict) for all that are not stale, whether they are tested or rest.
     template <typename Visit> void for_all(Visit visit) const
     {
-        for (const NearPair &pair : pairs_)
-            visit(pair, Verdict::open);
-        for (const NearPair &pair : together_)
-            visit(pair, is_disturbed(pair) ? Verdict::open : Verdict::together);
-        for (const NearPair &pair : apart_)
-            visit(pair, is_disturbed(pair) ? Verdict::open : Verdict::apart);
+        for (std::size_t i = 0; i < pairs_.size(); ++i)
+            if (i >= settled_ || !is_retired(pairs_[i]))
+                visit(pairs_[i], Verdict::open);
+        for_resting(together_, Verdict::together, visit);
+        for_resting(apart_, Verdict::apart, visit);
     }
 
     /// Those that are tested at each tick; stale ones among them.
@@ -154,10 +157,59 @@ public:
     {
         const std::size_t pairs = pairs_.capacity() + together_.capacity() + apart_.capacity();
         return pairs * sizeof(NearPair) + counts_.capacity() * sizeof(std::uint32_t) + members_.bytes() +
-               resting_.bytes() + disturbed_.bytes();
+               resting_.bytes() + disturbed_.bytes() + retired_.capacity() * sizeof(ProxyId) + is_retired_.capacity();
     }
 
 private:
+    static constexpr std::size_t soon = 16; // in the time of so many tests, memory far away is fetched
+
+    // Pairs have come or become stale since the last time, or have left each other.
+    bool may_have_stale(Tick now) const
+    {
+        return !retired_.empty() || settled_ != pairs_.size() || ticks_between(now, next_leave_) < 0;
+    }
+
+    void drop_stale(Tick now)
+    {
+        wake_disturbed();
+        const auto ignore = [](const NearPair &) {};
+        drop_stale(now, false, ignore, ignore);
+    }
+
+    template <typename Coming, typename Visit> Visit drop_stale(Tick now, bool wanted, Coming coming, Visit visit)
+    {
+        NearPair *const pairs = pairs_.data(), *left = pairs;
+        const std::size_t count = pairs_.size(), settled = settled_;
+        std::int32_t next_leave = NearPair::for_long;
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            if (wanted)
+                coming(later(pairs, count, i, soon));
+            const NearPair pair = pairs[i];
+            const std::int32_t left_ticks = pair.ticks_left(now);
+            if (left_ticks < 0 || ((i < settled) & is_retired(pair)))
+            {
+                count_out(pair);
+                continue;
+            }
+            next_leave = std::min(next_leave, left_ticks);
+            visit(pair);
+            if (left != &pairs[i]) // memory that is not written need not be written back
+                *left = pair;
+            ++left;
+        }
+        settle(left);
+        forget_retired();
+        next_leave_ = now + static_cast<Tick>(next_leave);
+        return visit;
+    }
+
+    void settle(const NearPair *end)
+    {
+        pairs_.resize(static_cast<std::size_t>(end - pairs_.data()));
+        settled_ = pairs_.size();
+    }
+
     void rest(std::vector<NearPair> &pairs, const NearPair &pair)
     {
         pairs.push_back(pair);
@@ -170,15 +222,33 @@ private:
         return disturbed_.contains(pair.first) || disturbed_.contains(pair.second);
     }
 
+    bool is_retired(const NearPair &pair) const { return (is_retired_[pair.first] | is_retired_[pair.second]) != 0; }
+
+    void forget_retired()
+    {
+        for (ProxyId id : retired_)
+            is_retired_[id] = false;
+        retired_.clear();
+    }
+
     void wake_disturbed(std::vector<NearPair> &pairs)
     {
         NearPair *left = pairs.data();
         for (const NearPair &pair : pairs)
-            if (is_disturbed(pair))
-                pairs_.push_back(pair);
-            else
+            if (!is_disturbed(pair))
                 *left++ = pair;
+            else if (is_retired(pair))
+                count_out(pair);
+            else
+                pairs_.push_back(pair);
         pairs.resize(static_cast<std::size_t>(left - pairs.data()));
+    }
+
+    template <typename Visit> void for_resting(const std::vector<NearPair> &pairs, Verdict verdict, Visit &visit) const
+    {
+        for (const NearPair &pair : pairs)
+            if (!is_retired(pair))
+                visit(pair, is_disturbed(pair) ? Verdict::open : verdict);
     }
 
     void count_in(ProxyId id)
@@ -187,19 +257,24 @@ private:
             members_.insert(id);
     }
 
-    void count_out(ProxyId id)
+    void count_out(const NearPair &pair)
     {
-        if (--counts_[id] == 0)
-            members_.erase(id);
+        for (ProxyId id : {pair.first, pair.second})
+            if (--counts_[id] == 0)
+                members_.erase(id);
     }
 
     std::vector<NearPair> pairs_;
+    std::size_t settled_ = 0;                // so many have been there since stale ones were last dropped
+    Tick next_leave_ = 0;                    // the last tick at which none of these has left
     std::vector<NearPair> together_, apart_; // those that rest
     IdSet members_;
     IdSet resting_;   // all in pairs that rest, and maybe some whose partners have been disturbed
     IdSet disturbed_; // of these
     bool is_disturbed_ = false;
-    std::vector<std::uint32_t> counts_; // pairs that each proxy is in
+    std::vector<ProxyId> retired_;         // since stale pairs were last dropped
+    std::vector<std::uint8_t> is_retired_; // bytes, not bits: two are looked up for each pair
+    std::vector<std::uint32_t> counts_;    // pairs that each proxy is in
 };
 } // namespace ode_predictive_space
 

@@ -164,7 +164,7 @@ template <typename Scene> void Broadphase::predict(Scene &scene)
         const ProxyId id = batch_[i];
         PackedBounds &bounds = proxies_.bounds[id];
         stop_waiting(id);
-        near_.disturb(id);
+        near_.retire(id, now_);
         unpredicted_ -= bounds.check == Check::none;
         // Tight bounds are given up when they do not last, or were in force and no near pair needed them.
         bounds.crowded &= bounds.tight_bounds_last && (near_.members().contains(id) || bounds.check != Check::bounds);
@@ -197,13 +197,8 @@ template <typename Scene> void Broadphase::sweep_all(Scene &scene)
     items_.resize(objects());
     std::size_t count = 0;
     members_.for_each([&](ProxyId id) { items_[count++] = {id, boxes_[id].outer()}; });
-    candidates_.clear();
-    sweep_.find_pairs(items_, candidates_);
     scanned_.clear();
-    for (const CandidatePair &pair : candidates_)
-        scanned_.push_back(NearPair::of(
-            {pair.first, pair.second, proxies_.generations[pair.first], proxies_.generations[pair.second]}, now_));
-    candidates_.clear();
+    sweep_.find_pairs(items_, scanned_);
 }
 
 // Looks at the bounds of those that have moved since they were last looked at, and are still there.
@@ -230,42 +225,20 @@ template <typename Scene> void Broadphase::measure_all(Scene &scene, const IdSet
     measured_ |= wanted;
 }
 
-// Visits the pairs that are left. Notes, too, until when there is nothing more to drop unless something happens.
-template <typename Visit> Visit Broadphase::drop_stale_near(Visit visit)
+// Of what the last sweep found, all but the pairs of those that were removed since. (What is new since is swept before it is
+// asked for.)
+template <typename Visit> Visit Broadphase::for_scanned(Visit visit) const
 {
-    near_changed_ = false;
-    const Tick now = now_;
-    const Generation *const generations = proxies_.generations.data(); // or it would be looked up for each pair
-    std::int32_t next_leave = NearPair::for_long;
-    const auto keep = [&](const NearPair &pair) {
-        const std::int32_t left = pair.ticks_left(now);
-        if (pair.first_generation != generations[pair.first] || pair.second_generation != generations[pair.second] ||
-            left < 0)
-            return false;
-        next_leave = std::min(next_leave, left);
-        visit(pair);
-        return true;
-    };
-    near_.keep_if(boxes_overflow_cache(), box_fetcher(), keep);
-    next_leave_ = now + static_cast<Tick>(next_leave);
-    purge_near_at_ = std::max(least_purge, 2 * near_.pairs().size());
+    for (const CandidatePair &pair : scanned_)
+        if (members_.contains(pair.first) && members_.contains(pair.second))
+            visit(pair);
     return visit;
 }
 
-// Visits the pairs that are not stale; returns the visitor, which is not shared meanwhile: what it counts stays in registers.
-template <typename Visit> Visit Broadphase::visit_near(Visit visit)
+// Visits the pairs that are tested and not stale; returns the visitor.
+template <typename Visit> Visit Broadphase::visit_tested(Visit visit)
 {
-    if (scanning())
-    {
-        for (const NearPair &pair : scanned_)
-            if (current(pair))
-                visit(pair);
-    }
-    else if (has_stale_near())
-        return drop_stale_near(visit);
-    else
-        near_.for_each(boxes_overflow_cache(), box_fetcher(), [&](const NearPair &pair) { visit(pair); });
-    return visit;
+    return scanning() ? for_scanned(visit) : near_.visit_tested(now_, boxes_overflow_cache(), box_fetcher(), visit);
 }
 
 // Each pair is written and those that are apart are overwritten: which they are is hard to foretell, and easy to count.
@@ -276,7 +249,7 @@ template <typename Scene> struct Broadphase::OverlapTest
     bool by_sphere;
     CandidatePair *end;
 
-    bool overlap(const NearPair &pair) const
+    bool overlap(const CandidatePair &pair) const
     {
         const Comparison compared = compare(boxes[pair.first], boxes[pair.second]);
         if (compared.unsure() || (by_sphere && compared.overlap()))
@@ -284,10 +257,10 @@ template <typename Scene> struct Broadphase::OverlapTest
         return compared.overlap();
     }
 
-    void operator()(const NearPair &pair)
+    void operator()(const CandidatePair &pair)
     {
         const bool overlaps = overlap(pair);
-        *end = {pair.first, pair.second};
+        *end = pair;
         end += overlaps;
     }
 };
@@ -297,22 +270,22 @@ template <typename Scene> std::size_t Broadphase::report(Scene &scene, std::vect
     if (scanning())
         return test_near(scene, room);
     measure_all(scene, near_.members());
-    near_changed_ |= near_.wake_disturbed();
-    let_rest(scene);
+    near_.wake_disturbed();
     std::size_t count = test_near(scene, room);
-    for (const NearPair &pair : near_.together())
-        room[count++] = {pair.first, pair.second};
+    for (const CandidatePair &pair : near_.together())
+        room[count++] = pair;
+    let_rest(scene);
     return count;
 }
 
 // Leaves room for those at rest.
 template <typename Scene> std::size_t Broadphase::test_near(Scene &scene, std::vector<CandidatePair> &room)
 {
-    const std::size_t most = near().size() + near_.together().size();
+    const std::size_t most = tested_pairs() + near_.together().size();
     if (room.size() < most)
         room.resize(most);
     const OverlapTest<Scene> test{scene, boxes_.data(), measure_ == Proximity::sphere, room.data()};
-    return static_cast<std::size_t>(visit_near(test).end - room.data());
+    return static_cast<std::size_t>(visit_tested(test).end - room.data());
 }
 
 // Once in some reports the pairs of those that have not moved since the last time are told from the others.
@@ -322,8 +295,8 @@ template <typename Scene> void Broadphase::let_rest(Scene &scene)
     if (++reports_ % reports_per_rest != 0)
         return;
     const OverlapTest<Scene> test{scene, boxes_.data(), measure_ == Proximity::sphere, nullptr};
-    near_.let_rest([&](const NearPair &pair) {
-        if (stirred_.contains(pair.first) || stirred_.contains(pair.second) || !current(pair))
+    near_.let_rest([&](const CandidatePair &pair) {
+        if (stirred_.contains(pair.first) || stirred_.contains(pair.second))
             return NearSet::Verdict::open;
         return test.overlap(pair) ? NearSet::Verdict::together : NearSet::Verdict::apart;
     });

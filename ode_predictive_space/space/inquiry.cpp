@@ -70,7 +70,7 @@ const char *dxPredictiveSpace::find_violation()
 
     std::vector<std::pair<ProxyId, ProxyId>> near;
     bool verdicts_hold = true;
-    broadphase_.each_near([&](const NearPair &pair, NearSet::Verdict verdict) {
+    broadphase_.each_near([&](const CandidatePair &pair, NearSet::Verdict verdict) {
         near.push_back(std::minmax(pair.first, pair.second));
         if (verdict != NearSet::Verdict::open)
             verdicts_hold &= now.overlap(pair.first, pair.second) == (verdict == NearSet::Verdict::together);

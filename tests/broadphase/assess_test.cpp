@@ -31,16 +31,13 @@ TEST(Assess, WhatOverlapsIsNear)
     ProxyStore store;
     add_still_proxy(store, {0, 0, 0}, 1, 0);
     add_still_proxy(store, {1.5, 0, 0}, 1, 0);
-    store.generations = {5, 8};
     const Assessment result = assessed(store, 0, Proximity::box);
     ASSERT_EQ(result.near.size(), 1u);
     EXPECT_TRUE(result.scheduled.empty());
     const NearPair &pair = result.near[0];
     EXPECT_EQ(pair.first, 0u);
     EXPECT_EQ(pair.second, 1u);
-    EXPECT_EQ(pair.first_generation, 5u);
-    EXPECT_EQ(pair.second_generation, 8u);
-    EXPECT_FALSE(pair.leaves) << "neither moves";
+    EXPECT_EQ(pair.until, NearPair::to_the_end) << "neither moves";
 }
 
 TEST(Assess, WhatTouchesIsNear)
@@ -83,7 +80,7 @@ TEST(Assess, WhatPassesKnowsWhenItHasLeft)
     EXPECT_EQ(pair.ticks, 2) << "2.5 - 2 * 0.25 = 2";
     EXPECT_EQ(pair.event.stay, 16) << "until 2.5 - 18 * 0.25 = -2";
     const NearPair near = NearPair::of(pair.event, 12);
-    EXPECT_TRUE(near.leaves);
+    EXPECT_EQ(near.until, 28u);
     EXPECT_EQ(near.ticks_left(28), 0);
     EXPECT_LT(near.ticks_left(29), 0);
 }

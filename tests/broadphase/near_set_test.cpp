@@ -12,7 +12,7 @@ using Verdict = NearSet::Verdict;
 
 NearPair pair_of(ProxyId first, ProxyId second)
 {
-    return {first, second, 0, 0, 0, false};
+    return {{first, second}, NearPair::to_the_end};
 }
 
 // The pairs 0 1, 1 2, 2 3, 3 4.
@@ -39,6 +39,16 @@ protected:
         set.for_all(
             [&](const NearPair &pair, Verdict verdict) { EXPECT_TRUE(found.emplace(pair.first, verdict).second); });
         return found;
+    }
+
+    // Of those that are tested at this tick, in their order; what is stale is dropped.
+    std::vector<ProxyId> tested(Tick now = 0)
+    {
+        std::vector<ProxyId> ids;
+        set.visit_tested(
+            now, false, [](const NearPair &) {}, [&](const NearPair &pair) { ids.push_back(pair.first); });
+        EXPECT_EQ(ids, firsts(set.pairs())) << "no others are left";
+        return ids;
     }
 
     static std::vector<ProxyId> firsts(const std::vector<NearPair> &pairs)
@@ -106,15 +116,86 @@ TEST_F(NearSetTest, WhatWasWokenCanRestAgain)
     }
 }
 
-TEST_F(NearSetTest, WhoIsDroppedAfterRestingIsNoMemberAnyMore)
+TEST_F(NearSetTest, PairsOfWhoIsRetiredAreStale)
 {
-    let_all_rest();
-    set.disturb(0);
-    set.wake_disturbed();
-    set.keep_if(
-        false, [](const NearPair &) {}, [](const NearPair &) { return false; });
+    set.retire(1, 0);
+    EXPECT_EQ(verdicts(), (std::map<ProxyId, Verdict>{{2, Verdict::open}, {3, Verdict::open}}));
+    EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3}));
     EXPECT_FALSE(set.members().contains(0));
-    EXPECT_TRUE(set.members().contains(1)) << "it rests with another";
+    EXPECT_FALSE(set.members().contains(1));
+    EXPECT_TRUE(set.members().contains(2)) << "it is in another pair";
+    EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3})) << "nobody is retired for ever";
+}
+
+TEST_F(NearSetTest, PairsThatCameSinceAreNot)
+{
+    tested();
+    set.retire(1, 0);
+    set.add(pair_of(1, 3));
+    EXPECT_EQ(verdicts().size(), 3u);
+    EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3, 1}));
+    EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3, 1})) << "nor at the next tick";
+}
+
+TEST_F(NearSetTest, WhoIsRetiredAgainLosesThemToo)
+{
+    tested();
+    set.retire(1, 0);
+    set.add(pair_of(1, 3));
+    set.retire(1, 0);
+    set.add(pair_of(1, 4));
+    EXPECT_EQ(verdicts().size(), 3u);
+    EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3, 1}));
+    EXPECT_EQ(set.pairs().back().second, 4u);
+}
+
+TEST_F(NearSetTest, PairsAtRestAreStaleToo)
+{
+    tested();
+    let_all_rest();
+    set.retire(1, 0);
+    EXPECT_EQ(verdicts(), (std::map<ProxyId, Verdict>{{2, Verdict::together}, {3, Verdict::apart}}));
+    set.add(pair_of(1, 2));
+    set.retire(4, 0);
+    EXPECT_EQ(verdicts(), (std::map<ProxyId, Verdict>{{1, Verdict::open}, {2, Verdict::together}}));
+    set.wake_disturbed();
+    EXPECT_EQ(tested(), (std::vector<ProxyId>{1}));
+    EXPECT_EQ(firsts(set.together()), (std::vector<ProxyId>{2}));
+    EXPECT_FALSE(set.members().contains(0)) << "who is dropped while it rests is no member any more";
+    EXPECT_FALSE(set.members().contains(4));
+}
+
+TEST_F(NearSetTest, WhoIsRetiredOftenTakesNoMoreMemory)
+{
+    tested();
+    set.retire(1, 0);
+    const std::size_t before = set.bytes();
+    for (int time = 0; time < 1000; ++time)
+        set.retire(1, 0);
+    EXPECT_EQ(set.bytes(), before);
+}
+
+TEST_F(NearSetTest, PairsThatHaveLeftAreDropped)
+{
+    set.add({{0, 4}, 7});
+    set.add({{1, 4}, 5});
+    EXPECT_EQ(tested(4).size(), 6u);
+    EXPECT_EQ(tested(5).size(), 6u) << "the last tick at which they may be near";
+    EXPECT_EQ(tested(6), (std::vector<ProxyId>{0, 1, 2, 3, 0}));
+    EXPECT_EQ(tested(8), (std::vector<ProxyId>{0, 1, 2, 3}));
+}
+
+TEST_F(NearSetTest, TimeMayWrapAround)
+{
+    constexpr Tick now = ~Tick{0} - 1;
+    for (std::int32_t stay : {1, 2, 3})
+        set.add(NearPair::of({0, 4, 0, 0, stay}, now));
+    set.add(NearPair::of({1, 4, 0, 0}, now));
+    EXPECT_EQ(tested(now).size(), 8u);
+    EXPECT_EQ(tested(now + 1).size(), 8u);
+    EXPECT_EQ(tested(now + 2).size(), 7u);
+    EXPECT_EQ(tested(now + 3).size(), 7u) << "the second is dropped a tick late: its own is 0";
+    EXPECT_EQ(tested(now + 4).size(), 5u);
 }
 
 TEST_F(NearSetTest, NothingIsLeftAfterClearing)

@@ -126,7 +126,7 @@ std::string World::violated_invariant()
                 return "object " + std::to_string(id) + " is outside its envelope";
     std::vector<CandidatePair> current;
     bool verdicts_hold = true;
-    broadphase.each_near([&](const NearPair &pair, NearSet::Verdict verdict) {
+    broadphase.each_near([&](const CandidatePair &pair, NearSet::Verdict verdict) {
         current.push_back({pair.first, pair.second});
         if (verdict != NearSet::Verdict::open)
             verdicts_hold &= overlap(pair.first, pair.second) == (verdict == NearSet::Verdict::together);
