@@ -119,8 +119,21 @@ bool Broadphase::most_moving_have_moved() const
 void Broadphase::advance_clock()
 {
     ++now_;
+    if (now_ % ticks_per_count == 0)
+        gather_predictions();
     if (!policy_.scanning())
         wheel_.advance(now_, due_);
+}
+
+// Where only a few objects are predicted per tick, several ticks' predictions are made at once; no tick is to have many.
+void Broadphase::gather_predictions()
+{
+    constexpr std::uint32_t most_ticks = 8, some = 8;
+    const std::uint64_t made = counters_.repredictions - counted_predictions_;
+    counted_predictions_ = counters_.repredictions;
+    predictor.gather = most_ticks;
+    while (predictor.gather > 1 && predictor.gather * made > some * ticks_per_count)
+        predictor.gather /= 2;
 }
 
 // Those of which the notice of their move left doubt, and those that were predicted to move and did not: they have left

@@ -196,6 +196,7 @@ private:
     bool most_moving_have_moved() const;
     void collect_suspects(bool time_passes, bool as_expected);
     void advance_clock();
+    void gather_predictions();
     void expire();
     void add_to_batch(ProxyId id);
     void sample(ProxyId id, bool wanted);
@@ -249,6 +250,9 @@ private:
     // Objects that are recognised as interactive are remembered at each tick while they are few; a hand is, a crowd is not.
     static constexpr std::size_t most_sampled = 64;
     std::size_t sampled_ = 0;
+
+    static constexpr Tick ticks_per_count = 64; // of predictions, to know how many ticks' are made at once
+    std::uint64_t counted_predictions_ = 0;     // before the last such count
 
     bool predictions_wanted_ = false;
     std::size_t unpredicted_ = 0; // members without a prediction

@@ -354,6 +354,14 @@ std::uint32_t Predictor::horizon_for(const PackedBounds &bounds, const Motion &m
     return std::min(bounds.horizon, static_cast<std::uint32_t>(std::min(1e9, far)));
 }
 
+Tick Predictor::end_of_horizon(Tick now, std::uint32_t ticks) const
+{
+    const Tick end = now + ticks;
+    const std::uint32_t earlier = end % gather;
+    const bool hardly_shorter = ticks >= 4 * gather && ticks - earlier >= horizon.min_ticks;
+    return hardly_shorter ? end - earlier : end;
+}
+
 void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &observation, Tick now)
 {
     PackedBounds &bounds = proxies.bounds[id];
@@ -380,13 +388,13 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &obse
     {
         pack(proxies.paths[id], {seen.centre, Vector3::Zero(), Vector3::Zero()}, slack, now);
         const bool settles = !outcome.fresh && !outcome.settled;
-        bounds.until = now + (settles ? stagger(settling_ticks, id, generation, false) : 0);
+        bounds.until = settles ? end_of_horizon(now, stagger(settling_ticks, id, generation, false)) : now;
     }
     else
     {
         pack(proxies.paths[id], {seen.centre, motion.velocity, motion.acceleration}, allow(bounds, outcome, size), now);
         const std::uint32_t ticks = stagger(horizon_for(bounds, motion, size), id, generation, is_first);
-        bounds.until = now + std::clamp(ticks, horizon.min_ticks, horizon.max_ticks);
+        bounds.until = end_of_horizon(now, std::clamp(ticks, horizon.min_ticks, horizon.max_ticks));
     }
     // How a mere guess turns out says nothing about the next prediction.
     if (motion.brief)

@@ -37,6 +37,10 @@ class Predictor
 public:
     HorizonBounds horizon;
 
+    /// Horizons end at multiples of so many ticks, a power of two, when that hardly shortens them: predictions that are due at
+    /// the same tick cost less, as code, trees and what they find are fetched once for all.
+    std::uint32_t gather = 1;
+
     /// How far velocities carry objects in a tick, as far as is known.
     StepEstimate step_estimate;
 
@@ -65,6 +69,7 @@ private:
     Motion motion_from_history(PackedBounds &bounds, const Outcome &outcome, const Vector3 &centre, Tick now);
     Motion estimate_motion(PackedBounds &bounds, const Outcome &outcome, const Observation &seen, Tick now);
     std::uint32_t horizon_for(const PackedBounds &bounds, const Motion &motion, double size) const;
+    Tick end_of_horizon(Tick now, std::uint32_t ticks) const;
     void adapt(PackedBounds &bounds, const Outcome &outcome, double speed, double size) const;
     Deviation allow(const PackedBounds &bounds, const Outcome &outcome, double size) const;
     History &history_of(PackedBounds &bounds);

@@ -288,6 +288,7 @@ TEST(Predictor, HorizonsKeepToTheirBounds)
         Random random(3);
         Predictor predictor;
         predictor.horizon = horizon;
+        predictor.gather = 8;
         Tracked tracked(predictor);
         MovingBall object;
         for (int tick = 0; tick < 5000; ++tick)
@@ -302,6 +303,27 @@ TEST(Predictor, HorizonsKeepToTheirBounds)
             ASSERT_LE(ticks, static_cast<std::int32_t>(horizon.max_ticks));
         }
     }
+}
+
+TEST(Predictor, LongHorizonsEndTogether)
+{
+    Predictor predictor;
+    predictor.gather = 8;
+    Tracked tracked(predictor);
+    MovingBall object;
+    object.velocity = {0.3, 0, 0};
+    int together = 0;
+    for (int tick = 0; tick < 2000; ++tick)
+    {
+        tracked.see(object.next());
+        const std::int32_t ticks = ticks_between(tracked.path().since, tracked.bounds().until);
+        if (ticks < 24)
+            continue;
+        EXPECT_EQ(tracked.bounds().until % 8, 0u);
+        ++together;
+    }
+    EXPECT_GT(together, 1000);
+    EXPECT_LT(tracked.predictions, 100) << "and are hardly shorter for it";
 }
 
 TEST(Predictor, HorizonsOfEqualObjectsDiffer)

@@ -211,6 +211,24 @@ TEST(Tick, SleepsUntilTheTimeOfProximity)
     EXPECT_GT(world.broadphase.counters().woken, 0u);
 }
 
+// A tick that predicts one object has much of what predicting eight costs.
+TEST(Tick, GathersPredictionsWhereThereAreFew)
+{
+    CalmGas gas(200);
+    gas.run(1000);
+    const std::uint64_t start = gas.predictions();
+    int busy = 0;
+    constexpr int ticks = 2000;
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+        const std::uint64_t before = gas.predictions();
+        gas.tick();
+        busy += gas.predictions() > before;
+    }
+    EXPECT_GT(gas.predictions() - start, 500u);
+    EXPECT_LT(busy, ticks / 8 + 50) << "of " << gas.predictions() - start;
+}
+
 // Predicted together, objects must not expire together: haptics lives by the worst tick.
 TEST(Tick, SpreadsTheEndsOfHorizons)
 {
