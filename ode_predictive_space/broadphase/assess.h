@@ -22,7 +22,8 @@ enum class Proximity
 /// A pair that is tested every tick, as long as neither object has been predicted anew and they have not left each other.
 struct NearPair : CandidatePair
 {
-    Tick until; ///< last tick at which they may be near; to_the_end when they do not part before the first of both horizons ends
+    Tick
+        until; ///< last tick at which they may be near; to_the_end when that is not before the first of both horizons ends
 
     static constexpr Tick to_the_end = 0;
 

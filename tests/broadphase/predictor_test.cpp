@@ -1,6 +1,8 @@
 #include "ode_predictive_space/broadphase/predictor.h"
 
+#include <array>
 #include <limits>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -309,21 +311,25 @@ TEST(Predictor, LongHorizonsEndTogether)
 {
     Predictor predictor;
     predictor.gather = 8;
+    predictor.horizon.max_ticks = 128;
     Tracked tracked(predictor);
     MovingBall object;
-    object.velocity = {0.3, 0, 0};
-    int together = 0;
-    for (int tick = 0; tick < 2000; ++tick)
+    object.velocity = {0.03, 0, 0};
+    std::set<Tick> ends;
+    std::array<int, 8> phases = {};
+    for (int tick = 0; tick < 20000; ++tick)
     {
         tracked.see(object.next());
-        const std::int32_t ticks = ticks_between(tracked.path().since, tracked.bounds().until);
-        if (ticks < 24)
-            continue;
-        EXPECT_EQ(tracked.bounds().until % 8, 0u);
-        ++together;
+        const Tick end = tracked.bounds().until;
+        if (ticks_between(tracked.path().since, end) >= 32 && ends.insert(end).second)
+            ++phases[(end + end / 64) % 8];
     }
-    EXPECT_GT(together, 1000);
-    EXPECT_LT(tracked.predictions, 100) << "and are hardly shorter for it";
+    EXPECT_GT(phases[0], 9 * static_cast<int>(ends.size()) / 10);
+    EXPECT_LT(tracked.predictions, 260) << "and are hardly shorter for it";
+    std::set<Tick> rests;
+    for (Tick end : ends)
+        rests.insert(end % 8);
+    EXPECT_EQ(rests.size(), 8u) << "what happens every eight ticks would always meet them";
 }
 
 TEST(Predictor, HorizonsOfEqualObjectsDiffer)
