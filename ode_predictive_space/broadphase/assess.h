@@ -22,15 +22,15 @@ enum class Proximity
 /// A pair that is tested every tick, as long as neither object has been predicted anew and they have not left each other.
 struct NearPair : CandidatePair
 {
-    Tick
-        until; ///< last tick at which they may be near; to_the_end when that is not before the first of both horizons ends
+    /// Last tick at which they may be near; to_the_end when they do not part before the first of both horizons ends.
+    Tick until;
 
     static constexpr Tick to_the_end = 0;
 
     static NearPair of(const Event &event, Tick now)
     {
         const Tick parting = now + static_cast<Tick>(event.stay);
-        // A tick that is called as what never parts is replaced by the next one.
+        // The tick whose number means to_the_end is replaced by the next one.
         const Tick until = event.stay == Event::stays ? to_the_end : parting + (parting == to_the_end);
         return {{event.first, event.second}, until};
     }
