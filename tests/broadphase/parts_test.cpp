@@ -12,7 +12,7 @@ class Parts : public testing::Test
 {
 protected:
     static constexpr std::size_t count = 1000;
-    static constexpr std::size_t most_at_once = count / 8;
+    static constexpr std::size_t most_at_once = count / 16;
 
     Parts() : gas(count) { gas.run(300); }
 
