@@ -128,7 +128,8 @@ void Broadphase::advance_clock()
 // Where only a few objects are predicted per tick, several ticks' predictions are made at once; no tick is to have many.
 void Broadphase::gather_predictions()
 {
-    constexpr std::uint32_t most_ticks = 8, some = 8;
+    constexpr std::uint32_t most_ticks = 8;
+    constexpr std::uint64_t some = 8;
     const std::uint64_t made = counters_.repredictions - counted_predictions_;
     counted_predictions_ = counters_.repredictions;
     predictor.gather = most_ticks;
