@@ -209,7 +209,11 @@ private:
     void finish_update();
     bool mostly_new() const { return !predictions_wanted_ && 2 * (unpredicted_ - waiting_count_) > objects(); }
     std::size_t part() const { return std::max(least_part, objects() / parts); }
-    std::size_t most_at_once() const { return std::max(objects() > small ? least_at_once : small, objects() / 16); }
+    std::size_t most_at_once() const
+    {
+        constexpr std::size_t small = EnvelopeIndex::small_scene; // predicted as a whole
+        return objects() <= small ? small : std::max(least_at_once, objects() / 16);
+    }
     bool is_waiting(ProxyId id) const { return waiting_count_ > 0 && waiting_.contains(id); }
     bool stop_waiting(ProxyId id);
     void postpone_batch();
@@ -261,8 +265,7 @@ private:
     // small, while all are swept.
     static constexpr std::size_t parts = 16;
     static constexpr std::size_t least_part = 64;
-    static constexpr std::size_t least_at_once = 64; // in a scene that is not small
-    static constexpr std::size_t small = EnvelopeIndex::small_scene;
+    static constexpr std::size_t least_at_once = 64;
     std::size_t waiting_count_ = 0;      // of waiting_: asked for several times a tick, also where nobody waits
     bool parts_joined_ = false;          // all have been predicted, part by part, at the last update
     std::vector<ProxyId> queue_;         // in which they are predicted, from the last one on; of others, too

@@ -186,13 +186,13 @@ private:
             if (wanted)
                 coming(later(pairs, count, i, soon));
             const NearPair pair = pairs[i];
-            const std::int32_t left_ticks = pair.ticks_left(now);
-            if (left_ticks < 0 || ((i < settled) & is_retired(pair)))
+            const std::int32_t ticks_left = pair.ticks_left(now);
+            if (ticks_left < 0 || ((i < settled) & is_retired(pair)))
             {
                 count_out(pair);
                 continue;
             }
-            next_leave = std::min(next_leave, left_ticks);
+            next_leave = std::min(next_leave, ticks_left);
             visit(pair);
             if (left != &pairs[i]) // memory that is not written need not be written back
                 *left = pair;

@@ -37,8 +37,8 @@ class Predictor
 public:
     HorizonBounds horizon;
 
-    /// Horizons end at one of so many ticks when that hardly shortens them: predictions that are due at the same tick cost less,
-    /// as code, trees and what they find are fetched once for all.
+    /// Only every so many ticks do horizons end, unless that would shorten them by much: predictions that are due at the same
+    /// tick cost less, as code, trees and what they find are fetched once for all.
     std::uint32_t gather = 1;
 
     /// How far velocities carry objects in a tick, as far as is known.
