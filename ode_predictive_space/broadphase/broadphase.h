@@ -47,6 +47,7 @@ struct Counters
 ///     void prefetch_velocity(ProxyId)         it will soon be observed; after prefetch()
 ///     Box bounds(ProxyId)                     bounding box
 ///     void measure(ProxyId, MeasuredBox &)    the same
+///     std::optional<Vector3> pivot(ProxyId)   what it turns around: finite, or none when that is not known
 ///     Observation observe(ProxyId, bool with_bounds)
 ///     bool overlap(ProxyId, ProxyId)          their bounding boxes do; by the measure of sphere, the spheres too
 class Broadphase

@@ -18,6 +18,10 @@ constexpr double still_ticks = 64;
 constexpr double reach_alone = 9;
 constexpr double reach_crowded = 1;
 
+// How far the deviation may grow by its rate, in sizes. A deviation as wide as the object has others tested that are far
+// away; it would also hide that the path is wrong, so that the rate would never be found to be too large.
+constexpr double most_spread = 0.4;
+
 // Slack that every object of the environment gets once it has moved, in sizes: for jitter, and for what turning does to a
 // bounding box.
 constexpr double slack_of_centre = 0.01;
@@ -72,17 +76,9 @@ double farthest_corner(const FloatBox &box)
         .norm();
 }
 
-void set_bounds(PackedBounds &bounds, const Observation &seen, const Vector3 &centre)
+Box cube(double half)
 {
-    const FloatBox box =
-        FloatBox::around(seen.bounds ? relative_to(centre, *seen.bounds)
-                                     : Box(Vector3::Constant(-seen.radius), Vector3::Constant(seen.radius)));
-    std::copy_n(box.low, 3, bounds.low);
-    std::copy_n(box.high, 3, bounds.high);
-    bounds.radius = round_up(seen.box_only ? std::numeric_limits<double>::infinity()
-                             : seen.bounds ? farthest_corner(box)
-                                           : seen.radius);
-    bounds.check = seen.bounds ? Check::bounds : Check::centre;
+    return Box(Vector3::Constant(-half), Vector3::Constant(half));
 }
 
 // Tight bounds of what turns are left when their slack is used up. Are they likely to last so long that they pay?
@@ -90,6 +86,34 @@ bool tight_bounds_last(const Observation &seen, double step)
 {
     constexpr double least_ticks = 20;
     return !seen.is_sphere && least_ticks * step * seen.spin < slack_of_bounds;
+}
+
+// What is rigid stays within a ball that holds its bounding box once, however it turns: within the cube around that ball.
+// Each prediction sees another; the smallest one that has not been left is kept.
+Box cube_to_turn_in(const PackedBounds &last, const FloatBox &box)
+{
+    constexpr double margin = 1e-5; // for rounding as it turns
+    const float farthest_side =
+        std::max(-*std::min_element(box.low, box.low + 3), *std::max_element(box.high, box.high + 3));
+    const double corner = (1 + margin) * farthest_corner(box);
+    const bool was_in_cube = last.check == Check::bounds && !last.tight_bounds_last;
+    return cube(was_in_cube && farthest_side <= last.high[0] ? std::min<double>(last.high[0], corner) : corner);
+}
+
+void set_bounds(PackedBounds &bounds, const Observation &seen, const Vector3 &centre, double step)
+{
+    const bool tight_bounds_last = ode_predictive_space::tight_bounds_last(seen, step);
+    FloatBox box = FloatBox::around(seen.bounds ? relative_to(centre, *seen.bounds) : cube(seen.radius));
+    const bool has_sphere = std::isfinite(seen.radius);
+    if (seen.bounds && seen.centre && !has_sphere && !tight_bounds_last && box.bounded())
+        box = FloatBox::around(cube_to_turn_in(bounds, box));
+    std::copy_n(box.low, 3, bounds.low);
+    std::copy_n(box.high, 3, bounds.high);
+    bounds.radius = round_up(seen.box_only ? std::numeric_limits<double>::infinity()
+                             : seen.bounds ? farthest_corner(box)
+                                           : seen.radius);
+    bounds.check = seen.bounds ? Check::bounds : Check::centre;
+    bounds.tight_bounds_last = tight_bounds_last;
 }
 
 double reach_of(const PackedBounds &bounds)
@@ -197,7 +221,7 @@ struct Predictor::Motion
     }
 };
 
-Predictor::Outcome Predictor::judge(const ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now) const
+Predictor::Outcome Predictor::judge(const ProxyStore &proxies, ProxyId id, const Vector3 &centre, Tick now) const
 {
     Outcome outcome;
     const PackedBounds &bounds = proxies.bounds[id];
@@ -207,11 +231,11 @@ Predictor::Outcome Predictor::judge(const ProxyStore &proxies, ProxyId id, const
     outcome.fresh = false;
     outcome.ticks = ticks_between(proxies.paths[id].since, now);
     outcome.before = path.position;
-    outcome.displacement = finite_or_zero(seen.centre - path.position);
+    outcome.displacement = finite_or_zero(centre - path.position);
     outcome.moved = !outcome.displacement.isZero(0);
     const double elapsed = bounds.still ? 0 : outcome.ticks;
     outcome.acceleration = path.acceleration;
-    outcome.error = finite_or_zero(seen.centre - path.at(elapsed)).lpNorm<Eigen::Infinity>();
+    outcome.error = finite_or_zero(centre - path.at(elapsed)).lpNorm<Eigen::Infinity>();
     outcome.kept = outcome.error <= proxies.paths[id].deviation().at(elapsed);
     outcome.settled = bounds.still && outcome.kept && outcome.ticks >= 0.5 * settling_ticks;
     return outcome;
@@ -310,7 +334,7 @@ void Predictor::adapt(PackedBounds &bounds, const Outcome &outcome, double speed
         bounds.horizon /= 2;
         // A jump says nothing about the drift to come.
         if (drift * bounds.horizon < size)
-            spread = 2 * spread + drift;
+            spread = std::max(spread, drift);
     }
     bounds.horizon = std::clamp(bounds.horizon, horizon.min_ticks, horizon.max_ticks);
     bounds.spread = static_cast<float>(std::clamp(spread, 0.002 * speed, std::max(0.5 * speed, 0.01 * size)));
@@ -327,7 +351,7 @@ Deviation Predictor::allow(const PackedBounds &bounds, const Outcome &outcome, d
 }
 
 Predictor::Motion Predictor::estimate_motion(PackedBounds &bounds, const Outcome &outcome, const Observation &seen,
-                                             Tick now)
+                                             const Vector3 &centre, Tick now)
 {
     if (!seen.velocity && outcome.moved && bounds.role == Role::environment)
         bounds.role = Role::interactive;
@@ -337,7 +361,7 @@ Predictor::Motion Predictor::estimate_motion(PackedBounds &bounds, const Outcome
         motion = motion_of_body(bounds, outcome, finite_or_zero(*seen.velocity));
     if (!has_body || bounds.mistrust >= patience)
     {
-        const Motion as_seen = motion_from_history(bounds, outcome, seen.centre, now);
+        const Motion as_seen = motion_from_history(bounds, outcome, centre, now);
         // A few positions tell less than a velocity by which the object has kept to its prediction.
         if (!has_body || !as_seen.brief || !outcome.kept)
             motion = as_seen;
@@ -351,7 +375,8 @@ std::uint32_t Predictor::horizon_for(const PackedBounds &bounds, const Motion &m
         return 1;
     const double far =
         ticks_to_travel(reach_of(bounds) * size, motion.velocity.norm() + bounds.spread, motion.acceleration.norm());
-    return std::min(bounds.horizon, static_cast<std::uint32_t>(std::min(1e9, far)));
+    const double wide = most_spread * size / (bounds.spread + std::numeric_limits<double>::min());
+    return std::min(bounds.horizon, static_cast<std::uint32_t>(std::min({1e9, far, wide})));
 }
 
 Tick Predictor::end_of_horizon(Tick now, std::uint32_t ticks) const
@@ -364,17 +389,14 @@ Tick Predictor::end_of_horizon(Tick now, std::uint32_t ticks) const
     return hardly_shorter ? end - earlier : end;
 }
 
-void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &observation, Tick now)
+void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now)
 {
     PackedBounds &bounds = proxies.bounds[id];
-    Observation seen = observation;
-    if (seen.bounds)
-        seen.centre = finite_centre(*seen.bounds);
-    const Outcome outcome = judge(proxies, id, seen, now);
-    Motion motion = estimate_motion(bounds, outcome, seen, now);
+    const Vector3 centre = seen.centre ? *seen.centre : finite_centre(*seen.bounds);
+    const Outcome outcome = judge(proxies, id, centre, now);
+    Motion motion = estimate_motion(bounds, outcome, seen, centre, now);
 
-    set_bounds(bounds, seen, seen.centre);
-    bounds.tight_bounds_last = tight_bounds_last(seen, step());
+    set_bounds(bounds, seen, centre, step());
     proxies.stamps[id] = {bounds.check == Check::centre ? bounds.radius : -1, 0};
     const double size = size_of(bounds);
     if (motion.leaps(reach_of(bounds) * size))
@@ -388,13 +410,13 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &obse
     const Generation generation = proxies.generations[id];
     if (bounds.still)
     {
-        pack(proxies.paths[id], {seen.centre, Vector3::Zero(), Vector3::Zero()}, slack, now);
+        pack(proxies.paths[id], {centre, Vector3::Zero(), Vector3::Zero()}, slack, now);
         const bool settles = !outcome.fresh && !outcome.settled;
         bounds.until = settles ? end_of_horizon(now, stagger(settling_ticks, id, generation, false)) : now;
     }
     else
     {
-        pack(proxies.paths[id], {seen.centre, motion.velocity, motion.acceleration}, allow(bounds, outcome, size), now);
+        pack(proxies.paths[id], {centre, motion.velocity, motion.acceleration}, allow(bounds, outcome, size), now);
         const std::uint32_t ticks = stagger(horizon_for(bounds, motion, size), id, generation, is_first);
         bounds.until = end_of_horizon(now, std::clamp(ticks, horizon.min_ticks, horizon.max_ticks));
     }

@@ -16,11 +16,11 @@ namespace ode_predictive_space
 /// An object as it is now, seen by the predictor.
 struct Observation
 {
-    Vector3 centre;            ///< of its bounding sphere, or of its bounding box when `bounds` is given
-    double radius;             ///< of a bounding sphere that holds it however it turns; infinite when there is none
-    bool is_sphere = false;    ///< that sphere's box is its bounding box
+    std::optional<Vector3> centre; ///< what it turns around; finite. None when that is not known
+    double radius;                 ///< of a sphere around it that holds the object; infinite when none is known
+    bool is_sphere = false;        ///< that sphere's box is its bounding box
     bool box_only = false;     ///< no sphere may judge it: it can be touched outside of any that holds its bounding box
-    std::optional<Box> bounds; ///< its bounding box; needed when radius or centre is not finite
+    std::optional<Box> bounds; ///< its bounding box; needed where centre or radius is not known
     std::optional<Vector3> velocity; ///< in the program's unit, if it has a body that tells
     double spin = 0;                 ///< angular speed of that body, in the same unit
 };
@@ -49,7 +49,7 @@ public:
 
     /// Makes a new prediction from `now` on and raises the proxy's generation. The old prediction, if there is one, tells
     /// how well the object keeps to its predictions.
-    void predict(ProxyStore &proxies, ProxyId id, const Observation &observation, Tick now);
+    void predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now);
 
     /// Remembers where an interactive object is, between predictions.
     void remember(const ProxyStore &proxies, ProxyId id, const Vector3 &centre, Tick now);
@@ -64,10 +64,11 @@ private:
     struct Outcome;
     struct Motion;
 
-    Outcome judge(const ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now) const;
+    Outcome judge(const ProxyStore &proxies, ProxyId id, const Vector3 &centre, Tick now) const;
     Motion motion_of_body(PackedBounds &bounds, const Outcome &outcome, const Vector3 &velocity);
     Motion motion_from_history(PackedBounds &bounds, const Outcome &outcome, const Vector3 &centre, Tick now);
-    Motion estimate_motion(PackedBounds &bounds, const Outcome &outcome, const Observation &seen, Tick now);
+    Motion estimate_motion(PackedBounds &bounds, const Outcome &outcome, const Observation &seen, const Vector3 &centre,
+                           Tick now);
     std::uint32_t horizon_for(const PackedBounds &bounds, const Motion &motion, double size) const;
     Tick end_of_horizon(Tick now, std::uint32_t ticks) const;
     void adapt(PackedBounds &bounds, const Outcome &outcome, double speed, double size) const;

@@ -150,8 +150,8 @@ template <typename Scene> void Broadphase::prefetch_first_motions(const Scene &s
 // The same point of the object that is predicted.
 template <typename Scene> void Broadphase::remember(Scene &scene, ProxyId id)
 {
-    const bool by_bounds = proxies_.bounds[id].check == Check::bounds;
-    predictor.remember(proxies_, id, by_bounds ? Vector3(scene.bounds(id).center()) : scene.position(id), now_);
+    const std::optional<Vector3> pivot = scene.pivot(id);
+    predictor.remember(proxies_, id, pivot ? *pivot : Vector3(scene.bounds(id).center()), now_);
 }
 
 template <typename Scene> void Broadphase::predict(Scene &scene)

@@ -149,21 +149,24 @@ BoundingSphere bounding_sphere(const dxGeom *geom)
     return {std::numeric_limits<double>::infinity(), false};
 }
 
+std::optional<Vector3> GeomScene::pivot(ProxyId id) const
+{
+    if (!turns_safely(geoms_[id]))
+        return std::nullopt;
+    const Vector3 centre = position(id);
+    return centre.allFinite() ? std::optional(centre) : std::nullopt;
+}
+
 Observation GeomScene::observe(ProxyId id, bool with_bounds) const
 {
     dxGeom *geom = geoms_[id];
     const BoundingSphere sphere = bounding_sphere(geom);
     Observation seen;
+    seen.centre = pivot(id);
     seen.radius = sphere.radius;
     seen.is_sphere = sphere.is_sphere;
     seen.box_only = judged_by_box_alone(geom);
-    bool by_centre = std::isfinite(sphere.radius) && (!with_bounds || sphere.is_sphere);
-    if (by_centre)
-    {
-        seen.centre = position(id);
-        by_centre = seen.centre.allFinite();
-    }
-    if (!by_centre)
+    if (!seen.centre || !std::isfinite(sphere.radius) || (with_bounds && !sphere.is_sphere))
         seen.bounds = bounds(id);
     if (geom->body && !dBodyIsKinematic(geom->body))
     {

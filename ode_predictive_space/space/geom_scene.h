@@ -159,6 +159,7 @@ public:
 
     Box bounds(ProxyId id) const { return to_box(valid_aabb(id)); }
     void measure(ProxyId id, MeasuredBox &box) const { box.assign(valid_aabb(id)); }
+    std::optional<Vector3> pivot(ProxyId id) const;
     Observation observe(ProxyId id, bool with_bounds) const;
     bool overlap(ProxyId first, ProxyId second) const { return overlap(geoms_[first], geoms_[second]); }
     bool overlap(dxGeom *one, dxGeom *other) const;

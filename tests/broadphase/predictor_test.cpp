@@ -201,7 +201,7 @@ TEST(Predictor, AVelocityThatExplainsLittleIsNotMistrustedWhilePredictionsHold)
     Random random(1);
     Vector3 centre = Vector3::Zero();
     int guesses = 0;
-    for (int tick = 0; tick < 20000; ++tick)
+    for (int tick = 0; tick < 30000; ++tick)
     {
         other.see(honest.next());
         centre += random.vector(4e-5);

@@ -2,6 +2,7 @@
 
 #include <ode_predictive_space/predictive_space.h>
 
+#include "tests/contract/support/geom_zoo.h"
 #include "tests/contract/support/scenario.h"
 
 namespace ode_predictive_space
@@ -48,6 +49,31 @@ TEST_F(Rods, ThatHardlyTurnAreToldApartByTheirBoxes)
 TEST_F(Rods, ThatTurnAreNotAsTheirBoxesWouldNotLast)
 {
     EXPECT_GE(near_pairs_when_spinning(5), static_cast<unsigned long>(rods) - 1);
+}
+// Of a mesh no sphere is known. Its tight bounds would last some ticks only.
+TEST(Meshes, ThatTurnArePredictedForLong)
+{
+    constexpr int meshes = 10, ticks = 1000;
+    Scenario scene(SpaceKind::predictive);
+    for (int i = 0; i < meshes; ++i)
+    {
+        const dGeomID mesh = scene.numbered(dCreateTriMesh(scene.space(), mesh_data(1), nullptr, nullptr, nullptr));
+        const dBodyID body = scene.body(mesh, 1, 0, 0);
+        dBodySetPosition(body, 0, 10 * i, 0);
+        dBodySetAngularVel(body, 5, 3, 1);
+    }
+    dPredictiveSpaceStats begin = {}, end = {};
+    for (int tick = 0; tick < 2 * ticks; ++tick)
+    {
+        scene.step(0.001);
+        scene.tick();
+        if (tick == ticks)
+            dPredictiveSpaceGetStats(scene.space(), &begin);
+    }
+    dPredictiveSpaceGetStats(scene.space(), &end);
+    EXPECT_EQ(end.violations, begin.violations);
+    EXPECT_LT(end.repredictions - begin.repredictions, meshes * ticks / 100u);
+    EXPECT_EQ(end.near, 0u);
 }
 } // namespace
 } // namespace ode_predictive_space

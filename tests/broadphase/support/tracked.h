@@ -28,7 +28,7 @@ public:
         violations += known && !holds;
         // Those that are recognised as interactive are remembered at each tick.
         if (is_interactive(store.bounds[0].role) && !seen.bounds)
-            predictor_.remember(store, 0, seen.centre, now);
+            predictor_.remember(store, 0, *seen.centre, now);
         if (holds && store.remaining(0, now) > 0)
             return;
         predict(seen);
@@ -44,7 +44,7 @@ public:
     {
         if (seen.bounds)
             return bounds_inside(store.envelope(0, now), *seen.bounds);
-        return centre_inside(store.paths[0], seen.centre.data(), store.bounds[0].still ? store.paths[0].since : now);
+        return centre_inside(store.paths[0], seen.centre->data(), store.bounds[0].still ? store.paths[0].since : now);
     }
 
     const PackedBounds &bounds() const { return store.bounds[0]; }
@@ -80,7 +80,6 @@ inline Observation seen_alone(const Vector3 &centre, double radius)
 inline Observation seen_bounds(const Box &bounds)
 {
     Observation seen;
-    seen.centre = Vector3::Zero();
     seen.radius = std::numeric_limits<double>::infinity();
     seen.bounds = bounds;
     return seen;

@@ -146,16 +146,22 @@ std::string World::violated_invariant()
     return {};
 }
 
+std::optional<Vector3> World::pivot(ProxyId id) const
+{
+    const Object &object = objects_[id];
+    const bool known = std::isfinite(object.radius) || object.velocity;
+    return known && object.centre.allFinite() ? std::optional(object.centre) : std::nullopt;
+}
+
 Observation World::observe(ProxyId id, bool with_bounds) const
 {
     const Object &object = objects_[id];
     Observation seen;
     seen.radius = object.radius;
     seen.is_sphere = object.is_sphere;
-    seen.centre = object.centre;
+    seen.centre = pivot(id);
     seen.velocity = object.velocity;
-    const bool by_centre = std::isfinite(object.radius) && (!with_bounds || object.is_sphere);
-    if (!by_centre || !object.centre.allFinite())
+    if (!seen.centre || !std::isfinite(object.radius) || (with_bounds && !object.is_sphere))
         seen.bounds = bounds(id);
     return seen;
 }

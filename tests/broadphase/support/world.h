@@ -71,6 +71,7 @@ public:
         return Box(objects_[id].centre - objects_[id].half, objects_[id].centre + objects_[id].half);
     }
     void measure(ProxyId id, MeasuredBox &box) const { box = MeasuredBox(bounds(id)); }
+    std::optional<Vector3> pivot(ProxyId id) const;
     Observation observe(ProxyId id, bool with_bounds) const;
     bool overlap(ProxyId first, ProxyId second) const;
 
