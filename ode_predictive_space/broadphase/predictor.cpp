@@ -24,7 +24,7 @@ constexpr double most_spread = 0.4;
 
 // Slack that every object of the environment gets once it has moved, in sizes: for jitter, and for what turning does to a
 // bounding box.
-constexpr double slack_of_centre = 0.01;
+constexpr double slack_of_centre = 0.015;
 constexpr double slack_of_bounds = 0.03;
 
 // An object that has come to rest is looked at once more after about so many ticks: if it has not moved at all, it gets no
