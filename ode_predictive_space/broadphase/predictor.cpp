@@ -8,8 +8,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr std::uint32_t first_horizon = 512;
-
 // An object that would need longer than this to use up half of its slack is treated as still.
 constexpr double still_ticks = 64;
 
@@ -316,7 +314,7 @@ void Predictor::adapt(PackedBounds &bounds, const Outcome &outcome, double speed
 {
     if (bounds.horizon == 0)
     {
-        bounds.horizon = first_horizon;
+        bounds.horizon = horizon.max_ticks;
         bounds.spread = static_cast<float>(0.01 * speed);
         return;
     }

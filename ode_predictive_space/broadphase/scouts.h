@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "ode_predictive_space/broadphase/id_set.h"
+#include "ode_predictive_space/broadphase/predictor.h"
 #include "ode_predictive_space/broadphase/scan_policy.h"
-#include "ode_predictive_space/prediction/envelope.h"
-#include "ode_predictive_space/prediction/step_estimate.h"
 
 namespace ode_predictive_space
 {
@@ -66,8 +65,10 @@ private:
     template <typename Scene> static bool keeps_on(Scene &scene, Scout &scout, StepEstimate &step)
     {
         const Box bounds = scene.bounds(scout.id);
-        const Vector3 centre = bounds.center(),
-                      velocity = scene.observe(scout.id, false).velocity.value_or(Vector3::Zero());
+        const Observation seen = scene.observe(scout.id, false);
+        // The middle of what turns is carried round as well.
+        const Vector3 centre = seen.centre.value_or(bounds.center()),
+                      velocity = seen.velocity.value_or(Vector3::Zero());
         const double tolerance = 0.1 * bounds.diagonal().minCoeff();
         const Vector3 expected = 2 * scout.last - scout.before;
         // False, too, when there is NaN in it.

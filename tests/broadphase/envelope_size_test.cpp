@@ -121,6 +121,25 @@ TEST(EnvelopeSize, WhatHardlyTurnsHasItsOwnBox)
     EXPECT_TRUE(has_its_own_box(tracked, rod.seen()));
 }
 
+TEST(EnvelopeSize, TightBoundsLastUnlessItTurnsFast)
+{
+    Predictor predictor;
+    Tracked tracked(predictor);
+    TumblingRod rod;
+    follow(tracked, rod, 200);
+    for (const double spin : {0.0, 0.1, 10.0, std::numeric_limits<double>::quiet_NaN()})
+    {
+        rod.spin = spin;
+        Observation seen = rod.next();
+        rod.angle = 0; // whatever the speed was
+        tracked.predict(seen);
+        EXPECT_EQ(tracked.bounds().tight_bounds_last, spin < 1) << spin;
+        seen.is_sphere = true;
+        tracked.predict(seen);
+        EXPECT_FALSE(tracked.bounds().tight_bounds_last) << "a ball's are no tighter";
+    }
+}
+
 // If its pivot is not known, nothing is known about where it will be when it has turned.
 TEST(EnvelopeSize, WhatTurnsAroundAnUnknownPointHasItsOwnBox)
 {

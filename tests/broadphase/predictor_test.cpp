@@ -41,15 +41,16 @@ void follow(Tracked &tracked, MovingBall &object, int ticks)
     }
 }
 
-TEST(Predictor, UniformMotionIsPredictedForLongerAndLonger)
+TEST(Predictor, AfterABreakUniformMotionIsPredictedForLongerAndLonger)
 {
     Predictor predictor;
     Tracked tracked(predictor);
     MovingBall object;
     object.velocity = {0.3, -0.1, 0.2};
-    follow(tracked, object, 5);
+    for (int tick = 0; tick < 140; ++tick, object.velocity *= tick % 50 == 0 ? -1 : 1)
+        tracked.see(object.next());
     const std::int32_t early = ticks_between(tracked.path().since, tracked.bounds().until);
-    follow(tracked, object, 1000);
+    follow(tracked, object, 2000);
     const std::int32_t late = ticks_between(tracked.path().since, tracked.bounds().until);
     EXPECT_GT(late, 2 * early);
     const int before = tracked.predictions, violated = tracked.violations;
@@ -57,6 +58,21 @@ TEST(Predictor, UniformMotionIsPredictedForLongerAndLonger)
     EXPECT_LT(tracked.predictions - before, 2000 / 50);
     EXPECT_EQ(tracked.violations, violated) << "nothing breaks in uniform motion";
     EXPECT_NEAR(predictor.step(), step, 1e-9);
+}
+
+TEST(Predictor, ItsFirstPredictionLastsLong)
+{
+    Predictor predictor;
+    Tracked first(predictor), tracked(predictor);
+    MovingBall object;
+    object.velocity = {0.03, 0, 0};
+    follow(first, object, 100);
+    tracked.see(object.next());
+    EXPECT_GE(tracked.store.remaining(0, tracked.now), static_cast<std::int32_t>(predictor.horizon.max_ticks) / 8);
+    predictor.horizon.max_ticks = 80;
+    Tracked bounded(predictor);
+    bounded.see(object.next());
+    EXPECT_LE(bounded.store.remaining(0, bounded.now), 80);
 }
 
 // A swept box across the whole room would meet everything.
@@ -201,7 +217,7 @@ TEST(Predictor, AVelocityThatExplainsLittleIsNotMistrustedWhilePredictionsHold)
     Random random(1);
     Vector3 centre = Vector3::Zero();
     int guesses = 0;
-    for (int tick = 0; tick < 30000; ++tick)
+    for (int tick = 0; tick < 40000; ++tick)
     {
         other.see(honest.next());
         centre += random.vector(4e-5);
@@ -364,24 +380,6 @@ TEST(Predictor, CrowdedObjectsLookLessFarAhead)
         crowded.see(other.next());
     }
     EXPECT_GT(crowded.predictions, alone.predictions);
-}
-
-TEST(Predictor, TightBoundsLastUnlessItTurnsFast)
-{
-    Predictor predictor;
-    Tracked tracked(predictor);
-    MovingBall object;
-    object.velocity = {0.5, 0, 0};
-    follow(tracked, object, 200);
-    EXPECT_FALSE(tracked.bounds().tight_bounds_last) << "a ball's are no tighter";
-    for (double spin : {0.0, 0.1, 10.0, nan})
-    {
-        Observation seen = object.next();
-        seen.is_sphere = false;
-        seen.spin = spin;
-        tracked.predict(seen);
-        EXPECT_EQ(tracked.bounds().tight_bounds_last, spin < 1) << spin;
-    }
 }
 
 TEST(Predictor, WhatIsNotANumberHarmsNobody)

@@ -1,7 +1,6 @@
 #include "ode_predictive_space/broadphase/scouts.h"
 
-#include "ode_predictive_space/broadphase/predictor.h"
-
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -16,6 +15,7 @@ struct Flock
     std::vector<Vector3> centres;
     IdSet members;
     std::size_t jumping = 0;
+    double arm = 0; // on which the middle of each goes round what it turns around
     int ticks = 0;
 
     explicit Flock(std::size_t count) : centres(count, Vector3::Zero())
@@ -35,11 +35,17 @@ struct Flock
                 centres[i] += Vector3(0.1, 0.2, 0);
     }
 
-    Box bounds(ProxyId id) const { return Box(centres[id].array() - 0.5, centres[id].array() + 0.5); }
-    Observation observe(ProxyId, bool) const
+    Box bounds(ProxyId id) const
+    {
+        const Vector3 middle = centres[id] + arm * Vector3(std::sin(ticks), std::cos(ticks), 0);
+        return Box(middle.array() - 0.5, middle.array() + 0.5);
+    }
+    Observation observe(ProxyId id, bool) const
     {
         Observation seen;
         seen.velocity = Vector3(10, 20, 0);
+        if (arm != 0)
+            seen.centre = centres[id];
         return seen;
     }
 
@@ -76,6 +82,16 @@ TEST(Scouts, LearnHowFarVelocitiesCarry)
     Scouts scouts;
     scouts.choose(flock.members);
     calm_after(scouts, flock, 3);
+    EXPECT_NEAR(flock.step.step(), 0.01, 1e-12);
+}
+
+TEST(Scouts, LookAtWhatTheyTurnAround)
+{
+    Flock flock(10);
+    flock.arm = 1;
+    Scouts scouts;
+    scouts.choose(flock.members);
+    EXPECT_TRUE(calm_after(scouts, flock, 3));
     EXPECT_NEAR(flock.step.step(), 0.01, 1e-12);
 }
 
