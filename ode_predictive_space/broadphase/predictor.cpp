@@ -8,6 +8,10 @@ namespace ode_predictive_space
 {
 namespace
 {
+// As long as nothing speaks against it. Where much touches much, what has swept farther before it breaks costs more than what
+// is predicted once more.
+constexpr std::uint32_t first_horizon = 1024;
+
 // An object that would need longer than this to use up half of its slack is treated as still.
 constexpr double still_ticks = 64;
 
@@ -314,7 +318,7 @@ void Predictor::adapt(PackedBounds &bounds, const Outcome &outcome, double speed
 {
     if (bounds.horizon == 0)
     {
-        bounds.horizon = horizon.max_ticks;
+        bounds.horizon = std::min(first_horizon, horizon.max_ticks);
         bounds.spread = static_cast<float>(0.01 * speed);
         return;
     }

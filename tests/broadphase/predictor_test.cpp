@@ -68,7 +68,7 @@ TEST(Predictor, ItsFirstPredictionLastsLong)
     object.velocity = {0.03, 0, 0};
     follow(first, object, 100);
     tracked.see(object.next());
-    EXPECT_GE(tracked.store.remaining(0, tracked.now), static_cast<std::int32_t>(predictor.horizon.max_ticks) / 8);
+    EXPECT_GE(tracked.store.remaining(0, tracked.now), 1024 / 8);
     predictor.horizon.max_ticks = 80;
     Tracked bounded(predictor);
     bounded.see(object.next());
