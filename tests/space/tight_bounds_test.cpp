@@ -50,6 +50,7 @@ TEST_F(Rods, ThatTurnAreNotAsTheirBoxesWouldNotLast)
 {
     EXPECT_GE(near_pairs_when_spinning(5), static_cast<unsigned long>(rods) - 1);
 }
+
 // Of a mesh no sphere is known. Its tight bounds would last some ticks only.
 TEST(Meshes, ThatTurnArePredictedForLong)
 {
