@@ -8,7 +8,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// As long as nothing speaks against it. Where much touches much, what has swept farther before it breaks costs more than what
+// Ticks for which a prediction is believed as long as nothing speaks against it. Where much touches much, what has swept farther before it breaks costs more than what
 // is predicted once more.
 constexpr std::uint32_t first_horizon = 1024;
 
@@ -22,7 +22,7 @@ constexpr double reach_crowded = 1;
 
 // How far the deviation may grow by its rate, in sizes. A deviation as wide as the object has others tested that are far
 // away; it would also hide that the path is wrong, so that the rate would never be found to be too large.
-constexpr double most_spread = 0.4;
+constexpr double most_widening = 0.4;
 
 // Slack that every object of the environment gets once it has moved, in sizes: for jitter, and for what turning does to a
 // bounding box.
@@ -377,7 +377,7 @@ std::uint32_t Predictor::horizon_for(const PackedBounds &bounds, const Motion &m
         return 1;
     const double far =
         ticks_to_travel(reach_of(bounds) * size, motion.velocity.norm() + bounds.spread, motion.acceleration.norm());
-    const double wide = most_spread * size / (bounds.spread + std::numeric_limits<double>::min());
+    const double wide = most_widening * size / (bounds.spread + std::numeric_limits<double>::min());
     return std::min(bounds.horizon, static_cast<std::uint32_t>(std::min({1e9, far, wide})));
 }
 

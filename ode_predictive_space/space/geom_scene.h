@@ -58,7 +58,8 @@ inline bool fits_into_sphere(const dxGeom *geom, double radius)
     return squared <= radius * radius;
 }
 
-/// Is the bounding sphere that a geom has, or had when it was last looked at, one around its position still?
+/// Does a geom, however it turns, turn around its position? Then the bounding sphere that it has, or had when it was last
+/// looked at, is one around that still.
 inline bool turns_safely(const dxGeom *geom)
 {
     return (geom->type == dSphereClass) | ((geom->body != nullptr) & (geom->offset_posr == nullptr));

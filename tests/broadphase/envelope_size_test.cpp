@@ -47,91 +47,83 @@ struct TumblingRod
     double farthest_point() const { return (half + middle.cwiseAbs()).norm(); }
 };
 
-// Follows it for so many ticks.
-void follow(Tracked &tracked, TumblingRod &rod, int ticks)
+class EnvelopeSize : public testing::Test
 {
-    for (int tick = 0; tick < ticks; ++tick)
-        tracked.see(rod.next());
-}
+protected:
+    void follow(int ticks)
+    {
+        for (int tick = 0; tick < ticks; ++tick)
+            tracked.see(rod.next());
+    }
 
-double highest_side(const Tracked &tracked)
-{
-    return std::max({tracked.bounds().high[0], tracked.bounds().high[1], tracked.bounds().high[2]});
-}
+    double highest_side() const
+    {
+        return std::max({tracked.bounds().high[0], tracked.bounds().high[1], tracked.bounds().high[2]});
+    }
 
-// Predicted by its bounding box as it is now?
-bool has_its_own_box(const Tracked &tracked, const Observation &seen)
-{
-    const double side = (seen.bounds->max() - tracked.path().path().position).maxCoeff();
-    return std::abs(highest_side(tracked) - side) < 1e-6;
-}
+    // Predicted by its bounding box as it is now?
+    bool has_its_own_box(const Observation &seen) const
+    {
+        const double side = (seen.bounds->max() - tracked.path().path().position).maxCoeff();
+        return std::abs(highest_side() - side) < 1e-6;
+    }
 
-TEST(EnvelopeSize, WhatTumblesStaysInTheCubeAroundItsPivot)
-{
     Predictor predictor;
-    Tracked tracked(predictor);
+    Tracked tracked{predictor};
     TumblingRod rod;
-    follow(tracked, rod, 500);
+};
+
+TEST_F(EnvelopeSize, WhatTumblesStaysInTheCubeAroundItsPivot)
+{
+    follow(500);
     EXPECT_EQ(tracked.bounds().check, Check::bounds);
     const int predictions = tracked.predictions, violations = tracked.violations;
-    follow(tracked, rod, 5000);
+    follow(5000);
     EXPECT_EQ(tracked.violations, violations);
     EXPECT_LT(tracked.predictions - predictions, 5000 / 50);
 }
 
 // The corners of a rod's bounding box are farther away than the rod is, more or less as it is turned.
-TEST(EnvelopeSize, TheSmallestSuchCubeIsKept)
+TEST_F(EnvelopeSize, TheSmallestSuchCubeIsKept)
 {
-    Predictor predictor;
-    Tracked tracked(predictor);
-    TumblingRod rod;
-    follow(tracked, rod, 10); // how far it turns in a tick is not known at first
+    follow(10); // how far it turns in a tick is not known at first
     for (int i = 0; i < 300; ++i)
     {
-        const double last = highest_side(tracked);
+        const double last = highest_side();
         tracked.predict(rod.next());
-        ASSERT_LE(highest_side(tracked), last) << i;
-        ASSERT_GE(highest_side(tracked), rod.farthest_point()) << i;
+        ASSERT_LE(highest_side(), last) << i;
+        ASSERT_GE(highest_side(), rod.farthest_point()) << i;
     }
-    EXPECT_LT(highest_side(tracked), 1.1 * rod.farthest_point());
+    EXPECT_LT(highest_side(), 1.1 * rod.farthest_point());
 }
 
-TEST(EnvelopeSize, ACubeThatWasLeftIsForgotten)
+TEST_F(EnvelopeSize, ACubeThatWasLeftIsForgotten)
 {
-    Predictor predictor;
-    Tracked tracked(predictor);
-    TumblingRod rod;
-    follow(tracked, rod, 500);
+    follow(500);
     rod.half *= 2;
-    follow(tracked, rod, 500);
-    EXPECT_GE(highest_side(tracked), rod.farthest_point());
+    follow(500);
+    EXPECT_GE(highest_side(), rod.farthest_point());
     const int violations = tracked.violations;
-    follow(tracked, rod, 2000);
+    follow(2000);
     EXPECT_EQ(tracked.violations, violations);
 }
 
-TEST(EnvelopeSize, WhatHardlyTurnsHasItsOwnBox)
+TEST_F(EnvelopeSize, WhatHardlyTurnsHasItsOwnBox)
 {
-    Predictor predictor;
-    Tracked tracked(predictor);
-    TumblingRod rod;
     rod.spin = 0.1;
-    follow(tracked, rod, 500);
+    follow(500);
     tracked.predict(rod.next());
-    EXPECT_TRUE(has_its_own_box(tracked, rod.seen()));
+    EXPECT_TRUE(has_its_own_box(rod.seen()));
 }
 
-TEST(EnvelopeSize, TightBoundsLastUnlessItTurnsFast)
+TEST_F(EnvelopeSize, TightBoundsLastUnlessItTurnsFast)
 {
-    Predictor predictor;
-    Tracked tracked(predictor);
-    TumblingRod rod;
-    follow(tracked, rod, 200);
+    follow(200);
     for (const double spin : {0.0, 0.1, 10.0, std::numeric_limits<double>::quiet_NaN()})
     {
         rod.spin = spin;
         Observation seen = rod.next();
-        rod.angle = 0; // whatever the speed was
+        rod.angle = 0; // it is not a number after the last one
         tracked.predict(seen);
         EXPECT_EQ(tracked.bounds().tight_bounds_last, spin < 1) << spin;
         seen.is_sphere = true;
@@ -141,38 +133,29 @@ TEST(EnvelopeSize, TightBoundsLastUnlessItTurnsFast)
 }
 
 // If its pivot is not known, nothing is known about where it will be when it has turned.
-TEST(EnvelopeSize, WhatTurnsAroundAnUnknownPointHasItsOwnBox)
+TEST_F(EnvelopeSize, WhatTurnsAroundAnUnknownPointHasItsOwnBox)
 {
-    Predictor predictor;
-    Tracked tracked(predictor);
-    TumblingRod rod;
-    follow(tracked, rod, 500);
+    follow(500);
     Observation seen = rod.next();
     seen.centre.reset();
     tracked.predict(seen);
-    EXPECT_TRUE(has_its_own_box(tracked, seen));
+    EXPECT_TRUE(has_its_own_box(seen));
 }
 
 // It asked for tight bounds and began to turn: its next prediction will be by its sphere, which is smaller than the cube.
-TEST(EnvelopeSize, WhatHasASphereNeedsNoCube)
+TEST_F(EnvelopeSize, WhatHasASphereNeedsNoCube)
 {
-    Predictor predictor;
-    Tracked tracked(predictor);
-    TumblingRod rod;
-    follow(tracked, rod, 500);
+    follow(500);
     Observation seen = rod.next();
     seen.radius = rod.farthest_point();
     tracked.predict(seen);
-    EXPECT_TRUE(has_its_own_box(tracked, seen));
+    EXPECT_TRUE(has_its_own_box(seen));
     EXPECT_FALSE(tracked.bounds().tight_bounds_last);
 }
 
-TEST(EnvelopeSize, InfiniteBoundsThatTurnKeepTheirFiniteSide)
+TEST_F(EnvelopeSize, InfiniteBoundsThatTurnKeepTheirFiniteSide)
 {
-    Predictor predictor;
-    Tracked tracked(predictor);
-    TumblingRod rod;
-    follow(tracked, rod, 500);
+    follow(500);
     Observation seen = rod.next();
     seen.bounds = Box(Vector3::Constant(-infinity), Vector3(infinity, infinity, rod.position.z() + 1));
     tracked.predict(seen);
