@@ -130,10 +130,10 @@ Approach::Approach(const ProxyStore &proxies, ProxyId id, Tick now)
     const Path since = path.path(), current = since.advanced(age_);
     position_ = current.position;
     reach_ = path.reach(age_);
-    velocity_ = axes(current.velocity, -(path.deviation_rate + age_ * path.deviation_bend));
-    acceleration_ = axes(since.acceleration, -path.deviation_bend);
+    velocity_ = axes(current.velocity, -(path.deviation_rate + 2 * age_ * path.deviation_bend));
+    half_acceleration_ = axes(0.5 * since.acceleration, -path.deviation_bend);
     speed_ = axes(path.velocity).abs();
-    bend_ = axes(path.acceleration).abs();
+    bend_ = 2 * axes(path.half_acceleration).abs();
     const Axes low = axes(bounds.low), high = axes(bounds.high);
     low_ = low - rounding_unit * low.abs();
     high_ = high + rounding_unit * high.abs();
@@ -165,21 +165,23 @@ inline Approach::Gaps Approach::gaps(ProxyId other, float duration) const
     const PackedPath &path = proxies_.paths[other];
     const PackedBounds &bounds = proxies_.bounds[other];
     const float age = this->age(other);
-    const Axes velocity = axes(path.velocity), acceleration = axes(path.acceleration);
+    const Axes velocity = axes(path.velocity), half_acceleration = axes(path.half_acceleration);
     const Axes offset = difference(path.position, position_.data(), reach_ + path.deviation_base);
-    const Axes bend = acceleration - acceleration_;
-    const Axes begin = offset + age * (velocity + (0.5f * age) * acceleration);
-    const Axes end = begin + duration * (velocity + age * acceleration - velocity_ + (0.5f * duration) * bend);
-    const float reach = begin[3], reach_at_end = end[3], reach_bend = bend[3];
+    const Axes half_bend = half_acceleration - half_acceleration_;
+    const Axes begin = offset + age * (velocity + age * half_acceleration);
+    const Axes end = begin + duration * (velocity + (2 * age) * half_acceleration - velocity_ + duration * half_bend);
+    const float reach = begin[3], reach_at_end = end[3], half_reach_bend = half_bend[3];
 
     const float until = age + duration, own_until = age_ + duration;
-    const Axes terms = offset.abs() + until * (velocity.abs() + until * acceleration.abs()) +
+    const Axes terms = offset.abs() + until * (velocity.abs() + (2 * until) * half_acceleration.abs()) +
                        own_until * (speed_ + own_until * bend_) + reach_at_end;
     const Axes rounding = this->rounding(other, offset, terms);
     const Axes low = axes(bounds.low), high = axes(bounds.high);
-    const float eighth = 0.125f * duration * duration;
-    const Axes above = low - rounding_unit * low.abs() - high_ - rounding - eighth * (bend - reach_bend).max(0);
-    const Axes below = low_ - high - rounding_unit * high.abs() - rounding - eighth * (-bend - reach_bend).max(0);
+    const float quarter = 0.25f * duration * duration;
+    const Axes above =
+        low - rounding_unit * low.abs() - high_ - rounding - quarter * (half_bend - half_reach_bend).max(0);
+    const Axes below =
+        low_ - high - rounding_unit * high.abs() - rounding - quarter * (-half_bend - half_reach_bend).max(0);
     return {above + begin - reach, above + end - reach_at_end, below - begin - reach, below - end - reach_at_end};
 }
 

@@ -39,13 +39,13 @@ private:
     ProxyId id_;
     Tick now_;
     float age_;
-    float reach_;                  // the deviation now
-    Vector3 position_;             // now
-    Axes velocity_, acceleration_; // now; and minus what the deviation grows by
-    Axes low_, high_;              // relative to the position, and outwards by what rounding can do
-    Axes speed_, bend_;            // sizes of velocity, when it was predicted, and acceleration
-    Axes double_rounding_;         // of positions in double precision
-    float scene_rounding_;         // of what the scene computes, where that is in single precision
+    float reach_;                       // the deviation now
+    Vector3 position_;                  // now
+    Axes velocity_, half_acceleration_; // now; and minus what the deviation grows by
+    Axes low_, high_;                   // relative to the position, and outwards by what rounding can do
+    Axes speed_, bend_;                 // sizes of velocity, when it was predicted, and acceleration
+    Axes double_rounding_;              // of positions in double precision
+    float scene_rounding_;              // of what the scene computes, where that is in single precision
 };
 } // namespace ode_predictive_space
 

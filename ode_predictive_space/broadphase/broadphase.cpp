@@ -102,6 +102,7 @@ bool Broadphase::time_passes(bool is_tick)
 {
     const bool passes = !moved_.empty() && ((is_tick && !ticked_early_) || most_moving_have_moved());
     ticked_early_ = !is_tick && (ticked_early_ || passes);
+    next_tick_ = now_ + (passes ? 1 : 0) + (ticked_early_ ? 0 : 1);
     return passes;
 }
 

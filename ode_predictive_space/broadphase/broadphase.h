@@ -67,14 +67,15 @@ public:
     /// The object's position, size or anything else about its bounds has changed, just now; every such change must be told.
     ///
     /// @param object tells of it:
-    ///     const Real *coordinates()        its centre, or null when that has to be computed first or is not that of a
-    ///                                      sphere which holds it however it turns
+    ///     bool has_centre()                its centre need not be computed first, and is still that of the sphere which
+    ///                                      held it however it turned, if there was one when it was predicted
+    ///     const Real *coordinates()        of the centre, if it has one
     ///     bool has_grown(float radius)     it no longer fits into the sphere
     ///     std::uint32_t pose_digest()      another number, most of the time, when coordinates or rotation are others
     template <typename Object> void notice_move(ProxyId id, const Object &object)
     {
         noticed_.note(id);
-        if (!notice_holds(proxies_, id, object, expected_tick()))
+        if (!notice_holds(proxies_, id, object, next_tick_))
             doubtful_.insert(id);
     }
 
@@ -190,8 +191,6 @@ private:
     template <typename Scene> void let_rest(Scene &scene);
     void take_note_of_moves();
 
-    // At which the next update will probably be: noticed moves are judged by where objects should be then.
-    Tick expected_tick() const { return ticked_early_ ? now_ : now_ + 1; }
     std::size_t objects() const { return objects_; }
     bool time_passes(bool is_tick);
     bool most_moving_have_moved() const;
@@ -241,6 +240,7 @@ private:
     IdSet waiting_;       // to be predicted when it is their turn; until then all are swept
     IdSet stirred_;       // have moved since pairs were last let rest
     Tick now_ = 0;
+    Tick next_tick_ = 1; // that of the next update, probably: noticed moves are judged by where objects should be then
     bool ticked_early_ = false; // time has already passed since the last tick, in a catch_up()
 
     EnvelopeIndex index_;

@@ -8,8 +8,8 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Ticks for which a prediction is believed as long as nothing speaks against it. Where much touches much, what has swept farther before it breaks costs more than what
-// is predicted once more.
+// Ticks for which a prediction is believed as long as nothing speaks against it. Where much touches much, what has swept
+// farther before it breaks costs more than what is predicted once more.
 constexpr std::uint32_t first_horizon = 1024;
 
 // An object that would need longer than this to use up half of its slack is treated as still.
@@ -173,12 +173,7 @@ std::uint32_t stagger(std::uint32_t horizon, ProxyId id, Generation generation, 
 
 void pack(PackedPath &packed, const Path &path, const Deviation &deviation, Tick now)
 {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        packed.position[axis] = path.position[axis];
-        packed.velocity[axis] = static_cast<float>(path.velocity[axis]);
-        packed.acceleration[axis] = static_cast<float>(path.acceleration[axis]);
-    }
+    packed.set_path(path);
     packed.set_deviation(deviation);
     packed.since = now;
 }

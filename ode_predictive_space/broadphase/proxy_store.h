@@ -22,12 +22,22 @@ namespace ode_predictive_space
 struct alignas(64) PackedPath
 {
     double position[3];
-    float velocity[3];
-    float deviation_rate; ///< b of R(t) = a + b t + c t^2
-    float acceleration[3];
-    float deviation_bend; ///< 2 c
-    float deviation_base; ///< a
+    float deviation_base; ///< a of R(t) = a + b t + c t^2
     Tick since;
+    float velocity[3];
+    float deviation_rate; ///< b
+    float half_acceleration[3];
+    float deviation_bend; ///< c
+
+    void set_path(const Path &path)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            position[axis] = path.position[axis];
+            velocity[axis] = static_cast<float>(path.velocity[axis]);
+            half_acceleration[axis] = static_cast<float>(0.5 * path.acceleration[axis]);
+        }
+    }
 
     void set_deviation(const Deviation &R)
     {
@@ -35,18 +45,18 @@ struct alignas(64) PackedPath
         constexpr double limit = 1e30;
         deviation_base = static_cast<float>(std::min(R.a, limit));
         deviation_rate = static_cast<float>(std::min(R.b, limit));
-        deviation_bend = static_cast<float>(std::min(2 * R.c, limit));
+        deviation_bend = static_cast<float>(std::min(R.c, limit));
     }
 
-    Deviation deviation() const { return {deviation_base, deviation_rate, 0.5 * double{deviation_bend}}; }
+    Deviation deviation() const { return {deviation_base, deviation_rate, deviation_bend}; }
 
     /// R(t), as verification computes it.
-    float reach(float t) const { return deviation_base + t * (deviation_rate + 0.5f * t * deviation_bend); }
+    float reach(float t) const { return deviation_base + t * (deviation_rate + t * deviation_bend); }
 
     Path path() const
     {
         return {Vector3(position[0], position[1], position[2]), Vector3(velocity[0], velocity[1], velocity[2]),
-                Vector3(acceleration[0], acceleration[1], acceleration[2])};
+                2 * Vector3(half_acceleration[0], half_acceleration[1], half_acceleration[2])};
     }
 };
 static_assert(sizeof(PackedPath) == 64, "one cache line per checked object");

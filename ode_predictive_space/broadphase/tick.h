@@ -11,7 +11,7 @@ namespace ode_predictive_space
 // for some ticks first; that is quicker than prediction, too, for the tick in which a program begins.
 template <typename Scene> void Broadphase::update(Scene &scene, bool is_tick)
 {
-    const Tick expected = expected_tick();
+    const Tick expected = next_tick_;
     noticed_.take_down(moved_);
     const bool time_passes = this->time_passes(is_tick);
     if (moved_.empty() && due_anew_.empty())

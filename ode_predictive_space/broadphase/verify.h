@@ -23,7 +23,7 @@ template <typename Real> inline bool centre_inside(const PackedPath &path, const
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis)
     {
-        const float moved = t * (path.velocity[axis] + 0.5f * t * path.acceleration[axis]);
+        const float moved = t * (path.velocity[axis] + t * path.half_acceleration[axis]);
         inside &= std::abs(centre[axis] - (path.position[axis] + moved)) <= reach;
     }
     return inside;
@@ -33,27 +33,33 @@ template <typename Real> inline bool centre_inside(const PackedPath &path, const
 /// How far the path has come along each axis after t, and in the fourth component what the deviation has grown by.
 inline __m128 moved_and_grown(const PackedPath &path, float t)
 {
-    const __m128 rate = _mm_loadu_ps(path.velocity), bend = _mm_loadu_ps(path.acceleration);
-    return _mm_mul_ps(_mm_set1_ps(t), _mm_add_ps(rate, _mm_mul_ps(_mm_set1_ps(0.5f * t), bend)));
+    const __m128 rate = _mm_load_ps(path.velocity), bend = _mm_load_ps(path.half_acceleration), times = _mm_set1_ps(t);
+    return _mm_mul_ps(times, _mm_add_ps(rate, _mm_mul_ps(times, bend)));
+}
+
+/// R(t) in each component.
+inline __m128 reach_on_all_axes(const PackedPath &path, __m128 moved_and_grown)
+{
+    return _mm_add_ps(_mm_set1_ps(path.deviation_base), _mm_shuffle_ps(moved_and_grown, moved_and_grown, 0xff));
+}
+
+/// |x| in each component; shifts need no constant.
+inline __m128 magnitude(__m128 values)
+{
+    return _mm_castsi128_ps(_mm_srli_epi32(_mm_slli_epi32(_mm_castps_si128(values), 1), 1));
 }
 
 /// The same in a few vector instructions.
 template <> inline bool centre_inside<double>(const PackedPath &path, const double *centre, Tick now)
 {
-    const float t = static_cast<float>(ticks_between(path.since, now));
-    const __m128 moved = moved_and_grown(path, t);
-    const __m128d xy = _mm_add_pd(_mm_loadu_pd(path.position), _mm_cvtps_pd(moved));
-    const __m128d z = _mm_add_pd(_mm_load_sd(path.position + 2), _mm_cvtps_pd(_mm_movehl_ps(moved, moved)));
+    const __m128 moved = moved_and_grown(path, static_cast<float>(ticks_between(path.since, now)));
     // One by one: they may have been stored so a moment ago, and a wider load would have to wait for the stores.
-    const __m128d off_xy = _mm_sub_pd(_mm_loadh_pd(_mm_load_sd(centre), centre + 1), xy);
-    const __m128d off_z = _mm_sub_pd(_mm_load_sd(centre + 2), z);
-    const __m128 reach_of_all = _mm_add_ps(_mm_set1_ps(path.deviation_base), _mm_shuffle_ps(moved, moved, 0xff));
-    const __m128d reach = _mm_cvtps_pd(reach_of_all);
-    const __m128d no_sign = _mm_castsi128_pd(_mm_set1_epi64x(0x7fffffffffffffff));
-    const __m128d inside_xy = _mm_cmple_pd(_mm_and_pd(off_xy, no_sign), reach);
-    // Beside z, what the deviation has grown by: no more than all of it.
-    const __m128d inside_z = _mm_cmple_pd(_mm_and_pd(off_z, no_sign), reach);
-    return _mm_movemask_pd(_mm_and_pd(inside_xy, inside_z)) == 3;
+    const __m128d xy = _mm_sub_pd(_mm_loadh_pd(_mm_load_sd(centre), centre + 1), _mm_load_pd(path.position));
+    const __m128d z = _mm_sub_sd(_mm_load_sd(centre + 2), _mm_load_sd(path.position + 2));
+    const __m128 come = _mm_movelh_ps(_mm_cvtpd_ps(xy), _mm_cvtpd_ps(z));
+    // The fourth component, what the deviation has grown by, is no more than all of it.
+    const __m128 inside = _mm_cmple_ps(magnitude(_mm_sub_ps(come, moved)), reach_on_all_axes(path, moved));
+    return _mm_movemask_ps(inside) == 15;
 }
 #endif
 
@@ -80,7 +86,7 @@ inline bool bounds_inside(const PackedPath &path, const PackedBounds &bounds, co
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis)
     {
-        const double centre = path.position[axis] + t * (path.velocity[axis] + 0.5f * t * path.acceleration[axis]);
+        const double centre = path.position[axis] + t * (path.velocity[axis] + t * path.half_acceleration[axis]);
         inside &= (centre + bounds.low[axis] - reach <= box.min()[axis]) | (bounds.low[axis] == -infinity);
         inside &= (box.max()[axis] <= centre + bounds.high[axis] + reach) | (bounds.high[axis] == infinity);
     }
@@ -96,13 +102,12 @@ inline bool surely_inside([[maybe_unused]] const PackedPath &path, [[maybe_unuse
     const __m128d xy = _mm_loadu_pd(path.position), z = _mm_load_sd(path.position + 2);
     const __m128 moved = moved_and_grown(path, t);
     const __m128 position = _mm_movelh_ps(_mm_cvtpd_ps(xy), _mm_cvtpd_ps(z));
-    const __m128 reach = _mm_add_ps(_mm_set1_ps(path.deviation_base), _mm_shuffle_ps(moved, moved, 0xff));
+    const __m128 reach = reach_on_all_axes(path, moved);
     const __m128 centre = _mm_add_ps(position, moved);
     const __m128 low = _mm_sub_ps(_mm_add_ps(centre, _mm_loadu_ps(bounds.low)), reach);
     const __m128 high = _mm_add_ps(_mm_add_ps(centre, _mm_loadu_ps(bounds.high)), reach);
-    const __m128 no_sign = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
-    const __m128 size = _mm_add_ps(_mm_add_ps(_mm_and_ps(position, no_sign), _mm_and_ps(moved, no_sign)),
-                                   _mm_add_ps(_mm_and_ps(low, no_sign), _mm_and_ps(high, no_sign)));
+    const __m128 size =
+        _mm_add_ps(_mm_add_ps(magnitude(position), magnitude(moved)), _mm_add_ps(magnitude(low), magnitude(high)));
     const __m128 rounding = _mm_mul_ps(size, _mm_set1_ps(4 * std::numeric_limits<float>::epsilon()));
     return box.inside(_mm_add_ps(low, rounding), _mm_sub_ps(high, rounding)) && !bounds.unbounded;
 #else
@@ -127,19 +132,18 @@ template <typename Scene>
 /// Whatever changes an object is noticed by itself. So its size has to be looked at only when its pose is the one that the
 /// last notice found, or when that is not known.
 ///
-/// @tparam Object gives coordinates(), pose_digest() and has_grown(radius); see Broadphase::notice_move().
+/// @tparam Object gives has_centre(), coordinates(), pose_digest() and has_grown(radius); see Broadphase::notice_move().
 template <typename Object> inline bool notice_holds(ProxyStore &proxies, ProxyId id, const Object &object, Tick then)
 {
     Stamp &stamp = proxies.stamps[id];
-    const auto *centre = object.coordinates();
-    if (stamp.radius < 0 || !centre)
+    if (std::signbit(stamp.radius) || !object.has_centre())
     {
         stamp.pose = 0;
         return false;
     }
     const std::uint32_t last = stamp.pose, pose = object.pose_digest();
     stamp.pose = pose;
-    return centre_inside(proxies.paths[id], centre, then) &&
+    return centre_inside(proxies.paths[id], object.coordinates(), then) &&
            ((pose != last && last != 0) || !object.has_grown(stamp.radius));
 }
 

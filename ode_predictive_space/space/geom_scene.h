@@ -101,12 +101,10 @@ class NoticedGeom
 public:
     explicit NoticedGeom(const dxGeom *geom) : geom_(geom) {}
 
-    /// (What has an offset from its body has a bad position when it has been moved.)
-    const dReal *coordinates() const
-    {
-        const bool turns_around_it = (geom_->body != nullptr) | (geom_->type == dSphereClass);
-        return !(geom_->gflags & GEOM_POSR_BAD) & turns_around_it ? geom_->final_posr->pos : nullptr;
-    }
+    /// (What has been given an offset from its body has a bad position when it has been moved. What has lost its body turns
+    /// around its position still.)
+    bool has_centre() const { return (geom_->gflags & GEOM_POSR_BAD) == 0; }
+    const dReal *coordinates() const { return geom_->final_posr->pos; }
     bool has_grown(float radius) const { return !fits_into_sphere(geom_, radius); }
 
     /// Of the position and the beginning of the rotation, which lie together.

@@ -230,9 +230,10 @@ struct JustMoved
     double radius = 1;
     std::uint32_t pose = 1;
     mutable int sizes_asked = 0;
-    bool has_centre = true;
+    bool centre_is_known = true;
 
-    const double *coordinates() const { return has_centre ? centre.data() : nullptr; }
+    bool has_centre() const { return centre_is_known; }
+    const double *coordinates() const { return centre.data(); }
     std::uint32_t pose_digest() const { return pose; }
     bool has_grown(float allowed) const
     {
@@ -276,9 +277,9 @@ TEST(NoticeOfAMove, LeavesDoubtWhereItTakesACloserLook)
     add_proxy(store, straight, some, 1, 100, 50);
     JustMoved object;
     object.centre = straight.at(10);
-    object.has_centre = false;
+    object.centre_is_known = false;
     EXPECT_FALSE(notice_holds(store, 0, object, 110)) << "its position has to be computed first";
-    object.has_centre = true;
+    object.centre_is_known = true;
     object.pose = 7;
     object.radius = 2;
     EXPECT_FALSE(notice_holds(store, 0, object, 110)) << "and what came in between is not known";

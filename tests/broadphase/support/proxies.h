@@ -22,11 +22,9 @@ inline ProxyId add_proxy(ProxyStore &store, const Path &path, const Deviation &d
     const ProxyId id = add_empty_proxy(store);
     PackedPath &packed = store.paths[id];
     PackedBounds &bounds = store.bounds[id];
+    packed.set_path(path);
     for (int axis = 0; axis < 3; ++axis)
     {
-        packed.position[axis] = path.position[axis];
-        packed.velocity[axis] = static_cast<float>(path.velocity[axis]);
-        packed.acceleration[axis] = static_cast<float>(path.acceleration[axis]);
         bounds.low[axis] = round_down(-radius);
         bounds.high[axis] = round_up(radius);
     }

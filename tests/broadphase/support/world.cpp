@@ -35,6 +35,7 @@ struct Noticed
 {
     const Object &object;
 
+    bool has_centre() const { return true; }
     const double *coordinates() const { return object.centre.data(); }
     bool has_grown(float radius) const { return !(object.radius <= radius); }
     std::uint32_t pose_digest() const
