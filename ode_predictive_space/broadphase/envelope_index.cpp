@@ -25,8 +25,11 @@ void EnvelopeIndex::outgrow_list(ProxyStore &proxies)
 {
     const bool is_small = proxies.size() <= small_scene;
     if (std::exchange(was_small_, is_small) && !is_small)
-        for (const SweptProxy &leaf : std::exchange(list_, {}))
-            put(proxies, leaf);
+    {
+        const BoxList list = std::exchange(list_, {});
+        for (std::size_t i = 0; i < list.size(); ++i)
+            put(proxies, list[i]);
+    }
 }
 
 void EnvelopeIndex::update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch, Tick now,
@@ -61,7 +64,7 @@ void EnvelopeIndex::put_anew(ProxyStore &proxies, const SweptProxy &swept)
     }
     else if (shelf == Shelf::list)
     {
-        place_in_list(swept.proxy)->box = swept.box;
+        list_.put(swept);
         proxies.bounds[swept.proxy].unbounded = !swept.box.bounded();
     }
     else
@@ -92,16 +95,11 @@ void EnvelopeIndex::put(ProxyStore &proxies, const SweptProxy &swept)
 {
     const Shelf shelf = shelf_for(proxies, swept);
     if (shelf == Shelf::list)
-        list_.push_back(swept);
+        list_.put(swept);
     else
         tree(shelf).insert(swept.proxy, swept.box);
     proxies.bounds[swept.proxy].shelf = shelf;
     proxies.bounds[swept.proxy].unbounded = !swept.box.bounded();
-}
-
-std::vector<SweptProxy>::iterator EnvelopeIndex::place_in_list(ProxyId id)
-{
-    return std::find_if(list_.begin(), list_.end(), [id](const SweptProxy &leaf) { return leaf.proxy == id; });
 }
 
 void EnvelopeIndex::rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &batch, Tick now)
@@ -137,7 +135,7 @@ void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)
 {
     Shelf &shelf = proxies.bounds[id].shelf;
     if (shelf == Shelf::list)
-        list_.erase(place_in_list(id));
+        list_.remove(id);
     else if (shelf != Shelf::none)
         tree(shelf).remove(id);
     shelf = Shelf::none;
@@ -166,21 +164,12 @@ void EnvelopeIndex::find_pairs(const std::vector<SweptProxy> &batch, const IdSet
         find_in_list(swept, in_batch, pairs);
 }
 
-// Which boxes overlap is hard to foretell: all are written down, and counted if they count.
 void EnvelopeIndex::find_in_list(const SweptProxy &swept, const IdSet &in_batch, std::vector<CandidatePair> &pairs)
 {
-    const BoxProbe probe(swept.box);
-    if (in_list_.size() < list_.size())
-        in_list_.resize(list_.size());
-    ProxyId *end = in_list_.data();
-    for (const SweptProxy &leaf : list_)
-    {
-        *end = leaf.proxy;
-        end += probe.overlaps(leaf.box);
-    }
-    for (const ProxyId *hit = in_list_.data(); hit != end; ++hit)
-        if (!in_batch.contains(*hit))
-            pairs.push_back({swept.proxy, *hit});
+    list_.find(swept.box, [&](ProxyId other) {
+        if (!in_batch.contains(other))
+            pairs.push_back({swept.proxy, other});
+    });
 }
 
 void EnvelopeIndex::find_in_trees(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
@@ -211,7 +200,9 @@ void EnvelopeIndex::find_in_trees(const SweptProxy *some, std::size_t count, con
 void EnvelopeIndex::sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch,
                                 std::vector<CandidatePair> &pairs) const
 {
-    std::vector<SweptProxy> all = list_;
+    std::vector<SweptProxy> all;
+    for (std::size_t i = 0; i < list_.size(); ++i)
+        all.push_back(list_[i]);
     for (ProxyId id = 0; id < proxies.size(); ++id)
     {
         const Shelf shelf = proxies.bounds[id].shelf;
@@ -228,8 +219,7 @@ void EnvelopeIndex::sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch
 
 std::size_t EnvelopeIndex::bytes() const
 {
-    return still_.bytes() + moving_.bytes() + list_.capacity() * sizeof(SweptProxy) + sweep_.bytes() +
-           in_list_.capacity() * sizeof(ProxyId) + hits_.capacity() * sizeof(EnvelopeTree::Hit) +
-           probes_.capacity() * sizeof(BoxProbe);
+    return still_.bytes() + moving_.bytes() + list_.bytes() + sweep_.bytes() +
+           hits_.capacity() * sizeof(EnvelopeTree::Hit) + probes_.capacity() * sizeof(BoxProbe);
 }
 } // namespace ode_predictive_space

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "ode_predictive_space/broadphase/box_list.h"
 #include "ode_predictive_space/broadphase/envelope_tree.h"
 #include "ode_predictive_space/broadphase/id_set.h"
 #include "ode_predictive_space/broadphase/proxy_store.h"
@@ -46,8 +47,8 @@ public:
     {
         still_.walk(probe, visit);
         moving_.walk(probe, visit);
-        for (const SweptProxy &leaf : list_)
-            if (probe.overlaps(leaf.box))
+        for (std::size_t i = 0; i < list_.size(); ++i)
+            if (const SweptProxy leaf = list_[i]; probe.overlaps(leaf.box))
                 visit(leaf.proxy);
     }
 
@@ -63,7 +64,6 @@ private:
     void graft(ProxyStore &proxies, const std::vector<SweptProxy> &part);
     EnvelopeTree &tree(Shelf shelf) { return shelf == Shelf::still ? still_ : moving_; }
     void put(ProxyStore &proxies, const SweptProxy &swept);
-    std::vector<SweptProxy>::iterator place_in_list(ProxyId id);
 
     void find_pairs(const std::vector<SweptProxy> &batch, const IdSet &in_batch, std::vector<CandidatePair> &pairs);
     void find_in_list(const SweptProxy &swept, const IdSet &in_batch, std::vector<CandidatePair> &pairs);
@@ -74,11 +74,10 @@ private:
 
     EnvelopeTree still_;
     EnvelopeTree moving_;
-    std::vector<SweptProxy> list_;
+    BoxList list_;
     Sweep sweep_;
-    std::vector<BoxProbe> probes_; // scratch, as the next two
+    std::vector<BoxProbe> probes_; // scratch, as the next one
     std::vector<EnvelopeTree::Hit> hits_;
-    std::vector<ProxyId> in_list_;
     bool was_small_ = false; // so that what a tree can hold is in the list
 };
 } // namespace ode_predictive_space
