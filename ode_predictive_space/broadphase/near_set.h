@@ -91,19 +91,18 @@ public:
         is_disturbed_ = false;
     }
 
-    /// Drops what is stale and calls visit(pair) for all others that are tested, and some time before that coming(pair), if
-    /// that is `wanted`. To be called when all that were disturbed have been woken.
+    /// Drops what is stale and calls visit(pair) for all others that are tested, and some time before that coming(pair). To
+    /// be called when all that were disturbed have been woken.
     ///
     /// @return the visitor, which is not shared meanwhile: what it counts stays in registers.
-    template <typename Coming, typename Visit> Visit visit_tested(Tick now, bool wanted, Coming coming, Visit visit)
+    template <typename Coming, typename Visit> Visit visit_tested(Tick now, Coming coming, Visit visit)
     {
         if (may_have_stale(now))
-            return drop_stale(now, wanted, coming, visit);
+            return drop_stale(now, coming, visit);
         const NearPair *const pairs = pairs_.data();
         for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
         {
-            if (wanted)
-                coming(later(pairs, count, i, soon));
+            coming(later(pairs, count, i, soon));
             visit(pairs[i]);
         }
         return visit;
@@ -173,18 +172,17 @@ private:
     {
         wake_disturbed();
         const auto ignore = [](const NearPair &) {};
-        drop_stale(now, false, ignore, ignore);
+        drop_stale(now, ignore, ignore);
     }
 
-    template <typename Coming, typename Visit> Visit drop_stale(Tick now, bool wanted, Coming coming, Visit visit)
+    template <typename Coming, typename Visit> Visit drop_stale(Tick now, Coming coming, Visit visit)
     {
         NearPair *const pairs = pairs_.data(), *left = pairs;
         const std::size_t count = pairs_.size(), settled = settled_;
         std::int32_t next_leave = NearPair::for_long;
         for (std::size_t i = 0; i < count; ++i)
         {
-            if (wanted)
-                coming(later(pairs, count, i, soon));
+            coming(later(pairs, count, i, soon));
             const NearPair pair = pairs[i];
             const std::int32_t ticks_left = pair.ticks_left(now);
             if (ticks_left < 0 || ((i < settled) & is_retired(pair)))

@@ -238,7 +238,12 @@ template <typename Visit> Visit Broadphase::for_scanned(Visit visit) const
 // Visits the pairs that are tested and not stale; returns the visitor.
 template <typename Visit> Visit Broadphase::visit_tested(Visit visit)
 {
-    return scanning() ? for_scanned(visit) : near_.visit_tested(now_, boxes_overflow_cache(), box_fetcher(), visit);
+    if (scanning())
+        return for_scanned(visit);
+    if (boxes_overflow_cache())
+        return near_.visit_tested(now_, box_fetcher(), visit);
+    return near_.visit_tested(
+        now_, [](const CandidatePair &) {}, visit);
 }
 
 // Each pair is written and those that are apart are overwritten: which they are is hard to foretell, and easy to count.
@@ -246,8 +251,8 @@ template <typename Scene> struct Broadphase::OverlapTest
 {
     Scene &scene;
     const MeasuredBox *boxes;
-    bool by_sphere;
     CandidatePair *end;
+    bool by_sphere;
 
     bool overlap(const CandidatePair &pair) const
     {
@@ -284,7 +289,7 @@ template <typename Scene> std::size_t Broadphase::test_near(Scene &scene, std::v
     const std::size_t most = tested_pairs() + near_.together().size();
     if (room.size() < most)
         room.resize(most);
-    const OverlapTest<Scene> test{scene, boxes_.data(), measure_ == Proximity::sphere, room.data()};
+    const OverlapTest<Scene> test{scene, boxes_.data(), room.data(), measure_ == Proximity::sphere};
     return static_cast<std::size_t>(visit_tested(test).end - room.data());
 }
 
@@ -294,7 +299,7 @@ template <typename Scene> void Broadphase::let_rest(Scene &scene)
     constexpr unsigned reports_per_rest = 32;
     if (++reports_ % reports_per_rest != 0)
         return;
-    const OverlapTest<Scene> test{scene, boxes_.data(), measure_ == Proximity::sphere, nullptr};
+    const OverlapTest<Scene> test{scene, boxes_.data(), nullptr, measure_ == Proximity::sphere};
     near_.let_rest([&](const CandidatePair &pair) {
         if (stirred_.contains(pair.first) || stirred_.contains(pair.second))
             return NearSet::Verdict::open;

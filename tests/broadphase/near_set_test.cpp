@@ -46,7 +46,7 @@ protected:
     {
         std::vector<ProxyId> ids;
         set.visit_tested(
-            now, false, [](const NearPair &) {}, [&](const NearPair &pair) { ids.push_back(pair.first); });
+            now, [](const NearPair &) {}, [&](const NearPair &pair) { ids.push_back(pair.first); });
         EXPECT_EQ(ids, firsts(set.pairs())) << "no others are left";
         return ids;
     }
