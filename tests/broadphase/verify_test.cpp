@@ -42,7 +42,8 @@ TEST(Verify, TheCentreMayBeAsFarFromThePathAsTheDeviation)
                 Vector3 centre = straight.at(t);
                 centre[axis] += sign * some.at(t);
                 EXPECT_TRUE(centre_inside(store.paths[0], centre.data(), now));
-                centre[axis] += sign * 1e-9;
+                const double rounding = store.outer_envelope(0, now).deviation.at(0) - some.at(t);
+                centre[axis] += sign * (rounding + 1e-9);
                 EXPECT_FALSE(centre_inside(store.paths[0], centre.data(), now));
             }
     }
@@ -57,6 +58,35 @@ TEST(Verify, NoCentreThatIsNotANumberIsInside)
 }
 
 // Envelopes, and boxes with sides near theirs: within, on and beyond them, by more or by less than single precision tells.
+// What rounding adds is within what is allowed for it, also where the path has come far and where coordinates are large.
+TEST(Verify, ACentreInsideIsWithinTheOuterEnvelope)
+{
+    Random random(22);
+    int inside = 0, beyond_the_path = 0;
+    for (int i = 0; i < 100000; ++i)
+    {
+        ProxyStore store;
+        const Tick begin = 100, now = begin + static_cast<Tick>(random.index(500));
+        const double scale = std::pow(10, random.uniform(-3, 3));
+        const Path path = {random.vector(random.chance(0.3) ? 1000 : 1), random.vector(scale),
+                           random.vector(0.01 * scale)};
+        add_proxy(store, path, {random.uniform(0, 0.01 * scale), random.uniform(0, 0.01 * scale), 0}, 1, begin, 600);
+        const Envelope allowed = store.envelope(0, now), outer = store.outer_envelope(0, now);
+        Vector3 centre = allowed.path.position;
+        const auto axis = static_cast<Eigen::Index>(random.index(3));
+        const double reach = allowed.deviation.at(0);
+        centre[axis] += (random.chance(0.5) ? 1 : -1) * reach * (1 + random.uniform(-1, 1) * 1e-5);
+        if (!centre_inside(store.paths[0], centre.data(), now))
+            continue;
+        const double off = std::abs(centre[axis] - outer.path.position[axis]);
+        ASSERT_LE(off, outer.deviation.at(0) + 1e-15 * std::abs(centre[axis])) << i;
+        ++inside;
+        beyond_the_path += off > reach;
+    }
+    EXPECT_GT(inside, 40000);
+    EXPECT_GT(beyond_the_path, 100) << "rounding is seen";
+}
+
 TEST(Verify, WhatIsSurelyInsideIsInside)
 {
     Random random(21);
