@@ -101,9 +101,12 @@ class NoticedGeom
 public:
     explicit NoticedGeom(const dxGeom *geom) : geom_(geom) {}
 
-    /// (What has been given an offset from its body has a bad position when it has been moved. What has lost its body turns
-    /// around its position still.)
-    bool has_centre() const { return (geom_->gflags & GEOM_POSR_BAD) == 0; }
+    /// (What has been given an offset from its body has a bad position when it has been moved. What has lost its body turns by
+    /// any matrix.)
+    bool has_centre() const
+    {
+        return (geom_->body != nullptr || geom_->type == dSphereClass) && (geom_->gflags & GEOM_POSR_BAD) == 0;
+    }
     const dReal *coordinates() const { return geom_->final_posr->pos; }
     bool has_grown(float radius) const { return !fits_into_sphere(geom_, radius); }
 

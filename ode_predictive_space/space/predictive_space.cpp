@@ -116,10 +116,9 @@ void dxPredictiveSpace::remove(dxGeom *geom)
 
 void dxPredictiveSpace::dirty(dxGeom *geom)
 {
-    const ProxyId id = proxy_of(geom);
-    broadphase_.notice_move(id, NoticedGeom(geom));
-    listen_to(geom);
     caught_up_ = false;
+    listen_to(geom);
+    broadphase_.notice_move(proxy_of(geom), NoticedGeom(geom));
 }
 
 // Only now is the class of new geoms known.
