@@ -25,7 +25,7 @@ enum class Family
 };
 
 /// One way to find pairs, in the shape of an ODE space: a scene puts its geoms into space(), and then each turn of some
-/// ticks is prepare(), and each tick of it motion, dSpaceCollide() (which alone is timed), finish().
+/// ticks is prepare(), and each tick of it motion, dSpaceCollide() (which alone is timed), finish(), end_tick().
 class Contender
 {
 public:
@@ -52,6 +52,10 @@ public:
     ///
     /// @return how many pairs it took out of the list because their boxes are apart.
     virtual std::size_t finish(PairList &) { return 0; }
+
+    /// Called when all is done in a tick, before the next motion: outside the time that is measured, unless several ticks are
+    /// timed at once.
+    virtual void end_tick() {}
 
 private:
     std::string name_;

@@ -76,6 +76,7 @@ void SceneRun::make_tick()
     const Clock::time_point read = Clock::now();
     scene_->respond(pairs);
     const Clock::time_point responded = Clock::now();
+    contender_->end_tick();
 
     collide_times_.push_back(microseconds * std::max(0.0, seconds_between(moved, collided) - clock_overhead_));
     tick_times_.push_back(microseconds * (seconds_between(start, collided) + seconds_between(read, responded)));

@@ -27,12 +27,14 @@ public:
     double seconds(const Motion &motion, NearCallback callback)
     {
         const auto near = callback == NearCallback::collect ? &PairList::collect : &find_contacts;
+        contender_->prepare(static_cast<int>(motion.size()));
         const Clock::time_point start = Clock::now();
         for (const std::vector<Move> &moves : motion)
         {
             replay_.make(moves);
             list_.clear();
             dSpaceCollide(contender_->space(), &list_, near);
+            contender_->end_tick();
         }
         return seconds_between(start, Clock::now());
     }

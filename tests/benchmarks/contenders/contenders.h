@@ -10,7 +10,7 @@ namespace ode_predictive_space::benchmarks
 /// Below so many objects a tick is so short that reading the clock would be a part of what is measured.
 constexpr int objects_for_single_ticks = 300;
 
-/// Their names: the spaces, and "brute", "sweep", "bullet-dbvt", "bullet-sap", "floor". Bullet's only when it was there to
+/// Their names: the spaces, and "brute", "sweep", "bullet-dbvt", "bullet-sap", "floor-boxes", "floor". Bullet's only when it was there to
 /// build with.
 const std::vector<std::string> &contender_names();
 

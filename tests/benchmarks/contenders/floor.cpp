@@ -4,6 +4,7 @@
 #include "tests/benchmarks/contenders/plain_sweep.h"
 
 #include <deque>
+#include <string>
 #include <utility>
 
 namespace ode_predictive_space::benchmarks
@@ -15,6 +16,8 @@ using scenes::IndexPair;
 class FloorSpace : public NoticeSpace
 {
 public:
+    explicit FloorSpace(bool with_boxes) : with_boxes_(with_boxes) {}
+
     void add(dxGeom *geom) override
     {
         NoticeSpace::add(geom);
@@ -35,6 +38,10 @@ public:
             }
         }
         sum_of_positions_ = sum;
+        if (with_boxes_)
+        {
+            compute_boxes();
+        }
         for (const auto &[first, second] : known_.front())
         {
             callback(data, first, second);
@@ -67,6 +74,15 @@ public:
     }
 
 private:
+    void compute_boxes() const
+    {
+        for (const auto &[first, second] : known_.front())
+        {
+            first->recomputeAABB();
+            second->recomputeAABB();
+        }
+    }
+
     void number_geoms()
     {
         by_index_.resize(slots());
@@ -76,6 +92,7 @@ private:
         }
     }
 
+    const bool with_boxes_;
     std::vector<dxGeom *> moved_;
     std::vector<dxGeom *> by_index_;
     std::deque<std::vector<std::pair<dxGeom *, dxGeom *>>> known_; // of the ticks to come
@@ -85,8 +102,8 @@ private:
 class Floor : public scenes::Contender
 {
 public:
-    Floor(const scenes::SceneFactory &factory, FloorSpace *space)
-        : Contender("floor", scenes::Family::reference, scenes::OwnedSpace(space)), floor_(*space),
+    Floor(const std::string &name, const scenes::SceneFactory &factory, FloorSpace *space)
+        : Contender(name, scenes::Family::reference, scenes::OwnedSpace(space)), floor_(*space),
           leader_(make_plain_sweep()), scene_(factory.make(leader_->space()))
     {}
 
@@ -103,11 +120,7 @@ public:
         }
     }
 
-    std::size_t finish(scenes::PairList &) override
-    {
-        floor_.end_tick();
-        return 0;
-    }
+    void end_tick() override { floor_.end_tick(); }
 
 private:
     FloorSpace &floor_;
@@ -119,6 +132,11 @@ private:
 
 std::unique_ptr<scenes::Contender> make_floor(const scenes::SceneFactory &factory)
 {
-    return std::make_unique<Floor>(factory, new FloorSpace);
+    return std::make_unique<Floor>("floor", factory, new FloorSpace(false));
+}
+
+std::unique_ptr<scenes::Contender> make_floor_with_boxes(const scenes::SceneFactory &factory)
+{
+    return std::make_unique<Floor>("floor-boxes", factory, new FloorSpace(true));
 }
 } // namespace ode_predictive_space::benchmarks

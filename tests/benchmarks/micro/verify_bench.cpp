@@ -26,12 +26,7 @@ Moved moved_objects(std::size_t count)
     {
         const Envelope envelope = random_envelope(random, half_room(count));
         PackedPath path{};
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            path.position[axis] = envelope.path.position[axis];
-            path.velocity[axis] = static_cast<float>(envelope.path.velocity[axis]);
-            path.acceleration[axis] = static_cast<float>(envelope.path.acceleration[axis]);
-        }
+        path.set_path(envelope.path);
         path.set_deviation({envelope.deviation.a, envelope.deviation.b, 0});
         const Vector3 centre = path.path().at(1);
         result.paths.push_back(path);
