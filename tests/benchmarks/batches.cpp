@@ -105,6 +105,7 @@ std::vector<std::vector<double>> measure_batches(const SceneFactory &factory,
     Recorder recorder(factory);
     MotionRun motion_run(factory);
     std::vector<std::unique_ptr<BatchRun>> runs;
+    runs.reserve(contenders.size());
     for (const std::string &name : contenders)
     {
         runs.push_back(std::make_unique<BatchRun>(name, factory));
