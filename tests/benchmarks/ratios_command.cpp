@@ -18,7 +18,6 @@ using namespace scenes;
 constexpr double most_seconds_each = 10;
 constexpr int short_warm_up = 30; ///< of scenes with contacts, whose slow contenders else would have no tick in common
 constexpr double times_as_fast_as_bullet = 3;
-constexpr int most_beside_floor = 1000; ///< objects; the subcommand floor measures more
 
 /// A scene, and how many times as fast as the best of ODE's spaces the predictive one is to be in it.
 struct Case
@@ -84,7 +83,7 @@ std::vector<std::string> contenders(const Case &one)
     std::vector<std::string> names = {"predictive-box", "predictive-sphere"};
     names.insert(names.end(), ode_spaces().begin(), ode_spaces().end());
     names.emplace_back("sweep");
-    if (one.beside_bullet && one.objects <= most_beside_floor)
+    if (one.objects < objects_for_single_ticks)
     {
         names.insert(names.end(), {"floor-boxes", "floor"});
     }
