@@ -26,12 +26,17 @@ void prefetch_filters(const dxGeom *geom)
            (second->type < dFirstUserClass || second->AABBTest(first, first->aabb) != 0);
 }
 
-// What collideAABBs() asks beside overlap. Bodies, bits and the rest change without notice: they are read here, each time.
+// What collideAABBs() asks beside overlap, in this function and the next. Bits, bodies and the rest change without notice:
+// they are read here, each time. First the bits: pairs that overlap for good, such as walls at their edges, are most often left
+// out by these.
+inline bool bits_agree(const dxGeom *first, const dxGeom *second)
+{
+    return ((first->category_bits & second->collide_bits) | (second->category_bits & first->collide_bits)) != 0;
+}
+
 inline bool wants_callback(dxGeom *first, dxGeom *second)
 {
     if (first->body == second->body && first->body)
-        return false;
-    if (!((first->category_bits & second->collide_bits) | (second->category_bits & first->collide_bits)))
         return false;
     return std::max(first->type, second->type) < dFirstUserClass || user_classes_agree(first, second);
 }
@@ -217,7 +222,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
         if (overflows_cache)
             prefetch_pair(pairs.data(), count, i);
         dxGeom *one = geoms_[pair.first], *other = geoms_[pair.second];
-        if (enabled(one) && enabled(other) && wants_callback(one, other))
+        if (bits_agree(one, other) && enabled(one) && enabled(other) && wants_callback(one, other))
         {
             ++reported_;
             callback(data, one, other);
@@ -251,7 +256,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     {
         scene().prefetch(later(found, i, 4));
         dxGeom *other = geoms_[found[i]];
-        if (enabled(other) && now.overlap(other, geom) && wants_callback(other, geom))
+        if (bits_agree(other, geom) && enabled(other) && now.overlap(other, geom) && wants_callback(other, geom))
             callback(data, other, geom);
     }
     found_ = std::move(found);
