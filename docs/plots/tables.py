@@ -8,7 +8,7 @@ import json
 import sys
 
 SPACES = ["predictive-box", "predictive-sphere", "simple", "hash", "quadtree", "sap", "bullet-dbvt", "bullet-sap", "sweep",
-          "floor"]
+          "floor-boxes", "floor"]
 PAPER = {"brute": "brute force", "sap": "sweep & prune", "quadtree": "quadtree", "hash": "uniform grid"}
 
 
