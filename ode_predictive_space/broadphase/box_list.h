@@ -68,6 +68,15 @@ public:
         }
     }
 
+    /// The same for a probe of any shape; see EnvelopeTree::walk().
+    template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
+    {
+        for (std::size_t place = 0; place < size(); ++place)
+            if (probe.overlaps(box(place)))
+                visit(proxies_[place]);
+    }
+    template <typename Visit> void walk(const BoxProbe &probe, Visit visit) const { find(probe.box(), visit); }
+
     std::size_t bytes() const { return proxies_.capacity() * sizeof(ProxyId) + blocks_.capacity() * sizeof(Block); }
 
 private:

@@ -47,9 +47,7 @@ public:
     {
         still_.walk(probe, visit);
         moving_.walk(probe, visit);
-        for (std::size_t i = 0; i < list_.size(); ++i)
-            if (const SweptProxy leaf = list_[i]; probe.overlaps(leaf.box))
-                visit(leaf.proxy);
+        list_.walk(probe, visit);
     }
 
     bool empty() const { return still_.empty() && moving_.empty() && list_.empty(); }

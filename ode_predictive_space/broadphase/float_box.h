@@ -197,6 +197,14 @@ public:
         return _mm_movemask_ps(_mm_and_ps(begins, ends)) == 15;
     }
 
+    FloatBox box() const
+    {
+        alignas(16) float high[4], low[4];
+        _mm_store_ps(high, high_);
+        _mm_store_ps(low, low_);
+        return {{low[1], low[2], low[3]}, {high[0], high[1], high[2]}};
+    }
+
 private:
     static constexpr float infinity = std::numeric_limits<float>::infinity();
     __m128 high_, low_;
@@ -205,6 +213,10 @@ private:
     bool overlaps(const FloatBox &other) const
     {
         return box_.overlaps(other);
+    }
+    FloatBox box() const
+    {
+        return box_;
     }
 
 private:

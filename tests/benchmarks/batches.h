@@ -24,8 +24,8 @@ enum class NearCallback
 /// Microseconds per tick of each contender, one figure per batch.
 ///
 /// The motion is recorded batch by batch and replayed to each contender's copy of the scene and, by itself, to one more
-/// copy; between two readings of the clock there are the motion and dSpaceCollide() of a whole batch, and the time of the
-/// motion by itself is subtracted.
+/// copy; between two readings of the clock there are the motion, dSpaceCollide() and end_tick() of a whole batch, and the
+/// time of the motion by itself is subtracted.
 ///
 /// A space has its costs in two places: in dSpaceCollide(), and in the notices that ODE gives it of each geom that moves. The
 /// copy that moves by itself is never collided, so that all its geoms stay dirty and ODE gives its space no notice: what is

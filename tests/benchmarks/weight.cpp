@@ -56,7 +56,7 @@ std::size_t heap_in_use()
 
 double bytes_per_geom(const std::string &name, const SceneFactory &factory)
 {
-    if (name == "hash" || name == "brute" || name == "floor" || name == "floor-boxes")
+    if (name == "hash" || name == "brute" || is_floor(name))
     {
         return std::numeric_limits<double>::quiet_NaN();
     }

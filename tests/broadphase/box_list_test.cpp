@@ -56,6 +56,15 @@ struct BoxListTest : testing::Test
             if (box.overlaps(other))
                 overlapping.insert(id);
         EXPECT_EQ(found, overlapping);
+        expect_walked(BoxProbe(box), overlapping);
+        expect_walked(box, overlapping);
+    }
+
+    template <typename Probe> void expect_walked(const Probe &probe, const std::set<ProxyId> &overlapping) const
+    {
+        std::set<ProxyId> walked;
+        list.walk(probe, [&](ProxyId id) { EXPECT_TRUE(walked.insert(id).second); });
+        EXPECT_EQ(walked, overlapping);
     }
 
     void expect_kept() const

@@ -77,9 +77,14 @@ std::unique_ptr<Contender> make_contender(const std::string &name, const SceneFa
     throw std::invalid_argument("there is no contender named \"" + name + "\"");
 }
 
+bool is_floor(const std::string &name)
+{
+    return name == "floor" || name == "floor-boxes";
+}
+
 std::string why_not(const std::string &name, const scenes::SceneSpec &spec)
 {
-    if ((name == "floor" || name == "floor-boxes") && spec.name == "churn")
+    if (is_floor(name) && spec.name == "churn")
     {
         return "it must know the pairs of a scene beforehand, and here geoms come and go";
     }
