@@ -45,6 +45,13 @@ SceneRun::SceneRun(std::unique_ptr<Contender> contender, std::unique_ptr<Scene> 
     : contender_(std::move(contender)), scene_(std::move(scene)), clock_overhead_(clock_overhead())
 {}
 
+// Some spaces search or sort all that they hold when a geom leaves: of ten thousand, each would be waited for.
+SceneRun::~SceneRun()
+{
+    dSpaceSetCleanup(contender_->space(), 0);
+    contender_.reset();
+}
+
 void SceneRun::collide()
 {
     list_.clear();

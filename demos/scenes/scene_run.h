@@ -49,6 +49,8 @@ public:
     /// The same with a scene that no factory makes; its geoms are in the contender's space.
     SceneRun(std::unique_ptr<Contender> contender, std::unique_ptr<Scene> scene);
 
+    ~SceneRun();
+
     /// Make some ticks: motion, dSpaceCollide(), contacts. After the tick in which `seconds` are used up no more are made.
     ///
     /// @return the seconds used.

@@ -118,9 +118,10 @@ Comparison compare_with(const Plan &plan, const SceneFactory &factory, Findings 
     for (const auto &run : runs)
     {
         comparison.results.push_back(result_of(*run));
-        if (plan.weigh)
+        double &bytes = comparison.results.back().bytes_per_geom = told_bytes_per_geom(run->contender().space());
+        if (plan.weigh && std::isnan(bytes))
         {
-            comparison.results.back().bytes_per_geom = bytes_per_geom(run->name(), factory);
+            bytes = bytes_per_geom(run->name(), factory);
         }
     }
     return comparison;
@@ -139,6 +140,20 @@ void time_in_batches(Comparison &comparison, const Plan &plan, const SceneFactor
         comparison.results[i].times = times[i];
     }
     comparison.in_batches = true;
+}
+
+bool same(const SceneSpec &one, const SceneSpec &other)
+{
+    return one.name == other.name && one.objects == other.objects && one.seed == other.seed &&
+           one.moving == other.moving;
+}
+
+bool covers(const Comparison &comparison, const Plan &plan)
+{
+    return same(comparison.spec, plan.spec) &&
+           std::all_of(plan.contenders.begin(), plan.contenders.end(), [&](const std::string &name) {
+               return comparison.find(name) != nullptr || !why_not(name, plan.spec).empty();
+           });
 }
 
 /// Number of the first tick that was timed, of those that the contender made.
@@ -197,6 +212,21 @@ Comparison compare(const Plan &plan, Findings &findings)
     {
         time_in_batches(comparison, plan, factory);
     }
+    return comparison;
+}
+
+std::shared_ptr<const Comparison> compare_once(const Plan &plan, Findings &findings)
+{
+    const auto &made = findings.comparisons();
+    const auto found = std::find_if(made.begin(), made.end(), [&](const auto &one) { return covers(*one, plan); });
+    if (found != made.end())
+    {
+        return *found;
+    }
+    const auto comparison = std::make_shared<const Comparison>(compare(plan, findings));
+    print(std::cout, *comparison);
+    record(*comparison, findings);
+    findings.keep(comparison);
     return comparison;
 }
 

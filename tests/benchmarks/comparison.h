@@ -8,6 +8,7 @@
 #include "tests/benchmarks/options.h"
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct Plan
     double seconds_each =
         scenes::unlimited; ///< a contender that has used up so many makes no more ticks, see run_by_turns()
     bool check = false;    ///< check the predictive spaces by brute force after every tick
-    bool weigh = false;    ///< find out what memory each contender needs: this takes one more copy of each
+    bool weigh =
+        false; ///< find out what memory those contenders need that do not tell: this takes one more copy of each
 };
 
 /// What one contender did.
@@ -68,7 +70,11 @@ struct Comparison
 /// or a predictive space does not pass its check, it says so on the standard error and lets the findings fail.
 Comparison compare(const Plan &plan, Findings &findings);
 
-/// The same without the times that need batches: of ticks that are timed one by one, in scenes of any size.
+/// The same, printed and recorded; but a scene that has been compared so before, with at least these contenders, is not
+/// compared again: that comparison is the result, whatever else the plan says.
+std::shared_ptr<const Comparison> compare_once(const Plan &plan, Findings &findings);
+
+/// A comparison without the times that need batches: of ticks that are timed one by one, in scenes of any size.
 Comparison compare_single_ticks(const Plan &plan, Findings &findings);
 
 /// A plan for this scene as the options have it, with what a subcommand takes where they say nothing.

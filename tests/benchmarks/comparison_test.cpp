@@ -152,11 +152,48 @@ TEST_F(ComparisonTest, FirstTicksAreThoseOfFreshCopies)
     EXPECT_EQ(findings_.status(), exit_ok);
 }
 
+TEST_F(ComparisonTest, IsMadeOnceForAllThatAskForTheSame)
+{
+    Plan asked = plan("gas", objects_for_single_ticks);
+    const auto made = compare_once(asked, findings_);
+    const std::size_t records = findings_.records().size();
+    asked.contenders = {"sap"};
+    EXPECT_EQ(compare_once(asked, findings_), made) << "it is one of the contenders";
+    EXPECT_EQ(findings_.records().size(), records) << "recorded once";
+    asked.contenders = {"sap", "sweep"};
+    EXPECT_NE(compare_once(asked, findings_), made) << "another contender";
+    asked.contenders = {"sap"};
+    asked.spec.seed = 2;
+    EXPECT_NE(compare_once(asked, findings_), made) << "another seed";
+    asked.spec.moving = 0.1;
+    EXPECT_NE(compare_once(asked, findings_), made) << "another share of moving objects";
+    Findings others;
+    EXPECT_NE(compare_once(plan("gas", objects_for_single_ticks), others), made) << "nothing was found there";
+}
+
+TEST_F(ComparisonTest, OneThatCannotTakePartNeedNotHave)
+{
+    Plan with_floor = plan("churn", 40);
+    with_floor.contenders.emplace_back("floor");
+    const auto made = compare_once(with_floor, findings_);
+    EXPECT_EQ(compare_once(with_floor, findings_), made);
+}
+
 TEST_F(ComparisonTest, ASpaceIsWeighedWithoutItsGeoms)
 {
     const SceneFactory factory({"gas", 500, 1});
     EXPECT_GT(bytes_per_geom("predictive-box", factory), 0);
     EXPECT_TRUE(std::isnan(bytes_per_geom("hash", factory)));
+}
+
+TEST_F(ComparisonTest, APredictiveSpaceTellsItsWeightOthersAreWeighedIfWanted)
+{
+    Plan asked = plan("gas", objects_for_single_ticks);
+    const Comparison told = compare(asked, findings_);
+    EXPECT_GT(told.find("predictive-box")->bytes_per_geom, 0);
+    EXPECT_TRUE(std::isnan(told.find("sap")->bytes_per_geom));
+    asked.weigh = true;
+    EXPECT_GT(compare(asked, findings_).find("sap")->bytes_per_geom, 0);
 }
 } // namespace
 } // namespace ode_predictive_space::benchmarks

@@ -4,12 +4,15 @@
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_FINDINGS_H
 
 #include <iosfwd>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 namespace ode_predictive_space::benchmarks
 {
+struct Comparison;
+
 /// What the program returns.
 enum ExitStatus
 {
@@ -47,6 +50,11 @@ public:
     /// Something that whoever reads the figures must know: what was left out, and why.
     void note(std::string text);
 
+    /// Comparisons of scenes that have been shown, for commands that would make the same; see compare_once().
+    using Comparisons = std::vector<std::shared_ptr<const Comparison>>;
+    const Comparisons &comparisons() const { return comparisons_; }
+    void keep(std::shared_ptr<const Comparison> comparison) { comparisons_.push_back(std::move(comparison)); }
+
     /// Something went wrong; the first status other than exit_ok stays.
     void fail(ExitStatus status);
 
@@ -63,6 +71,7 @@ private:
     nlohmann::json records_ = nlohmann::json::array();
     std::vector<Requirement> requirements_;
     std::vector<std::string> notes_;
+    Comparisons comparisons_;
     ExitStatus status_ = exit_ok;
 };
 } // namespace ode_predictive_space::benchmarks

@@ -15,7 +15,7 @@ using namespace scenes;
 
 constexpr int quick_share = 5;
 constexpr double quick_seconds_each = 0.4;
-constexpr int most_objects_to_weigh_quickly = 10000;
+constexpr int most_objects_to_weigh_quickly = 1000;
 
 /// With more objects than this a contender is not to be waited for: a tick takes seconds (brute, simple), its table gigabytes
 /// (hash, n^2 / 8 bytes), its first tick (quadtree) or its filling and emptying (bullet-sap) minutes.

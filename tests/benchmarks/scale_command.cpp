@@ -51,12 +51,12 @@ std::string title(const Step &step)
 struct Measured
 {
     Step step;
-    Comparison comparison;
+    std::shared_ptr<const Comparison> comparison;
 
     /// Mean time per moved geom, in nanoseconds; not a number when the contender did not take part.
     double per_moved(const std::string &contender) const
     {
-        const Result *result = comparison.find(contender);
+        const Result *result = comparison->find(contender);
         return result == nullptr ? std::nan("") : 1000 * result->mean() / (step.objects * share_moving(step));
     }
 };
@@ -73,10 +73,7 @@ Measured measure_step(const Step &step, const Options &options, Findings &findin
     const SceneSpec spec{step.scene, step.objects, options.seed, step.moving};
     Plan plan = plan_for(spec, fast_enough(contenders(), spec, findings), step.ticks, options);
     plan.seconds_each = options.quick ? quick_seconds_each : most_seconds_each;
-    Measured measured{step, compare(plan, findings)};
-    print(std::cout, measured.comparison);
-    record(measured.comparison, findings);
-    return measured;
+    return {step, compare_once(plan, findings)};
 }
 
 std::string cell(double number, int decimals)

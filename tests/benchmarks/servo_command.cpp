@@ -43,7 +43,7 @@ std::vector<SpaceKind> spaces(const Options &options)
 // What does not keep up takes many times as long as the time that it simulates.
 double seconds_for(SpaceKind kind, const ServoSettings &settings)
 {
-    return kind == SpaceKind::predictive ? settings.seconds : settings.seconds / 4;
+    return kind == SpaceKind::predictive ? settings.seconds : settings.seconds / 8;
 }
 
 ServoResult run(SpaceKind kind, ServoSettings settings, Findings &findings)

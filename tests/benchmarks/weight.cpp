@@ -26,13 +26,6 @@ double weight_of_scene(const SceneFactory &factory)
     return static_cast<double>(heap_in_use()) - static_cast<double>(before);
 }
 
-double told_weight(dSpaceID space)
-{
-    dPredictiveSpaceStats stats;
-    dPredictiveSpaceGetStats(space, &stats);
-    return static_cast<double>(stats.bytes);
-}
-
 /// The heap's growth by a contender with its scene, and by its first ticks.
 double weight_with_scene(const Contender &contender, std::size_t heap_before, Scene &scene)
 {
@@ -47,6 +40,17 @@ double weight_with_scene(const Contender &contender, std::size_t heap_before, Sc
     return weight;
 }
 } // namespace
+
+double told_bytes_per_geom(dSpaceID space)
+{
+    if (dSpaceIsPredictive(space) == 0)
+    {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    dPredictiveSpaceStats stats;
+    dPredictiveSpaceGetStats(space, &stats);
+    return static_cast<double>(stats.bytes) / dSpaceGetNumGeoms(space);
+}
 
 std::size_t heap_in_use()
 {
@@ -65,8 +69,6 @@ double bytes_per_geom(const std::string &name, const SceneFactory &factory)
     const auto contender = benchmarks::make_contender(name, factory);
     const std::unique_ptr<Scene> scene = factory.make(contender->space());
     const double both = weight_with_scene(*contender, before, *scene);
-    const bool tells = dSpaceIsPredictive(contender->space()) != 0;
-    const double bytes = tells ? told_weight(contender->space()) : both - scene_alone;
-    return bytes / dSpaceGetNumGeoms(contender->space());
+    return (both - scene_alone) / dSpaceGetNumGeoms(contender->space());
 }
 } // namespace ode_predictive_space::benchmarks

@@ -13,9 +13,11 @@ namespace ode_predictive_space::benchmarks
 /// Bytes that the program has from its heap.
 std::size_t heap_in_use();
 
-/// Bytes per geom that a contender holds between ticks, besides the geoms themselves. A predictive space tells it; of the
-/// others it is what the heap grows by when the contender is made with a copy of the scene, without what it grows by for the
-/// scene alone, and what their first dSpaceCollide() calls add.
+/// Bytes per geom that a predictive space holds, as it tells; not a number for other spaces.
+double told_bytes_per_geom(dSpaceID space);
+
+/// Bytes per geom that a contender holds between ticks, besides the geoms themselves: what the heap grows by when it is made
+/// with a copy of the scene, without what it grows by for the scene alone, and what its first dSpaceCollide() calls add.
 ///
 /// @return not a number for those that hold nothing between ticks but need memory in between (hash), or are no way to find
 ///         pairs (brute, floor).

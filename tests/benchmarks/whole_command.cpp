@@ -75,7 +75,7 @@ public:
             if (options.objects && spec.objects != *options.objects)
                 continue;
             const std::vector<std::string> contenders = {"predictive-box", "hash", "quadtree", "sap"};
-            report(compare_single_ticks(plan_for(spec, contenders, usual_ticks, options), findings), findings);
+            report(*compare_once(plan_for(spec, contenders, usual_ticks, options), findings), findings);
         }
     }
 };

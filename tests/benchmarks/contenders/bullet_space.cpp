@@ -24,13 +24,19 @@ btVector3 corner(const float *place)
 class BulletSpace : public NoticeSpace
 {
 public:
-    explicit BulletSpace(std::unique_ptr<btBroadphaseInterface> broadphase) : broadphase_(std::move(broadphase)) {}
+    /// @param owns_proxies whether the broad phase frees those that are left with itself.
+    BulletSpace(std::unique_ptr<btBroadphaseInterface> broadphase, bool owns_proxies)
+        : broadphase_(std::move(broadphase)), owns_proxies_(owns_proxies)
+    {}
 
     ~BulletSpace() override
     {
         for (btBroadphaseProxy *const proxy : proxies_)
         {
-            destroy(proxy);
+            if (!owns_proxies_)
+            {
+                destroy(proxy);
+            }
         }
     }
 
@@ -88,13 +94,21 @@ private:
     }
 
     std::unique_ptr<btBroadphaseInterface> broadphase_;
+    const bool owns_proxies_;
     std::vector<btBroadphaseProxy *> proxies_; // by slot
 };
 
-std::unique_ptr<scenes::Contender> contender(const char *name, std::unique_ptr<btBroadphaseInterface> broadphase)
+std::unique_ptr<scenes::Contender> contender(const char *name, std::unique_ptr<btBroadphaseInterface> broadphase,
+                                             bool owns_proxies)
 {
-    return std::make_unique<scenes::Contender>(name, scenes::Family::reference,
-                                               scenes::OwnedSpace(new BulletSpace(std::move(broadphase))));
+    return std::make_unique<scenes::Contender>(
+        name, scenes::Family::reference, scenes::OwnedSpace(new BulletSpace(std::move(broadphase), owns_proxies)));
+}
+
+/// It keeps its proxies in an array. (To destroy one is to sort it to the end of each axis.)
+std::unique_ptr<scenes::Contender> sweep_contender(std::unique_ptr<btBroadphaseInterface> broadphase)
+{
+    return contender("bullet-sap", std::move(broadphase), true);
 }
 
 btVector3 bullet_vector(const scenes::Vector3 &v)
@@ -105,7 +119,7 @@ btVector3 bullet_vector(const scenes::Vector3 &v)
 
 std::unique_ptr<scenes::Contender> make_bullet_dbvt()
 {
-    return contender("bullet-dbvt", std::make_unique<btDbvtBroadphase>());
+    return contender("bullet-dbvt", std::make_unique<btDbvtBroadphase>(), false);
 }
 
 std::unique_ptr<scenes::Contender> make_bullet_sap(const scenes::SceneFactory &factory)
@@ -116,10 +130,10 @@ std::unique_ptr<scenes::Contender> make_bullet_sap(const scenes::SceneFactory &f
     const int handles = factory.spec().objects + handles_to_spare;
     if (handles <= handles_of_16_bits)
     {
-        return contender("bullet-sap", std::make_unique<btAxisSweep3>(low, high, static_cast<unsigned short>(handles),
-                                                                      nullptr, true));
+        return sweep_contender(
+            std::make_unique<btAxisSweep3>(low, high, static_cast<unsigned short>(handles), nullptr, true));
     }
-    return contender("bullet-sap",
-                     std::make_unique<bt32BitAxisSweep3>(low, high, static_cast<unsigned>(handles), nullptr, true));
+    return sweep_contender(
+        std::make_unique<bt32BitAxisSweep3>(low, high, static_cast<unsigned>(handles), nullptr, true));
 }
 } // namespace ode_predictive_space::benchmarks

@@ -77,6 +77,11 @@ std::unique_ptr<Contender> make_contender(const std::string &name, const SceneFa
     throw std::invalid_argument("there is no contender named \"" + name + "\"");
 }
 
+bool is_bullet(const std::string &name)
+{
+    return name == "bullet-dbvt" || name == "bullet-sap";
+}
+
 bool is_floor(const std::string &name)
 {
     return name == "floor" || name == "floor-boxes";

@@ -19,6 +19,9 @@ const std::vector<std::string> &contender_names();
 /// @throws std::invalid_argument for a name that is none of contender_names().
 std::unique_ptr<scenes::Contender> make_contender(const std::string &name, const scenes::SceneFactory &factory);
 
+/// Is it one of Bullet's broad phases?
+bool is_bullet(const std::string &name);
+
 /// Is it one of those that know the pairs beforehand?
 bool is_floor(const std::string &name);
 
