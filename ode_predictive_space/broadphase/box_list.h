@@ -19,17 +19,29 @@ namespace ode_predictive_space
 class BoxList
 {
 public:
+    void reserve(std::size_t boxes)
+    {
+        proxies_.reserve(boxes);
+        blocks_.reserve((boxes + per_block - 1) / per_block);
+    }
+
     /// Adds the box of a proxy, or replaces it.
     void put(const SweptProxy &leaf)
     {
         const std::size_t place = place_of(leaf.proxy);
         if (place == size())
-        {
-            if (place % per_block == 0)
-                blocks_.emplace_back();
-            proxies_.push_back(leaf.proxy);
-        }
-        set(place, leaf.box);
+            add(leaf);
+        else
+            set(place, leaf.box);
+    }
+
+    /// Adds the box of a proxy that is not there.
+    void add(const SweptProxy &leaf)
+    {
+        if (size() % per_block == 0)
+            blocks_.emplace_back();
+        proxies_.push_back(leaf.proxy);
+        set(size() - 1, leaf.box);
     }
 
     /// The proxy must be there.
@@ -68,7 +80,24 @@ public:
         }
     }
 
-    /// The same for a probe of any shape; see EnvelopeTree::walk().
+    /// Calls visit(proxy, other) once for each two proxies whose boxes overlap.
+    template <typename Visit> void find_pairs(Visit visit) const
+    {
+        for (std::size_t place = 0; place + 1 < size(); ++place)
+        {
+            const Sides sides(box(place));
+            std::size_t block = (place + 1) / per_block;
+            unsigned behind = ~0u << (place + 1) % per_block;
+            for (; block < blocks_.size(); ++block, behind = ~0u)
+                for (unsigned found = sides.overlapping(blocks_[block]) & behind; found; found &= found - 1)
+                {
+                    const auto bit = static_cast<std::size_t>(__builtin_ctz(found));
+                    visit(proxies_[place], proxies_[per_block * block + bit]);
+                }
+        }
+    }
+
+    /// Calls visit(proxy) for every proxy whose box a probe of any shape overlaps; see EnvelopeTree::walk().
     template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
     {
         for (std::size_t place = 0; place < size(); ++place)

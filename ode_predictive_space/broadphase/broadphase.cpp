@@ -24,6 +24,7 @@ Broadphase::Broadphase()
     suspects_.reserve(few);
     items_.reserve(few);
     candidates_.reserve(few);
+    scanned_.reserve(few);
     near_.reserve(few);
 }
 

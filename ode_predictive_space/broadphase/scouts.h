@@ -28,41 +28,55 @@ public:
         const std::size_t stride = std::max<std::size_t>(1, count / wanted) | 1;
         std::size_t rank = 0, next = 0;
         scouts_.clear();
+        looks_ = ticks_to_rest_ = 0;
         members.for_each([&](ProxyId id) {
             if (rank++ != next || scouts_.size() == most)
                 return;
-            scouts_.push_back({id, 0, Vector3::Zero(), Vector3::Zero(), Vector3::Zero()});
+            scouts_.push_back({id, Vector3::Zero(), Vector3::Zero(), Vector3::Zero()});
             next += stride;
         });
     }
 
-    /// Looks where they are now, a tick after the last look.
+    /// Looks where they are now, a tick after the last call; but when they were found not to be calm, not in the next
+    /// `rest` ticks: among few objects a look costs as much as sweeping them.
     ///
     /// @return true when so many moved as predicted that predicting all would pay.
     template <typename Scene> bool calm(Scene &scene, const IdSet &members, StepEstimate &step)
     {
+        if (ticks_to_rest_ > 0)
+        {
+            --ticks_to_rest_;
+            return false;
+        }
         std::size_t strayed = 0;
         for (Scout &scout : scouts_)
             if (members.contains(scout.id))
                 strayed += !keeps_on(scene, scout, step);
-        return strayed * ScanPolicy::bad_part <= scouts_.size();
+        const bool calm = strayed * ScanPolicy::bad_part <= scouts_.size();
+        const bool disturbed = !calm && looks_ == looks_for_line;
+        looks_ = disturbed ? 0 : std::min(looks_ + 1, looks_for_line);
+        ticks_to_rest_ = disturbed ? rest : 0;
+        return calm;
     }
+
+    static constexpr int rest = 5;
 
     std::size_t bytes() const { return scouts_.capacity() * sizeof(Scout); }
 
 private:
     static constexpr std::size_t least = 8, most = 32;
 
+    static constexpr int looks_for_line = 2; // after so many it is known where those that keep on will be
+
     struct Scout
     {
         ProxyId id;
-        int seen; // how often, up to 2
         Vector3 before;
         Vector3 last;
         Vector3 velocity; // when it was last seen
     };
 
-    template <typename Scene> static bool keeps_on(Scene &scene, Scout &scout, StepEstimate &step)
+    template <typename Scene> bool keeps_on(Scene &scene, Scout &scout, StepEstimate &step) const
     {
         const Box bounds = scene.bounds(scout.id);
         const Observation seen = scene.observe(scout.id, false);
@@ -72,10 +86,9 @@ private:
         const double tolerance = 0.1 * bounds.diagonal().minCoeff();
         const Vector3 expected = 2 * scout.last - scout.before;
         // False, too, when there is NaN in it.
-        const bool kept = scout.seen == 2 && (centre - expected).cwiseAbs().maxCoeff() <= tolerance;
-        if (scout.seen > 0 && (centre - scout.last).allFinite())
+        const bool kept = looks_ == looks_for_line && (centre - expected).cwiseAbs().maxCoeff() <= tolerance;
+        if (looks_ > 0 && (centre - scout.last).allFinite())
             step.add(centre - scout.last, scout.velocity, velocity, 1);
-        scout.seen = std::min(scout.seen + 1, 2);
         scout.before = scout.last;
         scout.last = centre;
         scout.velocity = velocity;
@@ -83,6 +96,8 @@ private:
     }
 
     std::vector<Scout> scouts_;
+    int looks_ = 0; // in a row, up to looks_for_line
+    int ticks_to_rest_ = 0;
 };
 } // namespace ode_predictive_space
 

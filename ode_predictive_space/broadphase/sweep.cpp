@@ -11,9 +11,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Fewer are compared each with each.
-constexpr std::size_t few = 40;
-
 // A sample tells how the boxes lie.
 constexpr std::size_t sample_size = 24;
 
@@ -29,17 +26,6 @@ constexpr double least_widths = 4;
 constexpr double least_boxes = 1000;
 
 constexpr std::uint32_t last_key = 0x7fffffff;
-
-void compare_each_with_each(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs)
-{
-    for (std::size_t i = 0; i < items.size(); ++i)
-    {
-        const BoxProbe probe(items[i].box);
-        for (std::size_t j = i + 1; j < items.size(); ++j)
-            if (probe.overlaps(items[j].box))
-                pairs.push_back(in_order(items[i].proxy, items[j].proxy));
-    }
-}
 
 // Of a number that each item has; a sample tells.
 struct Moments
@@ -210,8 +196,21 @@ void Sweep::sort_into_slabs(const Items &items, const Layout &layout)
     }
 }
 
+void Sweep::compare_each_with_each(const Items &items, Pairs &pairs)
+{
+    list_.clear();
+    for (const SweptProxy &item : items)
+        list_.add(item);
+    list_.find_pairs([&](ProxyId one, ProxyId other) { pairs.push_back(in_order(one, other)); });
+}
+
 void Sweep::find_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs)
 {
+    if (items.size() <= few)
+    {
+        compare_each_with_each(items, pairs);
+        return;
+    }
     const bool all_bounded =
         std::all_of(items.begin(), items.end(), [](const SweptProxy &item) { return item.box.bounded(); });
     if (all_bounded)
@@ -265,7 +264,7 @@ std::size_t Sweep::bytes() const
 {
     const std::size_t sides =
         columns_.low_y.capacity() + columns_.high_y.capacity() + columns_.low_z.capacity() + columns_.high_z.capacity();
-    return (bounded_.capacity() + unbounded_.capacity()) * sizeof(SweptProxy) +
+    return list_.bytes() + (bounded_.capacity() + unbounded_.capacity()) * sizeof(SweptProxy) +
            (order_.capacity() + other_order_.capacity()) * sizeof(std::uint64_t) +
            (keys_.capacity() + ends_.capacity()) * sizeof(std::uint32_t) + sides_.capacity() * sizeof(Sides) +
            sides * sizeof(std::int16_t);

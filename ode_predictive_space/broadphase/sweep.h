@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "ode_predictive_space/broadphase/box_list.h"
 #include "ode_predictive_space/broadphase/swept_proxy.h"
 #include "ode_predictive_space/broadphase/types.h"
 
@@ -30,6 +31,9 @@ inline CandidatePair in_order(ProxyId one, ProxyId other)
 class Sweep
 {
 public:
+    /// Makes room for few boxes, which the first tick of a small scene should not spend its time on.
+    Sweep() { list_.reserve(few); }
+
     /// Appends every overlapping pair, each once; the smaller number first.
     void find_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs);
 
@@ -81,16 +85,19 @@ private:
 
     class Rows;
 
+    void compare_each_with_each(const Items &items, Pairs &pairs);
     void find_bounded_pairs(const Items &items, Pairs &pairs);
     void sort_into_slabs(const Items &items, const Layout &layout);
     void sort_keys();
     void sweep_rows(const Items &items, const Layout &layout, Pairs &pairs) const;
 
+    static constexpr std::size_t few = 40;    // up to so many are compared each with each
     static constexpr std::size_t row = 8;     // boxes that are compared at once
     static constexpr std::size_t spare = row; // boxes behind the last that may be compared, too
 
     static constexpr std::uint64_t item_mask = 0xffffffffu;
 
+    BoxList list_;                                   // of few
     Items bounded_, unbounded_;                      // where there are some that no slab can hold
     std::vector<std::uint64_t> order_, other_order_; // key, number of the item
     std::vector<std::uint32_t> keys_, ends_;         // of the lowest and the highest coordinate along

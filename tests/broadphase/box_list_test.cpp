@@ -1,5 +1,6 @@
 #include "ode_predictive_space/broadphase/box_list.h"
 
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -67,6 +68,19 @@ struct BoxListTest : testing::Test
         EXPECT_EQ(walked, overlapping);
     }
 
+    void expect_pairs_found() const
+    {
+        std::set<std::pair<ProxyId, ProxyId>> found, overlapping;
+        list.find_pairs([&](ProxyId one, ProxyId other) {
+            EXPECT_TRUE(found.insert(std::minmax(one, other)).second) << one << " and " << other << " are found twice";
+        });
+        for (auto one = expected.begin(); one != expected.end(); ++one)
+            for (auto other = std::next(one); other != expected.end(); ++other)
+                if (one->second.overlaps(other->second))
+                    overlapping.insert({one->first, other->first});
+        EXPECT_EQ(found, overlapping);
+    }
+
     void expect_kept() const
     {
         std::map<ProxyId, FloatBox> kept;
@@ -94,7 +108,10 @@ TEST_F(BoxListTest, FindsWhatOverlapsWhateverComesAndGoes)
         ASSERT_NO_FATAL_FAILURE(expect_found(random_box())) << step;
         ASSERT_FALSE(HasFailure());
         if (step % 100 == 0)
+        {
             expect_kept();
+            expect_pairs_found();
+        }
     }
 }
 
@@ -103,6 +120,7 @@ TEST_F(BoxListTest, NoBoxOverlapsOnePlaceThatIsFree)
     for (ProxyId id = 0; id < 9; ++id)
     {
         expect_found(everywhere);
+        expect_pairs_found();
         put(id, random_box());
     }
     for (ProxyId id : {8u, 0u, 4u, 7u, 1u, 5u, 6u, 2u, 3u})

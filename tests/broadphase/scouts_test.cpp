@@ -17,6 +17,7 @@ struct Flock
     std::size_t jumping = 0;
     double arm = 0; // on which the middle of each goes round what it turns around
     int ticks = 0;
+    int looks = 0; // at any of them
 
     explicit Flock(std::size_t count) : centres(count, Vector3::Zero())
     {
@@ -40,8 +41,9 @@ struct Flock
         const Vector3 middle = centres[id] + arm * Vector3(std::sin(ticks), std::cos(ticks), 0);
         return Box(middle.array() - 0.5, middle.array() + 0.5);
     }
-    Observation observe(ProxyId id, bool) const
+    Observation observe(ProxyId id, bool)
     {
+        ++looks;
         Observation seen;
         seen.velocity = Vector3(10, 20, 0);
         if (arm != 0)
@@ -125,7 +127,29 @@ TEST(Scouts, StandForThePartOfTheFlockThatJumps)
     flock.jumping = 60;
     EXPECT_FALSE(calm_after(scouts, flock, 5));
     flock.jumping = 0;
-    EXPECT_TRUE(calm_after(scouts, flock, 3));
+    EXPECT_TRUE(calm_after(scouts, flock, Scouts::rest + 3));
+}
+
+TEST(Scouts, RestWhenTheyWereDisturbedAndThenLookAfresh)
+{
+    Flock flock(10);
+    Scouts scouts;
+    scouts.choose(flock.members);
+    calm_after(scouts, flock, 2);
+    flock.jumping = 100;
+    calm_after(scouts, flock, 1);
+    flock.jumping = 0;
+    const int looks = flock.looks;
+    EXPECT_FALSE(calm_after(scouts, flock, Scouts::rest));
+    EXPECT_EQ(flock.looks, looks);
+    EXPECT_FALSE(calm_after(scouts, flock, 2)) << "what was seen before the rest tells nothing";
+    EXPECT_TRUE(calm_after(scouts, flock, 1));
+    EXPECT_TRUE(calm_after(scouts, flock, 1)) << "only who was disturbed rests";
+    flock.jumping = 100;
+    calm_after(scouts, flock, 1);
+    flock.jumping = 0;
+    scouts.choose(flock.members);
+    EXPECT_TRUE(calm_after(scouts, flock, 3)) << "chosen anew, they do not rest";
 }
 
 TEST(Scouts, AStillFlockIsCalm)
