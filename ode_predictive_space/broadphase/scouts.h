@@ -37,8 +37,8 @@ public:
         });
     }
 
-    /// Looks where they are now, a tick after the last call; but when they were found not to be calm, not in the next
-    /// `rest` ticks: among few objects a look costs as much as sweeping them.
+    /// Looks where they are now, a tick after the last call. When they were disturbed `patience` times in a row it does not
+    /// look in the next `rest` ticks: among few objects a look costs as much as sweeping them.
     ///
     /// @return true when so many moved as predicted that predicting all would pay.
     template <typename Scene> bool calm(Scene &scene, const IdSet &members, StepEstimate &step)
@@ -53,13 +53,17 @@ public:
             if (members.contains(scout.id))
                 strayed += !keeps_on(scene, scout, step);
         const bool calm = strayed * ScanPolicy::bad_part <= scouts_.size();
-        const bool disturbed = !calm && looks_ == looks_for_line;
-        looks_ = disturbed ? 0 : std::min(looks_ + 1, looks_for_line);
-        ticks_to_rest_ = disturbed ? rest : 0;
+        disturbances_ = calm || looks_ < looks_for_line ? 0 : disturbances_ + 1;
+        looks_ = std::min(looks_ + 1, looks_for_line);
+        if (disturbances_ == patience)
+        {
+            looks_ = 0;
+            ticks_to_rest_ = rest;
+        }
         return calm;
     }
 
-    static constexpr int rest = 5;
+    static constexpr int patience = 4, rest = 16;
 
     std::size_t bytes() const { return scouts_.capacity() * sizeof(Scout); }
 
@@ -96,7 +100,8 @@ private:
     }
 
     std::vector<Scout> scouts_;
-    int looks_ = 0; // in a row, up to looks_for_line
+    int looks_ = 0;        // in a row, up to looks_for_line
+    int disturbances_ = 0; // in a row
     int ticks_to_rest_ = 0;
 };
 } // namespace ode_predictive_space

@@ -125,31 +125,59 @@ TEST(Scouts, StandForThePartOfTheFlockThatJumps)
     Scouts scouts;
     scouts.choose(flock.members);
     flock.jumping = 60;
-    EXPECT_FALSE(calm_after(scouts, flock, 5));
+    EXPECT_FALSE(calm_after(scouts, flock, 4));
     flock.jumping = 0;
-    EXPECT_TRUE(calm_after(scouts, flock, Scouts::rest + 3));
+    EXPECT_TRUE(calm_after(scouts, flock, 3));
 }
 
-TEST(Scouts, RestWhenTheyWereDisturbedAndThenLookAfresh)
+// Nobody keeps on at so many looks, nor at the next one: they have left their lines.
+void disturb(Scouts &scouts, Flock &flock, int times)
+{
+    flock.jumping = 100;
+    EXPECT_FALSE(calm_after(scouts, flock, times));
+    flock.jumping = 0;
+}
+
+TEST(Scouts, RestWhenTheyWereDisturbedTimeAfterTimeAndThenLookAfresh)
 {
     Flock flock(10);
     Scouts scouts;
     scouts.choose(flock.members);
     calm_after(scouts, flock, 2);
-    flock.jumping = 100;
-    calm_after(scouts, flock, 1);
-    flock.jumping = 0;
+    disturb(scouts, flock, Scouts::patience);
     const int looks = flock.looks;
     EXPECT_FALSE(calm_after(scouts, flock, Scouts::rest));
     EXPECT_EQ(flock.looks, looks);
-    EXPECT_FALSE(calm_after(scouts, flock, 2)) << "what was seen before the rest tells nothing";
+    flock.step = {};
+    EXPECT_FALSE(calm_after(scouts, flock, 1));
+    EXPECT_EQ(flock.step.step(), 0) << "the way that it went meanwhile is not that of a tick";
+    EXPECT_FALSE(calm_after(scouts, flock, 1)) << "what was seen before the rest tells nothing";
     EXPECT_TRUE(calm_after(scouts, flock, 1));
-    EXPECT_TRUE(calm_after(scouts, flock, 1)) << "only who was disturbed rests";
-    flock.jumping = 100;
-    calm_after(scouts, flock, 1);
-    flock.jumping = 0;
+    EXPECT_TRUE(calm_after(scouts, flock, 1));
+}
+
+TEST(Scouts, DoNotRestWhenTheyAreDisturbedNowAndThen)
+{
+    Flock flock(10);
+    Scouts scouts;
     scouts.choose(flock.members);
-    EXPECT_TRUE(calm_after(scouts, flock, 3)) << "chosen anew, they do not rest";
+    calm_after(scouts, flock, 3);
+    for (int time = 0; time < 5; ++time)
+    {
+        disturb(scouts, flock, 1); // two ticks later they are on a line again
+        EXPECT_TRUE(calm_after(scouts, flock, 3)) << time;
+    }
+}
+
+TEST(Scouts, DoNotRestWhenTheyAreChosenAnew)
+{
+    Flock flock(10);
+    Scouts scouts;
+    scouts.choose(flock.members);
+    calm_after(scouts, flock, 2);
+    disturb(scouts, flock, Scouts::patience);
+    scouts.choose(flock.members);
+    EXPECT_TRUE(calm_after(scouts, flock, 3));
 }
 
 TEST(Scouts, AStillFlockIsCalm)
