@@ -45,7 +45,8 @@ SceneRun::SceneRun(std::unique_ptr<Contender> contender, std::unique_ptr<Scene> 
     : contender_(std::move(contender)), scene_(std::move(scene)), clock_overhead_(clock_overhead())
 {}
 
-// Some spaces search or sort all that they hold when a geom leaves: of ten thousand, each would be waited for.
+// The space goes first and leaves its geoms to the scene: some spaces search or sort all that they hold whenever a geom
+// leaves, and it would be waited for ten thousand times.
 SceneRun::~SceneRun()
 {
     dSpaceSetCleanup(contender_->space(), 0);

@@ -117,12 +117,13 @@ Comparison compare_with(const Plan &plan, const SceneFactory &factory, Findings 
     judge(plan, runs, findings);
     for (const auto &run : runs)
     {
-        comparison.results.push_back(result_of(*run));
-        double &bytes = comparison.results.back().bytes_per_geom = told_bytes_per_geom(run->contender().space());
-        if (plan.weigh && std::isnan(bytes))
+        Result result = result_of(*run);
+        result.bytes_per_geom = told_bytes_per_geom(run->contender().space());
+        if (plan.weigh && std::isnan(result.bytes_per_geom))
         {
-            bytes = bytes_per_geom(run->name(), factory);
+            result.bytes_per_geom = bytes_per_geom(run->name(), factory);
         }
+        comparison.results.push_back(std::move(result));
     }
     return comparison;
 }

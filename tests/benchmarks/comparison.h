@@ -23,8 +23,7 @@ struct Plan
     double seconds_each =
         scenes::unlimited; ///< a contender that has used up so many makes no more ticks, see run_by_turns()
     bool check = false;    ///< check the predictive spaces by brute force after every tick
-    bool weigh =
-        false; ///< find out what memory those contenders need that do not tell: this takes one more copy of each
+    bool weigh = false;    ///< find out what memory contenders need that do not tell: this takes one more copy of each
 };
 
 /// What one contender did.

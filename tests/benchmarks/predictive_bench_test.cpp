@@ -83,6 +83,7 @@ TEST(PredictiveBench, TellsTheWorstTicksAndTheFloor)
     EXPECT_TRUE(contains(tail.output, "P9  gas 300, p99.9 over the median  ")) << tail.output;
     EXPECT_TRUE(contains(tail.output, "P9  gas 300, maximum over the median, of each tick the shortest of"))
         << tail.output;
+    EXPECT_TRUE(contains(tail.output, "\nfloor\n")) << "its histogram: " << tail.output;
     const Outcome floor = run(PREDICTIVE_BENCH, "floor --n 300 --ticks 200");
     EXPECT_EQ(floor.status, 0) << floor.output;
     EXPECT_TRUE(contains(floor.output, "P11  gas 300")) << floor.output;
