@@ -30,7 +30,7 @@ SceneRuns make_runs(const Plan &plan, const SceneFactory &factory, Findings &fin
         const std::string reason = why_not(name, plan.spec);
         if (!reason.empty())
         {
-            findings.note(title(plan.spec) + ", without " + name + ": " + reason);
+            findings.note(title(plan.spec).append(", without ").append(name).append(": ").append(reason));
             continue;
         }
         runs.push_back(std::make_unique<SceneRun>(benchmarks::make_contender(name, factory), factory));
@@ -224,7 +224,7 @@ std::shared_ptr<const Comparison> compare_once(const Plan &plan, Findings &findi
     {
         return *found;
     }
-    const auto comparison = std::make_shared<const Comparison>(compare(plan, findings));
+    auto comparison = std::make_shared<const Comparison>(compare(plan, findings));
     print(std::cout, *comparison);
     record(*comparison, findings);
     findings.keep(comparison);

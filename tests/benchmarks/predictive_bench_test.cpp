@@ -19,7 +19,7 @@ nlohmann::json results_of(const std::string &arguments)
         ("predictive_bench_test_" + std::to_string(std::hash<std::string>()(arguments)) + ".json");
     const Outcome outcome = run(PREDICTIVE_BENCH, arguments + " --json '" + file.string() + "'");
     EXPECT_EQ(outcome.status, 0) << outcome.output;
-    const nlohmann::json results = nlohmann::json::parse(std::ifstream(file));
+    nlohmann::json results = nlohmann::json::parse(std::ifstream(file));
     std::filesystem::remove(file);
     return results;
 }

@@ -51,7 +51,7 @@ ServoResult run(SpaceKind kind, ServoSettings settings, Findings &findings)
     settings.seconds = seconds_for(kind, settings);
     std::cerr << "servo, " << space_name(kind) << ", " << grouped(static_cast<std::uint64_t>(settings.objects))
               << " objects: " << fixed(settings.seconds, 1) << " s\n";
-    const ServoResult result = run_servo(kind, settings);
+    ServoResult result = run_servo(kind, settings);
     findings.record(servo_record(result, settings));
     return result;
 }

@@ -74,7 +74,7 @@ public:
 
     void measure(const Options &options, Findings &findings) override
     {
-        for (scenes::SceneSpec spec : usual_scenes())
+        for (const scenes::SceneSpec &spec : usual_scenes())
         {
             if (options.objects && spec.objects != *options.objects)
                 continue;
