@@ -118,8 +118,12 @@ Comparison compare_with(const Plan &plan, const SceneFactory &factory, Findings 
     for (const auto &run : runs)
     {
         Result result = result_of(*run);
-        result.bytes_per_geom = told_bytes_per_geom(run->contender().space());
-        if (plan.weigh && std::isnan(result.bytes_per_geom))
+        const dSpaceID space = run->contender().space();
+        if (const auto bytes = told_bytes(space))
+        {
+            result.bytes_per_geom = static_cast<double>(*bytes) / dSpaceGetNumGeoms(space);
+        }
+        else if (plan.weigh)
         {
             result.bytes_per_geom = bytes_per_geom(run->name(), factory);
         }

@@ -3,7 +3,6 @@
 #include "tests/benchmarks/weight.h"
 
 #include <algorithm>
-#include <ode_predictive_space/predictive_space.h>
 
 namespace ode_predictive_space::benchmarks
 {
@@ -35,13 +34,7 @@ bool is_time(int tick, int ticks, int samples)
 
 std::int64_t counted_bytes(dSpaceID space)
 {
-    if (dSpaceIsPredictive(space) == 0)
-    {
-        return 0;
-    }
-    dPredictiveSpaceStats stats;
-    dPredictiveSpaceGetStats(space, &stats);
-    return static_cast<std::int64_t>(stats.bytes);
+    return static_cast<std::int64_t>(told_bytes(space).value_or(0));
 }
 
 /// The program's memory with a scene in a space, over what it was before. `collides` is false for the scene alone.

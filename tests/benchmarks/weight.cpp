@@ -41,15 +41,15 @@ double weight_with_scene(const Contender &contender, std::size_t heap_before, Sc
 }
 } // namespace
 
-double told_bytes_per_geom(dSpaceID space)
+std::optional<std::size_t> told_bytes(dSpaceID space)
 {
     if (dSpaceIsPredictive(space) == 0)
     {
-        return std::numeric_limits<double>::quiet_NaN();
+        return std::nullopt;
     }
     dPredictiveSpaceStats stats;
     dPredictiveSpaceGetStats(space, &stats);
-    return static_cast<double>(stats.bytes) / dSpaceGetNumGeoms(space);
+    return stats.bytes;
 }
 
 std::size_t heap_in_use()

@@ -6,6 +6,7 @@
 #include "demos/scenes/scene.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace ode_predictive_space::benchmarks
@@ -13,8 +14,8 @@ namespace ode_predictive_space::benchmarks
 /// Bytes that the program has from its heap.
 std::size_t heap_in_use();
 
-/// Bytes per geom that a predictive space holds, as it tells; not a number for other spaces.
-double told_bytes_per_geom(dSpaceID space);
+/// Bytes that a predictive space holds, as it tells; none for other spaces.
+std::optional<std::size_t> told_bytes(dSpaceID space);
 
 /// Bytes per geom that a contender holds between ticks, besides the geoms themselves: what the heap grows by when it is made
 /// with a copy of the scene, without what it grows by for the scene alone, and what its first dSpaceCollide() calls add.
