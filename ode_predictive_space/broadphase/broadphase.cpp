@@ -1,426 +1,345 @@
 #include "ode_predictive_space/broadphase/broadphase.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace ode_predictive_space
 {
-namespace
-{
-// Keeps the memory for the next tick, unless it was made for an exceptional one.
-template <typename T> void empty(std::vector<T> &scratch)
-{
-    constexpr std::size_t small = 1024;
-    if (scratch.capacity() > small && scratch.size() < scratch.capacity() / 8)
-        scratch = std::vector<T>();
-    scratch.clear();
-}
-} // namespace
+// --- The tick -------------------------------------------------------------------------------------------------------------
 
-// The first tick of a small scene should not spend its time on growing vectors.
-Broadphase::Broadphase()
+void Broadphase::update(Scene &scene, bool is_tick)
 {
-    constexpr std::size_t few = 128;
-    suspects_.reserve(few);
-    items_.reserve(few);
-    candidates_.reserve(few);
-    scanned_.reserve(few);
-    near_.reserve(few);
+    const Beginning beginning = begin(scene, is_tick);
+    if (!beginning.needed)
+        return;
+    choose_mode(scene, beginning.time_passed);
+    verify(scene, beginning); // broken, expired and requested predictions -> batch_
+    if (has_work())
+    {
+        predict(scene); // batch_ -> paths and envelopes
+        find_pairs();   // envelopes -> candidates_
+        schedule();     // candidates_ and events that are due -> near_ and later events
+        sweep(scene);   // all pairs, as long as not all objects are predicted
+        finish_work();
+    }
+    finish();
 }
+
+std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
+{
+    interrupted_ = true;
+    const bool by_sweep = sweeping_.finds_pairs();
+    if (!by_sweep)
+        boxes_.update(scene, near_.members(), proxies_.members());
+    const std::size_t most = by_sweep ? sweeping_.pairs() : near_.most_pairs();
+    if (room.size() < most)
+        room.resize(most);
+    const OverlapTest test{scene, boxes_.data(), proximity_test_ == ProximityTest::sphere};
+    const bool prefetches = proxies_.count() > tuning::cached_boxes;
+    const CandidatePair *end = by_sweep ? sweeping_.report(test, proxies_.members(), room.data())
+                                        : near_.report(test, now(), prefetches, room.data());
+    interrupted_ = false;
+    return static_cast<std::size_t>(end - room.data());
+}
+
+// --- Its steps ------------------------------------------------------------------------------------------------------------
+
+Broadphase::Beginning Broadphase::begin(Scene &scene, bool is_tick)
+{
+    if (interrupted_)
+        start_sweeping(false);
+    const IdSet &moved = verifier_.collect_moves();
+    const std::size_t moves = moved.size();
+    idle_.drop_enabled(scene, [this](ProxyId id) { predictor_.request(id); });
+    Beginning beginning;
+    const Tick expected = clock_.expected();
+    beginning.time_passed = clock_.advance(is_tick, moves > 0, moved, predictor_.moving());
+    beginning.as_expected = now() == expected;
+    beginning.needed = interrupted_ || moves > 0 || predictor_.has_requests();
+    if (!beginning.needed)
+        return beginning;
+    interrupted_ = true;
+    counters_.moved += moves;
+    boxes_.invalidate(moved);
+    if (beginning.time_passed && mode() != Mode::sweeping)
+        schedule_.advance(now());
+    return beginning;
+}
+
+void Broadphase::choose_mode(Scene &scene, bool time_passed)
+{
+    if (mode() == Mode::sweeping)
+    {
+        if (!time_passed || !sweeping_.calm_returns(scene, proxies_.members(), predictor_.step_estimate))
+            return;
+        schedule_.restart(now());
+        sweeping_.start_filling(proxies_.members(), proxies_.count());
+    }
+    else if (has_new_ && sweeping_.mostly_new(count_new(), proxies_.count()))
+        start_sweeping(true);
+}
+
+void Broadphase::verify(Scene &scene, const Beginning &beginning)
+{
+    if (mode() == Mode::sweeping)
+        return;
+    const IdSet &moved = verifier_.moved();
+    const Verifier::Outcome outcome = verifier_.find_broken(
+        scene, proxies_, boxes_,
+        {now(), beginning.time_passed, beginning.as_expected, predictor_.moving(), sweeping_.waiting()}, batch_);
+    counters_.verified += outcome.verified;
+    counters_.violations += outcome.broken;
+    predictor_.sample_moved(scene, proxies_, moved, now());
+    near_.note_moves(moved);
+    schedule_.take_expired(proxies_, batch_);
+    predictor_.take_requests(batch_);
+    const std::size_t predicted = proxies_.count() - sweeping_.waiting_count();
+    if (beginning.time_passed && sweeping_.predictions_fail(outcome.broken, predicted))
+        start_sweeping(false);
+    else
+    {
+        idle_.note(scene, batch_.ids().data(), batch_.size());
+        limit_batch(outcome.broken);
+    }
+}
+
+// In most ticks of a small calm scene there is none.
+bool Broadphase::has_work() const
+{
+    return !batch_.empty() || schedule_.has_due_events() || sweeping_.finds_pairs() || sweeping_.parts_joined();
+}
+
+// To predict many objects takes as long as several sweeps over all. When too many predictions broke, their objects wait; as
+// long as some wait, a part of them is predicted in each tick.
+void Broadphase::limit_batch(std::size_t broken)
+{
+    if (broken <= most_at_once())
+    {
+        if (mode() == Mode::filling)
+            sweeping_.add_part(proxies_.count(), idle_.members(), batch_);
+        return;
+    }
+    // What index, schedule and near set know of these objects is stale.
+    for (ProxyId id : batch_.ids())
+    {
+        predictor_.forget_prediction(proxies_, id);
+        ++proxies_.generations[id];
+        sweeping_.wait(id);
+    }
+    batch_.clear();
+}
+
+void Broadphase::predict(Scene &scene)
+{
+    if (batch_.empty())
+        return;
+    for (ProxyId id : batch_.ids())
+    {
+        sweeping_.stop_waiting(id);
+        near_.retire(id, now());
+    }
+    predictor_.predict(scene, proxies_, batch_, near_.members(), now());
+    schedule_.expect_ends(proxies_, batch_, now());
+    counters_.repredictions += batch_.size();
+}
+
+void Broadphase::find_pairs()
+{
+    if (!batch_.empty())
+    {
+        for (ProxyId id : batch_.ids())
+            swept_.push_back({id, proxies_.swept_box(id, now())});
+        index_.update(proxies_, swept_, batch_.members(), idle_.members(), now(), batch_.single(), candidates_);
+    }
+    if (sweeping_.take_parts_joined())
+        index_.rebuild(proxies_, {}, idle_.members(), now());
+}
+
+void Broadphase::schedule()
+{
+    schedule_.classify(proxies_, candidates_, now(), proximity_test_, found_near_);
+    counters_.woken += schedule_.wake(proxies_, now(), found_near_);
+    for (const NearPair &pair : found_near_)
+    {
+        near_.add(pair);
+        // The sphere test of proximity works on spheres throughout: tight boxes would not help.
+        if (proximity_test_ == ProximityTest::sphere)
+            continue;
+        predictor_.note_neighbour(proxies_, pair.first);
+        predictor_.note_neighbour(proxies_, pair.second);
+    }
+}
+
+void Broadphase::sweep(Scene &scene)
+{
+    if (mode() == Mode::sweeping)
+    {
+        // Nothing is predicted; but objects that were found disabled are among the requests.
+        predictor_.take_requests(batch_);
+        idle_.note(scene, batch_.ids().data(), batch_.size());
+    }
+    else if (sweeping_.waiting_count() == 0)
+        return;
+    ++counters_.sweeps;
+    const IdList &measured = boxes_.update(scene, proxies_.members(), proxies_.members());
+    idle_.note(scene, measured.data(), measured.size());
+    sweeping_.find_pairs(proxies_.members(), idle_.members(), boxes_);
+}
+
+void Broadphase::finish_work()
+{
+    sweeping_.finish_filling(batch_.size() < proxies_.count());
+    schedule_.finish(proxies_);
+    batch_.clear();
+    clear_scratch(swept_);
+    clear_scratch(candidates_);
+    clear_scratch(found_near_);
+}
+
+void Broadphase::finish()
+{
+    verifier_.clear_moves();
+    has_new_ = false;
+    interrupted_ = false;
+}
+
+// --- Modes ----------------------------------------------------------------------------------------------------------------
+
+// The one transition that is allowed in any state, also in one that an exception left: everything that was derived from
+// positions is forgotten, and the next sweep finds all pairs.
+void Broadphase::start_sweeping(bool with_new_objects)
+{
+    batch_.clear();
+    swept_.clear();
+    candidates_.clear();
+    found_near_.clear();
+    index_.clear(proxies_);
+    schedule_.restart(now());
+    near_.clear();
+    predictor_.forget_predictions(proxies_);
+    sweeping_.start(proxies_.members(), with_new_objects);
+}
+
+bool Broadphase::want_predictions()
+{
+    sweeping_.want_predictions();
+    if (!sweeping_.end_for_predictions())
+        return false;
+    schedule_.restart(now());
+    predictor_.request(proxies_.members());
+    return true;
+}
+
+void Broadphase::predict_all_waiting()
+{
+    if (mode() == Mode::sweeping)
+    {
+        schedule_.restart(now());
+        sweeping_.start_filling(proxies_.members(), proxies_.count());
+    }
+    predictor_.request(sweeping_.waiting());
+}
+
+std::size_t Broadphase::count_new() const
+{
+    std::size_t count = 0;
+    verifier_.moved().for_each([&](ProxyId id) { count += !proxies_.predicted(id) && !sweeping_.waits(id); });
+    return count;
+}
+
+// A small scene is predicted as a whole.
+std::size_t Broadphase::most_at_once() const
+{
+    const std::size_t objects = proxies_.count();
+    return objects <= tuning::small_scene ? tuning::small_scene
+                                          : std::max(tuning::least_at_once, objects / tuning::part_at_once);
+}
+
+// --- Objects --------------------------------------------------------------------------------------------------------------
 
 ProxyId Broadphase::add()
 {
-    ProxyId id;
-    if (!free_ids_.empty())
-    {
-        id = free_ids_.back();
-        free_ids_.pop_back();
-    }
-    else
-    {
-        id = static_cast<ProxyId>(proxies_.size());
-        proxies_.grow();
-        grow(boxes_, proxies_.size());
-        for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_,
-                           &measured_, &stirred_})
-            set->resize(proxies_.size());
-        noticed_.resize(proxies_.size());
-        near_.resize(proxies_.size());
-    }
-    proxies_.forget(id);
-    members_.insert(id);
-    ++objects_;
-    ++unpredicted_;
+    const std::size_t size = proxies_.size();
+    const ProxyId id = proxies_.add();
+    if (proxies_.size() != size)
+        resize_stages();
+    if (proxies_.count() >= tuning::least_trimmed)
+        trim_below_ = std::max(trim_below_, proxies_.count() / 4);
+    has_new_ = true;
     mark_moved(id);
     return id;
 }
 
 void Broadphase::remove(ProxyId id)
 {
-    // Whatever speaks of the old generation, in near set, schedule or elsewhere, is stale from now on.
-    ++proxies_.generations[id];
-    near_.retire(id, now_);
-    unpredicted_ -= proxies_.bounds[id].check == Check::none;
+    if (interrupted_)
+        start_sweeping(false);
+    // Whatever was derived from the old generation is stale from now on.
+    near_.retire(id, now());
     index_.remove(proxies_, id);
-    predictor.forget(proxies_, id);
-    sample(id, false);
-    noticed_.erase(id);
-    for (IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &interactive_, &due_anew_})
-        set->erase(id);
-    free_ids_.push_back(id);
-    --objects_;
-    if (stop_waiting(id) && !scanning())
-        finish_parts();
+    predictor_.forget(proxies_, id);
+    verifier_.forget(id);
+    idle_.forget(id);
+    sweeping_.stop_waiting(id);
+    proxies_.remove(id);
+    sweeping_.finish_filling(true);
+    if (proxies_.count() < trim_below_)
+        trim();
 }
 
-void Broadphase::set_role(ProxyId id, Role role)
+void Broadphase::resize_stages()
 {
-    proxies_.bounds[id].role = role;
-    if (!is_interactive(role))
-        sample(id, false);
-    due_anew_.insert(id);
+    const std::size_t size = proxies_.size();
+    boxes_.resize(size);
+    idle_.resize(size);
+    verifier_.resize(size);
+    predictor_.resize(size);
+    near_.resize(size);
+    sweeping_.resize(size);
+    batch_.resize(size);
 }
 
-void Broadphase::set_measure(Proximity measure)
+// Most objects are gone. What is known of the others is given up with the memory: it is soon found again.
+void Broadphase::trim()
 {
-    measure_ = measure;
-    predict_all_anew();
-}
-
-void Broadphase::predict_all_anew()
-{
-    members_.for_each([&](ProxyId id) {
-        std::uint32_t &horizon = proxies_.bounds[id].horizon;
-        if (horizon != 0)
-            horizon = std::clamp(horizon, predictor.horizon.min_ticks, predictor.horizon.max_ticks);
-        due_anew_.insert(id);
-    });
-}
-
-// While nothing moves, no time passes. A program that asks between its steps and its ticks is told by what the majority
-// of the moving objects did.
-bool Broadphase::time_passes(bool is_tick)
-{
-    const bool passes = !moved_.empty() && ((is_tick && !ticked_early_) || most_moving_have_moved());
-    ticked_early_ = !is_tick && (ticked_early_ || passes);
-    next_tick_ = now_ + (passes ? 1 : 0) + (ticked_early_ ? 0 : 1);
-    return passes;
-}
-
-bool Broadphase::most_moving_have_moved() const
-{
-    std::size_t moving = 0, moved = 0;
-    for (std::size_t i = 0; i < moved_.words(); ++i)
-    {
-        moving += IdSet::count(moving_.word(i));
-        moved += IdSet::count(moving_.word(i) & moved_.word(i));
-    }
-    return moving > 0 && 2 * moved >= moving;
-}
-
-void Broadphase::advance_clock()
-{
-    ++now_;
-    if (now_ % ticks_per_count == 0)
-        gather_predictions();
-    if (!policy_.scanning())
-        wheel_.advance(now_, due_);
-}
-
-// Where only a few objects are predicted per tick, several ticks' predictions are made at once; no tick is to have many.
-void Broadphase::gather_predictions()
-{
-    constexpr std::uint32_t most_ticks = 8;
-    constexpr std::uint64_t some = 8;
-    const std::uint64_t made = counters_.repredictions - counted_predictions_;
-    counted_predictions_ = counters_.repredictions;
-    predictor.gather = most_ticks;
-    while (predictor.gather > 1 && predictor.gather * made > some * ticks_per_count)
-        predictor.gather /= 2;
-}
-
-// Those of which the notice of their move left doubt, and those that were predicted to move and did not: they have left
-// their path, and nobody reports that. When it is not the tick by which the notices were judged, all that moved.
-void Broadphase::collect_suspects(bool time_passes, bool as_expected)
-{
-    auto collect = [this](ProxyId id) { suspects_.push_back(id); };
-    for (std::size_t i = 0; i < moved_.words(); ++i)
-    {
-        const std::uint64_t predicted = ~waiting_.word(i), moved = moved_.word(i) & predicted;
-        const std::uint64_t stopped = time_passes ? moving_.word(i) & ~moved : 0;
-        counters_.verified += IdSet::count(moved | stopped);
-        IdSet::visit_word(i, (as_expected ? doubtful_.word(i) & predicted : moved) | stopped, collect);
-    }
-}
-
-// Is an object that is still within its envelope, although nobody reports a move of it, to be predicted to stay there? It
-// may have missed one tick only; a prediction costs as much as some tens of looks, so one look in as many decides.
-bool Broadphase::has_stopped(ProxyId id) const
-{
-    constexpr Tick looks_per_prediction = 32;
-    return !moved_.contains(id) && (now_ + id) % looks_per_prediction == 0;
-}
-
-void Broadphase::add_to_batch(ProxyId id)
-{
-    if (in_batch_.contains(id))
+    const std::size_t size = proxies_.size();
+    trim_below_ = proxies_.count() / 2;
+    if (2 * proxies_.needed_size() > size)
         return;
-    in_batch_.insert(id);
-    batch_.push_back(id);
+    start_sweeping(true);
+    proxies_.trim();
+    index_ = {};
+    schedule_ = {};
+    schedule_.restart(now());
+    near_ = {};
+    sweeping_.release();
+    resize_stages();
 }
 
-void Broadphase::sample(ProxyId id, bool wanted)
+// --- Settings and numbers -------------------------------------------------------------------------------------------------
+
+void Broadphase::set_proximity_test(ProximityTest test)
 {
-    if (wanted == interactive_.contains(id))
-        return;
-    if (wanted)
-        interactive_.insert(id);
-    else
-        interactive_.erase(id);
-    sampled_ = interactive_.size();
+    proximity_test_ = test;
+    predictor_.settings_changed(proxies_);
 }
 
-// Those whose horizon ends, and those that are to be predicted anew for another reason, join those that broke theirs.
-void Broadphase::expire()
+void Broadphase::set_settings(const PredictionSettings &settings)
 {
-    for (const Event &event : due_)
-        if (event.second == no_proxy && current(event))
-            add_to_batch(event.first);
-    if (due_anew_.empty())
-        return;
-    due_anew_.for_each([this](ProxyId id) { add_to_batch(id); });
-    due_anew_.clear();
-}
-
-// @param single see EnvelopeIndex::update().
-void Broadphase::find_pairs(std::size_t single)
-{
-    for (ProxyId id : batch_)
-        swept_.push_back({id, proxies_.swept_box(id, now_)});
-    index_.update(proxies_, swept_, in_batch_, now_, single, candidates_);
-    if (std::exchange(parts_joined_, false))
-        index_.rebuild(proxies_, {}, now_);
-}
-
-void Broadphase::schedule()
-{
-    assess(proxies_, candidates_, now_, measure_, found_near_, scheduled_);
-    for (const ScheduledPair &pair : scheduled_)
-        wheel_.schedule(now_ + static_cast<Tick>(pair.ticks), pair.event);
-    for (const NearPair &pair : found_near_)
-        add_near(pair);
-}
-
-void Broadphase::add_near(const NearPair &pair)
-{
-    near_.add(pair);
-    note_crowded(pair);
-}
-
-// Pairs whose time has come, unless a newer prediction of either object has dealt with them.
-void Broadphase::wake()
-{
-    for (const Event &event : due_)
-    {
-        if (event.second == no_proxy || !current(event))
-            continue;
-        add_near(NearPair::of(event, now_));
-        ++counters_.woken;
-    }
-}
-
-// An object that will stay near others for long is worth tight bounds; it gets them with its next prediction, which is due
-// at once. The paper's measure works on spheres throughout.
-void Broadphase::note_crowded(const NearPair &pair)
-{
-    if (measure_ == Proximity::sphere)
-        return;
-    for (ProxyId id : {pair.first, pair.second})
-    {
-        PackedBounds &bounds = proxies_.bounds[id];
-        if (bounds.check == Check::centre && !bounds.crowded && bounds.tight_bounds_last && lingers(id))
-        {
-            bounds.crowded = true;
-            due_anew_.insert(id);
-        }
-    }
-}
-
-// Does it take many ticks to move by its own size?
-bool Broadphase::lingers(ProxyId id) const
-{
-    constexpr double many = 600;
-    return many * proxies_.paths[id].path().velocity.lpNorm<Eigen::Infinity>() < proxies_.bounds[id].radius;
-}
-
-void Broadphase::finish_update()
-{
-    for (ProxyId id : batch_)
-        in_batch_.erase(id);
-    empty(batch_);
-    empty(swept_);
-    empty(due_);
-    empty(candidates_);
-    empty(scheduled_);
-    empty(found_near_);
-    purge_stale_events();
-}
-
-bool Broadphase::current(const Event &event) const
-{
-    return proxies_.current(event.first, event.first_generation) &&
-           (event.second == no_proxy || proxies_.current(event.second, event.second_generation));
-}
-
-std::size_t Broadphase::scheduled_pairs() const
-{
-    std::size_t count = 0;
-    wheel_.for_each([&](const Event &event) { count += event.second != no_proxy && current(event); });
-    return count;
+    predictor_.settings = settings;
+    predictor_.settings_changed(proxies_);
 }
 
 std::size_t Broadphase::near_pairs() const
 {
     std::size_t count = 0;
-    each_near([&](const CandidatePair &, NearSet::Verdict) { ++count; });
+    for_each_near_pair([&](const CandidatePair &, PairState) { ++count; });
     return count;
-}
-
-// Stale events wait for their tick. Where many predictions break early they would pile up.
-void Broadphase::purge_stale_events()
-{
-    if (wheel_.size() < purge_events_at_)
-        return;
-    wheel_.purge([this](const Event &event) { return current(event); });
-    purge_events_at_ = std::max(least_purge, 2 * wheel_.size());
-}
-
-void Broadphase::take_note_of_moves()
-{
-    near_.disturb(moved_);
-    stirred_ |= moved_;
-    moved_.clear();
-    doubtful_.clear();
-}
-
-bool Broadphase::want_predictions()
-{
-    predictions_wanted_ = true;
-    if (!policy_.at_beginning())
-        return false;
-    policy_.end();
-    wheel_.restart(now_);
-    release_scan();
-    predict_all_anew();
-    return true;
-}
-
-void Broadphase::predict_the_rest()
-{
-    if (policy_.scanning())
-    {
-        policy_.end();
-        stop_scanning();
-    }
-    due_anew_ |= waiting_;
-}
-
-// More have left their paths than can be predicted in a tick: from now on all are swept, until each had its turn. Where they
-// are in index, schedule and near set, they are stale.
-void Broadphase::postpone_batch()
-{
-    for (ProxyId id : batch_)
-    {
-        unpredicted_ += proxies_.bounds[id].check != Check::none;
-        proxies_.forget_prediction(id);
-        ++proxies_.generations[id];
-        moving_.erase(id);
-        sample(id, false);
-        in_batch_.erase(id);
-        waiting_count_ += !waiting_.contains(id);
-        waiting_.insert(id);
-    }
-    batch_.clear();
-}
-
-bool Broadphase::stop_waiting(ProxyId id)
-{
-    if (!is_waiting(id))
-        return false;
-    waiting_.erase(id);
-    --waiting_count_;
-    return true;
-}
-
-// Some that lie side by side, as the last sweep found them: they make a good part of a tree. Who was not there yet has a
-// place in the next queue.
-void Broadphase::add_part()
-{
-    if (queue_.empty())
-        sweep_.sort_along_widest(items_, queue_);
-    for (std::size_t room = part(); room > 0 && !queue_.empty(); queue_.pop_back())
-        if (is_waiting(queue_.back()))
-        {
-            add_to_batch(queue_.back());
-            --room;
-        }
-}
-
-// A tree made of parts is not as good as one that is built at once; that is left to the next tick, which sweeps nothing.
-void Broadphase::finish_parts()
-{
-    release_scan();
-    parts_joined_ = batch_.size() < objects();
-}
-
-void Broadphase::start_scanning()
-{
-    finish_update();
-    index_.clear(proxies_);
-    wheel_.clear();
-    near_.clear();
-    due_anew_.clear();
-    moving_.clear();
-    // Nobody is remembered meanwhile: what is remembered of an object depends on how it is predicted.
-    interactive_.clear();
-    sampled_ = 0;
-    waiting_.clear();
-    waiting_count_ = 0;
-    scouts_.choose(members_);
-    if (unpredicted_ < objects())
-        members_.for_each([this](ProxyId id) { proxies_.forget_prediction(id); });
-    unpredicted_ = objects();
-    moved_ |= members_;
-}
-
-// From now on all are swept only until each had its turn to be predicted.
-void Broadphase::stop_scanning()
-{
-    wheel_.restart(now_);
-    waiting_ = members_;
-    waiting_count_ = objects();
-}
-
-void Broadphase::release_scan()
-{
-    items_ = {};
-    sweep_ = {};
-    scanned_ = {};
-    queue_ = {};
 }
 
 std::size_t Broadphase::bytes() const
 {
-    std::size_t total = proxies_.bytes() + predictor.bytes() + index_.bytes() + wheel_.bytes() + sweep_.bytes();
-    for (const IdSet *set : {&members_, &moved_, &doubtful_, &moving_, &in_batch_, &interactive_, &due_anew_, &waiting_,
-                             &measured_, &stirred_})
-        total += set->bytes();
-    total += noticed_.bytes();
-    total += (free_ids_.capacity() + suspects_.capacity() + batch_.capacity() + queue_.capacity()) * sizeof(ProxyId);
-    total += swept_.capacity() * sizeof(SweptProxy);
-    total += near_.bytes() + found_near_.capacity() * sizeof(NearPair) + due_.capacity() * sizeof(Event);
-    total += candidates_.capacity() * sizeof(CandidatePair) + scheduled_.capacity() * sizeof(ScheduledPair);
-    total += scouts_.bytes() + scanned_.capacity() * sizeof(CandidatePair);
-    return total + items_.capacity() * sizeof(SweptProxy) + boxes_.capacity() * sizeof(MeasuredBox);
+    return proxies_.bytes() + boxes_.bytes() + idle_.bytes() + verifier_.bytes() + predictor_.bytes() +
+           index_.bytes() + schedule_.bytes() + near_.bytes() + sweeping_.bytes() + batch_.bytes() + bytes_of(swept_) +
+           bytes_of(candidates_) + bytes_of(found_near_);
 }
 } // namespace ode_predictive_space

@@ -77,9 +77,9 @@ void dPredictiveSpaceSetProximity(dSpaceID space, int proximity)
     if (!self)
         return;
     if (proximity == dPredictiveProximityBox)
-        self->set_proximity(Proximity::box);
+        self->set_proximity_test(ProximityTest::box);
     else if (proximity == dPredictiveProximitySphere)
-        self->set_proximity(Proximity::sphere);
+        self->set_proximity_test(ProximityTest::sphere);
     else
         refuse(__func__, "proximity", "it is no dPredictiveProximity constant");
 }
@@ -87,8 +87,8 @@ void dPredictiveSpaceSetProximity(dSpaceID space, int proximity)
 int dPredictiveSpaceGetProximity(dSpaceID space)
 {
     const dxPredictiveSpace *self = checked_space(__func__, space);
-    return self && self->broadphase().measure() == Proximity::sphere ? dPredictiveProximitySphere
-                                                                     : dPredictiveProximityBox;
+    return self && self->broadphase().proximity_test() == ProximityTest::sphere ? dPredictiveProximitySphere
+                                                                            : dPredictiveProximityBox;
 }
 
 void dPredictiveSpaceSetGeomRole(dSpaceID space, dGeomID geom, int role)
@@ -121,7 +121,7 @@ int dPredictiveSpaceGetDeviation(dSpaceID space, int role, dReal *a, dReal *b, d
     const dxPredictiveSpace *self = checked_space(__func__, space);
     if (!self || !checked_role(__func__, role))
         return 0;
-    const auto &fixed = self->broadphase().predictor.deviation[static_cast<std::size_t>(role)];
+    const auto &fixed = self->broadphase().settings().deviation[static_cast<std::size_t>(role)];
     const Deviation deviation = fixed.value_or(Deviation{});
     if (a)
         *a = static_cast<dReal>(deviation.a);
@@ -152,10 +152,11 @@ void dPredictiveSpaceGetHorizon(dSpaceID space, int *min_ticks, int *max_ticks)
     const dxPredictiveSpace *self = checked_space(__func__, space);
     if (!self)
         return;
+    const HorizonBounds &horizon = self->broadphase().settings().horizon;
     if (min_ticks)
-        *min_ticks = static_cast<int>(self->broadphase().predictor.horizon.min_ticks);
+        *min_ticks = static_cast<int>(horizon.min_ticks);
     if (max_ticks)
-        *max_ticks = static_cast<int>(self->broadphase().predictor.horizon.max_ticks);
+        *max_ticks = static_cast<int>(horizon.max_ticks);
 }
 
 int dPredictiveSpaceGetTimeOfProximity(dSpaceID space, dGeomID first, dGeomID second, dReal *ticks)
@@ -209,7 +210,7 @@ void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
     stats->woken = counters.woken;
     stats->near = self->broadphase().near_pairs();
     stats->reported = self->reported();
-    stats->scans = counters.scans;
+    stats->scans = counters.sweeps;
     stats->bytes = self->bytes();
 }
 
@@ -219,8 +220,13 @@ int dPredictiveSpaceValidate(dSpaceID space)
     if (!self)
         return 0;
     self->catch_up();
-    const char *violation = self->find_violation();
-    if (violation)
-        dMessage(d_ERR_IASSERT, "%s(): %s", __func__, violation);
-    return violation == nullptr;
+    const dxPredictiveSpace::Violation violation = self->find_violation();
+    if (violation.second)
+        dMessage(d_ERR_IASSERT, "%s(): %s: %p and %p", __func__, violation.what, static_cast<const void *>(violation.first),
+                 static_cast<const void *>(violation.second));
+    else if (violation.first)
+        dMessage(d_ERR_IASSERT, "%s(): %s: %p", __func__, violation.what, static_cast<const void *>(violation.first));
+    else if (violation.what)
+        dMessage(d_ERR_IASSERT, "%s(): %s", __func__, violation.what);
+    return violation.what == nullptr;
 }

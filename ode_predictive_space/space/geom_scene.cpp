@@ -4,12 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "ode_predictive_space/broadphase/base/prefetch.h"
+
 namespace ode_predictive_space
 {
 namespace
 {
-// Rotation matrices are orthonormal but for rounding: what a turned box may stick out of its sphere; and what two spheres
-// may be apart that dCollide() finds touching.
+// Rotation matrices are orthonormal but for rounding: a turned box may stick out of its sphere by so much, and two spheres that
+// dCollide() finds touching may be so far apart.
 constexpr double tolerance = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5;
 
 // Velocity of the geom's centre: an offset geom circles around its body.
@@ -68,7 +70,8 @@ double circumscribed_radius(const dxGeom *geom)
     }
 }
 
-// What ODE's colliders, which compute in its precision, can find to touch beyond the tolerance, far from the origin.
+// Distance, beyond the tolerance, up to which ODE's colliders may find touching what is far from the origin: they compute in ODE's
+// precision.
 double rounding_at([[maybe_unused]] const Box &bounds)
 {
     if constexpr (sizeof(dReal) == sizeof(double))
@@ -78,8 +81,8 @@ double rounding_at([[maybe_unused]] const Box &bounds)
                std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
 }
 
-// The sphere by which the measure of spheres judges: the geom's own, if it has one and its box bears that out, otherwise
-// that around its box. Losing its body, of which ODE tells nobody, must not make it larger.
+// The sphere of the sphere test: the geom's own, if it has one that agrees with its box, otherwise the one around its box. ODE does
+// not report that a geom loses its body; this must not make the sphere larger.
 struct JudgedSphere
 {
     Vector3 centre;
@@ -95,7 +98,7 @@ struct JudgedSphere
         radius += rounding_at(bounds);
     }
 
-    // True when anything is NaN or infinite: what cannot be judged is not left out.
+    // True when anything is NaN or infinite: such a pair is not left out.
     bool may_touch(const JudgedSphere &other) const
     {
         const double reach = radius + other.radius;
@@ -108,7 +111,7 @@ bool spheres_may_touch(const dxGeom *one, const dxGeom *other)
     return JudgedSphere(one, to_box(one->aabb)).may_touch(JudgedSphere(other, to_box(other->aabb)));
 }
 
-// The sphere around a ray says next to nothing: it is judged by its line, too.
+// The sphere around a ray is hardly ever tight: its line is tested, too.
 bool ray_may_touch(dxGeom *ray, const dxGeom *other)
 {
     if (ray->type != dRayClass || touched_off_line(other))
@@ -149,15 +152,94 @@ BoundingSphere bounding_sphere(const dxGeom *geom)
     return {std::numeric_limits<double>::infinity(), false};
 }
 
-std::optional<Vector3> GeomScene::pivot(ProxyId id) const
+// The bounding box, valid also for spaces whose geoms have moved.
+static const dReal *valid_aabb(dxGeom *geom)
 {
-    if (!turns_safely(geoms_[id]))
+    if (IS_SPACE(geom))
+        static_cast<dxSpace *>(geom)->cleanGeoms();
+    geom->recomputeAABB();
+    return geom->aabb;
+}
+
+void GeomScene::prefetch_geom(ProxyId id) const
+{
+    constexpr std::size_t most_sizes = 3;
+    prefetch_block<sizeof(dxGeom) + most_sizes * sizeof(dReal)>(geoms_[id]);
+}
+
+void GeomScene::prefetch_pose(ProxyId id) const
+{
+    prefetch_block<sizeof(dxPosR)>(geoms_[id]->final_posr);
+}
+
+// Fetches ahead what a visit reads, unless all of it is in the cache.
+template <typename Visit, typename... Fetches>
+void GeomScene::for_each(std::size_t count, Visit visit, Fetches... fetches) const
+{
+    if (overflows_cache_)
+        for_each_prefetched(count, tuning::turns_ahead, visit, fetches...);
+    else
+        for (std::size_t i = 0; i < count; ++i)
+            visit(i);
+}
+
+Location GeomScene::location(ProxyId id) const
+{
+    dxGeom *geom = geoms_[id];
+    geom->recomputePosr();
+    const dReal *position = geom->final_posr->pos;
+    const double radius =
+        turns_safely(geom) ? squared_sphere_radius(geom) : std::numeric_limits<double>::quiet_NaN();
+    return {{position[0], position[1], position[2]}, radius};
+}
+
+void GeomScene::locate(const ProxyId *ids, std::size_t count, Location *locations)
+{
+    for_each(
+        count, [&](std::size_t i) { locations[i] = location(ids[i]); }, [&](std::size_t i) { prefetch_geom(ids[i]); },
+        [&](std::size_t i) { prefetch_pose(ids[i]); });
+}
+
+void GeomScene::measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes)
+{
+    for_each(
+        count, [&](std::size_t i) { boxes[ids[i]].assign(valid_aabb(geoms_[ids[i]])); },
+        [&](std::size_t i) { prefetch_geom(ids[i]); },
+        [&](std::size_t i) {
+            prefetch_pose(ids[i]);
+            prefetch(&boxes[ids[i]]);
+        });
+}
+
+void GeomScene::observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen)
+{
+    const auto prefetch_motion = [&](std::size_t i) {
+        prefetch_pose(ids[i]);
+        if (const dBodyID body = geoms_[ids[i]]->body)
+            prefetch_block<2 * sizeof(dVector3)>(dBodyGetLinearVel(body)); // behind it, the angular velocity
+    };
+    for_each(
+        count, [&](std::size_t i) { seen[i] = observation(ids[i], with_bounds[i]); },
+        [&](std::size_t i) { prefetch_geom(ids[i]); }, prefetch_motion);
+}
+
+Box GeomScene::bounds(ProxyId id)
+{
+    return to_box(valid_aabb(geoms_[id]));
+}
+
+std::optional<Vector3> GeomScene::pivot(ProxyId id)
+{
+    dxGeom *geom = geoms_[id];
+    if (!turns_safely(geom))
         return std::nullopt;
-    const Vector3 centre = position(id);
+    geom->recomputePosr();
+    const dReal *position = geom->final_posr->pos;
+    const Vector3 centre(position[0], position[1], position[2]);
     return centre.allFinite() ? std::optional(centre) : std::nullopt;
 }
 
-Observation GeomScene::observe(ProxyId id, bool with_bounds) const
+Observation GeomScene::observation(ProxyId id, bool with_bounds)
 {
     dxGeom *geom = geoms_[id];
     const BoundingSphere sphere = bounding_sphere(geom);
@@ -176,12 +258,19 @@ Observation GeomScene::observe(ProxyId id, bool with_bounds) const
     return seen;
 }
 
+void GeomScene::find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled)
+{
+    for (std::size_t i = 0; i < count; ++i)
+        if (!enabled(geoms_[ids[i]]))
+            disabled.push_back(ids[i]);
+}
+
 bool GeomScene::overlap(dxGeom *one, dxGeom *other) const
 {
     one->recomputeAABB();
     other->recomputeAABB();
     if (!aabbs_overlap(one, other))
         return false;
-    return !spheres_ || (spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one));
+    return !by_sphere_ || (spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one));
 }
 } // namespace ode_predictive_space

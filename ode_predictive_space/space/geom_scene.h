@@ -1,4 +1,4 @@
-// ODE's geoms as the broad phase sees them.
+// ODE's geoms as the broad phase sees them. In: numbers of objects. Out: positions, boxes and motion of their geoms.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
@@ -6,14 +6,11 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
-#include "ode_predictive_space/broadphase/measured_box.h"
-#include "ode_predictive_space/broadphase/predictor.h"
-#include "ode_predictive_space/broadphase/prefetch.h"
-#include "ode_predictive_space/broadphase/ray_probe.h"
-#include "ode_predictive_space/broadphase/types.h"
+#include "ode_predictive_space/broadphase/index/ray_probe.h"
+#include "ode_predictive_space/broadphase/objects/scene.h"
+#include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space
@@ -29,20 +26,17 @@ struct BoundingSphere
 /// the rotation matrix of other geoms can be anything.
 BoundingSphere bounding_sphere(const dxGeom *geom);
 
-static_assert(std::is_same<SceneReal, dReal>::value, "a broad phase for ODE's precision");
-
-/// Where a sphere, box, capsule or cylinder keeps its sizes: right behind the members that all geoms have (ode_mismatch()
-/// makes sure of it). To be read without a cast to one of these classes.
+/// The sizes of a sphere, box, capsule or cylinder: they lie right behind the members that all geoms have (ode_mismatch() checks
+/// it), and can be read without knowing which of these classes the geom is of.
 static_assert(sizeof(dxBox) == sizeof(dxGeom) + sizeof(dVector3), "nothing is between them");
 inline const dReal *sizes_of(const dxGeom *geom)
 {
     return reinterpret_cast<const dReal *>(geom + 1);
 }
 
-/// Does a geom that has a bounding sphere, as the last look told, still fit into one of this radius? Asked for every moved
-/// geom at every tick: classes alternate at random, and where a branch on them would be mispredicted, all are computed. (The
-/// margin of bounding_sphere() covers the rounding.)
-inline bool fits_into_sphere(const dxGeom *geom, double radius)
+/// Square of the radius of the bounding sphere of a geom that has one. Computed for every moved geom: classes alternate at
+/// random, and a branch on them would often be mispredicted. (The margin of bounding_sphere() covers the rounding.)
+inline double squared_sphere_radius(const dxGeom *geom)
 {
     static_assert(dSphereClass == 0 && dBoxClass == 1 && dCapsuleClass == 2 && dCylinderClass == 3,
                   "the tables go by class");
@@ -54,21 +48,21 @@ inline bool fits_into_sphere(const dxGeom *geom, double radius)
     const dReal *size = sizes_of(geom);
     const double *factor = factors[type];
     const double x = size[0], y = size[second[type]], z = size[third[type]];
-    const double squared = x * (factor[0] * x + factor[1] * y) + factor[2] * y * y + factor[3] * z * z;
-    return squared <= radius * radius;
+    return x * (factor[0] * x + factor[1] * y) + factor[2] * y * y + factor[3] * z * z;
 }
 
 /// Does a geom, however it turns, turn around its position? Then the bounding sphere that it has, or had when it was last
 /// looked at, is one around that still.
 inline bool turns_safely(const dxGeom *geom)
 {
-    return (geom->type == dSphereClass) | ((geom->body != nullptr) & (geom->offset_posr == nullptr));
+    const bool turns_with_body = (geom->body != nullptr) & (geom->offset_posr == nullptr);
+    return (geom->type == dSphereClass) | turns_with_body;
 }
 
-/// The position of a geom, or null when it has to be computed first or is not the centre of a sphere that holds the geom.
-inline const dReal *centre_of_sphere(const dxGeom *geom)
+/// ODE's geoms take part in collisions while they are enabled and have a size.
+inline bool enabled(const dxGeom *geom)
 {
-    return !(geom->gflags & GEOM_POSR_BAD) & turns_safely(geom) ? geom->final_posr->pos : nullptr;
+    return (geom->gflags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
 }
 
 /// Can a geom be touched outside of any sphere around its bounding box? ODE makes contacts with a heightfield for what lies
@@ -95,22 +89,22 @@ inline Box to_box(const dReal aabb[6])
     return Box(Vector3(aabb[0], aabb[2], aabb[4]), Vector3(aabb[1], aabb[3], aabb[5]));
 }
 
-/// A geom that has just been written: what Broadphase asks when a move is noticed.
+/// A geom that has just been written: what the broad phase asks when a move is reported.
 class NoticedGeom
 {
 public:
     explicit NoticedGeom(const dxGeom *geom) : geom_(geom) {}
 
-    /// (What has been given an offset from its body has a bad position when it has been moved. What has lost its body turns by
-    /// any matrix.)
+    /// (The position of a geom with an offset from its body is bad when it has been moved. A geom that has lost its body may turn
+    /// by any matrix.)
     bool has_centre() const
     {
         return (geom_->body != nullptr || geom_->type == dSphereClass) && (geom_->gflags & GEOM_POSR_BAD) == 0;
     }
     const dReal *coordinates() const { return geom_->final_posr->pos; }
-    bool has_grown(float radius) const { return !fits_into_sphere(geom_, radius); }
+    bool has_grown(float radius) const { return !(squared_sphere_radius(geom_) <= double{radius} * double{radius}); }
 
-    /// Of the position and the beginning of the rotation, which lie together.
+    /// Of the position and the beginning of the rotation, which are adjacent.
     std::uint32_t pose_digest() const
     {
         const dxPosR *pose = geom_->final_posr;
@@ -129,55 +123,40 @@ private:
     const dxGeom *geom_;
 };
 
-/// The scene that Broadphase asks: geoms by proxy number. See Broadphase for what each function means.
-class GeomScene
+/// The geoms of a space, by number.
+class GeomScene : public Scene
 {
 public:
-    /// @param geoms by proxy number; must stay where they are as long as the scene is used.
-    GeomScene(const std::vector<dxGeom *> &geoms, bool spheres) : geoms_(geoms.data()), spheres_(spheres) {}
+    /// @param geoms by number; must stay where they are as long as the scene is used.
+    /// @param by_sphere pairs overlap only when their bounding spheres do, too.
+    GeomScene(const std::vector<dxGeom *> &geoms, bool by_sphere)
+        : geoms_(geoms.data()), overflows_cache_(geoms.size() > tuning::cached_objects), by_sphere_(by_sphere)
+    {}
 
-    Vector3 position(ProxyId id) const
-    {
-        dxGeom *geom = geoms_[id];
-        geom->recomputePosr();
-        const dReal *position = geom->final_posr->pos;
-        return Vector3(position[0], position[1], position[2]);
-    }
+    void locate(const ProxyId *ids, std::size_t count, Location *locations) override;
+    void measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes) override;
+    void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) override;
+    Box bounds(ProxyId id) override;
+    std::optional<Vector3> pivot(ProxyId id) override;
+    bool overlap(ProxyId first, ProxyId second) override { return overlap(geoms_[first], geoms_[second]); }
+    void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
 
-    const dReal *coordinates(ProxyId id) const { return centre_of_sphere(geoms_[id]); }
-    bool has_grown(ProxyId id, float radius) const { return !fits_into_sphere(geoms_[id], radius); }
-
-    void prefetch(ProxyId id) const
-    {
-        constexpr std::size_t most_sizes = 3;
-        prefetch_block<sizeof(dxGeom) + most_sizes * sizeof(dReal)>(geoms_[id]);
-    }
-    void prefetch_pose(ProxyId id) const { prefetch_block<sizeof(dxPosR)>(geoms_[id]->final_posr); }
-    void prefetch_velocity(ProxyId id) const
-    {
-        if (const dBodyID body = geoms_[id]->body)
-            prefetch_block<2 * sizeof(dVector3)>(dBodyGetLinearVel(body)); // behind it, the angular velocity
-    }
-
-    Box bounds(ProxyId id) const { return to_box(valid_aabb(id)); }
-    void measure(ProxyId id, MeasuredBox &box) const { box.assign(valid_aabb(id)); }
-    std::optional<Vector3> pivot(ProxyId id) const;
-    Observation observe(ProxyId id, bool with_bounds) const;
-    bool overlap(ProxyId first, ProxyId second) const { return overlap(geoms_[first], geoms_[second]); }
+    /// Do the geoms overlap, as the space reports it?
     bool overlap(dxGeom *one, dxGeom *other) const;
 
+    /// Bounding boxes of these geoms will soon be read: call them in this order, some time apart.
+    void prefetch_geom(ProxyId id) const;
+    void prefetch_pose(ProxyId id) const;
+
 private:
-    const dReal *valid_aabb(ProxyId id) const
-    {
-        dxGeom *geom = geoms_[id];
-        if (IS_SPACE(geom))
-            static_cast<dxSpace *>(geom)->cleanGeoms();
-        geom->recomputeAABB();
-        return geom->aabb;
-    }
+    template <typename Visit, typename... Fetches>
+    void for_each(std::size_t count, Visit visit, Fetches... fetches) const;
+    Location location(ProxyId id) const;
+    Observation observation(ProxyId id, bool with_bounds);
 
     dxGeom *const *geoms_;
-    bool spheres_;
+    bool overflows_cache_;
+    bool by_sphere_;
 };
 } // namespace ode_predictive_space
 

@@ -1,17 +1,15 @@
 #include "ode_predictive_space/space/predictive_space.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
+
+#include "ode_predictive_space/broadphase/base/prefetch.h"
 
 using namespace ode_predictive_space;
 
 namespace
 {
-bool enabled(const dxGeom *geom)
-{
-    return (geom->gflags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
-}
-
 // Both lines of a geom that the filters read.
 void prefetch_filters(const dxGeom *geom)
 {
@@ -26,9 +24,9 @@ void prefetch_filters(const dxGeom *geom)
            (second->type < dFirstUserClass || second->AABBTest(first, first->aabb) != 0);
 }
 
-// What collideAABBs() asks beside overlap, in this function and the next. Bits, bodies and the rest change without notice:
-// they are read here, each time. First the bits: pairs that overlap for good, such as walls at their edges, are most often left
-// out by these.
+// The conditions of ODE's collideAABBs() beside overlap are in this function and the next. Bits, bodies and the rest change without
+// notice: they are read at each report. First the bits, which exclude most of the pairs that overlap for good, such as walls at
+// their edges.
 inline bool bits_agree(const dxGeom *first, const dxGeom *second)
 {
     return ((first->category_bits & second->collide_bits) | (second->category_bits & first->collide_bits)) != 0;
@@ -41,20 +39,22 @@ inline bool wants_callback(dxGeom *first, dxGeom *second)
     return std::max(first->type, second->type) < dFirstUserClass || user_classes_agree(first, second);
 }
 
-// ODE's dGeomMoved() calls dirty() only for geoms that are not dirty. The flag is cleared although the bounding box may still
-// be bad: it is computed when somebody needs it. remove() and cleanGeoms() restore what ODE expects.
+// ODE's dGeomMoved() calls dirty() only for geoms that are not dirty. The flag is cleared although the bounding box may still be
+// bad: the box is computed when it is needed. remove() and cleanGeoms() restore what ODE expects.
 void listen_to(dxGeom *geom)
 {
     geom->gflags &= ~GEOM_DIRTY;
 }
 } // namespace
 
-dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent) : dxSpace(parent)
+dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent)
+    : dxSpaceWithHashLevels(parent),
+      broadphase_(sizeof(dReal) < sizeof(double) ? std::numeric_limits<dReal>::epsilon() : 0)
 {
     type = class_of_predictive_space;
 }
 
-// When ~dxSpace() runs, remove() is no longer ours. So this empties the space, as that would.
+// When ~dxSpace() runs, remove() is no longer ours. So this destructor empties the space, as that would.
 dxPredictiveSpace::~dxPredictiveSpace()
 {
     CHECK_NOT_LOCKED(this);
@@ -74,7 +74,7 @@ ProxyId dxPredictiveSpace::proxy_of(const dxGeom *geom)
 
 GeomScene dxPredictiveSpace::scene() const
 {
-    return GeomScene(geoms_, broadphase_.measure() == Proximity::sphere);
+    return GeomScene(geoms_, broadphase_.proximity_test() == ProximityTest::sphere);
 }
 
 // May run within the constructor of a geom, when neither its class nor its bounds exist: they are asked for at the next
@@ -85,7 +85,7 @@ void dxPredictiveSpace::add(dxGeom *geom)
     const ProxyId id = broadphase_.add();
     if (id >= geoms_.size())
     {
-        grow(geoms_, id + 1);
+        resize_array(geoms_, id + 1);
         polled_.resize(geoms_.size());
         off_line_.resize(geoms_.size());
         unclassified_.resize(geoms_.size());
@@ -113,17 +113,27 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     off_line_.erase(id);
     unclassified_.erase(id);
     geom->next_ex = nullptr;
-    // In here a geom with a bad box need not be dirty (see listen_to()), nor a space in which a geom is;
-    // elsewhere they must be.
+    // In here a geom with a bad box need not be dirty (see listen_to()), nor a space that holds such a geom; elsewhere they
+    // must be.
     if ((geom->gflags & GEOM_AABB_BAD) || IS_SPACE(geom))
         geom->gflags |= GEOM_DIRTY;
+    if (broadphase_.proxies().size() < geoms_.size())
+        trim();
+}
+
+// The broad phase has given memory back.
+void dxPredictiveSpace::trim()
+{
+    resize_array(geoms_, broadphase_.proxies().size());
+    for (IdSet *set : {&polled_, &off_line_, &unclassified_})
+        set->resize(geoms_.size());
 }
 
 void dxPredictiveSpace::dirty(dxGeom *geom)
 {
     caught_up_ = false;
     listen_to(geom);
-    broadphase_.notice_move(proxy_of(geom), NoticedGeom(geom));
+    broadphase_.report_move(proxy_of(geom), NoticedGeom(geom));
 }
 
 // Only now is the class of new geoms known.
@@ -132,7 +142,6 @@ void dxPredictiveSpace::classify_new()
     if (unclassified_.empty())
         return;
     unclassified_.for_each([this](ProxyId id) {
-        prefetch(later(geoms_, id, 16));
         listen_to(geoms_[id]);
         if (geoms_[id]->type == dTriMeshClass || IS_SPACE(geoms_[id]))
         {
@@ -148,9 +157,9 @@ void dxPredictiveSpace::classify_new()
     unclassified_.clear();
 }
 
-// dGeomTriMeshSetData() marks the geom dirty and tells nobody, and ODE then keeps silent about its later moves too. (ODE's
-// own spaces miss it as well, or stop at an assertion, unless the geom happens to be the first in their list.)
-void dxPredictiveSpace::notice_unreported_moves()
+// dGeomTriMeshSetData() marks the geom dirty without a notice, and ODE then sends none of its later moves either. (ODE's own spaces
+// miss it, too, or stop at an assertion, unless the geom happens to be the first in their list.)
+void dxPredictiveSpace::poll_moves()
 {
     if (!caught_up_)
         classify_new();
@@ -166,7 +175,7 @@ void dxPredictiveSpace::notice_unreported_moves()
     });
 }
 
-// Computes the boxes that the space itself may not need yet. What has moved is still noted, for the next collide.
+// Computes the boxes that the space itself may not need yet. Moves stay noted for the next collide.
 void dxPredictiveSpace::cleanGeoms()
 {
     Lock lock(this);
@@ -182,13 +191,13 @@ void dxPredictiveSpace::cleanGeoms()
 
 void dxPredictiveSpace::catch_up()
 {
-    notice_unreported_moves();
+    poll_moves();
     if (caught_up_)
         return;
     Lock lock(this);
-    caught_up_ = true;
     GeomScene now = scene();
     broadphase_.catch_up(now);
+    caught_up_ = true;
 }
 
 void dxPredictiveSpace::catch_up_with_predictions()
@@ -203,8 +212,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     dAASSERT(callback);
     const bool nested_call = lock_count > 0;
     Lock lock(this);
-    notice_unreported_moves();
-    caught_up_ = true;
+    poll_moves();
     GeomScene now = scene();
     if (nested_call)
         broadphase_.catch_up(now);
@@ -213,76 +221,93 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
         ++ticks_;
         broadphase_.tick(now);
     }
+    caught_up_ = true;
     std::vector<CandidatePair> pairs = std::exchange(pairs_, {});
     const std::size_t count = broadphase_.report(now, pairs);
-    const bool overflows_cache = geoms_.size() > cached_measured;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        const CandidatePair pair = pairs[i];
-        if (overflows_cache)
-            prefetch_pair(pairs.data(), count, i);
-        dxGeom *one = geoms_[pair.first], *other = geoms_[pair.second];
-        if (bits_agree(one, other) && enabled(one) && enabled(other) && wants_callback(one, other))
-        {
-            ++reported_;
-            callback(data, one, other);
-        }
-    }
+    const auto visit = [&](std::size_t i) { call_back(pairs[i], data, callback); };
+    if (geoms_.size() > tuning::cached_measured)
+        for_each_prefetched(
+            count, tuning::pairs_ahead, visit,
+            [&](std::size_t i) {
+                prefetch(&geoms_[pairs[i].first]);
+                prefetch(&geoms_[pairs[i].second]);
+            },
+            [&](std::size_t i) {
+                prefetch_filters(geoms_[pairs[i].first]);
+                prefetch_filters(geoms_[pairs[i].second]);
+            });
+    else
+        for (std::size_t i = 0; i < count; ++i)
+            visit(i);
     pairs_ = std::move(pairs);
 }
 
-// What the filters read of pairs that come after the i-th. Where the geoms are has to be fetched, too, and before them.
-void dxPredictiveSpace::prefetch_pair(const CandidatePair *pairs, std::size_t count, std::size_t i) const
+// A pair whose boxes overlap: the rest of ODE's conditions, and the callback.
+inline void dxPredictiveSpace::call_back(const CandidatePair &pair, void *data, dNearCallback *callback)
 {
-    constexpr std::size_t soon = 12;
-    const CandidatePair &pair = later(pairs, count, i, soon), &farther = later(pairs, count, i, 2 * soon);
-    prefetch(&geoms_[farther.first]);
-    prefetch(&geoms_[farther.second]);
-    prefetch_filters(geoms_[pair.first]);
-    prefetch_filters(geoms_[pair.second]);
+    dxGeom *one = geoms_[pair.first], *other = geoms_[pair.second];
+    if (!bits_agree(one, other))
+        return;
+    if (!enabled(one))
+        note_disabled(pair.first);
+    else if (!enabled(other))
+        note_disabled(pair.second);
+    else if (wants_callback(one, other))
+    {
+        ++reported_;
+        callback(data, one, other);
+    }
+}
+
+// Pairs of disabled geoms are not kept.
+void dxPredictiveSpace::note_disabled(ProxyId id)
+{
+    broadphase_.note_disabled(id);
+    caught_up_ = false;
 }
 
 void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback)
 {
     dAASSERT(geom && callback);
     catch_up();
-    index_when_asked_often();
+    predict_when_asked_often();
     Lock lock(this);
     std::vector<ProxyId> found = std::exchange(found_, {});
     found.clear();
     find_near(geom, found);
     const GeomScene now = scene();
-    for (std::size_t i = 0; i < found.size(); ++i)
-    {
-        scene().prefetch(later(found, i, 4));
-        dxGeom *other = geoms_[found[i]];
-        if (bits_agree(other, geom) && enabled(other) && now.overlap(other, geom) && wants_callback(other, geom))
-            callback(data, other, geom);
-    }
+    for_each_prefetched(
+        found.size(), tuning::turns_ahead,
+        [&](std::size_t i) {
+            dxGeom *other = geoms_[found[i]];
+            if (bits_agree(other, geom) && enabled(other) && now.overlap(other, geom) && wants_callback(other, geom))
+                callback(data, other, geom);
+        },
+        [&](std::size_t i) { now.prefetch_geom(found[i]); });
     found_ = std::move(found);
 }
 
-// What is not predicted yet gets its predictions as time passes. For a program that only asks no time passes: each question
-// would look at all of that. So many looks cost what the predictions do.
-void dxPredictiveSpace::index_when_asked_often()
+// Objects without predictions get them as time passes. For a program that only asks no time passes: each question would look at
+// all of these objects. So many looks cost as much as the predictions.
+void dxPredictiveSpace::predict_when_asked_often()
 {
-    constexpr int worth_predictions = 50;
-    if (!broadphase_.scanning() || std::exchange(asked_at_, broadphase_.now()) != broadphase_.now())
-        looks_at_all_ = 0;
-    else if (++looks_at_all_ == worth_predictions)
+    const bool looks_at_all = broadphase_.mode() != Mode::predicting;
+    if (!looks_at_all || std::exchange(asked_at_, broadphase_.now()) != broadphase_.now())
+        questions_ = 0;
+    else if (++questions_ == tuning::questions_worth_predictions)
     {
-        broadphase_.predict_the_rest();
+        broadphase_.predict_all_waiting();
         caught_up_ = false;
         catch_up();
     }
 }
 
-// All geoms whose bounding box the geom's may overlap. By the measure of spheres, a ray is followed along its line; only
-// those that it can touch from elsewhere are looked for in its box.
+// All geoms whose bounding box the geom's may overlap. By the sphere test, a ray is followed along its line; only geoms that it
+// can touch from elsewhere are looked for in its box.
 void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
 {
     geom->recomputeAABB();
-    const bool as_line = geom->type == dRayClass && broadphase_.measure() == Proximity::sphere;
+    const bool as_line = geom->type == dRayClass && broadphase_.proximity_test() == ProximityTest::sphere;
     const std::optional<RayProbe> line = as_line ? line_of_ray(geom) : std::nullopt;
     const FloatBox box = FloatBox::around(to_box(geom->aabb));
     if (!line)
@@ -301,9 +326,9 @@ void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
         find(BoxProbe(box), true);
 }
 
-void dxPredictiveSpace::set_proximity(Proximity measure)
+void dxPredictiveSpace::set_proximity_test(ProximityTest test)
 {
-    broadphase_.set_measure(measure);
+    broadphase_.set_proximity_test(test);
     caught_up_ = false;
 }
 
@@ -315,30 +340,28 @@ void dxPredictiveSpace::set_role(dxGeom *geom, Role role)
 
 Role dxPredictiveSpace::role(dxGeom *geom) const
 {
-    return broadphase_.proxies().bounds[proxy_of(geom)].role;
+    return broadphase_.proxies().records[proxy_of(geom)].role;
 }
 
 void dxPredictiveSpace::set_deviation(int role, const Deviation *deviation)
 {
-    auto &fixed = broadphase_.predictor.deviation[static_cast<std::size_t>(role)];
-    if (deviation)
-        fixed = *deviation;
-    else
-        fixed.reset();
-    broadphase_.predict_all_anew();
+    PredictionSettings settings = broadphase_.settings();
+    auto &fixed = settings.deviation[static_cast<std::size_t>(role)];
+    fixed = deviation ? std::optional(*deviation) : std::nullopt;
+    broadphase_.set_settings(settings);
     caught_up_ = false;
 }
 
-void dxPredictiveSpace::set_horizon(HorizonBounds horizon)
+void dxPredictiveSpace::set_horizon(const HorizonBounds &horizon)
 {
-    broadphase_.predictor.horizon = horizon;
-    broadphase_.predict_all_anew();
+    PredictionSettings settings = broadphase_.settings();
+    settings.horizon = horizon;
+    broadphase_.set_settings(settings);
     caught_up_ = false;
 }
 
 std::size_t dxPredictiveSpace::bytes() const
 {
-    return sizeof(*this) + broadphase_.bytes() + geoms_.capacity() * sizeof(void *) +
-           found_.capacity() * sizeof(ProxyId) + pairs_.capacity() * sizeof(CandidatePair) + unclassified_.bytes() +
-           polled_.bytes() + off_line_.bytes();
+    return sizeof(*this) + broadphase_.bytes() + bytes_of(geoms_) + bytes_of(found_) + bytes_of(pairs_) +
+           unclassified_.bytes() + polled_.bytes() + off_line_.bytes();
 }

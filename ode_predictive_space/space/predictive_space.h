@@ -7,18 +7,13 @@
 
 #include "ode_predictive_space/broadphase/broadphase.h"
 #include "ode_predictive_space/space/geom_scene.h"
-#include "ode_predictive_space/space/ode_internals.h"
+#include "ode_predictive_space/space/hash_levels.h"
 
 /// A space that calls its callback for exactly the pairs for which dxSimpleSpace would.
 ///
 /// A geom's next_ex holds its proxy number + 1 while it is in here, and is zero when it leaves.
-struct dxPredictiveSpace : public dxSpace
+struct dxPredictiveSpace : public dxSpaceWithHashLevels
 {
-    // Substituted for a hash space, this object is asked for its levels by dHashSpaceGetLevels() and the like, which
-    // expect these two members, and in this place.
-    int global_minlevel = -3;
-    int global_maxlevel = 10;
-
     explicit dxPredictiveSpace(dxSpace *parent);
     ~dxPredictiveSpace() override;
 
@@ -29,16 +24,16 @@ struct dxPredictiveSpace : public dxSpace
     void collide(void *data, dNearCallback *callback) override;
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
-    void set_proximity(ode_predictive_space::Proximity measure);
+    void set_proximity_test(ode_predictive_space::ProximityTest test);
     void set_role(dxGeom *geom, ode_predictive_space::Role role);
     void set_deviation(int role, const ode_predictive_space::Deviation *deviation);
-    void set_horizon(ode_predictive_space::HorizonBounds horizon);
+    void set_horizon(const ode_predictive_space::HorizonBounds &horizon);
     ode_predictive_space::Role role(dxGeom *geom) const;
 
     /// Brings the broad phase up to date with what has moved, without a tick.
     void catch_up();
 
-    /// The same, and has all geoms predicted, from now on as soon as they are there.
+    /// The same, and has all geoms predicted, from now on as soon as they are added.
     void catch_up_with_predictions();
 
     /// A geom that can be met, in ticks from now.
@@ -55,10 +50,15 @@ struct dxPredictiveSpace : public dxSpace
     /// All that a geom of this space can meet, soonest first. The space must be caught up.
     std::vector<Encounter> encounters(dxGeom *geom) const;
 
+    /// What contradicts the invariant.
+    struct Violation
+    {
+        const char *what = nullptr; ///< as a sentence; null when the invariant holds
+        const dxGeom *first = nullptr, *second = nullptr; ///< the geoms that it is about, if it is about any
+    };
+
     /// Checks the invariant by brute force; the space must be caught up.
-    ///
-    /// @return 0 when it holds, otherwise what does not, as a sentence.
-    const char *find_violation();
+    Violation find_violation();
 
     const ode_predictive_space::Broadphase &broadphase() const { return broadphase_; }
     unsigned long ticks() const { return ticks_; }
@@ -78,29 +78,36 @@ private:
 
     static ProxyId proxy_of(const dxGeom *geom);
     ode_predictive_space::GeomScene scene() const;
-    void prefetch_pair(const ode_predictive_space::CandidatePair *pairs, std::size_t count, std::size_t i) const;
-    void index_when_asked_often();
+    std::optional<double> time_of_proximity(ProxyId one, ProxyId other, const ode_predictive_space::GeomScene &now,
+                                            double *apart_until) const;
+    void call_back(const ode_predictive_space::CandidatePair &pair, void *data, dNearCallback *callback);
+    void note_disabled(ProxyId id);
+    void predict_when_asked_often();
     void find_near(dxGeom *geom, std::vector<ProxyId> &found);
     void classify_new();
-    void notice_unreported_moves();
-    bool lies_in_envelope(ProxyId id, const ode_predictive_space::GeomScene &now) const;
+    void poll_moves();
+    void trim();
+    std::vector<ProxyId> members() const;
+    Violation find_misplaced(const std::vector<ProxyId> &members, ode_predictive_space::GeomScene &now) const;
+    Violation find_missing_pair(const std::vector<ProxyId> &members, const ode_predictive_space::GeomScene &now) const;
+    bool lies_in_envelope(ProxyId id, ode_predictive_space::GeomScene &now) const;
 
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // by proxy number; 0 for gaps
 
     ode_predictive_space::IdSet unclassified_; // added since the last look: their class was not known then
-    ode_predictive_space::IdSet polled_;       // those whose class changes them without telling their space
+    ode_predictive_space::IdSet polled_;       // geoms whose class changes them without notice
     std::size_t polled_count_ = 0;
-    ode_predictive_space::IdSet off_line_; // those that a ray may touch where it does not meet their box
+    ode_predictive_space::IdSet off_line_; // geoms that a ray may touch where it does not meet their box
     std::size_t off_line_count_ = 0;
 
-    // Nothing has been added, moved or set since the broad phase was last brought up to date: most queries find it so.
+    // Nothing has been added, moved or set since the broad phase was last brought up to date: so it is at most queries.
     bool caught_up_ = false;
 
-    int looks_at_all_ = 0;                    // questions at this tick that found no index
+    int questions_ = 0;                       // at this tick, that had to look at geoms without predictions
     ode_predictive_space::Tick asked_at_ = 0; // the tick of the last question
 
-    // Taken by collide() and collide2() while they call back, given back afterwards: a callback may collide this space.
+    // Taken by collide() and collide2() while they call back, returned afterwards: a callback may collide this space.
     std::vector<ode_predictive_space::CandidatePair> pairs_;
     std::vector<ProxyId> found_;
 

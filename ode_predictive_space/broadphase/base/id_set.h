@@ -1,0 +1,95 @@
+// A set of objects that is walked in the order of their numbers, whatever the order in which they were inserted.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ID_SET_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ID_SET_H
+
+#include <algorithm>
+#include <bitset>
+#include <cstddef>
+#include <vector>
+
+#include "ode_predictive_space/broadphase/base/ids.h"
+
+namespace ode_predictive_space
+{
+/// A bit per object. Runs stay deterministic although ODE's worker threads report moved geoms in any order.
+class IdSet
+{
+public:
+    static constexpr std::uint32_t bits_per_word = 64;
+
+    /// Makes room for objects 0 to count - 1. Members below that stay.
+    void resize(std::size_t count)
+    {
+        const std::size_t words = (count + bits_per_word - 1) / bits_per_word;
+        const bool shrinks = words < words_.size();
+        words_.resize(words);
+        if (shrinks)
+            words_.shrink_to_fit();
+    }
+
+    void insert(ProxyId id) { words_[id / bits_per_word] |= bit(id); }
+    void erase(ProxyId id) { words_[id / bits_per_word] &= ~bit(id); }
+    bool contains(ProxyId id) const { return (words_[id / bits_per_word] & bit(id)) != 0; }
+
+    /// Inserts the members that are bits of one word; see word().
+    void insert_word(std::size_t index, std::uint64_t word) { words_[index] |= word; }
+
+    bool empty() const
+    {
+        return std::all_of(words_.begin(), words_.end(), [](std::uint64_t word) { return word == 0; });
+    }
+
+    void clear() { std::fill(words_.begin(), words_.end(), 0); }
+
+    IdSet &operator|=(const IdSet &other)
+    {
+        for (std::size_t i = 0; i < words_.size(); ++i)
+            words_[i] |= other.words_[i];
+        return *this;
+    }
+
+    IdSet &operator-=(const IdSet &other)
+    {
+        for (std::size_t i = 0; i < words_.size(); ++i)
+            words_[i] &= ~other.words_[i];
+        return *this;
+    }
+
+    std::size_t size() const
+    {
+        std::size_t members = 0;
+        for (std::uint64_t word : words_)
+            members += count(word);
+        return members;
+    }
+
+    /// Members in one word.
+    static std::size_t count(std::uint64_t word) { return word == 0 ? 0 : std::bitset<bits_per_word>(word).count(); }
+
+    std::size_t words() const { return words_.size(); }
+    std::uint64_t word(std::size_t index) const { return words_[index]; }
+
+    template <typename Visit> void for_each(Visit visit) const
+    {
+        for (std::size_t index = 0; index < words_.size(); ++index)
+            visit_word(index, words_[index], visit);
+    }
+
+    /// Calls visit(id) for the bits of one word: walks unions and differences of sets without building them.
+    template <typename Visit> static void visit_word(std::size_t index, std::uint64_t word, Visit &&visit)
+    {
+        for (; word; word &= word - 1)
+            visit(static_cast<ProxyId>(index * bits_per_word) + static_cast<ProxyId>(__builtin_ctzll(word)));
+    }
+
+    std::size_t bytes() const { return words_.capacity() * sizeof(std::uint64_t); }
+
+private:
+    static std::uint64_t bit(ProxyId id) { return std::uint64_t{1} << (id % bits_per_word); }
+
+    std::vector<std::uint64_t> words_;
+};
+} // namespace ode_predictive_space
+
+#endif

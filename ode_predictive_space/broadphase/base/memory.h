@@ -1,0 +1,56 @@
+// How arrays grow and shrink, and where they begin.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_MEMORY_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_MEMORY_H
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+#include "ode_predictive_space/broadphase/tuning.h"
+
+namespace ode_predictive_space
+{
+/// Gives an array `count` elements, new ones being T(). Growth reserves a quarter more: doubling, as vectors do, would leave a
+/// third of the memory of a large scene unused. Shrinking gives the memory back.
+template <typename T, typename Allocator> void resize_array(std::vector<T, Allocator> &elements, std::size_t count)
+{
+    const bool shrinks = count < elements.size();
+    if (count > elements.capacity())
+        elements.reserve(count + count / 4);
+    elements.resize(count);
+    if (shrinks)
+        elements.shrink_to_fit();
+}
+
+/// Empties an array that is filled again in the next tick. It keeps its memory, unless that was grown by a one-off spike.
+template <typename T> void clear_scratch(std::vector<T> &scratch)
+{
+    if (scratch.capacity() > tuning::kept_scratch && scratch.size() < scratch.capacity() / 8)
+        scratch = std::vector<T>();
+    scratch.clear();
+}
+
+template <typename T, typename Allocator> std::size_t bytes_of(const std::vector<T, Allocator> &elements)
+{
+    return elements.capacity() * sizeof(T);
+}
+
+/// Makes a vector begin with a cache line, so that records which are read together never straddle two lines.
+template <typename T> struct CacheLineAllocator
+{
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    CacheLineAllocator() = default;
+    template <typename Other> CacheLineAllocator(const CacheLineAllocator<Other> &) {}
+
+    T *allocate(std::size_t count) { return static_cast<T *>(::operator new(count * sizeof(T), line)); }
+    void deallocate(T *elements, std::size_t) { ::operator delete(elements, line); }
+
+    friend bool operator==(const CacheLineAllocator &, const CacheLineAllocator &) { return true; }
+    friend bool operator!=(const CacheLineAllocator &, const CacheLineAllocator &) { return false; }
+};
+} // namespace ode_predictive_space
+
+#endif

@@ -1,0 +1,183 @@
+// A dynamic tree of boxes: which envelopes can meet a given one? Many queries go down together, batches are inserted leaf by
+// leaf or as a subtree, and a large change rebuilds the whole tree.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_TREE_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_TREE_H
+
+#include <cstddef>
+#include <vector>
+
+#include "ode_predictive_space/broadphase/base/float_box.h"
+#include "ode_predictive_space/broadphase/base/memory.h"
+#include "ode_predictive_space/broadphase/base/prefetch.h"
+
+namespace ode_predictive_space
+{
+/// A binary tree of bounded boxes with an object in each leaf.
+///
+/// Siblings are stored side by side (nodes 2k and 2k + 1), so that a visit of both touches one cache line; node 0 is the
+/// root and node 1 unused. Leaves are inserted where they enlarge the tree least, and rotations keep it shallow.
+class EnvelopeTree
+{
+public:
+    /// A box that overlaps the probe of this number.
+    struct Hit
+    {
+        std::uint32_t probe;
+        ProxyId proxy;
+    };
+
+    /// Adds a proxy that is not in the tree. The box must be bounded().
+    void insert(ProxyId proxy, const FloatBox &box);
+
+    /// Removes a proxy that is in the tree.
+    void remove(ProxyId proxy) { take_out(proxy); }
+
+    /// Gives a proxy that is in the tree another box: the same as remove() and insert(), but quicker when the box is near
+    /// the old one, because the search begins there.
+    void move(ProxyId proxy, const FloatBox &box);
+
+    /// Removes all proxies.
+    void clear();
+
+    /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
+    void build(const std::vector<SweptProxy> &leaves);
+
+    /// Adds neighbouring proxies that are not in the tree: as a tree of their own, built from the top and inserted as a whole.
+    /// Objects that are spread over the whole tree would make a bad subtree.
+    void graft(const std::vector<SweptProxy> &leaves);
+
+    /// The proxies, those that are in the tree, will soon be given other boxes: prefetches the nodes that this takes, in a tree
+    /// so large that they are not in the cache.
+    void prefetch_for_update(const std::vector<SweptProxy> &batch) const;
+
+    bool empty() const { return nodes_.empty(); }
+
+    /// Proxies in it.
+    std::size_t size() const { return nodes_.size() / 2 - free_pairs_.size(); }
+
+    /// Calls visit(proxy) for every proxy whose box overlaps `box`.
+    template <typename Visit> void query(const FloatBox &box, Visit visit) const { walk(BoxProbe(box), visit); }
+
+    /// Calls visit(proxy) for every proxy whose box overlaps the probe, which has any shape and a function
+    /// `bool overlaps(const FloatBox &) const`. The function is called for the boxes of whole branches, too, and must be true
+    /// for a box that holds a box which it overlaps.
+    template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
+    {
+        walk_together(&probe, 1, [&](std::uint32_t, ProxyId proxy) { visit(proxy); });
+    }
+
+    /// The same for several probes at once, which is faster where nodes are not in the cache: no probe waits for another's.
+    ///
+    /// @param count at most most_together.
+    /// @param visit called as visit(i, proxy) for what the i-th probe overlaps; not in the order of the probes.
+    template <typename Probe, typename Visit>
+    void walk_together(const Probe *probes, std::size_t count, Visit visit) const;
+    static constexpr std::size_t most_together = tuning::queries_together;
+
+    /// The box stored for a proxy that is in the tree.
+    const FloatBox &box(ProxyId proxy) const { return nodes_[leaf_node_[proxy]].box; }
+
+    /// Checks links and boxes.
+    bool consistent() const;
+
+    /// Nodes on the longest way from the root to a leaf.
+    int depth() const { return nodes_.empty() ? 0 : depth(0); }
+
+    std::size_t bytes() const;
+
+private:
+    using Index = std::int32_t;
+    static constexpr Index none = -1;
+    static constexpr std::size_t walk_room = 256;
+    static_assert(most_together + 2 <= walk_room, "all probes begin in there");
+
+    struct Step
+    {
+        Index pair;
+        std::uint32_t probe;
+    };
+
+    struct Node
+    {
+        FloatBox box;
+        Index parent;
+        Index content; // >= 0: first of its two children; < 0: ~proxy of a leaf
+        bool leaf() const { return content < 0; }
+        ProxyId proxy() const { return static_cast<ProxyId>(~content); }
+    };
+    static_assert(sizeof(Node) == 32, "two siblings share a cache line");
+
+    void make_room(ProxyId proxy);
+    Index allocate_pair();
+    void free_pair(Index first);
+    Index find_sibling(const FloatBox &box, Index start) const;
+    Index open_pair(Index node);
+    void insert_below(ProxyId proxy, const FloatBox &box, Index start);
+    Index take_out(ProxyId proxy);
+    void adopt(Index node);
+    void move_node(Index from, Index to);
+    void swap_nodes(Index left, Index right);
+    void refit_upwards(Index node);
+    void shrink_upwards(Index node);
+    void rotate(Index node);
+    class Builder;
+    bool consistent(Index node) const;
+    int depth(Index node) const;
+
+    std::vector<Node, CacheLineAllocator<Node>> nodes_;
+    std::vector<Index> free_pairs_;
+    std::vector<Index> leaf_node_; // by proxy
+};
+
+// Level by level, so that the processor can look at several pairs of siblings at once: their addresses are known long before
+// their boxes. Whether a box overlaps is as good as random, and a branch on it would often be mispredicted: store always,
+// advance on a hit.
+template <typename Probe, typename Visit>
+void EnvelopeTree::walk_together(const Probe *probes, std::size_t count, Visit visit) const
+{
+    if (nodes_.empty())
+        return;
+    Step waiting[walk_room]; // pairs of siblings whose parent overlaps
+    Hit found[walk_room];
+    std::vector<Step> postponed; // for large queries that overflow the room
+    std::size_t begin = 0, end = 0, found_count = 0;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+        const bool overlaps = probes[i].overlaps(nodes_[0].box);
+        if (overlaps && nodes_[0].leaf())
+            visit(i, nodes_[0].proxy());
+        else if (overlaps)
+            waiting[end++] = {nodes_[0].content, i};
+    }
+    while (begin < end)
+    {
+        const Step step = waiting[begin++];
+        const Node *pair = &nodes_[static_cast<std::size_t>(step.pair)];
+        for (const Node *node = pair; node < pair + 2; ++node)
+        {
+            const bool overlaps = probes[step.probe].overlaps(node->box);
+            waiting[end] = {node->content, step.probe};
+            prefetch(&nodes_[static_cast<std::size_t>(std::max(node->content, 0))]);
+            end += overlaps & !node->leaf();
+            found[found_count] = {step.probe, node->proxy()};
+            found_count += overlaps & node->leaf();
+        }
+        if (found_count + 2 > walk_room || begin == end)
+        {
+            std::for_each(found, found + found_count, [&](const Hit &hit) { visit(hit.probe, hit.proxy); });
+            found_count = 0;
+        }
+        if (end + 2 > walk_room || begin == end)
+        {
+            postponed.insert(postponed.end(), waiting + begin, waiting + end);
+            begin = 0;
+            end = std::min(postponed.size(), walk_room / 2);
+            std::copy(postponed.end() - static_cast<std::ptrdiff_t>(end), postponed.end(), waiting);
+            postponed.resize(postponed.size() - end);
+        }
+    }
+}
+} // namespace ode_predictive_space
+
+#endif

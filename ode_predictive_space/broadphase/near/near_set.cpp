@@ -1,0 +1,136 @@
+#include "ode_predictive_space/broadphase/near/near_set.h"
+
+#include <algorithm>
+
+#include "ode_predictive_space/broadphase/base/prefetch.h"
+
+namespace ode_predictive_space
+{
+CandidatePair *NearSet::report(const OverlapTest &test, Tick now, bool prefetches, CandidatePair *room)
+{
+    activate_disturbed();
+    CandidatePair *end = visit_active(test.boxes, now, prefetches, OverlapCollector(test, room)).end();
+    end = std::copy(overlapping_.begin(), overlapping_.end(), end);
+    if (++reports_ % tuning::reports_per_rest == 0)
+        let_rest(test);
+    return end;
+}
+
+// Drops stale pairs and visits the other active ones. The visitor is passed by value and returned: what it counts stays in
+// registers.
+template <typename Visit>
+Visit NearSet::visit_active(const MeasuredBox *boxes, Tick now, bool prefetches, Visit visit)
+{
+    if (!prefetches)
+        return visit_active(
+            now, [](const CandidatePair &) {}, visit);
+    return visit_active(
+        now,
+        [boxes](const CandidatePair &pair) {
+            prefetch(&boxes[pair.first]);
+            prefetch(&boxes[pair.second]);
+        },
+        visit);
+}
+
+// Not inlined: within a larger function there would not be enough registers for the loop.
+template <typename Fetch, typename Visit>
+[[gnu::noinline]] Visit NearSet::visit_active(Tick now, Fetch fetch, Visit visit)
+{
+    if (may_have_stale(now))
+        return drop_stale(now, fetch, visit);
+    const NearPair *const pairs = pairs_.data();
+    for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
+    {
+        fetch(pairs[std::min(i + tuning::pairs_ahead, count - 1)]);
+        visit(pairs[i]);
+    }
+    return visit;
+}
+
+void NearSet::drop_stale(Tick now)
+{
+    activate_disturbed();
+    const auto ignore = [](const NearPair &) {};
+    drop_stale(now, ignore, ignore);
+}
+
+template <typename Fetch, typename Visit>
+[[gnu::noinline]] Visit NearSet::drop_stale(Tick now, Fetch fetch, Visit visit)
+{
+    NearPair *const pairs = pairs_.data(), *left = pairs;
+    const std::size_t count = pairs_.size(), settled = settled_;
+    std::int32_t next_leave = NearPair::for_long;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        fetch(pairs[std::min(i + tuning::pairs_ahead, count - 1)]);
+        const NearPair pair = pairs[i];
+        const std::int32_t ticks_left = pair.ticks_left(now);
+        if (ticks_left < 0 || ((i < settled) & is_retired(pair)))
+        {
+            count_out(pair);
+            continue;
+        }
+        next_leave = std::min(next_leave, ticks_left);
+        visit(pair);
+        if (left != &pairs[i]) // memory that is not written stays clean
+            *left = pair;
+        ++left;
+    }
+    settle(left);
+    forget_retired();
+    next_leave_ = now + static_cast<Tick>(next_leave);
+    return visit;
+}
+
+// Makes the pairs of all disturbed objects active.
+void NearSet::activate_disturbed()
+{
+    if (!is_disturbed_)
+        return;
+    activate_disturbed(overlapping_);
+    activate_disturbed(separated_);
+    resting_ -= disturbed_;
+    disturbed_.clear();
+    is_disturbed_ = false;
+}
+
+void NearSet::activate_disturbed(std::vector<NearPair> &pairs)
+{
+    NearPair *left = pairs.data();
+    for (const NearPair &pair : pairs)
+        if (!is_disturbed(pair))
+            *left++ = pair;
+        else if (is_retired(pair))
+            count_out(pair);
+        else
+            pairs_.push_back(pair);
+    pairs.resize(static_cast<std::size_t>(left - pairs.data()));
+}
+
+// Lets those pairs rest whose objects have not moved since the last call; their states are known from now on.
+void NearSet::let_rest(const OverlapTest &test)
+{
+    NearPair *left = pairs_.data();
+    for (const NearPair &pair : pairs_)
+        if (moved_.contains(pair.first) || moved_.contains(pair.second))
+            *left++ = pair;
+        else
+            rest(test(pair) ? overlapping_ : separated_, pair);
+    settle(left);
+    moved_.clear();
+}
+
+void NearSet::clear()
+{
+    for (std::vector<NearPair> *pairs : {&pairs_, &overlapping_, &separated_})
+        pairs->clear();
+    for (IdSet *set : {&members_, &resting_, &disturbed_, &moved_})
+        set->clear();
+    retired_.clear();
+    std::fill(is_retired_.begin(), is_retired_.end(), std::uint8_t{0});
+    std::fill(counts_.begin(), counts_.end(), 0u);
+    settled_ = 0;
+    is_disturbed_ = false;
+}
+} // namespace ode_predictive_space

@@ -1,0 +1,64 @@
+// What the broad phase asks about the objects: they are known to it by number alone.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_SCENE_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_SCENE_H
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "ode_predictive_space/broadphase/base/measured_box.h"
+
+namespace ode_predictive_space
+{
+/// An object as it is now, for its next prediction. Lengths in the scene's unit.
+struct Observation
+{
+    std::optional<Vector3> centre; ///< the point that the object turns around; finite. None when that is not known
+    double radius = 0;             ///< of a sphere around the centre that holds the object; infinite when none is known
+    bool is_sphere = false;        ///< the box of that sphere is the bounding box
+    bool box_only = false; ///< the object can be touched outside of any sphere that holds its bounding box
+    std::optional<Box> bounds;       ///< bounding box; needed where centre or radius is not known
+    std::optional<Vector3> velocity; ///< in the program's unit, if the object has a body that tells
+    double spin = 0;                 ///< angular speed of that body, in the same unit
+};
+
+/// Where an object that is checked by its centre is now.
+struct Location
+{
+    double centre[3];
+    double squared_radius; ///< of the sphere around the centre that holds the object now; NaN when there is none any more
+};
+
+/// The objects, by number. A caller asks about many objects at once; the scene knows how to prefetch them.
+class Scene
+{
+public:
+    virtual ~Scene() = default;
+
+    /// Writes where each of the objects is, in the order of `ids`.
+    virtual void locate(const ProxyId *ids, std::size_t count, Location *locations) = 0;
+
+    /// Writes the bounding box of each of the objects into boxes[id].
+    virtual void measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes) = 0;
+
+    /// Writes what a prediction needs, in the order of `ids`. Bounds are filled in where they are needed, and where
+    /// with_bounds[i] is set.
+    virtual void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) = 0;
+
+    /// The object's bounding box in double precision.
+    virtual Box bounds(ProxyId id) = 0;
+
+    /// The point that the object turns around; finite, or none when that is not known.
+    virtual std::optional<Vector3> pivot(ProxyId id) = 0;
+
+    /// Do the objects' bounding boxes overlap and, by the sphere test of proximity, their bounding spheres, too?
+    virtual bool overlap(ProxyId first, ProxyId second) = 0;
+
+    /// Appends to `disabled` those of the objects that are in no reported pair as long as they are disabled, in the order of
+    /// `ids`. Objects are enabled and disabled without notice.
+    virtual void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) = 0;
+};
+} // namespace ode_predictive_space
+
+#endif

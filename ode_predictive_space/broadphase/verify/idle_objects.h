@@ -1,0 +1,79 @@
+// Objects that are disabled: they are in no reported pair, so no pairs are looked for and kept for them.
+//
+// ODE enables and disables geoms without notice. A disabled object is found when it is predicted or swept, or when a pair of
+// it comes up for report. From then on it is polled, so that it takes part again from the tick at which it is enabled.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_VERIFY_IDLE_OBJECTS_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_VERIFY_IDLE_OBJECTS_H
+
+#include <vector>
+
+#include "ode_predictive_space/broadphase/base/id_list.h"
+#include "ode_predictive_space/broadphase/base/id_set.h"
+#include "ode_predictive_space/broadphase/objects/scene.h"
+
+namespace ode_predictive_space
+{
+class IdleObjects
+{
+public:
+    void resize(std::size_t count)
+    {
+        members_.resize(count);
+        polled_.resize(count);
+    }
+
+    /// Notes those of the objects that are disabled now.
+    void note(Scene &scene, const ProxyId *ids, std::size_t count)
+    {
+        if (count == 0)
+            return;
+        disabled_.clear();
+        scene.find_disabled(ids, count, disabled_);
+        for (ProxyId id : disabled_)
+        {
+            count_ += !members_.contains(id);
+            members_.insert(id);
+        }
+    }
+
+    /// Drops all that have been enabled again, and calls visit(id) for each.
+    template <typename Visit> void drop_enabled(Scene &scene, Visit visit)
+    {
+        if (count_ == 0)
+            return;
+        polled_.clear();
+        disabled_.clear();
+        members_.for_each([this](ProxyId id) { polled_.add(id); });
+        scene.find_disabled(polled_.data(), polled_.size(), disabled_);
+        auto disabled = disabled_.begin();
+        for (ProxyId id : polled_)
+            if (disabled != disabled_.end() && *disabled == id)
+                ++disabled;
+            else
+            {
+                forget(id);
+                visit(id);
+            }
+    }
+
+    void forget(ProxyId id)
+    {
+        count_ -= members_.contains(id);
+        members_.erase(id);
+    }
+
+    bool contains(ProxyId id) const { return members_.contains(id); }
+    const IdSet &members() const { return members_; }
+
+    std::size_t bytes() const { return members_.bytes() + polled_.bytes() + bytes_of(disabled_); }
+
+private:
+    IdSet members_;
+    std::size_t count_ = 0;         // of members_
+    IdList polled_;                 // scratch
+    std::vector<ProxyId> disabled_; // scratch
+};
+} // namespace ode_predictive_space
+
+#endif
