@@ -3,7 +3,7 @@
 # Defines ODE::ODE and ode_predictive_space_ode_internals. ODE_SOURCE_DIR (a CMake variable or an environment variable)
 # says where ODE's source is; `./run` puts it where it is looked for by default.
 
-find_package(ODE 0.13 REQUIRED GLOBAL)
+find_package(ODE 0.15 REQUIRED GLOBAL)
 
 if(DEFINED ENV{ODE_SOURCE_DIR})
     set(ODE_SOURCE_DIR_DEFAULT "$ENV{ODE_SOURCE_DIR}")

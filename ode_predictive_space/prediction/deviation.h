@@ -7,7 +7,7 @@ namespace ode_predictive_space
 {
 /// A distance that grows with time; a, b, c >= 0, in the scene's unit, per tick, per tick^2.
 ///
-/// As c >= 0, R is convex: over any interval its chord lies above it, and no chord error is owed for it.
+/// As c >= 0, R is convex: its chord over any interval lies above it and needs no correction.
 struct Deviation
 {
     double a = 0;
@@ -24,7 +24,7 @@ struct Deviation
     Deviation advanced(double t) const { return {at(t), b + 2 * c * t, c}; }
 };
 
-/// How far two objects together may be from where they are expected relative to each other.
+/// The deviation of the relative position of two objects.
 inline Deviation operator+(const Deviation &first, const Deviation &second)
 {
     return {first.a + second.a, first.b + second.b, first.c + second.c};

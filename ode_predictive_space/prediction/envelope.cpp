@@ -26,7 +26,7 @@ Box Envelope::swept(double duration) const
             centres.max()[axis] = std::max(centres.max()[axis], extreme);
         }
     }
-    // at() rounds otherwise than this: without a margin its box could stick out by a hair.
+    // at() rounds differently: without a margin its box could stick out by some epsilons.
     const Vector3 growth = Vector3::Constant(deviation.at(duration));
     const Vector3 terms = size_of_terms(path, duration) + growth;
     const Vector3 margin_below = rounding_per_size * (terms + low.cwiseAbs());

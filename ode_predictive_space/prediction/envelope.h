@@ -15,7 +15,7 @@ using Box = Eigen::AlignedBox3d;
 /// The box [s(t) + low - R(t), s(t) + high + R(t)], for t from 0 to the horizon.
 ///
 /// `low` and `high` are the bounds relative to the path; single sides may be infinite (floors, half spaces).
-/// `radius` is that of a sphere around s(t) which holds the object; infinite when none is known.
+/// `radius` is the radius of a sphere around s(t) that holds the object; infinite when none is known.
 struct Envelope
 {
     Path path;
@@ -30,7 +30,7 @@ struct Envelope
     /// The box at time t.
     Box at(double t) const;
 
-    /// A box that holds at(t), rounding included, for every t from 0 to `duration` >= 0.
+    /// A box that contains at(t), rounding included, for every t from 0 to `duration` >= 0.
     Box swept(double duration) const;
 };
 } // namespace ode_predictive_space

@@ -16,7 +16,7 @@ class History
 public:
     static constexpr int capacity = 8;
 
-    /// Remembers where the object is now. A second position for the same tick replaces the first.
+    /// Adds the object's present position. A second position for the same tick replaces the first.
     void add(std::uint32_t tick, const Vector3 &position)
     {
         if (count_ > 0 && ticks_[last()] == tick)

@@ -1,4 +1,4 @@
-// Paths fitted to positions that were seen: for objects whose motion is not known, such as a hand.
+// Paths fitted to past positions, for objects whose motion is not known, such as a hand.
 
 #ifndef ODE_PREDICTIVE_SPACE_PREDICTION_LEAST_SQUARES_H
 #define ODE_PREDICTIVE_SPACE_PREDICTION_LEAST_SQUARES_H
@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space
 {
-/// A position seen at a time, in ticks.
+/// A position at a time in ticks.
 struct Sample
 {
     double time;
@@ -17,7 +17,7 @@ struct Sample
 /// The most samples that fit_path() takes.
 constexpr int max_samples = 16;
 
-/// A path of which time 0 is the time of the newest sample, and how badly it fits.
+/// A path whose time 0 is the time of the newest sample, and its error.
 struct FittedPath
 {
     Path path;

@@ -34,25 +34,25 @@ inline Path relative_path(const Path &first, const Path &second)
 
 /// Largest distance between a path and its chord over [0, T], at equal times: 1/8 |a| T^2.
 ///
-/// The paper's equation 4 keeps only the part of it that is perpendicular to the chord. That bounds the swept volume, but
-/// not the time: an object that accelerates along its own line is ahead of or behind its chord by up to the whole of it.
+/// The paper's equation 4 keeps only the part that is perpendicular to the chord. That bounds the swept volume, but not the
+/// time: an object that accelerates along its own line is ahead of or behind its chord by up to the whole error.
 inline double chord_error(const Vector3 &acceleration, double duration)
 {
     return 0.125 * duration * duration * acceleration.norm();
 }
 
-/// Per axis, the sum of the sizes of the terms that make a coordinate of the path anywhere in [0, duration].
+/// Per axis, the sum of the absolute values of the terms of a coordinate of the path, at most, over [0, duration].
 ///
-/// The terms may cancel, but the rounding errors that they bring along do not: those are in proportion to this.
+/// The terms may cancel, but their rounding errors do not: these are in proportion to this sum.
 inline Vector3 size_of_terms(const Path &path, double duration)
 {
     return path.position.cwiseAbs() + duration * (path.velocity.cwiseAbs() + duration * path.acceleration.cwiseAbs());
 }
 
-/// Times the sum of the sizes of all terms of a distance, this is more than rounding can add to that distance.
+/// This, times the sum of the absolute values of all terms of a distance, is more than rounding can add to the distance.
 ///
-/// A bound of an envelope, and likewise a distance between two paths, takes a dozen operations, each of which is off by at
-/// most half an epsilon; moving the origin of time (`advanced()`) takes four more.
+/// A bound of an envelope or a distance between two paths takes a dozen operations, each with an error of at most half an
+/// epsilon; moving the origin of time (`advanced()`) takes four more.
 constexpr double rounding_per_size = 16 * std::numeric_limits<double>::epsilon();
 } // namespace ode_predictive_space
 

@@ -1,4 +1,4 @@
-// How many ticks' worth of motion a unit of a body's velocity is: ODE hands a space no step size.
+// The step size of the program, estimated: ODE does not tell it to a space.
 
 #ifndef ODE_PREDICTIVE_SPACE_PREDICTION_STEP_ESTIMATE_H
 #define ODE_PREDICTIVE_SPACE_PREDICTION_STEP_ESTIMATE_H
@@ -9,18 +9,18 @@
 
 namespace ode_predictive_space
 {
-/// The step size, estimated from displacements that were seen: the median of the last samples.
+/// The step size, estimated as the median of samples displacement / velocity.
 ///
-/// A bounce or a teleport gives a sample that is far off. The median does not follow single ones, and when the program
-/// changes its step size, it follows as soon as most of the remembered samples agree.
+/// A bounce or a teleport gives a sample that is far off, which the median ignores. When the program changes its step size, the
+/// median follows as soon as most of the remembered samples agree.
 class StepEstimate
 {
 public:
-    /// The step in ticks' units (seconds per tick, when velocities are per second); 0 while nothing is known.
+    /// The step in units of the velocities' time per tick (seconds, when velocities are per second); 0 while unknown.
     double step() const { return step_; }
 
-    /// Takes an object's displacement over `ticks` > 0 ticks and its velocity at the beginning and at the end. Objects that
-    /// hardly moved, or whose velocity changed by much, say nothing and are passed over.
+    /// Adds a sample: an object's displacement over `ticks` > 0 ticks, and its velocity at the beginning and at the end. A sample
+    /// is ignored when the object hardly moved or its velocity changed by half or more.
     void add(const Vector3 &displacement, const Vector3 &velocity_before, const Vector3 &velocity_after, double ticks);
 
 private:

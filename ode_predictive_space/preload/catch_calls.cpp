@@ -22,7 +22,7 @@ using namespace ode_predictive_space::preload;
 
 namespace
 {
-/// An ODE that was called, and who serves it.
+/// An ODE that was called, and the library that serves it.
 struct Ode
 {
     Object object;

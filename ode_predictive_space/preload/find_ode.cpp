@@ -76,8 +76,7 @@ Object find_definition(const char *function, const link_map *caller)
 }
 
 // The names come first and are looked into afterwards: to open an object is to wait for threads that load one, and these wait
-// for whoever goes through the objects.
-Object find_only_definition(const char *function)
+XX Object find_only_definition(const char *function)
 {
     Name *names = nullptr;
     dl_iterate_phdr(collect_name, &names);

@@ -95,7 +95,7 @@ Watch::Watch(const Settings &settings, const OdeCalls &calls) : settings_(settin
         trace_file_ = appended(settings.trace_file);
 }
 
-// What ODE refuses is for it to refuse, as it does when nobody watches.
+// ODE itself refuses bad arguments, as it does without the watch.
 void Watch::collide(dSpaceID space, void *data, dNearCallback *callback)
 {
     if (!space || !callback)

@@ -1,4 +1,4 @@
-// The public C functions: arguments are checked here, and nowhere behind.
+// The public C functions. Arguments are checked here and nowhere else.
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +88,7 @@ int dPredictiveSpaceGetProximity(dSpaceID space)
 {
     const dxPredictiveSpace *self = checked_space(__func__, space);
     return self && self->broadphase().proximity_test() == ProximityTest::sphere ? dPredictiveProximitySphere
-                                                                            : dPredictiveProximityBox;
+                                                                                : dPredictiveProximityBox;
 }
 
 void dPredictiveSpaceSetGeomRole(dSpaceID space, dGeomID geom, int role)
@@ -222,8 +222,8 @@ int dPredictiveSpaceValidate(dSpaceID space)
     self->catch_up();
     const dxPredictiveSpace::Violation violation = self->find_violation();
     if (violation.second)
-        dMessage(d_ERR_IASSERT, "%s(): %s: %p and %p", __func__, violation.what, static_cast<const void *>(violation.first),
-                 static_cast<const void *>(violation.second));
+        dMessage(d_ERR_IASSERT, "%s(): %s: %p and %p", __func__, violation.what,
+                 static_cast<const void *>(violation.first), static_cast<const void *>(violation.second));
     else if (violation.first)
         dMessage(d_ERR_IASSERT, "%s(): %s: %p", __func__, violation.what, static_cast<const void *>(violation.first));
     else if (violation.what)

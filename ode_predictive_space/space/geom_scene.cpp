@@ -10,11 +10,11 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Rotation matrices are orthonormal but for rounding: a turned box may stick out of its sphere by so much, and two spheres that
-// dCollide() finds touching may be so far apart.
+// Relative round-off. Rotation matrices are not exactly orthonormal, so that a turned box may stick out of its sphere; and two
+// spheres that touch according to dCollide() may be slightly apart.
 constexpr double tolerance = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5;
 
-// Velocity of the geom's centre: an offset geom circles around its body.
+// Velocity of the geom's centre; a geom with an offset circles around its body.
 Vector3 velocity_of(dxGeom *geom)
 {
     if (!dBodyIsEnabled(geom->body))
@@ -41,8 +41,8 @@ bool turns_with_body(const dxGeom *geom)
     return geom->body != nullptr && geom->offset_posr == nullptr;
 }
 
-// Radius of the sphere around the geom's position that holds it, as long as its rotation matrix is a rotation; infinite for
-// classes that have no such sphere.
+// Radius of the sphere around the geom's position that holds the geom, if its matrix is a rotation; infinite for classes that
+// have no such sphere.
 double circumscribed_radius(const dxGeom *geom)
 {
     switch (geom->type)
@@ -70,8 +70,8 @@ double circumscribed_radius(const dxGeom *geom)
     }
 }
 
-// Distance, beyond the tolerance, up to which ODE's colliders may find touching what is far from the origin: they compute in ODE's
-// precision.
+// Distance up to which ODE's colliders may find a contact between geoms that are apart, far from the origin: they compute in
+// ODE's precision.
 double rounding_at([[maybe_unused]] const Box &bounds)
 {
     if constexpr (sizeof(dReal) == sizeof(double))
@@ -81,8 +81,8 @@ double rounding_at([[maybe_unused]] const Box &bounds)
                std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
 }
 
-// The sphere of the sphere test: the geom's own, if it has one that agrees with its box, otherwise the one around its box. ODE does
-// not report that a geom loses its body; this must not make the sphere larger.
+// The sphere of the sphere test: the geom's own, if it has one that agrees with its box, otherwise the one around its box. ODE
+// does not report that a geom loses its body, so the sphere must not become larger then.
 struct JudgedSphere
 {
     Vector3 centre;
@@ -98,7 +98,7 @@ struct JudgedSphere
         radius += rounding_at(bounds);
     }
 
-    // True when anything is NaN or infinite: such a pair is not left out.
+    // True when anything is NaN or infinite: such a pair is reported.
     bool may_touch(const JudgedSphere &other) const
     {
         const double reach = radius + other.radius;
@@ -111,7 +111,7 @@ bool spheres_may_touch(const dxGeom *one, const dxGeom *other)
     return JudgedSphere(one, to_box(one->aabb)).may_touch(JudgedSphere(other, to_box(other->aabb)));
 }
 
-// The sphere around a ray is hardly ever tight: its line is tested, too.
+// A sphere around a ray is hardly ever tight. So the line is tested, too.
 bool ray_may_touch(dxGeom *ray, const dxGeom *other)
 {
     if (ray->type != dRayClass || touched_off_line(other))
@@ -139,8 +139,8 @@ std::optional<RayProbe> line_of_ray(dxGeom *ray)
     const Vector3 end = begin + double{length} * Vector3(R[2], R[6], R[10]);
     if (!FloatBox::around(Box(begin.cwiseMin(end), begin.cwiseMax(end))).bounded())
         return std::nullopt;
-    // A ray hits a sphere or a cylinder when a difference of squared distances is not negative: in single precision it does
-    // when it misses by the root of an epsilon times its length.
+    // ODE finds a hit on a sphere or a cylinder when a difference of squared distances is not negative. In single precision
+    // this happens up to the root of an epsilon, times the length of the ray, beside it.
     constexpr double miss = sizeof(dReal) == sizeof(double) ? 0 : 1e-3;
     return RayProbe(begin, end, miss * length);
 }
@@ -172,7 +172,7 @@ void GeomScene::prefetch_pose(ProxyId id) const
     prefetch_block<sizeof(dxPosR)>(geoms_[id]->final_posr);
 }
 
-// Fetches ahead what a visit reads, unless all of it is in the cache.
+// Visits 0 to count - 1. Prefetches for later visits, unless the scene fits into the cache.
 template <typename Visit, typename... Fetches>
 void GeomScene::for_each(std::size_t count, Visit visit, Fetches... fetches) const
 {
@@ -188,8 +188,7 @@ Location GeomScene::location(ProxyId id) const
     dxGeom *geom = geoms_[id];
     geom->recomputePosr();
     const dReal *position = geom->final_posr->pos;
-    const double radius =
-        turns_safely(geom) ? squared_sphere_radius(geom) : std::numeric_limits<double>::quiet_NaN();
+    const double radius = turns_safely(geom) ? squared_sphere_radius(geom) : std::numeric_limits<double>::quiet_NaN();
     return {{position[0], position[1], position[2]}, radius};
 }
 

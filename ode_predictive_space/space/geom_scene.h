@@ -15,10 +15,10 @@
 
 namespace ode_predictive_space
 {
-/// A sphere around a geom's position that holds it, however it is turned.
+/// A sphere around a geom's position that holds the geom in every orientation.
 struct BoundingSphere
 {
-    double radius;  ///< infinite for classes and geoms for which none is known
+    double radius;  ///< infinite when none is known
     bool is_sphere; ///< the geom is that sphere
 };
 
@@ -26,22 +26,23 @@ struct BoundingSphere
 /// the rotation matrix of other geoms can be anything.
 BoundingSphere bounding_sphere(const dxGeom *geom);
 
-/// The sizes of a sphere, box, capsule or cylinder: they lie right behind the members that all geoms have (ode_mismatch() checks
-/// it), and can be read without knowing which of these classes the geom is of.
+/// The sizes of a sphere, box, capsule or cylinder. They lie right behind the members that all geoms have (ode_mismatch() checks
+/// this), and can be read without knowing the geom's class.
 static_assert(sizeof(dxBox) == sizeof(dxGeom) + sizeof(dVector3), "nothing is between them");
 inline const dReal *sizes_of(const dxGeom *geom)
 {
     return reinterpret_cast<const dReal *>(geom + 1);
 }
 
-/// Square of the radius of the bounding sphere of a geom that has one. Computed for every moved geom: classes alternate at
-/// random, and a branch on them would often be mispredicted. (The margin of bounding_sphere() covers the rounding.)
+/// Square of the radius of the bounding sphere, for a geom that has one. It is computed for every moved geom without a branch on
+/// the class: classes alternate at random, and the branch would often be mispredicted. The margin of bounding_sphere() covers
+/// the rounding.
 inline double squared_sphere_radius(const dxGeom *geom)
 {
     static_assert(dSphereClass == 0 && dBoxClass == 1 && dCapsuleClass == 2 && dCylinderClass == 3,
                   "the tables go by class");
-    // Which of the sizes behind the members of dxGeom count: (radius), (x, y, z), (radius, length), (radius, length); and
-    // the square of the radius by products of these: x x, x y, y y, z z.
+    // The sizes are (radius), (x, y, z), (radius, length), (radius, length). The square of the radius is a sum of their
+    // products x x, x y, y y and z z with these factors.
     static constexpr std::uint8_t second[4] = {0, 1, 1, 1}, third[4] = {0, 2, 1, 1};
     static constexpr double factors[4][4] = {{1, 0, 0, 0}, {0.25, 0, 0.25, 0.25}, {1, 1, 0.25, 0}, {1, 0, 0.25, 0}};
     const int type = geom->type;
@@ -51,26 +52,25 @@ inline double squared_sphere_radius(const dxGeom *geom)
     return x * (factor[0] * x + factor[1] * y) + factor[2] * y * y + factor[3] * z * z;
 }
 
-/// Does a geom, however it turns, turn around its position? Then the bounding sphere that it has, or had when it was last
-/// looked at, is one around that still.
+/// Does the geom turn about its position? Then a bounding sphere that was measured earlier still holds it.
 inline bool turns_safely(const dxGeom *geom)
 {
     const bool turns_with_body = (geom->body != nullptr) & (geom->offset_posr == nullptr);
     return (geom->type == dSphereClass) | turns_with_body;
 }
 
-/// ODE's geoms take part in collisions while they are enabled and have a size.
+/// Does the geom take part in collisions? It must be enabled and have a size.
 inline bool enabled(const dxGeom *geom)
 {
     return (geom->gflags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
 }
 
-/// Can a geom be touched outside of any sphere around its bounding box? ODE makes contacts with a heightfield for what lies
-/// beside and below its edge, too; a space or a transform may hold one; and what a user's class does is unknown.
+/// Can the geom be touched outside of a sphere around its bounding box? ODE makes contacts with a heightfield beside and below
+/// its edge, too; a space or a transform may hold a heightfield; and user classes are unknown.
 bool judged_by_box_alone(const dxGeom *geom);
 
-/// Can a ray touch a geom whose bounding box its line does not meet? Besides those above, ODE makes contacts between a ray
-/// and a convex from its distance to a face, as if it stood at right angles to it.
+/// Can a ray touch the geom without meeting its bounding box? Besides the classes above this holds for convexes: ODE computes
+/// the contact from the distance to a face, as if the ray were perpendicular to it.
 bool touched_off_line(const dxGeom *geom);
 
 /// The line of a ray; none when it is not finite.
@@ -89,14 +89,14 @@ inline Box to_box(const dReal aabb[6])
     return Box(Vector3(aabb[0], aabb[2], aabb[4]), Vector3(aabb[1], aabb[3], aabb[5]));
 }
 
-/// A geom that has just been written: what the broad phase asks when a move is reported.
+/// A geom whose move is being reported, as the broad phase reads it. It has just been written and lies in the cache.
 class NoticedGeom
 {
 public:
     explicit NoticedGeom(const dxGeom *geom) : geom_(geom) {}
 
-    /// (The position of a geom with an offset from its body is bad when it has been moved. A geom that has lost its body may turn
-    /// by any matrix.)
+    /// Is the position valid, and does the geom turn about it? A moved geom with an offset has no valid position yet, and a geom
+    /// that has lost its body may turn by any matrix.
     bool has_centre() const
     {
         return (geom_->body != nullptr || geom_->type == dSphereClass) && (geom_->gflags & GEOM_POSR_BAD) == 0;
@@ -104,7 +104,7 @@ public:
     const dReal *coordinates() const { return geom_->final_posr->pos; }
     bool has_grown(float radius) const { return !(squared_sphere_radius(geom_) <= double{radius} * double{radius}); }
 
-    /// Of the position and the beginning of the rotation, which are adjacent.
+    /// Differs when position or rotation differ, but for rare collisions. Both are adjacent in memory.
     std::uint32_t pose_digest() const
     {
         const dxPosR *pose = geom_->final_posr;
@@ -128,7 +128,7 @@ class GeomScene : public Scene
 {
 public:
     /// @param geoms by number; must stay where they are as long as the scene is used.
-    /// @param by_sphere pairs overlap only when their bounding spheres do, too.
+    /// @param by_sphere a pair overlaps only when the bounding spheres overlap, too.
     GeomScene(const std::vector<dxGeom *> &geoms, bool by_sphere)
         : geoms_(geoms.data()), overflows_cache_(geoms.size() > tuning::cached_objects), by_sphere_(by_sphere)
     {}
@@ -141,10 +141,10 @@ public:
     bool overlap(ProxyId first, ProxyId second) override { return overlap(geoms_[first], geoms_[second]); }
     void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
 
-    /// Do the geoms overlap, as the space reports it?
+    /// Do the geoms overlap by the test of proximity of the space?
     bool overlap(dxGeom *one, dxGeom *other) const;
 
-    /// Bounding boxes of these geoms will soon be read: call them in this order, some time apart.
+    /// Prefetches for reading a bounding box soon: call both in this order, some time apart.
     void prefetch_geom(ProxyId id) const;
     void prefetch_pose(ProxyId id) const;
 

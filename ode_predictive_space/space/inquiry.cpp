@@ -1,4 +1,4 @@
-// What a program can ask a predictive space: what will meet, when, and whether the invariant holds.
+// Inquiries of a program: which geoms will meet, when, and whether the invariant holds.
 
 #include <algorithm>
 #include <limits>
@@ -52,7 +52,7 @@ bool dxPredictiveSpace::lies_in_envelope(ProxyId id, GeomScene &now) const
 {
     const ProxyStore &proxies = broadphase_.proxies();
     Envelope envelope = proxies.outer_envelope(id, broadphase_.now());
-    // The box of a geom that is checked by its centre is computed in another way: the two may differ by round-off.
+    // The box of a geom that is checked by its centre is computed in another way. The two may differ by round-off.
     if (proxies.records[id].kind.check == Check::centre)
         envelope.deviation.a += 8 * std::numeric_limits<dReal>::epsilon() *
                                 (envelope.path.position.lpNorm<Eigen::Infinity>() + envelope.radius);
@@ -98,7 +98,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
         for (std::size_t j = i + 1; j < members.size(); ++j)
         {
             dxGeom *one = geoms_[members[i]], *other = geoms_[members[j]];
-            // Pairs of disabled geoms need not be known.
+            // Pairs of disabled geoms are not kept.
             if (now.overlap(one, other) && enabled(one) && enabled(other) &&
                 !std::binary_search(near.begin(), near.end(), std::make_pair(members[i], members[j])))
                 return {"two geoms overlap and are not in the near set", one, other};

@@ -28,8 +28,8 @@ int collect_name(dl_phdr_info *object, size_t, void *names)
     return 0;
 }
 
-// The names come first and are looked into afterwards: to open an object is to wait for threads that load one, and these wait
-// for whoever goes through the objects.
+// The names are collected first and opened afterwards. Opening an object waits for threads that load one, and these wait until
+// the iteration over all objects has ended.
 bool several_copies()
 {
     std::vector<std::string> names;

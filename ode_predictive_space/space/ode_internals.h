@@ -1,15 +1,15 @@
 // The one header that includes ODE's internal classes.
 //
-// A dSpace of one's own must derive from dxSpace, which ODE declares only in its source package. Its members, the order of
-// its virtual functions and the class numbers are the same in ODE 0.13 to 0.16.6; ode_mismatch() checks at run time
+// A new kind of dSpace must derive from dxSpace, which ODE declares only in its source package. Its members, the order of
+// its virtual functions and the class numbers are the same in ODE 0.15 to 0.16.6; ode_mismatch() checks at run time
 // that the library in the process agrees with what was compiled here. Compiled as a part of ODE
-// (ODE_PREDICTIVE_SPACE_INSIDE_ODE), the space is of a class of its own, and nothing can disagree.
+// (ODE_PREDICTIVE_SPACE_INSIDE_ODE), the space has a class number of its own, and nothing can disagree.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
 #define ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
 
-// As a part of ODE, this is compiled with -fvisibility=hidden: ODE exports all that is not hidden, and what is ours, or
-// Eigen's, is not for programs. What ODE declares is.
+// As a part of ODE, this is compiled with -fvisibility=hidden: ODE exports every symbol that is not hidden, and neither our
+// symbols nor Eigen's are for programs. The declarations of ODE keep their visibility.
 #ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
 #pragma GCC visibility push(default)
 #include <ode/predictive_space.h>
@@ -40,7 +40,7 @@ namespace ode_predictive_space
 #ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
 constexpr int class_of_predictive_space = dPredictiveSpaceClass;
 #else
-// One for which no function of ODE has a cast.
+// A class number for which no function of ODE has a cast.
 constexpr int class_of_predictive_space = dSimpleSpaceClass;
 #endif
 } // namespace ode_predictive_space

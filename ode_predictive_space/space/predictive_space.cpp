@@ -10,23 +10,22 @@ using namespace ode_predictive_space;
 
 namespace
 {
-// Both lines of a geom that the filters read.
+// The two cache lines of a geom that the filters read.
 void prefetch_filters(const dxGeom *geom)
 {
     prefetch(&geom->gflags);
     prefetch(&geom->category_bits);
 }
 
-// ODE's own classes have nothing to add to the test of the boxes.
+// The box test of user classes. ODE's own classes add nothing to the test of the bounding boxes.
 [[gnu::noinline]] bool user_classes_agree(dxGeom *first, dxGeom *second)
 {
     return (first->type < dFirstUserClass || first->AABBTest(second, second->aabb) != 0) &&
            (second->type < dFirstUserClass || second->AABBTest(first, first->aabb) != 0);
 }
 
-// The conditions of ODE's collideAABBs() beside overlap are in this function and the next. Bits, bodies and the rest change without
-// notice: they are read at each report. First the bits, which exclude most of the pairs that overlap for good, such as walls at
-// their edges.
+// This function and the next have the conditions of ODE's collideAABBs() beside overlap. Bits and bodies change without notice, so
+// they are read at each report. The bits come first: they exclude most pairs that always overlap, such as walls at their edges.
 inline bool bits_agree(const dxGeom *first, const dxGeom *second)
 {
     return ((first->category_bits & second->collide_bits) | (second->category_bits & first->collide_bits)) != 0;
@@ -39,8 +38,8 @@ inline bool wants_callback(dxGeom *first, dxGeom *second)
     return std::max(first->type, second->type) < dFirstUserClass || user_classes_agree(first, second);
 }
 
-// ODE's dGeomMoved() calls dirty() only for geoms that are not dirty. The flag is cleared although the bounding box may still be
-// bad: the box is computed when it is needed. remove() and cleanGeoms() restore what ODE expects.
+// ODE's dGeomMoved() calls dirty() only for geoms that are not dirty, so the flag is cleared after each report. The bounding box
+// may still be bad then; it is computed when it is needed. remove() and cleanGeoms() restore what ODE expects.
 void listen_to(dxGeom *geom)
 {
     geom->gflags &= ~GEOM_DIRTY;
@@ -54,7 +53,7 @@ dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent)
     type = class_of_predictive_space;
 }
 
-// When ~dxSpace() runs, remove() is no longer ours. So this destructor empties the space, as that would.
+// ~dxSpace() would call its own remove(). So this destructor empties the space, in the same way.
 dxPredictiveSpace::~dxPredictiveSpace()
 {
     CHECK_NOT_LOCKED(this);
@@ -77,8 +76,7 @@ GeomScene dxPredictiveSpace::scene() const
     return GeomScene(geoms_, broadphase_.proximity_test() == ProximityTest::sphere);
 }
 
-// May run within the constructor of a geom, when neither its class nor its bounds exist: they are asked for at the next
-// collide.
+// May run within the constructor of a geom, when neither its class nor its bounds exist: the next collide reads them.
 void dxPredictiveSpace::add(dxGeom *geom)
 {
     dxSpace::add(geom);
@@ -113,8 +111,8 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     off_line_.erase(id);
     unclassified_.erase(id);
     geom->next_ex = nullptr;
-    // In here a geom with a bad box need not be dirty (see listen_to()), nor a space that holds such a geom; elsewhere they
-    // must be.
+    // In this space a geom with a bad box need not be dirty (see listen_to()), nor a space that holds such a geom. In any other
+    // space it must be.
     if ((geom->gflags & GEOM_AABB_BAD) || IS_SPACE(geom))
         geom->gflags |= GEOM_DIRTY;
     if (broadphase_.proxies().size() < geoms_.size())
@@ -157,8 +155,8 @@ void dxPredictiveSpace::classify_new()
     unclassified_.clear();
 }
 
-// dGeomTriMeshSetData() marks the geom dirty without a notice, and ODE then sends none of its later moves either. (ODE's own spaces
-// miss it, too, or stop at an assertion, unless the geom happens to be the first in their list.)
+// dGeomTriMeshSetData() marks the geom dirty without a notification, and ODE then sends none for its later moves. (ODE's own
+// spaces miss the change, too, or stop at an assertion, unless the geom happens to be the first in their list.)
 void dxPredictiveSpace::poll_moves()
 {
     if (!caught_up_)
@@ -175,7 +173,7 @@ void dxPredictiveSpace::poll_moves()
     });
 }
 
-// Computes the boxes that the space itself may not need yet. Moves stay noted for the next collide.
+// Computes all boxes, also those that the space does not need yet. Moves stay reported for the next collide.
 void dxPredictiveSpace::cleanGeoms()
 {
     Lock lock(this);
@@ -242,7 +240,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     pairs_ = std::move(pairs);
 }
 
-// A pair whose boxes overlap: the rest of ODE's conditions, and the callback.
+// Checks the rest of ODE's conditions for a pair whose boxes overlap, and calls back.
 inline void dxPredictiveSpace::call_back(const CandidatePair &pair, void *data, dNearCallback *callback)
 {
     dxGeom *one = geoms_[pair.first], *other = geoms_[pair.second];
@@ -287,8 +285,8 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     found_ = std::move(found);
 }
 
-// Objects without predictions get them as time passes. For a program that only asks no time passes: each question would look at
-// all of these objects. So many looks cost as much as the predictions.
+// Objects without predictions get them as time passes. In a program that only asks, no time passes, and each question would look
+// at all of these objects. After some questions this has cost as much as the predictions.
 void dxPredictiveSpace::predict_when_asked_often()
 {
     const bool looks_at_all = broadphase_.mode() != Mode::predicting;
@@ -302,8 +300,8 @@ void dxPredictiveSpace::predict_when_asked_often()
     }
 }
 
-// All geoms whose bounding box the geom's may overlap. By the sphere test, a ray is followed along its line; only geoms that it
-// can touch from elsewhere are looked for in its box.
+// All geoms whose bounding box may overlap that of `geom`. By the sphere test, a ray is followed along its line; only geoms that
+// a ray can touch without meeting their box are looked for in the box of the ray.
 void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
 {
     geom->recomputeAABB();

@@ -33,7 +33,7 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     /// Brings the broad phase up to date with what has moved, without a tick.
     void catch_up();
 
-    /// The same, and has all geoms predicted, from now on as soon as they are added.
+    /// The same, and makes predictions for all geoms; from now on new geoms are predicted as soon as they are added.
     void catch_up_with_predictions();
 
     /// A geom that can be met, in ticks from now.
@@ -43,17 +43,17 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
         double ticks;
     };
 
-    /// The time of proximity of two geoms of this space, in ticks from now; none when they stay apart, and then until when
-    /// that is known. The space must be caught up.
+    /// The time of proximity of two geoms of this space, in ticks from now. None when they stay apart; then `apart_until` tells
+    /// for how many ticks this is known. The space must be caught up.
     std::optional<double> time_of_proximity(dxGeom *first, dxGeom *second, double *apart_until) const;
 
-    /// All that a geom of this space can meet, soonest first. The space must be caught up.
+    /// All geoms that a geom of this space can meet, the soonest first. The space must be caught up.
     std::vector<Encounter> encounters(dxGeom *geom) const;
 
     /// What contradicts the invariant.
     struct Violation
     {
-        const char *what = nullptr; ///< as a sentence; null when the invariant holds
+        const char *what = nullptr;                       ///< as a sentence; null when the invariant holds
         const dxGeom *first = nullptr, *second = nullptr; ///< the geoms that it is about, if it is about any
     };
 
@@ -101,13 +101,13 @@ private:
     ode_predictive_space::IdSet off_line_; // geoms that a ray may touch where it does not meet their box
     std::size_t off_line_count_ = 0;
 
-    // Nothing has been added, moved or set since the broad phase was last brought up to date: so it is at most queries.
+    // Nothing has been added, moved or set since the broad phase was last brought up to date. True at most queries.
     bool caught_up_ = false;
 
-    int questions_ = 0;                       // at this tick, that had to look at geoms without predictions
+    int questions_ = 0;                       // at this tick, that looked at geoms without predictions
     ode_predictive_space::Tick asked_at_ = 0; // the tick of the last question
 
-    // Taken by collide() and collide2() while they call back, returned afterwards: a callback may collide this space.
+    // Taken by collide() and collide2() while they call back, and returned afterwards: a callback may collide this space.
     std::vector<ode_predictive_space::CandidatePair> pairs_;
     std::vector<ProxyId> found_;
 

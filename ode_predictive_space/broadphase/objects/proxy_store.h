@@ -81,7 +81,7 @@ enum class Shelf : std::uint8_t
     idle    ///< the tree of disabled objects, for which no pairs are looked for
 };
 
-/// How the motion of an object is known, and who decided that.
+/// The role of an object, and whether the program or the space chose it.
 enum class Role : std::uint8_t
 {
     environment,       ///< by default
@@ -301,8 +301,7 @@ private:
             return 0;
         const double *centre = paths[id].position;
         const double radius = std::isfinite(records[id].prediction.radius) ? records[id].prediction.radius : 0;
-        return scene_rounding() *
-               (std::max({std::abs(centre[0]), std::abs(centre[1]), std::abs(centre[2])}) + radius);
+        return scene_rounding() * (std::max({std::abs(centre[0]), std::abs(centre[1]), std::abs(centre[2])}) + radius);
     }
 
     Envelope from_now(ProxyId id, const Deviation &deviation, Tick now) const

@@ -1,6 +1,6 @@
 // The fallback: where prediction does not pay, all pairs are found by sort and sweep over all bounding boxes.
 //
-// In: members and their boxes. Out: the pairs whose boxes overlap, and who is to be predicted next.
+// In: members and their boxes. Out: the pairs whose boxes overlap, and which objects are predicted next.
 //
 //                       most objects are new, or predictions keep breaking
 //       predicting ──────────────────────────────────────────────────────► sweeping
@@ -31,8 +31,8 @@ namespace ode_predictive_space
 enum class Mode
 {
     predicting, ///< all objects are predicted: the near set has the pairs
-    filling,    ///< some wait for their predictions, a part of the scene in each tick; until then a sweep finds the pairs
-    sweeping    ///< no object is predicted: a sweep finds the pairs
+    filling, ///< some wait for their predictions, a part of the scene in each tick; until then a sweep finds the pairs
+    sweeping ///< no object is predicted: a sweep finds the pairs
 };
 
 class Sweeping
@@ -135,7 +135,6 @@ public:
     std::size_t bytes() const;
 
 private:
-
     Mode mode_ = Mode::predicting;
     SweepPolicy policy_;
     MotionSampler sampler_;

@@ -26,7 +26,7 @@ public:
         std::size_t broken = 0;   ///< those of them that have left their envelopes
     };
 
-    /// What else decides who has to be looked at.
+    /// What else decides which objects need a look.
     struct Circumstances
     {
         Tick now;
