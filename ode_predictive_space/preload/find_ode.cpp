@@ -75,8 +75,9 @@ Object find_definition(const char *function, const link_map *caller)
     return map ? opened(map->l_name) : Object();
 }
 
-// The names come first and are looked into afterwards: to open an object is to wait for threads that load one, and these wait
-XX Object find_only_definition(const char *function)
+// The names are collected first and opened afterwards. Opening an object waits for threads that load one, and these wait until
+// the iteration over all objects has ended.
+Object find_only_definition(const char *function)
 {
     Name *names = nullptr;
     dl_iterate_phdr(collect_name, &names);
