@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the tables of docs/performance.md, in Markdown, from what `predictive_bench all --json FILE` wrote.
+"""Prints tables in Markdown, as docs/performance.md has them, from what `predictive_bench all --json FILE` wrote.
 
     tables.py FILE
 """
