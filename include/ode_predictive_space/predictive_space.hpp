@@ -15,7 +15,7 @@
 /**
  * A predictive space, owned by this object as dSimpleSpace, dHashSpace and dQuadTreeSpace own theirs.
  *
- * id() is 0 when the ODE library in this process does not fit (see dPredictiveSpaceCreate()).
+ * id() is 0 when the creation failed (see dPredictiveSpaceCreate()).
  */
 class dPredictiveSpace : public dSpace
 {
