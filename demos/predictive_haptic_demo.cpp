@@ -1,4 +1,4 @@
-// A probe among still and moving objects: felt and pushed at 1 kHz, in a window or without one; or the spaces side by side.
+// A probe among still and moving objects at 1 kHz, with or without a window; or a comparison of spaces.
 
 #include "demos/haptic/comparison.h"
 #include "demos/haptic/haptic_run.h"
@@ -29,7 +29,7 @@ enum ExitStatus
 
 constexpr double usual_seconds_without_window = 5;
 
-/// Why there can be no window; empty when there can.
+/// The reason for which a window cannot be opened; empty when it can.
 std::string what_a_window_lacks()
 {
 #ifdef HAPTIC_DEMO_HAS_WINDOW
@@ -70,7 +70,7 @@ void run_probe(Options options, bool in_window)
     {
         options.seconds = usual_seconds_without_window;
     }
-    const haptics::StopRequest stop_request; // signals end the loop, with zero force, and the summary comes
+    const haptics::StopRequest stop_request; // signals end the loop with zero force, and the summary is printed
     demo::DemoDevice device(haptics::make_device(options.device, options.seed));
     demo::print_beginning(std::cout, options, in_window);
     const demo::RunResult result = run(options, device, in_window);

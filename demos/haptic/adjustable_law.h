@@ -1,4 +1,4 @@
-// A force law whose stiffness can be changed while it is at work.
+// A force law whose stiffness can be changed while it runs.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ADJUSTABLE_LAW_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ADJUSTABLE_LAW_H
@@ -16,7 +16,7 @@ class AdjustableLaw : public haptics::ForceLaw
 public:
     explicit AdjustableLaw(std::unique_ptr<ForceLaw> law) : law_(std::move(law)), wish_(law_->stiffness()) {}
 
-    /// From the next tick on. From any thread. @param stiffness N/m in the scene, >= 0 and finite.
+    /// Takes effect from the next tick on. From any thread. @param stiffness N/m in the scene, >= 0 and finite.
     void wish_stiffness(double stiffness) { wish_.store(stiffness, std::memory_order_relaxed); }
 
     void forces(const haptics::ToolState &tool, const std::vector<haptics::Touch> &touches, double dt,

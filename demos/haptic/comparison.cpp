@@ -44,7 +44,7 @@ bool compare_spaces(const Options &options)
     const int ticks = static_cast<int>(std::lround(seconds / factory.tick_seconds()));
     print_introduction(std::cout, spec, ticks, runs.size());
     {
-        // The first ticks build what the spaces keep: their pairs count, their times do not.
+        // The first ticks build the data of the spaces: their pairs count, their times do not.
         const int warm_up = std::min(most_warm_up_ticks, ticks / 10);
         Progress progress("Running", ticks);
         run_by_turns(runs, warm_up);

@@ -1,4 +1,4 @@
-// The scene mix in several spaces, by turns: what each of them costs.
+// Compares the cost of several spaces, alternating, in the scene mix.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_COMPARISON_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_COMPARISON_H
@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space::demo
 {
-/// Compare, print, and write the results where they are wanted. ODE must be ready.
+/// Compare, print, and write the results to the requested file. ODE must be initialised.
 ///
 /// @return whether all spaces reported the same pairs.
 bool compare_spaces(const Options &options);

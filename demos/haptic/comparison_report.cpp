@@ -10,7 +10,7 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double longest_haptic_tick = 1000; // microseconds: haptics wants 1 kHz
+constexpr double longest_haptic_tick = 1000; // microseconds: haptics needs 1 kHz
 
 double mean_collide_time(const SceneRun &run)
 {
@@ -173,7 +173,7 @@ void print_introduction(std::ostream &out, const SceneSpec &spec, int ticks, std
            "A simulated hand moves a probe among them, which feels and pushes what it touches.\n"
         << grouped(static_cast<std::uint64_t>(ticks)) << " ticks of 1 ms, stepped by dWorldQuickStep(), seed "
         << spec.seed;
-    out << (spaces > 1 ? "; the same motion in each of " + std::to_string(spaces) + " spaces, by turns.\n" : ".\n");
+    out << (spaces > 1 ? "; the same motion in each of " + std::to_string(spaces) + " spaces, alternating.\n" : ".\n");
     out.flush();
 }
 

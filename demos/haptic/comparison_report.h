@@ -1,4 +1,4 @@
-// What a comparison of spaces has to say: before, after, and to a file.
+// The output of a comparison of spaces: before, after, and to a file.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_COMPARISON_REPORT_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_COMPARISON_REPORT_H
@@ -13,13 +13,13 @@ namespace ode_predictive_space::scenes
 /// The gain in the sense of Vogiannou et al.: (T_other - T_ours) / T_other, in percent.
 double gain_percent(double ours, double other);
 
-/// What is going to be run.
+/// The run to come.
 void print_introduction(std::ostream &out, const SceneSpec &spec, int ticks, std::size_t spaces);
 
-/// The table and its reading.
+/// The table and its interpretation.
 void print_report(std::ostream &out, const SceneRuns &runs);
 
-/// The same for other programs.
+/// The same as JSON.
 nlohmann::json json_report(const SceneRuns &runs, const SceneSpec &spec);
 } // namespace ode_predictive_space::scenes
 

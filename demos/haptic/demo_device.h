@@ -10,7 +10,7 @@
 
 namespace ode_predictive_space::demo
 {
-/// The number of the button that moves the workspace instead of the probe. No device has so many.
+/// The number of the button that moves the workspace instead of the probe. No device has that many buttons.
 constexpr unsigned clutch_button = 31;
 
 /// Passes everything on, and reports the clutch's button as held while hold_clutch() says so.
@@ -23,7 +23,7 @@ public:
     void hold_clutch(bool held) { clutch_.store(held, std::memory_order_relaxed); }
     bool clutch_held() const { return clutch_.load(std::memory_order_relaxed); }
 
-    /// Whether somebody or something feels the force.
+    /// Whether the force is felt, by a person or a simulated hand.
     bool can_push() const { return device_->capabilities().force_axes > 0; }
 
     haptics::Device &inner() { return *device_; }

@@ -1,4 +1,4 @@
-// From ODE's geoms to what is drawn of them.
+// Converts ODE's geoms into drawn ones.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_GEOM_READER_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_GEOM_READER_H
@@ -12,25 +12,25 @@
 
 namespace ode_predictive_space::demo
 {
-/// What a geom is called in a View.
+/// The id of a geom in a View.
 inline std::uintptr_t id_of(dGeomID geom)
 {
     return reinterpret_cast<std::uintptr_t>(geom);
 }
 
-/// Reads the geoms of a scene some at a time, so that a loop of 1 kHz has little to do in each tick. Used by the thread that
+/// Reads the geoms of a scene a few at a time, so that a loop at 1 kHz has little work in each tick. Used by the thread that
 /// steps the world.
 class GeomReader
 {
 public:
-    /// @param room what is larger than half of it is a wall.
+    /// @param room geoms larger than half of it are walls.
     GeomReader(const scenes::Scene &scene, const Eigen::AlignedBox3d &room);
 
     /// Read the next geoms.
     ///
-    /// @param most how many at most.
-    /// @param geoms gets them; it is cleared when a new round begins.
-    /// @return whether all geoms have been read: geoms is complete, and the next call begins anew.
+    /// @param most the largest number of geoms to read.
+    /// @param geoms receives them; it is cleared when a new round begins.
+    /// @return whether all geoms have been read: geoms is complete, and the next call starts a new round.
     bool read(std::size_t most, std::vector<window::DrawnGeom> &geoms);
 
 private:

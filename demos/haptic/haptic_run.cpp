@@ -41,7 +41,7 @@ haptics::WorkspacePlacement HapticRun::placement() const
                                                  device_.capabilities().workspace, axes);
 }
 
-// A newton in the scene is one at the hand; but the probe goes deeper than the hand, by the scale of the workspace.
+// A newton in the scene is one at the hand, but the probe moves farther than the hand, by the scale of the workspace.
 std::shared_ptr<AdjustableLaw> HapticRun::make_law() const
 {
     const haptics::SurfaceProperties surface{options_.stiffness / scale_, options_.damping / scale_, options_.friction};
@@ -63,7 +63,7 @@ double HapticRun::stiffest() const
 
 void HapticRun::make_probe(const haptics::NoticeSink &notice)
 {
-    device_.open(); // only then it knows what it can do, and where
+    device_.open(); // its capabilities and workspace are known only then
     servo_log_.emplace(servo_rate_, options_.record_file, device_.capabilities(), !options_.replay_file.empty());
     haptics::RenderSettings settings;
     settings.placement = placement();

@@ -20,7 +20,7 @@ namespace ode_predictive_space::demo
 {
 using haptics::Vector3;
 
-/// What came of a run.
+/// The result of a run.
 struct RunResult
 {
     haptics::LoopReport loop;
@@ -30,28 +30,28 @@ struct RunResult
     std::uint64_t pairs = 0;                          ///< reported by the space, summed over the steps
     std::optional<dPredictiveSpaceStats> space_stats; ///< of a predictive space
     std::optional<haptics::ForceError> replay_error;  ///< of a replay: against the recorded forces
-    std::uint64_t replayed_ticks = 0;                 ///< that were compared
+    std::uint64_t replayed_ticks = 0;                 ///< number of compared ticks
     double stiffness = 0;                             ///< N/m, at the hand; at the end
     double scale = 1;                                 ///< metres of the scene per metre of the hand
     std::size_t lost_in_recording = 0;                ///< ticks
 };
 
-/// Wishes of the person, from any thread.
+/// Inputs of the person, from any thread.
 struct RunControl
 {
-    std::atomic<bool> paused{false};  ///< the scene stands still; the probe does not
+    std::atomic<bool> paused{false};  ///< the scene is paused, the probe is not
     std::atomic<double> stiffness{0}; ///< N/m, at the hand
 };
 
-/// Scene, space, probe and loop, made anew for each run. All that says nothing else is for the thread that calls run(), and for
-/// the function that this calls after each step.
+/// Scene, space, probe and loop, created for each run. Unless noted, all functions are for the thread that calls run(), and for
+/// the function that run() calls after each step.
 class HapticRun
 {
 public:
-    /// How large the probe is, in metres: as large as the objects.
+    /// Radius of the probe, in metres: that of the objects.
     static constexpr double probe_radius = scenes::object_radius;
 
-    /// @throws std::exception of many kinds, when something cannot be had.
+    /// @throws exceptions derived from std::exception when a part cannot be created.
     HapticRun(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device, RunControl &control,
               const haptics::NoticeSink &notice);
     ~HapticRun();

@@ -86,7 +86,7 @@ void declare_output_options(CLI::App &app, Options &options)
     app.add_option("--json", options.json_file, "Write the results to this file, too")->type_name("FILE");
     app.add_flag("--headless", options.headless, "Open no window");
     app.add_flag("--compare", options.compare,
-                 "Run the scene mix in several spaces, by turns, and compare what they cost");
+                 "Run the scene mix in several spaces, alternating, and compare their cost");
     app.add_option("--screenshot", options.screenshot_file,
                    "Write a picture of the window to this file, as PNG, and end, unless --seconds says when")
         ->type_name("FILE");
@@ -98,7 +98,7 @@ void declare_output_options(CLI::App &app, Options &options)
 
 const std::vector<std::string> &scenes_for_probes()
 {
-    // Not those that bring a probe or queries of their own, that are of kilometres, or that leave no time to touch.
+    // Not the scenes with a probe or queries of their own, of kilometres, or with objects too fast to touch.
     static const std::vector<std::string> names = {"mix",  "pile",  "stack", "gas",
                                                    "game", "still", "churn", "explosion"};
     return names;

@@ -1,4 +1,4 @@
-// What predictive_haptic_demo can be asked for.
+// The options of predictive_haptic_demo.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_OPTIONS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_OPTIONS_H
@@ -13,18 +13,18 @@ namespace ode_predictive_space::demo
 struct Options
 {
     std::string scene = "mix";
-    std::vector<std::string> spaces; ///< empty: predictive alone, or all when they are compared
+    std::vector<std::string> spaces; ///< empty: predictive alone, or all in a comparison
     std::string device = "virtual";
     std::string law = "penalty";
     double stiffness = 500; ///< N/m, at the hand
     double damping = 0;     ///< N s/m, at the hand
     double friction = 0;
     int objects = 1000;
-    double seconds = 0; ///< simulated; 0: not said
+    double seconds = 0; ///< simulated; 0: not given
     std::uint64_t seed = 1;
     bool decoupled = false;
-    bool fast = false; ///< simulated time, as fast as it goes
-    double rate = 0;   ///< Hz; of the servo; 0: not said
+    bool fast = false; ///< simulated time, as fast as possible
+    double rate = 0;   ///< Hz; of the servo; 0: not given
     std::string record_file;
     std::string replay_file;
     std::string json_file;
@@ -32,16 +32,16 @@ struct Options
     bool compare = false;
     std::string screenshot_file;
     double screenshot_time = 1; ///< simulated seconds
-    bool wants_one_run = false; ///< something was asked for that only a run of one probe in one space has
+    bool wants_one_run = false; ///< an option was given that only a run of one probe in one space has
 };
 
-/// The scenes in which a probe has something to do.
+/// The scenes that are fit for a probe.
 const std::vector<std::string> &scenes_for_probes();
 
-/// Declare them all; `options` must outlive the parsing.
+/// Declare all options; `options` must outlive the parsing.
 void declare_options(CLI::App &app, Options &options);
 
-/// What parsing alone does not see: options that contradict each other.
+/// Checks that options do not contradict each other.
 ///
 /// @throws std::invalid_argument
 void complete(Options &options, const CLI::App &app);

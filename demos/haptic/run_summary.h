@@ -1,4 +1,4 @@
-// What a run of the probe has to say at its end.
+// The summary of a run of the probe.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_RUN_SUMMARY_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_RUN_SUMMARY_H
@@ -10,13 +10,13 @@
 
 namespace ode_predictive_space::demo
 {
-/// What is going to be run.
+/// The run to come.
 void print_beginning(std::ostream &out, const Options &options, bool window);
 
-/// What came of it.
+/// Its result.
 void print_summary(std::ostream &out, const Options &options, const RunResult &result);
 
-/// The same for other programs.
+/// The same as JSON.
 nlohmann::json json_summary(const Options &options, const RunResult &result);
 } // namespace ode_predictive_space::demo
 

@@ -1,4 +1,4 @@
-// What the servo does, tick by tick: for the recording, the comparison with an older one, and the chart.
+// The servo, tick by tick: for the recording, the comparison with an earlier one, and the chart.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_SERVO_LOG_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_SERVO_LOG_H
@@ -40,22 +40,22 @@ struct ServoTotals
     double max_force = 0; ///< N
 };
 
-/// Used by the servo's thread, but for what says otherwise.
+/// For the servo's thread, unless noted.
 class ServoLog
 {
 public:
-    /// Seconds of the servo's time that a column stands for.
+    /// Seconds of the servo's time in one column.
     static constexpr double column_seconds = 0.01;
 
-    /// @param rate Hz; of the servo. @param record_file empty: no recording. @param device what is recorded.
-    /// @param keep_forces whether forces() is wanted.
-    /// @throws haptics::DeviceError when the file cannot be made.
+    /// @param rate Hz; of the servo. @param record_file empty: no recording. @param device the recorded device.
+    /// @param keep_forces whether forces() is needed.
+    /// @throws haptics::DeviceError when the file cannot be created.
     ServoLog(double rate, const std::string &record_file, const haptics::Capabilities &device, bool keep_forces);
 
     /// A tick was rendered.
     void add(const haptics::RenderedTick &tick);
 
-    /// A step of the scene took so long. By the thread that steps it.
+    /// The duration of a step of the scene. By the thread that steps it.
     void step_took(double seconds);
 
     /// By one other thread: the latest columns.

@@ -23,7 +23,7 @@ window::NearPair line_between(dGeomID first, dGeomID second, bool with_probe)
     return line;
 }
 
-/// A wall's centre says nothing of where it is near.
+/// A wall can be near although its centre is far away.
 bool is_wall(dGeomID geom, const Eigen::AlignedBox3d &room)
 {
     return dGeomGetClass(geom) == dPlaneClass || !room.contains(scenes::from_ode(dGeomGetPosition(geom)));
@@ -87,8 +87,8 @@ void ViewWriter::finish(window::SceneView &view) const
     write_path(probe);
 }
 
-/// The path that the space, too, fits to the last places of an interactive geom. It does not tell its own; the growth of the balls
-/// stands for the deviation.
+/// The path that the space fits to the last places of an interactive geom. The space's own is not public; the growth of the
+/// balls stands for the deviation.
 void ViewWriter::write_path(window::ProbeView &probe) const
 {
     probe.path.clear();

@@ -12,14 +12,14 @@
 
 namespace ode_predictive_space::demo
 {
-/// Used by the thread that steps the scene, but for what says otherwise.
+/// For the thread that steps the scene, unless noted.
 class ViewWriter
 {
 public:
-    /// @param picture_time s, simulated; the view of exactly that time is held back for a picture. Infinite: none is.
+    /// @param picture_time s, simulated; the view of exactly that time is held for a picture. Infinite: none is.
     ViewWriter(const HapticRun &run, haptics::Snapshot<window::SceneView> &views, double picture_time);
 
-    /// Go on with the view; publish it when it is complete and the one before has been there for the time of a frame.
+    /// Continue the view; publish it when it is complete and the previous one has lasted for a frame.
     void after_step();
 
     /// The picture has been taken. From any thread.

@@ -24,20 +24,20 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 using scenes::fixed;
 
-/// What both threads know of. The loop never waits for the window.
+/// State shared by both threads. The loop never waits for the window.
 class WindowedRun : public window::Shown
 {
 public:
     WindowedRun(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device,
                 haptics::NoticeSink notice);
 
-    /// The loop's thread: when the window is there, run, and begin anew as often as the person wishes.
+    /// The loop's thread: runs when the window is open, and restarts at the person's request.
     void work();
 
     /// Let work() return. From any thread.
     void end();
 
-    /// When work() has returned. @throws what it failed with.
+    /// After work() has returned. @throws the exception of work(), if any.
     RunResult result() const;
 
     const window::View &view() override;
@@ -64,18 +64,18 @@ private:
     const scenes::SceneFactory &factory_;
     DemoDevice &device_;
     haptics::NoticeSink notice_;
-    haptics::MouseDevice *mouse_; ///< null when the device is none
+    haptics::MouseDevice *mouse_; ///< null for other devices
     std::optional<window::Pointer> last_pointer_;
-    double picture_time_; ///< s; infinite when no picture is wanted any more
+    double picture_time_; ///< s; infinite when no further picture is due
     RunControl control_;
     haptics::Snapshot<window::SceneView> views_;
     window::View view_; ///< the window's own
     std::atomic<bool> begin_anew_{false};
     std::atomic<bool> ended_{false};  ///< work() has returned
-    std::atomic<bool> ending_{false}; ///< it is to
+    std::atomic<bool> ending_{false}; ///< work() is to return
     bool window_is_there_ = false;
     std::condition_variable window_opened_;
-    std::mutex run_mutex_;               ///< for the two below to come and go
+    std::mutex run_mutex_;               ///< guards the two below
     std::unique_ptr<HapticRun> run_;     ///< null between two runs
     std::unique_ptr<ViewWriter> writer_; ///< of that run
     std::mutex notice_mutex_;
@@ -190,7 +190,7 @@ void WindowedRun::picture_taken()
     }
     if (run_ && options_.seconds == 0)
     {
-        run_->stop(); // it was only for the picture
+        run_->stop(); // the run was only for the picture
     }
 }
 
@@ -345,7 +345,7 @@ bool WindowedRun::pointer(const window::Pointer &pointer)
     return !moves_camera;
 }
 
-/// A thread that is waited for on every way out.
+/// A thread that is joined on every way out.
 class Joined
 {
 public:

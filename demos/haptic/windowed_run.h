@@ -9,7 +9,7 @@ namespace ode_predictive_space::demo
 {
 /// Run until the time is over or the window is closed. There must be a display. Once per process.
 ///
-/// @return of the last run, when the person began anew.
+/// @return the result of the last run, after restarts.
 /// @throws what HapticRun throws; std::runtime_error for a screenshot that cannot be written.
 RunResult run_in_window(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device,
                         const haptics::NoticeSink &notice);

@@ -19,7 +19,7 @@ bool is_finite(dBodyID body)
            all_finite(dBodyGetLinearVel(body), 3) && all_finite(dBodyGetAngularVel(body), 3);
 }
 
-/// A contact between two bodies has two ends, which are both counted.
+/// A contact between two bodies has two ends; both are counted.
 int contact_ends(dBodyID body)
 {
     int ends = 0;
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    /// ODE's quadtrees cannot enumerate their geoms: what is near everything is.
+    /// ODE's quadtrees cannot enumerate their geoms; a box around everything finds them.
     void count_quadtree(dSpaceID space)
     {
         constexpr dReal huge = 1e9;
@@ -118,7 +118,7 @@ private:
     }
 
     Census census_;
-    dGeomID everywhere_ = nullptr; ///< a box around all that is
+    dGeomID everywhere_ = nullptr; ///< a box around everything
     std::vector<dGeomID> found_;   ///< in a quadtree
     int contact_ends_ = 0;
 };

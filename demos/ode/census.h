@@ -1,4 +1,4 @@
-// What is in the space of a demo, counted.
+// Counts the contents of the space of a demo.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_ODE_CENSUS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_ODE_CENSUS_H

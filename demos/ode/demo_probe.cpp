@@ -16,7 +16,7 @@ namespace
 constexpr std::size_t frames_per_key = 10;
 constexpr long steps_per_check = 50; // of the predictive space, by brute force
 
-/// One demo: the process has no other.
+/// The one demo of the process.
 class Demo
 {
 public:
@@ -42,7 +42,7 @@ private:
     long steps_ = 0;
     long pairs_ = 0;    ///< calls of the near callback
     long contacts_ = 0; ///< contact joints, in all steps
-    bool valid_ = true; ///< what the predictive space says of itself
+    bool valid_ = true; ///< result of dPredictiveSpaceValidate()
     bool well_ = true;
 };
 
@@ -189,7 +189,7 @@ void Demo::run(int argc, char **argv, int width, int height, dsFunctions &functi
     }
 }
 
-/// The demos are C to us: nothing may be thrown through them.
+/// Exceptions must not pass through the demos, which are C.
 template <typename Work> void guarded(Work work)
 {
     try

@@ -1,5 +1,5 @@
-/* What a demo of ODE needs to have a haptic probe in it. The demos are in C and in C++; see demo_options.h, which a patch adds
-   to them. */
+/* The functions with which a demo of ODE gets a haptic probe. The demos are in C and in C++; see demo_options.h, which a
+   patch adds to them. */
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_ODE_DEMO_PROBE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_ODE_DEMO_PROBE_H
@@ -11,12 +11,12 @@
 extern "C" {
 #endif
 
-/** Reads the options: -probe DEVICE, -keys KEYS, -headless STEPS. Ends the program when one makes no sense. */
+/** Reads the options: -probe DEVICE, -keys KEYS, -headless STEPS. Ends the program at an invalid option. */
 void demoProbeOptions(int argc, char **argv);
 
 /**
- * The space that the demo uses from now on, and where things happen in it (minx, maxx, miny, maxy, minz, maxz): the probe
- * reaches all of that.
+ * The space that the demo uses from now on, and the volume of the demo (minx, maxx, miny, maxy, minz, maxz), which is the
+ * reach of the probe.
  */
 void demoProbeSpace(dSpaceID space, const dReal bounds[6]);
 
@@ -24,17 +24,17 @@ void demoProbeSpace(dSpaceID space, const dReal bounds[6]);
 int demoProbeTouch(dGeomID o1, dGeomID o2);
 
 /**
- * Between dSpaceCollide() and the step of the world: force on the hand, the opposite on what it touches; then the probe
- * moves on. Not while the demo is paused.
+ * Between dSpaceCollide() and the step of the world: applies the force to the hand and its opposite to the touched bodies,
+ * then moves the probe. Not while the demo is paused.
  */
 void demoProbeStep(void);
 
-/** The probe's geom goes: before its space does. The next demoProbeStep() makes another one. */
+/** Destroys the probe's geom; call it before its space is destroyed. The next demoProbeStep() makes another one. */
 void demoProbeDestroy(void);
 
 /**
- * In place of dsSimulationLoop(): with the probe drawn, and keys pressed as -keys says. Without a window it tells at the end
- * what became of the demo, and ends the program with status 1 if something is not as it should be.
+ * In place of dsSimulationLoop(): with the probe drawn, and keys pressed as -keys says. Without a window it describes
+ * the scene at the end, and ends the program with status 1 if a check failed.
  */
 void demoSimulationLoop(int argc, char **argv, int window_width, int window_height, dsFunctions *fn);
 

@@ -12,8 +12,8 @@ namespace ode_predictive_space::ode_demos
 namespace
 {
 constexpr double probe_size = 0.035;          // radius, in parts of the place's diagonal
-constexpr double stiffness_per_radius = 80;   // N/m per metre, in the scene: where things are larger, they are heavier
-constexpr double usual_hand_stiffness = 60;   // N/m; for devices that do not tell theirs
+constexpr double stiffness_per_radius = 80;   // N/m per metre, in the scene: larger objects are heavier
+constexpr double usual_hand_stiffness = 60;   // N/m; for devices that do not report theirs
 constexpr double more_than_any_device = 1e12; // N/m
 constexpr double radians = 3.14159265358979323846 / 180;
 constexpr unsigned clutch_button = 0;
@@ -53,7 +53,7 @@ Hand::~Hand()
     device_->close();
 }
 
-/// What the device can render at so few frames a second.
+/// The stiffness that the device can render at this low rate.
 double Hand::hand_stiffness() const
 {
     haptics::Rendering rendering;
@@ -63,7 +63,7 @@ double Hand::hand_stiffness() const
     return stiffest < more_than_any_device ? stiffest : usual_hand_stiffness;
 }
 
-/// All of the place is within reach. What the hand reaches beyond it is rather above it, as the ground is below.
+/// The whole volume is within reach. Any reach beyond it is above, because the ground is below.
 haptics::WorkspacePlacement Hand::placement_in(const Place &place) const
 {
     const Eigen::AlignedBox3d &workspace = device_->capabilities().workspace;
@@ -80,7 +80,7 @@ void Hand::make_probe(const Place &place)
     const double stiffness = stiffness_per_radius * radius_;
     haptics::RenderSettings settings;
     settings.placement = placement_in(place);
-    // As stiff in the hand as it can be, as soft in the scene as its light things need it.
+    // As stiff at the hand as possible, as soft in the scene as light objects need.
     settings.placement.force_scale = hand_stiffness() / (stiffness * settings.placement.scale);
     settings.law = std::make_shared<haptics::PenaltyLaw>(haptics::SurfaceProperties{stiffness, 0, 0});
     settings.rate = settings.physics_rate = 1 / frame_seconds;
@@ -155,7 +155,7 @@ void Hand::draw()
     draw_what_comes_next();
 }
 
-/// A rod from the probe to where the hand is pushed, as long as the push is strong.
+/// A rod from the probe in the direction of the force; its length is proportional to the force.
 void Hand::draw_force() const
 {
     const Vector3 force = probe_->last_tick().force;

@@ -1,4 +1,4 @@
-// A device in a demo: a probe that is made when it is needed, and made anew in another space.
+// A device in a demo. Its probe is created when it is needed, and again in another space.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_ODE_HAND_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_ODE_HAND_H
@@ -15,7 +15,7 @@ namespace ode_predictive_space::ode_demos
 {
 using haptics::Vector3;
 
-/// Where a demo takes place, in the scene's frame, metres, and from where the person looks at it.
+/// The volume of a demo, in the scene's frame, metres, and the direction in which the person looks.
 struct Place
 {
     dSpaceID space = nullptr;
@@ -23,7 +23,7 @@ struct Place
     double heading = 0; ///< degrees from the x axis, counter-clockwise: the direction of sight
 };
 
-/// The hand lives by the wall clock, on which drawstuff shows 60 frames a second, however long the demo's step is.
+/// The hand runs by the wall clock, at drawstuff's 60 frames per second, however long the demo's step is.
 constexpr double frame_seconds = 1.0 / 60;
 
 class Hand
@@ -31,26 +31,27 @@ class Hand
 public:
     /// Opens the device.
     ///
-    /// @param device as make_device() names it.
+    /// @param device a name that make_device() knows.
     /// @throws std::invalid_argument, haptics::DeviceError: see make_device() and Device::open().
     explicit Hand(const std::string &device);
     ~Hand();
     Hand(const Hand &) = delete;
     Hand &operator=(const Hand &) = delete;
 
-    /// For the near callback: see HapticProbe::touch(). Spaces are looked into; rays are the demo's own business.
+    /// For the near callback: see HapticProbe::touch(). Nested spaces are searched; rays are left to the demo.
     bool touch(dGeomID first, dGeomID second);
 
-    /// One frame: force and reactions; then the probe is moved to where the hand is next. In a new place it only gets there.
+    /// One frame: force and reactions; then the probe is moved to the next place of the hand. In a new volume it is only
+    /// placed.
     void step(const Place &place);
 
-    /// The geom goes, before its space.
+    /// Destroys the geom; call it before its space is destroyed.
     void leave() { probe_.reset(); }
 
-    /// Draw it: inside of a step of drawstuff's loop.
+    /// Draw it, within a step of drawstuff's loop.
     void draw();
 
-    /// From drawstuff's callback. A button held moves the camera, not the probe.
+    /// From drawstuff's callback. With a button held, the camera moves instead of the probe.
     void pointer(const dsPointerEvent &event);
 
     const std::string &name() const { return name_; }
@@ -67,7 +68,7 @@ private:
 
     std::string name_;
     std::unique_ptr<haptics::Device> device_;
-    haptics::MouseDevice *mouse_; ///< null when the device is none
+    haptics::MouseDevice *mouse_; ///< null for other devices
     std::unique_ptr<haptics::HapticProbe> probe_;
     double radius_ = 0; ///< m; of the probe
     double time_ = 0;   ///< s; of the hand

@@ -11,11 +11,11 @@ struct Options
 {
     std::string program;   ///< the demo's name
     std::string device;    ///< of the probe; empty: no probe
-    std::string keys;      ///< which are pressed, one after the other
+    std::string keys;      ///< pressed one after the other
     bool headless = false; ///< without a window: drawstuff reads the number of steps
 };
 
-/// Leaves alone what it does not know: drawstuff does so, too.
+/// Ignores unknown options, as drawstuff does.
 ///
 /// @throws std::invalid_argument when an option lacks its value.
 Options read_options(int argc, char **argv);

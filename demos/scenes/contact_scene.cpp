@@ -6,7 +6,7 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-// Walls touch one another at the edges of the room, which is nobody's concern.
+// Walls touch one another at the edges of the room; these pairs do not count.
 constexpr unsigned long wall_category = 2;
 
 constexpr int max_contacts = 8; // of one pair

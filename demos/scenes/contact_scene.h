@@ -24,10 +24,10 @@ public:
 protected:
     ContactScene(dSpaceID space, double step_seconds, std::uint64_t seed);
 
-    /// Called before each step: forces of the scene's own.
+    /// Called before each step: adds the scene's own forces.
     virtual void before_step() {}
 
-    /// Called for each pair that has contacts, before joints are made. Those of a pair for which this returns true get no
+    /// Called for each pair that has contacts, before joints are made. When it returns true, the contacts of the pair get no
     /// joints.
     virtual bool take_contacts(const IndexPair &pair, const dContactGeom *contacts, int count);
 

@@ -1,4 +1,4 @@
-// What is compared: ways to find the pairs of geoms that are near each other.
+// The contenders of a comparison: ways to find the pairs of geoms that are near each other.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_CONTENDER_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_CONTENDER_H
@@ -19,17 +19,17 @@ using OwnedSpace = std::unique_ptr<dxSpace, SpaceDestroyer>;
 
 enum class Family
 {
-    predictive, ///< what this project offers
-    ode,        ///< ODE's own spaces: what it is to replace
+    predictive, ///< this project's space
+    ode,        ///< ODE's own spaces, which it replaces
     reference   ///< other ways to do the same work
 };
 
-/// One way to find pairs, in the shape of an ODE space: a scene puts its geoms into space(), and then each turn of some
-/// ticks is prepare(), and each tick of it motion, dSpaceCollide() (which alone is timed), finish(), end_tick().
+/// One way to find pairs, as an ODE space: a scene puts its geoms into space(). A turn of some ticks begins with prepare();
+/// each of its ticks is motion, dSpaceCollide() (which alone is timed), finish(), end_tick().
 class Contender
 {
 public:
-    /// @param name as on command lines and in result files.
+    /// @param name the name on command lines and in result files.
     Contender(std::string name, Family family, OwnedSpace space)
         : name_(std::move(name)), family_(family), space_(std::move(space))
     {}
@@ -44,17 +44,17 @@ public:
     /// Whether it reports every pair whose bounding boxes overlap, and no other.
     virtual bool exact() const { return true; }
 
-    /// Called, outside the time that is measured, before so many ticks are made.
+    /// Called before the given number of ticks is made, outside of the measured time.
     virtual void prepare(int) {}
 
-    /// Called, outside the time that is measured, after the dSpaceCollide() that filled this list; what the contender found
-    /// but did not report in time it adds here.
+    /// Called after the dSpaceCollide() that filled this list, outside of the measured time. Adds the pairs that the contender
+    /// found but did not report in time.
     ///
-    /// @return how many pairs it took out of the list because their boxes are apart.
+    /// @return the number of pairs removed from the list because their boxes are apart.
     virtual std::size_t finish(PairList &) { return 0; }
 
-    /// Called when all is done in a tick, before the next motion: outside the time that is measured, unless several ticks are
-    /// timed at once.
+    /// Called at the end of a tick, before the next motion; outside of the measured time, unless several ticks are timed
+    /// together.
     virtual void end_tick() {}
 
 private:

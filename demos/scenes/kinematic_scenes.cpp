@@ -23,7 +23,7 @@ struct Mover
     Quaternion turn; ///< per tick
 };
 
-/// What gas, game and still differ in; the others build on them.
+/// The differences between gas, game and still; the other scenes build on them.
 struct GasSettings
 {
     double volume_fraction = 0.01;
@@ -194,7 +194,7 @@ public:
     void advance() override
     {
         GasScene::advance();
-        // Fractions of an object are saved up: also a small scene has 1 % of churn.
+        // Fractions of an object accumulate, so that a small scene has 1 % of churn, too.
         owed_ += churned_per_tick * static_cast<double>(movers_.size() + still_.size());
         for (; owed_ >= 1; owed_ -= 1)
         {

@@ -1,7 +1,7 @@
 // The scenes whose objects follow a motion that nothing disturbs: gas, game, still, probe, churn, explosion, teleport.
 //
-// Their bodies are moved by dBodySetPosition() and dBodySetQuaternion() and have the velocities that go with it; their
-// world is never stepped, and objects fly through one another.
+// Their bodies are moved by dBodySetPosition() and dBodySetQuaternion() and have the velocities of that motion; their world is
+// never stepped, and objects fly through one another.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_KINEMATIC_SCENES_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_KINEMATIC_SCENES_H
@@ -10,7 +10,7 @@
 
 namespace ode_predictive_space::scenes
 {
-/// In the scene explosion all velocities change in every tick whose number, counted from 1, this divides.
+/// In the scene explosion all velocities change in every tick whose number, counted from 1, is a multiple of this.
 constexpr int ticks_between_explosions = 200;
 
 /// Half the side of the room, in metres.

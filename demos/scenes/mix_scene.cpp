@@ -69,7 +69,7 @@ void MixScene::fill(int count, haptics::Random &random)
     const std::vector<Vector3> places = free_places(count, mix_half_room(count), random);
     for (int i = 0; i < count; ++i)
     {
-        // Shapes take turns by two, so that of each shape one half moves.
+        // Shapes alternate in twos, so that half of each shape moves.
         const auto shape = static_cast<Shape>(i / 2 % 4);
         const Vector3 &place = places[static_cast<std::size_t>(i)];
         if (i % 2 == 0)

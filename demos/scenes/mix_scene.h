@@ -15,9 +15,9 @@ constexpr double mix_wall_thickness = 0.5; ///< metres
 double mix_half_room(int objects);
 
 /// Spheres, boxes, capsules and meshes in equal parts, without gravity. Half of them have no body and stay; the others float
-/// through the room, bounce off one another and off the walls, and are gently driven back to the speed that they began
-/// with, so that the scene is as lively after an hour as it was at first. The probe, unless the caller brings one, is the geom
-/// number 0: a sphere without a body, put where the hand is.
+/// through the room, bounce off one another and off the walls, and are gently driven back to their initial speed, so that the
+/// motion does not die down. The probe, unless the caller brings one, is the geom number 0: a sphere without a body, placed at
+/// the hand.
 class MixScene : public ContactScene
 {
 public:

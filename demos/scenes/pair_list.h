@@ -20,8 +20,7 @@ std::uint32_t geom_index(dGeomID geom);
 /// Two geoms by their numbers, the smaller first.
 using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Collects the pairs of one dSpaceCollide(). It does as little as possible in the callback, which is inside the time that
-/// is measured.
+/// Collects the pairs of one dSpaceCollide(). The callback is within the measured time, so it does as little as possible.
 class PairList
 {
 public:
@@ -36,14 +35,14 @@ public:
     void clear() { pairs_.clear(); }
     std::size_t size() const { return pairs_.size(); }
 
-    /// The pairs as they came.
+    /// The pairs in the order of their callbacks.
     const std::vector<std::pair<dGeomID, dGeomID>> &geoms() const { return pairs_; }
 
-    /// Forget the pairs whose bounding boxes do not overlap, and tell how many they were. Right after dSpaceCollide() only:
-    /// the boxes are those of now.
+    /// Drop the pairs whose bounding boxes do not overlap, and return their number. Only right after dSpaceCollide(), because
+    /// the present boxes are used.
     std::size_t drop_pairs_apart();
 
-    /// The pairs in ascending order of their geoms' numbers: the same list whichever space reported them. Valid while the
+    /// The pairs in ascending order of their geoms' numbers: the same list for every space. Valid while the
     /// geoms live.
     std::vector<IndexPair> sorted() const;
 
@@ -51,10 +50,10 @@ private:
     std::vector<std::pair<dGeomID, dGeomID>> pairs_;
 };
 
-/// A number for a set of pairs that does not depend on their order, but on how often each is in it.
+/// A hash of a set of pairs. It does not depend on their order, but on the number of times that each is in it.
 std::uint64_t hash_pairs(const std::vector<IndexPair> &pairs);
 
-/// A number for a whole run: the hashes of its ticks in their order.
+/// A hash of a whole run: of the hashes of its ticks in their order.
 class PairHash
 {
 public:

@@ -23,7 +23,9 @@ private:
 
 SceneBounds pile_bounds(int objects);
 
-/// Let the pile fall and come to rest; where its bodies are then.
+/// Let the pile fall and come to rest.
+///
+/// @return the states of its bodies then.
 std::vector<BodyState> settle_pile(const SceneSpec &spec);
 } // namespace ode_predictive_space::scenes
 

@@ -23,7 +23,7 @@ Vector3 ProbeForce::apply()
     {
         total += push.force;
     }
-    // Scaled as a whole, not clamped at the end: what the person feels stays the sum of what the objects get.
+    // Scaled as a whole, not clamped at the end: the force on the person stays opposite to the sum of the forces on objects.
     const double norm = total.norm();
     const double share = norm > settings_.max_force ? settings_.max_force / norm : 1;
     for (const Push &push : pushes_)

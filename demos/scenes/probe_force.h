@@ -1,4 +1,4 @@
-// The force that a person feels through the probe, and its reaction on what the probe touches.
+// The force that a person feels through the probe, and its reaction on the touched objects.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_PROBE_FORCE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_PROBE_FORCE_H
@@ -9,7 +9,7 @@
 
 namespace ode_predictive_space::scenes
 {
-/// By default those of a PHANToM Desktop with half of the stiffness that it can show.
+/// By default those of a PHANToM Desktop, with half of the stiffness that it can render.
 struct ProbeForceSettings
 {
     double stiffness = 500; ///< k, N/m
@@ -26,9 +26,9 @@ public:
     /// Add the contacts with one object, made by dCollide() with the probe first. `body` may be 0.
     void touch(const dContactGeom *contacts, int count, dBodyID body);
 
-    /// Push the touched bodies and begin anew.
+    /// Push the touched bodies and start again.
     ///
-    /// @return the force on the probe, in N: minus the sum of what the touched objects got.
+    /// @return the force on the probe, in N: minus the sum of the forces on the touched objects.
     Vector3 apply();
 
 private:

@@ -1,4 +1,4 @@
-// A line that tells how far a long run has come.
+// A line that shows the progress of a long run.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_PROGRESS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_PROGRESS_H
@@ -9,13 +9,13 @@
 
 namespace ode_predictive_space::scenes
 {
-/// Writes to the standard error: on a terminal one line that is written over again and again, otherwise a line of its own
-/// for each tenth of the work, but not more than one per second.
+/// Writes to standard error: on a terminal one line that is overwritten, otherwise a line for each tenth of the work, at most
+/// one per second.
 class Progress
 {
 public:
     /// @param what the beginning of the line
-    /// @param ticks all that is to be done
+    /// @param ticks the whole work
     Progress(std::string what, int ticks);
     ~Progress();
     Progress(const Progress &) = delete;

@@ -1,4 +1,4 @@
-// Gas, and probes and rays that ask what is near them.
+// Gas, with probes and rays that query the space.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_QUERY_SCENE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_QUERY_SCENE_H

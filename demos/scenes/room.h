@@ -1,4 +1,4 @@
-// Where in a scene there is room to move.
+// The free space of a scene.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_ROOM_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_ROOM_H
@@ -10,7 +10,7 @@ namespace ode_predictive_space::scenes
 /// The box that ODE reports for a geom, metres.
 Eigen::AlignedBox3d bounds_of(dGeomID geom);
 
-/// The room inside the walls of a scene: its bounds, less what large boxes without a body take away at their sides. Metres.
+/// The room inside the walls of a scene: its bounds without the large boxes without a body at their sides. Metres.
 Eigen::AlignedBox3d room_inside_walls(const Scene &scene, const SceneBounds &bounds);
 } // namespace ode_predictive_space::scenes
 

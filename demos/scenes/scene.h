@@ -1,7 +1,7 @@
 // The scenes in which spaces are demonstrated, tested and measured.
 //
-// A scene gives the same motion in every space: run it once per space, with the same specification, and whatever differs
-// is the space's doing.
+// A scene gives the same motion in every space: run it once per space with the same specification, and every difference is
+// due to the space.
 //
 //     SceneFactory factory({"gas", 1000, 1});
 //     dSpaceID space = dPredictiveSpaceCreate(0);
@@ -35,20 +35,20 @@ constexpr double object_radius = 0.1;
 struct SceneSpec
 {
     std::string name;       ///< one of scene_names()
-    int objects = 100;      ///< n, >= 1; walls and the probe come on top
+    int objects = 100;      ///< n, >= 1; without walls and the probe
     std::uint64_t seed = 1; ///< of positions, motions, the hand; scenes of the same seed are the same
     double moving = -1;     ///< share of the objects that move, 0 … 1, in gas and churn; < 0: the scene's own, a half
-    bool own_probe = true;  ///< of mix: false leaves out the probe, for a caller who brings one and sees to its pairs
+    bool own_probe = true;  ///< of mix: false omits the probe; the caller brings one and handles its pairs
 };
 
-/// A box that the scene stays in.
+/// A box that contains the scene.
 struct SceneBounds
 {
     Vector3 centre;
     Vector3 half_extent;
 };
 
-/// What the probe of a scene did in the last tick.
+/// The probe of a scene in the last tick.
 struct ProbeReport
 {
     Vector3 position = Vector3::Zero();
@@ -56,7 +56,7 @@ struct ProbeReport
     std::vector<std::uint32_t> touched{}; ///< numbers of the geoms that it touches, ascending
 };
 
-/// A running scene. The space that its geoms are in must live longer than it.
+/// A running scene. The space of its geoms must outlive it.
 class Scene
 {
 public:
@@ -65,24 +65,24 @@ public:
     /// Make one tick of motion.
     virtual void advance() = 0;
 
-    /// Take what dSpaceCollide() reported after advance(), as PairList::sorted() gives it. Scenes with contacts need every
-    /// tick's pairs; the motion of the others does not depend on it.
+    /// Process the pairs that dSpaceCollide() reported after advance(), as PairList::sorted() gives them. Scenes with contacts
+    /// need the pairs of every tick; the motion of the others does not depend on them.
     virtual void respond(const std::vector<IndexPair> &pairs) = 0;
 
     /// Contacts that the last respond() made.
     virtual std::size_t contacts() const = 0;
 
-    /// Whether respond() may be left out: the motion does not depend on the pairs.
+    /// Whether respond() may be omitted: the motion does not depend on the pairs.
     virtual bool moves_by_itself() const = 0;
 
-    /// What the probe did in the last tick; null in a scene without one.
+    /// The probe in the last tick; null in a scene without one.
     virtual const ProbeReport *probe() const = 0;
 
-    /// All geoms of the scene by their numbers; null where one has been destroyed. Not every space can tell them.
+    /// All geoms of the scene by their numbers; null for destroyed ones. (Not every space can enumerate its geoms.)
     virtual const std::vector<dGeomID> &geoms() const = 0;
 
-    /// Geoms in no space, to be tried against the scene's space with dSpaceCollide2() in each tick; none in most scenes. Their
-    /// numbers follow those of the scene's geoms.
+    /// Geoms in no space, for a dSpaceCollide2() with the scene's space in each tick; none in most scenes. Their numbers follow
+    /// those of the scene's geoms.
     virtual const std::vector<dGeomID> &queries() const;
 };
 
@@ -94,7 +94,7 @@ std::string describe_scene(const std::string &name);
 
 struct BodyState;
 
-/// Makes copies of one scene. What takes long to prepare (a pile that has to settle) is prepared once, here.
+/// Makes copies of one scene. Long preparations (a pile must settle) are made once, here.
 class SceneFactory
 {
 public:
@@ -108,7 +108,7 @@ public:
 
     const SceneSpec &spec() const { return spec_; }
 
-    /// Where the scene takes place, as a quadtree space must know in advance.
+    /// The bounds of the scene, which a quadtree space needs in advance.
     SceneBounds bounds() const;
 
     /// The simulated time of one tick, in seconds.
@@ -116,7 +116,7 @@ public:
 
 private:
     SceneSpec spec_;
-    std::vector<BodyState> settled_; ///< of a pile: where its bodies have come to rest
+    std::vector<BodyState> settled_; ///< of a pile: the states of its bodies at rest
 };
 } // namespace ode_predictive_space::scenes
 

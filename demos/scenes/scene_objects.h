@@ -1,4 +1,4 @@
-// What all scenes are made of: a world, and objects with or without a body.
+// The parts of all scenes: a world, and objects with or without a body.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SCENE_OBJECTS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_SCENE_OBJECTS_H
@@ -23,11 +23,11 @@ struct BodyState
 struct Object
 {
     dGeomID geom = nullptr;
-    dBodyID body = nullptr; ///< null for an object that stays where it is
+    dBodyID body = nullptr; ///< null for an object that never moves
     Shape shape = Shape::sphere;
 };
 
-/// Owns the world, bodies and geoms of one scene; numbers the geoms in the order of their making, from 0 on.
+/// Owns the world, bodies and geoms of one scene; numbers the geoms in the order of creation, from 0 on.
 class SceneObjects
 {
 public:
@@ -49,7 +49,7 @@ public:
     /// @param density kg/m^3
     Object add_moving(Shape shape, const BodyState &state, double density);
 
-    /// Destroy an object. Its number is not given again.
+    /// Destroy an object. Its number is not reused.
     void destroy(const Object &object);
 
     /// The geom of this number; null when it has been destroyed.
@@ -65,7 +65,7 @@ private:
 
     dSpaceID space_;
     dWorldID world_;
-    std::unique_ptr<BallMesh> mesh_; ///< made when the first mesh is
+    std::unique_ptr<BallMesh> mesh_; ///< created with the first mesh
     std::vector<dGeomID> geoms_;     ///< by number
 };
 

@@ -45,8 +45,8 @@ SceneRun::SceneRun(std::unique_ptr<Contender> contender, std::unique_ptr<Scene> 
     : contender_(std::move(contender)), scene_(std::move(scene)), clock_overhead_(clock_overhead())
 {}
 
-// The space goes first and leaves its geoms to the scene: some spaces search or sort all that they hold whenever a geom
-// leaves, and it would be waited for ten thousand times.
+// The space is destroyed first and leaves its geoms to the scene: some spaces search or sort all their geoms whenever one
+// leaves, which would happen ten thousand times.
 SceneRun::~SceneRun()
 {
     dSpaceSetCleanup(contender_->space(), 0);

@@ -25,10 +25,10 @@ inline double seconds_between(Clock::time_point begin, Clock::time_point end)
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// What reading the clock adds to an interval between two readings, in seconds (the median of many).
+/// The time that reading the clock adds to an interval between two readings, in seconds (the median of many).
 double clock_overhead();
 
-/// What a probe did in the course of a run.
+/// The probe over a whole run.
 struct ProbeLog
 {
     void add(const ProbeReport &report);
@@ -46,12 +46,12 @@ public:
     SceneRun(SpaceKind kind, const SceneFactory &factory);
     SceneRun(std::unique_ptr<Contender> contender, const SceneFactory &factory);
 
-    /// The same with a scene that no factory makes; its geoms are in the contender's space.
+    /// The same with a scene of the caller's own; its geoms are in the contender's space.
     SceneRun(std::unique_ptr<Contender> contender, std::unique_ptr<Scene> scene);
 
     ~SceneRun();
 
-    /// Make some ticks: motion, dSpaceCollide(), contacts. After the tick in which `seconds` are used up no more are made.
+    /// Make some ticks: motion, dSpaceCollide(), contacts. Stops after the tick in which `seconds` are used up.
     ///
     /// @return the seconds used.
     double turn(int ticks, double seconds = unlimited);
@@ -59,10 +59,10 @@ public:
     /// Make one.
     void tick() { turn(1); }
 
-    /// Forget the times so far, not the pairs: what came before was warm-up.
+    /// Forget the times so far, but not the pairs: the ticks so far were warm-up.
     void start_measuring();
 
-    /// Check the space by brute force after each tick, where it is a predictive one.
+    /// Check the space by brute force after each tick, if it is a predictive one.
     void check_every_tick() { checking_ = true; }
 
     const Contender &contender() const { return *contender_; }
@@ -76,7 +76,7 @@ public:
     /// contacts.
     const std::vector<double> &tick_times() const { return tick_times_; }
 
-    /// What the probe of the scene did since the beginning.
+    /// The probe of the scene since the beginning.
     const ProbeLog &probe_log() const { return probe_log_; }
 
     std::size_t ticks() const { return tick_hashes_.size(); }            ///< since the beginning
@@ -85,13 +85,13 @@ public:
     std::uint64_t contacts() const { return contacts_; }                 ///< summed over ticks()
     std::uint64_t pair_hash() const;                                     ///< of all ticks()
 
-    /// Pairs that were reported although their boxes were apart, and are not counted in pairs(). Looked for in the
-    /// sweep-and-prune space alone. Of the others everything is counted as it comes.
+    /// Pairs that were reported although their boxes were apart, and are not counted in pairs(). They are searched only in the
+    /// sweep-and-prune space; for the others every reported pair is counted.
     std::uint64_t false_pairs() const { return false_pairs_; }
 
-    bool invariant_held() const { return invariant_held_; } ///< of what check_every_tick() checked
+    bool invariant_held() const { return invariant_held_; } ///< in all checks of check_every_tick()
 
-    /// One hash per tick, to find where two runs part.
+    /// One hash per tick, to find the tick at which two runs diverge.
     const std::vector<std::uint64_t> &tick_hashes() const { return tick_hashes_; }
 
 private:
@@ -119,17 +119,17 @@ using SceneRuns = std::vector<std::unique_ptr<SceneRun>>;
 
 SceneRuns make_runs(const std::vector<SpaceKind> &kinds, const SceneFactory &factory);
 
-/// Make `ticks` ticks in each run, by turns of some hundred, and each time begin with another run: what else the machine
-/// does, its clock frequency and its temperature then weigh on all of them alike, while within a turn each finds its data
-/// in the cache as it would when alone.
+/// Make `ticks` ticks in each run, in alternating turns of some hundred, each round beginning with another run. The load of
+/// the machine, its clock frequency and its temperature then affect all of them alike, while within a turn each finds its
+/// data in the cache as it would alone.
 ///
 /// @param progress called after each round with the number of ticks done.
-/// @param seconds_each a run that has used up so many makes no more ticks.
+/// @param seconds_each a run that has used up this time makes no more ticks.
 void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int)> &progress = {},
                   double seconds_each = unlimited);
 
 /// Number of the first tick in which the exact contenders did not all report the same pairs, from 0 on; -1 when there is
-/// none. A run that was made for fewer ticks than another is compared in those it has.
+/// none. A run with fewer ticks than another is compared in these ticks.
 int first_difference(const SceneRuns &runs);
 } // namespace ode_predictive_space::scenes
 

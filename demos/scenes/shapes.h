@@ -18,7 +18,7 @@ enum class Shape
     mesh ///< a faceted ball of 80 triangles
 };
 
-/// A cube, as all boxes here are. Half of its side, in metres.
+/// Half the side of a cube, as all boxes here are, in metres.
 double half_side_of_box(double bounding_radius);
 
 /// The triangles of Shape::mesh, for one radius. ODE keeps pointers into it: it must outlive the geoms made of it.
@@ -50,7 +50,7 @@ private:
 /// Make a geom whose bounding sphere has this radius, in metres. `mesh` is needed for Shape::mesh alone.
 dGeomID make_shape(dSpaceID space, Shape shape, double bounding_radius, const BallMesh *mesh = nullptr);
 
-/// The mass of such a solid. A mesh weighs as the ball that it stands for.
+/// The mass of such a solid. A mesh has the mass of the ball that it represents.
 dMass mass_of_shape(Shape shape, double bounding_radius, double density);
 } // namespace ode_predictive_space::scenes
 

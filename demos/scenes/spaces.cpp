@@ -59,8 +59,8 @@ public:
 
     bool exact() const override { return kind_ != SpaceKind::predictive_by_spheres; }
 
-    // The sweep-and-prune space rounds its first axis to single precision and so takes pairs whose gap is in the eighth
-    // digit for overlapping.
+    // The sweep-and-prune space rounds its first axis to single precision, so it reports pairs whose gap is in the eighth
+    // digit.
     std::size_t finish(PairList &list) override
     {
         return kind_ == SpaceKind::sweep_and_prune ? list.drop_pairs_apart() : 0;

@@ -24,7 +24,7 @@ enum class SpaceKind
 /// The kinds that report the same pairs: all but predictive_by_spheres.
 const std::vector<SpaceKind> &all_spaces();
 
-/// As it is named on command lines and in result files.
+/// Its name on command lines and in result files.
 std::string space_name(SpaceKind kind);
 
 /// The kind of this name; "predictive" is another name of "predictive-box".
@@ -32,18 +32,18 @@ std::string space_name(SpaceKind kind);
 /// @throws std::invalid_argument when no space has this name.
 SpaceKind space_named(const std::string &name);
 
-/// A new space, fit for the scene: the quadtree must know its bounds in advance, and how finely to divide them.
+/// A new space for the scene. (The quadtree needs the bounds and the depth in advance.)
 ///
 /// @throws std::runtime_error when ODE refuses to make it.
 dSpaceID make_space(SpaceKind kind, const SceneFactory &factory);
 
-/// The same, to take part in a comparison.
+/// The same as a contender.
 std::unique_ptr<Contender> make_contender(SpaceKind kind, const SceneFactory &factory);
 
-/// A space that is already there, to take part as one of this kind.
+/// An existing space as a contender of this kind.
 std::unique_ptr<Contender> make_contender(SpaceKind kind, OwnedSpace space);
 
-/// ODE, ready for use while this object lives.
+/// ODE is initialised while this object lives.
 class OdeSession
 {
 public:

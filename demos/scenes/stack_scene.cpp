@@ -46,7 +46,7 @@ Vector3 place_of_structure(int number, double half_side)
     return {(column + 0.5) * cell + corridor - half_side, (row + 0.5) * cell + corridor - half_side, -half_height};
 }
 
-/// Where the box of this number is in its wall; rows are laid half a box apart, as bricks are.
+/// The place of the box of this number in its wall; rows are shifted by half a box, like bricks.
 Vector3 place_in_wall(int number, double side)
 {
     const int row = number / wall_width;
@@ -125,7 +125,7 @@ void StackScene::throw_ball()
         std::swap(state.position.x(), state.position.y());
     }
     const Vector3 way(aim.x() - state.position.x(), aim.y() - state.position.y(), 0);
-    // It falls as much as it rises on its way.
+    // It falls on its way as far as it rises.
     state.velocity = ball_speed * way.normalized() + 0.5 * gravity * way.norm() / ball_speed * Vector3::UnitZ();
     set_state(ball_.body, state);
     dBodyEnable(ball_.body);

@@ -7,15 +7,15 @@
 
 namespace ode_predictive_space::scenes
 {
-/// Walls and towers stand in turns on the floor of a closed room. The world disables what has come to rest. Every two
-/// seconds the ball is thrown anew, at a wall or tower chosen at random: some boxes fly, most of them sleep on. The ball is
+/// Walls and towers alternate on the floor of a closed room. The world disables bodies at rest. Every two seconds the ball
+/// is thrown again, at a wall or tower chosen at random: some boxes fly, most of them stay asleep. The ball is
 /// the geom after the walls of the room and before the boxes.
 class StackScene : public ContactScene
 {
 public:
     static constexpr double step_seconds = 0.005;
     static constexpr int ticks_between_throws = 400;
-    static constexpr int first_throw = 90; ///< the tick; before it the boxes have time to fall asleep
+    static constexpr int first_throw = 90; ///< the tick; until then the boxes have time to fall asleep
 
     StackScene(const SceneSpec &spec, dSpaceID space);
 

@@ -1,4 +1,4 @@
-// What is told about a series of measured times.
+// Statistics of a series of measured times.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_STATISTICS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_STATISTICS_H
@@ -12,13 +12,13 @@ struct Statistics
 {
     double mean = 0;
     double median = 0;
-    double p99 = 0;  ///< 99 of 100 are not above it
-    double p999 = 0; ///< 999 of 1000 are not above it
+    double p99 = 0;  ///< 99 of 100 values do not exceed it
+    double p999 = 0; ///< 999 of 1000 values do not exceed it
     double max = 0;
 };
 
-/// The statistics of a series; all 0 for an empty one. A percentile is the smallest value that enough others do not
-/// exceed (nearest rank), so it is always one that was measured.
+/// The statistics of a series; all 0 for an empty one. Percentiles are by nearest rank, so each is one of the
+/// measured values.
 Statistics summarise(std::vector<double> series);
 } // namespace ode_predictive_space::scenes
 

@@ -1,4 +1,4 @@
-// Tables and numbers for people to read.
+// Tables and numbers as text.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_TABLE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_TABLE_H
@@ -13,7 +13,7 @@ namespace ode_predictive_space::scenes
 /// A whole number with its digits in groups of three: 1,234,567.
 std::string grouped(std::uint64_t number);
 
-/// A number with so many digits after the point, grouped before it: 1,234.5.
+/// A number with the given number of digits after the point, grouped before it: 1,234.5.
 std::string fixed(double number, int decimals);
 
 /// A 64-bit hash as 16 hexadecimal digits.

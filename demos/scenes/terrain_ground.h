@@ -13,7 +13,7 @@ namespace ode_predictive_space::scenes
 constexpr double terrain_length = 2000; ///< along x, metres: 10^4 times the size of an object
 
 /// Three strips along x. Seen along y: a heightfield, then a mesh, then the plane z = 0, each as wide as a third of the
-/// square in which the objects are. The hills, of 1 m at most, end where the plane begins.
+/// square of the objects. The hills, of 1 m at most, end where the plane begins.
 class TerrainGround
 {
 public:

@@ -10,7 +10,7 @@ namespace
 constexpr double tick_seconds = 0.001;
 constexpr double fastest = 5;         // m/s
 constexpr double fastest_spin = 5;    // rad/s
-constexpr double sunk = 0.001;        // metres that a rolling object is in the ground: contact, whatever the rounding
+constexpr double sunk = 0.001;        // metres that a rolling object is in the ground: a contact in spite of rounding
 constexpr double lowest_flight = 1.5; // metres
 constexpr double highest_flight = 5;  // metres
 constexpr double roof_height = 8;     // metres
@@ -23,7 +23,7 @@ double half_side_of_square(int objects)
     return std::max(0.75 * std::sqrt(objects), 3.0);
 }
 
-/// Of the centre above the ground for a solid that stands upright on it.
+/// Height of the centre above the ground, of a solid that stands upright on it.
 double rest_height_of(Shape shape)
 {
     return (shape == Shape::box ? half_side_of_box(object_radius) : object_radius) - sunk;

@@ -12,7 +12,7 @@ namespace ode_predictive_space::scenes
 /// to 5 m above it. All move at up to 5 mm per tick and turn back at the edge of a square. Among them are huge boxes, up to
 /// 10^4 times as long as an object: still ones (walls, pillars, a roof), two cranes that turn and two airships that drift.
 ///
-/// The motion does not depend on contacts, so that it can go on for as long as one likes.
+/// The motion does not depend on contacts, so it can go on for any time.
 class TerrainScene : public Scene
 {
 public:
@@ -31,7 +31,7 @@ private:
         dBodyID body;
         BodyState state;    ///< kept here too, so that the motion does not depend on how ODE rounds
         Quaternion turn;    ///< per tick
-        double rest_height; ///< of the centre above the ground, metres; of what rolls
+        double rest_height; ///< of the centre of a rolling object above the ground, metres
         bool rolls;
     };
 
@@ -49,7 +49,7 @@ private:
     std::vector<Mover> movers_;
 };
 
-/// Where the small movers are, and the middle of everything.
+/// The bounds of the small movers, around the middle of the scene.
 SceneBounds terrain_bounds(int objects);
 } // namespace ode_predictive_space::scenes
 

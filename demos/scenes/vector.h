@@ -1,4 +1,4 @@
-// Vectors and rotations of the scenes, and their way into and out of ODE.
+// Vectors and rotations of the scenes, and their conversion to and from ODE.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_SCENES_VECTOR_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_SCENES_VECTOR_H

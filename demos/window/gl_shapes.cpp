@@ -17,7 +17,7 @@ struct QuadricDeleter
     void operator()(GLUquadric *quadric) const { gluDeleteQuadric(quadric); }
 };
 
-/// Undoes whatever is changed in OpenGL's state while it lives: drawstuff does not expect anybody else to draw.
+/// Restores OpenGL's state at its end: drawstuff expects no other drawing.
 class StateKept
 {
 public:
@@ -50,7 +50,7 @@ void turn_z_to(const Vector3 &direction)
 {
     const Vector3 axis = Vector3::UnitZ().cross(direction);
     const double angle = std::atan2(axis.norm(), direction.z()) * 180 / 3.14159265358979323846;
-    // Where z already points that way, or the other way, any axis across will do.
+    // When z already has that direction, or the opposite one, any perpendicular axis will do.
     const Vector3 around = axis.norm() > 1e-9 ? axis : Vector3::UnitX();
     glRotated(angle, around.x(), around.y(), around.z());
 }

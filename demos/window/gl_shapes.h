@@ -1,4 +1,4 @@
-// What drawstuff cannot draw: cones, and translucent balls without a shadow. OpenGL, in drawstuff's frame.
+// Shapes that drawstuff cannot draw: cones, and translucent balls without a shadow. OpenGL, in drawstuff's frame.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_GL_SHAPES_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_GL_SHAPES_H
@@ -21,7 +21,7 @@ void draw_lines(const std::vector<Segment> &lines, const Colour &colour, float o
 /// An arrow from a point, of this length and direction, `thickness` wide.
 void draw_arrow(const Vector3 &from, const Vector3 &along, double thickness, const Colour &colour);
 
-/// Balls of glass: one sees through their middle and hardly through their rims. They hide nothing.
+/// Balls of glass: transparent in the middle and nearly opaque at the rim. They hide nothing.
 void draw_glass_balls(const std::vector<EnvelopeBall> &balls, const Colour &colour, float opacity);
 } // namespace ode_predictive_space::window
 

@@ -1,4 +1,4 @@
-// The text of the window: what runs, how fast, what the keys do.
+// The text of the window: the run, its rates, the keys.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_OVERLAY_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_OVERLAY_H

@@ -1,4 +1,4 @@
-// The colours of the window, so that what belongs together looks alike in the scene, the chart and the text.
+// The colours of the window, so that the same things look alike in the scene, the chart and the text.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_PALETTE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_PALETTE_H

@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space::window
 {
-/// Write what OpenGL has drawn so far to a PNG file.
+/// Write the present picture of OpenGL to a PNG file.
 ///
 /// @throws std::runtime_error when it cannot be written; the message names the file.
 void save_picture(const std::string &file);

@@ -11,7 +11,7 @@ namespace ode_predictive_space::window
 {
 namespace
 {
-constexpr double palest = 0.13;           // opacity of what is far from the probe
+constexpr double palest = 0.13;           // opacity of objects far from the probe
 constexpr double arrow_at_full_force = 8; // radii of the probe
 const double upright[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
@@ -91,7 +91,7 @@ void draw_geom(const DrawnGeom &geom, const Vector3 &shift)
     }
 }
 
-/// The far ones first: what one sees through is drawn before what is in front of it.
+/// The far ones first: translucent objects are drawn from back to front.
 std::vector<const DrawnGeom *> from_far_to_near(const SceneView &view, const Vector3 &eye)
 {
     std::vector<std::pair<double, const DrawnGeom *>> keyed;
@@ -182,7 +182,7 @@ void draw_near_pairs(const SceneView &view, const Vector3 &shift)
     draw_lines(of_probe, palette::near_probe, 1, 3);
 }
 
-/// Where the moving objects around the probe will be in the time that its own envelope is drawn for.
+/// The moving objects around the probe over the time for which its own envelope is drawn.
 std::vector<EnvelopeBall> envelopes_of_objects(const SceneView &view, const Vector3 &shift)
 {
     std::vector<EnvelopeBall> balls;

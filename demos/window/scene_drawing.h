@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space::window
 {
-/// What is shown, apart from the objects and the probe.
+/// What is shown beside the objects and the probe.
 struct Layers
 {
     bool envelopes = true;         ///< along the probe's path
@@ -15,15 +15,15 @@ struct Layers
     bool near_pairs = true;
     bool force = true;
     bool text = true;
-    bool only_nearby = true; ///< what is far from the probe is pale
+    bool only_nearby = true; ///< objects far from the probe are pale
 };
 
-/// Drawstuff's floor is the plane z = 0; scenes have theirs where they like. Add this to what is drawn.
+/// Drawstuff's floor is the plane z = 0, that of a scene can be anywhere. Add this to all drawn positions.
 Vector3 shift_onto_floor(const SceneView &view);
 
-/// All but the text.
+/// Everything but the text.
 ///
-/// @param eye where the camera is, in drawstuff's frame.
+/// @param eye the camera's position, in drawstuff's frame.
 void draw_scene(const SceneView &view, const Layers &layers, const Vector3 &eye);
 } // namespace ode_predictive_space::window
 

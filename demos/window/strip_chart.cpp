@@ -15,7 +15,7 @@ constexpr double text_size = 11;
 
 using Measure = float ChartColumn::*;
 
-/// A strip of the chart: what it shows and up to where.
+/// A strip of the chart: its quantity and its range.
 struct Strip
 {
     Rectangle area;
@@ -36,7 +36,7 @@ double height_of(const Strip &strip, double value)
     return strip.area.top + (1 - share) * strip.area.height;
 }
 
-/// A round number that is not less.
+/// The next round number that is not smaller.
 double round_up(double value)
 {
     const double power = std::pow(10, std::floor(std::log10(value)));

@@ -1,4 +1,4 @@
-// The last seconds of force and loop period, as a recorder with a strip of paper would draw them.
+// The last seconds of force and loop period, drawn as by a strip chart recorder.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_STRIP_CHART_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_STRIP_CHART_H
@@ -11,7 +11,7 @@ namespace ode_predictive_space::window
 /// The force above, the periods below, one column of the view's chart per pixel, the latest at the right edge.
 void draw_strip_chart(Canvas &canvas, const View &view, const Rectangle &area);
 
-/// How many columns a chart of this width shows.
+/// The number of columns of a chart of this width.
 int chart_columns(const Rectangle &area);
 } // namespace ode_predictive_space::window
 

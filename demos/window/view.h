@@ -1,4 +1,4 @@
-// What the window shows: the state of a run at one moment, as plain data that ODE has no part in.
+// The contents of the window: the state of a run at one moment, as plain data without ODE.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_VIEW_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_VIEW_H
@@ -28,7 +28,7 @@ enum class Solid
     bounds    ///< its bounding box alone, in the scene's frame; size: the three sides
 };
 
-/// What a geom is in the scene; its colour.
+/// The kind of a geom in the scene, which gives its colour.
 enum class Part
 {
     still,
@@ -37,7 +37,7 @@ enum class Part
     wall    ///< of the room: it would hide what is inside
 };
 
-/// A geom as it is drawn. Metres.
+/// A drawn geom. Metres.
 struct DrawnGeom
 {
     std::uintptr_t id = 0; ///< the same from view to view
@@ -65,7 +65,7 @@ struct EnvelopeBall
     double radius = 0; ///< m
 };
 
-/// The probe and what it feels.
+/// The probe and its force.
 struct ProbeView
 {
     Vector3 position = Vector3::Zero();
@@ -92,7 +92,7 @@ struct NearPair
     bool with_probe = false;
 };
 
-/// A line of text: what it is, and its value.
+/// A line of text: a name and a value.
 struct Reading
 {
     std::string name;
@@ -100,7 +100,7 @@ struct Reading
     bool alarming = false;
 };
 
-/// A key and what it does.
+/// A key and its effect.
 struct KeyHelp
 {
     std::string key;
@@ -118,15 +118,15 @@ struct SceneView
     ProbeView probe;
 };
 
-/// All that the window shows.
+/// The whole contents of the window.
 struct View : SceneView
 {
     std::vector<ChartColumn> chart; ///< the latest last
-    double chart_seconds = 0;       ///< that a column stands for
+    double chart_seconds = 0;       ///< in one column
     double nominal_period = 0;      ///< ms
     std::vector<Reading> readings;
     std::string heading;
-    std::string notice; ///< what happened last that one should know
+    std::string notice; ///< the last event that the person should know
 };
 } // namespace ode_predictive_space::window
 

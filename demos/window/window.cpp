@@ -21,7 +21,7 @@ constexpr double camera_heading = 158; // degrees from the x axis, counter-clock
 constexpr double camera_pitch = -20;   // degrees
 constexpr double radians = 3.14159265358979323846 / 180;
 
-/// drawstuff calls functions without data, and its loop runs once per process: there is one window.
+/// drawstuff's callbacks take no data, and its loop runs once per process: there is one window.
 class Window
 {
 public:
@@ -82,7 +82,7 @@ void Window::run()
     functions.command = [](int key) { current->guarded([key] { current->key(static_cast<char>(key)); }); };
     dsSetPointerCallback([](const dsPointerEvent *event) { return current->pointer(*event) ? 1 : 0; });
     char name[] = "predictive_haptic_demo";
-    char no_shadows[] = "-noshadow"; // what is drawn translucent has none
+    char no_shadows[] = "-noshadow"; // translucent objects have none
     char *arguments[] = {name, no_shadows, nullptr};
     dsSimulationLoop(2, arguments, settings_.width, settings_.height, &functions);
     dsSetPointerCallback(nullptr);
@@ -112,7 +112,7 @@ void Window::step()
     }
     if (!camera_placed_)
     {
-        place_camera(view); // it counts from the next frame on
+        place_camera(view); // effective from the next frame on
         return;
     }
     float eye[3];
@@ -228,7 +228,7 @@ bool Window::pointer(const dsPointerEvent &event)
 
 bool has_display()
 {
-    // A server starts over when its last client leaves, and takes none meanwhile: this one stays until the program ends.
+    // A server restarts when its last client leaves, and accepts none meanwhile: this client stays until the program ends.
     static Display *const display = XOpenDisplay(nullptr);
     int ignored = 0;
     return display != nullptr && XQueryExtension(display, "GLX", &ignored, &ignored, &ignored) != 0;

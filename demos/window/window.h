@@ -1,4 +1,4 @@
-// The window: it shows a run that goes on in another thread, and passes on what the person does.
+// The window shows a run in another thread, and passes on the inputs of the person.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_WINDOW_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WINDOW_WINDOW_H
@@ -18,7 +18,7 @@ struct Pointer
     int wheel = 0;        ///< steps: +1 away from the person, -1 towards
 };
 
-/// What the window shows. All functions are called from the thread that called run_window(), and must not wait.
+/// The contents of the window. All functions are called from the thread that called run_window(), and must not wait.
 class Shown
 {
 public:
@@ -30,33 +30,33 @@ public:
     /// Whether the window is to close.
     virtual bool ended() = 0;
 
-    /// A key that is not one of the window's own. @return whether it means something.
+    /// A key that is not one of the window's own. @return whether it has an effect.
     virtual bool key(char key) = 0;
 
-    /// What keys there are for it.
+    /// The keys that it handles.
     virtual std::vector<KeyHelp> keys() const = 0;
 
     /// The picture that WindowSettings asks for has been taken.
     virtual void picture_taken() = 0;
 
-    /// The pointer did something. @return whether it is taken: then it does not move the camera.
+    /// An event of the pointer. @return whether it is handled: then it does not move the camera.
     virtual bool pointer(const Pointer &pointer) = 0;
 };
 
-/// How the window begins.
+/// Initial settings of the window.
 struct WindowSettings
 {
     int width = 1280;       ///< pixels
     int height = 800;       ///< pixels
-    std::string screenshot; ///< file; empty: none but those that are asked for by key
+    std::string screenshot; ///< file; empty: only screenshots requested by key
     double screenshot_time =
-        0; ///< simulated seconds; the first view that is not earlier is the one. The window waits for it
+        0; ///< simulated seconds; the first view that is not earlier is taken. The window waits for it
 };
 
-/// Whether there is a display that a window can be opened on.
+/// Whether there is a display for a window.
 bool has_display();
 
-/// Show it until it has ended or the person closes the window. Once per process.
+/// Show the window until the run has ended or the person closes it. Once per process.
 ///
 /// @throws std::runtime_error when a screenshot cannot be written.
 void run_window(Shown &shown, const WindowSettings &settings);
