@@ -1,4 +1,5 @@
-// The time of proximity: when two envelopes may first overlap (Vogiannou et al., equations 1 to 6, with two corrections).
+// The time of proximity of two bounding spheres (Vogiannou et al., equations 1 to 6, with two corrections). That of two boxes
+// is computed by PairProximity.
 
 #ifndef ODE_PREDICTIVE_SPACE_PREDICTION_PROXIMITY_H
 #define ODE_PREDICTIVE_SPACE_PREDICTION_PROXIMITY_H
@@ -44,19 +45,6 @@ struct ProximityInterval
     double enter; ///< the time of proximity
     double leave; ///< after it, they are apart again; infinite when that is not before the end
 };
-
-/// The same for the axis-aligned boxes of both envelopes: the latest of the entries into the three slabs
-/// |distance along the axis| <= half extents + R(t), if all three overlap at that time, and the earliest of the exits.
-/// Infinite bounds are never apart on their side. Never late to enter and never early to leave, with respect to
-/// Envelope::at() as computed, rounding included.
-std::optional<ProximityInterval> box_proximity(const Envelope &first, const Envelope &second, double duration);
-
-/// Its beginning.
-inline std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration)
-{
-    const std::optional<ProximityInterval> interval = box_proximity(first, second, duration);
-    return interval ? std::optional<double>(interval->enter) : std::nullopt;
-}
 } // namespace ode_predictive_space
 
 #endif

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/prediction/box_proximity.h"
 #include "tests/prediction/first_contact.h"
 #include "tests/prediction/random_pairs.h"
 
