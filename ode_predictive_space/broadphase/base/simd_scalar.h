@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "ode_predictive_space/broadphase/base/rounding.h"
@@ -32,7 +33,7 @@ public:
     static Float4 load(const float *four) { return {four[0], four[1], four[2], four[3]}; }
     static Float4 load_aligned(const float *four) { return load(four); }
     static Float4 nearest(const double *three) { return nearest_of_stored(three, 1); }
-    static Float4 nearest_of_stored(const double *first, int stride)
+    static Float4 nearest_of_stored(const double *first, std::ptrdiff_t stride)
     {
         return {static_cast<float>(first[0]), static_cast<float>(first[stride]), static_cast<float>(first[2 * stride]),
                 0};
@@ -66,19 +67,46 @@ public:
     float largest_of_three() const { return larger(lanes_[2], larger(lanes_[1], lanes_[0])); }
     float smallest_of_three() const { return smaller(lanes_[2], smaller(lanes_[1], lanes_[0])); }
 
-    friend Float4 operator+(Float4 a, Float4 b) { return each(a, b, [](float x, float y) { return x + y; }); }
-    friend Float4 operator-(Float4 a, Float4 b) { return each(a, b, [](float x, float y) { return x - y; }); }
-    friend Float4 operator*(Float4 a, Float4 b) { return each(a, b, [](float x, float y) { return x * y; }); }
-    friend Float4 operator/(Float4 a, Float4 b) { return each(a, b, [](float x, float y) { return x / y; }); }
+    friend Float4 operator+(Float4 a, Float4 b)
+    {
+        return each(a, b, [](float x, float y) { return x + y; });
+    }
+    friend Float4 operator-(Float4 a, Float4 b)
+    {
+        return each(a, b, [](float x, float y) { return x - y; });
+    }
+    friend Float4 operator*(Float4 a, Float4 b)
+    {
+        return each(a, b, [](float x, float y) { return x * y; });
+    }
+    friend Float4 operator/(Float4 a, Float4 b)
+    {
+        return each(a, b, [](float x, float y) { return x / y; });
+    }
     friend Float4 operator-(Float4 a) { return all(0) - a; }
     friend Float4 max(Float4 a, Float4 b) { return each(a, b, larger); }
     friend Float4 min(Float4 a, Float4 b) { return each(a, b, smaller); }
-    friend Float4 abs(Float4 a) { return each(a, a, [](float x, float) { return std::abs(x); }); }
+    friend Float4 abs(Float4 a)
+    {
+        return each(a, a, [](float x, float) { return std::abs(x); });
+    }
 
-    friend Mask4 operator<(Float4 a, Float4 b) { return compared(a, b, [](float x, float y) { return x < y; }); }
-    friend Mask4 operator<=(Float4 a, Float4 b) { return compared(a, b, [](float x, float y) { return x <= y; }); }
-    friend Mask4 operator>(Float4 a, Float4 b) { return compared(a, b, [](float x, float y) { return x > y; }); }
-    friend Mask4 operator>=(Float4 a, Float4 b) { return compared(a, b, [](float x, float y) { return x >= y; }); }
+    friend Mask4 operator<(Float4 a, Float4 b)
+    {
+        return compared(a, b, [](float x, float y) { return x < y; });
+    }
+    friend Mask4 operator<=(Float4 a, Float4 b)
+    {
+        return compared(a, b, [](float x, float y) { return x <= y; });
+    }
+    friend Mask4 operator>(Float4 a, Float4 b)
+    {
+        return compared(a, b, [](float x, float y) { return x > y; });
+    }
+    friend Mask4 operator>=(Float4 a, Float4 b)
+    {
+        return compared(a, b, [](float x, float y) { return x >= y; });
+    }
 
 private:
     // As the processor does it: the second where one is NaN.

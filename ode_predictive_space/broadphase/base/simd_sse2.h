@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_SIMD_SSE2_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_SIMD_SSE2_H
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -39,14 +40,11 @@ public:
     static Float4 load_aligned(const float *four) { return Float4(_mm_load_ps(four)); }
 
     /// Each double rounded to the nearest float; the fourth lane is 0.
-    static Float4 nearest(const double *three)
-    {
-        return joined(_mm_loadu_pd(three), _mm_load_sd(three + 2));
-    }
+    static Float4 nearest(const double *three) { return joined(_mm_loadu_pd(three), _mm_load_sd(three + 2)); }
 
     /// The same of three doubles that are `stride` apart, each loaded alone: a wider load of numbers that were stored one by
     /// one a moment ago would stall until the stores have finished.
-    static Float4 nearest_of_stored(const double *first, int stride)
+    static Float4 nearest_of_stored(const double *first, std::ptrdiff_t stride)
     {
         return joined(_mm_loadh_pd(_mm_load_sd(first), first + stride), _mm_load_sd(first + 2 * stride));
     }
@@ -66,12 +64,11 @@ public:
         const __m128d signs = _mm_set1_pd(sign);
         const __m128d xy = _mm_mul_pd(_mm_loadu_pd(three), signs), z = _mm_mul_pd(_mm_load_sd(three + 2), signs);
         const Float4 nearest = joined(xy, z);
-        const Float4 margin = abs(nearest) * all(std::numeric_limits<float>::epsilon()) +
-                              all(std::numeric_limits<float>::min());
+        const Float4 margin =
+            abs(nearest) * all(std::numeric_limits<float>::epsilon()) + all(std::numeric_limits<float>::min());
         const __m128d above_xy = _mm_cmpgt_pd(_mm_cvtps_pd(nearest.lanes_), xy);
         const __m128d above_z = _mm_cmpgt_pd(_mm_cvtps_pd(_mm_movehl_ps(nearest.lanes_, nearest.lanes_)), z);
-        const __m128 above =
-            _mm_shuffle_ps(_mm_castpd_ps(above_xy), _mm_castpd_ps(above_z), _MM_SHUFFLE(2, 0, 2, 0));
+        const __m128 above = _mm_shuffle_ps(_mm_castpd_ps(above_xy), _mm_castpd_ps(above_z), _MM_SHUFFLE(2, 0, 2, 0));
         return nearest - Float4(_mm_and_ps(above, margin.lanes_));
     }
 
