@@ -10,7 +10,7 @@
 
 namespace ode_predictive_space
 {
-/// Balls in uniform motion, far enough apart for most to be alone; they bounce off the walls of a cube.
+/// Balls in uniform motion that bounce off the walls of a cube. Most have no near neighbour.
 class CalmGas
 {
 public:
@@ -35,14 +35,14 @@ public:
             tick();
     }
 
-    /// Puts all of them somewhere else.
+    /// Puts all balls somewhere else.
     void scatter()
     {
         for (ProxyId id : world.members())
             world.place(id, random_.vector(half_));
     }
 
-    /// Gives all of them other velocities.
+    /// Gives all balls other velocities.
     void explode()
     {
         for (ProxyId id : world.members())

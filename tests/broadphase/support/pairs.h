@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "ode_predictive_space/broadphase/types.h"
+#include "ode_predictive_space/broadphase/base/ids.h"
 
 namespace ode_predictive_space
 {
 using Pairs = std::vector<std::pair<ProxyId, ProxyId>>;
 
-/// The pairs with their smaller number first, in ascending order. A pair that is there twice stays so.
+/// The pairs with their smaller number first, in ascending order. Duplicates stay.
 template <typename Source> Pairs sorted_pairs(const Source &source)
 {
     Pairs pairs;

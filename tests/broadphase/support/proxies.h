@@ -3,44 +3,37 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_PROXIES_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_PROXIES_H
 
-#include "ode_predictive_space/broadphase/proxy_store.h"
+#include "ode_predictive_space/broadphase/objects/proxy_store.h"
 #include "tests/broadphase/support/random.h"
 
 namespace ode_predictive_space
 {
-/// Adds a proxy that is not predicted yet.
-inline ProxyId add_empty_proxy(ProxyStore &store)
-{
-    store.grow();
-    return static_cast<ProxyId>(store.size() - 1);
-}
-
 /// Adds a ball of this radius, checked by its centre, whose envelope is valid for `ticks` from `since` on.
 inline ProxyId add_proxy(ProxyStore &store, const Path &path, const Deviation &deviation, double radius, Tick since,
                          Tick ticks)
 {
-    const ProxyId id = add_empty_proxy(store);
+    const ProxyId id = store.add();
     PackedPath &packed = store.paths[id];
-    PackedBounds &bounds = store.bounds[id];
+    ProxyRecord::Prediction &prediction = store.records[id].prediction;
     packed.set_path(path);
     for (int axis = 0; axis < 3; ++axis)
     {
-        bounds.low[axis] = round_down(-radius);
-        bounds.high[axis] = round_up(radius);
+        prediction.low[axis] = round_down(-radius);
+        prediction.high[axis] = round_up(radius);
     }
     packed.set_deviation({round_up(deviation.a), round_up(deviation.b), round_up(deviation.c)});
     packed.since = since;
-    bounds.radius = round_up(radius);
-    bounds.until = since + ticks;
-    bounds.check = Check::centre;
-    store.stamps[id].radius = bounds.radius;
+    prediction.radius = round_up(radius);
+    prediction.until = since + ticks;
+    store.records[id].kind.check = Check::centre;
+    store.stamps[id].radius = prediction.radius;
     return id;
 }
 
 /// Lets a proxy be checked by its bounds instead of its centre.
 inline void check_by_bounds(ProxyStore &store, ProxyId id)
 {
-    store.bounds[id].check = Check::bounds;
+    store.records[id].kind.check = Check::bounds;
     store.stamps[id].radius = -1;
 }
 
@@ -48,7 +41,7 @@ inline void check_by_bounds(ProxyStore &store, ProxyId id)
 inline ProxyId add_still_proxy(ProxyStore &store, const Vector3 &centre, double radius, double slack)
 {
     const ProxyId id = add_proxy(store, {centre, Vector3::Zero(), Vector3::Zero()}, {slack, 0, 0}, radius, 0, 0);
-    store.bounds[id].still = true;
+    store.records[id].kind.still = true;
     return id;
 }
 

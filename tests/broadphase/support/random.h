@@ -1,4 +1,4 @@
-// Random numbers and boxes for tests; the seed is all they depend on.
+// Random numbers and boxes for tests. They depend on the seed alone.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_RANDOM_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_RANDOM_H
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <random>
 
-#include "ode_predictive_space/broadphase/float_box.h"
+#include "ode_predictive_space/broadphase/base/float_box.h"
 
 namespace ode_predictive_space
 {

@@ -3,8 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_TRACKED_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_TRACKED_H
 
-#include "ode_predictive_space/broadphase/predictor.h"
-#include "ode_predictive_space/broadphase/verify.h"
+#include "ode_predictive_space/broadphase/predict/predictor.h"
+#include "ode_predictive_space/broadphase/verify/checks.h"
 #include "tests/broadphase/support/proxies.h"
 
 namespace ode_predictive_space
@@ -15,20 +15,20 @@ class Tracked
 public:
     explicit Tracked(Predictor &predictor) : predictor_(predictor)
     {
-        add_empty_proxy(store);
-        store.bounds[0].shelf = Shelf::none;
+        store.add();
+        predictor_.resize(store.size());
     }
 
     /// The object is seen at its next tick. Its size stays the same as long as a prediction lasts.
     void see(const Observation &seen)
     {
         ++now;
-        const bool known = store.bounds[0].check != Check::none;
+        const bool known = store.predicted(0);
         const bool holds = known && inside(seen);
         violations += known && !holds;
-        // Those that are recognised as interactive are remembered at each tick.
-        if (is_interactive(store.bounds[0].role) && !seen.bounds)
-            predictor_.remember(store, 0, *seen.centre, now);
+        // Interactive objects are sampled at each tick.
+        if (is_interactive(store.records[0].role) && !seen.bounds)
+            predictor_.sample(store, 0, *seen.centre, now);
         if (holds && store.remaining(0, now) > 0)
             return;
         predict(seen);
@@ -44,10 +44,11 @@ public:
     {
         if (seen.bounds)
             return bounds_inside(store.envelope(0, now), *seen.bounds);
-        return centre_inside(store.paths[0], seen.centre->data(), store.bounds[0].still ? store.paths[0].since : now);
+        return centre_inside(store.paths[0], seen.centre->data(),
+                             store.records[0].kind.still ? store.paths[0].since : now);
     }
 
-    const PackedBounds &bounds() const { return store.bounds[0]; }
+    const ProxyRecord &record() const { return store.records[0]; }
     const PackedPath &path() const { return store.paths[0]; }
 
     ProxyStore store;
