@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/box_list.h"
+#include "ode_predictive_space/broadphase/index/box_list.h"
 
 #include <iterator>
 #include <limits>

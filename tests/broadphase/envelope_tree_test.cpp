@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/envelope_tree.h"
+#include "ode_predictive_space/broadphase/index/envelope_tree.h"
 
 #include <cmath>
 #include <map>
@@ -323,7 +323,7 @@ TEST(EnvelopeTree, IsShallowWhenBuiltOverDistancesThatDouble)
 }
 
 // Some that are in it, some that are not, some that are unknown to it, in trees of any size.
-TEST(EnvelopeTree, WhatIsForeseenChangesNothing)
+TEST(EnvelopeTree, APrefetchChangesNothing)
 {
     for (ProxyId count : {0u, 1u, 10u, 5000u})
     {
@@ -335,7 +335,7 @@ TEST(EnvelopeTree, WhatIsForeseenChangesNothing)
         std::vector<SweptProxy> batch;
         for (ProxyId proxy = 0; proxy < 4 * count + 4; proxy += 3)
             batch.push_back({proxy, random.box(1, 0.01)});
-        checked.tree().foresee(batch);
+        checked.tree().prefetch_for_update(batch);
         EXPECT_EQ(checked.tree().depth(), depth);
         ASSERT_NO_FATAL_FAILURE(checked.expect_consistent());
         ASSERT_NO_FATAL_FAILURE(checked.expect_found(random.box(1, 0.5)));

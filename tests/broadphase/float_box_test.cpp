@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/float_box.h"
+#include "ode_predictive_space/broadphase/base/float_box.h"
 
 #include <cstring>
 
@@ -132,6 +132,23 @@ TEST(FloatBox, HoldsTheBoxItWasMadeOf)
     }
 }
 
+TEST(FloatBox, RoundsEachSideAsRoundingDoes)
+{
+    Random random(10);
+    for (int i = 0; i < 200000; ++i)
+    {
+        const bool tame = random.chance(0.5); // so that all six are finite as floats
+        const auto any_side = [&] { return tame ? random.uniform(-1e6, 1e6) : any_double(random); };
+        const Vector3 low(any_side(), any_side(), any_side()), high(any_side(), any_side(), any_side());
+        const FloatBox box = FloatBox::around(Box(low, high));
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            ASSERT_EQ(box.low[axis], round_down(low[axis]));
+            ASSERT_EQ(box.high[axis], round_up(high[axis]));
+        }
+    }
+}
+
 TEST(FloatBox, OfWhatIsNotANumberIsEverywhere)
 {
     const FloatBox lost = FloatBox::around(cube(nan, nan));
@@ -196,6 +213,16 @@ TEST(BoxProbe, AnswersAsTheBoxDoesAtInfinityAndInTouch)
         overlaps += a.overlaps(b);
     }
     EXPECT_GT(overlaps, 1000);
+}
+
+TEST(BoxProbe, GivesItsBoxBack)
+{
+    Random random(7);
+    for (int i = 0; i < 1000; ++i)
+    {
+        const FloatBox box = random.box(1, 1);
+        ASSERT_TRUE(BoxProbe(box).box() == box);
+    }
 }
 
 TEST(FloatBox, MergedIsTheSmallestThatContainsBoth)

@@ -1,10 +1,10 @@
-#include "ode_predictive_space/broadphase/ray_probe.h"
+#include "ode_predictive_space/broadphase/index/ray_probe.h"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "ode_predictive_space/broadphase/envelope_tree.h"
+#include "ode_predictive_space/broadphase/index/envelope_tree.h"
 #include "tests/broadphase/support/random.h"
 
 namespace ode_predictive_space
