@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/envelope_index.h"
+#include "ode_predictive_space/broadphase/index/envelope_index.h"
 
 #include <limits>
 #include <set>
@@ -16,13 +16,15 @@ namespace
 class IndexWorld
 {
 public:
-    explicit IndexWorld(std::size_t count, double spread) : random_(count), spread_(spread)
+    IndexWorld(std::size_t count, double spread, double idle_share)
+        : random_(count), spread_(spread), idle_share_(idle_share)
     {
         for (std::size_t i = 0; i < count; ++i)
-            add_empty_proxy(store_);
+            store_.add();
+        idle_.resize(count);
     }
 
-    // New predictions for some proxies, some of them in it before.
+    // New predictions for some proxies. Some of these are in the index already.
     void update(std::size_t count)
     {
         std::set<ProxyId> chosen;
@@ -41,7 +43,7 @@ public:
             if (random_.chance(0.1))
             {
                 index_.remove(store_, id);
-                EXPECT_EQ(store_.bounds[id].shelf, Shelf::none);
+                EXPECT_EQ(store_.records[id].placement.shelf, Shelf::none);
                 present_.erase(id);
             }
     }
@@ -51,6 +53,9 @@ public:
         index_.clear(store_);
         present_.clear();
     }
+
+    // As after the last part of a scene that was predicted in parts.
+    void rebuild() { index_.rebuild(store_, {}, idle_, now_); }
 
     void pass_time()
     {
@@ -65,7 +70,7 @@ public:
         enter(expired, expired.size());
     }
 
-    // That the last update found.
+    // Those that the last update found.
     void expect_pairs_of_batch() const
     {
         const IdSet in_batch = as_set(batch_);
@@ -75,10 +80,12 @@ public:
         {
             ASSERT_TRUE(first != second && (in_batch.contains(first) || in_batch.contains(second)));
             ASSERT_TRUE(present_.count(first) == 1 && present_.count(second) == 1);
+            ASSERT_FALSE(idle_.contains(first) || idle_.contains(second));
         }
         for (ProxyId first : present_)
             for (ProxyId second : present_)
                 if (first < second && (in_batch.contains(first) || in_batch.contains(second)) &&
+                    !idle_.contains(first) && !idle_.contains(second) &&
                     store_.swept_box(first, now_).overlaps(store_.swept_box(second, now_)))
                 {
                     ASSERT_TRUE(std::binary_search(pairs.begin(), pairs.end(), std::make_pair(first, second)));
@@ -106,15 +113,19 @@ public:
         ASSERT_TRUE(index_.consistent());
         for (ProxyId id = 0; id < store_.size(); ++id)
         {
-            const Shelf shelf = store_.bounds[id].shelf;
+            const Shelf shelf = store_.records[id].placement.shelf;
             if (present_.count(id) == 0)
             {
                 ASSERT_EQ(shelf, Shelf::none);
                 continue;
             }
             const bool bounded = store_.swept_box(id, now_).bounded();
-            const bool listed = !bounded || store_.size() <= EnvelopeIndex::small_scene;
-            ASSERT_EQ(shelf, listed ? Shelf::list : store_.bounds[id].still ? Shelf::still : Shelf::moving);
+            const bool listed = !bounded || store_.size() <= tuning::small_scene;
+            ASSERT_EQ(store_.records[id].placement.unbounded, !bounded);
+            ASSERT_EQ(shelf, idle_.contains(id) && bounded   ? Shelf::idle
+                             : listed                        ? Shelf::list
+                             : store_.records[id].kind.still ? Shelf::still
+                                                             : Shelf::moving);
         }
     }
 
@@ -122,7 +133,7 @@ private:
     void enter(const std::vector<ProxyId> &batch, std::size_t single)
     {
         found_.clear();
-        index_.update(store_, swept(batch), as_set(batch), now_, single, found_);
+        index_.update(store_, swept(batch), as_set(batch), idle_, now_, single, found_);
     }
 
     IdSet as_set(const std::vector<ProxyId> &ids) const
@@ -148,18 +159,20 @@ private:
         add_random_proxy(made, random_, spread_, now_);
         if (random_.chance(0.03))
         {
-            made.bounds[0].still = true;
-            made.bounds[0].low[random_.index(3)] = -std::numeric_limits<float>::infinity();
+            made.records[0].kind.still = true;
+            made.records[0].prediction.low[random_.index(3)] = -std::numeric_limits<float>::infinity();
         }
-        made.bounds[0].shelf = store_.bounds[id].shelf;
+        made.records[0].placement = store_.records[id].placement;
         store_.paths[id] = made.paths[0];
-        store_.bounds[id] = made.bounds[0];
+        store_.records[id] = made.records[0];
+        random_.chance(idle_share_) ? idle_.insert(id) : idle_.erase(id);
     }
 
     Random random_;
-    double spread_;
+    double spread_, idle_share_;
     Tick now_ = 0xfffffff0u;
     ProxyStore store_;
+    IdSet idle_;
     EnvelopeIndex index_;
     std::vector<ProxyId> batch_;
     std::vector<CandidatePair> found_;
@@ -168,18 +181,22 @@ private:
 
 void enter(EnvelopeIndex &index, ProxyStore &store, ProxyId id)
 {
-    IdSet in_batch;
+    IdSet in_batch, idle;
     in_batch.resize(store.size());
+    idle.resize(store.size());
     in_batch.insert(id);
     std::vector<CandidatePair> found;
-    index.update(store, {{id, store.swept_box(id, 0)}}, in_batch, 0, 1, found);
+    index.update(store, {{id, store.swept_box(id, 0)}}, in_batch, idle, 0, 1, found);
 }
 
-TEST(EnvelopeIndex, FindsWhatBruteForceFindsWhateverIsUpdated)
+class AnyIndex : public testing::TestWithParam<double>
+{};
+
+TEST_P(AnyIndex, FindsWhatBruteForceFindsWhateverIsUpdated)
 {
     for (std::size_t count : {2, 10, 40, 200})
     {
-        IndexWorld world(count, 1.5);
+        IndexWorld world(count, 1.5, GetParam());
         for (int step = 0; step < 150; ++step)
         {
             // One by one, some, most and all.
@@ -192,11 +209,16 @@ TEST(EnvelopeIndex, FindsWhatBruteForceFindsWhateverIsUpdated)
                 world.remove_some();
             if (step % 70 == 69)
                 world.clear();
+            if (step % 11 == 0)
+                world.rebuild();
             world.pass_time();
             ASSERT_NO_FATAL_FAILURE(world.expect_shelves());
         }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(EnvelopeIndex, AnyIndex, testing::Values(0, 0.2),
+                         [](const auto &info) { return info.param > 0 ? "some_idle" : "none_idle"; });
 
 TEST(EnvelopeIndex, KeepsWhatNoTreeCanHoldInAList)
 {
@@ -204,22 +226,22 @@ TEST(EnvelopeIndex, KeepsWhatNoTreeCanHoldInAList)
     EnvelopeIndex index;
     const ProxyId ball = add_still_proxy(store, {0, 0, 0}, 1, 0);
     const ProxyId floor = add_still_proxy(store, {0, 0, 0}, 1, 0);
-    store.bounds[floor].low[2] = -std::numeric_limits<float>::infinity();
+    store.records[floor].prediction.low[2] = -std::numeric_limits<float>::infinity();
     const ProxyId lost = add_still_proxy(store, {0, 0, std::numeric_limits<double>::quiet_NaN()}, 1, 0);
-    for (std::size_t i = 0; i < EnvelopeIndex::small_scene; ++i)
-        add_empty_proxy(store);
+    for (std::size_t i = 0; i < tuning::small_scene; ++i)
+        store.add();
     for (ProxyId id : {ball, floor, lost})
         enter(index, store, id);
-    EXPECT_EQ(store.bounds[ball].shelf, Shelf::still);
-    EXPECT_EQ(store.bounds[floor].shelf, Shelf::list);
-    EXPECT_EQ(store.bounds[lost].shelf, Shelf::list);
+    EXPECT_EQ(store.records[ball].placement.shelf, Shelf::still);
+    EXPECT_EQ(store.records[floor].placement.shelf, Shelf::list);
+    EXPECT_EQ(store.records[lost].placement.shelf, Shelf::list);
     std::vector<ProxyId> found;
     index.query({{0, 0, -100}, {1, 1, -99}}, [&](ProxyId id) { found.push_back(id); });
     EXPECT_EQ(found, (std::vector<ProxyId>{floor, lost}));
     index.remove(store, floor);
-    store.bounds[floor].low[2] = -1;
+    store.records[floor].prediction.low[2] = -1;
     enter(index, store, floor);
-    EXPECT_EQ(store.bounds[floor].shelf, Shelf::still) << "it has become finite";
+    EXPECT_EQ(store.records[floor].placement.shelf, Shelf::still) << "it has become finite";
 }
 
 TEST(EnvelopeIndex, KeepsAllInTheListWhileTheyAreFew)
@@ -232,12 +254,12 @@ TEST(EnvelopeIndex, KeepsAllInTheListWhileTheyAreFew)
         return id;
     };
     const ProxyId first = add({0, 0, 0});
-    EXPECT_EQ(store.bounds[first].shelf, Shelf::list);
-    while (store.size() < EnvelopeIndex::small_scene)
+    EXPECT_EQ(store.records[first].placement.shelf, Shelf::list);
+    while (store.size() < tuning::small_scene)
         add({10, 0, 0});
-    EXPECT_EQ(store.bounds[first].shelf, Shelf::list);
+    EXPECT_EQ(store.records[first].placement.shelf, Shelf::list);
     add({10, 0, 0});
-    EXPECT_EQ(store.bounds[first].shelf, Shelf::still) << "the scene has outgrown the list";
+    EXPECT_EQ(store.records[first].placement.shelf, Shelf::still) << "the scene has outgrown the list";
     std::vector<ProxyId> found;
     index.query({{0, 0, 0}, {1, 1, 1}}, [&](ProxyId id) { found.push_back(id); });
     EXPECT_EQ(found, std::vector<ProxyId>{first});
@@ -252,7 +274,7 @@ TEST(EnvelopeIndex, RemovingWhatIsNotInItDoesNothing)
     enter(index, store, id);
     index.remove(store, id);
     index.remove(store, id);
-    EXPECT_EQ(store.bounds[id].shelf, Shelf::none);
+    EXPECT_EQ(store.records[id].placement.shelf, Shelf::none);
     EXPECT_TRUE(index.consistent());
 }
 } // namespace
