@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/event_wheel.h"
+#include "ode_predictive_space/broadphase/schedule/event_wheel.h"
 
 #include <algorithm>
 #include <map>

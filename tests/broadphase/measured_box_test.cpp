@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/measured_box.h"
+#include "ode_predictive_space/broadphase/base/measured_box.h"
 
 #include <limits>
 
@@ -113,6 +113,55 @@ TEST(MeasuredBox, OuterHoldsTheBox)
             ASSERT_GE(outer.high[axis], box.max()[axis]);
         }
     }
+}
+
+TEST(MeasuredBox, OfASceneInSinglePrecisionIsNoWorse)
+{
+    Random random(3);
+    for (int i = 0; i < 20000; ++i)
+    {
+        float sides[6];
+        for (float &side : sides)
+            side = static_cast<float>(random.uniform(-10, 10));
+        MeasuredBox measured;
+        measured.assign(sides);
+        const FloatBox outer = measured.outer();
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            ASSERT_LE(outer.low[axis], sides[2 * axis]);
+            ASSERT_GE(outer.high[axis], sides[2 * axis + 1]);
+            ASSERT_GE(outer.low[axis], sides[2 * axis] - 1e-5f);
+            ASSERT_LE(outer.high[axis], sides[2 * axis + 1] + 1e-5f);
+        }
+    }
+}
+
+TEST(MeasuredBox, IsUnknownUntilItIsMeasured)
+{
+    EXPECT_TRUE(MeasuredBox().outer().overlaps(FloatBox::around(cube(1e6, 1e7))));
+}
+
+Float4 lanes(const Vector3 &axes)
+{
+    return Float4::nearest(axes.data());
+}
+
+TEST(MeasuredBox, IsInsideOnlyWhereThatIsCertain)
+{
+    const MeasuredBox box(cube(-1, 1));
+    EXPECT_TRUE(box.inside(lanes(Vector3::Constant(-1.001)), lanes(Vector3::Constant(1.001))));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        Vector3 low = Vector3::Constant(-2), high = Vector3::Constant(2);
+        low[axis] = -1;
+        EXPECT_FALSE(box.inside(lanes(low), lanes(high))) << "too close to tell";
+        low[axis] = -2;
+        high[axis] = 0.5;
+        EXPECT_FALSE(box.inside(lanes(low), lanes(high)));
+        high[axis] = nan;
+        EXPECT_FALSE(box.inside(lanes(low), lanes(high)));
+    }
+    EXPECT_FALSE(MeasuredBox(cube(nan, nan)).inside(lanes(Vector3::Constant(-2)), lanes(Vector3::Constant(2))));
 }
 } // namespace
 } // namespace ode_predictive_space
