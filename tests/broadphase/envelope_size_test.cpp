@@ -1,6 +1,6 @@
 // How large are the envelopes that the predictor makes: their boxes, and what their deviations grow to?
 
-#include "ode_predictive_space/broadphase/predictor.h"
+#include "ode_predictive_space/broadphase/predict/predictor.h"
 
 #include <cmath>
 #include <limits>
@@ -58,7 +58,8 @@ protected:
 
     double highest_side() const
     {
-        return std::max({tracked.bounds().high[0], tracked.bounds().high[1], tracked.bounds().high[2]});
+        return std::max({tracked.record().prediction.high[0], tracked.record().prediction.high[1],
+                         tracked.record().prediction.high[2]});
     }
 
     // Predicted by its bounding box as it is now?
@@ -76,7 +77,7 @@ protected:
 TEST_F(EnvelopeSize, WhatTumblesStaysInTheCubeAroundItsPivot)
 {
     follow(500);
-    EXPECT_EQ(tracked.bounds().check, Check::bounds);
+    EXPECT_EQ(tracked.record().kind.check, Check::bounds);
     const int predictions = tracked.predictions, violations = tracked.violations;
     follow(5000);
     EXPECT_EQ(tracked.violations, violations);
@@ -125,10 +126,10 @@ TEST_F(EnvelopeSize, TightBoundsLastUnlessItTurnsFast)
         Observation seen = rod.next();
         rod.angle = 0; // it is not a number after the last one
         tracked.predict(seen);
-        EXPECT_EQ(tracked.bounds().tight_bounds_last, spin < 1) << spin;
+        EXPECT_EQ(tracked.record().kind.tight_bounds_last, spin < 1) << spin;
         seen.is_sphere = true;
         tracked.predict(seen);
-        EXPECT_FALSE(tracked.bounds().tight_bounds_last) << "a ball's are no tighter";
+        EXPECT_FALSE(tracked.record().kind.tight_bounds_last) << "a ball's are no tighter";
     }
 }
 
@@ -142,7 +143,7 @@ TEST_F(EnvelopeSize, WhatTurnsAroundAnUnknownPointHasItsOwnBox)
     EXPECT_TRUE(has_its_own_box(seen));
 }
 
-// It asked for tight bounds and began to turn: its next prediction will be by its sphere, which is smaller than the cube.
+// The object asked for tight bounds and began to turn: its next prediction will be by its sphere, which is smaller than the cube.
 TEST_F(EnvelopeSize, WhatHasASphereNeedsNoCube)
 {
     follow(500);
@@ -150,7 +151,7 @@ TEST_F(EnvelopeSize, WhatHasASphereNeedsNoCube)
     seen.radius = rod.farthest_point();
     tracked.predict(seen);
     EXPECT_TRUE(has_its_own_box(seen));
-    EXPECT_FALSE(tracked.bounds().tight_bounds_last);
+    EXPECT_FALSE(tracked.record().kind.tight_bounds_last);
 }
 
 TEST_F(EnvelopeSize, InfiniteBoundsThatTurnKeepTheirFiniteSide)
@@ -159,10 +160,10 @@ TEST_F(EnvelopeSize, InfiniteBoundsThatTurnKeepTheirFiniteSide)
     Observation seen = rod.next();
     seen.bounds = Box(Vector3::Constant(-infinity), Vector3(infinity, infinity, rod.position.z() + 1));
     tracked.predict(seen);
-    EXPECT_NEAR(tracked.bounds().high[2], 1, 1e-5);
+    EXPECT_NEAR(tracked.record().prediction.high[2], 1, 1e-5);
 }
 
-// Thrown to and fro by what it meets. While nothing is met its path is exact.
+// Thrown about by encounters. Between two of them its path is exact.
 class Bouncing : public testing::Test
 {
 protected:
@@ -185,8 +186,8 @@ protected:
     // Of the deviation until the prediction ends, in sizes.
     double growth() const
     {
-        const auto ticks = static_cast<float>(ticks_between(tracked.path().since, tracked.bounds().until));
-        return tracked.bounds().still ? 0 : (tracked.path().reach(ticks) - tracked.path().reach(0)) / radius;
+        const auto ticks = static_cast<float>(ticks_between(tracked.path().since, tracked.record().prediction.until));
+        return tracked.record().kind.still ? 0 : (tracked.path().reach(ticks) - tracked.path().reach(0)) / radius;
     }
 
     Predictor predictor;
