@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/proxy_store.h"
+#include "ode_predictive_space/broadphase/objects/proxy_store.h"
 
 #include <gtest/gtest.h>
 
@@ -89,6 +89,89 @@ TEST(ProxyStore, AGenerationIsCurrentUntilTheNext)
     EXPECT_TRUE(store.current(id, generation));
     ++store.generations[id];
     EXPECT_FALSE(store.current(id, generation));
+}
+
+// The box that a scene in single precision computes from a centre that passed the check.
+TEST(ProxyStore, TheOuterEnvelopeHoldsWhatASceneInSinglePrecisionComputes)
+{
+    Random random(2);
+    constexpr float epsilon = std::numeric_limits<float>::epsilon();
+    for (int i = 0; i < 20000; ++i)
+    {
+        ProxyStore store(epsilon);
+        const Vector3 place = random.vector(i % 2 ? 1 : 1e5);
+        const auto radius = static_cast<float>(random.uniform(0.1, 10));
+        const ProxyId id = add_still_proxy(store, place, radius, 0.01);
+        Box computed;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const double reach = store.paths[id].deviation_base;
+            const auto lowest = static_cast<float>(place[axis] - reach),
+                       highest = static_cast<float>(place[axis] + reach);
+            computed.min()[axis] = lowest - radius;
+            computed.max()[axis] = highest + radius;
+        }
+        ASSERT_TRUE(holds(FloatBox::around(store.outer_envelope(id, 0).at(0)), computed)) << i;
+    }
+    EXPECT_EQ(ProxyStore().scene_rounding(), 0);
+    EXPECT_EQ(ProxyStore(epsilon).scene_rounding(), 8 * double{epsilon});
+}
+
+TEST(ProxyStore, ANumberIsUsedAgainWithNothingLeftButANewGeneration)
+{
+    ProxyStore store;
+    const ProxyId first = add_still_proxy(store, {1, 2, 3}, 1, 0), second = store.add();
+    EXPECT_EQ(store.count(), 2u);
+    EXPECT_TRUE(store.predicted(first));
+    const Generation generation = store.generations[first];
+    store.records[first].role = Role::fixed_interactive;
+    store.remove(first);
+    EXPECT_EQ(store.count(), 1u);
+    EXPECT_FALSE(store.members().contains(first));
+    EXPECT_TRUE(store.members().contains(second));
+    EXPECT_FALSE(store.current(first, generation)) << "its pairs and events are stale";
+    EXPECT_EQ(store.add(), first);
+    EXPECT_EQ(store.size(), 2u);
+    EXPECT_EQ(store.count(), 2u);
+    EXPECT_FALSE(store.current(first, generation));
+    EXPECT_FALSE(store.predicted(first));
+    EXPECT_EQ(store.records[first].role, Role::environment);
+    EXPECT_EQ(store.records[first].learned.history, no_history);
+    EXPECT_LT(store.stamps[first].radius, 0);
+}
+
+TEST(ProxyStore, ForgettingAPredictionKeepsWhatWasLearned)
+{
+    ProxyStore store;
+    const ProxyId id = add_still_proxy(store, {1, 2, 3}, 1, 0);
+    store.records[id].learned.horizon = 77;
+    store.forget_prediction(id);
+    EXPECT_FALSE(store.predicted(id));
+    EXPECT_LT(store.stamps[id].radius, 0);
+    EXPECT_EQ(store.records[id].learned.horizon, 77u);
+}
+
+TEST(ProxyStore, TrimmedItGivesBackTheMemoryOfNumbersThatAreNotNeeded)
+{
+    ProxyStore store;
+    EXPECT_EQ(store.needed_size(), 0u);
+    for (int i = 0; i < 1000; ++i)
+        store.add();
+    const std::size_t before = store.bytes();
+    for (ProxyId id = 0; id < 1000; ++id)
+        if (id != 2 && id != 9)
+            store.remove(id);
+    EXPECT_EQ(store.needed_size(), 10u);
+    EXPECT_EQ(store.size(), 1000u);
+    store.trim();
+    EXPECT_EQ(store.size(), 10u);
+    EXPECT_LT(store.bytes(), before / 50);
+    std::vector<ProxyId> added;
+    for (int i = 0; i < 9; ++i)
+        added.push_back(store.add());
+    std::sort(added.begin(), added.end());
+    EXPECT_EQ(added, (std::vector<ProxyId>{0, 1, 3, 4, 5, 6, 7, 8, 10})) << "first those that were free";
+    EXPECT_EQ(store.count(), 11u);
 }
 } // namespace
 } // namespace ode_predictive_space
