@@ -1,8 +1,8 @@
-#include "ode_predictive_space/broadphase/approach.h"
+#include "ode_predictive_space/broadphase/schedule/pair_proximity.h"
 
 #include <gtest/gtest.h>
 
-#include "ode_predictive_space/broadphase/verify.h"
+#include "ode_predictive_space/broadphase/verify/checks.h"
 #include "tests/broadphase/support/proxies.h"
 
 namespace ode_predictive_space
@@ -27,7 +27,7 @@ void check(const ProxyStore &store, Tick now, Found &found)
                                                box_proximity(store.envelope(0, now), store.envelope(1, now), horizon),
                                            with_rounding = box_proximity(store.outer_envelope(0, now),
                                                                          store.outer_envelope(1, now), horizon),
-                                           seen = Approach(store, 0, now).to(1);
+                                           seen = PairProximity(store, 0, now, ProximityTest::box).to(1);
     found.near += seen.has_value();
     found.apart += !seen.has_value();
     found.too_near += seen && !with_rounding;
@@ -58,7 +58,7 @@ Vector3 farthest(const PackedPath &path, Tick now, double side)
     return passes;
 }
 
-TEST(Approach, IsNeverLateAndNeverLeavesEarly)
+TEST(PairProximity, IsNeverLateAndNeverLeavesEarly)
 {
     Random random(11);
     for (double place : {0.0, 10.0, -3000.0})
@@ -74,7 +74,8 @@ TEST(Approach, IsNeverLateAndNeverLeavesEarly)
                 const ProxyId id = add_random_proxy(store, random, 1, begin - static_cast<Tick>(random.index(3)));
                 for (double &coordinate : store.paths[id].position)
                     coordinate += place;
-                store.bounds[id].until = std::max(store.bounds[id].until, now);
+                Tick &until = store.records[id].prediction.until;
+                until = std::max(until, now);
             }
             check(store, now, found);
             ASSERT_FALSE(HasFailure()) << i;
@@ -85,7 +86,7 @@ TEST(Approach, IsNeverLateAndNeverLeavesEarly)
     }
 }
 
-TEST(Approach, LongHorizonsAndFastPathsAreNoLessSafe)
+TEST(PairProximity, LongHorizonsAndFastPathsAreNoLessSafe)
 {
     Random random(12);
     Found found;
@@ -109,7 +110,7 @@ TEST(Approach, LongHorizonsAndFastPathsAreNoLessSafe)
 }
 
 // Two that pass the check where it lets them come nearest, at some tick, and just touch there.
-TEST(Approach, ExpectsWhateverPassesTheCheck)
+TEST(PairProximity, ExpectsWhateverPassesTheCheck)
 {
     Random random(14);
     int touching = 0;
@@ -128,8 +129,8 @@ TEST(Approach, ExpectsWhateverPassesTheCheck)
         }
         const Tick then = now + static_cast<Tick>(random.index(1000));
         const auto gap = [&] {
-            return farthest(store.paths[1], then, -1).x() + store.bounds[1].low[0] -
-                   (farthest(store.paths[0], then, 1).x() + store.bounds[0].high[0]);
+            return farthest(store.paths[1], then, -1).x() + store.records[1].prediction.low[0] -
+                   (farthest(store.paths[0], then, 1).x() + store.records[0].prediction.high[0]);
         };
         const Vector3 apart = store.paths[1].path().at(ticks_between(store.paths[1].since, then)) -
                               store.paths[0].path().at(ticks_between(store.paths[0].since, then));
@@ -143,7 +144,7 @@ TEST(Approach, ExpectsWhateverPassesTheCheck)
         const double ticks = then - now;
         for (ProxyId id : {0u, 1u})
         {
-            const auto interval = Approach(store, id, now).to(1 - id);
+            const auto interval = PairProximity(store, id, now, ProximityTest::box).to(1 - id);
             ASSERT_TRUE(interval) << i;
             EXPECT_LE(interval->enter, ticks) << i;
             EXPECT_GE(interval->leave, ticks) << i;
@@ -153,7 +154,7 @@ TEST(Approach, ExpectsWhateverPassesTheCheck)
     EXPECT_GT(touching, 5000);
 }
 
-TEST(Approach, TheOrderDoesNotMatterMuch)
+TEST(PairProximity, TheOrderDoesNotMatterMuch)
 {
     Random random(13);
     for (int i = 0; i < 5000; ++i)
@@ -161,7 +162,8 @@ TEST(Approach, TheOrderDoesNotMatterMuch)
         ProxyStore store;
         add_random_proxy(store, random, 1, 50);
         add_random_proxy(store, random, 1, 50);
-        const auto forth = Approach(store, 0, 50).to(1), back = Approach(store, 1, 50).to(0);
+        const auto forth = PairProximity(store, 0, 50, ProximityTest::box).to(1),
+                   back = PairProximity(store, 1, 50, ProximityTest::box).to(0);
         if (forth && back)
         {
             EXPECT_NEAR(forth->enter, back->enter, 1e-3);
@@ -170,36 +172,38 @@ TEST(Approach, TheOrderDoesNotMatterMuch)
 }
 
 // A plane's bounds end on one side; the other is never apart.
-TEST(Approach, InfiniteSidesAreNeverApart)
+TEST(PairProximity, InfiniteSidesAreNeverApart)
 {
     ProxyStore store;
     add_still_proxy(store, {0, 0, 0}, 1, 0);
-    std::fill(store.bounds[0].low, store.bounds[0].low + 3, -std::numeric_limits<float>::infinity());
-    std::fill(store.bounds[0].high, store.bounds[0].high + 2, std::numeric_limits<float>::infinity());
-    store.bounds[0].high[2] = 0;
+    std::fill(store.records[0].prediction.low, store.records[0].prediction.low + 3,
+              -std::numeric_limits<float>::infinity());
+    std::fill(store.records[0].prediction.high, store.records[0].prediction.high + 2,
+              std::numeric_limits<float>::infinity());
+    store.records[0].prediction.high[2] = 0;
     add_proxy(store, {{0, 0, 5}, {0, 0, -0.25}, Vector3::Zero()}, {}, 1, 10, 60);
     for (ProxyId id : {0u, 1u})
     {
-        const auto interval = Approach(store, id, 10).to(1 - id);
+        const auto interval = PairProximity(store, id, 10, ProximityTest::box).to(1 - id);
         ASSERT_TRUE(interval);
         EXPECT_NEAR(interval->enter, 16, 1e-3) << "4 / 0.25";
         EXPECT_EQ(interval->leave, infinity);
     }
     store.paths[1].velocity[2] = 0.25f;
-    EXPECT_FALSE(Approach(store, 0, 10).to(1));
-    EXPECT_FALSE(Approach(store, 1, 10).to(0));
+    EXPECT_FALSE(PairProximity(store, 0, 10, ProximityTest::box).to(1));
+    EXPECT_FALSE(PairProximity(store, 1, 10, ProximityTest::box).to(0));
 }
 
-TEST(Approach, WhatIsNotANumberIsNear)
+TEST(PairProximity, WhatIsNotANumberIsNear)
 {
     for (int what = 0; what < 5; ++what)
     {
         ProxyStore store;
         add_still_proxy(store, {0, 0, 0}, 1, 0);
         add_proxy(store, {{50, 0, 0}, {0.1, 0, 0}, Vector3::Zero()}, {0.1, 0, 0}, 1, 10, 60);
-        ASSERT_FALSE(Approach(store, 0, 10).to(1));
+        ASSERT_FALSE(PairProximity(store, 0, 10, ProximityTest::box).to(1));
         PackedPath &path = store.paths[1];
-        PackedBounds &bounds = store.bounds[1];
+        ProxyRecord::Prediction &bounds = store.records[1].prediction;
         if (what == 0)
             path.position[1] = std::numeric_limits<double>::quiet_NaN();
         else if (what == 4)
@@ -208,7 +212,7 @@ TEST(Approach, WhatIsNotANumberIsNear)
             (what == 1 ? path.velocity : what == 2 ? bounds.low : &path.deviation_base)[0] = nan;
         for (ProxyId id : {0u, 1u})
         {
-            const auto interval = Approach(store, id, 10).to(1 - id);
+            const auto interval = PairProximity(store, id, 10, ProximityTest::box).to(1 - id);
             ASSERT_TRUE(interval) << what;
             EXPECT_EQ(interval->enter, 0);
             EXPECT_EQ(interval->leave, infinity);
@@ -217,13 +221,13 @@ TEST(Approach, WhatIsNotANumberIsNear)
 }
 
 // What one object's half says must not depend on how long ago it was predicted.
-TEST(Approach, CountsFromNow)
+TEST(PairProximity, CountsFromNow)
 {
     ProxyStore store;
     add_proxy(store, {{0, 0, 0}, {0.5, 0, 0}, Vector3::Zero()}, {}, 1, 0, 100);
     add_proxy(store, {{22, 0, 0}, {-0.5, 0, 0}, Vector3::Zero()}, {}, 1, 4, 100);
-    EXPECT_NEAR(Approach(store, 0, 4).to(1)->enter, 18, 1e-3) << "20 - 4 * 0.5 = 18";
-    EXPECT_NEAR(Approach(store, 1, 10).to(0)->enter, 12, 1e-3);
+    EXPECT_NEAR(PairProximity(store, 0, 4, ProximityTest::box).to(1)->enter, 18, 1e-3) << "20 - 4 * 0.5 = 18";
+    EXPECT_NEAR(PairProximity(store, 1, 10, ProximityTest::box).to(0)->enter, 12, 1e-3);
 }
 } // namespace
 } // namespace ode_predictive_space
