@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/id_set.h"
+#include "ode_predictive_space/broadphase/base/id_set.h"
 
 #include <set>
 
@@ -104,6 +104,32 @@ TEST(IdSet, LosesTheMembersOfAnother)
     one -= other;
     EXPECT_EQ(members(one), std::vector<ProxyId>{64});
     EXPECT_EQ(members(other), (std::vector<ProxyId>{3, 70, 129}));
+}
+
+TEST(IdSet, ShrunkItKeepsItsMembersAndGivesMemoryBack)
+{
+    IdSet set;
+    set.resize(10000);
+    set.insert(3);
+    set.insert(9999);
+    set.resize(64);
+    EXPECT_EQ(members(set), std::vector<ProxyId>{3});
+    EXPECT_EQ(set.bytes(), sizeof(std::uint64_t));
+}
+
+TEST(IdSet, IsReadAndFilledAWordAtATime)
+{
+    IdSet set;
+    set.resize(130);
+    set.insert(64);
+    set.insert_word(1, 0x8000000000000002u);
+    EXPECT_EQ(members(set), (std::vector<ProxyId>{64, 65, 127}));
+    EXPECT_EQ(set.word(1), 0x8000000000000003u);
+    EXPECT_EQ(IdSet::count(set.word(1)), 3u);
+    EXPECT_EQ(IdSet::count(0), 0u);
+    std::vector<ProxyId> visited;
+    IdSet::visit_word(2, 0x11, [&](ProxyId id) { visited.push_back(id); });
+    EXPECT_EQ(visited, (std::vector<ProxyId>{128, 132}));
 }
 } // namespace
 } // namespace ode_predictive_space
