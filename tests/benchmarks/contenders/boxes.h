@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_BOXES_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_BOXES_H
 
-#include "ode_predictive_space/broadphase/float_box.h"
+#include "ode_predictive_space/broadphase/base/float_box.h"
 #include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space::benchmarks

@@ -1,6 +1,6 @@
 #include "tests/benchmarks/contenders/plain_sweep.h"
 
-#include "ode_predictive_space/broadphase/sweep.h"
+#include "ode_predictive_space/broadphase/index/sort_and_sweep.h"
 #include "tests/benchmarks/contenders/boxes.h"
 #include "tests/benchmarks/contenders/notice_space.h"
 
@@ -16,7 +16,7 @@ public:
         const Lock lock(*this);
         update_items();
         pairs_.clear();
-        sweep_.find_pairs(items_, pairs_);
+        sort_and_sweep_.find_pairs(items_, pairs_);
         for (const CandidatePair &pair : pairs_)
         {
             report(geom_in(pair.first), geom_in(pair.second), data, callback);
@@ -57,7 +57,7 @@ private:
         all_anew_ = items_.size() != slots();
     }
 
-    Sweep sweep_;
+    SortAndSweep sort_and_sweep_;
     std::vector<SweptProxy> items_;
     std::vector<CandidatePair> pairs_;
     bool all_anew_ = false;

@@ -1,7 +1,7 @@
-// The envelope index: the tree, built, queried and changed; and the sweep.
+// The envelope index: the tree, built, queried and changed; and sort and sweep.
 
-#include "ode_predictive_space/broadphase/envelope_tree.h"
-#include "ode_predictive_space/broadphase/sweep.h"
+#include "ode_predictive_space/broadphase/index/envelope_tree.h"
+#include "ode_predictive_space/broadphase/index/sort_and_sweep.h"
 #include "tests/benchmarks/micro/inputs.h"
 
 #include <benchmark/benchmark.h>
@@ -41,7 +41,7 @@ void tree_build(benchmark::State &state)
 }
 BENCHMARK(tree_build)->Apply(sizes);
 
-/// One after another into an empty tree; items are leaves.
+/// One by one into an empty tree; items are leaves.
 void tree_insert(benchmark::State &state)
 {
     const std::vector<SweptProxy> boxes = swept_boxes(size_of(state), horizon);
@@ -97,19 +97,19 @@ void tree_query(benchmark::State &state)
 BENCHMARK(tree_query)->Apply(sizes);
 
 /// All pairs of boxes as they are now, from scratch; items are boxes.
-void sweep(benchmark::State &state)
+void sort_and_sweep(benchmark::State &state)
 {
     const std::vector<SweptProxy> boxes = swept_boxes(size_of(state), 0);
-    Sweep sweep;
+    SortAndSweep sort_and_sweep;
     std::vector<CandidatePair> found;
     while (state.KeepRunning())
     {
         found.clear();
-        sweep.find_pairs(boxes, found);
+        sort_and_sweep.find_pairs(boxes, found);
     }
     count_objects(state);
     state.counters["found"] = static_cast<double>(found.size());
 }
-BENCHMARK(sweep)->Apply(sizes);
+BENCHMARK(sort_and_sweep)->Apply(sizes);
 } // namespace
 } // namespace ode_predictive_space::micro

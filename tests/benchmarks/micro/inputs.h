@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ode_predictive_space/broadphase/swept_proxy.h"
+#include "ode_predictive_space/broadphase/base/float_box.h"
 #include "tests/broadphase/support/random.h"
 
 namespace ode_predictive_space::micro

@@ -1,7 +1,9 @@
-// The event schedule: one event that comes in and goes out again, the wheel being as full as it stays.
+// The schedule: the time of proximity of a candidate pair, and an event that comes in and goes out again, the wheel being as
+// full as it stays.
 
-#include "ode_predictive_space/broadphase/event_wheel.h"
-#include "tests/broadphase/support/random.h"
+#include "ode_predictive_space/broadphase/schedule/event_wheel.h"
+#include "ode_predictive_space/broadphase/schedule/pair_proximity.h"
+#include "tests/broadphase/support/proxies.h"
 
 #include <benchmark/benchmark.h>
 
@@ -10,9 +12,28 @@ namespace ode_predictive_space::micro
 namespace
 {
 constexpr std::size_t delays = 4096;
+constexpr ProxyId objects = 128; // they stay in the first-level cache
 
-/// @param state its first argument: the longest time that an event waits, in ticks; beyond 1,024 the wheel turns more than
-///        once. The second: events in the wheel.
+/// As the tick and all questions compute it, the first object's half of the work included.
+void pair_proximity(benchmark::State &state)
+{
+    Random random(1);
+    ProxyStore proxies;
+    for (ProxyId id = 0; id < objects; ++id)
+    {
+        add_random_proxy(proxies, random, 0.5, 0);
+    }
+    ProxyId next = 0;
+    while (state.KeepRunning())
+    {
+        const ProxyId first = next++ % objects, second = next % objects;
+        benchmark::DoNotOptimize(PairProximity(proxies, first, 0, ProximityTest::box).to(second));
+    }
+}
+BENCHMARK(pair_proximity);
+
+/// @param state its first argument: the longest time that an event waits, in ticks; beyond two turns of 64 it waits in a
+///        coarse bucket first. The second: events in the wheel.
 void schedule_and_take(benchmark::State &state)
 {
     const auto longest = static_cast<std::size_t>(state.range(0));

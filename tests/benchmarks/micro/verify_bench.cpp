@@ -1,6 +1,6 @@
 // Verification: is the centre of each moved object where its path says?
 
-#include "ode_predictive_space/broadphase/verify.h"
+#include "ode_predictive_space/broadphase/verify/checks.h"
 #include "tests/benchmarks/micro/inputs.h"
 
 #include <array>
@@ -35,7 +35,7 @@ Moved moved_objects(std::size_t count)
     return result;
 }
 
-/// All of them after each other; items are objects.
+/// All of them, one by one; items are objects.
 void verify_centres(benchmark::State &state)
 {
     const Moved moved = moved_objects(static_cast<std::size_t>(state.range(0)));
