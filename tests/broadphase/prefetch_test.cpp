@@ -70,6 +70,22 @@ TEST(Prefetch, InALongLoopAFetchRunsAheadByTheDistance)
     }
 }
 
+// There is no time for memory to come during the loop: all fetches are on their way before the first visit.
+TEST(Prefetch, InAShortLoopAllAreFetchedFirst)
+{
+    for (std::size_t count = 0; count <= distance; ++count)
+    {
+        std::size_t first = 0, second = 0;
+        for_each_prefetched(
+            count, distance, [&](std::size_t) { EXPECT_EQ(second, count); }, [&](std::size_t) { ++first; },
+            [&](std::size_t) {
+                EXPECT_EQ(first, count);
+                ++second;
+            });
+        EXPECT_EQ(second, count);
+    }
+}
+
 TEST(Prefetch, ReadsNothingAndMayBeGivenAnyAddress)
 {
     prefetch(nullptr);
