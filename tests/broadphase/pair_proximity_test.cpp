@@ -4,6 +4,7 @@
 
 #include "ode_predictive_space/broadphase/verify/checks.h"
 #include "tests/broadphase/support/proxies.h"
+#include "tests/prediction/box_proximity.h"
 
 namespace ode_predictive_space
 {
