@@ -33,6 +33,7 @@ template <typename T> void clear_scratch(std::vector<T> &scratch)
 
 template <typename T, typename Allocator> std::size_t bytes_of(const std::vector<T, Allocator> &elements)
 {
+    // T may be a pointer: its own size is meant. NOLINTNEXTLINE(bugprone-sizeof-expression)
     return elements.capacity() * sizeof(T);
 }
 
