@@ -1,6 +1,9 @@
 #include "tests/broadphase/support/world.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <iterator>
 
 namespace ode_predictive_space
 {
@@ -30,7 +33,7 @@ bool holds(const FloatBox &outer, const Box &inner)
     return true;
 }
 
-// What the broad phase asks at the notice of a move.
+// What the broad phase asks when a move is reported.
 struct Noticed
 {
     const Object &object;
@@ -64,13 +67,13 @@ void World::remove(ProxyId id)
 {
     broadphase.remove(id);
     present_[id] = false;
-    // Whoever asks for it nevertheless gets an answer that spoils the test.
+    // A question about it gets an answer that spoils the test.
     objects_[id] = Object{};
 }
 
 void World::touch(ProxyId id)
 {
-    broadphase.notice_move(id, Noticed{objects_[id]});
+    broadphase.report_move(id, Noticed{objects_[id]});
 }
 
 void World::place(ProxyId id, const Vector3 &centre)
@@ -97,7 +100,15 @@ Pairs World::report()
     const std::size_t count = broadphase.report(*this, room_);
     Pairs pairs;
     for (std::size_t i = 0; i < count; ++i)
-        pairs.emplace_back(room_[i].first, room_[i].second);
+    {
+        const auto [first, second] = room_[i];
+        if (!objects_[first].enabled)
+            broadphase.note_disabled(first);
+        else if (!objects_[second].enabled)
+            broadphase.note_disabled(second);
+        else
+            pairs.emplace_back(first, second);
+    }
     return pairs;
 }
 
@@ -113,33 +124,34 @@ std::vector<ProxyId> World::members() const
 Pairs World::overlapping() const
 {
     return all_pairs(objects_.size(), [this](ProxyId first, ProxyId second) {
-        return present_[first] && present_[second] && overlap(first, second);
+        return present_[first] && present_[second] && objects_[first].enabled && objects_[second].enabled &&
+               boxes_and_spheres_overlap(first, second);
     });
 }
 
-std::string World::violated_invariant()
+// An object without a prediction is in no envelope; in the mode `predicting` there is none.
+std::string World::misplaced_object() const
 {
-    if (!broadphase.consistent())
-        return "the index is damaged";
-    if (!broadphase.scanning())
-        for (ProxyId id : members())
-            if (!holds(FloatBox::around(broadphase.proxies().envelope(id, broadphase.now()).at(0)), bounds(id)))
-                return "object " + std::to_string(id) + " is outside its envelope";
-    std::vector<CandidatePair> current;
-    bool verdicts_hold = true;
-    broadphase.each_near([&](const CandidatePair &pair, NearSet::Verdict verdict) {
-        current.push_back({pair.first, pair.second});
-        if (verdict != NearSet::Verdict::open)
-            verdicts_hold &= overlap(pair.first, pair.second) == (verdict == NearSet::Verdict::together);
-    });
-    if (!verdicts_hold)
-        return "what is known of a pair at rest is wrong";
-    const Pairs near = sorted_pairs(current);
+    for (ProxyId id : members())
+    {
+        const bool inside =
+            broadphase.predicted(id)
+                ? holds(FloatBox::around(broadphase.proxies().envelope(id, broadphase.now()).at(0)), box_of(id))
+                : broadphase.mode() != Mode::predicting;
+        if (!inside)
+            return "object " + std::to_string(id) + " is outside its envelope";
+    }
+    return {};
+}
+
+std::string World::wrong_pair(const Pairs &near) const
+{
     if (std::adjacent_find(near.begin(), near.end()) != near.end())
         return "a pair is twice in the near set";
     for (const auto &pair : near)
-        if (!present(pair.first) || !present(pair.second))
-            return "an object that is gone is in the near set";
+        for (ProxyId id : {pair.first, pair.second})
+            if (!present(id) || broadphase.idle(id))
+                return "an object that is gone or idle is in the near set";
     for (const auto &pair : overlapping())
         if (!std::binary_search(near.begin(), near.end(), pair))
             return std::to_string(pair.first) + " and " + std::to_string(pair.second) +
@@ -147,36 +159,84 @@ std::string World::violated_invariant()
     return {};
 }
 
-std::optional<Vector3> World::pivot(ProxyId id) const
+std::string World::violated_invariant() const
+{
+    if (!broadphase.consistent())
+        return "the index is damaged";
+    const std::string misplaced = misplaced_object();
+    if (!misplaced.empty())
+        return misplaced;
+    std::vector<CandidatePair> near;
+    bool states_hold = true;
+    broadphase.for_each_near_pair([&](const CandidatePair &pair, PairState state) {
+        near.push_back(pair);
+        if (state != PairState::active)
+            states_hold &= boxes_and_spheres_overlap(pair.first, pair.second) == (state == PairState::overlapping);
+    });
+    return states_hold ? wrong_pair(sorted_pairs(near)) : "what is known of a pair at rest is wrong";
+}
+
+Box World::box_of(ProxyId id) const
+{
+    return Box(objects_[id].centre - objects_[id].half, objects_[id].centre + objects_[id].half);
+}
+
+void World::locate(const ProxyId *ids, std::size_t count, Location *locations)
+{
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const Object &object = objects_[ids[i]];
+        locations[i] = {{object.centre.x(), object.centre.y(), object.centre.z()}, object.radius * object.radius};
+    }
+}
+
+void World::measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes)
+{
+    for (std::size_t i = 0; i < count; ++i)
+        boxes[ids[i]] = MeasuredBox(box_of(ids[i]));
+}
+
+void World::observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen)
+{
+    for (std::size_t i = 0; i < count; ++i)
+        seen[i] = observation(ids[i], with_bounds[i]);
+}
+
+void World::find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled)
+{
+    std::copy_if(ids, ids + count, std::back_inserter(disabled), [this](ProxyId id) { return !objects_[id].enabled; });
+}
+
+std::optional<Vector3> World::pivot_of(ProxyId id) const
 {
     const Object &object = objects_[id];
     const bool known = std::isfinite(object.radius) || object.velocity;
     return known && object.centre.allFinite() ? std::optional(object.centre) : std::nullopt;
 }
 
-Observation World::observe(ProxyId id, bool with_bounds) const
+Observation World::observation(ProxyId id, bool with_bounds) const
 {
     const Object &object = objects_[id];
     Observation seen;
     seen.radius = object.radius;
     seen.is_sphere = object.is_sphere;
-    seen.centre = pivot(id);
+    seen.centre = pivot_of(id);
     seen.velocity = object.velocity;
     if (!seen.centre || !std::isfinite(object.radius) || (with_bounds && !object.is_sphere))
-        seen.bounds = bounds(id);
+        seen.bounds = box_of(id);
     return seen;
 }
 
-bool World::overlap(ProxyId first, ProxyId second) const
+bool World::boxes_and_spheres_overlap(ProxyId first, ProxyId second) const
 {
-    if (!boxes_overlap(bounds(first), bounds(second)))
+    if (!boxes_overlap(box_of(first), box_of(second)))
         return false;
-    // The sphere of what has none is that around its box. The tolerance is for rounding, here and in the broad phase.
+    // The sphere of an object without one is that around its box. The tolerance is for rounding, here and in the broad phase.
     auto radius = [this](ProxyId id) {
         return std::isfinite(objects_[id].radius) ? objects_[id].radius : objects_[id].half.norm();
     };
     const double reach = (radius(first) + radius(second)) * (1 - 1e-9);
-    return broadphase.measure() == Proximity::box ||
+    return broadphase.proximity_test() == ProximityTest::box ||
            !((objects_[first].centre - objects_[second].centre).squaredNorm() > reach * reach);
 }
 

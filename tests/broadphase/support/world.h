@@ -21,10 +21,11 @@ struct Object
     bool is_sphere = false;                 ///< then half is the radius
     std::optional<Vector3> velocity;        ///< per second, of its body; none without a body
     Vector3 displacement = Vector3::Zero(); ///< per tick
+    bool enabled = true;                    ///< only then is it in reported pairs; changed without notice
 };
 
 /// Objects that move, and the broad phase that is told of each change as it happens.
-class World
+class World : public Scene
 {
 public:
     /// Predicts from the first tick on.
@@ -47,35 +48,36 @@ public:
 
     /// A tick and the report.
     Pairs tick();
+    /// The reported pairs of enabled objects; the broad phase is told of the others.
     Pairs report();
 
     Object &object(ProxyId id) { return objects_[id]; }
     bool present(ProxyId id) const { return id < present_.size() && present_[id]; }
     std::vector<ProxyId> members() const;
 
-    /// All overlapping pairs, by brute force.
+    /// All overlapping pairs of enabled objects, by brute force.
     Pairs overlapping() const;
 
-    /// What is wrong with the invariant, or nothing. The broad phase must be caught up.
-    std::string violated_invariant();
+    /// What is wrong with the invariant, or nothing. The broad phase must be up to date.
+    std::string violated_invariant() const;
 
-    // What Broadphase asks.
-    void prefetch(ProxyId) const {}
-    void prefetch_pose(ProxyId) const {}
-    void prefetch_velocity(ProxyId) const {}
-    Vector3 position(ProxyId id) const { return objects_[id].centre; }
-    const double *coordinates(ProxyId id) const { return objects_[id].centre.data(); }
-    bool has_grown(ProxyId id, float radius) const { return !(objects_[id].radius <= radius); }
-    Box bounds(ProxyId id) const
-    {
-        return Box(objects_[id].centre - objects_[id].half, objects_[id].centre + objects_[id].half);
-    }
-    void measure(ProxyId id, MeasuredBox &box) const { box = MeasuredBox(bounds(id)); }
-    std::optional<Vector3> pivot(ProxyId id) const;
-    Observation observe(ProxyId id, bool with_bounds) const;
-    bool overlap(ProxyId first, ProxyId second) const;
+    // What the broad phase asks.
+    void locate(const ProxyId *ids, std::size_t count, Location *locations) override;
+    void measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes) override;
+    void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) override;
+    Box bounds(ProxyId id) override { return box_of(id); }
+    std::optional<Vector3> pivot(ProxyId id) override { return pivot_of(id); }
+    bool overlap(ProxyId first, ProxyId second) override { return boxes_and_spheres_overlap(first, second); }
+    void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
 
 private:
+    Box box_of(ProxyId id) const;
+    std::optional<Vector3> pivot_of(ProxyId id) const;
+    Observation observation(ProxyId id, bool with_bounds) const;
+    bool boxes_and_spheres_overlap(ProxyId first, ProxyId second) const;
+    std::string misplaced_object() const;
+    std::string wrong_pair(const Pairs &near) const;
+
     std::vector<Object> objects_;
     std::vector<char> present_;
     std::vector<CandidatePair> room_;
