@@ -1,54 +1,112 @@
-#include "ode_predictive_space/broadphase/near_set.h"
-
-#include <gtest/gtest.h>
+#include "ode_predictive_space/broadphase/near/near_set.h"
 
 #include <map>
+#include <set>
+
+#include <gtest/gtest.h>
 
 namespace ode_predictive_space
 {
 namespace
 {
-using Verdict = NearSet::Verdict;
-
 NearPair pair_of(ProxyId first, ProxyId second)
 {
     return {{first, second}, NearPair::to_the_end};
 }
 
-// The pairs 0 1, 1 2, 2 3, 3 4.
+// Decides each pair by its first object, and remembers which pairs were tested.
+struct PairScene : Scene
+{
+    std::set<ProxyId> overlapping = {0, 2};
+    std::vector<ProxyId> tested;
+
+    bool overlap(ProxyId first, ProxyId) override
+    {
+        tested.push_back(first);
+        return overlapping.count(first) > 0;
+    }
+
+    // The near set asks nothing else.
+    void locate(const ProxyId *, std::size_t, Location *) override { ADD_FAILURE(); }
+    void measure(const ProxyId *, std::size_t, MeasuredBox *) override { ADD_FAILURE(); }
+    void observe(const ProxyId *, std::size_t, const bool *, Observation *) override { ADD_FAILURE(); }
+    Box bounds(ProxyId) override { return {}; }
+    std::optional<Vector3> pivot(ProxyId) override { return std::nullopt; }
+    void find_disabled(const ProxyId *, std::size_t, std::vector<ProxyId> &) override { ADD_FAILURE(); }
+};
+
+// The pairs 0 1, 1 2, 2 3, 3 4. Their boxes decide nothing.
 class NearSetTest : public testing::Test
 {
 protected:
-    NearSetTest()
+    static constexpr std::size_t objects = 5;
+
+    NearSetTest() : boxes(objects, MeasuredBox(undecided_box()))
     {
-        set.resize(5);
-        for (ProxyId id = 0; id < 4; ++id)
+        set.resize(objects);
+        for (ProxyId id = 0; id + 1 < objects; ++id)
             set.add(pair_of(id, id + 1));
     }
 
-    // Those whose first is even are together.
-    void let_all_rest()
+    static Box undecided_box()
     {
-        set.let_rest([](const NearPair &pair) { return pair.first % 2 == 0 ? Verdict::together : Verdict::apart; });
+        const Vector3 unknown = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+        return Box(unknown, unknown);
     }
 
-    // Verdicts by first of the pair.
-    std::map<ProxyId, Verdict> verdicts() const
+    // First objects of the reported pairs.
+    std::vector<ProxyId> report(Tick now = 0)
     {
-        std::map<ProxyId, Verdict> found;
-        set.for_all(
-            [&](const NearPair &pair, Verdict verdict) { EXPECT_TRUE(found.emplace(pair.first, verdict).second); });
+        ++reports;
+        scene.tested.clear();
+        room.resize(set.most_pairs());
+        const OverlapTest test{scene, boxes.data(), false};
+        const CandidatePair *end = set.report(test, now, reports % 2 == 0, room.data());
+        std::vector<ProxyId> firsts;
+        for (const CandidatePair *pair = room.data(); pair != end; ++pair)
+            firsts.push_back(pair->first);
+        return firsts;
+    }
+
+    // Reports until pairs have been let rest once.
+    void reach_rest()
+    {
+        do
+            report();
+        while (reports % tuning::reports_per_rest != 0);
+    }
+
+    // Moves that were noted before are forgotten the first time.
+    void let_all_rest()
+    {
+        reach_rest();
+        reach_rest();
+    }
+
+    void move(std::initializer_list<ProxyId> ids)
+    {
+        IdSet moved;
+        moved.resize(objects);
+        for (ProxyId id : ids)
+            moved.insert(id);
+        set.note_moves(moved);
+    }
+
+    // States by first object of the pair.
+    std::map<ProxyId, PairState> states() const
+    {
+        std::map<ProxyId, PairState> found;
+        set.for_each(
+            [&](const NearPair &pair, PairState state) { EXPECT_TRUE(found.emplace(pair.first, state).second); });
         return found;
     }
 
-    // Of those that are tested at this tick, in their order; what is stale is dropped.
+    // The pairs that are tested at this tick, in their order; stale ones are dropped.
     std::vector<ProxyId> tested(Tick now = 0)
     {
-        std::vector<ProxyId> ids;
-        set.visit_tested(
-            now, [](const NearPair &) {}, [&](const NearPair &pair) { ids.push_back(pair.first); });
-        EXPECT_EQ(ids, firsts(set.pairs())) << "no others are left";
-        return ids;
+        report(now);
+        EXPECT_EQ(scene.tested, firsts(set.active())) << "no others are left";
+        return scene.tested;
     }
 
     static std::vector<ProxyId> firsts(const std::vector<NearPair> &pairs)
@@ -59,94 +117,101 @@ protected:
         return ids;
     }
 
+    PairScene scene;
+    std::vector<MeasuredBox> boxes;
+    std::vector<CandidatePair> room;
+    unsigned reports = 0;
     NearSet set;
 };
 
-TEST_F(NearSetTest, WhatRestsIsNotTestedAndStaysAMember)
+using States = std::map<ProxyId, PairState>;
+constexpr PairState active = PairState::active, separated = PairState::separated, overlapping = PairState::overlapping;
+
+TEST_F(NearSetTest, RestingPairsAreReportedWithoutATestAndStayMembers)
 {
     let_all_rest();
-    EXPECT_TRUE(set.pairs().empty());
-    EXPECT_EQ(firsts(set.together()), (std::vector<ProxyId>{0, 2}));
+    EXPECT_TRUE(set.active().empty());
+    EXPECT_EQ(firsts(set.overlapping()), (std::vector<ProxyId>{0, 2}));
     EXPECT_EQ(set.members().size(), 5u);
-    EXPECT_EQ(verdicts(),
-              (std::map<ProxyId, Verdict>{
-                  {0, Verdict::together}, {1, Verdict::apart}, {2, Verdict::together}, {3, Verdict::apart}}));
+    EXPECT_EQ(states(), (States{{0, overlapping}, {1, separated}, {2, overlapping}, {3, separated}}));
+    EXPECT_EQ(report(), (std::vector<ProxyId>{0, 2}));
+    EXPECT_TRUE(scene.tested.empty());
 }
 
-TEST_F(NearSetTest, OpenPairsAreTestedOn)
+TEST_F(NearSetTest, PairsOfMovedObjectsAreTestedOn)
 {
-    set.let_rest([](const NearPair &pair) { return pair.first == 1 ? Verdict::together : Verdict::open; });
-    EXPECT_EQ(firsts(set.pairs()), (std::vector<ProxyId>{0, 2, 3}));
-    EXPECT_EQ(firsts(set.together()), (std::vector<ProxyId>{1}));
+    scene.overlapping = {1};
+    while (reports + 1 < tuning::reports_per_rest)
+        report();
+    move({0, 3});
+    reach_rest();
+    EXPECT_EQ(firsts(set.active()), (std::vector<ProxyId>{0, 2, 3}));
+    EXPECT_EQ(firsts(set.overlapping()), (std::vector<ProxyId>{1}));
 }
 
 TEST_F(NearSetTest, ADisturbedObjectHasItsPairsTestedAndNoOthers)
 {
     let_all_rest();
-    set.disturb(1);
-    EXPECT_EQ(verdicts(), (std::map<ProxyId, Verdict>{
-                              {0, Verdict::open}, {1, Verdict::open}, {2, Verdict::together}, {3, Verdict::apart}}));
-    set.wake_disturbed();
-    EXPECT_EQ(firsts(set.pairs()), (std::vector<ProxyId>{0, 1}));
-    EXPECT_EQ(firsts(set.together()), (std::vector<ProxyId>{2}));
-    EXPECT_EQ(verdicts().size(), 4u);
+    move({1});
+    EXPECT_EQ(states(), (States{{0, active}, {1, active}, {2, overlapping}, {3, separated}}));
+    EXPECT_EQ(report(), (std::vector<ProxyId>{0, 2}));
+    EXPECT_EQ(scene.tested, (std::vector<ProxyId>{0, 1}));
+    EXPECT_EQ(firsts(set.active()), (std::vector<ProxyId>{0, 1}));
+    EXPECT_EQ(firsts(set.overlapping()), (std::vector<ProxyId>{2}));
+    EXPECT_EQ(states().size(), 4u);
 }
 
-TEST_F(NearSetTest, ManyAreDisturbedAtOnce)
+TEST_F(NearSetTest, ManyObjectsAreDisturbedAtOnce)
 {
     let_all_rest();
-    IdSet some;
-    some.resize(5);
-    some.insert(0);
-    some.insert(4);
-    set.disturb(some);
-    set.wake_disturbed();
-    EXPECT_EQ(firsts(set.pairs()), (std::vector<ProxyId>{0, 3}));
+    move({0, 4});
+    report();
+    EXPECT_EQ(firsts(set.active()), (std::vector<ProxyId>{0, 3}));
 }
 
-TEST_F(NearSetTest, WhatWasWokenCanRestAgain)
+TEST_F(NearSetTest, DisturbedPairsCanRestAgain)
 {
     for (int time = 0; time < 3; ++time)
     {
         let_all_rest();
-        EXPECT_TRUE(set.pairs().empty());
-        set.disturb(2);
-        set.wake_disturbed();
-        EXPECT_EQ(firsts(set.pairs()), (std::vector<ProxyId>{2, 1})) << "those together come first";
+        EXPECT_TRUE(set.active().empty());
+        move({2});
+        report();
+        EXPECT_EQ(firsts(set.active()), (std::vector<ProxyId>{2, 1})) << "overlapping pairs come first";
     }
 }
 
-TEST_F(NearSetTest, PairsOfWhoIsRetiredAreStale)
+TEST_F(NearSetTest, PairsOfARetiredObjectAreStale)
 {
     set.retire(1, 0);
-    EXPECT_EQ(verdicts(), (std::map<ProxyId, Verdict>{{2, Verdict::open}, {3, Verdict::open}}));
+    EXPECT_EQ(states(), (States{{2, active}, {3, active}}));
     EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3}));
     EXPECT_FALSE(set.members().contains(0));
     EXPECT_FALSE(set.members().contains(1));
     EXPECT_TRUE(set.members().contains(2)) << "it is in another pair";
-    EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3})) << "nobody is retired for ever";
+    EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3})) << "an object is retired once, not for ever";
 }
 
-TEST_F(NearSetTest, PairsThatCameSinceAreNot)
+TEST_F(NearSetTest, PairsAddedSinceAreNot)
 {
     tested();
     set.retire(1, 0);
     set.add(pair_of(1, 3));
-    EXPECT_EQ(verdicts().size(), 3u);
+    EXPECT_EQ(states().size(), 3u);
     EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3, 1}));
     EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3, 1})) << "nor at the next tick";
 }
 
-TEST_F(NearSetTest, WhoIsRetiredAgainLosesThemToo)
+TEST_F(NearSetTest, AnObjectThatIsRetiredAgainLosesThemToo)
 {
     tested();
     set.retire(1, 0);
     set.add(pair_of(1, 3));
     set.retire(1, 0);
     set.add(pair_of(1, 4));
-    EXPECT_EQ(verdicts().size(), 3u);
+    EXPECT_EQ(states().size(), 3u);
     EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3, 1}));
-    EXPECT_EQ(set.pairs().back().second, 4u);
+    EXPECT_EQ(set.active().back().second, 4u);
 }
 
 TEST_F(NearSetTest, PairsAtRestAreStaleToo)
@@ -154,18 +219,19 @@ TEST_F(NearSetTest, PairsAtRestAreStaleToo)
     tested();
     let_all_rest();
     set.retire(1, 0);
-    EXPECT_EQ(verdicts(), (std::map<ProxyId, Verdict>{{2, Verdict::together}, {3, Verdict::apart}}));
+    EXPECT_EQ(states(), (States{{2, overlapping}, {3, separated}}));
     set.add(pair_of(1, 2));
     set.retire(4, 0);
-    EXPECT_EQ(verdicts(), (std::map<ProxyId, Verdict>{{1, Verdict::open}, {2, Verdict::together}}));
-    set.wake_disturbed();
-    EXPECT_EQ(tested(), (std::vector<ProxyId>{1}));
-    EXPECT_EQ(firsts(set.together()), (std::vector<ProxyId>{2}));
-    EXPECT_FALSE(set.members().contains(0)) << "who is dropped while it rests is no member any more";
+    EXPECT_EQ(states(), (States{{1, active}, {2, overlapping}}));
+    EXPECT_EQ(report(), (std::vector<ProxyId>{2}));
+    EXPECT_EQ(scene.tested, (std::vector<ProxyId>{1}));
+    EXPECT_EQ(firsts(set.active()), (std::vector<ProxyId>{1}));
+    EXPECT_EQ(firsts(set.overlapping()), (std::vector<ProxyId>{2}));
+    EXPECT_FALSE(set.members().contains(0)) << "an object whose resting pairs are dropped is no member any more";
     EXPECT_FALSE(set.members().contains(4));
 }
 
-TEST_F(NearSetTest, WhoIsRetiredOftenTakesNoMoreMemory)
+TEST_F(NearSetTest, AnObjectThatIsRetiredOftenTakesNoMoreMemory)
 {
     tested();
     set.retire(1, 0);
@@ -201,14 +267,15 @@ TEST_F(NearSetTest, TimeMayWrapAround)
 TEST_F(NearSetTest, NothingIsLeftAfterClearing)
 {
     let_all_rest();
-    set.disturb(3);
+    move({3});
     set.clear();
-    set.wake_disturbed();
-    EXPECT_TRUE(verdicts().empty());
+    EXPECT_TRUE(report().empty());
+    EXPECT_TRUE(states().empty());
     EXPECT_TRUE(set.members().empty());
     set.add(pair_of(0, 1));
-    set.disturb(0);
-    EXPECT_EQ(verdicts().size(), 1u);
+    move({0});
+    EXPECT_EQ(states().size(), 1u);
+    EXPECT_EQ(tested(), (std::vector<ProxyId>{0}));
 }
 } // namespace
 } // namespace ode_predictive_space

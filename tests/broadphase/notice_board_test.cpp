@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/notice_board.h"
+#include "ode_predictive_space/broadphase/verify/notice_board.h"
 
 #include <set>
 
@@ -10,17 +10,17 @@ namespace ode_predictive_space
 {
 namespace
 {
-std::set<ProxyId> take_down(NoticeBoard &board, std::size_t room)
+std::set<ProxyId> drain(NoticeBoard &board, std::size_t room)
 {
     IdSet set;
     set.resize(room);
-    board.take_down(set);
+    board.drain_into(set);
     std::set<ProxyId> found;
     set.for_each([&](ProxyId id) { found.insert(id); });
     return found;
 }
 
-TEST(NoticeBoard, TellsOnceWhatWasNoted)
+TEST(NoticeBoard, GivesEachNoteOnce)
 {
     Random random(1);
     NoticeBoard board;
@@ -43,14 +43,14 @@ TEST(NoticeBoard, TellsOnceWhatWasNoted)
         }
         if (random.chance(0.02))
         {
-            ASSERT_EQ(take_down(board, room), noted) << room;
+            ASSERT_EQ(drain(board, room), noted) << room;
             noted.clear();
-            ASSERT_EQ(take_down(board, room), noted) << "it has been told";
+            ASSERT_EQ(drain(board, room), noted) << "each note is given once";
         }
     }
 }
 
-TEST(NoticeBoard, LeavesInTheSetWhatIsThere)
+TEST(NoticeBoard, KeepsWhatIsInTheSet)
 {
     IdSet set;
     set.resize(130);
@@ -59,7 +59,7 @@ TEST(NoticeBoard, LeavesInTheSetWhatIsThere)
     set.insert(1);
     board.note(0);
     board.note(129);
-    board.take_down(set);
+    board.drain_into(set);
     EXPECT_EQ(set.size(), 3u);
     EXPECT_TRUE(set.contains(0) && set.contains(1) && set.contains(129));
 }

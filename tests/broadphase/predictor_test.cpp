@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/predictor.h"
+#include "ode_predictive_space/broadphase/predict/predictor.h"
 
 #include <array>
 #include <limits>
@@ -49,15 +49,15 @@ TEST(Predictor, AfterABreakUniformMotionIsPredictedForLongerAndLonger)
     object.velocity = {0.3, -0.1, 0.2};
     for (int tick = 0; tick < 140; ++tick, object.velocity *= tick % 50 == 0 ? -1 : 1)
         tracked.see(object.next());
-    const std::int32_t early = ticks_between(tracked.path().since, tracked.bounds().until);
+    const std::int32_t early = ticks_between(tracked.path().since, tracked.record().prediction.until);
     follow(tracked, object, 2000);
-    const std::int32_t late = ticks_between(tracked.path().since, tracked.bounds().until);
+    const std::int32_t late = ticks_between(tracked.path().since, tracked.record().prediction.until);
     EXPECT_GT(late, 2 * early);
     const int before = tracked.predictions, violated = tracked.violations;
     follow(tracked, object, 2000);
     EXPECT_LT(tracked.predictions - before, 2000 / 50);
     EXPECT_EQ(tracked.violations, violated) << "nothing breaks in uniform motion";
-    EXPECT_NEAR(predictor.step(), step, 1e-9);
+    EXPECT_NEAR(predictor.step_estimate.step(), step, 1e-9);
 }
 
 TEST(Predictor, ItsFirstPredictionLastsLong)
@@ -69,7 +69,7 @@ TEST(Predictor, ItsFirstPredictionLastsLong)
     follow(first, object, 100);
     tracked.see(object.next());
     EXPECT_GE(tracked.store.remaining(0, tracked.now), 1024 / 8);
-    predictor.horizon.max_ticks = 80;
+    predictor.settings.horizon.max_ticks = 80;
     Tracked bounded(predictor);
     bounded.see(object.next());
     EXPECT_LE(bounded.store.remaining(0, bounded.now), 80);
@@ -98,7 +98,7 @@ TEST(Predictor, AnObjectThatHasStoppedNeedsNoPredictions)
     follow(tracked, object, 300);
     object.velocity = {0, 0, 0};
     follow(tracked, object, 500);
-    EXPECT_TRUE(tracked.bounds().still);
+    EXPECT_TRUE(tracked.record().kind.still);
     const int before = tracked.predictions;
     for (int tick = 0; tick < 10000; ++tick)
     {
@@ -113,9 +113,9 @@ TEST(Predictor, AnObjectThatNeverMovedHasNoSlack)
     Predictor predictor;
     Tracked tracked(predictor);
     tracked.see(seen_alone({1, 2, 3}, radius));
-    EXPECT_TRUE(tracked.bounds().still);
+    EXPECT_TRUE(tracked.record().kind.still);
     EXPECT_EQ(tracked.path().deviation_base, 0);
-    EXPECT_EQ(tracked.bounds().role, Role::environment);
+    EXPECT_EQ(tracked.record().role, Role::environment);
 }
 
 TEST(Predictor, ABounceBreaksOnePredictionOrTwo)
@@ -131,7 +131,7 @@ TEST(Predictor, ABounceBreaksOnePredictionOrTwo)
         object.velocity.z() = -object.velocity.z();
         follow(tracked, object, 300);
         EXPECT_LE(tracked.violations - before, 2) << "bounce " << bounce;
-        EXPECT_NEAR(predictor.step(), step, 0.01 * step) << "a bounce says nothing about the step";
+        EXPECT_NEAR(predictor.step_estimate.step(), step, 0.01 * step) << "a bounce says nothing about the step";
     }
 }
 
@@ -147,7 +147,7 @@ TEST(Predictor, FreeFallIsPredicted)
     follow(tracked, object, 950);
     EXPECT_LT(tracked.predictions - predictions, 950 / 20);
     EXPECT_LE(tracked.violations - violations, 2);
-    EXPECT_NEAR(predictor.step(), step, 0.01 * step);
+    EXPECT_NEAR(predictor.step_estimate.step(), step, 0.01 * step);
 }
 
 TEST(Predictor, ResultsDoNotDependOnTheUnitOfTime)
@@ -162,7 +162,7 @@ TEST(Predictor, ResultsDoNotDependOnTheUnitOfTime)
             centre += Vector3(0.0004, 0, 0);
             tracked.see(seen_ball(centre, radius, Vector3(0.0004, 0, 0) / unit));
         }
-        EXPECT_NEAR(predictor.step() / unit, 1, 1e-6);
+        EXPECT_NEAR(predictor.step_estimate.step() / unit, 1, 1e-6);
         EXPECT_LT(tracked.predictions, 60);
     }
 }
@@ -177,14 +177,14 @@ TEST(Predictor, JitterEndsInSlack)
             tracked.see(seen_ball(random.vector(1e-4 * radius), radius, random.vector(0.01 * radius)));
     };
     jitter(500);
-    EXPECT_TRUE(tracked.bounds().still);
+    EXPECT_TRUE(tracked.record().kind.still);
     EXPECT_GT(tracked.path().deviation_base, 0);
     const int before = tracked.predictions;
     jitter(5000);
     EXPECT_EQ(tracked.predictions, before);
 }
 
-TEST(Predictor, AVelocityThatExplainsNothingIsNotBelievedForever)
+TEST(Predictor, AVelocityThatExplainsNothingIsNotTrustedForLong)
 {
     Predictor predictor;
     Tracked other(predictor), tracked(predictor);
@@ -204,10 +204,10 @@ TEST(Predictor, AVelocityThatExplainsNothingIsNotBelievedForever)
     const int before = tracked.predictions;
     run(2000);
     EXPECT_LT(tracked.predictions - before, 2000 / 10);
-    EXPECT_NEAR(predictor.step(), step, 0.05 * step);
+    EXPECT_NEAR(predictor.step_estimate.step(), step, 0.05 * step);
 }
 
-// In a pile velocities are noise. As long as predictions hold nevertheless, none of them need be a guess for a tick.
+// In a pile velocities are noise. As long as predictions hold nevertheless, none of them is a guess for one tick.
 TEST(Predictor, AVelocityThatExplainsLittleIsNotMistrustedWhilePredictionsHold)
 {
     Predictor predictor;
@@ -227,7 +227,7 @@ TEST(Predictor, AVelocityThatExplainsLittleIsNotMistrustedWhilePredictionsHold)
         guesses += tick > 100 && kept && anew && tracked.store.remaining(0, tracked.now) == 1;
     }
     EXPECT_EQ(guesses, 0);
-    EXPECT_GT(tracked.predictions, 50) << "it does move";
+    EXPECT_GT(tracked.predictions, 50) << "the object does move";
 }
 
 // Reaches of minimum jerk between random points, with a tremor.
@@ -244,7 +244,7 @@ Vector3 hand(Random &random, int tick, Vector3 &from, Vector3 &to)
     return from + progress * (to - from) + Vector3::Constant(5e-5 * std::sin(0.06 * tick));
 }
 
-TEST(Predictor, AHandIsRecognisedAndPredictedFromWhereItWas)
+TEST(Predictor, AHandIsRecognisedAndPredictedFromItsPositions)
 {
     Random random(2);
     Predictor predictor;
@@ -257,44 +257,44 @@ TEST(Predictor, AHandIsRecognisedAndPredictedFromWhereItWas)
         tracked.see(seen);
         ASSERT_TRUE(tracked.inside(seen));
     }
-    EXPECT_EQ(tracked.bounds().role, Role::interactive);
+    EXPECT_EQ(tracked.record().role, Role::interactive);
     EXPECT_LT(tracked.predictions, ticks / 4);
     EXPECT_LT(tracked.violations, ticks / 6);
-    EXPECT_EQ(predictor.step(), 0) << "a hand tells no velocity";
+    EXPECT_EQ(predictor.step_estimate.step(), 0) << "a hand tells no velocity";
 }
 
 TEST(Predictor, AFixedRoleStays)
 {
     Predictor predictor;
     Tracked tracked(predictor);
-    tracked.store.bounds[0].role = Role::fixed_environment;
+    tracked.store.records[0].role = Role::fixed_environment;
     for (int tick = 0; tick < 100; ++tick)
         tracked.see(seen_alone({0.01 * tick, 0, 0}, radius));
-    EXPECT_EQ(tracked.bounds().role, Role::fixed_environment);
+    EXPECT_EQ(tracked.record().role, Role::fixed_environment);
 }
 
 TEST(Predictor, AFixedDeviationIsThatOfTheRole)
 {
     Predictor predictor;
-    predictor.deviation[0] = Deviation{0.5, 0.25, 0.125};
-    predictor.deviation[1] = Deviation{0.0625, 0.03125, 0};
+    predictor.settings.deviation[0] = Deviation{0.5, 0.25, 0.125};
+    predictor.settings.deviation[1] = Deviation{0.0625, 0.03125, 0};
     for (Role role : {Role::fixed_environment, Role::fixed_interactive})
     {
-        const Deviation expected = *predictor.deviation[is_interactive(role) ? 1 : 0];
+        const Deviation expected = *predictor.settings.deviation[is_interactive(role) ? 1 : 0];
         Tracked moving(predictor), still(predictor);
-        moving.store.bounds[0].role = still.store.bounds[0].role = role;
+        moving.store.records[0].role = still.store.records[0].role = role;
         for (int tick = 0; tick < 50; ++tick)
         {
             moving.see(seen_ball({0.5 * tick, 0, 0}, radius, {500, 0, 0}));
             still.see(seen_alone({1, 2, 3}, radius));
         }
-        ASSERT_FALSE(moving.bounds().still);
+        ASSERT_FALSE(moving.record().kind.still);
         EXPECT_EQ(moving.path().deviation().a, expected.a);
         EXPECT_EQ(moving.path().deviation().b, expected.b);
         EXPECT_EQ(moving.path().deviation().c, expected.c);
-        ASSERT_TRUE(still.bounds().still);
+        ASSERT_TRUE(still.record().kind.still);
         EXPECT_EQ(still.path().deviation().a, expected.a);
-        EXPECT_EQ(still.path().deviation().b, 0) << "what is still does not become less certain";
+        EXPECT_EQ(still.path().deviation().b, 0) << "a still object does not become less certain";
     }
 }
 
@@ -305,8 +305,7 @@ TEST(Predictor, HorizonsKeepToTheirBounds)
     {
         Random random(3);
         Predictor predictor;
-        predictor.horizon = horizon;
-        predictor.gather = 8;
+        predictor.settings.horizon = horizon;
         Tracked tracked(predictor);
         MovingBall object;
         for (int tick = 0; tick < 5000; ++tick)
@@ -314,38 +313,13 @@ TEST(Predictor, HorizonsKeepToTheirBounds)
             if (random.chance(0.01))
                 object.velocity = random.vector(random.chance(0.5) ? 0.05 : 5);
             tracked.see(object.next());
-            if (tracked.bounds().still)
+            if (tracked.record().kind.still)
                 continue;
-            const std::int32_t ticks = ticks_between(tracked.path().since, tracked.bounds().until);
+            const std::int32_t ticks = ticks_between(tracked.path().since, tracked.record().prediction.until);
             ASSERT_GE(ticks, static_cast<std::int32_t>(horizon.min_ticks));
             ASSERT_LE(ticks, static_cast<std::int32_t>(horizon.max_ticks));
         }
     }
-}
-
-TEST(Predictor, LongHorizonsEndTogether)
-{
-    Predictor predictor;
-    predictor.gather = 8;
-    predictor.horizon.max_ticks = 128;
-    Tracked tracked(predictor);
-    MovingBall object;
-    object.velocity = {0.03, 0, 0};
-    std::set<Tick> ends;
-    std::array<int, 8> phases = {};
-    for (int tick = 0; tick < 20000; ++tick)
-    {
-        tracked.see(object.next());
-        const Tick end = tracked.bounds().until;
-        if (ticks_between(tracked.path().since, end) >= 32 && ends.insert(end).second)
-            ++phases[(end + end / 64) % 8];
-    }
-    EXPECT_GT(phases[0], 9 * static_cast<int>(ends.size()) / 10);
-    EXPECT_LT(tracked.predictions, 260) << "and are hardly shorter for it";
-    std::set<Tick> rests;
-    for (Tick end : ends)
-        rests.insert(end % 8);
-    EXPECT_EQ(rests.size(), 8u) << "what happens every eight ticks would always meet them";
 }
 
 TEST(Predictor, HorizonsOfEqualObjectsDiffer)
@@ -354,12 +328,13 @@ TEST(Predictor, HorizonsOfEqualObjectsDiffer)
     ProxyStore store;
     std::vector<Tick> ends;
     for (ProxyId id = 0; id < 100; ++id)
-        add_empty_proxy(store);
+        store.add();
+    predictor.resize(store.size());
     for (Tick tick = 0; tick <= 200; tick += 20)
         for (ProxyId id = 0; id < 100; ++id)
             predictor.predict(store, id, seen_ball({0.0005 * tick, 0, 0}, radius, {0.5, 0, 0}), tick);
-    for (const PackedBounds &bounds : store.bounds)
-        ends.push_back(bounds.until);
+    for (const ProxyRecord &record : store.records)
+        ends.push_back(record.prediction.until);
     std::sort(ends.begin(), ends.end());
     int together = 0;
     for (Tick end : ends)
@@ -375,14 +350,14 @@ TEST(Predictor, CrowdedObjectsLookLessFarAhead)
     one.velocity = other.velocity = {0.5, 0, 0};
     for (int tick = 0; tick < 3000; ++tick)
     {
-        crowded.store.bounds[0].crowded = true;
+        crowded.store.records[0].kind.crowded = true;
         alone.see(one.next());
         crowded.see(other.next());
     }
     EXPECT_GT(crowded.predictions, alone.predictions);
 }
 
-TEST(Predictor, WhatIsNotANumberHarmsNobody)
+TEST(Predictor, NotANumberHarmsNoOtherObject)
 {
     Predictor predictor;
     Tracked tracked(predictor), lost(predictor);
@@ -397,7 +372,7 @@ TEST(Predictor, WhatIsNotANumberHarmsNobody)
         for (int tick = 0; tick < 10; ++tick)
             lost.see(seen);
     }
-    EXPECT_NEAR(predictor.step(), step, 1e-9);
+    EXPECT_NEAR(predictor.step_estimate.step(), step, 1e-9);
     const int before = tracked.predictions;
     follow(tracked, object, 1000);
     EXPECT_LT(tracked.predictions - before, 50);
@@ -406,7 +381,7 @@ TEST(Predictor, WhatIsNotANumberHarmsNobody)
     follow(lost, found, 1000);
     const int recovered = lost.predictions;
     follow(lost, found, 1000);
-    EXPECT_LT(lost.predictions - recovered, 50) << "it has come back and is predicted as any other";
+    EXPECT_LT(lost.predictions - recovered, 50) << "the object is back and is predicted like any other";
 }
 
 TEST(Predictor, AVelocityThatIsNotANumberIsNone)
@@ -415,8 +390,8 @@ TEST(Predictor, AVelocityThatIsNotANumberIsNone)
     Tracked tracked(predictor);
     for (int tick = 0; tick < 100; ++tick)
         tracked.see(seen_ball({0, 0, 0}, radius, {nan, infinity, 1e40}));
-    EXPECT_TRUE(tracked.bounds().still);
-    EXPECT_EQ(predictor.step(), 0);
+    EXPECT_TRUE(tracked.record().kind.still);
+    EXPECT_EQ(predictor.step_estimate.step(), 0);
 }
 
 TEST(Predictor, InfiniteBoundsAreStillAndKeepTheirFiniteSide)
@@ -425,8 +400,8 @@ TEST(Predictor, InfiniteBoundsAreStillAndKeepTheirFiniteSide)
     Tracked tracked(predictor);
     const Box half_space(Vector3::Constant(-infinity), Vector3(infinity, infinity, 1.5));
     tracked.see(seen_bounds(half_space));
-    EXPECT_TRUE(tracked.bounds().still);
-    EXPECT_EQ(tracked.bounds().check, Check::bounds);
+    EXPECT_TRUE(tracked.record().kind.still);
+    EXPECT_EQ(tracked.record().kind.check, Check::bounds);
     const Box envelope = tracked.store.envelope(0, tracked.now).at(0);
     EXPECT_EQ(envelope.min(), half_space.min());
     EXPECT_EQ(envelope.max().x(), infinity);
@@ -453,7 +428,7 @@ TEST(Predictor, APredictionHoldsWhenItIsMade)
             seen = seen_ball(low, size, random.vector(far));
         tracked.predict(seen);
         ASSERT_TRUE(tracked.inside(seen)) << i;
-        ASSERT_GE(tracked.bounds().radius, seen.bounds ? 0.5 * seen.bounds->diagonal().norm() : size);
+        ASSERT_GE(tracked.record().prediction.radius, seen.bounds ? 0.5 * seen.bounds->diagonal().norm() : size);
         tracked.now += 1;
         tracked.predict(seen);
         ASSERT_TRUE(tracked.inside(seen)) << i;
@@ -480,9 +455,9 @@ TEST(Predictor, UsesTheMemoryOfForgottenObjectsAgain)
         Tracked tracked(predictor);
         for (int tick = 0; tick < 20; ++tick)
             tracked.see(seen_alone({0.01 * tick, 0, 0}, radius));
-        ASSERT_NE(tracked.bounds().history, no_history);
+        ASSERT_NE(tracked.record().learned.history, no_history);
         predictor.forget(tracked.store, 0);
-        EXPECT_EQ(tracked.bounds().history, no_history);
+        EXPECT_EQ(tracked.record().learned.history, no_history);
     };
     live();
     const std::size_t before = predictor.bytes();

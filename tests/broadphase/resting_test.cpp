@@ -1,4 +1,4 @@
-// Pairs of two that have not moved for a while are not tested any more, until something happens to one of them.
+// Pairs of two objects that have not moved for a while are not tested any more, until one of them changes.
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ TEST_F(Resting, ASmallMoveIsSeenAtOnce)
     world.place(neighbour, world.object(neighbour).centre - Vector3(0, 2e-9, 0));
     const std::size_t before = world.overlapping().size();
     tick();
-    EXPECT_EQ(before, std::size_t{count + 1}) << "it was to touch the first two";
+    EXPECT_EQ(before, std::size_t{count + 1}) << "the object was meant to touch the first two";
     EXPECT_GE(tested(), 1u);
 }
 
@@ -72,7 +72,7 @@ TEST_F(Resting, GrowthAndShrinkingAreSeenAtOnce)
     }
 }
 
-TEST_F(Resting, WhatIsRemovedIsNotReported)
+TEST_F(Resting, ARemovedObjectIsNotReported)
 {
     world.remove(5);
     tick();
@@ -82,7 +82,7 @@ TEST_F(Resting, WhatIsRemovedIsNotReported)
     EXPECT_EQ(tested(), 0u);
 }
 
-TEST_F(Resting, AMoveNoticedByAQuestionIsNotForgotten)
+TEST_F(Resting, AMoveSeenByAQuestionIsNotForgotten)
 {
     world.place(3, world.object(3).centre + Vector3(0, 1, 0));
     world.broadphase.catch_up(world);
@@ -90,7 +90,7 @@ TEST_F(Resting, AMoveNoticedByAQuestionIsNotForgotten)
     tick();
 }
 
-// A program that asks often between two ticks: what is stale in the near set is dropped in between.
+// Many questions between two ticks: stale pairs of the near set are dropped in between.
 TEST_F(Resting, NoPairIsReportedTwiceAfterManyQuestions)
 {
     constexpr int crowd = 60;
@@ -113,9 +113,9 @@ TEST_F(Resting, NoPairIsReportedTwiceAfterManyQuestions)
 
 TEST_F(Resting, NewSettingsAreFollowed)
 {
-    world.broadphase.set_measure(Proximity::sphere);
+    world.broadphase.set_proximity_test(ProximityTest::sphere);
     run(long_enough);
-    world.broadphase.set_measure(Proximity::box);
+    world.broadphase.set_proximity_test(ProximityTest::box);
     run(long_enough);
     EXPECT_EQ(tested(), 0u);
 }

@@ -1,6 +1,4 @@
-// The tick as a whole: when time passes, what is counted, how the work is spread, when the scene is scanned instead.
-
-#include "ode_predictive_space/broadphase/tick.h"
+// The tick as a whole: when time passes, what is counted, how the work is spread, when the scene is swept instead.
 
 #include <gtest/gtest.h>
 
@@ -74,7 +72,7 @@ TEST(Tick, ASingleMoveBetweenTicksIsNoTick)
     EXPECT_EQ(gas.world.violated_invariant(), "");
 }
 
-TEST(Tick, SeesThatAnObjectWithoutNoticeHasStopped)
+TEST(Tick, SeesThatAnObjectWithoutReportsHasStopped)
 {
     World world;
     const ProxyId moving = world.add(ball({0, 0, 0}, 0.1, {0.001, 0, 0}));
@@ -92,12 +90,12 @@ TEST(Tick, SeesThatAnObjectWithoutNoticeHasStopped)
         world.tick();
         ASSERT_EQ(world.violated_invariant(), "") << "tick " << tick;
     }
-    EXPECT_TRUE(world.broadphase.proxies().bounds[moving].still);
-    EXPECT_FALSE(world.broadphase.proxies().bounds[other].still);
+    EXPECT_TRUE(world.broadphase.proxies().records[moving].kind.still);
+    EXPECT_FALSE(world.broadphase.proxies().records[other].kind.still);
 }
 
-// Its slow path would hold it for long, and would be looked at in each tick.
-TEST(Tick, PredictsThatWhatHasStoppedWillStay)
+// The slow path would hold for long, and the object would be looked at in each tick.
+TEST(Tick, PredictsThatAStoppedObjectWillStay)
 {
     World world;
     const ProxyId slow = world.add(ball({0, 0, 0}, 0.1, {0.00002, 0, 0}));
@@ -107,7 +105,7 @@ TEST(Tick, PredictsThatWhatHasStoppedWillStay)
         world.advance();
         world.tick();
     }
-    ASSERT_FALSE(world.broadphase.proxies().bounds[slow].still);
+    ASSERT_FALSE(world.broadphase.proxies().records[slow].kind.still);
     world.object(slow).displacement = Vector3::Zero();
     world.object(slow).velocity = Vector3::Zero();
     const std::uint64_t broken = world.broadphase.counters().violations;
@@ -116,12 +114,12 @@ TEST(Tick, PredictsThatWhatHasStoppedWillStay)
         world.advance();
         world.tick();
     }
-    EXPECT_TRUE(world.broadphase.proxies().bounds[slow].still);
+    EXPECT_TRUE(world.broadphase.proxies().records[slow].kind.still);
     EXPECT_EQ(world.broadphase.counters().violations, broken) << "it had not left its envelope";
     EXPECT_EQ(world.violated_invariant(), "");
 }
 
-TEST(Tick, WhatHasComeToRestLetsGoOfItsNeighbour)
+TEST(Tick, AnObjectAtRestLosesItsNeighbour)
 {
     World world;
     const ProxyId still = world.add(ball({0.1, 0, 0}, 0.1, {0, 0, 0}));
@@ -129,7 +127,7 @@ TEST(Tick, WhatHasComeToRestLetsGoOfItsNeighbour)
     world.add(ball({0.5, 5, 0}, 0.1, {0.001, 0, 0}));
     for (int tick = 0; tick < 400; ++tick)
     {
-        // It stops less than its slack before the other.
+        // The object stops less than its slack before the other.
         if (world.object(mover).centre.x() > -0.101)
         {
             world.object(mover).displacement = Vector3::Zero();
@@ -149,13 +147,13 @@ TEST(Tick, WhatHasComeToRestLetsGoOfItsNeighbour)
     EXPECT_EQ(world.tick(), (Pairs{{mover, still}}));
 }
 
-TEST(Tick, DoesNotDependOnTheOrderOfNotices)
+TEST(Tick, DoesNotDependOnTheOrderOfReports)
 {
     CalmGas forwards(150), backwards(150);
     for (int tick = 0; tick < 300; ++tick)
     {
         const Pairs expected = forwards.tick();
-        // Told of all moves beforehand, the last object first; the moves themselves then bring nothing new.
+        // All moves are reported beforehand, the last object first; the moves themselves then bring nothing new.
         std::vector<ProxyId> members = backwards.world.members();
         for (auto id = members.rbegin(); id != members.rend(); ++id)
             backwards.world.touch(*id);
@@ -170,7 +168,7 @@ TEST(Tick, CountsWhatItDoes)
     const Counters &counters = gas.world.broadphase.counters();
     EXPECT_EQ(counters.moved, 50u);
     EXPECT_EQ(counters.repredictions, 50u);
-    EXPECT_EQ(counters.violations, 0u) << "what was not predicted cannot be broken";
+    EXPECT_EQ(counters.violations, 0u) << "an object without a prediction cannot break it";
     gas.run(10);
     EXPECT_EQ(counters.moved, 550u);
     EXPECT_GE(counters.verified, 500u);
@@ -178,7 +176,7 @@ TEST(Tick, CountsWhatItDoes)
     const std::uint64_t before = counters.violations;
     gas.world.tick();
     EXPECT_GE(counters.violations, before + 1);
-    EXPECT_EQ(counters.scans, 0u);
+    EXPECT_EQ(counters.sweeps, 0u);
 }
 
 TEST(Tick, PredictsSeldomInUniformMotion)
@@ -190,7 +188,7 @@ TEST(Tick, PredictsSeldomInUniformMotion)
     const double per_tick = static_cast<double>(gas.predictions() - before) / 1000 / gas.objects();
     RecordProperty("predictions_per_object_and_tick", std::to_string(per_tick));
     EXPECT_LT(per_tick, 1.0 / 20);
-    EXPECT_EQ(gas.world.broadphase.counters().scans, 0u);
+    EXPECT_EQ(gas.world.broadphase.counters().sweeps, 0u);
     EXPECT_EQ(gas.world.violated_invariant(), "");
 }
 
@@ -211,25 +209,7 @@ TEST(Tick, SleepsUntilTheTimeOfProximity)
     EXPECT_GT(world.broadphase.counters().woken, 0u);
 }
 
-// A tick that predicts one object has much of what predicting eight costs.
-TEST(Tick, GathersPredictionsWhereThereAreFew)
-{
-    CalmGas gas(200);
-    gas.run(1000);
-    const std::uint64_t start = gas.predictions();
-    int busy = 0;
-    constexpr int ticks = 2000;
-    for (int tick = 0; tick < ticks; ++tick)
-    {
-        const std::uint64_t before = gas.predictions();
-        gas.tick();
-        busy += gas.predictions() > before;
-    }
-    EXPECT_GT(gas.predictions() - start, 500u);
-    EXPECT_LT(busy, ticks / 8 + 50) << "of " << gas.predictions() - start;
-}
-
-// Predicted together, objects must not expire together: haptics lives by the worst tick.
+// Objects that were predicted together must not expire together: haptics depends on the slowest tick.
 TEST(Tick, SpreadsTheEndsOfHorizons)
 {
     CalmGas gas(1000);
@@ -247,7 +227,7 @@ TEST(Tick, SpreadsTheEndsOfHorizons)
     EXPECT_LT(static_cast<double>(most), 6 * mean + 10);
 }
 
-// Half of them still, half moving; the program asks nothing.
+// Half of them still, half moving, in a program without questions.
 World newcomers(std::size_t count)
 {
     World world;
@@ -258,7 +238,7 @@ World newcomers(std::size_t count)
     return world;
 }
 
-TEST(Tick, NewObjectsAreScannedUntilItIsKnownHowTheyMove)
+TEST(Tick, NewObjectsAreSweptUntilItIsKnownHowTheyMove)
 {
     for (std::size_t count : {2, 30, 1000})
     {
@@ -268,17 +248,17 @@ TEST(Tick, NewObjectsAreScannedUntilItIsKnownHowTheyMove)
             world.advance();
             ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
         }
-        EXPECT_FALSE(world.broadphase.scanning());
+        EXPECT_EQ(world.broadphase.mode(), Mode::predicting);
         const Counters &counters = world.broadphase.counters();
-        EXPECT_GE(counters.scans, 3u) << count;
-        EXPECT_LE(counters.scans, count < 100 ? 5u : 20u) << count << ", many of which are predicted in parts";
-        EXPECT_LT(counters.repredictions, 2 * count) << "predicted once, when the velocities mean something";
+        EXPECT_GE(counters.sweeps, 3u) << count;
+        EXPECT_LE(counters.sweeps, count < 100 ? 5u : 20u) << count << ", many of which are predicted in parts";
+        EXPECT_LT(counters.repredictions, 2 * count) << "predicted once, when it is known how far velocities carry";
         EXPECT_EQ(counters.violations, 0u);
         EXPECT_EQ(world.violated_invariant(), "");
     }
 }
 
-TEST(Tick, WhoAsksForPredictionsGetsThemAtOnce)
+TEST(Tick, PredictionsAreMadeAtOnceWhenWanted)
 {
     World world = newcomers(100);
     world.advance();
@@ -287,13 +267,13 @@ TEST(Tick, WhoAsksForPredictionsGetsThemAtOnce)
     EXPECT_TRUE(world.broadphase.want_predictions());
     world.broadphase.catch_up(world);
     EXPECT_GE(world.broadphase.counters().repredictions, 100u);
-    EXPECT_FALSE(world.broadphase.scanning());
-    EXPECT_FALSE(world.broadphase.want_predictions()) << "they are there";
+    EXPECT_EQ(world.broadphase.mode(), Mode::predicting);
+    EXPECT_FALSE(world.broadphase.want_predictions()) << "the predictions are made";
     EXPECT_EQ(sorted_pairs(world.report()), world.overlapping());
     EXPECT_EQ(world.violated_invariant(), "");
 }
 
-TEST(Tick, ManyNewObjectsAmongFewOldOnesAreScanned)
+TEST(Tick, ManyNewObjectsAmongFewOldOnesAreSwept)
 {
     World world = newcomers(20);
     for (int tick = 0; tick < 30; ++tick)
@@ -301,7 +281,7 @@ TEST(Tick, ManyNewObjectsAmongFewOldOnesAreScanned)
         world.advance();
         world.tick();
     }
-    const std::uint64_t scans = world.broadphase.counters().scans;
+    const std::uint64_t sweeps = world.broadphase.counters().sweeps;
     for (int i = 0; i < 100; ++i)
         world.add(ball({0.1 * i, 3, 0}, 0.1, {0, 0.001, 0}));
     for (int tick = 0; tick < 30; ++tick)
@@ -309,11 +289,11 @@ TEST(Tick, ManyNewObjectsAmongFewOldOnesAreScanned)
         world.advance();
         ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
     }
-    EXPECT_GT(world.broadphase.counters().scans, scans);
-    EXPECT_FALSE(world.broadphase.scanning());
+    EXPECT_GT(world.broadphase.counters().sweeps, sweeps);
+    EXPECT_EQ(world.broadphase.mode(), Mode::predicting);
 }
 
-TEST(Tick, AnExplosionIsNoReasonToScanForLong)
+TEST(Tick, AnExplosionIsNoReasonToSweepForLong)
 {
     CalmGas gas(200);
     gas.run(300);
@@ -323,7 +303,7 @@ TEST(Tick, AnExplosionIsNoReasonToScanForLong)
         ASSERT_EQ(sorted_pairs(gas.world.tick()), gas.world.overlapping());
         gas.run(100);
     }
-    EXPECT_FALSE(gas.world.broadphase.scanning());
+    EXPECT_EQ(gas.world.broadphase.mode(), Mode::predicting);
 }
 
 class Teleports : public testing::Test
@@ -331,14 +311,14 @@ class Teleports : public testing::Test
 protected:
     Teleports() : gas(200) { gas.run(50); }
 
-    // Ticks of teleports until scanning has begun.
-    int teleport_until_scanning()
+    // Ticks of teleports until sweeping has begun.
+    int teleport_until_swept()
     {
         for (int tick = 1; tick < 100; ++tick)
         {
             gas.scatter();
             EXPECT_EQ(sorted_pairs(gas.world.tick()), gas.world.overlapping());
-            if (gas.world.broadphase.scanning())
+            if (gas.world.broadphase.mode() == Mode::sweeping)
                 return tick;
         }
         return 100;
@@ -347,34 +327,34 @@ protected:
     CalmGas gas;
 };
 
-TEST_F(Teleports, AreScanned)
+TEST_F(Teleports, AreSwept)
 {
-    EXPECT_LT(teleport_until_scanning(), 10);
+    EXPECT_LT(teleport_until_swept(), 10);
     const std::uint64_t predictions = gas.predictions();
-    const std::uint64_t scans = gas.world.broadphase.counters().scans;
+    const std::uint64_t sweeps = gas.world.broadphase.counters().sweeps;
     for (int tick = 0; tick < 500; ++tick)
     {
         gas.scatter();
         ASSERT_EQ(sorted_pairs(gas.world.tick()), gas.world.overlapping()) << "tick " << tick;
         ASSERT_EQ(gas.world.violated_invariant(), "");
     }
-    EXPECT_GT(gas.world.broadphase.counters().scans, scans + 400);
+    EXPECT_GT(gas.world.broadphase.counters().sweeps, sweeps + 400);
     EXPECT_LT(static_cast<double>(gas.predictions() - predictions), 0.2 * 500 * gas.objects());
 }
 
 TEST_F(Teleports, AreForgottenWhenCalmReturns)
 {
-    ASSERT_LT(teleport_until_scanning(), 100);
+    ASSERT_LT(teleport_until_swept(), 100);
     int ticks = 0;
-    while (gas.world.broadphase.scanning() && ticks < 1000)
+    while (gas.world.broadphase.mode() != Mode::predicting && ticks < 1000)
     {
         const Pairs reported = sorted_pairs(gas.tick());
         ASSERT_EQ(reported, gas.world.overlapping()) << "tick " << ticks;
         ++ticks;
     }
-    EXPECT_LT(ticks, 1000) << "scanning does not end";
+    EXPECT_LT(ticks, 1000) << "sweeping does not end";
     gas.run(500);
-    EXPECT_FALSE(gas.world.broadphase.scanning());
+    EXPECT_EQ(gas.world.broadphase.mode(), Mode::predicting);
     const std::uint64_t before = gas.predictions();
     gas.run(500);
     EXPECT_LT(static_cast<double>(gas.predictions() - before) / 500 / gas.objects(), 1.0 / 20);
@@ -383,7 +363,7 @@ TEST_F(Teleports, AreForgottenWhenCalmReturns)
 
 TEST_F(Teleports, MayEndInStillness)
 {
-    ASSERT_LT(teleport_until_scanning(), 100);
+    ASSERT_LT(teleport_until_swept(), 100);
     const Pairs pairs = sorted_pairs(gas.world.report());
     for (int tick = 0; tick < 100; ++tick)
     {
@@ -395,7 +375,7 @@ TEST_F(Teleports, MayEndInStillness)
 TEST_F(Teleports, LetObjectsComeAndGo)
 {
     Random random(7);
-    ASSERT_LT(teleport_until_scanning(), 100);
+    ASSERT_LT(teleport_until_swept(), 100);
     for (int tick = 0; tick < 200; ++tick)
     {
         gas.world.remove(static_cast<ProxyId>(tick));
@@ -409,10 +389,10 @@ TEST_F(Teleports, LetObjectsComeAndGo)
     }
 }
 
-// The results of tests by the old measure used to be kept while nothing moved.
-TEST_F(Teleports, LetTheMeasureChangeWhileTheSceneIsScanned)
+// The results of the old proximity test used to be kept while nothing moved.
+TEST_F(Teleports, LetTheProximityTestChangeWhileTheSceneIsSwept)
 {
-    ASSERT_LT(teleport_until_scanning(), 100);
+    ASSERT_LT(teleport_until_swept(), 100);
     Broadphase &broadphase = gas.world.broadphase;
     std::size_t difference = 0;
     for (int tick = 0; tick < 20; ++tick)
@@ -420,9 +400,9 @@ TEST_F(Teleports, LetTheMeasureChangeWhileTheSceneIsScanned)
         gas.scatter();
         gas.world.tick();
         const std::size_t by_boxes = gas.world.overlapping().size();
-        for (Proximity measure : {Proximity::sphere, Proximity::box})
+        for (ProximityTest test : {ProximityTest::sphere, ProximityTest::box})
         {
-            broadphase.set_measure(measure);
+            broadphase.set_proximity_test(test);
             ASSERT_EQ(sorted_pairs(gas.world.tick()), gas.world.overlapping());
             difference += by_boxes - gas.world.overlapping().size();
         }
@@ -430,9 +410,9 @@ TEST_F(Teleports, LetTheMeasureChangeWhileTheSceneIsScanned)
     EXPECT_GT(difference, 0u) << "the test needs pairs of which only the boxes overlap";
 }
 
-TEST_F(Teleports, LetRolesBeSetWhileTheSceneIsScanned)
+TEST_F(Teleports, LetRolesBeSetWhileTheSceneIsSwept)
 {
-    ASSERT_LT(teleport_until_scanning(), 100);
+    ASSERT_LT(teleport_until_swept(), 100);
     for (int tick = 0; tick < 300; ++tick)
     {
         gas.world.broadphase.set_role(static_cast<ProxyId>(tick % 200), Role::fixed_interactive);

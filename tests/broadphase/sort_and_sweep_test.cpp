@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/sweep.h"
+#include "ode_predictive_space/broadphase/index/sort_and_sweep.h"
 
 #include <limits>
 #include <map>
@@ -16,7 +16,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 using Items = std::vector<SweptProxy>;
 
-void expect_all_pairs(Sweep &sweep, const Items &items)
+void expect_all_pairs(SortAndSweep &sweep, const Items &items)
 {
     std::vector<CandidatePair> found;
     sweep.find_pairs(items, found);
@@ -39,10 +39,10 @@ Items random_items(Random &random, std::size_t count, double spread, double size
     return items;
 }
 
-TEST(Sweep, FindsTheOverlappingPairsOfAnyNumberOfBoxes)
+TEST(SortAndSweep, FindsTheOverlappingPairsOfAnyNumberOfBoxes)
 {
     Random random(1);
-    Sweep sweep;
+    SortAndSweep sweep;
     for (std::size_t count : {0, 1, 2, 3, 10, 100, 255, 256, 257, 1000, 3000})
         expect_all_pairs(sweep, random_items(random, count, 1, 0.3));
     for (std::size_t count = 0; count < 60; ++count)
@@ -50,10 +50,10 @@ TEST(Sweep, FindsTheOverlappingPairsOfAnyNumberOfBoxes)
             expect_all_pairs(sweep, random_items(random, count, 1, 1));
 }
 
-TEST(Sweep, FindsThemWhicheverAxisIsWidest)
+TEST(SortAndSweep, FindsThemWhicheverAxisIsWidest)
 {
     Random random(2);
-    Sweep sweep;
+    SortAndSweep sweep;
     for (int axis = 0; axis < 3; ++axis)
         for (std::size_t count : {50, 400})
         {
@@ -70,10 +70,10 @@ TEST(Sweep, FindsThemWhicheverAxisIsWidest)
 
 // As many as are cut into slabs, of all widths: many lie in one slab, some in a few, some in all. Where all meet along the
 // axis, the last of a slab meets the first of the next.
-TEST(Sweep, BoxesInSeveralSlabsAreFoundOnce)
+TEST(SortAndSweep, BoxesInSeveralSlabsAreFoundOnce)
 {
     Random random(8);
-    Sweep sweep;
+    SortAndSweep sweep;
     for (double part_of_wide : {0.0, 0.02, 0.3})
         for (double width : {0.02, 1.0, 4.0})
             for (float length : {0.3f, 200.0f})
@@ -94,10 +94,10 @@ TEST(Sweep, BoxesInSeveralSlabsAreFoundOnce)
 }
 
 // So long that they meet what begins anywhere along them: in rows of eight, some are of another slab.
-TEST(Sweep, LongBoxesInSlabsOfAFewAreFoundOnce)
+TEST(SortAndSweep, LongBoxesInSlabsOfAFewAreFoundOnce)
 {
     Random random(3);
-    Sweep sweep;
+    SortAndSweep sweep;
     for (double slabs : {30, 300, 1000, 3000})
     {
         Items items;
@@ -114,10 +114,10 @@ TEST(Sweep, LongBoxesInSlabsOfAFewAreFoundOnce)
 }
 
 // A few far away must not spoil how the others are told apart, and all may lie in a plane, or on a line.
-TEST(Sweep, FindsThemWhereverTheOthersLie)
+TEST(SortAndSweep, FindsThemWhereverTheOthersLie)
 {
     Random random(9);
-    Sweep sweep;
+    SortAndSweep sweep;
     for (int flat_axes : {0, 1, 2})
         for (float far : {0.0f, 1e4f, 1e14f})
         {
@@ -137,10 +137,10 @@ TEST(Sweep, FindsThemWhereverTheOthersLie)
 }
 
 // The order is by places, of which there are 65536: what begins at the same one need not overlap.
-TEST(Sweep, TinyBoxesAtTheSamePlaceAreToldApart)
+TEST(SortAndSweep, TinyBoxesAtTheSamePlaceAreToldApart)
 {
     Random random(4);
-    Sweep sweep;
+    SortAndSweep sweep;
     for (ProxyId count : {500, 3000})
     {
         Items items;
@@ -155,7 +155,7 @@ TEST(Sweep, TinyBoxesAtTheSamePlaceAreToldApart)
     }
 }
 
-TEST(Sweep, TouchingBoxesOverlap)
+TEST(SortAndSweep, TouchingBoxesOverlap)
 {
     Items items;
     for (ProxyId z = 0; z < 7; ++z)
@@ -166,7 +166,7 @@ TEST(Sweep, TouchingBoxesOverlap)
                 items.push_back({static_cast<ProxyId>(items.size()),
                                  {{low[0], low[1], low[2]}, {low[0] + 1, low[1] + 1, low[2] + 1}}});
             }
-    Sweep sweep;
+    SortAndSweep sweep;
     expect_all_pairs(sweep, items);
     std::vector<CandidatePair> found;
     sweep.find_pairs(items, found);
@@ -174,16 +174,16 @@ TEST(Sweep, TouchingBoxesOverlap)
     EXPECT_EQ(found.size(), (19u * 19u * 19u - 343u) / 2u);
 }
 
-TEST(Sweep, NegativeAndPositiveZeroTouch)
+TEST(SortAndSweep, NegativeAndPositiveZeroTouch)
 {
-    Sweep sweep;
+    SortAndSweep sweep;
     expect_all_pairs(sweep, {{0, {{-1, -1, -1}, {-0.0f, -0.0f, -0.0f}}}, {1, {{0, 0, 0}, {1, 1, 1}}}});
     expect_all_pairs(sweep, {{0, {{0, 0, 0}, {0, 0, 0}}}, {1, {{-0.0f, -0.0f, -0.0f}, {-0.0f, -0.0f, -0.0f}}}});
 }
 
-TEST(Sweep, IdenticalBoxesAllOverlap)
+TEST(SortAndSweep, IdenticalBoxesAllOverlap)
 {
-    Sweep sweep;
+    SortAndSweep sweep;
     for (std::size_t count : {5, 300})
     {
         Items items;
@@ -193,10 +193,10 @@ TEST(Sweep, IdenticalBoxesAllOverlap)
     }
 }
 
-TEST(Sweep, InfiniteBoxesMeetAllThatIsInTheirReach)
+TEST(SortAndSweep, InfiniteBoxesMeetAllThatIsInTheirReach)
 {
     Random random(3);
-    Sweep sweep;
+    SortAndSweep sweep;
     for (std::size_t count : {20, 500})
     {
         Items items = random_items(random, count, 2, 0.5);
@@ -219,10 +219,10 @@ TEST(Sweep, InfiniteBoxesMeetAllThatIsInTheirReach)
     }
 }
 
-TEST(Sweep, SortsAlongTheAxisOfTheWidestSpread)
+TEST(SortAndSweep, SortsAlongTheAxisOfTheWidestSpread)
 {
     Random random(6);
-    Sweep sweep;
+    SortAndSweep sweep;
     for (std::size_t count : {0, 1, 30, 5000})
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -246,11 +246,11 @@ TEST(Sweep, SortsAlongTheAxisOfTheWidestSpread)
         }
 }
 
-TEST(Sweep, SortsWhatIsNotFiniteSomewhere)
+TEST(SortAndSweep, SortsWhatIsNotFiniteSomewhere)
 {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     Random random(7);
-    Sweep sweep;
+    SortAndSweep sweep;
     for (std::size_t finite : {0, 5, 3000})
     {
         Items items = random_items(random, finite, 2, 0.1);
@@ -270,9 +270,9 @@ TEST(Sweep, SortsWhatIsNotFiniteSomewhere)
     EXPECT_TRUE(none.empty());
 }
 
-TEST(Sweep, AppendsToWhatIsThere)
+TEST(SortAndSweep, AppendsToWhatIsThere)
 {
-    Sweep sweep;
+    SortAndSweep sweep;
     std::vector<CandidatePair> pairs = {{7, 8}};
     sweep.find_pairs({{1, {{0, 0, 0}, {1, 1, 1}}}, {2, {{0, 0, 0}, {1, 1, 1}}}}, pairs);
     EXPECT_EQ(sorted_pairs(pairs), (Pairs{{1, 2}, {7, 8}}));

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/verify.h"
+#include "ode_predictive_space/broadphase/verify/verifier.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,21 +15,97 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // One object, wherever the test says.
-struct OneObject
+struct OneObject : Scene
 {
     Vector3 centre = Vector3::Zero();
     double radius = 1;
+    int looks = 0;
 
-    Vector3 position(ProxyId) const { return centre; }
-    const double *coordinates(ProxyId) const { return centre.data(); }
-    bool has_grown(ProxyId, float allowed) const { return !(radius <= allowed); }
-    Box bounds(ProxyId) const { return Box(centre.array() - radius, centre.array() + radius); }
+    Box box() const { return Box(centre.array() - radius, centre.array() + radius); }
+
+    void locate(const ProxyId *, std::size_t count, Location *locations) override
+    {
+        ++looks;
+        std::fill_n(locations, count, Location{{centre.x(), centre.y(), centre.z()}, radius * radius});
+    }
+    void measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes) override
+    {
+        ++looks;
+        for (std::size_t i = 0; i < count; ++i)
+            boxes[ids[i]] = MeasuredBox(box());
+    }
+    Box bounds(ProxyId) override
+    {
+        ++looks;
+        return box();
+    }
+
+    // Verification asks nothing else.
+    void observe(const ProxyId *, std::size_t, const bool *, Observation *) override { ADD_FAILURE(); }
+    std::optional<Vector3> pivot(ProxyId) override { return std::nullopt; }
+    bool overlap(ProxyId, ProxyId) override { return false; }
+    void find_disabled(const ProxyId *, std::size_t, std::vector<ProxyId> &) override { ADD_FAILURE(); }
 };
+
+// A verifier of the objects of a store.
+class Verification
+{
+public:
+    explicit Verification(const ProxyStore &store)
+    {
+        verifier.resize(store.size());
+        boxes_.resize(store.size());
+        batch_.resize(store.size());
+        none_.resize(store.size());
+    }
+
+    // Is the only object found within its envelope at this tick, at which it has moved?
+    bool holds(Scene &scene, const ProxyStore &store, Tick now)
+    {
+        verifier.mark_moved(0);
+        return !find_broken(scene, store, now);
+    }
+
+    // Does the report of its move leave it without a closer look at the tick that was expected?
+    template <typename Object> bool report_settles(ProxyStore &store, const Object &object, Tick expected)
+    {
+        verifier.report_move(store, 0, object, expected);
+        OneObject scene;
+        scene.centre = object.centre;
+        scene.radius = object.radius;
+        find_broken(scene, store, expected);
+        return scene.looks == 0;
+    }
+
+    Verifier verifier;
+
+private:
+    bool find_broken(Scene &scene, const ProxyStore &store, Tick now)
+    {
+        boxes_.invalidate(verifier.collect_moves());
+        batch_.clear();
+        const Verifier::Outcome outcome =
+            verifier.find_broken(scene, store, boxes_, {now, true, true, none_, none_}, batch_);
+        verifier.clear_moves();
+        EXPECT_EQ(outcome.verified, 1u);
+        EXPECT_EQ(outcome.broken, batch_.size() - (store.predicted(0) ? 0 : 1));
+        return batch_.contains(0);
+    }
+
+    MeasuredBoxes boxes_;
+    Batch batch_;
+    IdSet none_;
+};
+
+bool holds(Scene &scene, const ProxyStore &store, Tick now)
+{
+    return Verification(store).holds(scene, store, now);
+}
 
 const Path straight = {{1, 2, 3}, {0.5, 0, 0}, {0, 0.25, 0}};
 const Deviation some = {0.25, 0.125, 0};
 
-TEST(Verify, TheCentreMayBeAsFarFromThePathAsTheDeviation)
+TEST(Verifier, TheCentreMayBeAsFarFromThePathAsTheDeviation)
 {
     ProxyStore store;
     add_proxy(store, straight, some, 1, 100, 50);
@@ -49,7 +125,7 @@ TEST(Verify, TheCentreMayBeAsFarFromThePathAsTheDeviation)
     }
 }
 
-TEST(Verify, NoCentreThatIsNotANumberIsInside)
+TEST(Verifier, NoCentreThatIsNotANumberIsInside)
 {
     ProxyStore store;
     add_proxy(store, straight, some, 1, 100, 50);
@@ -59,7 +135,7 @@ TEST(Verify, NoCentreThatIsNotANumberIsInside)
 
 // Envelopes, and boxes with sides near theirs: within, on and beyond them, by more or by less than single precision tells.
 // What rounding adds is within what is allowed for it, also where the path has come far and where coordinates are large.
-TEST(Verify, ACentreInsideIsWithinTheOuterEnvelope)
+TEST(Verifier, ACentreInsideIsWithinTheOuterEnvelope)
 {
     Random random(22);
     int inside = 0, beyond_the_path = 0;
@@ -87,7 +163,7 @@ TEST(Verify, ACentreInsideIsWithinTheOuterEnvelope)
     EXPECT_GT(beyond_the_path, 100) << "rounding is seen";
 }
 
-TEST(Verify, WhatIsSurelyInsideIsInside)
+TEST(Verifier, ABoxThatIsSurelyInsideIsInside)
 {
     Random random(21);
     int sure = 0, inside = 0;
@@ -99,8 +175,8 @@ TEST(Verify, WhatIsSurelyInsideIsInside)
         const Path path = {place + random.vector(1), random.vector(0.01), random.vector(1e-4)};
         add_proxy(store, path, {random.uniform(0, 0.1), random.uniform(0, 1e-3), 0}, random.uniform(0.01, 1), begin,
                   600);
-        store.bounds[0].still = random.chance(0.2);
-        if (store.bounds[0].still)
+        store.records[0].kind.still = random.chance(0.2);
+        if (store.records[0].kind.still)
         {
             store.paths[0] = PackedPath{};
             std::copy_n(place.data(), 3, store.paths[0].position);
@@ -114,8 +190,8 @@ TEST(Verify, WhatIsSurelyInsideIsInside)
             box.min()[axis] += margin * random.uniform(-0.1, 1);
             box.max()[axis] -= margin * random.uniform(-0.1, 1);
         }
-        const bool surely = surely_inside(store.paths[0], store.bounds[0], MeasuredBox(box), now);
-        const bool really = bounds_inside(store.paths[0], store.bounds[0], box, now);
+        const bool surely = surely_inside(store.paths[0], store.records[0], MeasuredBox(box), now);
+        const bool really = bounds_inside(store.paths[0], store.records[0], box, now);
         ASSERT_LE(surely, really) << i;
         sure += surely;
         inside += really;
@@ -127,7 +203,7 @@ TEST(Verify, WhatIsSurelyInsideIsInside)
 #endif
 }
 
-TEST(Verify, NothingIsSureOfWhatIsNotANumber)
+TEST(Verifier, NothingIsSureOfABoxThatIsNotFinite)
 {
     const Box good(Vector3(-0.5, -0.5, -0.5), Vector3(0.5, 0.5, 0.5));
     for (int axis = 0; axis < 3; ++axis)
@@ -137,7 +213,7 @@ TEST(Verify, NothingIsSureOfWhatIsNotANumber)
             ProxyStore store;
             add_still_proxy(store, {0, 0, 0}, 1, 0);
             const auto sure = [&store](const Box &box) {
-                return surely_inside(store.paths[0], store.bounds[0], MeasuredBox(box), 5);
+                return surely_inside(store.paths[0], store.records[0], MeasuredBox(box), 5);
             };
             Box box = good;
             box.min()[axis] = bad;
@@ -146,21 +222,21 @@ TEST(Verify, NothingIsSureOfWhatIsNotANumber)
             box.max()[axis] = bad;
             EXPECT_FALSE(sure(box));
             const ProxyStore unspoilt = store;
-            store.bounds[0].low[axis] = number;
+            store.records[0].prediction.low[axis] = number;
             EXPECT_FALSE(sure(good));
             store = unspoilt;
-            store.bounds[0].high[axis] = number;
+            store.records[0].prediction.high[axis] = number;
             EXPECT_FALSE(sure(good));
             store = unspoilt;
             store.paths[0].position[axis] = bad;
             EXPECT_FALSE(sure(good));
             store = unspoilt;
-            store.bounds[0].unbounded = true;
-            EXPECT_FALSE(sure(good)) << "it is predicted anew whenever it moves";
+            store.records[0].placement.unbounded = true;
+            EXPECT_FALSE(sure(good)) << "the object is predicted anew whenever it moves";
         }
 }
 
-TEST(Verify, BoundsMustBeInsideOnEverySide)
+TEST(Verifier, BoundsMustBeInsideOnEverySide)
 {
     const Envelope envelope = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0.5, 0, 0}, {-1, -1, -1}, {1, 1, 1}, 2};
     const Box allowed = envelope.at(0);
@@ -178,7 +254,7 @@ TEST(Verify, BoundsMustBeInsideOnEverySide)
     }
 }
 
-TEST(Verify, InfiniteSidesHoldInfiniteBounds)
+TEST(Verifier, InfiniteSidesHoldInfiniteBounds)
 {
     const Envelope floor = {
         {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {}, {-infinity, -infinity, -infinity}, {infinity, infinity, 0}, infinity};
@@ -188,22 +264,22 @@ TEST(Verify, InfiniteSidesHoldInfiniteBounds)
     EXPECT_FALSE(bounds_inside(floor, plane));
 }
 
-TEST(Verify, AnObjectCheckedByItsCentreMayTurnButNotGrow)
+TEST(Verifier, AnObjectCheckedByItsCentreMayTurnButNotGrow)
 {
     ProxyStore store;
     add_proxy(store, straight, some, 1, 100, 50);
     OneObject object;
     object.centre = straight.at(10);
-    EXPECT_TRUE(prediction_holds(object, store, 0, 110));
+    EXPECT_TRUE(holds(object, store, 110));
     object.radius = 0.5;
-    EXPECT_TRUE(prediction_holds(object, store, 0, 110)) << "shrinking does no harm";
+    EXPECT_TRUE(holds(object, store, 110)) << "shrinking does no harm";
     object.radius = 1.001;
-    EXPECT_FALSE(prediction_holds(object, store, 0, 110));
+    EXPECT_FALSE(holds(object, store, 110));
     object.radius = nan;
-    EXPECT_FALSE(prediction_holds(object, store, 0, 110));
+    EXPECT_FALSE(holds(object, store, 110));
 }
 
-TEST(Verify, AnObjectCheckedByItsBoundsMustHaveThemInside)
+TEST(Verifier, AnObjectCheckedByItsBoundsMustHaveThemInside)
 {
     ProxyStore store;
     add_proxy(store, straight, some, 1, 100, 50);
@@ -211,13 +287,13 @@ TEST(Verify, AnObjectCheckedByItsBoundsMustHaveThemInside)
     OneObject object;
     object.centre = straight.at(10);
     object.radius = 1 + some.at(10);
-    EXPECT_TRUE(prediction_holds(object, store, 0, 110));
-    EXPECT_FALSE(prediction_holds(object, store, 0, 108));
+    EXPECT_TRUE(holds(object, store, 110));
+    EXPECT_FALSE(holds(object, store, 108));
     object.radius += 1e-9;
-    EXPECT_FALSE(prediction_holds(object, store, 0, 110));
+    EXPECT_FALSE(holds(object, store, 110));
 }
 
-TEST(Verify, AStillObjectMayStayForAnyTime)
+TEST(Verifier, AStillObjectMayStayForAnyTime)
 {
     for (Check check : {Check::centre, Check::bounds})
     {
@@ -228,32 +304,32 @@ TEST(Verify, AStillObjectMayStayForAnyTime)
         OneObject object;
         object.centre = {4.25, 4.75, 6};
         for (Tick now : {0u, 1000u, 0x7fffffffu, 0x80000000u, 0xffffffffu})
-            EXPECT_TRUE(prediction_holds(object, store, 0, now));
+            EXPECT_TRUE(holds(object, store, now));
         object.centre.z() += 0.2501;
-        EXPECT_FALSE(prediction_holds(object, store, 0, 1000));
+        EXPECT_FALSE(holds(object, store, 1000));
     }
 }
 
-TEST(Verify, NothingHoldsForAnObjectWithoutPrediction)
+TEST(Verifier, NothingHoldsForAnObjectWithoutPrediction)
 {
     ProxyStore store;
-    add_empty_proxy(store);
+    store.add();
     OneObject object;
-    EXPECT_FALSE(prediction_holds(object, store, 0, 0));
+    EXPECT_FALSE(holds(object, store, 0));
 }
 
-TEST(Verify, WhatNoTreeCanHoldIsPredictedAnewWheneverItMoves)
+TEST(Verifier, AnObjectThatNoTreeCanHoldIsPredictedAnewWheneverItMoves)
 {
     ProxyStore store;
     add_still_proxy(store, {0, 0, 0}, 1, 0.25);
     check_by_bounds(store, 0);
     OneObject object;
-    EXPECT_TRUE(prediction_holds(object, store, 0, 0));
-    store.bounds[0].unbounded = true;
-    EXPECT_FALSE(prediction_holds(object, store, 0, 0));
+    EXPECT_TRUE(holds(object, store, 0));
+    store.records[0].placement.unbounded = true;
+    EXPECT_FALSE(holds(object, store, 0));
 }
 
-// An object at the moment at which its move is noticed.
+// An object at the moment at which its move is reported.
 struct JustMoved
 {
     Vector3 centre;
@@ -272,54 +348,57 @@ struct JustMoved
     }
 };
 
-TEST(NoticeOfAMove, HoldsWhileTheCentreIsNearItsPath)
+TEST(ReportOfAMove, HoldsWhileTheCentreIsNearItsPath)
 {
     ProxyStore store;
     add_proxy(store, straight, some, 1, 100, 50);
+    Verification verification(store);
     JustMoved object;
     object.centre = straight.at(10);
-    EXPECT_TRUE(notice_holds(store, 0, object, 110));
-    EXPECT_FALSE(notice_holds(store, 0, object, 130)) << "it should be elsewhere by then";
+    EXPECT_TRUE(verification.report_settles(store, object, 110));
+    EXPECT_FALSE(verification.report_settles(store, object, 130)) << "it should be elsewhere by then";
     object.centre.z() += 2;
-    EXPECT_FALSE(notice_holds(store, 0, object, 110));
+    EXPECT_FALSE(verification.report_settles(store, object, 110));
     object.centre.z() = nan;
-    EXPECT_FALSE(notice_holds(store, 0, object, 110));
+    EXPECT_FALSE(verification.report_settles(store, object, 110));
 }
 
-TEST(NoticeOfAMove, LooksAtTheSizeWhenThePoseIsTheSameOrNotKnown)
+TEST(ReportOfAMove, LooksAtTheSizeWhenThePoseIsTheSameOrNotKnown)
 {
     ProxyStore store;
     add_proxy(store, straight, some, 1, 100, 50);
+    Verification verification(store);
     JustMoved object;
     object.centre = straight.at(10);
-    EXPECT_TRUE(notice_holds(store, 0, object, 110));
-    EXPECT_EQ(object.sizes_asked, 1) << "what it was before is not known";
+    EXPECT_TRUE(verification.report_settles(store, object, 110));
+    EXPECT_EQ(object.sizes_asked, 1) << "the pose before is not known";
     object.pose = 2;
-    EXPECT_TRUE(notice_holds(store, 0, object, 110));
-    EXPECT_EQ(object.sizes_asked, 1) << "it has moved, and moved only";
+    EXPECT_TRUE(verification.report_settles(store, object, 110));
+    EXPECT_EQ(object.sizes_asked, 1) << "only the pose has changed";
     object.radius = 2;
-    EXPECT_FALSE(notice_holds(store, 0, object, 110)) << "nothing else has changed: it has grown";
+    EXPECT_FALSE(verification.report_settles(store, object, 110)) << "the pose is the same: the size has changed";
 }
 
-TEST(NoticeOfAMove, LeavesDoubtWhereItTakesACloserLook)
+TEST(ReportOfAMove, LeavesDoubtWhereItTakesACloserLook)
 {
     ProxyStore store;
     add_proxy(store, straight, some, 1, 100, 50);
+    Verification verification(store);
     JustMoved object;
     object.centre = straight.at(10);
     object.centre_is_known = false;
-    EXPECT_FALSE(notice_holds(store, 0, object, 110)) << "its position has to be computed first";
+    EXPECT_FALSE(verification.report_settles(store, object, 110)) << "the position has to be computed first";
     object.centre_is_known = true;
     object.pose = 7;
     object.radius = 2;
-    EXPECT_FALSE(notice_holds(store, 0, object, 110)) << "and what came in between is not known";
+    EXPECT_FALSE(verification.report_settles(store, object, 110)) << "the pose before is not known";
     check_by_bounds(store, 0);
     store.stamps[0] = Stamp{};
     object.radius = 1;
-    EXPECT_FALSE(notice_holds(store, 0, object, 110)) << "it is checked by its bounds";
+    EXPECT_FALSE(verification.report_settles(store, object, 110)) << "it is checked by its bounds";
 }
 
-TEST(Verify, TimeMayWrapAround)
+TEST(Verifier, TimeMayWrapAround)
 {
     ProxyStore store;
     const Tick since = 0xfffffffau;
@@ -328,8 +407,8 @@ TEST(Verify, TimeMayWrapAround)
     EXPECT_FALSE(centre_inside(store.paths[0], straight.at(0).data(), since + 20));
 }
 
-// Whatever passes the check must be held by the box that the index has for it: to the last bit.
-TEST(Verify, WhatPassesIsInTheBoxOfTheIndex)
+// An object that passes the check must lie in the box that the index has for it: to the last bit.
+TEST(Verifier, AnObjectThatPassesIsInTheBoxOfTheIndex)
 {
     Random random(1);
     int passed = 0;
@@ -338,25 +417,25 @@ TEST(Verify, WhatPassesIsInTheBoxOfTheIndex)
         ProxyStore store;
         const Tick now = 1000;
         add_random_proxy(store, random, i % 2 == 0 ? 2 : 1000, now);
-        const bool still = store.bounds[0].still;
+        const bool still = store.records[0].kind.still;
         const std::int32_t t =
             still ? 0 : static_cast<std::int32_t>(random.index(static_cast<std::size_t>(store.remaining(0, now)) + 1));
         const Tick then = now + static_cast<Tick>(t);
         const Envelope predicted = store.envelope(0, then);
         OneObject object;
         object.centre = predicted.path.position;
-        object.radius = store.bounds[0].radius;
+        object.radius = store.records[0].prediction.radius;
         for (int axis = 0; axis < 3; ++axis)
         {
             object.centre[axis] += (random.chance(0.5) ? 1 : -1) * predicted.deviation.a;
             for (std::size_t steps = random.index(3); steps > 0; --steps)
                 object.centre[axis] = std::nextafter(object.centre[axis], random.chance(0.5) ? infinity : -infinity);
         }
-        if (!prediction_holds(object, store, 0, then))
+        if (!holds(object, store, then))
             continue;
         ++passed;
         const FloatBox indexed = store.swept_box(0, now);
-        const Box bounds = object.bounds(0);
+        const Box bounds = object.box();
         for (int axis = 0; axis < 3; ++axis)
         {
             ASSERT_LE(indexed.low[axis], bounds.min()[axis]) << "object " << i << (still ? ", still" : "");

@@ -1,4 +1,4 @@
-// Many predictions at once: made in parts, while all objects are swept.
+// The mode `filling`: many predictions are made in parts, while all objects are swept.
 
 #include <gtest/gtest.h>
 
@@ -8,35 +8,42 @@ namespace ode_predictive_space
 {
 namespace
 {
-class Parts : public testing::Test
+TEST(Sweeping, StartsWithPrediction)
+{
+    EXPECT_EQ(Sweeping().mode(), Mode::predicting);
+}
+
+class Filling : public testing::Test
 {
 protected:
     static constexpr std::size_t count = 1000;
     static constexpr std::size_t most_at_once = count / 16;
 
-    Parts() : gas(count) { gas.run(300); }
+    Filling() : gas(count) { gas.run(300); }
 
-    // A tick that reports what overlaps.
+    bool swept() const { return gas.world.broadphase.mode() != Mode::predicting; }
+
+    // A tick that reports the overlapping pairs.
     void tick()
     {
         const Pairs reported = sorted_pairs(gas.tick());
         ASSERT_EQ(reported, gas.world.overlapping());
     }
 
-    // Ticks from an explosion on, until it leaves too many predictions broken for one tick.
+    // Ticks from an explosion on, until too many predictions are broken for one tick.
     void explode()
     {
         gas.explode();
-        for (int ticks = 0; ticks < 20 && !gas.world.broadphase.scanning(); ++ticks)
+        for (int ticks = 0; ticks < 20 && !swept(); ++ticks)
             tick();
-        ASSERT_TRUE(gas.world.broadphase.scanning());
+        ASSERT_TRUE(swept());
     }
 
     // Ticks until all are predicted again.
     int ticks_to_the_end()
     {
         int ticks = 0;
-        for (; gas.world.broadphase.scanning() && ticks < 200; ++ticks)
+        for (; swept() && ticks < 200; ++ticks)
             tick();
         return ticks;
     }
@@ -44,9 +51,9 @@ protected:
     CalmGas gas;
 };
 
-TEST_F(Parts, NoTickAfterAnExplosionPredictsMany)
+TEST_F(Filling, PredictsFewObjectsPerTickAfterAnExplosion)
 {
-    ASSERT_FALSE(gas.world.broadphase.scanning());
+    ASSERT_FALSE(swept());
     std::uint64_t most = 0;
     for (int explosion = 0; explosion < 3; ++explosion)
     {
@@ -57,24 +64,24 @@ TEST_F(Parts, NoTickAfterAnExplosionPredictsMany)
             tick();
             most = std::max(most, gas.predictions() - before);
         }
-        EXPECT_FALSE(gas.world.broadphase.scanning()) << "it goes on for ever";
+        EXPECT_FALSE(swept()) << "filling does not end";
     }
-    EXPECT_LT(most, 2 * most_at_once) << "with those whose horizon ends";
+    EXPECT_LT(most, 2 * most_at_once) << "with the objects whose horizons end";
     EXPECT_EQ(gas.world.violated_invariant(), "");
 }
 
-TEST_F(Parts, AllHaveTheirTurn)
+TEST_F(Filling, ComesToItsEnd)
 {
     explode();
     EXPECT_LE(ticks_to_the_end(), 60);
-    const std::uint64_t scans = gas.world.broadphase.counters().scans;
+    const std::uint64_t sweeps = gas.world.broadphase.counters().sweeps;
     for (int ticks = 0; ticks < 100; ++ticks)
         tick();
-    EXPECT_EQ(gas.world.broadphase.counters().scans, scans) << "and then no more is swept";
+    EXPECT_EQ(gas.world.broadphase.counters().sweeps, sweeps) << "no more sweeps afterwards";
 }
 
-// So that each part makes a good part of a tree.
-TEST_F(Parts, EachLiesSideBySide)
+// Each part of the scene then makes a good part of a tree.
+TEST_F(Filling, PredictsNeighboursTogether)
 {
     explode();
     const auto predicted = [this] {
@@ -84,7 +91,7 @@ TEST_F(Parts, EachLiesSideBySide)
         return result;
     };
     int slabs = 0;
-    for (int ticks = 0; gas.world.broadphase.scanning() && ticks < 200; ++ticks)
+    for (int ticks = 0; swept() && ticks < 200; ++ticks)
     {
         const std::vector<bool> before = predicted();
         tick();
@@ -108,9 +115,9 @@ TEST_F(Parts, EachLiesSideBySide)
     EXPECT_GT(slabs, 10);
 }
 
-TEST_F(Parts, AFewThatBreakAreNoReason)
+TEST_F(Filling, DoesNotBeginForAFewBrokenPredictions)
 {
-    const std::uint64_t scans = gas.world.broadphase.counters().scans;
+    const std::uint64_t sweeps = gas.world.broadphase.counters().sweeps;
     for (int repetition = 0; repetition < 50; ++repetition)
     {
         for (ProxyId id = 0; id < most_at_once - 20; ++id)
@@ -118,44 +125,44 @@ TEST_F(Parts, AFewThatBreakAreNoReason)
         tick();
         tick();
     }
-    EXPECT_EQ(gas.world.broadphase.counters().scans, scans);
+    EXPECT_EQ(gas.world.broadphase.counters().sweeps, sweeps);
 }
 
-TEST_F(Parts, ObjectsComeAndGoMeanwhile)
+TEST_F(Filling, LetsObjectsComeAndGo)
 {
     Random random(3);
     explode();
-    for (ProxyId id = 0; gas.world.broadphase.scanning() && id < 200; ++id)
+    for (ProxyId id = 0; swept() && id < 200; ++id)
     {
-        gas.world.remove(count - 1 - id); // some that wait
-        gas.world.remove(id);             // and some that do not
+        gas.world.remove(count - 1 - id); // waits
+        gas.world.remove(id);             // does not wait
         gas.world.add(ball(random.vector(2), 0.3, random.vector(0.001)));
         if (id % 2)
             gas.world.broadphase.catch_up(gas.world);
         tick();
         ASSERT_EQ(gas.world.violated_invariant(), "");
     }
-    EXPECT_FALSE(gas.world.broadphase.scanning());
+    EXPECT_FALSE(swept());
 }
 
-TEST_F(Parts, SettingsChangeMeanwhile)
+TEST_F(Filling, LetsSettingsChange)
 {
     explode();
     Broadphase &broadphase = gas.world.broadphase;
-    for (int ticks = 0; broadphase.scanning() && ticks < 100; ++ticks)
+    for (int ticks = 0; swept() && ticks < 100; ++ticks)
     {
-        broadphase.set_measure(ticks % 3 ? Proximity::sphere : Proximity::box);
+        broadphase.set_proximity_test(ticks % 3 ? ProximityTest::sphere : ProximityTest::box);
         broadphase.set_role(static_cast<ProxyId>(count - 1 - ticks), Role::fixed_interactive);
         tick();
         ASSERT_EQ(gas.world.violated_invariant(), "");
     }
-    EXPECT_FALSE(broadphase.scanning());
+    EXPECT_FALSE(swept());
 }
 
-TEST_F(Parts, QueriesFindAllMeanwhile)
+TEST_F(Filling, LetsQueriesFindAll)
 {
     explode();
-    for (int ticks = 0; gas.world.broadphase.scanning() && ticks < 100; ++ticks)
+    for (int ticks = 0; swept() && ticks < 100; ++ticks)
     {
         std::size_t found = 0;
         gas.world.broadphase.query({{-1e6f, -1e6f, -1e6f}, {1e6f, 1e6f, 1e6f}}, [&](ProxyId) { ++found; });
@@ -164,31 +171,31 @@ TEST_F(Parts, QueriesFindAllMeanwhile)
     }
 }
 
-TEST_F(Parts, WhatTheSweepTookIsGivenBackWhenTheLastThatWaitIsRemoved)
+TEST_F(Filling, GivesTheMemoryOfTheSweepBackWhenTheLastWaitingObjectIsRemoved)
 {
     explode();
     const std::size_t bytes = gas.world.broadphase.bytes();
-    for (ProxyId id = count; gas.world.broadphase.scanning(); --id)
+    for (ProxyId id = count; swept(); --id)
         gas.world.remove(id - 1);
     EXPECT_LT(gas.world.broadphase.bytes(), bytes);
     tick();
     EXPECT_EQ(gas.world.violated_invariant(), "");
 }
 
-TEST_F(Parts, NoTickSweepsTwice)
+TEST_F(Filling, SweepsAtMostOncePerTick)
 {
     for (int ticks = 0; ticks < 200; ++ticks)
     {
-        const std::uint64_t scans = gas.world.broadphase.counters().scans;
+        const std::uint64_t sweeps = gas.world.broadphase.counters().sweeps;
         if (ticks < 10)
             gas.scatter();
         tick();
-        ASSERT_LE(gas.world.broadphase.counters().scans, scans + 1) << "tick " << ticks;
+        ASSERT_LE(gas.world.broadphase.counters().sweeps, sweeps + 1) << "tick " << ticks;
     }
-    EXPECT_FALSE(gas.world.broadphase.scanning()) << "it is calm again";
+    EXPECT_FALSE(swept()) << "the motion is calm again";
 }
 
-TEST_F(Parts, NothingIsLeftOutWhileNothingMoves)
+TEST_F(Filling, LosesNoPairWhileNothingMoves)
 {
     explode();
     tick();
@@ -200,7 +207,7 @@ TEST_F(Parts, NothingIsLeftOutWhileNothingMoves)
     }
 }
 
-TEST_F(Parts, AreGivenUpWhenNothingIsToBePredicted)
+TEST_F(Filling, IsGivenUpWhenPredictionsKeepBreaking)
 {
     explode();
     std::uint64_t before = gas.predictions();
@@ -212,7 +219,7 @@ TEST_F(Parts, AreGivenUpWhenNothingIsToBePredicted)
         if (ticks == 20)
             before = gas.predictions();
     }
-    EXPECT_EQ(gas.predictions(), before) << "all are only swept";
+    EXPECT_EQ(gas.predictions(), before) << "all objects are swept and none is predicted";
 }
 } // namespace
 } // namespace ode_predictive_space

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/broadphase/scan_policy.h"
+#include "ode_predictive_space/broadphase/sweep/sweep_policy.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@ constexpr std::size_t objects = 1000;
 constexpr int soon = 10;
 constexpr int long_after = 2000;
 
-// Ticks of failed prediction until scanning begins; `soon` when it does not.
-int ticks_until_scanning(ScanPolicy &policy)
+// Ticks of failed prediction until sweeping begins; `soon` when it does not.
+int ticks_until_sweeping(SweepPolicy &policy)
 {
     for (int ticks = 1; ticks < soon; ++ticks)
         if (policy.prediction_fails(objects, objects))
@@ -19,8 +19,8 @@ int ticks_until_scanning(ScanPolicy &policy)
     return soon;
 }
 
-// Calm ticks until scanning ends; `long_after` when it does not.
-int ticks_until_prediction(ScanPolicy &policy)
+// Calm ticks until sweeping ends; `long_after` when it does not.
+int ticks_until_prediction(SweepPolicy &policy)
 {
     for (int ticks = 1; ticks < long_after; ++ticks)
         if (policy.calm_returns(true))
@@ -28,55 +28,57 @@ int ticks_until_prediction(ScanPolicy &policy)
     return long_after;
 }
 
-TEST(ScanPolicy, StartsWithPrediction)
+TEST(SweepPolicy, ToleratesASingleBadTick)
 {
-    EXPECT_FALSE(ScanPolicy().scanning());
-}
-
-TEST(ScanPolicy, ToleratesASingleBadTick)
-{
-    ScanPolicy policy;
+    SweepPolicy policy;
     for (int repetition = 0; repetition < 100; ++repetition)
     {
         EXPECT_FALSE(policy.prediction_fails(objects, objects)) << "an explosion is over after one tick";
         EXPECT_FALSE(policy.prediction_fails(0, objects));
     }
-    EXPECT_FALSE(policy.scanning());
 }
 
-TEST(ScanPolicy, GivesUpOnASceneInWhichPredictionFails)
+TEST(SweepPolicy, GivesUpOnASceneInWhichPredictionFails)
 {
-    ScanPolicy policy;
-    EXPECT_LT(ticks_until_scanning(policy), soon);
-    EXPECT_TRUE(policy.scanning());
+    SweepPolicy policy;
+    EXPECT_LT(ticks_until_sweeping(policy), soon);
 }
 
-TEST(ScanPolicy, BearsWithAFewBrokenPredictions)
+TEST(SweepPolicy, ToleratesAFewBrokenPredictions)
 {
-    ScanPolicy policy;
+    SweepPolicy policy;
     for (int tick = 0; tick < 1000; ++tick)
         EXPECT_FALSE(policy.prediction_fails(objects / 20, objects));
     EXPECT_FALSE(policy.prediction_fails(0, 0)) << "an empty scene";
 }
 
-TEST(ScanPolicy, ScansAsLongAsThereIsNoCalm)
+TEST(SweepPolicy, SweepsAsLongAsThereIsNoCalm)
 {
-    ScanPolicy policy;
-    ASSERT_LT(ticks_until_scanning(policy), soon);
+    SweepPolicy policy;
+    ASSERT_LT(ticks_until_sweeping(policy), soon);
     for (int tick = 0; tick < long_after; ++tick)
         EXPECT_FALSE(policy.calm_returns(tick % 2 == 0)) << "single calm ticks are not enough";
-    EXPECT_TRUE(policy.scanning());
     EXPECT_LT(ticks_until_prediction(policy), soon);
-    EXPECT_FALSE(policy.scanning());
 }
 
-TEST(ScanPolicy, AsksForMoreCalmEachTimeThatItDidNotLast)
+TEST(SweepPolicy, AnyCalmEndsSweepingThatNewObjectsBegan)
 {
-    ScanPolicy policy;
+    SweepPolicy policy;
+    for (int repetition = 0; repetition < 3; ++repetition)
+    {
+        policy.begin_with_new_objects();
+        EXPECT_FALSE(policy.calm_returns(false));
+        EXPECT_TRUE(policy.calm_returns(true));
+    }
+}
+
+TEST(SweepPolicy, AsksForMoreCalmEachTimeThatItDidNotLast)
+{
+    SweepPolicy policy;
     int last = 0;
     for (int repetition = 0; repetition < 20; ++repetition)
     {
-        ASSERT_LT(ticks_until_scanning(policy), soon);
+        ASSERT_LT(ticks_until_sweeping(policy), soon);
         const int calm = ticks_until_prediction(policy);
         EXPECT_TRUE(repetition == 0 || calm == 2 * last || calm == last) << "after " << last << " came " << calm;
         last = calm;
@@ -85,16 +87,16 @@ TEST(ScanPolicy, AsksForMoreCalmEachTimeThatItDidNotLast)
     EXPECT_LE(last, 1024) << "prediction must get another chance before long";
 }
 
-TEST(ScanPolicy, ForgetsOldFailuresOnceCalmHasLasted)
+TEST(SweepPolicy, ForgetsOldFailuresOnceCalmHasLasted)
 {
-    ScanPolicy policy;
-    ASSERT_LT(ticks_until_scanning(policy), soon);
+    SweepPolicy policy;
+    ASSERT_LT(ticks_until_sweeping(policy), soon);
     const int first = ticks_until_prediction(policy);
-    ASSERT_LT(ticks_until_scanning(policy), soon);
+    ASSERT_LT(ticks_until_sweeping(policy), soon);
     ASSERT_GT(ticks_until_prediction(policy), first);
     for (int tick = 0; tick < long_after; ++tick)
         policy.prediction_fails(0, objects);
-    ASSERT_LT(ticks_until_scanning(policy), soon);
+    ASSERT_LT(ticks_until_sweeping(policy), soon);
     EXPECT_EQ(ticks_until_prediction(policy), first);
 }
 } // namespace
