@@ -181,7 +181,11 @@ void Broadphase::sweep(Scene &scene)
         return;
     ++counters_.sweeps;
     const IdList &measured = boxes_.update(scene, proxies_.members(), proxies_.members());
-    idle_.note(scene, measured.data(), measured.size());
+    // A predicted object keeps its near pairs, and its place in the index, until it is predicted anew.
+    idle_.note(scene, measured.data(), measured.size(), [this](ProxyId id) {
+        if (proxies_.predicted(id))
+            predictor_.request(id);
+    });
     sweeping_.find_pairs(proxies_.members(), idle_.members(), boxes_);
 }
 
@@ -338,8 +342,8 @@ std::size_t Broadphase::near_pairs() const
 
 std::size_t Broadphase::bytes() const
 {
-    return proxies_.bytes() + boxes_.bytes() + idle_.bytes() + verifier_.bytes() + predictor_.bytes() +
-           index_.bytes() + schedule_.bytes() + near_.bytes() + sweeping_.bytes() + batch_.bytes() + bytes_of(swept_) +
+    return proxies_.bytes() + boxes_.bytes() + idle_.bytes() + verifier_.bytes() + predictor_.bytes() + index_.bytes() +
+           schedule_.bytes() + near_.bytes() + sweeping_.bytes() + batch_.bytes() + bytes_of(swept_) +
            bytes_of(candidates_) + bytes_of(found_near_);
 }
 } // namespace ode_predictive_space

@@ -26,14 +26,23 @@ public:
     /// Notes those of the objects that are disabled now.
     void note(Scene &scene, const ProxyId *ids, std::size_t count)
     {
+        note(scene, ids, count, [](ProxyId) {});
+    }
+
+    /// The same, and calls visit(id) for each that was not noted before.
+    template <typename Visit> void note(Scene &scene, const ProxyId *ids, std::size_t count, Visit visit)
+    {
         if (count == 0)
             return;
         disabled_.clear();
         scene.find_disabled(ids, count, disabled_);
         for (ProxyId id : disabled_)
         {
-            count_ += !members_.contains(id);
+            if (members_.contains(id))
+                continue;
             members_.insert(id);
+            ++count_;
+            visit(id);
         }
     }
 

@@ -71,6 +71,8 @@ public:
     void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
 
 private:
+    /// An object that is asked about; it must be there.
+    const Object &seen(ProxyId id) const;
     Box box_of(ProxyId id) const;
     std::optional<Vector3> pivot_of(ProxyId id) const;
     Observation observation(ProxyId id, bool with_bounds) const;

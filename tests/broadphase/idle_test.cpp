@@ -1,0 +1,306 @@
+// Idle objects: disabled ones are in no reported pair, so no pairs are looked for and kept for them.
+
+#include "ode_predictive_space/broadphase/verify/idle_objects.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/random.h"
+#include "tests/broadphase/support/world.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+// Counts about how many objects the broad phase asks.
+class CountingWorld : public World
+{
+public:
+    void locate(const ProxyId *ids, std::size_t count, Location *locations) override
+    {
+        located += count;
+        World::locate(ids, count, locations);
+    }
+    void measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes) override
+    {
+        measured += count;
+        World::measure(ids, count, boxes);
+    }
+    void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) override
+    {
+        observed += count;
+        World::observe(ids, count, with_bounds, seen);
+    }
+    Box bounds(ProxyId id) override
+    {
+        ++measured;
+        return World::bounds(id);
+    }
+    bool overlap(ProxyId first, ProxyId second) override
+    {
+        ++compared;
+        return World::overlap(first, second);
+    }
+    void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override
+    {
+        polled += count;
+        World::find_disabled(ids, count, disabled);
+    }
+
+    void reset_counts() { located = measured = observed = compared = polled = 0; }
+
+    std::size_t located = 0, measured = 0, observed = 0, compared = 0, polled = 0;
+};
+
+// Many disabled spheres on one spot, and a few others far away from each other that move, so that time passes.
+class Idle : public testing::TestWithParam<Mode>
+{
+protected:
+    static constexpr ProxyId crowd = 3000, movers = 4;
+
+    Idle()
+    {
+        for (ProxyId id = 0; id < crowd; ++id)
+        {
+            Object object = ball({1, 2, 3}, 0.1, {0, 0, 0});
+            object.enabled = false;
+            world.add(object);
+        }
+        for (int i = 0; i < static_cast<int>(movers); ++i)
+            world.add(ball({10.0 * i, 50, 0}, 0.1, {0, 0, 0.001}));
+        if (GetParam() != Mode::predicting)
+            world.broadphase = without_predictions();
+    }
+
+    // The same objects, in a broad phase that sweeps them as long as they are new.
+    static Broadphase without_predictions()
+    {
+        Broadphase broadphase;
+        for (ProxyId id = 0; id < crowd + movers; ++id)
+            broadphase.add();
+        return broadphase;
+    }
+
+    Mode mode() const { return world.broadphase.mode(); }
+
+    void tick()
+    {
+        world.advance();
+        ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
+    }
+
+    void reach_mode()
+    {
+        for (int ticks = 0; ticks == 0 || (mode() != GetParam() && ticks < 100); ++ticks)
+            tick();
+        ASSERT_EQ(mode(), GetParam());
+    }
+
+    void set_enabled(ProxyId begin, ProxyId end, bool enabled)
+    {
+        for (ProxyId id = begin; id < end; ++id)
+            world.object(id).enabled = enabled;
+    }
+
+    void expect_no_pairs()
+    {
+        EXPECT_EQ(world.broadphase.near_pairs(), 0u);
+        EXPECT_EQ(world.broadphase.tested_pairs(), 0u);
+        EXPECT_EQ(world.broadphase.scheduled_pairs(), 0u);
+    }
+
+    CountingWorld world;
+};
+
+std::string name_of(const testing::TestParamInfo<Mode> &info)
+{
+    const char *const names[] = {"predicting", "filling", "sweeping"};
+    return names[static_cast<int>(info.param)];
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, Idle, testing::Values(Mode::predicting, Mode::filling, Mode::sweeping), name_of);
+
+TEST_P(Idle, ObjectsOnOneSpotFormNoPairs)
+{
+    reach_mode();
+    for (int ticks = 0; ticks < 40; ++ticks)
+    {
+        expect_no_pairs();
+        world.advance();
+        ASSERT_TRUE(world.tick().empty());
+    }
+    EXPECT_EQ(mode(), Mode::predicting) << "the other modes have passed";
+    EXPECT_EQ(world.compared, 0u);
+    EXPECT_LT(world.broadphase.bytes(), 1024u * crowd);
+    EXPECT_EQ(world.violated_invariant(), "");
+}
+
+TEST_P(Idle, ObjectsArePolledAndNothingElse)
+{
+    reach_mode();
+    for (int ticks = 0; ticks < 40; ++ticks)
+        tick();
+    world.reset_counts();
+    constexpr std::size_t ticks = 10;
+    for (std::size_t i = 0; i < ticks; ++i)
+    {
+        world.advance();
+        world.tick();
+    }
+    EXPECT_GE(world.polled, ticks * crowd);
+    EXPECT_LE(world.polled, ticks * (crowd + movers));
+    EXPECT_LE(world.located + world.measured + world.observed, 3 * ticks * movers);
+    EXPECT_EQ(world.compared, 0u);
+}
+
+TEST_P(Idle, ObjectsThatMoveAreVerifiedAndFormNoPairs)
+{
+    reach_mode();
+    for (int ticks = 0; ticks < 40; ++ticks)
+    {
+        world.reset_counts();
+        for (ProxyId id = 0; id < crowd; ++id)
+            world.place(id, world.object(id).centre + Vector3(0.01, 0, 0));
+        world.advance();
+        ASSERT_TRUE(world.tick().empty());
+        expect_no_pairs();
+        EXPECT_LE(world.located + world.measured + world.observed, 3 * (crowd + movers));
+    }
+    EXPECT_EQ(world.compared, 0u);
+    EXPECT_LT(world.broadphase.bytes(), 1024u * crowd);
+}
+
+TEST_P(Idle, ObjectsHaveTheirPairsAtTheTickAtWhichTheyAreEnabled)
+{
+    reach_mode();
+    set_enabled(100, 120, true);
+    tick();
+    EXPECT_EQ(world.overlapping().size(), 190u);
+    EXPECT_EQ(world.violated_invariant(), "");
+    set_enabled(120, 125, true);
+    set_enabled(100, 105, false);
+    tick();
+    EXPECT_EQ(world.violated_invariant(), "");
+}
+
+// ODE's worlds that sleep: nothing moves, and no time passes.
+TEST_P(Idle, ObjectsHaveTheirPairsWhenTheyAreEnabledWhileNothingMoves)
+{
+    reach_mode();
+    set_enabled(100, 120, true);
+    ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
+    set_enabled(110, 120, false);
+    ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
+    EXPECT_EQ(world.overlapping().size(), 45u);
+}
+
+TEST_P(Idle, DisablingDropsThePairs)
+{
+    reach_mode();
+    set_enabled(0, 30, true);
+    tick();
+    EXPECT_GE(world.broadphase.near_pairs(), 435u);
+    set_enabled(10, 30, false);
+    tick(); // the pairs come up for report
+    tick(); // the first objects of them are looked at
+    while (world.broadphase.near_pairs() > 45)
+    {
+        const std::size_t before = world.broadphase.near_pairs();
+        tick();
+        ASSERT_LT(world.broadphase.near_pairs(), before);
+    }
+    EXPECT_EQ(world.violated_invariant(), "");
+    set_enabled(0, 10, false);
+    for (int ticks = 0; ticks < 3; ++ticks)
+        tick();
+    expect_no_pairs();
+}
+
+// While not all objects are predicted, a sweep finds the disabled ones. If they had a prediction, their near pairs used to stay.
+TEST_P(Idle, ObjectsThatAreDisabledWhileTheyMoveLoseTheirPairs)
+{
+    constexpr ProxyId moving = 20;
+    for (ProxyId id = 0; id < moving; ++id)
+    {
+        world.object(id) = ball(world.object(id).centre, 0.1, {0.0005, 0, 0});
+        world.object(id).enabled = false;
+    }
+    reach_mode();
+    set_enabled(0, moving, true);
+    for (int ticks = 0; ticks < 5; ++ticks)
+        tick();
+    set_enabled(0, moving, false);
+    for (int ticks = 0; ticks < 40; ++ticks)
+    {
+        tick();
+        ASSERT_EQ(world.violated_invariant(), "");
+    }
+    expect_no_pairs();
+}
+
+TEST_P(Idle, QueriesFindThem)
+{
+    reach_mode();
+    std::size_t found = 0;
+    world.broadphase.query({{0, 1, 2}, {2, 3, 4}}, [&](ProxyId) { ++found; });
+    EXPECT_EQ(found, crowd);
+}
+
+TEST_P(Idle, ARemovedObjectIsNotIdleAnyMore)
+{
+    reach_mode();
+    for (int i = 0; i < 10; ++i)
+        world.remove(static_cast<ProxyId>(i));
+    tick();
+    for (int i = 0; i < 10; ++i)
+        EXPECT_LT(world.add(ball({1, 2, 3}, 0.1, {0, 0, 0})), 10u);
+    tick();
+    EXPECT_EQ(world.overlapping().size(), 45u);
+    EXPECT_EQ(world.violated_invariant(), "");
+}
+
+// Dense heaps in which objects are disabled, enabled, moved, removed and added at random, in all modes.
+TEST(IdleAtRandom, ReportsTheOverlappingPairsOfEnabledObjects)
+{
+    constexpr std::size_t count = 200;
+    bool seen[3] = {};
+    for (std::uint64_t seed = 1; seed <= 4; ++seed)
+    {
+        Random random(seed);
+        World world;
+        if (seed % 2 == 0)
+            world.broadphase = Broadphase();
+        const auto anywhere = [&] {
+            Object object = ball(random.vector(0.5), 0.1, random.chance(0.5) ? random.vector(0.001) : Vector3::Zero());
+            object.enabled = random.chance(0.5);
+            return object;
+        };
+        for (std::size_t i = 0; i < count; ++i)
+            world.add(anywhere());
+        for (int tick = 0; tick < 600; ++tick)
+        {
+            world.advance();
+            const bool all = random.chance(0.02), scattered = tick % 200 > 180;
+            for (ProxyId id : world.members())
+            {
+                if (random.chance(all ? 0.5 : 0.01))
+                    world.object(id).enabled = !world.object(id).enabled;
+                if (scattered || world.object(id).centre.cwiseAbs().maxCoeff() > 0.6)
+                    world.place(id, random.vector(0.5));
+            }
+            const ProxyId id = static_cast<ProxyId>(random.index(count));
+            if (random.chance(0.1) && world.present(id))
+            {
+                world.remove(id);
+                world.add(anywhere());
+            }
+            if (random.chance(0.1))
+                world.broadphase.catch_up(world);
+            ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping()) << "seed " << seed << ", tick " << tick;
+            ASSERT_EQ(sorted_pairs(world.report()), world.overlapping()) << "seed " << seed << ", again " << tick;
+            seen[static_cast<int>(world.broadphase.mode())] = true;
+        }
+    }
+    EXPECT_TRUE(seen[0] && seen[1] && seen[2]) << "a mode was not reached";
+}
+} // namespace
+} // namespace ode_predictive_space
