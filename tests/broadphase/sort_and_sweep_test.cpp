@@ -174,6 +174,45 @@ TEST(SortAndSweep, TouchingBoxesOverlap)
     EXPECT_EQ(found.size(), (19u * 19u * 19u - 343u) / 2u);
 }
 
+// Boxes in a grid that do not touch, row by row; x varies slowest, second or fastest.
+Items grid_row_by_row(int side, int turn)
+{
+    Items items;
+    for (int i = 0; i < side * side * side; ++i)
+    {
+        const int place[] = {i % side, i / side % side, i / side / side};
+        FloatBox box;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            box.low[axis] = static_cast<float>(place[(axis + turn) % 3]);
+            box.high[axis] = box.low[axis] + 0.9f;
+        }
+        items.push_back({static_cast<ProxyId>(i), box});
+    }
+    return items;
+}
+
+// A sample that strides evenly through a grid may meet a single plane of it, and finds no spread across that plane. The
+// row-by-row order used to take 4,029,696 exact comparisons, the shuffled one 355. Few boxes beside the number of all are
+// compared in vain with boxes that begin after their end.
+TEST(SortAndSweep, TheOrderOfAGridCostsFewComparisons)
+{
+    Random random(10);
+    SortAndSweep sweep;
+    std::vector<CandidatePair> none;
+    for (int turn = 0; turn < 3; ++turn)
+    {
+        const Items rows = grid_row_by_row(24, turn);
+        Items shuffled = rows;
+        for (std::size_t i = shuffled.size() - 1; i > 0; --i)
+            std::swap(shuffled[i], shuffled[random.index(i + 1)]);
+        const std::size_t of_shuffled = sweep.find_pairs(shuffled, none), of_rows = sweep.find_pairs(rows, none);
+        EXPECT_LE(of_rows, 2 * of_shuffled + rows.size() / 10);
+        EXPECT_LE(of_shuffled, rows.size() / 10);
+    }
+    EXPECT_TRUE(none.empty());
+}
+
 TEST(SortAndSweep, NegativeAndPositiveZeroTouch)
 {
     SortAndSweep sweep;
