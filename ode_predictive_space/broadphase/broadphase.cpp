@@ -306,16 +306,21 @@ void Broadphase::resize_stages()
 void Broadphase::trim()
 {
     const std::size_t size = proxies_.size();
-    trim_below_ = proxies_.count() / 2;
+    trim_below_ = (proxies_.count() + 1) / 2; // also when the last one is removed
     if (2 * proxies_.needed_size() > size)
         return;
     start_sweeping(true);
     proxies_.trim();
+    predictor_.forget_histories(proxies_);
     index_ = {};
     schedule_ = {};
     schedule_.restart(now());
     near_ = {};
     sweeping_.release();
+    batch_ = {};
+    free_memory(swept_);
+    free_memory(candidates_);
+    free_memory(found_near_);
     resize_stages();
 }
 

@@ -125,6 +125,8 @@ void dxPredictiveSpace::trim()
     resize_array(geoms_, broadphase_.proxies().size());
     for (IdSet *set : {&polled_, &off_line_, &unclassified_})
         set->resize(geoms_.size());
+    free_memory(found_);
+    free_memory(pairs_);
 }
 
 void dxPredictiveSpace::dirty(dxGeom *geom)

@@ -23,11 +23,17 @@ template <typename T, typename Allocator> void resize_array(std::vector<T, Alloc
         elements.shrink_to_fit();
 }
 
+/// Empties an array and gives its memory back. (An assignment of `{}` keeps it.)
+template <typename T> void free_memory(std::vector<T> &elements)
+{
+    elements = std::vector<T>();
+}
+
 /// Empties an array that is filled again in the next tick. It keeps its memory, unless that was grown by a one-off spike.
 template <typename T> void clear_scratch(std::vector<T> &scratch)
 {
     if (scratch.capacity() > tuning::kept_scratch && scratch.size() < scratch.capacity() / 8)
-        scratch = std::vector<T>();
+        free_memory(scratch);
     scratch.clear();
 }
 

@@ -227,7 +227,8 @@ Deviation Predictor::allow(const ProxyRecord &record, const Outcome &outcome, do
         return record.kind.still ? Deviation{fixed->a, 0, 0} : *fixed;
     if ((outcome.fresh || (outcome.settled && !outcome.moved)) && record.kind.still)
         return {};
-    const double slack = (record.kind.check == Check::centre ? tuning::slack_of_centre : tuning::slack_of_bounds) * size;
+    const double slack =
+        (record.kind.check == Check::centre ? tuning::slack_of_centre : tuning::slack_of_bounds) * size;
     return record.kind.still ? Deviation{slack, 0, 0} : Deviation{slack, record.learned.spread, 0};
 }
 
@@ -289,8 +290,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     {
         pack(proxies.paths[id], {centre, motion.velocity, motion.acceleration}, allow(record, outcome, size), now);
         const std::uint32_t ticks = stagger(horizon_for(record, motion, size), id, generation, is_first);
-        record.prediction.until =
-            now + std::clamp(ticks, settings.horizon.min_ticks, settings.horizon.max_ticks);
+        record.prediction.until = now + std::clamp(ticks, settings.horizon.min_ticks, settings.horizon.max_ticks);
     }
     // How a mere guess turns out says nothing about the next prediction.
     if (motion.brief)
@@ -437,11 +437,13 @@ void Predictor::resize(std::size_t count)
 {
     for (IdSet *set : {&requested_, &moving_, &sampled_})
         set->resize(count);
-    if (count == 0)
-    {
-        histories_ = {};
-        free_histories_ = {};
-    }
+}
+
+void Predictor::forget_histories(ProxyStore &proxies)
+{
+    proxies.members().for_each([&](ProxyId id) { proxies.records[id].learned.history = no_history; });
+    free_memory(histories_);
+    free_memory(free_histories_);
 }
 
 std::size_t Predictor::bytes() const

@@ -88,6 +88,8 @@ public:
     void forget_prediction(ProxyStore &proxies, ProxyId id);
     /// The same of all objects.
     void forget_predictions(ProxyStore &proxies);
+    /// Forgets where objects have been, and gives the memory back.
+    void forget_histories(ProxyStore &proxies);
     /// Forgets all about an object that is removed.
     void forget(ProxyStore &proxies, ProxyId id);
 

@@ -85,8 +85,9 @@ void Sweeping::find_pairs(const IdSet &members, const IdSet &idle, const Measure
 {
     items_.clear();
     for (std::size_t i = 0; i < members.words(); ++i)
-        IdSet::visit_word(i, members.word(i) & ~idle.word(i),
-                          [&](ProxyId id) { items_.push_back({id, boxes[id].outer()}); });
+        IdSet::visit_word(i, members.word(i) & ~idle.word(i), [&](ProxyId id) {
+            items_.push_back({id, boxes[id].outer()});
+        });
     pairs_.clear();
     sort_and_sweep_.find_pairs(items_, pairs_);
 }
@@ -99,9 +100,9 @@ CandidatePair *Sweeping::report(const OverlapTest &test, const IdSet &members, C
 void Sweeping::release()
 {
     sort_and_sweep_ = {};
-    items_ = {};
-    pairs_ = {};
-    queue_ = {};
+    free_memory(items_);
+    free_memory(pairs_);
+    free_memory(queue_);
 }
 
 std::size_t Sweeping::bytes() const

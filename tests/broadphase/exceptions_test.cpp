@@ -1,0 +1,247 @@
+// A scene that throws: the tick that is broken off is made good by the next update.
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/random.h"
+#include "tests/broadphase/support/world.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+struct Fault : std::runtime_error
+{
+    Fault() : std::runtime_error("fault") {}
+};
+
+// Another scene, of which one call throws.
+class FaultyScene : public Scene
+{
+public:
+    /// @param calls that succeed.
+    FaultyScene(Scene &scene, int calls) : scene_(scene), calls_left_(calls) {}
+
+    void locate(const ProxyId *ids, std::size_t count, Location *locations) override
+    {
+        call();
+        scene_.locate(ids, count, locations);
+    }
+    void measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes) override
+    {
+        // Some are measured before the fault.
+        scene_.measure(ids, count / 2, boxes);
+        call();
+        scene_.measure(ids, count, boxes);
+    }
+    void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) override
+    {
+        call();
+        scene_.observe(ids, count, with_bounds, seen);
+    }
+    Box bounds(ProxyId id) override
+    {
+        call();
+        return scene_.bounds(id);
+    }
+    std::optional<Vector3> pivot(ProxyId id) override
+    {
+        call();
+        return scene_.pivot(id);
+    }
+    bool overlap(ProxyId first, ProxyId second) override
+    {
+        call();
+        return scene_.overlap(first, second);
+    }
+    void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override
+    {
+        scene_.find_disabled(ids, count / 2, disabled);
+        call();
+        scene_.find_disabled(ids + count / 2, count - count / 2, disabled);
+    }
+
+private:
+    void call()
+    {
+        if (calls_left_-- == 0)
+            throw Fault();
+    }
+
+    Scene &scene_;
+    int calls_left_;
+};
+
+enum class Kind
+{
+    first_predicted,
+    first_swept,
+    predicting,
+    filling,
+    sweeping
+};
+
+class Exceptions : public testing::TestWithParam<Kind>
+{
+protected:
+    static constexpr std::size_t count = 300;
+
+    Exceptions() : random_(static_cast<std::uint64_t>(GetParam()) + 1)
+    {
+        if (GetParam() != Kind::first_predicted && GetParam() != Kind::predicting)
+            world_.broadphase = Broadphase();
+        for (std::size_t i = 0; i < count; ++i)
+            world_.add(random_object());
+        for (int ticks = 0; !reached() && ticks < 100; ++ticks)
+        {
+            world_.advance();
+            world_.tick();
+        }
+        EXPECT_TRUE(reached());
+        change();
+    }
+
+    // Runs one update that breaks off after so many calls, then whole ones.
+    //
+    // @return false when the update needed no more calls.
+    bool survives(int calls, bool is_tick, bool with_changes)
+    {
+        World world = world_;
+        if (!breaks_off(world, calls, is_tick))
+            return false;
+        if (with_changes)
+        {
+            world.remove(7);
+            world.remove(200);
+            world.add(ball({0, 0, 0}, 0.3, {0, 0, 0}));
+        }
+        if (calls % 2 == 0)
+            world.broadphase.catch_up(world);
+        else
+            world.broadphase.tick(world);
+        expect_exact(world);
+        for (int ticks = 0; ticks < 3; ++ticks)
+        {
+            world.advance();
+            world.broadphase.tick(world);
+            expect_exact(world);
+        }
+        return true;
+    }
+
+    void expect_all_survived(bool is_tick, bool with_changes)
+    {
+        int calls = 0;
+        while (survives(calls, is_tick, with_changes) && !HasFailure())
+            ++calls;
+        EXPECT_GT(calls, 2) << "the update asks for little";
+    }
+
+private:
+    bool reached() const
+    {
+        switch (GetParam())
+        {
+        case Kind::first_predicted:
+        case Kind::first_swept:
+            return true;
+        case Kind::predicting:
+            return world_.broadphase.counters().repredictions > 2 * count && mode() == Mode::predicting;
+        case Kind::filling:
+            return mode() == Mode::filling;
+        case Kind::sweeping:
+            break;
+        }
+        return mode() == Mode::sweeping;
+    }
+
+    Mode mode() const { return world_.broadphase.mode(); }
+
+    Object random_object()
+    {
+        const Vector3 centre = random_.vector(1),
+                      displacement = random_.chance(0.7) ? random_.vector(0.002) : Vector3::Zero();
+        Object object = random_.chance(0.5) ? ball(centre, 0.1, displacement)
+                                            : box(centre, {0.1, 0.05, 0.08}, displacement, random_.chance(0.5));
+        object.enabled = random_.chance(0.8);
+        return object;
+    }
+
+    // All that can happen between two ticks.
+    void change()
+    {
+        world_.advance();
+        for (ProxyId id = 0; id < count; id += 10)
+        {
+            world_.object(id).enabled = !world_.object(id).enabled;
+            world_.place(id + 1, random_.vector(1));
+            world_.object(id + 2).half *= 1.5;
+            world_.object(id + 2).radius *= 1.5;
+            world_.touch(id + 2);
+        }
+        for (ProxyId id = 3; id < count; id += 30)
+            world_.remove(id);
+        for (int i = 0; i < 15; ++i)
+            world_.add(random_object());
+        // Single precision cannot tell whether these touch.
+        world_.place(4, {5, 0, 0});
+        world_.place(5, {5 + world_.object(4).half.x() + world_.object(5).half.x(), 0, 0});
+    }
+
+    bool breaks_off(World &world, int calls, bool is_tick)
+    {
+        FaultyScene faulty(world, calls);
+        std::vector<CandidatePair> room;
+        try
+        {
+            if (is_tick)
+                world.broadphase.tick(faulty);
+            else
+                world.broadphase.catch_up(faulty);
+            world.broadphase.report(faulty, room);
+        }
+        catch (const Fault &)
+        {
+            return true;
+        }
+        return false;
+    }
+
+    void expect_exact(World &world)
+    {
+        EXPECT_EQ(world.violated_invariant(), "");
+        EXPECT_EQ(sorted_pairs(world.report()), world.overlapping());
+    }
+
+    Random random_;
+    World world_;
+};
+
+std::string name_of(const testing::TestParamInfo<Kind> &info)
+{
+    const char *const names[] = {"first_predicted", "first_swept", "predicting", "filling", "sweeping"};
+    return names[static_cast<int>(info.param)];
+}
+
+INSTANTIATE_TEST_SUITE_P(InTicks, Exceptions,
+                         testing::Values(Kind::first_predicted, Kind::first_swept, Kind::predicting, Kind::filling,
+                                         Kind::sweeping),
+                         name_of);
+
+TEST_P(Exceptions, InATickLoseNoPair)
+{
+    expect_all_survived(true, false);
+}
+
+TEST_P(Exceptions, InAQuestionLoseNoPair)
+{
+    expect_all_survived(false, false);
+}
+
+TEST_P(Exceptions, LetObjectsComeAndGoBeforeTheNextTick)
+{
+    expect_all_survived(true, true);
+}
+} // namespace
+} // namespace ode_predictive_space
