@@ -338,6 +338,31 @@ TEST_F(PredictiveSpace, CalmMotionIsPredictedNotRepeated)
     EXPECT_EQ(after.scans, before.scans);
 }
 
+TEST_F(PredictiveSpace, TheMemoryOfDestroyedGeomsIsGivenBack)
+{
+    const unsigned long empty = stats().bytes;
+    for (int time = 0; time < 2; ++time)
+    {
+        std::vector<dGeomID> geoms;
+        for (int i = 0; i < 50000; ++i)
+        {
+            geoms.push_back(dCreateSphere(space, 0.6));
+            dGeomSetPosition(geoms.back(), i % 40, i / 40 % 40, i / 1600);
+        }
+        for (int tick = 0; tick < 3; ++tick)
+        {
+            dGeomSetPosition(geoms[0], 0.01 * tick, 0, 0);
+            EXPECT_GT(collide(space).size(), 100000u);
+        }
+        EXPECT_GT(stats().bytes, 100u * 50000u);
+        for (dGeomID geom : geoms)
+            dGeomDestroy(geom);
+        EXPECT_LT(stats().bytes, empty + 64 * 1024);
+        EXPECT_TRUE(collide(space).empty());
+        EXPECT_LT(stats().bytes, empty + 64 * 1024);
+    }
+}
+
 TEST_F(PredictiveSpace, MemoryIsNotHeldForAllPairs)
 {
     for (int i = 0; i < 2000; ++i)
