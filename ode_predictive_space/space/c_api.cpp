@@ -219,7 +219,6 @@ int dPredictiveSpaceValidate(dSpaceID space)
     dxPredictiveSpace *self = checked_space(__func__, space);
     if (!self)
         return 0;
-    self->catch_up();
     const dxPredictiveSpace::Violation violation = self->find_violation();
     if (violation.second)
         dMessage(d_ERR_IASSERT, "%s(): %s: %p and %p", __func__, violation.what,

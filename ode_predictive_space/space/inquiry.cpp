@@ -108,6 +108,8 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
 
 dxPredictiveSpace::Violation dxPredictiveSpace::find_violation()
 {
+    caught_up_ = false; // ODE does not report that a geom was enabled
+    catch_up();
     Lock lock(this);
     GeomScene now = scene();
     const std::vector<ProxyId> members = this->members();

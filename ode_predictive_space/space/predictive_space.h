@@ -57,7 +57,7 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
         const dxGeom *first = nullptr, *second = nullptr; ///< the geoms that it is about, if it is about any
     };
 
-    /// Checks the invariant by brute force; the space must be caught up.
+    /// Brings the space up to date, and checks the invariant by brute force.
     Violation find_violation();
 
     const ode_predictive_space::Broadphase &broadphase() const { return broadphase_; }
