@@ -74,7 +74,7 @@ SceneFactory::SceneFactory(const SceneSpec &spec) : spec_(spec)
     {
         throw std::invalid_argument("a scene needs at least one object");
     }
-    if (spec.name == "pile")
+    if (spec.name == "pile" && spec.settled)
     {
         settled_ = settle_pile(spec);
     }

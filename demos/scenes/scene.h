@@ -39,6 +39,7 @@ struct SceneSpec
     std::uint64_t seed = 1; ///< of positions, motions, the hand; scenes of the same seed are the same
     double moving = -1;     ///< share of the objects that move, 0 … 1, in gas and churn; < 0: the scene's own, a half
     bool own_probe = true;  ///< of mix: false omits the probe; the caller brings one and handles its pairs
+    bool settled = true;    ///< of pile: false lets it begin with its fall
 };
 
 /// A box that contains the scene.

@@ -11,6 +11,7 @@ namespace ode_predictive_space::benchmarks
 Commands make_commands();
 
 std::unique_ptr<Command> make_scene_command();
+std::unique_ptr<Command> make_instructions_command();
 std::unique_ptr<Command> make_table1_command();
 std::unique_ptr<Command> make_ratios_command();
 std::unique_ptr<Command> make_sudden_command();

@@ -52,10 +52,8 @@ bool differ(const Move &a, const Move &b)
 
 Recorder::Recorder(const scenes::SceneFactory &factory)
     : contender_(make_plain_sweep()), scene_(factory.make(contender_->space())),
-      geoms_(geoms_by_number(contender_->space()))
-{
-    changes();
-}
+      geoms_(geoms_by_number(contender_->space())), start_(changes())
+{}
 
 std::vector<Move> Recorder::changes()
 {

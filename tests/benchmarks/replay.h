@@ -34,6 +34,9 @@ public:
     /// @throws std::logic_error for a scene that it is not for.
     Motion record(int ticks);
 
+    /// Where everything was before the first tick.
+    const std::vector<Move> &start() const { return start_; }
+
 private:
     std::vector<Move> changes();
 
@@ -42,6 +45,7 @@ private:
     scenes::PairList list_;
     std::vector<dGeomID> geoms_;  // by number
     std::vector<Move> last_seen_; // by number
+    std::vector<Move> start_;
 };
 
 /// A copy of the same scene that only moves as it is told: neither steps of a world nor contacts, but each geom that moved

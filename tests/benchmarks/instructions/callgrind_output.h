@@ -1,0 +1,19 @@
+// What callgrind writes.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_CALLGRIND_OUTPUT_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_CALLGRIND_OUTPUT_H
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+
+namespace ode_predictive_space::benchmarks
+{
+/// Instructions of all calls of a function, with all that it called.
+///
+/// @param dump written with --compress-strings=no --compress-pos=no.
+/// @throws std::runtime_error when it counts anything but instructions, or no call of this function.
+std::uint64_t instructions_of_calls(std::istream &dump, const std::string &function);
+} // namespace ode_predictive_space::benchmarks
+
+#endif

@@ -1,0 +1,24 @@
+// The calls whose instructions are counted. They have C names, by which they are found in what callgrind writes, and a file of
+// their own, so that the compiler cannot merge them with their callers.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_COUNTED_CALLS_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_COUNTED_CALLS_H
+
+#include "demos/scenes/pair_list.h"
+#include "tests/benchmarks/replay.h"
+
+extern "C" {
+/// The moves of one tick in the space that is measured: motion and notices.
+void predictive_bench_counted_moves(ode_predictive_space::benchmarks::Replay *replay,
+                                    const std::vector<ode_predictive_space::benchmarks::Move> *moves);
+
+/// The same moves in a space that is never collided. All its geoms stay dirty, and ODE gives it no notice of them: this
+/// is the motion by itself.
+void predictive_bench_bare_moves(ode_predictive_space::benchmarks::Replay *replay,
+                                 const std::vector<ode_predictive_space::benchmarks::Move> *moves);
+
+/// dSpaceCollide().
+void predictive_bench_counted_collide(dSpaceID space, ode_predictive_space::scenes::PairList *list);
+}
+
+#endif

@@ -1,0 +1,159 @@
+// The process that starts callgrind and moves the scene.
+
+#include "tests/benchmarks/instructions/counted_run.h"
+
+#include "demos/scenes/spaces.h"
+#include "tests/benchmarks/instructions/callgrind_output.h"
+#include "tests/benchmarks/instructions/child_process.h"
+#include "tests/benchmarks/instructions/motion_stream.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+constexpr bool built_with_valgrind =
+#ifdef ODE_PREDICTIVE_SPACE_HAVE_VALGRIND
+    true;
+#else
+    false;
+#endif
+
+/// A folder that goes with this object.
+class TemporaryFolder
+{
+public:
+    TemporaryFolder()
+    {
+        std::string name = (std::filesystem::temp_directory_path() / "predictive_bench_XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+        {
+            throw std::system_error(errno, std::generic_category(), name);
+        }
+        path_ = name;
+    }
+    ~TemporaryFolder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder &) = delete;
+    TemporaryFolder &operator=(const TemporaryFolder &) = delete;
+
+    std::string file(const char *name) const { return (path_ / name).string(); }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// What the loader and the programs need, and nothing that differs from run to run: the environment lies on the stack and moves
+/// it. All functions are bound at the start, not when they are first called.
+std::vector<std::string> environment()
+{
+    std::vector<std::string> variables = {"LD_BIND_NOW=1"};
+    for (const char *name : {"PATH", "LD_LIBRARY_PATH", "VALGRIND_LIB"})
+    {
+        const char *value = std::getenv(name);
+        if (value != nullptr)
+        {
+            variables.push_back(std::string(name) + "=" + value);
+        }
+    }
+    return variables;
+}
+
+std::vector<std::string> command_line(const CountedRun &run, const std::string &counts, const std::string &record)
+{
+    return {"valgrind",
+            "--tool=callgrind",
+            "--quiet",
+            "--instr-atstart=no",
+            "--collect-atstart=no",
+            "--compress-strings=no",
+            "--compress-pos=no",
+            "--callgrind-out-file=" + counts,
+            std::filesystem::read_symlink("/proc/self/exe").string(),
+            "instructions",
+            "--make-ticks",
+            "--spaces=" + run.space,
+            "--scenes=" + run.spec.name + ":" + std::to_string(run.spec.objects),
+            "--seed=" + std::to_string(run.spec.seed),
+            "--warm-up=" + std::to_string(run.warm_up_ticks),
+            "--ticks=" + std::to_string(run.ticks),
+            "--json=" + record};
+}
+
+void pass_motion_on(const CountedRun &run, const scenes::SceneFactory &factory, ChildProcess &process)
+{
+    Recorder recorder(factory);
+    write_moves(process.input(), recorder.start());
+    for (int tick = 0; tick < run.warm_up_ticks + run.ticks; ++tick)
+    {
+        write_moves(process.input(), recorder.record(1).front());
+    }
+}
+
+void run_callgrind(const CountedRun &run, const scenes::SceneFactory &factory,
+                   const std::vector<std::string> &arguments)
+{
+    bool succeeded = false;
+    try
+    {
+        ChildProcess process(arguments, environment());
+        pass_motion_on(run, factory, process);
+        succeeded = process.finish();
+    }
+    catch (const std::system_error &failure)
+    {
+        throw std::runtime_error(failure.code() == std::errc::no_such_file_or_directory
+                                     ? "valgrind was not found; Debian's package is named valgrind"
+                                     : failure.what());
+    }
+    if (!succeeded)
+    {
+        throw std::runtime_error("the process under callgrind failed");
+    }
+}
+
+std::uint64_t instructions_in(const std::string &file, const char *function)
+{
+    std::ifstream dump(file);
+    return instructions_of_calls(dump, function);
+}
+} // namespace
+
+Count count_instructions(const CountedRun &run, const scenes::SceneFactory &factory)
+{
+    if (!built_with_valgrind)
+    {
+        throw std::runtime_error("this program was built without valgrind's header; install the package valgrind and "
+                                 "build it again");
+    }
+    const TemporaryFolder folder;
+    const std::string counts = folder.file("counts");
+    const std::string record = folder.file("record");
+    run_callgrind(run, factory, command_line(run, counts, record));
+
+    const auto per_tick = [&](std::uint64_t instructions) { return static_cast<double>(instructions) / run.ticks; };
+    Count count;
+    count.scene = run.spec.name;
+    count.objects = run.spec.objects;
+    count.seed = run.spec.seed;
+    count.warm_up_ticks = run.warm_up_ticks;
+    count.ticks = run.ticks;
+    count.space = run.space;
+    count.collide = per_tick(instructions_in(counts, "predictive_bench_counted_collide"));
+    count.notices = per_tick(instructions_in(counts, "predictive_bench_counted_moves")) -
+                    per_tick(instructions_in(counts, "predictive_bench_bare_moves"));
+    const nlohmann::json written = nlohmann::json::parse(std::ifstream(record)).at(0);
+    count.pairs = written.at("pairs");
+    count.pair_hash = written.at("pair_hash");
+    return count;
+}
+} // namespace ode_predictive_space::benchmarks

@@ -1,0 +1,35 @@
+// A scene whose ticks are counted: one process moves it, another one, under callgrind, has it in a space.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_COUNTED_RUN_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_COUNTED_RUN_H
+
+#include "demos/scenes/scene.h"
+#include "tests/benchmarks/instructions/counts.h"
+
+#include <string>
+
+namespace ode_predictive_space::benchmarks
+{
+struct CountedRun
+{
+    scenes::SceneSpec spec;
+    std::string space; ///< a contender's name
+    int warm_up_ticks = 0;
+    int ticks = 0;
+};
+
+/// Count it: run this program again under callgrind and feed it with the motion of the scene, so that only what is counted, and
+/// not the scene, has to run in a simulated processor.
+///
+/// @param factory of run.spec
+/// @throws std::runtime_error when valgrind is not there, or the other process fails.
+Count count_instructions(const CountedRun &run, const scenes::SceneFactory &factory);
+
+/// In the other process: make the ticks that come on the standard input.
+///
+/// @return the record that count_instructions() reads: {pairs, pair_hash}.
+/// @throws std::runtime_error when the program was built without the headers of valgrind, or the input ends early.
+nlohmann::json make_counted_ticks(const CountedRun &run);
+} // namespace ode_predictive_space::benchmarks
+
+#endif

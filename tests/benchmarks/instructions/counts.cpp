@@ -1,0 +1,176 @@
+#include "tests/benchmarks/instructions/counts.h"
+
+#include "demos/scenes/table.h"
+#include "tests/benchmarks/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <stdexcept>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using namespace scenes;
+
+std::string title(const Count &count)
+{
+    return count.scene + " " + grouped(static_cast<std::uint64_t>(count.objects));
+}
+
+bool same_scene(const Count &one, const Count &other)
+{
+    return one.scene == other.scene && one.objects == other.objects;
+}
+
+void check_comparable(const Count &before, const Count &now)
+{
+    if (before.seed != now.seed || before.ticks != now.ticks || before.warm_up_ticks != now.warm_up_ticks)
+    {
+        throw std::runtime_error(title(now) + " was counted over other ticks or with another seed before");
+    }
+}
+
+std::vector<std::string> spaces_of(const std::vector<CountPair> &pairs)
+{
+    std::vector<std::string> spaces;
+    for (const CountPair &pair : pairs)
+    {
+        if (std::find(spaces.begin(), spaces.end(), pair.now.space) == spaces.end())
+        {
+            spaces.push_back(pair.now.space);
+        }
+    }
+    return spaces;
+}
+
+std::vector<CountPair> of_space(const std::vector<CountPair> &pairs, const std::string &space)
+{
+    std::vector<CountPair> result;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(result),
+                 [&](const CountPair &pair) { return pair.now.space == space; });
+    return result;
+}
+} // namespace
+
+nlohmann::json record_of(const Count &count)
+{
+    return {{"count", "instructions"},
+            {"scene", count.scene},
+            {"n", count.objects},
+            {"seed", count.seed},
+            {"warm_up_ticks", count.warm_up_ticks},
+            {"ticks", count.ticks},
+            {"space", count.space},
+            {"collide", count.collide},
+            {"notices", count.notices},
+            {"sum", count.sum()},
+            {"pairs", count.pairs},
+            {"pair_hash", count.pair_hash}};
+}
+
+std::vector<Count> counts_in(const nlohmann::json &records)
+{
+    std::vector<Count> counts;
+    for (const nlohmann::json &record : records.get<nlohmann::json::array_t>())
+    {
+        if (record.value("count", "") == "instructions")
+        {
+            counts.push_back({record.at("scene"), record.at("n"), record.at("seed"), record.at("warm_up_ticks"),
+                              record.at("ticks"), record.at("space"), record.at("collide"), record.at("notices"),
+                              record.at("pairs"), record.at("pair_hash")});
+        }
+    }
+    return counts;
+}
+
+const Count *best_of_ode(const std::vector<Count> &counts, const Count &in_scene_of)
+{
+    const Count *best = nullptr;
+    for (const Count &count : counts)
+    {
+        const bool is_odes = std::find(ode_spaces().begin(), ode_spaces().end(), count.space) != ode_spaces().end();
+        if (is_odes && same_scene(count, in_scene_of) && (best == nullptr || count.sum() < best->sum()))
+        {
+            best = &count;
+        }
+    }
+    return best;
+}
+
+std::vector<CountPair> in_both(const std::vector<Count> &before, const std::vector<Count> &now)
+{
+    std::vector<CountPair> pairs;
+    for (const Count &count : now)
+    {
+        const auto partner = std::find_if(before.begin(), before.end(), [&](const Count &other) {
+            return same_scene(count, other) && count.space == other.space;
+        });
+        if (partner != before.end())
+        {
+            check_comparable(*partner, count);
+            pairs.push_back({*partner, count});
+        }
+    }
+    if (pairs.empty())
+    {
+        throw std::runtime_error("the two runs have no scene and space in common");
+    }
+    return pairs;
+}
+
+RatioSummary summary_of(const std::vector<CountPair> &pairs)
+{
+    RatioSummary summary;
+    summary.largest = 0;
+    double logarithms = 0;
+    for (const CountPair &pair : pairs)
+    {
+        logarithms += std::log(pair.ratio());
+        if (pair.ratio() > summary.largest)
+        {
+            summary.largest = pair.ratio();
+            summary.largest_in = title(pair.now);
+        }
+    }
+    summary.geometric_mean = std::exp(logarithms / static_cast<double>(pairs.size()));
+    return summary;
+}
+
+void print(std::ostream &out, const std::vector<Count> &counts)
+{
+    out << "Instructions per tick\n\n";
+    Table table({"scene", "space", "collide", "notices", "sum", "best ODE / this", "ticks", "pairs", "pair hash"});
+    for (const Count &count : counts)
+    {
+        const Count *best = best_of_ode(counts, count);
+        table.add({title(count), count.space, fixed(count.collide, 1), fixed(count.notices, 1), fixed(count.sum(), 1),
+                   best != nullptr ? fixed(best->sum() / count.sum(), 2) : "-",
+                   grouped(static_cast<std::uint64_t>(count.ticks)), grouped(count.pairs), count.pair_hash});
+    }
+    table.print(out);
+    out << '\n';
+}
+
+void print(std::ostream &out, const std::vector<CountPair> &pairs)
+{
+    out << "Instructions per tick, before and now\n\n";
+    Table table({"scene", "space", "collide before", "now", "notices before", "now", "sum before", "now",
+                 "now / before", "pairs"});
+    for (const CountPair &pair : pairs)
+    {
+        table.add({title(pair.now), pair.now.space, fixed(pair.before.collide, 1), fixed(pair.now.collide, 1),
+                   fixed(pair.before.notices, 1), fixed(pair.now.notices, 1), fixed(pair.before.sum(), 1),
+                   fixed(pair.now.sum(), 1), fixed(pair.ratio(), 4), pair.same_pairs() ? "same" : "OTHERS"});
+    }
+    table.print(out);
+    out << '\n';
+    for (const std::string &space : spaces_of(pairs))
+    {
+        const RatioSummary summary = summary_of(of_space(pairs, space));
+        out << space << ": geometric mean " << fixed(summary.geometric_mean, 4) << ", largest "
+            << fixed(summary.largest, 4) << " (" << summary.largest_in << ")\n";
+    }
+}
+} // namespace ode_predictive_space::benchmarks

@@ -1,0 +1,188 @@
+// predictive_bench instructions: what a busy machine does not change.
+
+#include "tests/benchmarks/commands.h"
+#include "tests/benchmarks/comparison.h"
+#include "tests/benchmarks/contenders/contenders.h"
+#include "tests/benchmarks/instructions/counted_run.h"
+#include "tests/benchmarks/scene_choice.h"
+
+#include "demos/scenes/table.h"
+
+#include <algorithm>
+#include <dlfcn.h>
+#include <fstream>
+#include <iostream>
+#include <ode_predictive_space/predictive_space.h>
+#include <stdexcept>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using namespace scenes;
+
+struct Case
+{
+    std::string scene;
+    int objects;
+    int warm_up_ticks; ///< what is new in a space has settled by then
+    int ticks;
+};
+
+const std::vector<Case> &cases()
+{
+    static const std::vector<Case> all = {
+        {"mix", 40, 200, 1000},      {"gas", 100, 200, 1000},     {"gas", 1000, 100, 500},
+        {"gas", 10000, 100, 200},    {"game", 100, 200, 1000},    {"game", 1000, 100, 200},
+        {"pile", 500, 50, 100},      {"stack", 1000, 100, 400}, // the ball is thrown once
+        {"terrain", 1000, 100, 200}, {"teleport", 1000, 50, 100}, {"explosion", 1000, 100, 400}, // two of them
+    };
+    return all;
+}
+
+/// Where the functions come from that are counted.
+std::string which_library()
+{
+    Dl_info library{};
+    return dladdr(reinterpret_cast<const void *>(&dPredictiveSpaceCreate), &library) != 0 ? library.dli_fname
+                                                                                          : "an unknown file";
+}
+
+class InstructionsCommand : public Command
+{
+public:
+    std::string name() const override { return "instructions"; }
+    std::string description() const override
+    {
+        return "Instructions per tick, counted by callgrind: the same on a busy machine";
+    }
+
+    void add_options(CLI::App &command) override
+    {
+        command.footer("Counted are dSpaceCollide(), with a callback that only notes the pair, and the notices: what "
+                       "geoms that move\n"
+                       "cost beyond the same motion in a space that is never collided. Each scene runs once per space "
+                       "under valgrind's\n"
+                       "callgrind (Debian's package valgrind), with a motion that is made outside of it. Two runs of "
+                       "the same program on\n"
+                       "the same machine give the same numbers. To compare two versions of the library, run one "
+                       "program with each of\n"
+                       "them in LD_LIBRARY_PATH: the first time with --json FILE, then with --against FILE.");
+        command.add_option("--scenes", scenes_, "Scenes, or scenes and sizes, separated by commas: stack,gas:1000")
+            ->delimiter(',');
+        command.add_option("--warm-up", warm_up_ticks_, "Ticks before those that are counted")
+            ->check(CLI::Range(0, 100000000));
+        command.add_option("--against", earlier_file_, "Compare with what an earlier run wrote with --json")
+            ->type_name("FILE")
+            ->check(CLI::ExistingFile);
+        command.add_flag("--make-ticks", make_ticks_)->group(""); // what this program starts under callgrind
+    }
+
+    void measure(const Options &options, Findings &findings) override
+    {
+        if (make_ticks_)
+        {
+            const Case one = chosen(cases(), scenes_).front();
+            findings.record(make_counted_ticks(run_of(one, options.spaces.front(), options)));
+            return;
+        }
+        std::cout << "Counted in " << which_library() << "\n\n" << std::flush;
+        std::vector<Count> counts;
+        for (const Case &one : chosen(cases(), scenes_))
+        {
+            if (options.objects.value_or(one.objects) == one.objects)
+            {
+                count_case(one, options, counts, findings);
+            }
+        }
+        print(std::cout, counts);
+        for (const Count &count : counts)
+        {
+            findings.record(record_of(count));
+        }
+        if (!earlier_file_.empty())
+        {
+            compare_with_earlier(counts, findings);
+        }
+    }
+
+private:
+    CountedRun run_of(const Case &one, const std::string &space, const Options &options) const
+    {
+        CountedRun run;
+        run.spec = {one.scene, one.objects, options.seed};
+        run.space = space == "predictive" ? space_name(SpaceKind::predictive) : space;
+        run.warm_up_ticks = warm_up_ticks_.value_or(one.warm_up_ticks);
+        run.ticks = options.ticks.value_or(one.ticks);
+        return run;
+    }
+
+    static std::vector<std::string> without_floors(std::vector<std::string> names, Findings &findings)
+    {
+        const auto end = std::remove_if(names.begin(), names.end(), &is_floor);
+        if (end != names.end())
+        {
+            findings.note("without floors, which know the pairs only of scenes that they run themselves");
+            names.erase(end, names.end());
+        }
+        return names;
+    }
+
+    static std::vector<std::string> spaces(const Case &one, const Options &options, Findings &findings)
+    {
+        if (!options.spaces.empty())
+        {
+            return without_floors(options.spaces, findings);
+        }
+        std::vector<std::string> names = {"predictive-box"};
+        names.insert(names.end(), ode_spaces().begin(), ode_spaces().end());
+        return fast_enough(names, {one.scene, one.objects}, findings);
+    }
+
+    void count_case(const Case &one, const Options &options, std::vector<Count> &counts, Findings &findings) const
+    {
+        const SceneFactory factory(run_of(one, "", options).spec);
+        const Count *first = nullptr;
+        const std::size_t begin = counts.size();
+        for (const std::string &space : spaces(one, options, findings))
+        {
+            std::cerr << "instructions: " << one.scene << ' ' << grouped(static_cast<std::uint64_t>(one.objects))
+                      << " in " << space << '\n';
+            counts.push_back(count_instructions(run_of(one, space, options), factory));
+            first = &counts[begin];
+            if (is_exact(space) && is_exact(first->space) && counts.back().pair_hash != first->pair_hash)
+            {
+                std::cerr << "THE CONTENDERS DISAGREE: they did not report the same pairs\n";
+                findings.fail(exit_wrong_pairs);
+            }
+        }
+    }
+
+    static bool is_exact(const std::string &space) { return space != "predictive-sphere"; }
+
+    void compare_with_earlier(const std::vector<Count> &counts, Findings &findings) const
+    {
+        const std::vector<CountPair> pairs =
+            in_both(counts_in(nlohmann::json::parse(std::ifstream(earlier_file_))), counts);
+        print(std::cout, pairs);
+        const bool same =
+            std::all_of(pairs.begin(), pairs.end(), [](const CountPair &pair) { return pair.same_pairs(); });
+        if (!same)
+        {
+            std::cerr << "THE RUNS DISAGREE: they did not report the same pairs\n";
+            findings.fail(exit_wrong_pairs);
+        }
+    }
+
+    std::vector<std::string> scenes_;
+    std::optional<int> warm_up_ticks_;
+    std::string earlier_file_;
+    bool make_ticks_ = false;
+};
+} // namespace
+
+std::unique_ptr<Command> make_instructions_command()
+{
+    return std::make_unique<InstructionsCommand>();
+}
+} // namespace ode_predictive_space::benchmarks

@@ -1,0 +1,37 @@
+#include "tests/benchmarks/scene_choice.h"
+
+#include <charconv>
+#include <stdexcept>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+constexpr int most_objects = 1000000;
+} // namespace
+
+SceneChoice parse_scene_choice(const std::string &text)
+{
+    const std::size_t colon = text.find(':');
+    SceneChoice choice{text.substr(0, colon)};
+    bool valid = !choice.scene.empty();
+    if (colon != std::string::npos)
+    {
+        int objects = 0;
+        const char *end = text.data() + text.size();
+        const auto parsed = std::from_chars(text.data() + colon + 1, end, objects);
+        valid = valid && parsed.ec == std::errc() && parsed.ptr == end && objects >= 1 && objects <= most_objects;
+        choice.objects = objects;
+    }
+    if (!valid)
+    {
+        throw std::invalid_argument("\"" + text + "\" is neither a scene nor a scene with a size, like gas:1000");
+    }
+    return choice;
+}
+
+void refuse_scene(const std::string &scene)
+{
+    throw std::invalid_argument("this command has no scene named \"" + scene + "\"");
+}
+} // namespace ode_predictive_space::benchmarks
