@@ -33,9 +33,9 @@ const std::vector<Case> &cases()
 {
     static const std::vector<Case> all = {
         {"mix", 40, 200, 1000},      {"gas", 100, 200, 1000},     {"gas", 1000, 100, 500},
-        {"gas", 10000, 100, 200},    {"game", 100, 200, 1000},    {"game", 1000, 100, 200},
+        {"gas", 10000, 100, 300},    {"game", 100, 200, 1000},    {"game", 1000, 100, 300},
         {"pile", 500, 50, 100},      {"stack", 1000, 100, 400}, // the ball is thrown once
-        {"terrain", 1000, 100, 200}, {"teleport", 1000, 50, 100}, {"explosion", 1000, 100, 400}, // two of them
+        {"terrain", 5000, 50, 100}, {"teleport", 1000, 50, 100}, {"explosion", 1000, 100, 400}, // two of them
     };
     return all;
 }
