@@ -26,7 +26,11 @@ SceneSpec gas_of(SceneSpec spec)
 }
 } // namespace
 
-QueryScene::QueryScene(const SceneSpec &spec, dSpaceID space) : gas_(make_kinematic_scene(gas_of(spec), space))
+QueryScene::QueryScene(const SceneSpec &spec, dSpaceID space)
+    : QueryScene(spec, make_kinematic_scene(gas_of(spec), space))
+{}
+
+QueryScene::QueryScene(const SceneSpec &spec, std::unique_ptr<Scene> objects) : objects_(std::move(objects))
 {
     const haptics::HandPathSettings settings = hand_settings(kinematic_half_room("gas", spec.objects));
     haptics::Random random(haptics::mix_bits(spec.seed));
@@ -59,7 +63,7 @@ QueryScene::~QueryScene()
 
 void QueryScene::advance()
 {
-    gas_->advance();
+    objects_->advance();
     ++tick_;
     for (std::size_t i = 0; i < hands_.size(); ++i)
     {

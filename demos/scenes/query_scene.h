@@ -18,13 +18,17 @@ public:
     static constexpr int probes = 20; ///< and as many rays
 
     QueryScene(const SceneSpec &spec, dSpaceID space);
+
+    /// The same probes and rays in another scene of as many objects, in a room as large.
+    QueryScene(const SceneSpec &spec, std::unique_ptr<Scene> objects);
+
     ~QueryScene() override;
 
     void advance() override;
     void respond(const std::vector<IndexPair> &) override {}
     std::size_t contacts() const override { return 0; }
     bool moves_by_itself() const override { return true; }
-    const std::vector<dGeomID> &geoms() const override { return gas_->geoms(); }
+    const std::vector<dGeomID> &geoms() const override { return objects_->geoms(); }
     const ProbeReport *probe() const override { return nullptr; }
 
     /// The spheres, then the rays.
@@ -40,7 +44,7 @@ private:
 
     void place(std::size_t number);
 
-    std::unique_ptr<Scene> gas_;
+    std::unique_ptr<Scene> objects_;
     std::vector<Hand> hands_;
     std::vector<dGeomID> queries_;
     int tick_ = 0;

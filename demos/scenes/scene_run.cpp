@@ -56,7 +56,15 @@ SceneRun::~SceneRun()
 void SceneRun::collide()
 {
     list_.clear();
-    dSpaceCollide(contender_->space(), &list_, &PairList::collect);
+    if (queries_ == 0)
+    {
+        dSpaceCollide(contender_->space(), &list_, &PairList::collect);
+    }
+    const auto space = reinterpret_cast<dGeomID>(contender_->space());
+    for (std::size_t query = 0; query < queries_; ++query)
+    {
+        dSpaceCollide2(scene_->queries()[query], space, &list_, &PairList::collect);
+    }
 }
 
 double SceneRun::turn(int ticks, double seconds)

@@ -62,6 +62,10 @@ public:
     /// Forget the times so far, but not the pairs: the ticks so far were warm-up.
     void start_measuring();
 
+    /// In place of dSpaceCollide(), call dSpaceCollide2() for the first `queries` of the scene's queries in each tick, as a
+    /// program that needs only what is near some geoms. Times and pairs below are then those of these calls.
+    void ask_only(std::size_t queries) { queries_ = queries; }
+
     /// Check the space by brute force after each tick, if it is a predictive one.
     void check_every_tick() { checking_ = true; }
 
@@ -102,6 +106,7 @@ private:
     std::unique_ptr<Contender> contender_; // before the scene, whose geoms are in its space
     std::unique_ptr<Scene> scene_;
     PairList list_;
+    std::size_t queries_ = 0; ///< 0: dSpaceCollide()
     bool checking_ = false;
     bool invariant_held_ = true;
     double clock_overhead_;

@@ -17,18 +17,42 @@ constexpr double roof_height = 8;     // metres
 constexpr double pillar_height = 200; // metres
 constexpr unsigned long huge_category = 4;
 constexpr unsigned long small_bits = 1; // what huge boxes collide with: not one another, nor the ground
+} // namespace
 
 double half_side_of_square(int objects)
 {
     return std::max(0.75 * std::sqrt(objects), 3.0);
 }
 
-/// Height of the centre above the ground, of a solid that stands upright on it.
 double rest_height_of(Shape shape)
 {
     return (shape == Shape::box ? half_side_of_box(object_radius) : object_radius) - sunk;
 }
-} // namespace
+
+std::vector<HugeBox> huge_boxes(double half_side)
+{
+    const double third = half_side / 3;
+    return {
+        {{terrain_length, 0.5, 3}, {0, -third, 0}},
+        {{terrain_length, 0.5, 3}, {0, third, 0}},
+        {{terrain_length, terrain_length, 1}, {0, 0, roof_height}},
+        {{3, 3, pillar_height}, {-third, 0, 0}},
+        {{3, 3, pillar_height}, {third, 0, 0}},
+        {{100, 1, 1}, {third, -2 * third, 3}, Vector3::Zero(), 0.1},
+        {{100, 1, 1}, {-third, 2 * third, 4}, Vector3::Zero(), -0.1},
+        {{200, 10, 4}, {0, third, 6}, {0, 1, 0}, 0},
+        {{20, 10, 4}, {-third, 0, 5}, {2, -1, 0}, 0},
+    };
+}
+
+dGeomID make_huge_geom(const HugeBox &box, SceneObjects &objects)
+{
+    const dGeomID geom = objects.add_geom(dCreateBox(objects.space(), box.size.x(), box.size.y(), box.size.z()));
+    set_position(geom, box.position);
+    dGeomSetCategoryBits(geom, huge_category);
+    dGeomSetCollideBits(geom, small_bits);
+    return geom;
+}
 
 TerrainScene::TerrainScene(const SceneSpec &spec, dSpaceID space)
     : half_side_(half_side_of_square(spec.objects)), ground_(half_side_), objects_(space)
@@ -44,36 +68,24 @@ TerrainScene::TerrainScene(const SceneSpec &spec, dSpaceID space)
 
 void TerrainScene::add_huge_boxes()
 {
-    const double third = half_side_ / 3;
-    add_huge_still({terrain_length, 0.5, 3}, {0, -third, 0});
-    add_huge_still({terrain_length, 0.5, 3}, {0, third, 0});
-    add_huge_still({terrain_length, terrain_length, 1}, {0, 0, roof_height});
-    add_huge_still({3, 3, pillar_height}, {-third, 0, 0});
-    add_huge_still({3, 3, pillar_height}, {third, 0, 0});
-    add_huge_mover({100, 1, 1}, {third, -2 * third, 3}, Vector3::Zero(), 0.1);
-    add_huge_mover({100, 1, 1}, {-third, 2 * third, 4}, Vector3::Zero(), -0.1);
-    add_huge_mover({200, 10, 4}, {0, third, 6}, {0, 1, 0}, 0);
-    add_huge_mover({20, 10, 4}, {-third, 0, 5}, {2, -1, 0}, 0);
+    for (const HugeBox &box : huge_boxes(half_side_))
+    {
+        const dGeomID geom = make_huge_geom(box, objects_);
+        if (box.moves())
+        {
+            add_huge_mover(box, geom);
+        }
+    }
 }
 
-dGeomID TerrainScene::add_huge_still(const Vector3 &size, const Vector3 &position)
+void TerrainScene::add_huge_mover(const HugeBox &box, dGeomID geom)
 {
-    const dGeomID geom = objects_.add_geom(dCreateBox(objects_.space(), size.x(), size.y(), size.z()));
-    set_position(geom, position);
-    dGeomSetCategoryBits(geom, huge_category);
-    dGeomSetCollideBits(geom, small_bits);
-    return geom;
-}
-
-void TerrainScene::add_huge_mover(const Vector3 &size, const Vector3 &position, const Vector3 &velocity, double spin)
-{
-    const dGeomID geom = add_huge_still(size, position);
     Mover mover{};
     mover.body = dBodyCreate(objects_.world());
-    mover.state.position = position;
-    mover.state.velocity = velocity;
-    mover.state.angular_velocity = {0, 0, spin};
-    mover.turn = Quaternion(Eigen::AngleAxisd(spin * tick_seconds, Vector3::UnitZ()));
+    mover.state.position = box.position;
+    mover.state.velocity = box.velocity;
+    mover.state.angular_velocity = {0, 0, box.spin};
+    mover.turn = Quaternion(Eigen::AngleAxisd(box.spin * tick_seconds, Vector3::UnitZ()));
     dGeomSetBody(geom, mover.body);
     set_state(mover.body, mover.state);
     movers_.push_back(mover);

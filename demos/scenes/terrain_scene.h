@@ -8,9 +8,33 @@
 
 namespace ode_predictive_space::scenes
 {
+/// One of the boxes that are up to 10^4 times as long as an object.
+struct HugeBox
+{
+    Vector3 size;                       ///< metres
+    Vector3 position;                   ///< at the start, metres
+    Vector3 velocity = Vector3::Zero(); ///< m/s
+    double spin = 0;                    ///< about the vertical axis, rad/s
+
+    bool moves() const { return spin != 0 || !velocity.isZero(0); }
+};
+
+/// Those of the scene: still ones (walls, pillars, a roof), two cranes that turn and two airships that drift.
+///
+/// @param half_side of the square in which the objects are, metres
+std::vector<HugeBox> huge_boxes(double half_side);
+
+/// The geom of a huge box. It collides with objects, not with the ground or with other huge boxes.
+dGeomID make_huge_geom(const HugeBox &box, SceneObjects &objects);
+
+/// Half the side of the square in which so many objects are, metres.
+double half_side_of_square(int objects);
+
+/// Height of the centre above the ground for a solid that stands upright on it and touches it, metres.
+double rest_height_of(Shape shape);
+
 /// Half of the objects roll over the ground, which is a heightfield, a mesh and a plane side by side; the other half fly up
-/// to 5 m above it. All move at up to 5 mm per tick and turn back at the edge of a square. Among them are huge boxes, up to
-/// 10^4 times as long as an object: still ones (walls, pillars, a roof), two cranes that turn and two airships that drift.
+/// to 5 m above it. All move at up to 5 mm per tick and turn back at the edge of a square. Among them are huge boxes.
 ///
 /// The motion does not depend on contacts, so it can go on for any time.
 class TerrainScene : public Scene
@@ -36,8 +60,7 @@ private:
     };
 
     void add_huge_boxes();
-    dGeomID add_huge_still(const Vector3 &size, const Vector3 &position);
-    void add_huge_mover(const Vector3 &size, const Vector3 &position, const Vector3 &velocity, double spin);
+    void add_huge_mover(const HugeBox &box, dGeomID geom);
     void add_mover(int number, haptics::Random &random);
     void advance_mover(Mover &mover) const;
     void roll(Mover &mover) const;

@@ -25,6 +25,7 @@ Commands make_commands()
     Commands commands;
     commands.push_back(make_scene_command());
     commands.push_back(make_instructions_command());
+    commands.push_back(make_stepped_command());
     add_parts_of_all(commands);
     Commands parts;
     add_parts_of_all(parts);

@@ -33,7 +33,10 @@ SceneRuns make_runs(const Plan &plan, const SceneFactory &factory, Findings &fin
             findings.note(title(plan.spec).append(", without ").append(name).append(": ").append(reason));
             continue;
         }
-        runs.push_back(std::make_unique<SceneRun>(benchmarks::make_contender(name, factory), factory));
+        auto contender = benchmarks::make_contender(name, factory);
+        auto scene = plan.make_scene ? plan.make_scene(factory, contender->space()) : factory.make(contender->space());
+        runs.push_back(std::make_unique<SceneRun>(std::move(contender), std::move(scene)));
+        runs.back()->ask_only(plan.queries);
         if (plan.check)
         {
             runs.back()->check_every_tick();
@@ -174,6 +177,19 @@ double sum_of_ticks(const Result &result, std::size_t first, std::size_t end)
     };
     return std::accumulate(time_of(first), time_of(end), 0.0);
 }
+
+const Result *least_of_ode(const std::vector<Result> &results, double (Result::*mean)() const)
+{
+    const Result *best = nullptr;
+    for (const Result &result : results)
+    {
+        if (result.family == Family::ode && (best == nullptr || (result.*mean)() < (best->*mean)()))
+        {
+            best = &result;
+        }
+    }
+    return best;
+}
 } // namespace
 
 const Result *Comparison::find(const std::string &name) const
@@ -185,15 +201,12 @@ const Result *Comparison::find(const std::string &name) const
 
 const Result *Comparison::best_of_ode() const
 {
-    const Result *best = nullptr;
-    for (const Result &result : results)
-    {
-        if (result.family == Family::ode && (best == nullptr || result.mean() < best->mean()))
-        {
-            best = &result;
-        }
-    }
-    return best;
+    return least_of_ode(results, &Result::mean);
+}
+
+const Result *Comparison::best_of_ode_by_ticks() const
+{
+    return least_of_ode(results, &Result::mean_tick);
 }
 
 // Fewer common ticks say less than the means of all: a turn begins with cold caches.

@@ -7,6 +7,7 @@
 #include "tests/benchmarks/findings.h"
 #include "tests/benchmarks/options.h"
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -23,7 +24,10 @@ struct Plan
     double seconds_each =
         scenes::unlimited; ///< a contender that has used up so many makes no more ticks, see run_by_turns()
     bool check = false;    ///< check the predictive spaces by brute force after every tick
-    bool weigh = false;    ///< find out what memory contenders need that do not tell: this takes one more copy of each
+    /// Makes the scene, if it is not the one that the factory makes.
+    std::function<std::unique_ptr<scenes::Scene>(const scenes::SceneFactory &, dSpaceID)> make_scene{};
+    std::size_t queries = 0; ///< not 0: instead of dSpaceCollide(), dSpaceCollide2() for so many queries of the scene
+    bool weigh = false; ///< find out what memory contenders need that do not tell: this takes one more copy of each
 };
 
 /// What one contender did.
@@ -43,6 +47,7 @@ struct Result
     double bytes_per_geom = std::numeric_limits<double>::quiet_NaN(); ///< not a number: not known
 
     double mean() const { return scenes::summarise(times).mean; }
+    double mean_tick() const { return scenes::summarise(tick_times).mean; }
 };
 
 struct Comparison
@@ -56,6 +61,9 @@ struct Comparison
 
     /// The fastest of ODE's own spaces by its mean; null when none took part.
     const Result *best_of_ode() const;
+
+    /// The same by the mean of whole ticks.
+    const Result *best_of_ode_by_ticks() const;
 
     static constexpr std::size_t least_common_ticks = 20;
 

@@ -29,12 +29,20 @@ struct Case
     int ticks;
 };
 
+/// In a simulated processor a tick of the slow spaces takes seconds.
+constexpr int many_objects = 5000;
+
+std::string title(const Case &one)
+{
+    return one.scene + " " + grouped(static_cast<std::uint64_t>(one.objects));
+}
+
 const std::vector<Case> &cases()
 {
     static const std::vector<Case> all = {
-        {"mix", 40, 200, 1000},      {"gas", 100, 200, 1000},     {"gas", 1000, 100, 500},
-        {"gas", 10000, 100, 300},    {"game", 100, 200, 1000},    {"game", 1000, 100, 300},
-        {"pile", 500, 50, 100},      {"stack", 1000, 100, 400}, // the ball is thrown once
+        {"mix", 40, 200, 1000},     {"gas", 100, 200, 1000},     {"gas", 1000, 100, 500},
+        {"gas", 10000, 100, 300},   {"game", 100, 200, 1000},    {"game", 1000, 100, 300},
+        {"pile", 500, 50, 100},     {"stack", 1000, 100, 400}, // the ball is thrown once
         {"terrain", 5000, 50, 100}, {"teleport", 1000, 50, 100}, {"explosion", 1000, 100, 400}, // two of them
     };
     return all;
@@ -134,23 +142,31 @@ private:
         {
             return without_floors(options.spaces, findings);
         }
+        if (one.objects >= many_objects)
+        {
+            findings.note(title(one) + ": without simple and hash, which are far from the best there");
+            return {"predictive-box", "quadtree", "sap"};
+        }
         std::vector<std::string> names = {"predictive-box"};
         names.insert(names.end(), ode_spaces().begin(), ode_spaces().end());
-        return fast_enough(names, {one.scene, one.objects}, findings);
+        return names;
     }
 
     void count_case(const Case &one, const Options &options, std::vector<Count> &counts, Findings &findings) const
     {
         const SceneFactory factory(run_of(one, "", options).spec);
-        const Count *first = nullptr;
-        const std::size_t begin = counts.size();
+        std::string expected_hash;
         for (const std::string &space : spaces(one, options, findings))
         {
-            std::cerr << "instructions: " << one.scene << ' ' << grouped(static_cast<std::uint64_t>(one.objects))
-                      << " in " << space << '\n';
+            std::cerr << "instructions: " << title(one) << " in " << space << '\n';
             counts.push_back(count_instructions(run_of(one, space, options), factory));
-            first = &counts[begin];
-            if (is_exact(space) && is_exact(first->space) && counts.back().pair_hash != first->pair_hash)
+            if (!is_exact(space))
+            {
+                continue;
+            }
+            const std::string &hash = counts.back().pair_hash;
+            expected_hash = expected_hash.empty() ? hash : expected_hash;
+            if (hash != expected_hash)
             {
                 std::cerr << "THE CONTENDERS DISAGREE: they did not report the same pairs\n";
                 findings.fail(exit_wrong_pairs);

@@ -105,6 +105,41 @@ TEST(PredictiveBench, ComparesTheScenesOfOneSize)
     EXPECT_TRUE(contains(outcome.output, "P3  game 100, best ODE (")) << outcome.output;
 }
 
+TEST(PredictiveBench, StepsEverySceneInAllSpaces)
+{
+    const nlohmann::json records = results_of("stepped --n 100 --ticks 120 --check");
+    std::map<std::string, std::string> hashes;
+    ASSERT_GT(records.size(), 0u);
+    for (const nlohmann::json &record : records)
+    {
+        EXPECT_EQ(record.at("measured_ticks"), 120);
+        EXPECT_TRUE(record.at("begin_s").is_null());
+        for (const char *name : {"mean_us", "median_us", "p99_us", "p999_us", "max_us", "whole_us"})
+        {
+            EXPECT_GE(record.at(name), 0) << name;
+        }
+        if (record.at("space") != "predictive-sphere")
+        {
+            const std::string hash = record.at("pair_hash");
+            EXPECT_EQ(hashes.emplace(record.at("scene"), hash).first->second, hash) << record;
+        }
+    }
+    EXPECT_EQ(hashes.size(), 3u) << "gas, game and pile have this size";
+    EXPECT_EQ(records.size(), hashes.size() * 6);
+}
+
+TEST(PredictiveBench, ShowsHowAPileSettlesInWindows)
+{
+    const nlohmann::json records = results_of("stepped --scenes settling:40 --ticks 200 --spaces predictive,sap");
+    ASSERT_EQ(records.size(), 4u);
+    EXPECT_EQ(records[0].at("begin_s"), 0);
+    EXPECT_EQ(records[0].at("end_s"), 0.5);
+    EXPECT_EQ(records[3].at("begin_s"), 0.5);
+    EXPECT_EQ(records[3].at("end_s"), 1);
+    EXPECT_EQ(records[3].at("measured_ticks"), 100);
+    EXPECT_EQ(records[3].at("space"), "sap");
+}
+
 TEST(PredictiveBench, RefusesWhatItCannotDo)
 {
     EXPECT_GT(run(PREDICTIVE_BENCH, "").status, 1);

@@ -20,34 +20,20 @@ std::vector<scenes::SceneSpec> usual_scenes()
     return {{"gas", 1000}, {"gas", 10000}, {"game", 1000}, {"game", 10000}, {"pile", 500}, {"stack", 1000}};
 }
 
-double mean_of_ticks(const Result &result)
-{
-    return scenes::summarise(result.tick_times).mean;
-}
-
-const Result *best_of_ode_by_ticks(const Comparison &comparison)
-{
-    const Result *best = nullptr;
-    for (const Result &result : comparison.results)
-        if (result.family == scenes::Family::ode && (best == nullptr || mean_of_ticks(result) < mean_of_ticks(*best)))
-            best = &result;
-    return best;
-}
-
 // A comparison may be one that was made with more.
 void report(const Comparison &comparison, const std::vector<std::string> &contenders, Findings &findings)
 {
     std::cout << comparison.spec.name
               << ", n = " << scenes::grouped(static_cast<std::uint64_t>(comparison.spec.objects))
               << ": microseconds per tick, in dSpaceCollide() and outside of it\n\n";
-    const Result *best = best_of_ode_by_ticks(comparison);
+    const Result *best = comparison.best_of_ode_by_ticks();
     scenes::Table table({"space", "collide", "the rest", "whole tick", "best ODE / this"});
     for (const Result &result : comparison.results)
     {
         if (std::find(contenders.begin(), contenders.end(), result.name) == contenders.end())
             continue;
-        const double whole = mean_of_ticks(result), collide = scenes::summarise(result.clock_times).mean;
-        const double ratio = best != nullptr ? mean_of_ticks(*best) / whole : 0;
+        const double whole = result.mean_tick(), collide = scenes::summarise(result.clock_times).mean;
+        const double ratio = best != nullptr ? best->mean_tick() / whole : 0;
         table.add({result.name, scenes::fixed(collide, 2), scenes::fixed(whole - collide, 2), scenes::fixed(whole, 2),
                    scenes::fixed(ratio, 2)});
         findings.record({{"table", "whole"},
