@@ -129,7 +129,7 @@ void print(const Span &span, const Comparison &comparison)
     std::cout << "; microseconds in "
               << (queries_of_stepped_scene(span.scene) == 0 ? "dSpaceCollide()" : "20 dSpaceCollide2()")
               << " per tick\n\n";
-    Table table({"space", "mean", "median", "p99", "p99.9", "max", "best ODE / this", "whole tick", "best ODE / this",
+    Table table({"space", "mean", "median", "p99", "p99.9", "max", "best ODE / this", "whole tick", "best whole / this",
                  "ticks", "pairs", "pair hash"});
     for (const Result &result : comparison.results)
     {
