@@ -76,6 +76,15 @@ typedef struct dPredictiveSpaceStats
     unsigned long bytes; /**< memory that the space now holds, in bytes, without the geoms */
 } dPredictiveSpaceStats;
 
+/** Counters beside dPredictiveSpaceStats, since the space was made. New ones are added at the end.
+    @see dPredictiveSpaceGetCounters */
+typedef struct dPredictiveSpaceCounters
+{
+    unsigned long unchanged; /**< notices of a geom whose pose and sizes were those of its last notice. They count as no
+                                  move in any respect, and time does not pass for them. Spheres, boxes, capsules and
+                                  cylinders only: the data of other classes may have changed without a sign. */
+} dPredictiveSpaceCounters;
+
 /**
  * Create a predictive space.
  *
@@ -156,8 +165,18 @@ ODE_PREDICTIVE_API int dPredictiveSpaceGetTimeOfProximity(dSpaceID space, dGeomI
  */
 ODE_PREDICTIVE_API int dPredictiveSpaceGetEncounters(dSpaceID space, dGeomID geom, dPredictiveEncounter *out, int max);
 
-/** Read the counters. */
+/** Read the statistics. */
 ODE_PREDICTIVE_API void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats);
+
+/**
+ * Read the counters beside the statistics.
+ *
+ * @param counters gets them; must not be 0.
+ * @param size sizeof(dPredictiveSpaceCounters) of the calling program. No more is written; counters that the library does not
+ *        know are set to 0.
+ */
+ODE_PREDICTIVE_API void dPredictiveSpaceGetCounters(dSpaceID space, dPredictiveSpaceCounters *counters,
+                                                    unsigned long size);
 
 /**
  * Check the invariant of the space by brute force, in O(n^2): every geom lies inside its envelope, and every pair whose

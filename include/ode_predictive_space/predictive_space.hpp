@@ -62,6 +62,13 @@ public:
         return stats;
     }
 
+    dPredictiveSpaceCounters getCounters() const
+    {
+        dPredictiveSpaceCounters counters;
+        dPredictiveSpaceGetCounters(id(), &counters, sizeof counters);
+        return counters;
+    }
+
     int validate() const { return dPredictiveSpaceValidate(id()); }
 };
 

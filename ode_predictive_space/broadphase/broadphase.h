@@ -49,12 +49,13 @@ public:
     ProxyId add();
     void remove(ProxyId id);
 
-    /// The object's position, size or anything else about its bounds has changed, just now. Every such change must be reported.
+    /// The object's position, size or anything else about its bounds may have changed, just now. Every change must be reported.
     ///
     /// @param object see Verifier::report_move().
-    template <typename Object> void report_move(ProxyId id, const Object &object)
+    /// @return false when nothing has changed since the last report: that counts as no move.
+    template <typename Object> bool report_move(ProxyId id, const Object &object)
     {
-        verifier_.report_move(proxies_, id, object, clock_.expected());
+        return verifier_.report_move(proxies_, id, object, clock_.expected());
     }
 
     /// The object may have changed in any way since it was looked at.
@@ -185,8 +186,8 @@ private:
 
     ProximityTest proximity_test_ = ProximityTest::box;
     Counters counters_;
-    bool has_new_ = false;     // objects were added since the last update
-    bool interrupted_ = false; // an update or a report has begun and not ended
+    bool has_new_ = false;       // objects were added since the last update
+    bool interrupted_ = false;   // an update or a report has begun and not ended
     std::size_t trim_below_ = 0; // number of objects at which memory may be given back
 
     // Results of stages; empty between updates.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "ode_predictive_space/space/ode_check.h"
 #include "ode_predictive_space/space/predictive_space.h"
@@ -212,6 +213,21 @@ void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
     stats->reported = self->reported();
     stats->scans = counters.sweeps;
     stats->bytes = self->bytes();
+}
+
+void dPredictiveSpaceGetCounters(dSpaceID space, dPredictiveSpaceCounters *counters, unsigned long size)
+{
+    const dxPredictiveSpace *self = checked_space(__func__, space);
+    if (!self)
+        return;
+    if (!counters)
+    {
+        refuse(__func__, "counters", "it is null");
+        return;
+    }
+    const dPredictiveSpaceCounters known{self->unchanged()};
+    std::memset(counters, 0, size);
+    std::memcpy(counters, &known, std::min<std::size_t>(size, sizeof known));
 }
 
 int dPredictiveSpaceValidate(dSpaceID space)

@@ -4,7 +4,6 @@
 #define ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -88,40 +87,6 @@ inline Box to_box(const dReal aabb[6])
 {
     return Box(Vector3(aabb[0], aabb[2], aabb[4]), Vector3(aabb[1], aabb[3], aabb[5]));
 }
-
-/// A geom whose move is being reported, as the broad phase reads it. It has just been written and lies in the cache.
-class NoticedGeom
-{
-public:
-    explicit NoticedGeom(const dxGeom *geom) : geom_(geom) {}
-
-    /// Is the position valid, and does the geom turn about it? A moved geom with an offset has no valid position yet, and a geom
-    /// that has lost its body may turn by any matrix.
-    bool has_centre() const
-    {
-        return (geom_->body != nullptr || geom_->type == dSphereClass) && (geom_->gflags & GEOM_POSR_BAD) == 0;
-    }
-    const dReal *coordinates() const { return geom_->final_posr->pos; }
-    bool has_grown(float radius) const { return !(squared_sphere_radius(geom_) <= double{radius} * double{radius}); }
-
-    /// Differs when position or rotation differ, but for rare collisions. Both are adjacent in memory.
-    std::uint32_t pose_digest() const
-    {
-        const dxPosR *pose = geom_->final_posr;
-        return low_bits_of(pose->pos[0]) + low_bits_of(pose->pos[1]) + low_bits_of(pose->pos[2]) +
-               low_bits_of(pose->R[0]);
-    }
-
-private:
-    static std::uint32_t low_bits_of(dReal value)
-    {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &value, sizeof value);
-        return static_cast<std::uint32_t>(bits);
-    }
-
-    const dxGeom *geom_;
-};
 
 /// The geoms of a space, by number.
 class GeomScene : public Scene

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ode_predictive_space/broadphase/base/prefetch.h"
+#include "ode_predictive_space/space/noticed_geom.h"
 
 using namespace ode_predictive_space;
 
@@ -131,9 +132,12 @@ void dxPredictiveSpace::trim()
 
 void dxPredictiveSpace::dirty(dxGeom *geom)
 {
-    caught_up_ = false;
     listen_to(geom);
-    broadphase_.report_move(proxy_of(geom), NoticedGeom(geom));
+    const ProxyId id = proxy_of(geom);
+    if (broadphase_.report_move(id, NoticedGeom(id, geom, known_poses_)))
+        caught_up_ = false;
+    else
+        ++unchanged_;
 }
 
 // Only now is the class of new geoms known.
@@ -163,6 +167,7 @@ void dxPredictiveSpace::poll_moves()
 {
     if (!caught_up_)
         classify_new();
+    known_poses_.make_room(geoms_.size());
     if (polled_count_ == 0)
         return;
     polled_.for_each([this](ProxyId id) {
@@ -363,5 +368,5 @@ void dxPredictiveSpace::set_horizon(const HorizonBounds &horizon)
 std::size_t dxPredictiveSpace::bytes() const
 {
     return sizeof(*this) + broadphase_.bytes() + bytes_of(geoms_) + bytes_of(found_) + bytes_of(pairs_) +
-           unclassified_.bytes() + polled_.bytes() + off_line_.bytes();
+           unclassified_.bytes() + polled_.bytes() + off_line_.bytes() + known_poses_.bytes();
 }

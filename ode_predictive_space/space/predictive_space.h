@@ -8,6 +8,7 @@
 #include "ode_predictive_space/broadphase/broadphase.h"
 #include "ode_predictive_space/space/geom_scene.h"
 #include "ode_predictive_space/space/hash_levels.h"
+#include "ode_predictive_space/space/known_poses.h"
 
 /// A space that calls its callback for exactly the pairs for which dxSimpleSpace would.
 ///
@@ -63,6 +64,7 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     const ode_predictive_space::Broadphase &broadphase() const { return broadphase_; }
     unsigned long ticks() const { return ticks_; }
     unsigned long reported() const { return reported_; }
+    unsigned long unchanged() const { return unchanged_; }
     std::size_t bytes() const;
 
 private:
@@ -111,8 +113,11 @@ private:
     std::vector<ode_predictive_space::CandidatePair> pairs_;
     std::vector<ProxyId> found_;
 
+    ode_predictive_space::KnownPoses known_poses_;
+
     unsigned long ticks_ = 0;
     unsigned long reported_ = 0;
+    unsigned long unchanged_ = 0; // notices of geoms that had not changed
 };
 
 #endif

@@ -139,12 +139,15 @@ struct alignas(64) ProxyRecord
 static_assert(sizeof(ProxyRecord) == 64, "one cache line");
 constexpr std::uint32_t no_history = ~std::uint32_t{0};
 
-/// What the notice of a move is judged by, beside the path. Written by predict and, the pose, by verify.
+/// What the notice of a move is judged by, beside the path. The radius is written by predict, the pose by verify.
 struct Stamp
 {
     float radius = -1;      ///< that of the prediction for Check::centre, negative for all others
-    std::uint32_t pose = 0; ///< digest of the pose at the last notice; 0 when that is not known
+    std::uint32_t pose = 0; ///< digest of the pose at the last notice, see pose_known; 0 when that is not known
 };
+
+/// The lowest bits of Stamp::pose are none of the digest: the pose at the last notice is known by its digest; and in full, too.
+constexpr std::uint32_t pose_known = 2, pose_remembered = 1;
 
 /// All objects, by number. Plain arrays: each stage of the tick reads and writes the part that it is about.
 class ProxyStore
@@ -210,7 +213,7 @@ public:
     void forget_prediction(ProxyId id)
     {
         records[id].kind.check = Check::none;
-        stamps[id] = Stamp{};
+        stamps[id].radius = Stamp{}.radius;
     }
 
     bool predicted(ProxyId id) const { return records[id].kind.check != Check::none; }

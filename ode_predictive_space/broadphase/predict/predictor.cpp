@@ -269,7 +269,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     Motion motion = estimate_motion(record, outcome, seen, centre, now);
 
     set_extent(record, seen, centre, step_estimate.step());
-    proxies.stamps[id] = {record.kind.check == Check::centre ? record.prediction.radius : -1, 0};
+    proxies.stamps[id].radius = record.kind.check == Check::centre ? record.prediction.radius : -1;
     const double size = size_of(record.prediction);
     if (motion.leaps(reach_of(record) * size))
         motion = Motion::unknown();

@@ -38,21 +38,31 @@ public:
 
     void resize(std::size_t count);
 
-    /// The position, size or anything else about the bounds of an object has just changed. The last report of several judges
-    /// the object's state at the next update.
+    /// The position, size or anything else about the bounds of an object may just have changed. The last report of several
+    /// judges the object's state at the next update.
     ///
     /// @param expected the tick of the next update, as far as is known.
     /// @tparam Object tells of the object:
-    ///     bool has_centre()             its centre need not be computed first, and is still that of the sphere that held the
-    ///                                   object however it turned, if there was one when it was predicted
-    ///     const Real *coordinates()     of the centre, if it has one
-    ///     bool has_grown(float radius)  the object no longer fits into a sphere of this radius
+    ///     bool has_pose()               its bounds follow from a pose that need not be computed first, and from its sizes
     ///     std::uint32_t pose_digest()   another number, most of the time, for another pose
-    template <typename Object> void report_move(ProxyStore &proxies, ProxyId id, const Object &object, Tick expected)
+    ///     bool remember()               keeps pose and sizes for the next report; false when that is not possible
+    ///     bool is_as_remembered()       pose and sizes are those that were kept
+    ///     bool has_centre()             it turns about its position: that is still the centre of the sphere that held it
+    ///     const Real *coordinates()     of the centre, if it has pose and centre
+    ///     bool has_grown(float radius)  the object no longer fits into a sphere of this radius
+    /// @return false when nothing has changed since the last report: that is no move.
+    template <typename Object> bool report_move(ProxyStore &proxies, ProxyId id, const Object &object, Tick expected)
     {
+        Stamp &stamp = proxies.stamps[id];
+        const std::uint32_t last = stamp.pose;
+        stamp.pose = object.has_pose() ? (object.pose_digest() & ~pose_remembered) | pose_known : 0;
+        const bool same_digest = (last & ~pose_remembered) == stamp.pose && stamp.pose != 0;
+        if (same_digest && repeats(stamp, last, object))
+            return false;
         board_.note(id);
-        if (!as_predicted(proxies, id, object, expected))
+        if (!as_predicted(proxies, id, object, expected, last == 0 || same_digest))
             doubtful_.insert(id);
+        return true;
     }
 
     /// The object may have changed in any way since it was looked at.
@@ -87,24 +97,31 @@ public:
     std::size_t bytes() const;
 
 private:
+    /// Programs set poses that did not change: pose and sizes are kept when the digest of the pose comes again, and compared
+    /// from the next time on.
+    template <typename Object>
+    [[gnu::noinline]] static bool repeats(Stamp &stamp, std::uint32_t last, const Object &object)
+    {
+        const bool repeated = (last & pose_remembered) != 0 && object.is_as_remembered();
+        if (repeated || object.remember())
+            stamp.pose |= pose_remembered;
+        return repeated;
+    }
+
     /// Is the centre where it should be at the tick `then`? False means that it takes a closer look: for objects that are
     /// checked by their bounds, and for those whose position has to be computed first.
     ///
-    /// ODE sends one notification per change. So the size has to be looked at only when the pose is the one that the last
-    /// notification found, or when that is not known.
+    /// ODE sends one notification per change. So the size has to be looked at only when the pose may be the one that the last
+    /// notification found.
     template <typename Object>
-    static bool as_predicted(ProxyStore &proxies, ProxyId id, const Object &object, Tick then)
+    static bool as_predicted(const ProxyStore &proxies, ProxyId id, const Object &object, Tick then,
+                             bool size_may_differ)
     {
-        Stamp &stamp = proxies.stamps[id];
-        if (std::signbit(stamp.radius) || !object.has_centre())
-        {
-            stamp.pose = 0;
+        const Stamp &stamp = proxies.stamps[id];
+        if (std::signbit(stamp.radius) || stamp.pose == 0 || !object.has_centre())
             return false;
-        }
-        const std::uint32_t last = stamp.pose, pose = object.pose_digest();
-        stamp.pose = pose;
         return centre_inside(proxies.paths[id], object.coordinates(), then) &&
-               ((pose != last && last != 0) || !object.has_grown(stamp.radius));
+               (!size_may_differ || !object.has_grown(stamp.radius));
     }
 
     std::size_t collect_suspects(const Circumstances &now);

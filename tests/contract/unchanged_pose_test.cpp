@@ -1,0 +1,250 @@
+// Programs that set every pose before every collide: a pose that did not change is no move.
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include <ode_predictive_space/predictive_space.h>
+
+#include "tests/contract/support/scenario.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+using UnchangedPose = OdeTest;
+
+unsigned long unchanged(dSpaceID space)
+{
+    dPredictiveSpaceCounters counters;
+    dPredictiveSpaceGetCounters(space, &counters, sizeof counters);
+    return counters.unchanged;
+}
+
+dPredictiveSpaceStats stats(dSpaceID space)
+{
+    dPredictiveSpaceStats result;
+    dPredictiveSpaceGetStats(space, &result);
+    return result;
+}
+
+void set_again(dGeomID geom)
+{
+    const dReal *position = dGeomGetPosition(geom);
+    dGeomSetPosition(geom, position[0], position[1], position[2]);
+}
+
+// The first is no notice, as ODE takes new geoms for moved anyway; the second is the first one that the space sees; the third is
+// seen to repeat it, and makes room; the fourth is kept. All later ones are compared with it.
+constexpr int repetitions_until_known = 4;
+
+class Setting
+{
+public:
+    Setting() : space_(dPredictiveSpaceCreate(nullptr))
+    {
+        for (const auto &create : {sphere, box, capsule, cylinder})
+            for (int i = 0; i < 3; ++i)
+                geoms_.push_back(create(space_));
+        for (std::size_t i = 0; i < geoms_.size(); ++i)
+        {
+            dGeomSetPosition(geoms_[i], 0.7 * static_cast<double>(i), 0.1, 0);
+            number_geom(geoms_[i], static_cast<int>(i));
+        }
+    }
+    ~Setting() { dSpaceDestroy(space_); }
+
+    dSpaceID space() const { return space_; }
+    const std::vector<dGeomID> &geoms() const { return geoms_; }
+
+    Pairs set_all_and_collide()
+    {
+        for (dGeomID geom : geoms_)
+            set_again(geom);
+        return collide(space_);
+    }
+
+    void make_known()
+    {
+        for (int i = 0; i < repetitions_until_known; ++i)
+            set_all_and_collide();
+    }
+
+private:
+    static dGeomID sphere(dSpaceID space) { return dCreateSphere(space, 0.5); }
+    static dGeomID box(dSpaceID space) { return dCreateBox(space, 1, 1, 1); }
+    static dGeomID capsule(dSpaceID space) { return dCreateCapsule(space, 0.3, 0.6); }
+    static dGeomID cylinder(dSpaceID space) { return dCreateCylinder(space, 0.4, 0.7); }
+
+    dSpaceID space_;
+    std::vector<dGeomID> geoms_;
+};
+
+TEST_F(UnchangedPose, CountsAsNoMoveAndPassesNoTime)
+{
+    Setting setting;
+    setting.make_known();
+    const dPredictiveSpaceStats before = stats(setting.space());
+    const unsigned long known = unchanged(setting.space());
+    for (int tick = 0; tick < 50; ++tick)
+        EXPECT_FALSE(setting.set_all_and_collide().empty());
+    const dPredictiveSpaceStats after = stats(setting.space());
+    EXPECT_EQ(after.moved, before.moved);
+    EXPECT_EQ(after.verified, before.verified);
+    EXPECT_EQ(after.repredictions, before.repredictions);
+    EXPECT_EQ(after.scans, before.scans);
+    EXPECT_EQ(unchanged(setting.space()) - known, 50 * setting.geoms().size());
+}
+
+TEST_F(UnchangedPose, EveryRealChangeIsNoticed)
+{
+    const std::vector<std::function<void(dGeomID)>> changes{
+        [](dGeomID geom) { dGeomSetPosition(geom, 100, std::nextafter(0.1, 1.0), 0); },
+        [](dGeomID geom) { dGeomSetPosition(geom, 100, 50, 0); },
+        [](dGeomID geom) {
+            dMatrix3 turned;
+            dRFromAxisAndAngle(turned, 1, 2, 3, 0.5);
+            dGeomSetRotation(geom, turned);
+        },
+        [](dGeomID geom) {
+            dMatrix3 turned; // about the first axis: the digest of the pose stays the same
+            dRFromAxisAndAngle(turned, 1, 0, 0, 0.5);
+            dGeomSetRotation(geom, turned);
+        },
+    };
+    for (const auto &change : changes)
+    {
+        Setting setting;
+        setting.make_known();
+        for (dGeomID geom : setting.geoms())
+        {
+            const dPredictiveSpaceStats before = stats(setting.space());
+            change(geom);
+            collide(setting.space());
+            EXPECT_EQ(stats(setting.space()).moved, before.moved + 1);
+            EXPECT_EQ(dPredictiveSpaceValidate(setting.space()), 1);
+        }
+    }
+}
+
+TEST_F(UnchangedPose, ASizeThatChangesIsNoticed)
+{
+    Setting setting;
+    setting.make_known();
+    const std::vector<std::function<void(dGeomID)>> resize{
+        [](dGeomID geom) { dGeomSphereSetRadius(geom, 3); },
+        [](dGeomID geom) { dGeomBoxSetLengths(geom, 1, 1, 9); },
+        [](dGeomID geom) { dGeomCapsuleSetParams(geom, 0.3, 9); },
+        [](dGeomID geom) { dGeomCylinderSetParams(geom, 0.4, 9); },
+    };
+    for (std::size_t i = 0; i < resize.size(); ++i)
+    {
+        dGeomID geom = setting.geoms()[3 * i];
+        dGeomID other = dCreateSphere(setting.space(), 0.1);
+        dGeomSetPosition(other, dGeomGetPosition(geom)[0], 0.1, 2.7);
+        const std::size_t pairs = collide(setting.space()).size();
+        resize[i](geom);
+        set_again(geom);
+        EXPECT_GT(collide(setting.space()).size(), pairs);
+        EXPECT_EQ(dPredictiveSpaceValidate(setting.space()), 1);
+    }
+}
+
+// There and back between two ticks, and the other way round: the last notice of each tick is not the one before it.
+TEST_F(UnchangedPose, AGeomThatLeavesAndReturns)
+{
+    Setting setting;
+    setting.make_known();
+    const Pairs pairs = unordered(setting.set_all_and_collide());
+    for (int tick = 0; tick < 20; ++tick)
+    {
+        dGeomID geom = setting.geoms()[static_cast<std::size_t>(tick) % 6]; // all of these have pairs
+        const dReal x = dGeomGetPosition(geom)[0];
+        dGeomSetPosition(geom, 100, 0.1, 0);
+        if (tick % 2)
+        {
+            EXPECT_NE(unordered(collide(setting.space())), pairs);
+        }
+        dGeomSetPosition(geom, x, 0.1, 0);
+        EXPECT_EQ(unordered(setting.set_all_and_collide()), pairs);
+        EXPECT_EQ(dPredictiveSpaceValidate(setting.space()), 1);
+    }
+}
+
+TEST_F(UnchangedPose, APositionThatIsNoNumber)
+{
+    Setting setting;
+    setting.make_known();
+    const Pairs pairs = unordered(setting.set_all_and_collide());
+    dGeomID geom = setting.geoms()[4];
+    const dReal x = dGeomGetPosition(geom)[0];
+    dGeomSetPosition(geom, std::numeric_limits<dReal>::quiet_NaN(), 0, 0);
+    for (int tick = 0; tick < 5; ++tick)
+        setting.set_all_and_collide();
+    dGeomSetPosition(geom, x, 0.1, 0);
+    EXPECT_EQ(unordered(setting.set_all_and_collide()), pairs);
+}
+
+// Changes something about the geom, or nothing.
+void change(dGeomID geom)
+{
+    const dReal number = dRandReal();
+    switch (dRandInt(6))
+    {
+    case 0:
+        if (dGeomGetClass(geom) == dSphereClass)
+            dGeomSphereSetRadius(geom, 0.2 + number);
+        break;
+    case 1:
+        if (dGeomGetClass(geom) == dBoxClass)
+            dGeomBoxSetLengths(geom, 0.2 + number, 0.8, 0.8);
+        break;
+    case 2:
+        if (dGeomGetBody(geom))
+            dGeomSetOffsetPosition(geom, number, 0, 0);
+        break;
+    case 3:
+        if (dGeomGetBody(geom))
+            dGeomClearOffset(geom);
+        break;
+    case 4:
+        dGeomSetBody(geom, nullptr);
+        break;
+    default:
+        break;
+    }
+}
+
+TEST_F(UnchangedPose, PairsAreThoseOfASimpleSpace)
+{
+    for (unsigned long seed = 1; seed <= 10; ++seed)
+        expect_as_simple([seed](Scenario &scene) {
+            dRandSetSeed(seed);
+            constexpr int count = 40;
+            const auto place = [] { return 8 * dRandReal(); };
+            std::vector<dGeomID> geoms;
+            for (int i = 0; i < count; ++i)
+            {
+                const dReal x = place(), y = place();
+                geoms.push_back(i % 2 ? scene.sphere(0.5, x, y, 0) : scene.box(0.8, x, y, 0));
+                if (i % 3 == 0)
+                    scene.body(geoms.back(), 0, 0, 0);
+            }
+            for (int tick = 0; tick < 100; ++tick)
+            {
+                for (dGeomID geom : geoms)
+                {
+                    const dReal x = place(), y = place();
+                    if (dRandInt(20) == 0)
+                        dGeomSetPosition(geom, x, y, 0);
+                    else
+                        set_again(geom);
+                }
+                change(geoms[static_cast<std::size_t>(dRandInt(count))]);
+                scene.tick();
+            }
+        });
+}
+} // namespace
+} // namespace ode_predictive_space
