@@ -1,6 +1,8 @@
 #include "ode_predictive_space/broadphase/broadphase.h"
 
 #include <algorithm>
+#include <new>
+#include <utility>
 
 namespace ode_predictive_space
 {
@@ -46,7 +48,7 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
 Broadphase::Beginning Broadphase::begin(Scene &scene, bool is_tick)
 {
     if (interrupted_)
-        start_sweeping(false);
+        recover();
     const IdSet &moved = verifier_.collect_moves();
     const std::size_t moves = moved.size();
     idle_.drop_enabled(scene, [this](ProxyId id) { predictor_.request(id); });
@@ -223,6 +225,13 @@ void Broadphase::start_sweeping(bool with_new_objects)
     sweeping_.start(proxies_.members(), with_new_objects);
 }
 
+// After an exception.
+void Broadphase::recover()
+{
+    resize_stages();
+    start_sweeping(false);
+}
+
 bool Broadphase::want_predictions()
 {
     sweeping_.want_predictions();
@@ -260,12 +269,21 @@ std::size_t Broadphase::most_at_once() const
 
 // --- Objects --------------------------------------------------------------------------------------------------------------
 
-ProxyId Broadphase::add()
+void Broadphase::make_room()
 {
     const std::size_t size = proxies_.size();
+    proxies_.make_room();
+    if (proxies_.size() == size && !interrupted_)
+        return;
+    const bool was_interrupted = std::exchange(interrupted_, true);
+    resize_stages();
+    interrupted_ = was_interrupted;
+}
+
+ProxyId Broadphase::add()
+{
+    make_room();
     const ProxyId id = proxies_.add();
-    if (proxies_.size() != size)
-        resize_stages();
     if (proxies_.count() >= tuning::least_trimmed)
         trim_below_ = std::max(trim_below_, proxies_.count() / 4);
     has_new_ = true;
@@ -273,21 +291,33 @@ ProxyId Broadphase::add()
     return id;
 }
 
+// ODE removes geoms in their destructors. When memory runs out here, the next update recovers.
 void Broadphase::remove(ProxyId id)
 {
-    if (interrupted_)
-        start_sweeping(false);
-    // Whatever was derived from the old generation is stale from now on.
-    near_.retire(id, now());
-    index_.remove(proxies_, id);
-    predictor_.forget(proxies_, id);
     verifier_.forget(id);
     idle_.forget(id);
+    try
+    {
+        if (!interrupted_)
+            forget(id);
+    }
+    catch (const std::bad_alloc &)
+    {
+        interrupted_ = true;
+    }
     sweeping_.stop_waiting(id);
     proxies_.remove(id);
     sweeping_.finish_filling(true);
     if (proxies_.count() < trim_below_)
         trim();
+}
+
+// What was derived from the old generation is stale from now on.
+void Broadphase::forget(ProxyId id)
+{
+    near_.retire(id, now());
+    index_.remove(proxies_, id);
+    predictor_.forget(proxies_, id);
 }
 
 void Broadphase::resize_stages()
@@ -302,7 +332,7 @@ void Broadphase::resize_stages()
     batch_.resize(size);
 }
 
-// Most objects are gone. What is known of the others is given up with the memory: it is soon found again.
+// Most objects are gone. What is known of the others is given up with the memory: it is soon found again. Throws nothing.
 void Broadphase::trim()
 {
     const std::size_t size = proxies_.size();
@@ -313,9 +343,8 @@ void Broadphase::trim()
     proxies_.trim();
     predictor_.forget_histories(proxies_);
     index_ = {};
-    schedule_ = {};
-    schedule_.restart(now());
-    near_ = {};
+    schedule_.release(now());
+    near_.release();
     sweeping_.release();
     batch_ = {};
     free_memory(swept_);

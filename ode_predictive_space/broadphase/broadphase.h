@@ -45,8 +45,11 @@ public:
 
     // --- Objects ---
 
+    /// Makes room for one more object, so that the next add() throws nothing. On an exception no object has changed.
+    void make_room();
     /// A new object; it counts as moved.
     ProxyId add();
+    /// Throws nothing.
     void remove(ProxyId id);
 
     /// The object's position, size or anything else about its bounds may have changed, just now. Every change must be reported.
@@ -168,6 +171,8 @@ private:
     void finish();
 
     void start_sweeping(bool with_new_objects);
+    void recover();
+    void forget(ProxyId id);
     std::size_t count_new() const;
     std::size_t most_at_once() const;
     void resize_stages();
@@ -187,7 +192,7 @@ private:
     ProximityTest proximity_test_ = ProximityTest::box;
     Counters counters_;
     bool has_new_ = false;       // objects were added since the last update
-    bool interrupted_ = false;   // an update or a report has begun and not ended
+    bool interrupted_ = false;   // something has begun and not ended: what was derived from positions may be wrong
     std::size_t trim_below_ = 0; // number of objects at which memory may be given back
 
     // Results of stages; empty between updates.

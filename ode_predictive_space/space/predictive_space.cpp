@@ -80,15 +80,11 @@ GeomScene dxPredictiveSpace::scene() const
 // May run within the constructor of a geom, when neither its class nor its bounds exist: the next collide reads them.
 void dxPredictiveSpace::add(dxGeom *geom)
 {
+    broadphase_.make_room();
+    fit_to_proxies();
     dxSpace::add(geom);
+    // From here on nothing is thrown: without memory, or after an assertion of ODE, the space is as before.
     const ProxyId id = broadphase_.add();
-    if (id >= geoms_.size())
-    {
-        resize_array(geoms_, id + 1);
-        polled_.resize(geoms_.size());
-        off_line_.resize(geoms_.size());
-        unclassified_.resize(geoms_.size());
-    }
     geoms_[id] = geom;
     unclassified_.insert(id);
     caught_up_ = false;
@@ -116,18 +112,23 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     // space it must be.
     if ((geom->gflags & GEOM_AABB_BAD) || IS_SPACE(geom))
         geom->gflags |= GEOM_DIRTY;
-    if (broadphase_.proxies().size() < geoms_.size())
-        trim();
+    fit_to_proxies();
 }
 
-// The broad phase has given memory back.
-void dxPredictiveSpace::trim()
+// The broad phase has made room, or given memory back.
+void dxPredictiveSpace::fit_to_proxies()
 {
-    resize_array(geoms_, broadphase_.proxies().size());
+    const std::size_t size = broadphase_.proxies().size();
+    if (size == geoms_.size())
+        return;
+    if (size < geoms_.size())
+    {
+        free_memory(found_);
+        free_memory(pairs_);
+    }
     for (IdSet *set : {&polled_, &off_line_, &unclassified_})
-        set->resize(geoms_.size());
-    free_memory(found_);
-    free_memory(pairs_);
+        set->resize(size);
+    resize_array(geoms_, size); // last: it tells the size
 }
 
 void dxPredictiveSpace::dirty(dxGeom *geom)

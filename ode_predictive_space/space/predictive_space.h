@@ -88,7 +88,7 @@ private:
     void find_near(dxGeom *geom, std::vector<ProxyId> &found);
     void classify_new();
     void poll_moves();
-    void trim();
+    void fit_to_proxies();
     std::vector<ProxyId> members() const;
     Violation find_misplaced(const std::vector<ProxyId> &members, ode_predictive_space::GeomScene &now) const;
     Violation find_missing_pair(const std::vector<ProxyId> &members, const ode_predictive_space::GeomScene &now) const;

@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ID_LIST_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ID_LIST_H
 
+#include <algorithm>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/base/ids.h"
@@ -14,11 +15,11 @@ namespace ode_predictive_space
 class IdList
 {
 public:
-    /// Makes room for objects 0 to count - 1.
+    /// Makes room for objects 0 to count - 1. The list stays, as far as there is room for it.
     void resize(std::size_t count)
     {
         resize_array(ids_, count);
-        count_ = 0;
+        count_ = std::min(count_, count);
     }
 
     void clear() { count_ = 0; }

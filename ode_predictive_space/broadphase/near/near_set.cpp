@@ -18,8 +18,7 @@ CandidatePair *NearSet::report(const OverlapTest &test, Tick now, bool prefetche
 
 // Drops stale pairs and visits the other active ones. The visitor is passed by value and returned: what it counts stays in
 // registers.
-template <typename Visit>
-Visit NearSet::visit_active(const MeasuredBox *boxes, Tick now, bool prefetches, Visit visit)
+template <typename Visit> Visit NearSet::visit_active(const MeasuredBox *boxes, Tick now, bool prefetches, Visit visit)
 {
     if (!prefetches)
         return visit_active(
@@ -132,5 +131,12 @@ void NearSet::clear()
     std::fill(counts_.begin(), counts_.end(), 0u);
     settled_ = 0;
     is_disturbed_ = false;
+}
+
+void NearSet::release()
+{
+    clear();
+    for (std::vector<NearPair> *pairs : {&pairs_, &overlapping_, &separated_})
+        pairs->shrink_to_fit();
 }
 } // namespace ode_predictive_space

@@ -81,6 +81,8 @@ public:
 
     /// Drops all pairs.
     void clear();
+    /// The same, and gives their memory back.
+    void release();
 
     /// Calls visit(pair, state) for all pairs that are not stale.
     template <typename Visit> void for_each(Visit visit) const
@@ -116,8 +118,7 @@ private:
     }
 
     void activate_disturbed();
-    template <typename Visit>
-    Visit visit_active(const MeasuredBox *boxes, Tick now, bool prefetches, Visit visit);
+    template <typename Visit> Visit visit_active(const MeasuredBox *boxes, Tick now, bool prefetches, Visit visit);
     template <typename Fetch, typename Visit> Visit visit_active(Tick now, Fetch fetch, Visit visit);
     void let_rest(const OverlapTest &test);
 
@@ -179,16 +180,16 @@ private:
                 members_.erase(id);
     }
 
-    std::vector<NearPair> pairs_;                     // active
-    std::size_t settled_ = 0;                         // the first so many were there when stale ones were last dropped
-    Tick next_leave_ = 0;                             // the last tick at which none of these has left
-    std::vector<NearPair> overlapping_, separated_;   // at rest
+    std::vector<NearPair> pairs_;                   // active
+    std::size_t settled_ = 0;                       // the first so many were there when stale ones were last dropped
+    Tick next_leave_ = 0;                           // the last tick at which none of these has left
+    std::vector<NearPair> overlapping_, separated_; // at rest
     IdSet members_;
     IdSet resting_;   // all objects of pairs at rest, and maybe some whose partners have been disturbed
     IdSet disturbed_; // of these
     bool is_disturbed_ = false;
-    IdSet moved_;          // since pairs were last let rest
-    unsigned reports_ = 0; // so far; decides when pairs are let rest
+    IdSet moved_;                          // since pairs were last let rest
+    unsigned reports_ = 0;                 // so far; decides when pairs are let rest
     std::vector<ProxyId> retired_;         // since stale pairs were last dropped
     std::vector<std::uint8_t> is_retired_; // bytes, not bits: two are looked up for each pair
     std::vector<std::uint32_t> counts_;    // pairs of each object

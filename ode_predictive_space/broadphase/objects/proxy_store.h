@@ -167,26 +167,33 @@ public:
     std::size_t count() const { return count_; }
     const IdSet &members() const { return members_; }
 
-    /// A new object, without a prediction.
+    /// Makes room for one more object. On an exception nothing has changed.
+    void make_room()
+    {
+        if (!free_.empty())
+            return;
+        const std::size_t room = size() + 1;
+        if (free_.capacity() < room)
+            free_.reserve(room + room / 4);
+        resize(room);
+        free_.push_back(static_cast<ProxyId>(room - 1));
+    }
+
+    /// A new object, without a prediction. There must be room for it; nothing is thrown.
     ProxyId add()
     {
-        ProxyId id = static_cast<ProxyId>(size());
-        if (free_.empty())
-            resize(size() + 1);
-        else
-        {
-            id = free_.back();
-            free_.pop_back();
-        }
+        const ProxyId id = free_.back();
+        free_.pop_back();
         forget(id);
         members_.insert(id);
         ++count_;
         return id;
     }
 
+    /// Throws nothing.
     void remove(ProxyId id)
     {
-        free_.push_back(id);
+        free_.push_back(id); // has room for all
         ++generations[id];
         members_.erase(id);
         --count_;
@@ -200,13 +207,16 @@ public:
         return needed;
     }
 
-    /// Gives back the memory of numbers that are not needed.
+    /// Gives back the memory of numbers that are not needed. Throws nothing.
     void trim()
     {
         const std::size_t needed = needed_size();
         resize(needed);
         free_.erase(std::remove_if(free_.begin(), free_.end(), [&](ProxyId id) { return id >= needed; }), free_.end());
+        const std::size_t left = free_.size();
+        free_.resize(needed); // keeps room for all
         free_.shrink_to_fit();
+        free_.resize(left);
     }
 
     /// Forgets how an object was predicted, but not what was learned about it.
@@ -283,8 +293,8 @@ private:
         resize_array(paths, size);
         resize_array(records, size);
         resize_array(stamps, size);
-        resize_array(generations, size);
         members_.resize(size);
+        resize_array(generations, size); // last: it tells the size
     }
 
     // Everything but the generation.
@@ -318,7 +328,7 @@ private:
     double scene_epsilon_;
     IdSet members_;
     std::size_t count_ = 0;     // of members_
-    std::vector<ProxyId> free_; // numbers, the next one last
+    std::vector<ProxyId> free_; // numbers, the next one last; has room for all
 };
 } // namespace ode_predictive_space
 

@@ -35,6 +35,9 @@ public:
     /// Forgets all events and sets the clock.
     void restart(Tick now);
 
+    /// Gives back the memory of events, of which there are none.
+    void release() { pool_.shrink_to_fit(); }
+
     std::size_t size() const { return pool_.size() - free_; }
     std::size_t bytes() const;
 

@@ -31,8 +31,8 @@ public:
     /// look (dropped).
     ///
     /// @param near where the first of these are appended.
-    void classify(const ProxyStore &proxies, const std::vector<CandidatePair> &candidates, Tick now,
-                  ProximityTest test, std::vector<NearPair> &near);
+    void classify(const ProxyStore &proxies, const std::vector<CandidatePair> &candidates, Tick now, ProximityTest test,
+                  std::vector<NearPair> &near);
 
     /// Appends to `near` the pairs whose time has come, unless a newer prediction of either object has dealt with them.
     ///
@@ -47,6 +47,14 @@ public:
     {
         due_.clear();
         wheel_.restart(now);
+    }
+
+    /// The same, and gives their memory back.
+    void release(Tick now)
+    {
+        restart(now);
+        free_memory(due_);
+        wheel_.release();
     }
 
     /// Pairs that sleep until their time of proximity.

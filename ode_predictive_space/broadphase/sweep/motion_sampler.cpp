@@ -13,13 +13,12 @@ void MotionSampler::choose(const IdSet &members)
     const std::size_t wanted = std::clamp(count / 8, tuning::least_samples, tuning::most_samples);
     const std::size_t stride = std::max<std::size_t>(1, count / wanted) | 1;
     std::size_t rank = 0, next = 0;
-    samples_.clear();
-    samples_.reserve(tuning::most_samples);
+    count_ = 0;
     looks_ = ticks_to_pause_ = 0;
     members.for_each([&](ProxyId id) {
-        if (rank++ != next || samples_.size() == tuning::most_samples)
+        if (rank++ != next || count_ == tuning::most_samples)
             return;
-        samples_.push_back({id, Vector3::Zero(), Vector3::Zero(), Vector3::Zero()});
+        samples_[count_++] = {id, Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
         next += stride;
     });
 }
@@ -32,10 +31,10 @@ bool MotionSampler::is_calm(Scene &scene, const IdSet &members, StepEstimate &st
         return false;
     }
     std::size_t strayed = 0;
-    for (Sample &sample : samples_)
-        if (members.contains(sample.id))
-            strayed += !keeps_on(scene, sample, step);
-    const bool calm = strayed * tuning::sweeps_per_prediction <= samples_.size();
+    for (std::size_t i = 0; i < count_; ++i)
+        if (members.contains(samples_[i].id))
+            strayed += !keeps_on(scene, samples_[i], step);
+    const bool calm = strayed * tuning::sweeps_per_prediction <= count_;
     disturbed_looks_ = calm || looks_ < looks_for_line ? 0 : disturbed_looks_ + 1;
     looks_ = std::min(looks_ + 1, looks_for_line);
     if (disturbed_looks_ == tuning::disturbed_looks)
@@ -64,10 +63,5 @@ bool MotionSampler::keeps_on(Scene &scene, Sample &sample, StepEstimate &step) c
     sample.last = centre;
     sample.velocity = velocity;
     return kept;
-}
-
-std::size_t MotionSampler::bytes() const
-{
-    return bytes_of(samples_);
 }
 } // namespace ode_predictive_space

@@ -107,7 +107,6 @@ void Sweeping::release()
 
 std::size_t Sweeping::bytes() const
 {
-    return sampler_.bytes() + sort_and_sweep_.bytes() + waiting_.bytes() + bytes_of(queue_) + bytes_of(items_) +
-           bytes_of(pairs_);
+    return sort_and_sweep_.bytes() + waiting_.bytes() + bytes_of(queue_) + bytes_of(items_) + bytes_of(pairs_);
 }
 } // namespace ode_predictive_space
