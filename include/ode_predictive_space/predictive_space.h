@@ -63,7 +63,7 @@ typedef struct dPredictiveEncounter
 typedef struct dPredictiveSpaceStats
 {
     unsigned long ticks;         /**< dSpaceCollide() calls */
-    unsigned long moved;         /**< geoms that ODE reported as moved, summed over the ticks */
+    unsigned long moved;         /**< geoms that ODE reported as moved and that had changed, summed over the ticks */
     unsigned long verified;      /**< checks of a geom against its envelope */
     unsigned long violations;    /**< checks that found the geom outside */
     unsigned long repredictions; /**< new paths and envelopes */

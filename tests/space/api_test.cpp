@@ -31,6 +31,13 @@ protected:
         return result;
     }
 
+    dPredictiveSpaceCounters counters() const
+    {
+        dPredictiveSpaceCounters result;
+        dPredictiveSpaceGetCounters(scene.space(), &result, sizeof result);
+        return result;
+    }
+
     Scenario scene{SpaceKind::predictive};
     dSpaceID space = scene.space();
 };
@@ -323,16 +330,30 @@ TEST_F(PredictiveSpace, StatsCountWhatHappens)
     EXPECT_EQ(stats().reported, before.reported);
 }
 
+TEST_F(PredictiveSpace, CountersAreWrittenUpToTheSizeOfTheProgram)
+{
+    unsigned long counters[3] = {7, 7, 7};
+    const auto as_counters = reinterpret_cast<dPredictiveSpaceCounters *>(counters);
+    dPredictiveSpaceGetCounters(space, as_counters, 0);
+    EXPECT_EQ(counters[0], 7u);
+    dPredictiveSpaceGetCounters(space, as_counters, sizeof counters); // of a newer program than the library
+    EXPECT_EQ(counters[0], 0u);
+    EXPECT_EQ(counters[2], 0u);
+}
+
 TEST_F(PredictiveSpace, CalmMotionIsPredictedNotRepeated)
 {
     // What the method is for: geoms that go straight are predicted seldom, and far pairs are left asleep.
     for (int i = 0; i < 100; ++i)
         scene.body(scene.sphere(0.1, 3 * (i % 10), 3 * (i / 10), 0), 0.01 * (i % 7 - 3), 0.01 * (i % 5 - 2), 0);
+    constexpr unsigned resting = 3; // whose velocity is zero: ODE reports them, too
     run(100);
     const dPredictiveSpaceStats before = stats();
+    const unsigned long unchanged_before = counters().unchanged;
     run(900);
     const dPredictiveSpaceStats after = stats();
-    EXPECT_EQ(after.moved - before.moved, 100u * 900u);
+    EXPECT_EQ(after.moved - before.moved, (100u - resting) * 900u);
+    EXPECT_EQ(counters().unchanged - unchanged_before, resting * 900u);
     EXPECT_LT(after.repredictions - before.repredictions, 100u * 900u / 10);
     EXPECT_LT(after.violations - before.violations, 900u);
     EXPECT_EQ(after.scans, before.scans);

@@ -81,6 +81,7 @@ TEST_F(BadInput, SpacesThatAreNullOrNotPredictive)
         dReal ticks = 0;
         dPredictiveEncounter encounter;
         dPredictiveSpaceStats stats;
+        dPredictiveSpaceCounters counters;
         const std::pair<const char *, std::function<void()>> calls[] = {
             {"dPredictiveSpaceSetProximity", [=] { dPredictiveSpaceSetProximity(bad, 0); }},
             {"dPredictiveSpaceGetProximity", [=] { dPredictiveSpaceGetProximity(bad); }},
@@ -94,6 +95,7 @@ TEST_F(BadInput, SpacesThatAreNullOrNotPredictive)
              [&, bad] { dPredictiveSpaceGetTimeOfProximity(bad, geom, other, &ticks); }},
             {"dPredictiveSpaceGetEncounters", [&, bad] { dPredictiveSpaceGetEncounters(bad, geom, &encounter, 1); }},
             {"dPredictiveSpaceGetStats", [&, bad] { dPredictiveSpaceGetStats(bad, &stats); }},
+            {"dPredictiveSpaceGetCounters", [&, bad] { dPredictiveSpaceGetCounters(bad, &counters, sizeof counters); }},
             {"dPredictiveSpaceValidate", [=] { dPredictiveSpaceValidate(bad); }},
         };
         for (const auto &call : calls)
@@ -176,6 +178,8 @@ TEST_F(BadInput, RoomForResults)
     expect_refused("dPredictiveSpaceGetEncounters", "out",
                    [&] { EXPECT_EQ(dPredictiveSpaceGetEncounters(space, geom, nullptr, 3), 0); });
     expect_refused("dPredictiveSpaceGetStats", "stats", [&] { dPredictiveSpaceGetStats(space, nullptr); });
+    expect_refused("dPredictiveSpaceGetCounters", "counters",
+                   [&] { dPredictiveSpaceGetCounters(space, nullptr, sizeof(dPredictiveSpaceCounters)); });
     EXPECT_EQ(encounter.geom, foreign_geom);
     EXPECT_EQ(encounter.ticks, 12345);
     // No room asked for is no error; neither is a result that is not wanted.

@@ -68,6 +68,7 @@ TEST_F(Wrapper, PassesEverythingOn)
 
     collide(space.id());
     EXPECT_EQ(space.getStats().ticks, 1u);
+    EXPECT_EQ(space.getCounters().unchanged, 0u);
     second.setPosition(0.5, 0, 0);
     dReal ticks = -1;
     EXPECT_EQ(space.getTimeOfProximity(first.id(), second.id(), &ticks), 1);
