@@ -1,5 +1,7 @@
 #include "ode_predictive_space/broadphase/base/id_list.h"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace ode_predictive_space
@@ -37,14 +39,17 @@ TEST(IdList, HasRoomForAllObjects)
     EXPECT_EQ(list.bytes(), before) << "adding takes no memory";
 }
 
-TEST(IdList, ResizedItIsEmptyAndGivesMemoryBack)
+TEST(IdList, ResizedItKeepsWhatItHasRoomForAndGivesMemoryBack)
 {
     IdList list;
     list.resize(1000);
-    list.add(5);
-    list.resize(10);
-    EXPECT_TRUE(list.empty());
-    EXPECT_EQ(list.bytes(), 10 * sizeof(ProxyId));
+    for (ProxyId id : {5, 3, 7})
+        list.add(id);
+    list.resize(2000);
+    EXPECT_EQ(std::vector<ProxyId>(list.begin(), list.end()), (std::vector<ProxyId>{5, 3, 7}));
+    list.resize(2);
+    EXPECT_EQ(std::vector<ProxyId>(list.begin(), list.end()), (std::vector<ProxyId>{5, 3}));
+    EXPECT_EQ(list.bytes(), 2 * sizeof(ProxyId));
 }
 } // namespace
 } // namespace ode_predictive_space

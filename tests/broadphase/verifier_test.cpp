@@ -336,11 +336,28 @@ struct JustMoved
     double radius = 1;
     std::uint32_t pose = 1;
     mutable int sizes_asked = 0;
-    bool centre_is_known = true;
+    bool pose_is_known = true;
+    bool turns_about_centre = true;
+    bool has_room = true; // to remember its pose
+    mutable double remembered_radius = 0;
+    mutable std::uint32_t remembered_pose = 0;
+    mutable Vector3 remembered_centre;
 
-    bool has_centre() const { return centre_is_known; }
+    bool has_pose() const { return pose_is_known; }
+    std::uint32_t pose_digest() const { return 4 * (pose % 1000); } // others may have the same
+    bool remember() const
+    {
+        remembered_radius = radius;
+        remembered_pose = pose;
+        remembered_centre = centre;
+        return has_room;
+    }
+    bool is_as_remembered() const
+    {
+        return pose == remembered_pose && radius == remembered_radius && centre == remembered_centre;
+    }
+    bool has_centre() const { return turns_about_centre; }
     const double *coordinates() const { return centre.data(); }
-    std::uint32_t pose_digest() const { return pose; }
     bool has_grown(float allowed) const
     {
         ++sizes_asked;
@@ -386,9 +403,15 @@ TEST(ReportOfAMove, LeavesDoubtWhereItTakesACloserLook)
     Verification verification(store);
     JustMoved object;
     object.centre = straight.at(10);
-    object.centre_is_known = false;
+    object.pose_is_known = false;
     EXPECT_FALSE(verification.report_settles(store, object, 110)) << "the position has to be computed first";
-    object.centre_is_known = true;
+    object.pose_is_known = true;
+    object.turns_about_centre = false;
+    EXPECT_FALSE(verification.report_settles(store, object, 110)) << "its sphere may turn about another point";
+    object.turns_about_centre = true;
+    object.pose_is_known = false;
+    EXPECT_FALSE(verification.report_settles(store, object, 110));
+    object.pose_is_known = true;
     object.pose = 7;
     object.radius = 2;
     EXPECT_FALSE(verification.report_settles(store, object, 110)) << "the pose before is not known";
@@ -396,6 +419,83 @@ TEST(ReportOfAMove, LeavesDoubtWhereItTakesACloserLook)
     store.stamps[0] = Stamp{};
     object.radius = 1;
     EXPECT_FALSE(verification.report_settles(store, object, 110)) << "it is checked by its bounds";
+}
+
+// Reports of one object, one after the other.
+class Reports
+{
+public:
+    bool is_move(const JustMoved &object)
+    {
+        const bool result = verification_.verifier.report_move(store_, 0, object, 110);
+        EXPECT_EQ(verification_.verifier.collect_moves().contains(0), result);
+        verification_.verifier.clear_moves();
+        return result;
+    }
+
+private:
+    static ProxyStore store_of_one()
+    {
+        ProxyStore store;
+        add_proxy(store, straight, some, 1, 100, 50);
+        return store;
+    }
+
+    ProxyStore store_ = store_of_one();
+    Verification verification_{store_};
+};
+
+TEST(ReportOfAMove, IsNoneWhenNothingHasChanged)
+{
+    Reports reports;
+    JustMoved object;
+    object.centre = straight.at(10);
+    EXPECT_TRUE(reports.is_move(object));
+    EXPECT_TRUE(reports.is_move(object)) << "the digest is the same, but it is not known whether the pose is";
+    for (int i = 0; i < 3; ++i)
+        EXPECT_FALSE(reports.is_move(object));
+    object.radius = 0.5;
+    EXPECT_TRUE(reports.is_move(object)) << "the size has changed";
+    EXPECT_FALSE(reports.is_move(object));
+    object.pose = 1001;
+    EXPECT_TRUE(reports.is_move(object)) << "another pose with the same digest";
+    EXPECT_FALSE(reports.is_move(object));
+}
+
+// Between two equal poses with the same digest there was another one: what was remembered is older.
+TEST(ReportOfAMove, IsComparedWithTheLastReportOnly)
+{
+    Reports reports;
+    JustMoved object;
+    object.centre = straight.at(10);
+    for (int i = 0; i < 3; ++i)
+        reports.is_move(object);
+    object.pose = 2;
+    EXPECT_TRUE(reports.is_move(object));
+    object.pose = 1001;
+    EXPECT_TRUE(reports.is_move(object));
+    object.pose = 1;
+    EXPECT_TRUE(reports.is_move(object)) << "it was at 1001 a moment ago, whose digest is that of 1";
+}
+
+TEST(ReportOfAMove, CountsAlwaysWithoutRoomToRemember)
+{
+    Reports reports;
+    JustMoved object;
+    object.centre = straight.at(10);
+    object.has_room = false;
+    for (int i = 0; i < 5; ++i)
+        EXPECT_TRUE(reports.is_move(object));
+}
+
+TEST(ReportOfAMove, CountsAlwaysWithoutAPose)
+{
+    Reports reports;
+    JustMoved object;
+    object.centre = straight.at(10);
+    object.pose_is_known = false;
+    for (int i = 0; i < 5; ++i)
+        EXPECT_TRUE(reports.is_move(object));
 }
 
 TEST(Verifier, TimeMayWrapAround)

@@ -137,6 +137,7 @@ void NearSet::release()
 {
     clear();
     for (std::vector<NearPair> *pairs : {&pairs_, &overlapping_, &separated_})
-        pairs->shrink_to_fit();
+        free_memory(*pairs);
+    free_memory(retired_);
 }
 } // namespace ode_predictive_space

@@ -179,9 +179,10 @@ public:
         free_.push_back(static_cast<ProxyId>(room - 1));
     }
 
-    /// A new object, without a prediction. There must be room for it; nothing is thrown.
+    /// A new object, without a prediction. Throws nothing after make_room().
     ProxyId add()
     {
+        make_room();
         const ProxyId id = free_.back();
         free_.pop_back();
         forget(id);
