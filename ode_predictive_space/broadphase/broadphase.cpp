@@ -50,17 +50,17 @@ Broadphase::Beginning Broadphase::begin(Scene &scene, bool is_tick)
     if (interrupted_)
         recover();
     const IdSet &moved = verifier_.collect_moves();
-    const std::size_t moves = moved.size();
     idle_.drop_enabled(scene, [this](ProxyId id) { predictor_.request(id); });
     Beginning beginning;
+    beginning.moves = moved.size();
     const Tick expected = clock_.expected();
-    beginning.time_passed = clock_.advance(is_tick, moves > 0, moved, predictor_.moving());
+    beginning.time_passed = clock_.advance(is_tick, beginning.moves > 0, moved, predictor_.moving());
     beginning.as_expected = now() == expected;
-    beginning.needed = interrupted_ || moves > 0 || predictor_.has_requests();
+    beginning.needed = interrupted_ || beginning.moves > 0 || predictor_.has_requests();
     if (!beginning.needed)
         return beginning;
     interrupted_ = true;
-    counters_.moved += moves;
+    counters_.moved += beginning.moves;
     boxes_.invalidate(moved);
     if (beginning.time_passed && mode() != Mode::sweeping)
         schedule_.advance(now());
@@ -85,12 +85,15 @@ void Broadphase::verify(Scene &scene, const Beginning &beginning)
     if (mode() == Mode::sweeping)
         return;
     const IdSet &moved = verifier_.moved();
-    const Verifier::Outcome outcome = verifier_.find_broken(
-        scene, proxies_, boxes_,
-        {now(), beginning.time_passed, beginning.as_expected, predictor_.moving(), sweeping_.waiting()}, batch_);
+    const Verifier::Outcome outcome =
+        verifier_.find_broken(scene, proxies_, boxes_,
+                              {now(), beginning.moves, beginning.time_passed, beginning.as_expected,
+                               predictor_.moving(), sweeping_.waiting()},
+                              batch_);
     counters_.verified += outcome.verified;
     counters_.violations += outcome.broken;
-    predictor_.sample_moved(scene, proxies_, moved, now());
+    if (predictor_.samples())
+        predictor_.sample_moved(scene, proxies_, moved, now());
     near_.note_moves(moved);
     schedule_.take_expired(proxies_, batch_);
     predictor_.take_requests(batch_);

@@ -58,7 +58,17 @@ public:
     /// @return false when nothing has changed since the last report: that counts as no move.
     template <typename Object> bool report_move(ProxyId id, const Object &object)
     {
-        return verifier_.report_move(proxies_, id, object, clock_.expected());
+        return report_at_once(id, object) || report_closely(id, object);
+    }
+
+    /// Its two halves. The first one is short and true for nearly all reports.
+    template <typename Object> bool report_at_once(ProxyId id, const Object &object)
+    {
+        return verifier_.report_at_once(proxies_, id, object, clock_.expected());
+    }
+    template <typename Object> bool report_closely(ProxyId id, const Object &object)
+    {
+        return verifier_.report_closely(proxies_, id, object, clock_.expected());
     }
 
     /// The object may have changed in any way since it was looked at.
@@ -152,6 +162,7 @@ private:
     /// How an update begins.
     struct Beginning
     {
+        std::size_t moves = 0;    ///< number of objects that have moved
         bool needed = false;      ///< something has moved, or is to be predicted
         bool time_passed = false; ///< by a tick
         bool as_expected = false; ///< it is the tick by which reported moves were judged

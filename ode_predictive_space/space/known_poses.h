@@ -25,18 +25,36 @@ inline bool bounds_follow_from_pose(const dxGeom *geom)
 
 /// Pose and sizes of geoms of these classes, by number, as they were when a notice found them for the second time. Takes memory
 /// in programs that set poses again, and in no others.
+///
+/// To compare poses takes as long as half a notice. So all are compared for the first ticks of every 64, and for the others only
+/// if a pose was set again in these.
 class KnownPoses
 {
 public:
+    /// Is it worth while to compare poses now?
+    bool watches() const { return watches_; }
+
+    void end_tick()
+    {
+        constexpr unsigned trial = 4, period = 64;
+        ++ticks_;
+        if (ticks_ % period == 0)
+            found_ = false;
+        watches_ = found_ || ticks_ % period < trial;
+    }
+
     /// Keeps pose and sizes, if there is room for them; otherwise there will be from the next make_room() on.
     bool remember(ProxyId id, const dxGeom *geom)
     {
-        wanted_ = true;
+        found_ = watches_ = wanted_ = true;
         if (id >= poses_.size())
             return false;
         poses_[id] = of(geom);
         return true;
     }
+
+    /// A pose was found to be set again.
+    void note_repetition() { found_ = watches_ = true; }
 
     /// Are pose and sizes, to the bit, those that were remembered?
     bool is_as_remembered(ProxyId id, const dxGeom *geom) const
@@ -45,10 +63,13 @@ public:
         return std::memcmp(&poses_[id], &now, sizeof now) == 0;
     }
 
-    /// Makes room for geoms 0 to count - 1, if any pose was set again.
+    /// Was any pose set again, and is there no room for it among `count` geoms?
+    bool needs_room(std::size_t count) const { return wanted_ && poses_.size() != count; }
+
+    /// Makes room for geoms 0 to count - 1, if it is needed.
     void make_room(std::size_t count)
     {
-        if (wanted_ && poses_.size() != count)
+        if (needs_room(count))
             resize_array(poses_, count);
     }
 
@@ -77,7 +98,10 @@ private:
     }
 
     std::vector<Known> poses_;
-    bool wanted_ = false;
+    bool wanted_ = false; // some pose was set again, ever
+    bool found_ = false;  // the same in these 64 ticks
+    bool watches_ = true;
+    unsigned ticks_ = 0;
 };
 } // namespace ode_predictive_space
 

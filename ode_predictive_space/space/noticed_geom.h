@@ -14,7 +14,7 @@ namespace ode_predictive_space
 class NoticedGeom
 {
 public:
-    NoticedGeom(ProxyId id, const dxGeom *geom, KnownPoses &known) : id_(id), geom_(geom), known_(known) {}
+    NoticedGeom(const dxGeom *geom, KnownPoses &known) : geom_(geom), known_(known) {}
 
     bool has_pose() const { return bounds_follow_from_pose(geom_); }
 
@@ -26,25 +26,29 @@ public:
                middle_bits_of(pose->R[0]);
     }
 
-    bool remember() const { return known_.remember(id_, geom_); }
-    bool is_as_remembered() const { return known_.is_as_remembered(id_, geom_); }
+    bool remember(ProxyId id) const { return known_.remember(id, geom_); }
+    bool is_as_remembered(ProxyId id) const { return known_.is_as_remembered(id, geom_); }
+    bool is_watched() const { return known_.watches(); }
 
-    /// A geom without a body, or one that has lost it, may turn by any matrix.
-    bool has_centre() const { return geom_->body != nullptr || geom_->type == dSphereClass; }
+    /// (The position of a geom with an offset from its body is bad when it has been moved. A geom that has lost its body may
+    /// turn by any matrix.)
+    bool has_centre() const
+    {
+        return (geom_->body != nullptr || geom_->type == dSphereClass) && (geom_->gflags & GEOM_POSR_BAD) == 0;
+    }
     const dReal *coordinates() const { return geom_->final_posr->pos; }
     bool has_grown(float radius) const { return !(squared_sphere_radius(geom_) <= double{radius} * double{radius}); }
 
 private:
-    // Numbers that were computed in single precision have no lower bits.
-    static std::uint32_t middle_bits_of(dReal value)
+    // Not the lowest bits: numbers that were computed in single precision have none there.
+    static std::uint32_t middle_bits_of(const dReal &value)
     {
-        constexpr unsigned dropped = sizeof value == sizeof(std::uint64_t) ? 24 : 0;
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &value, sizeof value);
-        return static_cast<std::uint32_t>(bits >> dropped);
+        constexpr std::size_t first_byte = sizeof value > sizeof(std::uint32_t) ? 3 : 0;
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, reinterpret_cast<const unsigned char *>(&value) + first_byte, sizeof bits);
+        return bits;
     }
 
-    ProxyId id_;
     const dxGeom *geom_;
     KnownPoses &known_;
 };

@@ -87,6 +87,7 @@ void dxPredictiveSpace::add(dxGeom *geom)
     const ProxyId id = broadphase_.add();
     geoms_[id] = geom;
     unclassified_.insert(id);
+    unprepared_ = true;
     caught_up_ = false;
     // A number, not an address, in the member that ODE gives to spaces. NOLINTNEXTLINE(performance-no-int-to-ptr)
     geom->next_ex = reinterpret_cast<dxGeom *>(static_cast<std::uintptr_t>(id) + 1);
@@ -133,19 +134,30 @@ void dxPredictiveSpace::fit_to_proxies()
 
 void dxPredictiveSpace::dirty(dxGeom *geom)
 {
+    if (!broadphase_.report_at_once(proxy_of(geom), NoticedGeom(geom, known_poses_)))
+        return look_closely(geom);
     listen_to(geom);
-    const ProxyId id = proxy_of(geom);
-    if (broadphase_.report_move(id, NoticedGeom(id, geom, known_poses_)))
-        caught_up_ = false;
-    else
-        ++unchanged_;
+    caught_up_ = false;
 }
 
-// Only now is the class of new geoms known.
-void dxPredictiveSpace::classify_new()
+// Not inlined: dirty() saves no registers, as it goes on to this.
+[[gnu::noinline]] void dxPredictiveSpace::look_closely(dxGeom *geom)
 {
-    if (unclassified_.empty())
+    listen_to(geom);
+    if (!broadphase_.report_closely(proxy_of(geom), NoticedGeom(geom, known_poses_)))
+    {
+        ++unchanged_;
+        known_poses_.note_repetition();
         return;
+    }
+    unprepared_ |= known_poses_.needs_room(geoms_.size());
+    caught_up_ = false;
+}
+
+// Does what may need memory or the class of new geoms, which is known only now.
+void dxPredictiveSpace::prepare()
+{
+    known_poses_.make_room(geoms_.size());
     unclassified_.for_each([this](ProxyId id) {
         listen_to(geoms_[id]);
         if (geoms_[id]->type == dTriMeshClass || IS_SPACE(geoms_[id]))
@@ -160,15 +172,15 @@ void dxPredictiveSpace::classify_new()
         }
     });
     unclassified_.clear();
+    unprepared_ = false;
 }
 
 // dGeomTriMeshSetData() marks the geom dirty without a notification, and ODE then sends none for its later moves. (ODE's own
 // spaces miss the change, too, or stop at an assertion, unless the geom happens to be the first in their list.)
 void dxPredictiveSpace::poll_moves()
 {
-    if (!caught_up_)
-        classify_new();
-    known_poses_.make_room(geoms_.size());
+    if (unprepared_)
+        prepare();
     if (polled_count_ == 0)
         return;
     polled_.for_each([this](ProxyId id) {
@@ -226,6 +238,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     {
         ++ticks_;
         broadphase_.tick(now);
+        known_poses_.end_tick();
     }
     caught_up_ = true;
     std::vector<CandidatePair> pairs = std::exchange(pairs_, {});

@@ -83,10 +83,11 @@ private:
     std::optional<double> time_of_proximity(ProxyId one, ProxyId other, const ode_predictive_space::GeomScene &now,
                                             double *apart_until) const;
     void call_back(const ode_predictive_space::CandidatePair &pair, void *data, dNearCallback *callback);
+    void look_closely(dxGeom *geom);
     void note_disabled(ProxyId id);
     void predict_when_asked_often();
     void find_near(dxGeom *geom, std::vector<ProxyId> &found);
-    void classify_new();
+    void prepare();
     void poll_moves();
     void fit_to_proxies();
     std::vector<ProxyId> members() const;
@@ -114,6 +115,7 @@ private:
     std::vector<ProxyId> found_;
 
     ode_predictive_space::KnownPoses known_poses_;
+    bool unprepared_ = false; // geoms are unclassified, or known poses need room
 
     unsigned long ticks_ = 0;
     unsigned long reported_ = 0;

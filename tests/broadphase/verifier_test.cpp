@@ -84,8 +84,8 @@ private:
     {
         boxes_.invalidate(verifier.collect_moves());
         batch_.clear();
-        const Verifier::Outcome outcome =
-            verifier.find_broken(scene, store, boxes_, {now, true, true, none_, none_}, batch_);
+        const Verifier::Outcome outcome = verifier.find_broken(
+            scene, store, boxes_, {now, verifier.collect_moves().size(), true, true, none_, none_}, batch_);
         verifier.clear_moves();
         EXPECT_EQ(outcome.verified, 1u);
         EXPECT_EQ(outcome.broken, batch_.size() - (store.predicted(0) ? 0 : 1));
@@ -332,31 +332,33 @@ TEST(Verifier, AnObjectThatNoTreeCanHoldIsPredictedAnewWheneverItMoves)
 // An object at the moment at which its move is reported.
 struct JustMoved
 {
-    Vector3 centre;
+    Vector3 centre = Vector3::Zero();
     double radius = 1;
     std::uint32_t pose = 1;
     mutable int sizes_asked = 0;
     bool pose_is_known = true;
     bool turns_about_centre = true;
     bool has_room = true; // to remember its pose
+    bool watched = true;
     mutable double remembered_radius = 0;
     mutable std::uint32_t remembered_pose = 0;
-    mutable Vector3 remembered_centre;
+    mutable Vector3 remembered_centre = Vector3::Zero();
 
     bool has_pose() const { return pose_is_known; }
+    bool is_watched() const { return watched; }
     std::uint32_t pose_digest() const { return 4 * (pose % 1000); } // others may have the same
-    bool remember() const
+    bool remember(ProxyId) const
     {
         remembered_radius = radius;
         remembered_pose = pose;
         remembered_centre = centre;
         return has_room;
     }
-    bool is_as_remembered() const
+    bool is_as_remembered(ProxyId) const
     {
         return pose == remembered_pose && radius == remembered_radius && centre == remembered_centre;
     }
-    bool has_centre() const { return turns_about_centre; }
+    bool has_centre() const { return pose_is_known && turns_about_centre; }
     const double *coordinates() const { return centre.data(); }
     bool has_grown(float allowed) const
     {
@@ -496,6 +498,27 @@ TEST(ReportOfAMove, CountsAlwaysWithoutAPose)
     object.pose_is_known = false;
     for (int i = 0; i < 5; ++i)
         EXPECT_TRUE(reports.is_move(object));
+}
+
+// While poses are not compared, an object without a centre may go anywhere and return.
+TEST(ReportOfAMove, CountsAfterATimeInWhichPosesWereNotWatched)
+{
+    Reports reports;
+    JustMoved object;
+    object.turns_about_centre = false;
+    for (int i = 0; i < 3; ++i)
+        reports.is_move(object);
+    EXPECT_FALSE(reports.is_move(object));
+    object.watched = false;
+    EXPECT_FALSE(reports.is_move(object)) << "it is known still";
+    object.pose = 2;
+    EXPECT_TRUE(reports.is_move(object));
+    EXPECT_TRUE(reports.is_move(object));
+    object.pose = 1001;
+    EXPECT_TRUE(reports.is_move(object));
+    object.watched = true;
+    object.pose = 1;
+    EXPECT_TRUE(reports.is_move(object));
 }
 
 TEST(Verifier, TimeMayWrapAround)

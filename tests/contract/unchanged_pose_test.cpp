@@ -35,9 +35,8 @@ void set_again(dGeomID geom)
     dGeomSetPosition(geom, position[0], position[1], position[2]);
 }
 
-// The first is no notice, as ODE takes new geoms for moved anyway; the second is the first one that the space sees; the third is
-// seen to repeat it, and makes room; the fourth is kept. All later ones are compared with it.
-constexpr int repetitions_until_known = 4;
+// A pose must come twice before it is kept, and once more after each prediction of its geom; and the scene is swept at first.
+constexpr int repetitions_until_known = 40;
 
 class Setting
 {

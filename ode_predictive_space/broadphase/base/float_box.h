@@ -82,10 +82,7 @@ private:
 
     // Loads that overlap by two components, so that neither leaves the box: x, y, z and high x; low z and x, y, z.
     Float4 merged_lows(const FloatBox &other) const { return min(Float4::load(low), Float4::load(other.low)); }
-    Float4 merged_highs(const FloatBox &other) const
-    {
-        return max(Float4::load(low + 2), Float4::load(other.low + 2));
-    }
+    Float4 merged_highs(const FloatBox &other) const { return max(Float4::load(low + 2), Float4::load(other.low + 2)); }
 };
 static_assert(sizeof(FloatBox) == 6 * sizeof(float), "low and high are read as one array");
 
@@ -94,8 +91,7 @@ class BoxProbe
 {
 public:
     explicit BoxProbe(const FloatBox &box)
-        : high_(box.high[0], box.high[1], box.high[2], infinity),
-          low_(-infinity, box.low[0], box.low[1], box.low[2])
+        : high_(box.high[0], box.high[1], box.high[2], infinity), low_(-infinity, box.low[0], box.low[1], box.low[2])
     {}
 
     // The two loads overlap by two components. The odd ones are compared with infinity.

@@ -71,8 +71,8 @@ private:
 
     EnvelopeTree still_, moving_, idle_;
     BoxList list_;
-    SortAndSweep sort_and_sweep_;       // of a batch
-    std::vector<SweptProxy> active_;    // scratch, as the next two: the batch without idle objects
+    SortAndSweep sort_and_sweep_;    // of a batch
+    std::vector<SweptProxy> active_; // scratch, as the next two: the batch without idle objects
     std::vector<BoxProbe> probes_;
     std::vector<EnvelopeTree::Hit> hits_;
     bool was_small_ = false; // the list holds what trees can hold

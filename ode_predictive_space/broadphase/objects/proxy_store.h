@@ -139,15 +139,28 @@ struct alignas(64) ProxyRecord
 static_assert(sizeof(ProxyRecord) == 64, "one cache line");
 constexpr std::uint32_t no_history = ~std::uint32_t{0};
 
-/// What the notice of a move is judged by, beside the path. The radius is written by predict, the pose by verify.
+/// What the notice of a move is judged by, beside the path. Predict begins it anew; verify keeps the pose.
+///
+/// An object whose radius is not negative is checked by its centre, at once. All others need a closer look.
 struct Stamp
 {
-    float radius = -1;      ///< that of the prediction for Check::centre, negative for all others
-    std::uint32_t pose = 0; ///< digest of the pose at the last notice, see pose_known; 0 when that is not known
-};
+    static constexpr float unpredicted = -std::numeric_limits<float>::infinity(), by_bounds = -1;
 
-/// The lowest bits of Stamp::pose are none of the digest: the pose at the last notice is known by its digest; and in full, too.
-constexpr std::uint32_t pose_known = 2, pose_remembered = 1;
+    float radius = unpredicted; ///< of the sphere that is checked by its centre; negated while the pose is kept in full
+    std::uint32_t pose = 0;     ///< digest of the pose at the last notice; 0 when that is not known
+
+    /// With a closer look, the lowest bit is none of the digest: the pose at the last notice is kept in full.
+    static constexpr std::uint32_t kept = 1;
+    bool is_kept() const { return std::signbit(radius) && (pose & kept) != 0; }
+    bool may_be(std::uint32_t digest) const { return pose != 0 && digest != 0 && ((pose ^ digest) & ~kept) == 0; }
+
+    void set(std::uint32_t digest, bool by_centre, bool is_kept)
+    {
+        const bool at_once = by_centre && !is_kept;
+        radius = std::copysign(radius, at_once ? 1.0f : -1.0f);
+        pose = at_once || digest == 0 ? digest : (digest & ~kept) | (is_kept ? kept : 0);
+    }
+};
 
 /// All objects, by number. Plain arrays: each stage of the tick reads and writes the part that it is about.
 class ProxyStore
@@ -224,7 +237,7 @@ public:
     void forget_prediction(ProxyId id)
     {
         records[id].kind.check = Check::none;
-        stamps[id].radius = Stamp{}.radius;
+        stamps[id] = Stamp{};
     }
 
     bool predicted(ProxyId id) const { return records[id].kind.check != Check::none; }

@@ -17,8 +17,8 @@ struct Observation
     std::optional<Vector3> centre; ///< the point that the object turns around; finite. None when that is not known
     double radius = 0;             ///< of a sphere around the centre that holds the object; infinite when none is known
     bool is_sphere = false;        ///< the box of that sphere is the bounding box
-    bool box_only = false; ///< the object can be touched outside of any sphere that holds its bounding box
-    std::optional<Box> bounds;       ///< bounding box; needed where centre or radius is not known
+    bool box_only = false;         ///< the object can be touched outside of any sphere that holds its bounding box
+    std::optional<Box> bounds;     ///< bounding box; needed where centre or radius is not known
     std::optional<Vector3> velocity; ///< in the program's unit, if the object has a body that tells
     double spin = 0;                 ///< angular speed of that body, in the same unit
 };
@@ -27,7 +27,8 @@ struct Observation
 struct Location
 {
     double centre[3];
-    double squared_radius; ///< of the sphere around the centre that holds the object now; NaN when there is none any more
+    double
+        squared_radius; ///< of the sphere around the centre that holds the object now; NaN when there is none any more
 };
 
 /// The objects, by number. A caller asks about many objects at once; the scene knows how to prefetch them.

@@ -269,7 +269,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     Motion motion = estimate_motion(record, outcome, seen, centre, now);
 
     set_extent(record, seen, centre, step_estimate.step());
-    proxies.stamps[id].radius = record.kind.check == Check::centre ? record.prediction.radius : -1;
+    proxies.stamps[id] = {record.kind.check == Check::centre ? record.prediction.radius : Stamp::by_bounds, 0};
     const double size = size_of(record.prediction);
     if (motion.leaps(reach_of(record) * size))
         motion = Motion::unknown();
@@ -350,8 +350,6 @@ void Predictor::set_sampled(ProxyId id, bool wanted)
 // Always the point that is predicted.
 void Predictor::sample_moved(Scene &scene, const ProxyStore &proxies, const IdSet &moved, Tick now)
 {
-    if (sampled_count_ == 0)
-        return;
     sampled_.for_each([&](ProxyId id) {
         if (!moved.contains(id))
             return;

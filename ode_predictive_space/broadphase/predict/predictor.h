@@ -68,7 +68,9 @@ public:
     /// the object keeps to its predictions.
     void predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now);
 
-    /// Samples where interactive objects are, between predictions.
+    /// Are there interactive objects whose positions are sampled between predictions?
+    bool samples() const { return sampled_count_ > 0; }
+    /// Samples where they are.
     void sample_moved(Scene &scene, const ProxyStore &proxies, const IdSet &moved, Tick now);
 
     /// The same for one object.

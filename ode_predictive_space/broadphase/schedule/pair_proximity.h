@@ -49,9 +49,9 @@ private:
     Tick now_;
     ProximityTest test_;
     float age_;
-    float reach_;         // R(now)
+    float reach_;                    // R(now)
     alignas(16) double position_[3]; // now
-    float scene_rounding_; // of the scene's coordinates, as a part of their size
+    float scene_rounding_;           // of the scene's coordinates, as a part of their size
 
     // The fourth lanes belong to the deviation, as if the object moved along a fourth axis, or mean nothing.
     Float4 velocity_, half_acceleration_; // now; fourth: minus what the deviation grows by

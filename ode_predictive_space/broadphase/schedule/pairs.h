@@ -43,10 +43,7 @@ struct NearPair : CandidatePair
     static constexpr std::int32_t for_long = std::int32_t{1} << 30;
 
     /// Ticks from `now` on until the pair leaves; negative when it has left, for_long when it stays.
-    std::int32_t ticks_left(Tick now) const
-    {
-        return until == to_the_end ? for_long : ticks_between(now, until);
-    }
+    std::int32_t ticks_left(Tick now) const { return until == to_the_end ? for_long : ticks_between(now, until); }
 };
 } // namespace ode_predictive_space
 

@@ -62,13 +62,13 @@ void Verifier::forget(ProxyId id)
 // not: no report tells that they have left their paths. When it is not the tick by which reports were judged, all that moved.
 std::size_t Verifier::collect_suspects(const Circumstances &now)
 {
-    std::size_t verified = 0;
+    std::size_t verified = now.moves;
     suspects_.clear();
     for (std::size_t i = 0; i < moved_.words(); ++i)
     {
         const std::uint64_t included = ~now.excluded.word(i), moved = moved_.word(i) & included;
         const std::uint64_t stopped = now.time_passed ? now.moving.word(i) & ~moved_.word(i) & included : 0;
-        verified += IdSet::count(moved) + IdSet::count(stopped);
+        verified += IdSet::count(stopped) - IdSet::count(moved_.word(i) & ~included);
         IdSet::visit_word(i, (now.as_expected ? doubtful_.word(i) & included : moved) | stopped,
                           [this](ProxyId id) { suspects_.add(id); });
     }

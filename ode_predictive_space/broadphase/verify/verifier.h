@@ -30,6 +30,7 @@ public:
     struct Circumstances
     {
         Tick now;
+        std::size_t moves;     ///< number of objects that have moved
         bool time_passed;      ///< since the last verification
         bool as_expected;      ///< `now` is the tick by which reported moves were judged
         const IdSet &moving;   ///< predicted to move
@@ -44,23 +45,58 @@ public:
     /// @param expected the tick of the next update, as far as is known.
     /// @tparam Object tells of the object:
     ///     bool has_pose()               its bounds follow from a pose that need not be computed first, and from its sizes
-    ///     std::uint32_t pose_digest()   another number, most of the time, for another pose
-    ///     bool remember()               keeps pose and sizes for the next report; false when that is not possible
-    ///     bool is_as_remembered()       pose and sizes are those that were kept
-    ///     bool has_centre()             it turns about its position: that is still the centre of the sphere that held it
-    ///     const Real *coordinates()     of the centre, if it has pose and centre
+    ///     bool has_centre()             the same, and it turns about its position: that is still the centre of its sphere
+    ///     const Real *coordinates()     of the centre, if it has one
     ///     bool has_grown(float radius)  the object no longer fits into a sphere of this radius
+    ///     std::uint32_t pose_digest()   another number, most of the time, for another pose
+    ///     bool remember(ProxyId)        keeps pose and sizes for the next report; false when that is not possible
+    ///     bool is_as_remembered(ProxyId) pose and sizes are those that were kept
+    ///     bool is_watched()             it is worth while to compare poses now
     /// @return false when nothing has changed since the last report: that is no move.
     template <typename Object> bool report_move(ProxyStore &proxies, ProxyId id, const Object &object, Tick expected)
     {
+        return report_at_once(proxies, id, object, expected) || report_closely(proxies, id, object, expected);
+    }
+
+    /// The first half of report_move(), which deals with nearly all reports: true when it has.
+    template <typename Object> bool report_at_once(ProxyStore &proxies, ProxyId id, const Object &object, Tick expected)
+    {
         Stamp &stamp = proxies.stamps[id];
-        const std::uint32_t last = stamp.pose;
-        stamp.pose = object.has_pose() ? (object.pose_digest() & ~pose_remembered) | pose_known : 0;
-        const bool same_digest = (last & ~pose_remembered) == stamp.pose && stamp.pose != 0;
-        if (same_digest && repeats(stamp, last, object))
+        if (std::signbit(stamp.radius) || !object.has_centre())
+        {
+            if (object.is_watched() ? stamp.radius != Stamp::unpredicted : stamp.is_kept())
+                return false;
+            stamp.pose = 0;
+            return note_in_doubt(id);
+        }
+        // ODE sends one notification per change. So when the pose has changed, the size has not.
+        const std::uint32_t last = stamp.pose, pose = object.pose_digest();
+        if (pose == last || last == 0)
             return false;
+        stamp.pose = pose;
+        if (!centre_inside(proxies.paths[id], object.coordinates(), expected))
+            return note_in_doubt(id);
         board_.note(id);
-        if (!as_predicted(proxies, id, object, expected, last == 0 || same_digest))
+        return true;
+    }
+
+    /// The second half: the report of an object that has no centre to be checked, whose size may have changed, or nothing at
+    /// all.
+    ///
+    /// Programs set poses that do not change. When the digest of a pose comes again, pose and sizes are kept; they are compared
+    /// with those of the next report.
+    template <typename Object> bool report_closely(ProxyStore &proxies, ProxyId id, const Object &object, Tick expected)
+    {
+        Stamp &stamp = proxies.stamps[id];
+        const std::uint32_t pose = object.has_pose() ? object.pose_digest() : 0;
+        const bool repeated = stamp.may_be(pose);
+        if (repeated && stamp.is_kept() && object.is_as_remembered(id))
+            return false;
+        const bool by_centre = proxies.records[id].kind.check == Check::centre && object.has_centre();
+        stamp.set(pose, by_centre, repeated && object.remember(id));
+        board_.note(id);
+        if (!by_centre || !centre_inside(proxies.paths[id], object.coordinates(), expected) ||
+            object.has_grown(std::abs(stamp.radius)))
             doubtful_.insert(id);
         return true;
     }
@@ -97,31 +133,11 @@ public:
     std::size_t bytes() const;
 
 private:
-    /// Programs set poses that did not change: pose and sizes are kept when the digest of the pose comes again, and compared
-    /// from the next time on.
-    template <typename Object>
-    [[gnu::noinline]] static bool repeats(Stamp &stamp, std::uint32_t last, const Object &object)
+    bool note_in_doubt(ProxyId id)
     {
-        const bool repeated = (last & pose_remembered) != 0 && object.is_as_remembered();
-        if (repeated || object.remember())
-            stamp.pose |= pose_remembered;
-        return repeated;
-    }
-
-    /// Is the centre where it should be at the tick `then`? False means that it takes a closer look: for objects that are
-    /// checked by their bounds, and for those whose position has to be computed first.
-    ///
-    /// ODE sends one notification per change. So the size has to be looked at only when the pose may be the one that the last
-    /// notification found.
-    template <typename Object>
-    static bool as_predicted(const ProxyStore &proxies, ProxyId id, const Object &object, Tick then,
-                             bool size_may_differ)
-    {
-        const Stamp &stamp = proxies.stamps[id];
-        if (std::signbit(stamp.radius) || stamp.pose == 0 || !object.has_centre())
-            return false;
-        return centre_inside(proxies.paths[id], object.coordinates(), then) &&
-               (!size_may_differ || !object.has_grown(stamp.radius));
+        board_.note(id);
+        doubtful_.insert(id);
+        return true;
     }
 
     std::size_t collect_suspects(const Circumstances &now);

@@ -41,8 +41,9 @@ struct Noticed
     const Object &object;
 
     bool has_pose() const { return true; }
-    bool remember() const { return false; }
-    bool is_as_remembered() const { return false; }
+    bool remember(ProxyId) const { return false; }
+    bool is_as_remembered(ProxyId) const { return false; }
+    bool is_watched() const { return true; }
     bool has_centre() const { return true; }
     const double *coordinates() const { return object.centre.data(); }
     bool has_grown(float radius) const { return !(object.radius <= radius); }
