@@ -30,6 +30,7 @@ public:
         law_->forces(tool, touches, dt, forces);
     }
 
+    haptics::TouchView view() const override { return law_->view(); }
     void reset() override { law_->reset(); }
     double stiffness() const override { return law_->stiffness(); }
     double damping() const override { return law_->damping(); }

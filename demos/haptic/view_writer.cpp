@@ -38,7 +38,7 @@ void ViewWriter::after_step()
 {
     if (++steps_ % steps_per_sample == 0)
     {
-        history_.add(steps_, scenes::from_ode(dGeomGetPosition(run_.probe_geom())));
+        history_.add(steps_, run_.rendered().tool.position);
     }
     if (holding_.load(std::memory_order_acquire))
     {
@@ -70,7 +70,7 @@ void ViewWriter::finish(window::SceneView &view) const
     view.high = run_.room().max();
     write_near_pairs(view.near_pairs);
     window::ProbeView &probe = view.probe;
-    probe.position = scenes::from_ode(dGeomGetPosition(run_.probe_geom()));
+    probe.position = run_.rendered().tool.position;
     probe.radius = HapticRun::probe_radius;
     probe.force = run_.rendered().force;
     probe.max_force = run_.max_force();

@@ -3,7 +3,9 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CLOSEST_POINT_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CLOSEST_POINT_H
 
-#include "ode_predictive_space/haptics/proxy_law.h"
+#include "ode_predictive_space/haptics/constraint_plane.h"
+
+#include <vector>
 
 namespace ode_predictive_space::haptics
 {

@@ -179,9 +179,10 @@ void SceneLoop::run()
 void SceneLoop::step(double due)
 {
     parts_.rendered.take();
-    const ToolState &tool = parts_.rendered.latest().tool;
+    const RenderedTick &tick = parts_.rendered.latest();
+    const ToolState &tool = tick.tool;
     sensor_.clear();
-    sensor_.pose(tool);
+    parts_.probe.place(tick);
     work_.collide();
     servo_.contacts().draft().set(sensor_.touches(), !sensor_.saw_nonsense(), tool.position, due);
     servo_.contacts().publish();

@@ -70,20 +70,21 @@ void ForceSplit::split(const std::vector<Touch> &touches, const TouchForces &wis
     const Mix mix = find_mix(given, sum_of(wished), sum(before_));
     for (std::size_t i = 0; i < touches.size(); ++i)
     {
-        shares_.push_back({touches[i].object, touches[i].point, mix.wished * wished[i]});
+        shares_.push_back({touches[i].object, touches[i].point, mix.wished * wished[i], touches[i].feature});
     }
     for (const ForceShare &share : before_)
     {
         const Vector3 force = mix.before * share.force;
-        const auto known = std::find_if(shares_.begin(), shares_.end(),
-                                        [&](const ForceShare &now) { return now.object == share.object; });
+        const auto known = std::find_if(shares_.begin(), shares_.end(), [&](const ForceShare &now) {
+            return now.object == share.object && now.feature == share.feature;
+        });
         if (known != shares_.end())
         {
             known->force += force;
         }
         else if (!force.isZero(0))
         {
-            shares_.push_back({share.object, share.point, force});
+            shares_.push_back({share.object, share.point, force, share.feature});
         }
     }
     add_rest(given);

@@ -37,9 +37,20 @@ void HapticProbe::begin(double time, double clock_time)
     renderer_.read(time, clock_time);
     if (sensor_)
     {
+        sensor_->set_view(renderer_.law().view());
         sensor_->clear();
-        sensor_->pose(renderer_.tool());
+        place(renderer_.last_tick());
     }
+}
+
+void HapticProbe::place(const RenderedTick &tick)
+{
+    if (tick.tool_jumps != tool_jumps_)
+    {
+        tool_jumps_ = tick.tool_jumps;
+        sensor_->forget_sides();
+    }
+    sensor_->pose(tick.tool);
 }
 
 bool HapticProbe::touch(dGeomID first, dGeomID second)

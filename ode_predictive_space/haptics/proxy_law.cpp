@@ -44,12 +44,18 @@ ConstraintPlane ProxyLaw::plane_of(const Vector3 &tool, const Touch &touch, doub
 {
     ConstraintPlane plane;
     plane.object = touch.object;
+    plane.feature = touch.feature;
     plane.normal = touch.normal;
     plane.depth = touch.depth;
     plane.height = touch.normal.dot(tool) + touch.depth;
 
-    const auto same_object = [&](const ConstraintPlane &other) { return other.object == touch.object; };
-    const auto last = std::find_if(last_planes_.begin(), last_planes_.end(), same_object);
+    if (touch.from_entry_side)
+        return plane;
+
+    const auto same_plane = [&](const ConstraintPlane &other) {
+        return other.object == touch.object && other.feature == touch.feature;
+    };
+    const auto last = std::find_if(last_planes_.begin(), last_planes_.end(), same_plane);
     if (last == last_planes_.end() || !(last->normal.dot(touch.normal) < 0))
         return plane;
 

@@ -14,6 +14,7 @@ constexpr double try_again_after = 0.1;    // s
 constexpr double shortest_silence = 0.004; // s
 constexpr double periods_of_silence = 4;
 constexpr double tell_again_after = 1; // s
+constexpr double longest_gap = 0.5;    // s; after that, a device that answers again can be anywhere
 
 bool is_finite(const DeviceState &state)
 {
@@ -62,6 +63,11 @@ void Renderer::read(double time, double clock_time)
         failed_ = false;
         tell(NoticeKind::device, gate_.device().capabilities().name + " answers again; the force comes back slowly.");
     }
+    if (!(time - last_answer_ <= longest_gap))
+    {
+        ++tick_.tool_jumps;
+    }
+    last_answer_ = time;
     move_clutch();
     tick_.tool = mapping_.to_scene(tick_.state);
 }

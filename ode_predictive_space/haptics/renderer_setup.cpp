@@ -56,7 +56,7 @@ Renderer::Renderer(Device &device, RenderSettings settings)
     : gate_(device), opening_(device), settings_(std::move(settings)),
       law_(settings_.law ? settings_.law : usual_law(device.capabilities())), mapping_(settings_.placement),
       safety_(settings_.safety ? *settings_.safety : usual_limits(device.capabilities())), next_try_(never),
-      last_state_time_(std::numeric_limits<double>::quiet_NaN())
+      last_state_time_(std::numeric_limits<double>::quiet_NaN()), last_answer_(never)
 {
     told_.fill(never);
     forces_.reserve(usual_touches);
@@ -96,6 +96,7 @@ void Renderer::set_placement(const WorkspacePlacement &placement)
     mapping_ = WorkspaceMapping(placement);
     soften_law();
     begin_anew(); // the tool jumps, perhaps into something
+    ++tick_.tool_jumps;
 }
 
 void Renderer::soften_law()

@@ -1,10 +1,13 @@
 #include "ode_predictive_space/haptics/touch_sensor.h"
 
+#include "ode_predictive_space/haptics/contact/contact_tracker.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ode/collision_space.h>
 #include <ode_predictive_space/predictive_space.h>
 #include <stdexcept>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -59,7 +62,9 @@ bool is_shallower(const dContactGeom &a, const dContactGeom &b)
 } // namespace
 
 TouchSensor::TouchSensor(dSpaceID space, double radius)
-    : geom_(make_sphere(space, radius)), own_(true), turns_(false), radius_(radius), contacts_(most_contacts)
+    : geom_(make_sphere(space, radius)), tool_(dCreateSphere(nullptr, static_cast<dReal>(radius))), own_(true),
+      turns_(false), radius_(radius), tracker_(std::make_unique<ContactTracker>(radius)),
+      meshes_(std::make_unique<MeshStore>()), contacts_(most_contacts)
 {
     become_interactive();
 }
@@ -75,12 +80,14 @@ TouchSensor::~TouchSensor()
     if (own_)
     {
         dGeomDestroy(geom_);
+        dGeomDestroy(tool_);
     }
 }
 
 void TouchSensor::become_interactive()
 {
     touches_.reserve(usual_touches);
+    collided_.reserve(usual_touches);
     const dSpaceID space = dGeomGetSpace(geom_);
     if (space != nullptr && dSpaceIsPredictive(space) != 0)
     {
@@ -93,19 +100,61 @@ void TouchSensor::set_margin(double margin)
     if (own_)
     {
         margin_ = margin;
+        tracker_->set_margin(margin);
+        dGeomSphereSetRadius(tool_, static_cast<dReal>(radius_ + margin_));
         dGeomSphereSetRadius(geom_, static_cast<dReal>(radius_ + margin_));
+    }
+}
+
+void TouchSensor::prepare(dGeomID mesh)
+{
+    if (own_ && dGeomGetClass(mesh) == dTriMeshClass && dGeomTriMeshGetData(mesh) != nullptr)
+    {
+        meshes_->tree_of(mesh, {});
+    }
+}
+
+void TouchSensor::forget_mesh(dTriMeshDataID data)
+{
+    if (own_)
+    {
+        meshes_->forget(data);
+    }
+}
+
+void TouchSensor::forget_sides()
+{
+    if (own_)
+    {
+        tracker_->forget();
     }
 }
 
 void TouchSensor::clear()
 {
     touches_.clear();
+    collided_.clear();
     bodies_.age();
     nonsense_ = false;
+    if (own_)
+    {
+        resolve(); // a tick whose touches were not asked for counts all the same
+        tracker_->begin();
+        touches_.clear();
+    }
 }
 
 void TouchSensor::pose(const ToolState &tool)
 {
+    if (own_)
+    {
+        position_ = tool.position;
+        tracker_->aim(position_);
+        look_around();
+        posed_ = true;
+        resolved_ = false;
+        return;
+    }
     if (!posed_ || tool.position != position_)
     {
         position_ = tool.position;
@@ -122,6 +171,24 @@ void TouchSensor::pose(const ToolState &tool)
     posed_ = true;
 }
 
+void TouchSensor::look_around()
+{
+    dGeomSetPosition(tool_, static_cast<dReal>(position_.x()), static_cast<dReal>(position_.y()),
+                     static_cast<dReal>(position_.z()));
+    const ContactTracker::Region region = tracker_->region();
+    const auto radius = static_cast<dReal>(region.radius);
+    if (dGeomSphereGetRadius(geom_) != radius)
+    {
+        dGeomSphereSetRadius(geom_, radius);
+    }
+    const dVector3 centre = {static_cast<dReal>(region.centre.x()), static_cast<dReal>(region.centre.y()),
+                             static_cast<dReal>(region.centre.z())};
+    if (!posed_ || !std::equal(centre, centre + 3, dGeomGetPosition(geom_)))
+    {
+        dGeomSetPosition(geom_, centre[0], centre[1], centre[2]);
+    }
+}
+
 bool TouchSensor::touch(dGeomID first, dGeomID second)
 {
     if (first != geom_ && second != geom_)
@@ -133,12 +200,74 @@ bool TouchSensor::touch(dGeomID first, dGeomID second)
     {
         return false;
     }
-    const int count = dCollide(geom_, other, most_contacts, contacts_.data(), sizeof(dContactGeom));
+    resolved_ = false;
+    if (!own_ || !hold(other))
+    {
+        collide(other);
+    }
+    return true;
+}
+
+/// @return false when only dCollide() knows its surface.
+bool TouchSensor::hold(dGeomID other)
+{
+    std::optional<NearbyGeom> nearby = NearbyGeom::read(other, *meshes_, tracker_->touched_triangles(other));
+    if (!nearby)
+    {
+        return false;
+    }
+    if (!nearby->is_finite())
+    {
+        nonsense_ = true;
+        return true;
+    }
+    if (const dBodyID body = dGeomGetBody(other))
+    {
+        bodies_.keep(body);
+    }
+    tracker_->add(std::move(*nearby));
+    return true;
+}
+
+void TouchSensor::collide(dGeomID other)
+{
+    const int count = dCollide(own_ ? tool_ : geom_, other, most_contacts, contacts_.data(), sizeof(dContactGeom));
     if (count > 0)
     {
         add(*std::max_element(contacts_.begin(), contacts_.begin() + count, is_shallower), other);
     }
-    return true;
+}
+
+void TouchSensor::resolve()
+{
+    if (resolved_)
+    {
+        return;
+    }
+    resolved_ = true;
+    touches_ = collided_;
+    if (!own_)
+    {
+        return;
+    }
+    tracker_->follow();
+    tracker_->touches(view_, touches_);
+    const auto first_nonsense =
+        std::remove_if(touches_.begin(), touches_.end(), [](const Touch &touch) { return !is_finite(touch); });
+    nonsense_ = nonsense_ || first_nonsense != touches_.end();
+    touches_.erase(first_nonsense, touches_.end());
+}
+
+const std::vector<Touch> &TouchSensor::touches()
+{
+    resolve();
+    return touches_;
+}
+
+bool TouchSensor::saw_nonsense()
+{
+    resolve();
+    return nonsense_;
 }
 
 // ODE's normal is the way out for the first of the two geoms, which is the probe.
@@ -160,11 +289,11 @@ void TouchSensor::add(const dContactGeom &contact, dGeomID other)
         nonsense_ = true;
         return;
     }
-    const auto known = std::find_if(touches_.begin(), touches_.end(),
+    const auto known = std::find_if(collided_.begin(), collided_.end(),
                                     [&](const Touch &earlier) { return earlier.object == touch.object; });
-    if (known == touches_.end())
+    if (known == collided_.end())
     {
-        touches_.push_back(touch);
+        collided_.push_back(touch);
     }
     else if (touch.depth > known->depth)
     {

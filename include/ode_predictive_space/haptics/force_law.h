@@ -20,10 +20,14 @@ public:
 
     /// One tick.
     ///
-    /// @param touches at most one per object; the order does not matter.
+    /// @param touches as view() asks for; the order does not matter. Several of one object hold off the tool together: of the way
+    ///        out of the object, which is the shortest behind none of their planes, each contributes a part along its normal.
     /// @param dt seconds since the call before, > 0.
     /// @param forces is made as long as touches: forces[i] is the force on the probe by touches[i].
     virtual void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) = 0;
+
+    /// Which touches the law is to be given.
+    virtual TouchView view() const { return TouchView::each_object_alone; }
 
     /// Forget what was felt before: friction's hold on a surface, the place of a proxy. After a jump of the tool.
     virtual void reset() = 0;

@@ -13,6 +13,7 @@ struct ForceShare
     std::uintptr_t object = 0;
     Vector3 point = Vector3::Zero(); ///< m, the scene's frame; where it was touched last
     Vector3 force = Vector3::Zero(); ///< N, the scene's frame; on the hand
+    unsigned feature = 0;            ///< Touch::feature
 };
 
 /// Divides the force that the hand really got among those who made it, so that each of them gets the opposite of its part.

@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PENALTY_LAW_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PENALTY_LAW_H
 
+#include "ode_predictive_space/haptics/constraint_plane.h"
 #include "ode_predictive_space/haptics/force_law.h"
 
 namespace ode_predictive_space::haptics
@@ -18,7 +19,10 @@ namespace ode_predictive_space::haptics
 /// not on the sign of a measured velocity, hence it neither chatters nor creeps while it holds. Turning of the tool is
 /// left out: the tool is a point to friction.
 ///
-/// Touches know nothing of each other: on the seam of two equal surfaces the probe feels both, hence twice the stiffness. The
+/// d is the depth, for an object that is touched in one place. Several planes of one object share the shortest way out of it, and
+/// d is the part of each: in a right corner that is its depth again.
+///
+/// Objects know nothing of each other: on the seam of two equal surfaces the probe feels both, hence twice the stiffness. The
 /// proxy law does not have this.
 class PenaltyLaw final : public ForceLaw
 {
@@ -37,13 +41,17 @@ private:
     struct Hold
     {
         std::uintptr_t object;
+        unsigned feature;
         Vector3 stretch; // m, in the tangent plane
     };
 
-    double normal_force(const ToolState &tool, const Touch &touch) const;
+    void share_ways_out(const std::vector<Touch> &touches);
+    double normal_force(const ToolState &tool, const Touch &touch, double depth) const;
     Vector3 friction_force(const Touch &touch, double normal_force, const Vector3 &moved, double dt);
 
     SurfaceProperties properties_;
+    std::vector<double> depths_;              // of this tick: what of each touch's depth counts
+    std::vector<ConstraintPlane> planes_;     // of one object
     std::vector<Hold> holds_;                 // of this tick
     std::vector<Hold> last_holds_;            // of the tick before
     Vector3 last_position_ = Vector3::Zero(); // of the tool; means nothing while last_holds_ is empty

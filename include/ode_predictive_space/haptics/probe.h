@@ -110,12 +110,16 @@ public:
     Renderer &renderer() { return renderer_; }
     TouchSensor *sensor() { return sensor_.get(); }
 
+    /// For the same: the sensor's geom goes to the tool. Not with a tool body.
+    void place(const RenderedTick &tick);
+
 private:
     Renderer renderer_;
     std::unique_ptr<TouchSensor> sensor_;
     dBodyID tool_body_ = nullptr;
     VirtualCoupling coupling_;
     double tick_length_ = 0; ///< s
+    int tool_jumps_ = 0;     ///< as RenderedTick has it
     std::vector<Encounter> encounters_;
 };
 } // namespace ode_predictive_space::haptics

@@ -3,20 +3,11 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PROXY_LAW_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PROXY_LAW_H
 
+#include "ode_predictive_space/haptics/constraint_plane.h"
 #include "ode_predictive_space/haptics/force_law.h"
 
 namespace ode_predictive_space::haptics
 {
-/// What a touch forbids to the proxy: all behind a plane.
-struct ConstraintPlane
-{
-    std::uintptr_t object = 0;
-    Vector3 normal = Vector3::UnitZ(); ///< of length 1, towards where the proxy may be
-    double height = 0;                 ///< m; where the plane is: normal . (a point on it)
-    double depth = 0;                  ///< m; how far the tool is behind it
-    double share = 0;                  ///< m, >= 0; how far it lifts the proxy off the tool, along its normal
-};
-
 /// F = k (proxy - tool). The proxy is where the tool would be if no surface could be entered: the point nearest to the tool
 /// that no touch forbids (Zilles and Salisbury, "A constraint-based god-object method for haptic display", 1995).
 ///
@@ -30,9 +21,9 @@ struct ConstraintPlane
 /// cone below it; otherwise it follows just as far as the cone's edge (Salisbury and Tarr 1997; Harwin and Melder 2002).
 /// Damping acts along each carrying plane's normal, and never pulls; it is not part of proxy().
 ///
-/// Unlike a penalty, the proxy remembers on which side of an object it is: when the tool has gone so far into a thin object
-/// that its surface at the back is nearer, and the normal turns round, the surface in front goes on to push, until
-/// the tool leaves the object.
+/// Where a touch does not know by which side the tool came in (Touch::from_entry_side), the law remembers it: when the tool has gone
+/// so far into a thin object that its surface at the back is nearer, and the normal turns round, the surface in front goes on to
+/// push, until the tool leaves the object.
 class ProxyLaw final : public ForceLaw
 {
 public:
@@ -40,6 +31,7 @@ public:
     explicit ProxyLaw(const SurfaceProperties &properties = {});
 
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override;
+    TouchView view() const override { return TouchView::all_together; }
     void reset() override;
     double stiffness() const override { return properties_.stiffness; }
     double damping() const override { return properties_.damping; }

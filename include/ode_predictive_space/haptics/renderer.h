@@ -46,6 +46,7 @@ struct RenderedTick
     double allowance = 0;             ///< 0 to 1; the watchdog's
     bool device_answers = false;
     bool saturated = false; ///< the safety stage had to shorten the force
+    int tool_jumps = 0;     ///< how often the tool was put elsewhere by more than the hand's motion
 };
 
 /// Device, workspace, law, safety, watchdog: all that needs no scene. Used from one thread, the servo's; nothing in it
@@ -185,6 +186,7 @@ private:
     double last_news_ = 0;   ///< s, simulated; when the device's state was a new one
     double last_state_time_; ///< s; of the last state, by the device
     double clock_time_ = 0;
+    double last_answer_; ///< s, simulated; of the device
     TouchForces forces_;
     ForceSplit split_;
     RenderedTick tick_;

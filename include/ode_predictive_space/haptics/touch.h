@@ -9,7 +9,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The deepest contact of the probe with one object, in the scene's frame, SI units.
+/// A contact of the probe with an object, in the scene's frame, SI units: a plane of it that holds off the probe, or nearly. An
+/// object may have several at once: the floor and the walls of a channel.
 struct Touch
 {
     Vector3 point = Vector3::Zero();            ///< m
@@ -17,6 +18,15 @@ struct Touch
     double depth = 0;                           ///< m, >= 0; how far the probe is beyond the surface
     Vector3 surface_velocity = Vector3::Zero(); ///< m/s; of the touched object at the point
     std::uintptr_t object = 0; ///< which object: the same from tick to tick, different for different ones
+    unsigned feature = 0; ///< which plane of the object: the same from tick to tick, different for those of one object
+    bool from_entry_side = false; ///< the normal is that of the side by which the probe came, however deep it is by now
+};
+
+/// What the touches are of several objects at once.
+enum class TouchView
+{
+    each_object_alone, ///< each object's, as if there were no other
+    all_together       ///< those that hold off the probe from all objects at once
 };
 
 /// The probe, in the scene's frame, SI units.

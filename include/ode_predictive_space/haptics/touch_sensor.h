@@ -6,15 +6,26 @@
 #include "ode_predictive_space/haptics/body_watch.h"
 #include "ode_predictive_space/haptics/force_shares.h"
 
+#include <memory>
 #include <ode/collision.h>
+#include <ode/collision_trimesh.h>
 #include <ode/objects.h>
 
 namespace ode_predictive_space::haptics
 {
+class ContactTracker;
+class MeshStore;
+
 /// A geom that follows the hand, tells what it touches, and pushes what it touches.
 ///
 /// Each tick: clear(), pose(), the program's dSpaceCollide() with touch() in its near callback, push(). In between the program may
 /// destroy what it likes, except this geom: what is gone is not pushed.
+///
+/// The sphere of its own holds to boxes, spheres, capsules, cylinders, planes and triangle meshes: it is touched from the side by
+/// which the tool came, until it comes back through there, however thin the object, fast the tool, or deep it is. What the near
+/// callback does not tell of any more (destroyed, disabled, filtered out) is let go, and so is a mesh with other triangles. All else
+/// is touched as dCollide() says at the moment: convex geoms, heightfields, transforms and classes of the program, and all
+/// things that a geom of the program touches.
 ///
 /// What the probe cannot touch is said as everywhere in ODE: by dGeomSetCategoryBits() and dGeomSetCollideBits().
 class TouchSensor
@@ -38,6 +49,8 @@ public:
     TouchSensor(const TouchSensor &) = delete;
     TouchSensor &operator=(const TouchSensor &) = delete;
 
+    /// The sphere of its own has the place and size in which it looks for what it can touch: larger than the tool while that moves or is
+    /// pressed into something.
     dGeomID geom() const { return geom_; }
 
     /// Notice what comes near before it is touched: touches() then has what is up to this far away, too, with a negative depth.
@@ -45,6 +58,19 @@ public:
     ///
     /// @param margin m, >= 0.
     void set_margin(double margin);
+
+    /// Which touches to tell of: the force law's view().
+    void set_view(TouchView view) { view_ = view; }
+
+    /// Read a mesh now rather than when the probe first comes near it: a hundred thousand triangles take some 0.1 s.
+    void prepare(dGeomID mesh);
+
+    /// The triangles behind this id have changed in place. They are compared from tick to tick, too: those that are touched at once, the
+    /// others in turn, eight at a time.
+    void forget_mesh(dTriMeshDataID data);
+
+    /// The tool was put somewhere else, and nothing lies between: what is entered from now on is entered from there.
+    void forget_sides();
 
     /// Forget the touches.
     void clear();
@@ -57,13 +83,13 @@ public:
     /// @return true when this pair has been dealt with: one of the two is the probe, the other one no space.
     bool touch(dGeomID first, dGeomID second);
 
-    /// The deepest contact with each object since clear(), in the order in which the objects came. An object is a body with all
-    /// its geoms, or a geom without a body.
-    const std::vector<Touch> &touches() const { return touches_; }
+    /// What is touched since clear(). An object is a body with all its geoms, or a geom without a body. Of what only dCollide() knows,
+    /// the deepest contact with each object.
+    const std::vector<Touch> &touches();
 
-    /// Whether dCollide() or a body's velocity gave something that is not a number since clear(). It is left out of touches(),
-    /// which are not all, then.
-    bool saw_nonsense() const { return nonsense_; }
+    /// Whether dCollide(), a geom's place or a body's velocity gave something that is not a number since clear(). It is left out of
+    /// touches(), which are not all, then.
+    bool saw_nonsense();
 
     /// Give each body the opposite of its share of the force on the hand, where it was touched. A disabled body that gets a force is
     /// enabled. Objects without a body are left alone, and so are bodies that are gone.
@@ -71,11 +97,16 @@ public:
 
 private:
     void become_interactive();
+    void look_around();
+    bool hold(dGeomID other);
+    void collide(dGeomID other);
     void add(const dContactGeom &contact, dGeomID other);
+    void resolve();
 
     static constexpr int most_contacts = 256; ///< of one pair: a mesh gives many, of which one counts
 
     dGeomID geom_;
+    dGeomID tool_ = nullptr; ///< of the own sphere: in no space, of the tool's place and size, for dCollide()
     bool own_;
     bool turns_ = true; ///< whether the orientation matters
     double radius_ = 0; ///< m; of the own sphere, without the margin
@@ -84,7 +115,12 @@ private:
     Vector3 position_ = Vector3::Zero();
     Quaternion orientation_ = Quaternion::Identity();
     bool nonsense_ = false;
+    bool resolved_ = true; ///< whether touches_ has all
+    TouchView view_ = TouchView::each_object_alone;
     std::vector<Touch> touches_;
+    std::vector<Touch> collided_;             ///< by dCollide()
+    std::unique_ptr<ContactTracker> tracker_; ///< of the own sphere
+    std::unique_ptr<MeshStore> meshes_;
     BodyWatch bodies_;
     std::vector<dContactGeom> contacts_; ///< most_contacts of them, for dCollide() to write to
 };

@@ -1,0 +1,288 @@
+#include "ode_predictive_space/haptics/contact/contact_tracker.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr std::size_t usual_geoms = 32;
+constexpr double ahead = 1.5;           // times the tool's way: how far ahead surfaces are looked for
+constexpr double catching_up = 2;       // times the tool's way: how far the proxy may go in a tick, at least its radius
+constexpr double around = 1.5;          // times the proxy's way: the ball that holds all that it may reach, and more
+constexpr double farthest_carried = 10; // times the radius; a geom that moves more in a tick was put elsewhere
+constexpr double in_contact = 1e-6;     // of the radius
+constexpr double same_direction = 0.5;  // cosine; below, it is another plane of the object
+} // namespace
+
+ContactTracker::ContactTracker(double radius) : radius_(radius)
+{
+    near_.reserve(usual_geoms);
+    before_.reserve(usual_geoms);
+    features_.reserve(usual_geoms);
+    features_before_.reserve(usual_geoms);
+}
+
+void ContactTracker::begin()
+{
+    near_.swap(before_);
+    near_.clear();
+    features_.swap(features_before_);
+    features_.clear();
+}
+
+void ContactTracker::forget()
+{
+    has_proxy_ = false;
+    before_.clear();
+    near_.clear();
+    features_before_.clear();
+}
+
+void ContactTracker::aim(const Vector3 &tool)
+{
+    moved_ = has_proxy_ ? (tool - tool_).norm() : 0;
+    tool_ = tool;
+    if (!has_proxy_)
+    {
+        proxy_ = tool;
+        has_proxy_ = true;
+    }
+    start_ = proxy_;
+    longest_ = std::max(radius_, catching_up * moved_);
+}
+
+// All that the proxy may reach lies between two balls: one about where it is, and one about the tool that goes through there.
+ContactTracker::Region ContactTracker::region() const
+{
+    const Vector3 way = tool_ - start_;
+    const double length = way.norm();
+    const double step = std::min(length, longest_);
+    Region region;
+    region.centre = step < length ? Vector3(start_ + way * (step / length)) : tool_;
+    double drift = 0;
+    double farthest = 0; // of the places that differ from the proxy
+    for (const Held &held : before_)
+    {
+        drift = std::max(drift, held.drift);
+        if ((held.at - start_).norm() > in_contact * radius_)
+        {
+            farthest = std::max(farthest, (held.at - region.centre).norm());
+        }
+    }
+    region.radius = radius_ + margin_ + std::max(around * step, farthest) + 2 * drift;
+    return region;
+}
+
+TriangleList ContactTracker::touched_triangles(dGeomID geom) const
+{
+    const auto found =
+        std::find_if(before_.begin(), before_.end(), [&](const Held &held) { return held.geom.id() == geom; });
+    return found != before_.end() ? found->triangles : TriangleList();
+}
+
+const ContactTracker::Held *ContactTracker::known(const NearbyGeom &geom) const
+{
+    const auto found =
+        std::find_if(before_.begin(), before_.end(), [&](const Held &held) { return held.geom.is_same_thing(geom); });
+    return found != before_.end() ? &*found : nullptr;
+}
+
+void ContactTracker::add(NearbyGeom geom)
+{
+    const auto same = [&](const Held &held) { return held.geom.id() == geom.id(); };
+    if (std::any_of(near_.begin(), near_.end(), same))
+    {
+        return;
+    }
+    Held held;
+    held.start = start_;
+    if (const Held *last = known(geom))
+    {
+        const Vector3 carried = geom.to_scene(last->place);
+        const double drift = (carried - last->at).norm();
+        if (drift <= farthest_carried * radius_)
+        {
+            held.start = drift > 0 ? carried : last->at;
+            held.drift = drift;
+        }
+    }
+    held.geom = std::move(geom);
+    near_.push_back(std::move(held));
+}
+
+SphereSlide::Task ContactTracker::task() const
+{
+    SphereSlide::Task task;
+    task.radius = radius_;
+    task.goal = tool_;
+    task.look = ahead * moved_;
+    task.longest = longest_;
+    task.margin = margin_;
+    return task;
+}
+
+void ContactTracker::follow()
+{
+    places_.clear();
+    for (const Held &held : near_)
+    {
+        places_.push_back({&held.geom, held.start, 0});
+    }
+    remember(slide_.run(task(), places_));
+}
+
+void ContactTracker::remember(bool common)
+{
+    if (near_.empty())
+    {
+        const double way = (tool_ - start_).norm();
+        proxy_ = way > longest_ ? Vector3(start_ + (tool_ - start_) * (longest_ / way)) : tool_;
+        return;
+    }
+    for (std::size_t i = 0; i < near_.size(); ++i)
+    {
+        near_[i].at = places_[i].at;
+        near_[i].place = near_[i].geom.to_local(places_[i].at);
+        near_[i].triangles = {};
+    }
+    for (const SlidePlane &plane : slide_.planes())
+    {
+        if (plane.share > 0 && plane.feature.triangle >= 0)
+        {
+            near_[plane.place].triangles.add(plane.feature.triangle);
+        }
+    }
+    // While geoms squeeze the sphere, the place that is farthest from the tool is the one that is behind nothing.
+    const auto farthest = std::max_element(near_.begin(), near_.end(), [&](const Held &a, const Held &b) {
+        return (a.at - tool_).squaredNorm() < (b.at - tool_).squaredNorm();
+    });
+    proxy_ = common ? near_.front().at : farthest->at;
+}
+
+void ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
+{
+    const std::size_t first = touches.size();
+    const bool several = std::any_of(near_.begin(), near_.end(), [&](const Held &held) {
+        return held.geom.object() != near_.front().geom.object();
+    });
+    if (view == TouchView::all_together || !several || proxy_ == tool_)
+    {
+        tell_planes(touches);
+    }
+    else
+    {
+        tell_each_object(touches);
+    }
+    number(touches, first);
+}
+
+/// What the last slide found.
+void ContactTracker::tell_planes(std::vector<Touch> &touches)
+{
+    for (const SlidePlane &plane : slide_.planes())
+    {
+        const bool touched =
+            plane.depth > 0 && (plane.share > 0 || plane.feature.distance <= radius_ * (1 + in_contact));
+        const bool near = plane.depth > -margin_ && plane.feature.distance <= radius_ + margin_;
+        if (!touched && !(near && margin_ > 0))
+        {
+            continue;
+        }
+        const NearbyGeom &geom = *places_[plane.place].geom;
+        Touch touch;
+        touch.point = plane.feature.point;
+        touch.normal = plane.feature.normal;
+        touch.depth = plane.depth;
+        touch.surface_velocity = geom.velocity_at(touch.point);
+        touch.object = geom.object();
+        touch.from_entry_side = true;
+        touches.push_back(touch);
+    }
+}
+
+/// Each object holds off the tool as if there were no other; on which side of it the tool is, all of them have said.
+void ContactTracker::tell_each_object(std::vector<Touch> &touches)
+{
+    for (std::size_t i = 0; i < near_.size(); ++i)
+    {
+        const std::uintptr_t object = near_[i].geom.object();
+        const auto earlier = std::find_if(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(i),
+                                          [&](const Held &held) { return held.geom.object() == object; });
+        if (earlier != near_.begin() + static_cast<std::ptrdiff_t>(i))
+        {
+            continue;
+        }
+        places_.clear();
+        for (const Held &held : near_)
+        {
+            if (held.geom.object() == object)
+            {
+                places_.push_back({&held.geom, held.at, 0});
+            }
+        }
+        SphereSlide::Task alone = task();
+        alone.longest = std::max(alone.longest, 2 * (proxy_ - tool_).norm());
+        slide_.run(alone, places_);
+        tell_planes(touches);
+    }
+}
+
+/// A plane keeps its number from tick to tick, however many triangles it goes over. 0 is for those that have none yet.
+void ContactTracker::number(std::vector<Touch> &touches, std::size_t first)
+{
+    while (recognise_one(touches, first))
+    {}
+    for (std::size_t i = first; i < touches.size(); ++i)
+    {
+        Touch &touch = touches[i];
+        for (unsigned number = 1; touch.feature == 0; ++number)
+        {
+            touch.feature = is_taken(touch.object, number) ? 0 : number;
+        }
+        features_.push_back({touch.object, touch.feature, touch.normal});
+    }
+}
+
+/// Of all touches without a number, and numbers without a touch, the two that agree best.
+bool ContactTracker::recognise_one(std::vector<Touch> &touches, std::size_t first) const
+{
+    double best = same_direction;
+    Touch *chosen = nullptr;
+    unsigned number = 0;
+    for (const KnownFeature &known : features_before_)
+    {
+        const auto has_it = [&](const Touch &touch) {
+            return touch.object == known.object && touch.feature == known.number;
+        };
+        const auto begin = touches.begin() + static_cast<std::ptrdiff_t>(first);
+        if (std::any_of(begin, touches.end(), has_it))
+        {
+            continue;
+        }
+        for (auto touch = begin; touch != touches.end(); ++touch)
+        {
+            const double agreement = touch->normal.dot(known.normal);
+            if (touch->object == known.object && touch->feature == 0 && agreement > best)
+            {
+                best = agreement;
+                chosen = &*touch;
+                number = known.number;
+            }
+        }
+    }
+    if (chosen != nullptr)
+    {
+        chosen->feature = number;
+    }
+    return chosen != nullptr;
+}
+
+bool ContactTracker::is_taken(std::uintptr_t object, unsigned number) const
+{
+    const auto has_it = [&](const KnownFeature &known) { return known.object == object && known.number == number; };
+    return std::any_of(features_before_.begin(), features_before_.end(), has_it) ||
+           std::any_of(features_.begin(), features_.end(), has_it);
+}
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,102 @@
+// On which side of things the probe is: the contact of a sphere, from tick to tick.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
+
+#include "ode_predictive_space/haptics/contact/sphere_slide.h"
+
+namespace ode_predictive_space::haptics
+{
+/// Keeps a proxy of the tool, which never passes a surface: each tick it goes from where it was towards the tool. With respect to
+/// each geom its place is remembered in the geom's frame, so that it goes with what moves and turns. What holds the proxy off the tool
+/// is touched, from the proxy's side.
+///
+/// Each tick: begin(), aim(), add() for each geom that the near callback tells, follow(), touches(). A geom that is not told
+/// is forgotten: its contact has ended, whatever became of it. That is safe since the region() in which geoms are looked for holds
+/// the proxy, hence all that it touches.
+class ContactTracker
+{
+public:
+    explicit ContactTracker(double radius);
+
+    /// A ball in the scene.
+    struct Region
+    {
+        Vector3 centre = Vector3::Zero(); ///< m
+        double radius = 0;                ///< m
+    };
+
+    void set_margin(double margin) { margin_ = margin; }
+
+    /// Forget what is near, but not on which side of it the proxy is.
+    void begin();
+
+    /// Forget that, too: the tool is somewhere else now, and nothing lies between.
+    void forget();
+
+    void aim(const Vector3 &tool);
+
+    /// Where to look for geoms.
+    Region region() const;
+
+    /// Triangles of a mesh that were touched in the tick before.
+    TriangleList touched_triangles(dGeomID geom) const;
+
+    void add(NearbyGeom geom);
+
+    /// The proxy goes as near to the tool as it can.
+    void follow();
+
+    /// m; in the scene's frame.
+    const Vector3 &proxy() const { return proxy_; }
+
+    /// Append what is touched, or nearer than the margin.
+    void touches(TouchView view, std::vector<Touch> &touches);
+
+private:
+    /// A geom, and where the proxy is with respect to it.
+    struct Held
+    {
+        NearbyGeom geom;
+        Vector3 start = Vector3::Zero(); ///< m; the scene's frame, when the tick began
+        Vector3 at = Vector3::Zero();    ///< m; the scene's frame, when it was over
+        Vector3 place = Vector3::Zero(); ///< m; the geom's frame, likewise
+        double drift = 0;                ///< m; how far the geom carried the proxy in the last tick
+        TriangleList triangles;          ///< touched
+    };
+
+    /// Which plane of an object had which number.
+    struct KnownFeature
+    {
+        std::uintptr_t object;
+        unsigned number;
+        Vector3 normal;
+    };
+
+    SphereSlide::Task task() const;
+    const Held *known(const NearbyGeom &geom) const;
+    void remember(bool common);
+    void tell_planes(std::vector<Touch> &touches);
+    void tell_each_object(std::vector<Touch> &touches);
+    void number(std::vector<Touch> &touches, std::size_t first);
+    bool recognise_one(std::vector<Touch> &touches, std::size_t first) const;
+    bool is_taken(std::uintptr_t object, unsigned number) const;
+
+    double radius_;
+    double margin_ = 0;
+    bool has_proxy_ = false;
+    Vector3 tool_ = Vector3::Zero();
+    Vector3 start_ = Vector3::Zero(); ///< m; the proxy when the tick began
+    Vector3 proxy_ = Vector3::Zero(); ///< m; when it was over
+    double moved_ = 0;                ///< m; the tool, since the tick before
+    double longest_ = 0;              ///< m; how far the proxy may go in this tick
+    std::vector<Held> near_;
+    std::vector<Held> before_;
+    std::vector<SlidePlace> places_;
+    SphereSlide slide_;
+    std::vector<KnownFeature> features_;
+    std::vector<KnownFeature> features_before_;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

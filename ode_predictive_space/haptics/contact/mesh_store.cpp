@@ -1,0 +1,108 @@
+#include "ode_predictive_space/haptics/contact/mesh_store.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr std::size_t most_entries = 256; // the oldest one goes then
+constexpr int compared_at_once = 8;
+constexpr double rounding = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5; // m, and of the coordinates
+
+Vector3 from_ode(const dReal *v)
+{
+    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
+TriangleCorners triangle_of(dGeomID geom, int index)
+{
+    dVector3 corners[3];
+    dGeomTriMeshGetTriangle(geom, index, &corners[0], &corners[1], &corners[2]);
+    return {from_ode(corners[0]), from_ode(corners[1]), from_ode(corners[2])};
+}
+
+/// By a geom at the origin: there ODE gives the coordinates as they are.
+std::shared_ptr<const MeshTree> make_tree(dTriMeshDataID data)
+{
+    const dGeomID geom = dCreateTriMesh(nullptr, data, nullptr, nullptr, nullptr);
+    const int count = dGeomTriMeshGetTriangleCount(geom);
+    std::vector<TriangleCorners> triangles;
+    triangles.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+    {
+        triangles.push_back(triangle_of(geom, i));
+    }
+    dGeomDestroy(geom);
+    return std::make_shared<const MeshTree>(triangles);
+}
+
+bool is_same(dGeomID geom, const MeshTree &tree, std::size_t triangle)
+{
+    const TriangleCorners in_scene = triangle_of(geom, static_cast<int>(triangle));
+    const TriangleCorners in_tree = tree.corners(triangle);
+    for (int i = 0; i < 3; ++i)
+    {
+        dVector3 expected;
+        dGeomGetRelPointPos(geom, static_cast<dReal>(in_tree[i].x()), static_cast<dReal>(in_tree[i].y()),
+                            static_cast<dReal>(in_tree[i].z()), expected);
+        const double allowed = rounding * (1 + in_scene[i].norm() + in_tree[i].norm());
+        const bool is_far = !((from_ode(expected) - in_scene[i]).norm() <= allowed);
+        if (is_far && (in_scene[i].allFinite() || in_tree[i].allFinite()))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+} // namespace
+
+std::shared_ptr<const MeshTree> MeshStore::tree_of(dGeomID geom, const TriangleList &touched)
+{
+    const dTriMeshDataID data = dGeomTriMeshGetData(geom);
+    const auto known =
+        std::find_if(entries_.begin(), entries_.end(), [&](const Entry &entry) { return entry.data == data; });
+    if (known != entries_.end())
+    {
+        if (!is_current(geom, *known, touched))
+        {
+            known->tree = make_tree(data);
+        }
+        return known->tree;
+    }
+    if (entries_.size() == most_entries)
+    {
+        entries_.erase(entries_.begin());
+    }
+    entries_.push_back({data, make_tree(data)});
+    return entries_.back().tree;
+}
+
+bool MeshStore::is_current(dGeomID geom, Entry &entry, const TriangleList &touched) const
+{
+    const std::size_t count = entry.tree->count();
+    if (static_cast<std::size_t>(dGeomTriMeshGetTriangleCount(geom)) != count)
+    {
+        return false;
+    }
+    for (int i = 0; i < compared_at_once && count > 0; ++i)
+    {
+        entry.next = (entry.next + 1) % count;
+        if (!is_same(geom, *entry.tree, entry.next))
+        {
+            return false;
+        }
+    }
+    return std::all_of(touched.indices.begin(), touched.indices.begin() + touched.count, [&](int triangle) {
+        return static_cast<std::size_t>(triangle) >= count ||
+               is_same(geom, *entry.tree, static_cast<std::size_t>(triangle));
+    });
+}
+
+void MeshStore::forget(dTriMeshDataID data)
+{
+    entries_.erase(
+        std::remove_if(entries_.begin(), entries_.end(), [&](const Entry &entry) { return entry.data == data; }),
+        entries_.end());
+}
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,62 @@
+// The triangles of a mesh, in a tree of boxes: what of the mesh is near a point.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MESH_TREE_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_MESH_TREE_H
+
+#include "ode_predictive_space/haptics/contact/surface_feature.h"
+#include "ode_predictive_space/haptics/contact/triangle.h"
+
+#include <cstdint>
+
+namespace ode_predictive_space::haptics
+{
+/// A copy of a mesh's triangles, in the mesh's frame. It does not change, so that geoms and threads may share it.
+///
+/// The surface has two sides: which one is felt depends on where the point is, never on the order of a triangle's corners. Holes,
+/// triangles that are there twice and triangles without area are no special cases.
+class MeshTree
+{
+public:
+    explicit MeshTree(const std::vector<TriangleCorners> &triangles);
+
+    std::size_t count() const { return triangles_.size(); }
+    TriangleCorners corners(std::size_t triangle) const;
+
+    /// Append the local minima of the distance within a radius, in no order. A place of an edge or of a corner is one only if no
+    /// triangle at that edge or corner comes nearer: on a flat floor there is one feature, however many triangles it is made of.
+    ///
+    /// @return the distance to the mesh; the radius when nothing is within it.
+    double collect(const Vector3 &point, double radius, SurfaceFeatures &features) const;
+
+private:
+    /// Its first child follows it.
+    struct Node
+    {
+        Vector3 low;
+        Vector3 high;
+        std::uint32_t first; ///< of a leaf: in order_; else the second child
+        std::uint32_t count; ///< of triangles; 0 when it is no leaf
+    };
+
+    using Triangle = std::array<std::uint32_t, 3>; ///< vertices
+
+    void weld(const std::vector<TriangleCorners> &triangles);
+    void list_fans();
+    void list_order();
+    void build(std::uint32_t first, std::uint32_t count);
+    bool is_minimum(const NearestOnTriangle &nearest, std::uint32_t triangle, const Vector3 &point) const;
+    std::uint32_t fan_size(std::uint32_t vertex) const { return fan_begin_[vertex + 1] - fan_begin_[vertex]; }
+    bool has(std::uint32_t triangle, std::uint32_t vertex) const;
+    double add(const Vector3 &point, std::uint32_t triangle, double radius, std::size_t first,
+               SurfaceFeatures &features) const;
+
+    std::vector<Vector3> vertices_;
+    std::vector<Triangle> triangles_;
+    std::vector<std::uint32_t> fan_begin_; ///< by vertex: where its triangles begin in fans_
+    std::vector<std::uint32_t> fans_;
+    std::vector<std::uint32_t> order_; ///< triangles as the leaves have them
+    std::vector<Node> nodes_;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

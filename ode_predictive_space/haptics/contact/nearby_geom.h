@@ -1,0 +1,59 @@
+// A geom that the probe is near to, as it was when the near callback came.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_NEARBY_GEOM_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_NEARBY_GEOM_H
+
+#include "ode_predictive_space/haptics/contact/mesh_store.h"
+#include "ode_predictive_space/haptics/contact/solid.h"
+
+#include <memory>
+#include <optional>
+
+namespace ode_predictive_space::haptics
+{
+/// All that contact needs to know of a geom: a copy, since the program may destroy the geom at any time.
+class NearbyGeom
+{
+public:
+    /// Nothing for a geom whose surface is known to ODE alone (convex, heightfield, transform, classes of the program).
+    ///
+    /// @param touched triangles of the mesh that were touched last: see MeshStore.
+    static std::optional<NearbyGeom> read(dGeomID geom, MeshStore &meshes, const TriangleList &touched);
+
+    dGeomID id() const { return id_; } ///< to compare, not to use
+    std::uintptr_t object() const { return object_; }
+
+    /// Whether it has a place. Its velocity may still be none: see velocity_at().
+    bool is_finite() const { return rotation_.allFinite() && position_.allFinite(); }
+
+    /// Whether another one can be the same thing some time later: the same geom, with the same body and mesh.
+    bool is_same_thing(const NearbyGeom &other) const;
+
+    /// m/s, of the surface.
+    Vector3 velocity_at(const Vector3 &point) const { return linear_ + angular_.cross(point - centre_); }
+
+    Vector3 to_local(const Vector3 &point) const { return rotation_.transpose() * (point - position_); }
+    Vector3 to_scene(const Vector3 &point) const { return rotation_ * point + position_; }
+
+    /// Append what of the surface is within a radius of a point. The scene's frame.
+    ///
+    /// @return the distance to the surface, or the radius if that is less.
+    double collect(const Vector3 &point, double radius, SurfaceFeatures &features) const;
+
+    /// Whether there is an inside that a point is in, and out of which it may go any way.
+    bool is_solid() const { return solid_.is_known(); }
+
+private:
+    dGeomID id_ = nullptr;
+    std::uintptr_t object_ = 0;
+    Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();
+    Vector3 position_ = Vector3::Zero(); ///< m
+    Vector3 linear_ = Vector3::Zero();   ///< m/s
+    Vector3 angular_ = Vector3::Zero();  ///< rad/s
+    Vector3 centre_ = Vector3::Zero();   ///< m; where linear_ is the velocity
+    Solid solid_;
+    std::shared_ptr<const MeshTree> mesh_;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,117 @@
+#include "ode_predictive_space/haptics/contact/solid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// Of a ball about a centre. In its very middle any way out is as good.
+SurfaceFeature nearest_of_ball(const Vector3 &point, const Vector3 &centre, double radius)
+{
+    SurfaceFeature feature;
+    const double distance = (point - centre).norm();
+    if (distance > 0)
+    {
+        feature.normal = (point - centre) / distance;
+    }
+    feature.distance = distance - radius;
+    feature.point = centre + radius * feature.normal;
+    return feature;
+}
+} // namespace
+
+Solid Solid::of(dGeomID geom)
+{
+    dReal first = 0;
+    dReal second = 0;
+    dVector4 numbers = {};
+    switch (dGeomGetClass(geom))
+    {
+    case dSphereClass:
+        return Solid(Shape::sphere, Vector3(static_cast<double>(dGeomSphereGetRadius(geom)), 0, 0));
+    case dBoxClass:
+        dGeomBoxGetLengths(geom, numbers);
+        return Solid(Shape::box, 0.5 * Vector3(numbers[0], numbers[1], numbers[2]));
+    case dCapsuleClass:
+        dGeomCapsuleGetParams(geom, &first, &second);
+        return Solid(Shape::capsule, Vector3(first, 0.5 * second, 0));
+    case dCylinderClass:
+        dGeomCylinderGetParams(geom, &first, &second);
+        return Solid(Shape::cylinder, Vector3(first, 0.5 * second, 0));
+    case dPlaneClass:
+    {
+        dGeomPlaneGetParams(geom, numbers);
+        Solid solid(Shape::half_space, Vector3(numbers[0], numbers[1], numbers[2]));
+        solid.height_ = static_cast<double>(numbers[3]);
+        return solid;
+    }
+    default:
+        return Solid(Shape::unknown);
+    }
+}
+
+SurfaceFeature Solid::nearest(const Vector3 &point) const
+{
+    switch (shape_)
+    {
+    case Shape::sphere:
+        return nearest_of_ball(point, Vector3::Zero(), size_[0]);
+    case Shape::box:
+        return nearest_of_box(point);
+    case Shape::capsule:
+        return nearest_of_ball(point, Vector3(0, 0, std::clamp(point.z(), -size_[1], size_[1])), size_[0]);
+    case Shape::cylinder:
+        return nearest_of_cylinder(point);
+    case Shape::half_space:
+    case Shape::unknown:
+        break;
+    }
+    SurfaceFeature feature;
+    feature.normal = size_;
+    feature.distance = size_.dot(point) - height_;
+    feature.point = point - feature.distance * size_;
+    return feature;
+}
+
+SurfaceFeature Solid::nearest_of_box(const Vector3 &point) const
+{
+    SurfaceFeature feature;
+    feature.point = point.cwiseMax(-size_).cwiseMin(size_);
+    feature.distance = (point - feature.point).norm();
+    if (feature.distance > 0)
+    {
+        feature.normal = (point - feature.point) / feature.distance;
+        return feature;
+    }
+    int axis = 0;
+    feature.distance = -(size_ - point.cwiseAbs()).minCoeff(&axis);
+    feature.normal = std::copysign(1.0, point[axis]) * Vector3::Unit(axis);
+    feature.point[axis] = std::copysign(size_[axis], point[axis]);
+    return feature;
+}
+
+SurfaceFeature Solid::nearest_of_cylinder(const Vector3 &point) const
+{
+    const double off_axis = point.head<2>().norm();
+    const Vector3 outwards = off_axis > 0 ? Vector3(point.x() / off_axis, point.y() / off_axis, 0) : Vector3::UnitX();
+    const double beside = off_axis - size_[0];
+    const double beyond = std::abs(point.z()) - size_[1];
+    const Vector3 along = std::copysign(1.0, point.z()) * Vector3::UnitZ();
+
+    SurfaceFeature feature;
+    if (beside > 0 && beyond > 0) // the rim
+    {
+        feature.distance = std::hypot(beside, beyond);
+        feature.normal = (beside * outwards + beyond * along) / feature.distance;
+    }
+    else
+    {
+        feature.distance = std::max(beside, beyond);
+        feature.normal = beside > beyond ? outwards : along;
+    }
+    feature.point = point - feature.distance * feature.normal;
+    return feature;
+}
+} // namespace ode_predictive_space::haptics

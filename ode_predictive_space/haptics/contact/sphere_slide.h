@@ -1,0 +1,66 @@
+// The way of a sphere to a goal, around what lies between: the god object of Zilles and Salisbury (1995), swept as in Ruspini,
+// Kolarov and Khatib (1997).
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SPHERE_SLIDE_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_SPHERE_SLIDE_H
+
+#include "ode_predictive_space/haptics/constraint_plane.h"
+#include "ode_predictive_space/haptics/contact/nearby_geom.h"
+
+namespace ode_predictive_space::haptics
+{
+/// Where the sphere's centre is, as one geom sees it. All see the same place but while geoms move or squeeze the sphere.
+struct SlidePlace
+{
+    const NearbyGeom *geom = nullptr;
+    Vector3 at = Vector3::Zero(); ///< m; outside of the geom
+    double clearance = 0;         ///< m; the centre's distance to the surface
+};
+
+/// A feature that the sphere must stay out of, as a plane through its place of contact.
+struct SlidePlane
+{
+    std::size_t place = 0; ///< which geom's, by its index
+    SurfaceFeature feature;
+    double depth = 0; ///< m; how far the goal is behind the plane on which the sphere's centre would be in contact
+    double share =
+        0; ///< m; what the plane adds to the way from the goal to the sphere's centre; 0 if it does not carry it
+};
+
+/// Each step takes the surfaces near the centre as planes, and goes to the place that is nearest to the goal and behind none of
+/// them. A triangle lies wholly behind the plane of its nearest place, so the planes forbid too much rather than too little; the
+/// next step has better ones. No step is as long as the way to the nearest surface, so that none passes anything. The steps end at
+/// a local minimum of the distance to the goal.
+class SphereSlide
+{
+public:
+    struct Task
+    {
+        double radius = 0; ///< m
+        Vector3 goal = Vector3::Zero();
+        double look = 0;    ///< m; how far ahead surfaces are looked for at first
+        double longest = 0; ///< m; the longest way altogether
+        double margin = 0;  ///< m; planes() has what is so far from the sphere, too
+    };
+
+    /// @param places where the centre is; then, where it came to.
+    /// @return whether there is a place that all geoms allow. Else each of them has one for itself.
+    bool run(const Task &task, std::vector<SlidePlace> &places);
+
+    /// What is near in the end.
+    const std::vector<SlidePlane> &planes() const { return planes_; }
+
+private:
+    void gather(const Task &task, double look, std::vector<SlidePlace> &places);
+    bool find_target(const Vector3 &goal);
+    Vector3 target_of(std::size_t place, const Task &task, const std::vector<SlidePlace> &places);
+
+    std::vector<SlidePlane> planes_;
+    std::vector<ConstraintPlane> constraints_;
+    SurfaceFeatures features_;
+    std::vector<Vector3> targets_;
+    Vector3 target_ = Vector3::Zero();
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,34 @@
+// The point of a triangle that is nearest to another point.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_TRIANGLE_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_TRIANGLE_H
+
+#include "ode_predictive_space/haptics/touch.h"
+
+#include <array>
+
+namespace ode_predictive_space::haptics
+{
+using TriangleCorners = std::array<Vector3, 3>;
+
+/// Which part of a triangle a point of it belongs to.
+enum class TrianglePart
+{
+    face,
+    edge,
+    corner
+};
+
+struct NearestOnTriangle
+{
+    Vector3 point = Vector3::Zero();
+    double squared_distance = 0;
+    TrianglePart part = TrianglePart::face;
+    int index = 0; ///< of the corner, or of the edge: edge i joins corner i and the one after it
+};
+
+/// For triangles of any shape, those without area included. Ericson, Real-Time Collision Detection, 5.1.5, has the regions.
+NearestOnTriangle nearest_on_triangle(const Vector3 &point, const TriangleCorners &corners);
+} // namespace ode_predictive_space::haptics
+
+#endif

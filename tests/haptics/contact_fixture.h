@@ -1,0 +1,99 @@
+// A hand that goes along a path through a scene, and what the law wished at each tick: both laws, both kinds of loops.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_FIXTURE_H
+#define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_FIXTURE_H
+
+#include "ode_predictive_space/haptics/loop.h"
+#include "ode_predictive_space/haptics/penalty_law.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
+#include "tests/haptics/mesh_maker.h"
+#include "tests/haptics/probe_world.h"
+#include "tests/haptics/scripted_device.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <memory>
+#include <string>
+#include <tuple>
+
+namespace ode_predictive_space::haptics
+{
+constexpr double contact_radius = 0.01;   // m; of the probe
+constexpr double contact_stiffness = 500; // N/m
+
+/// The parameters: whether the law is the proxy's, and whether the loop has two threads.
+class ContactTest : public testing::TestWithParam<std::tuple<bool, bool>>
+{
+protected:
+    struct Sample
+    {
+        double time;
+        Vector3 tool;
+        Vector3 wished; ///< N; what the law gave
+        Vector3 proxy;  ///< m; of the proxy's law alone
+    };
+
+    bool proxy_law() const { return std::get<0>(GetParam()); }
+    bool decoupled() const { return std::get<1>(GetParam()); }
+
+    /// @param advanced called after each step of the scene, with the length of the step; may be empty.
+    std::vector<Sample> run(const ScriptedDevice::Path &path, double duration,
+                            std::function<void(double)> advanced = {})
+    {
+        SurfaceProperties properties;
+        properties.stiffness = contact_stiffness;
+        const auto penalty = std::make_shared<PenaltyLaw>(properties);
+        const auto proxy = std::make_shared<ProxyLaw>(properties);
+        RenderSettings rendering;
+        rendering.law = penalty;
+        if (proxy_law())
+        {
+            rendering.law = proxy;
+        }
+        ScriptedDevice device(path);
+        HapticProbe probe(device, world_.space, contact_radius, rendering);
+        probe_ = &probe;
+        std::vector<Sample> samples;
+        probe.set_recorder([&](const RenderedTick &tick) {
+            samples.push_back({tick.time, tick.tool.position, tick.wished, proxy->proxy()});
+        });
+        LoopSettings settings;
+        settings.decoupled = decoupled();
+        settings.rate = decoupled() ? 4000 : 1000;
+        settings.physics_rate = 1000;
+        settings.duration = duration;
+        settings.ask_for_priority = false;
+        settings.clock = &clock_;
+        HapticLoop loop(probe, settings);
+        loop.run({[&] { world_.collide(probe); },
+                  [&](double dt) {
+                      world_.step(dt);
+                      if (advanced)
+                      {
+                          advanced(dt);
+                      }
+                  }});
+        probe_ = nullptr;
+        return samples;
+    }
+
+    const OdeUse ode_;
+    ProbeWorld world_;
+    SimulatedClock clock_;
+    HapticProbe *probe_ = nullptr; ///< while it runs
+};
+
+inline std::string contact_test_name(const testing::TestParamInfo<std::tuple<bool, bool>> &parameters)
+{
+    return std::string(std::get<0>(parameters.param) ? "Proxy" : "Penalty") +
+           (std::get<1>(parameters.param) ? "InTwoThreads" : "InOneThread");
+}
+
+/// From one point to another in a time, at constant speed; the path begins and ends there.
+inline Vector3 between(const Vector3 &from, const Vector3 &to, double start, double length, double seconds)
+{
+    return from + std::clamp((seconds - start) / length, 0.0, 1.0) * (to - from);
+}
+} // namespace ode_predictive_space::haptics
+
+#endif
