@@ -148,7 +148,7 @@ TEST(SphereSlide, NeverPassesAnything)
         for (int run = 0; run < 200; ++run)
         {
             task.goal = run % 20 == 0 ? random.in_cube(0.1) : Vector3(task.goal + random.in_cube(0.01));
-            task.look = 0.005;
+            task.look = run % 2 == 0 ? 0.005 : 0.1;
             task.longest = run % 3 == 0 ? 1 : 0.002;
             const Vector3 before = places[0].at;
             slide.run(task, places);
