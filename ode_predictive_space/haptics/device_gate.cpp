@@ -1,7 +1,16 @@
 #include "ode_predictive_space/haptics/device_gate.h"
 
+#include <chrono>
+#include <thread>
+
 namespace ode_predictive_space::haptics
 {
+namespace
+{
+constexpr int most_attempts = 200;
+constexpr std::chrono::microseconds between_attempts(100);
+} // namespace
+
 class DeviceGate::Visit
 {
 public:
@@ -44,7 +53,8 @@ bool DeviceGate::write(const Wrench &wrench)
     const Visit visit(*this, User::servo);
     // Looked at inside: the guard closes the gate from inside, too.
     const bool is_zero = wrench.force.isZero(0) && wrench.torque.isZero(0);
-    if (!visit.entered() || (closed_.load(std::memory_order_relaxed) && !is_zero))
+    const bool closed = closed_.load(std::memory_order_relaxed) || shut_.load(std::memory_order_relaxed);
+    if (!visit.entered() || (closed && !is_zero))
     {
         return false;
     }
@@ -64,6 +74,29 @@ void DeviceGate::close_device() noexcept
 bool DeviceGate::notice_closing()
 {
     return closed_.exchange(false, std::memory_order_relaxed);
+}
+
+void DeviceGate::shut() noexcept
+{
+    shut_.store(true, std::memory_order_relaxed);
+    for (int attempt = 0; attempt < most_attempts; ++attempt)
+    {
+        const Visit visit(*this, User::guard);
+        if (!visit.entered())
+        {
+            std::this_thread::sleep_for(between_attempts);
+            continue;
+        }
+        try
+        {
+            device_.write(Wrench());
+        }
+        catch (...)
+        {
+            device_.close();
+        }
+        return;
+    }
 }
 
 DeviceGate::Outcome DeviceGate::close_with_zero(double now)

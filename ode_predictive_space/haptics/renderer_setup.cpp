@@ -1,5 +1,6 @@
 // How the hand's side of a probe is set up, and what the device can bear of what is asked for.
 
+#include "ode_predictive_space/haptics/open_gates.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/renderer.h"
 
@@ -52,8 +53,18 @@ Renderer::Opening::~Opening()
     }
 }
 
+Renderer::Registration::Registration(DeviceGate &gate) : gate_(gate)
+{
+    open_gates::add(gate_);
+}
+
+Renderer::Registration::~Registration()
+{
+    open_gates::remove(gate_);
+}
+
 Renderer::Renderer(Device &device, RenderSettings settings)
-    : gate_(device), opening_(device), settings_(std::move(settings)),
+    : gate_(device), opening_(device), registration_(gate_), settings_(std::move(settings)),
       law_(settings_.law ? settings_.law : usual_law(device.capabilities())), mapping_(settings_.placement),
       safety_(settings_.safety ? *settings_.safety : usual_limits(device.capabilities())), next_try_(never),
       last_state_time_(std::numeric_limits<double>::quiet_NaN()), last_answer_(never)

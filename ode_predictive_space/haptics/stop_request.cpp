@@ -11,7 +11,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr std::array<int, 3> watched_signals = {SIGINT, SIGTERM, SIGHUP};
+constexpr std::array<int, 4> watched_signals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 constexpr int nothing = -1;
 constexpr int without_signal = 0;
 

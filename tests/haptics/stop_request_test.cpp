@@ -32,7 +32,7 @@ private:
 
 TEST(StopRequest, SignalsThatEndAProgramAskForAStop)
 {
-    for (const int number : {SIGINT, SIGTERM, SIGHUP})
+    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
     {
         const StopRequest stop;
         EXPECT_FALSE(StopRequest::requested());

@@ -46,6 +46,9 @@ public:
     /// @param now s; on any clock.
     Outcome close_with_zero(double now);
 
+    /// When the program ends: no force, and none ever again. From any thread; it waits for one that is in the device, 20 ms at most.
+    void shut() noexcept;
+
     /// How often the guard took the force away.
     std::uint64_t zeros() const { return zeros_.load(std::memory_order_acquire); }
 
@@ -69,6 +72,7 @@ private:
     Device &device_;
     std::atomic<User> user_{User::none};
     std::atomic<bool> closed_{false};
+    std::atomic<bool> shut_{false}; ///< for good
     std::atomic<std::uint64_t> zeros_{0};
     std::atomic<double> last_zero_{0}; ///< s
 };

@@ -83,7 +83,7 @@ public:
     HapticLoop(const HapticLoop &) = delete;
     HapticLoop &operator=(const HapticLoop &) = delete;
 
-    /// Run until the duration is over, stop() is called, or StopRequest::requested(), which SIGINT, SIGTERM and SIGHUP do as
+    /// Run until the duration is over, stop() is called, or StopRequest::requested(), which SIGINT, SIGTERM, SIGHUP and SIGQUIT do as
     /// long as it runs: such a signal ends the loop and not the program (see StopRequest::signal()). Once.
     ///
     /// @return the report at the end.

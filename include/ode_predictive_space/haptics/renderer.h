@@ -169,8 +169,22 @@ private:
     void tell_once_a_second(Topic topic, NoticeKind kind, std::string_view sentence);
     void tell(NoticeKind kind, std::string_view sentence) const;
 
+    /// Known to what takes the force away when the program ends.
+    class Registration
+    {
+    public:
+        explicit Registration(DeviceGate &gate);
+        ~Registration();
+        Registration(const Registration &) = delete;
+        Registration &operator=(const Registration &) = delete;
+
+    private:
+        DeviceGate &gate_;
+    };
+
     DeviceGate gate_;
     Opening opening_;
+    Registration registration_;
     RenderSettings settings_;
     std::shared_ptr<ForceLaw> law_;
     WorkspaceMapping mapping_;

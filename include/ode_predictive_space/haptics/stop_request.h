@@ -5,7 +5,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// As long as one of these lives, SIGINT, SIGTERM and SIGHUP do not end the program but set a flag: the loop then takes the force
+/// As long as one of these lives, SIGINT, SIGTERM, SIGHUP and SIGQUIT do not end the program but set a flag: the loop then takes the force
 /// away and ends in good order. The last one that goes puts back the handlers that the first one found.
 ///
 /// A signal that was ignored before (nohup does that to SIGHUP) stays ignored. Signals that cannot be caught (SIGKILL) or after

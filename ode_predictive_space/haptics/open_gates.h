@@ -1,0 +1,22 @@
+// All devices that may have a force on them: for the ends of a program that no destructor sees.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_OPEN_GATES_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_OPEN_GATES_H
+
+#include "ode_predictive_space/haptics/device_gate.h"
+
+namespace ode_predictive_space::haptics
+{
+/// A gate is in here as long as its renderer lives. The first one installs what takes the force away at exit(), quick_exit() and
+/// std::terminate(), which an exception that is not caught calls. The program's terminate handler from before is called afterwards.
+namespace open_gates
+{
+void add(DeviceGate &gate);
+void remove(DeviceGate &gate) noexcept;
+
+/// No force, ever again. From any thread.
+void shut_all() noexcept;
+} // namespace open_gates
+} // namespace ode_predictive_space::haptics
+
+#endif
