@@ -19,7 +19,7 @@ void LoopParts::run_coupled(const SceneWork &work)
         guard->beat(now);
         servo.begin(now);
         probe.begin(first_time + static_cast<double>(tick) * period, now);
-        work.collide();
+        collide(work);
         probe.render(period);
         note_rendered(probe.last_tick());
         rendered.take();

@@ -183,7 +183,7 @@ void SceneLoop::step(double due)
     const ToolState &tool = tick.tool;
     sensor_.clear();
     parts_.probe.place(tick);
-    work_.collide();
+    parts_.collide(work_);
     servo_.contacts().draft().set(sensor_.touches(), !sensor_.saw_nonsense(), tool.position, due);
     servo_.contacts().publish();
     parts_.probe.renderer().physics_fresh(parts_.clock.now());

@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/loop.h"
 
 #include "ode_predictive_space/haptics/loop_parts.h"
+#include "ode_predictive_space/haptics/safe_collide.h"
 #include "ode_predictive_space/haptics/stop_request.h"
 
 #include <algorithm>
@@ -18,6 +19,10 @@ constexpr double overdue = 0.004;        // s; after the next one should have be
 
 LoopSettings checked(LoopSettings settings, HapticProbe &probe)
 {
+    if (probe.is_taken())
+    {
+        throw std::logic_error("Another haptic loop runs the probe");
+    }
     if (!settings.decoupled)
     {
         settings.physics_rate = settings.rate;
@@ -139,9 +144,47 @@ LoopParts::LoopParts(HapticProbe &haptic_probe, LoopSettings loop_settings)
       clock(settings.clock != nullptr ? *settings.clock : machine_clock)
 {}
 
+/// From the beginning of a run to its end: the probe is this loop's alone.
+class LoopParts::Turn
+{
+public:
+    explicit Turn(LoopParts &parts) : parts_(parts), run_(std::make_shared<ActiveRun>())
+    {
+        parts_.probe.take(run_);
+        const std::lock_guard<std::mutex> lock(parts_.run_mutex_);
+        parts_.run_ = run_;
+    }
+
+    ~Turn()
+    {
+        parts_.probe.give_back();
+        run_->end();
+    }
+
+    Turn(const Turn &) = delete;
+    Turn &operator=(const Turn &) = delete;
+
+private:
+    LoopParts &parts_;
+    std::shared_ptr<ActiveRun> run_;
+};
+
+LoopParts::~LoopParts()
+{
+    std::shared_ptr<ActiveRun> run;
+    {
+        const std::lock_guard<std::mutex> lock(run_mutex_);
+        run = run_;
+    }
+    if (run)
+    {
+        run->end_and_wait("a haptic loop");
+    }
+}
+
 bool LoopParts::is_told_to_stop() const
 {
-    return stopped.load(std::memory_order_relaxed) || StopRequest::requested();
+    return stopped.load(std::memory_order_relaxed) || run_->is_told_to_stop() || StopRequest::requested();
 }
 
 bool LoopParts::must_end() const
@@ -177,16 +220,35 @@ void LoopParts::note_rendered(const RenderedTick &tick)
     saturated.store(saturated + (tick.saturated ? 1 : 0), std::memory_order_relaxed);
 }
 
-void LoopParts::run(const SceneWork &work)
+LoopReport LoopParts::run(const SceneWork &work)
 {
     if (guard)
     {
         throw std::logic_error("A haptic loop runs once");
     }
+    const Turn turn(*this);
     run_watched(work);
     if (guard->sink_failed())
     {
         std::rethrow_exception(guard->sink_error());
+    }
+    return report();
+}
+
+/// An exception that comes through ODE's own dSpaceCollide() leaves the space locked: then nothing in it may be moved or destroyed.
+void LoopParts::collide(const SceneWork &work)
+{
+    try
+    {
+        work.collide();
+    }
+    catch (...)
+    {
+        if (probe.sensor() != nullptr && !is_from_safe_collide(std::current_exception()))
+        {
+            probe.sensor()->abandon_locked_space();
+        }
+        throw;
     }
 }
 
@@ -250,8 +312,7 @@ HapticLoop::~HapticLoop() = default;
 
 LoopReport HapticLoop::run(const SceneWork &work)
 {
-    parts_->run(work);
-    return parts_->report();
+    return parts_->run(work);
 }
 
 void HapticLoop::stop()

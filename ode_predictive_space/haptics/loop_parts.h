@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_PARTS_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_PARTS_H
 
+#include "ode_predictive_space/haptics/active_run.h"
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/loop_guard.h"
 #include "ode_predictive_space/haptics/scheduling.h"
@@ -55,8 +56,16 @@ public:
     /// @throws std::invalid_argument as HapticLoop does.
     LoopParts(HapticProbe &haptic_probe, LoopSettings loop_settings);
 
-    void run(const SceneWork &work);
+    ~LoopParts();
+    LoopParts(const LoopParts &) = delete;
+    LoopParts &operator=(const LoopParts &) = delete;
+
+    /// What it returns is the last that it touches: the loop may be destroyed then, by another thread.
+    LoopReport run(const SceneWork &work);
     LoopReport report() const;
+
+    /// The program's part of a tick.
+    void collide(const SceneWork &work);
 
     /// Whether somebody wants the loop to end. From any thread.
     bool is_told_to_stop() const;
@@ -87,12 +96,16 @@ public:
 
 private:
     class Watch;
+    class Turn;
 
     void run_watched(const SceneWork &work);
     void run_coupled(const SceneWork &work);   ///< in one thread
     void run_decoupled(const SceneWork &work); ///< in two
     std::function<void()> priority_request(bool above_servo);
     double stall_after() const;
+
+    mutable std::mutex run_mutex_; ///< of the one below
+    std::shared_ptr<ActiveRun> run_;
 };
 } // namespace ode_predictive_space::haptics
 

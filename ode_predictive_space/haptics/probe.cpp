@@ -1,10 +1,13 @@
 #include "ode_predictive_space/haptics/probe.h"
 
+#include "ode_predictive_space/haptics/active_run.h"
+
 #include <algorithm>
 #include <array>
 #include <ode/collision_space.h>
 #include <ode_predictive_space/predictive_space.h>
 #include <stdexcept>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -30,7 +33,40 @@ HapticProbe::HapticProbe(Device &device, dBodyID tool, const CouplingProperties 
     }
 }
 
-HapticProbe::~HapticProbe() = default;
+HapticProbe::~HapticProbe()
+{
+    std::shared_ptr<ActiveRun> run;
+    {
+        const std::lock_guard<std::mutex> lock(run_mutex_);
+        run = run_;
+    }
+    if (run)
+    {
+        run->end_and_wait("a haptic probe");
+    }
+}
+
+void HapticProbe::take(std::shared_ptr<ActiveRun> run)
+{
+    const std::lock_guard<std::mutex> lock(run_mutex_);
+    if (run_)
+    {
+        throw std::logic_error("Another haptic loop runs the probe");
+    }
+    run_ = std::move(run);
+}
+
+void HapticProbe::give_back() noexcept
+{
+    const std::lock_guard<std::mutex> lock(run_mutex_);
+    run_.reset();
+}
+
+bool HapticProbe::is_taken() const
+{
+    const std::lock_guard<std::mutex> lock(run_mutex_);
+    return run_ != nullptr;
+}
 
 void HapticProbe::begin(double time, double clock_time)
 {

@@ -79,8 +79,24 @@ TouchSensor::~TouchSensor()
 {
     if (own_)
     {
-        dGeomDestroy(geom_);
+        if (!abandoned_)
+        {
+            dGeomDestroy(geom_);
+        }
         dGeomDestroy(tool_);
+    }
+}
+
+void TouchSensor::abandon_locked_space()
+{
+    for (dSpaceID space = dGeomGetSpace(geom_); space != nullptr;
+         space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
+    {
+        abandoned_ = abandoned_ || dSpaceIsPredictive(space) == 0;
+    }
+    if (abandoned_)
+    {
+        dGeomDisable(geom_);
     }
 }
 
@@ -102,7 +118,10 @@ void TouchSensor::set_margin(double margin)
         margin_ = margin;
         tracker_->set_margin(margin);
         dGeomSphereSetRadius(tool_, static_cast<dReal>(radius_ + margin_));
-        dGeomSphereSetRadius(geom_, static_cast<dReal>(radius_ + margin_));
+        if (!abandoned_)
+        {
+            dGeomSphereSetRadius(geom_, static_cast<dReal>(radius_ + margin_));
+        }
     }
 }
 
@@ -146,6 +165,10 @@ void TouchSensor::clear()
 
 void TouchSensor::pose(const ToolState &tool)
 {
+    if (abandoned_)
+    {
+        return;
+    }
     if (own_)
     {
         position_ = tool.position;

@@ -77,8 +77,11 @@ class HapticLoop
 public:
     /// @param probe is not owned. As long as run() runs, the program may use it in its collide() and advance(); of a decoupled loop
     ///        only touch(), touches() and encounters(), as the rest belongs to the servo: see latest().
-    /// @throws std::invalid_argument for a rate that is not above 0, and for a decoupled loop with a tool body.
+    /// @throws std::invalid_argument for a rate that is not above 0, and for a decoupled loop with a tool body; std::logic_error when
+    ///         another loop runs the probe.
     HapticLoop(HapticProbe &probe, LoopSettings settings);
+
+    /// As HapticProbe's: a run in another thread is ended and waited for.
     ~HapticLoop();
     HapticLoop(const HapticLoop &) = delete;
     HapticLoop &operator=(const HapticLoop &) = delete;
@@ -87,7 +90,7 @@ public:
     /// long as it runs: such a signal ends the loop and not the program (see StopRequest::signal()). Once.
     ///
     /// @return the report at the end.
-    /// @throws what the program's callbacks throw, the sink of notices among them, or the force law, after the force has been taken away.
+    /// @throws std::logic_error when it has run, or another loop runs the probe; what the program's callbacks throw, the sink of notices among them, or the force law, after the force has been taken away.
     LoopReport run(const SceneWork &work);
 
     /// From any thread.

@@ -8,10 +8,13 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace ode_predictive_space::haptics
 {
+class ActiveRun;
+
 /// Something that the probe can meet soon, by the space's prediction.
 struct Encounter
 {
@@ -38,7 +41,9 @@ struct Encounter
 /// interactive role.
 ///
 /// All from one thread, but where it says otherwise. Errors of the device end with zero force and a notice, never with an
-/// exception. Destroy the probe before its world, its space, its geom, its tool and its device.
+/// exception. Destroy the probe before its world, its space, its geom, its tool and its device, and after its loop has ended. A probe
+/// that is destroyed while a loop of another thread runs it ends that loop and waits for it; in its own loop's callbacks this
+/// cannot be, and the program is terminated, without force and with a message.
 class HapticProbe
 {
 public:
@@ -110,10 +115,19 @@ public:
     Renderer &renderer() { return renderer_; }
     TouchSensor *sensor() { return sensor_.get(); }
 
+    /// For the same: a loop takes the probe, and gives it back. From any thread.
+    ///
+    /// @throws std::logic_error when another loop runs it.
+    void take(std::shared_ptr<ActiveRun> run);
+    void give_back() noexcept;
+    bool is_taken() const;
+
     /// For the same: the sensor's geom goes to the tool. Not with a tool body.
     void place(const RenderedTick &tick);
 
 private:
+    mutable std::mutex run_mutex_; ///< of the one below
+    std::shared_ptr<ActiveRun> run_;
     Renderer renderer_;
     std::unique_ptr<TouchSensor> sensor_;
     dBodyID tool_body_ = nullptr;

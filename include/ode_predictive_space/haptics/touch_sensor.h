@@ -72,6 +72,10 @@ public:
     /// The tool was put somewhere else, and nothing lies between: what is entered from now on is entered from there.
     void forget_sides();
 
+    /// An exception came through dSpaceCollide(), and the geom is in one of ODE's own spaces, which is locked for good then. The geom is
+    /// not touched any more: it is disabled, and stays in its space when the sensor goes. In predictive spaces there is nothing to do.
+    void abandon_locked_space();
+
     /// Forget the touches.
     void clear();
 
@@ -108,9 +112,10 @@ private:
     dGeomID geom_;
     dGeomID tool_ = nullptr; ///< of the own sphere: in no space, of the tool's place and size, for dCollide()
     bool own_;
-    bool turns_ = true; ///< whether the orientation matters
-    double radius_ = 0; ///< m; of the own sphere, without the margin
-    double margin_ = 0; ///< m
+    bool abandoned_ = false; ///< nothing may be done to geom_
+    bool turns_ = true;      ///< whether the orientation matters
+    double radius_ = 0;      ///< m; of the own sphere, without the margin
+    double margin_ = 0;      ///< m
     bool posed_ = false;
     Vector3 position_ = Vector3::Zero();
     Quaternion orientation_ = Quaternion::Identity();
