@@ -53,6 +53,14 @@ void BodyWatch::keep(dBodyID body)
     watched_.push_back({object, group, joint, 0});
 }
 
+bool BodyWatch::has(dBodyID body) const
+{
+    const auto object = reinterpret_cast<std::uintptr_t>(body);
+    return std::any_of(watched_.begin(), watched_.end(), [&](const Watched &watched) {
+        return watched.object == object && dJointGetBody(watched.joint, 0) != nullptr;
+    });
+}
+
 bool BodyWatch::push(std::uintptr_t object, const Vector3 &force, const Vector3 &point)
 {
     const Watched *known = find(object);

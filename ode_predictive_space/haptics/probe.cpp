@@ -31,6 +31,7 @@ HapticProbe::HapticProbe(Device &device, dBodyID tool, const CouplingProperties 
     {
         throw std::invalid_argument("The virtual coupling needs a body to hold");
     }
+    tool_watch_.keep(tool);
 }
 
 HapticProbe::~HapticProbe()
@@ -105,8 +106,26 @@ void HapticProbe::render(double dt)
     }
     else
     {
-        add_wrench(tool_body_, renderer_.render(coupling_, tool_state_of(tool_body_), dt));
+        render_tool_body(dt);
     }
+}
+
+void HapticProbe::render_tool_body(double dt)
+{
+    if (tool_body_ != nullptr && !tool_watch_.has(tool_body_))
+    {
+        tool_body_ = nullptr;
+        if (const NoticeSink &sink = renderer_.notice_sink())
+        {
+            sink(Notice(NoticeKind::contact, last_tick().time, "No force: the tool's body was destroyed."));
+        }
+    }
+    if (tool_body_ == nullptr)
+    {
+        renderer_.render({}, true, dt);
+        return;
+    }
+    add_wrench(tool_body_, renderer_.render(coupling_, tool_state_of(tool_body_), dt));
 }
 
 const std::vector<Encounter> &HapticProbe::encounters()

@@ -39,6 +39,34 @@ TEST_F(HapticProbeTest, WhatTheHandGetsTheToolLoses)
     EXPECT_LE((impulse + momentum_of(tool)).norm(), 1e-9 * impulse.norm());
 }
 
+TEST_F(HapticProbeTest, AToolBodyThatIsGoneEndsWithZeroForceAndANotice)
+{
+    for (const bool with_its_world : {false, true})
+    {
+        ProbeWorld world;
+        const dWorldID own_world = dWorldCreate();
+        const dBodyID tool = dBodyCreate(own_world);
+        dBodySetKinematic(tool);
+        NoticeList notices;
+        ScriptedDevice device(reach({0, 0, 0}, {0.004, 0, 0}));
+        HapticProbe probe(device, tool, CouplingProperties(), with_stiffness(500, notices.sink()));
+        world.run(probe, reach_ticks);
+        EXPECT_LT(device.last_wrench().force.x(), -1);
+        dBodyDestroy(tool);
+        if (with_its_world)
+        {
+            dWorldDestroy(own_world);
+        }
+        world.run(probe, 10);
+        EXPECT_TRUE(device.last_wrench().force.isZero(0));
+        EXPECT_EQ(notices.count(NoticeKind::contact), 1) << notices.text(NoticeKind::contact);
+        if (!with_its_world)
+        {
+            dWorldDestroy(own_world);
+        }
+    }
+}
+
 // --- Prediction -----------------------------------------------------------------------------------------------------------
 
 TEST_F(HapticProbeTest, TellsWhatItWillMeetAndWhen)

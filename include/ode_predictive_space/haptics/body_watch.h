@@ -28,6 +28,9 @@ public:
     /// The body is touched now. Not while its world is stepped.
     void keep(dBodyID body);
 
+    /// Whether this body was kept and is still there.
+    bool has(dBodyID body) const;
+
     /// Add a force at a point, both in the world's frame. A disabled body is enabled by it.
     ///
     /// @param object the body's address, as Touch::object has it.

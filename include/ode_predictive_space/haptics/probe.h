@@ -59,7 +59,8 @@ public:
     HapticProbe(Device &device, dGeomID geom, RenderSettings settings = {});
 
     /// The probe is a dynamic body of the program, which a virtual coupling holds to the device. It touches things as any body
-    /// does, by contact joints that the program makes: touch() has nothing to do. The body is not owned.
+    /// does, by contact joints that the program makes: touch() has nothing to do. The body is not owned; when it is destroyed, or its
+    /// world, there is no force any more, and a notice.
     HapticProbe(Device &device, dBodyID tool, const CouplingProperties &coupling, RenderSettings settings = {});
 
     ~HapticProbe();
@@ -126,11 +127,14 @@ public:
     void place(const RenderedTick &tick);
 
 private:
+    void render_tool_body(double dt);
+
     mutable std::mutex run_mutex_; ///< of the one below
     std::shared_ptr<ActiveRun> run_;
     Renderer renderer_;
     std::unique_ptr<TouchSensor> sensor_;
     dBodyID tool_body_ = nullptr;
+    BodyWatch tool_watch_; ///< has the tool's body as long as there is one
     VirtualCoupling coupling_;
     double tick_length_ = 0; ///< s
     int tool_jumps_ = 0;     ///< as RenderedTick has it
