@@ -1,6 +1,9 @@
 // Contact that holds: a sphere that is pressed deep into thin, sharp, fast and moving things. Both laws, both loops.
 
+#include "ode_predictive_space/haptics/contact/mesh_tree.h"
 #include "tests/haptics/contact_fixture.h"
+
+#include <algorithm>
 
 namespace ode_predictive_space::haptics
 {
@@ -284,6 +287,73 @@ TEST_P(HeldContactTest, AHoleThatIsTooSmallCarriesTheProbeByItsRim)
             << samples.back().wished.transpose();
     }
     EXPECT_GT(samples.back().wished.z(), 0.9 * k * (resting + 0.02)) << "it never falls through";
+}
+
+/// A sheet of waves, and its triangles.
+MeshShape waves(double height)
+{
+    MeshShape shape = sheet_mesh(0.5, 150);
+    for (Vector3 &vertex : shape.vertices)
+    {
+        vertex.z() = height * std::sin(150 * vertex.x()) * std::cos(120 * vertex.y());
+    }
+    return shape;
+}
+
+/// At 0.5 m/s, at a height.
+ScriptedDevice::Path over_the_waves(double height)
+{
+    return [height](double t) {
+        const double x = t < 0.5 ? -0.2 : -0.2 + 0.5 * (t - 0.5);
+        const double down = std::clamp((t - 0.1) / 0.3, 0.0, 1.0);
+        return Vector3(x, 0.013 + 0.05 * std::sin(20 * (x + 0.2)), 0.03 + down * (height - 0.03));
+    };
+}
+
+TEST_P(HeldContactTest, WavesAreFeltAsTheyAre)
+{
+    const MeshShape shape = waves(0.001);
+    const OdeMesh mesh(shape);
+    mesh.add_to(world_.space);
+    std::vector<TriangleCorners> triangles;
+    for (const auto &indices : shape.triangles)
+    {
+        triangles.push_back({shape.vertices[indices[0]], shape.vertices[indices[1]], shape.vertices[indices[2]]});
+    }
+    const MeshTree tree(triangles);
+    const auto samples = run(over_the_waves(0.005), 1.2);
+    for (const Sample &sample : samples)
+    {
+        SurfaceFeatures features;
+        if (sample.time < 0.45)
+        {
+            continue;
+        }
+        const double distance = tree.collect(sample.tool, r, features); // no valley is as narrow as the probe
+        const auto nearest =
+            std::min_element(features.begin(), features.end(),
+                             [](const SurfaceFeature &a, const SurfaceFeature &b) { return a.distance < b.distance; });
+        ASSERT_NE(nearest, features.end());
+        const Vector3 truth = k * (r - distance) * nearest->normal;
+        ASSERT_NEAR(sample.wished.norm(), truth.norm(), (decoupled() ? 0.02 : 0.01) * truth.norm()) << sample.time;
+        // Two faces that form a valley of up to 4 degrees push together; the nearest of them is one.
+        ASSERT_LE((sample.wished - truth).norm(), (decoupled() ? 0.1 : 0.07) * truth.norm())
+            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
+    }
+}
+
+TEST_P(HeldContactTest, DeepBelowWavesNothingIsLost)
+{
+    const OdeMesh mesh(waves(0.004));
+    mesh.add_to(world_.space);
+    const auto samples = run(over_the_waves(-0.04), 1.2);
+    for (const Sample &sample : samples)
+    {
+        if (sample.time > 0.45)
+        {
+            ASSERT_GT(sample.wished.z(), 0.7 * k * 0.05) << sample.time << ": " << sample.wished.transpose();
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, HeldContactTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);

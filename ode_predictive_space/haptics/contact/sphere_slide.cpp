@@ -105,11 +105,12 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
         left -= part * longest;
         if (part * longest <= arrived * task.radius)
         {
+            look = shortest_look * task.radius;
             break;
         }
         look *= part < 1 ? 2 : 1;
     }
-    gather(task, std::max(task.margin, shortest_look * task.radius), places);
+    gather(task, std::max(task.margin, look), places); // on its way still, it is carried by what it goes to
     const bool common = find_target(task.goal);
     for (std::size_t i = 0; i < planes_.size(); ++i)
     {

@@ -1,0 +1,144 @@
+// Sides that are kept: a tool that goes where it likes, and plates that move, turn and close in on it.
+
+#include "ode_predictive_space/haptics/contact/contact_tracker.h"
+
+#include "tests/haptics/mesh_maker.h"
+#include "tests/haptics/probe_world.h"
+#include "tests/haptics/random_numbers.h"
+
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double r = 0.01;      // m
+constexpr double dt = 0.001;    // s
+constexpr double width = 2;     // m; of a plate: the tool never comes to its rim
+constexpr double thick = 0.001; // m
+
+/// A plate whose top is its frame's plane z = 0.
+class Plate
+{
+public:
+    Plate(ProbeWorld &world, bool as_mesh)
+        : body(world.add_body({0, 0, 0}, 1)),
+          mesh_(box_mesh({-width / 2, -width / 2, -thick}, {width / 2, width / 2, 0}))
+    {
+        dBodySetKinematic(body);
+        geom = as_mesh ? mesh_.add_to(world.space) : dCreateBox(world.space, width, width, thick);
+        dGeomSetBody(geom, body);
+        if (!as_mesh)
+        {
+            dGeomSetOffsetPosition(geom, 0, 0, -thick / 2);
+        }
+    }
+    ~Plate() { dGeomDestroy(geom); }
+    Plate(const Plate &) = delete;
+    Plate &operator=(const Plate &) = delete;
+
+    Vector3 to_local(const Vector3 &point) const
+    {
+        dVector3 local;
+        dBodyGetPosRelPoint(body, point.x(), point.y(), point.z(), local);
+        return {local[0], local[1], local[2]};
+    }
+
+    Vector3 direction_to_local(const Vector3 &direction) const
+    {
+        dVector3 local;
+        dBodyVectorFromWorld(body, direction.x(), direction.y(), direction.z(), local);
+        return {local[0], local[1], local[2]};
+    }
+
+    const dBodyID body;
+    dGeomID geom = nullptr;
+
+private:
+    OdeMesh mesh_;
+};
+
+class ContactTrackerTest : public testing::TestWithParam<bool>
+{
+protected:
+    /// One tick's look, at all plates. @return what is touched.
+    const std::vector<Touch> &look(const Vector3 &tool, const std::vector<const Plate *> &plates)
+    {
+        tracker_.begin();
+        tracker_.aim(tool);
+        for (const Plate *plate : plates)
+        {
+            tracker_.add(*NearbyGeom::read(plate->geom, meshes_, {}));
+        }
+        tracker_.follow();
+        touches_.clear();
+        tracker_.touches(TouchView::all_together, touches_);
+        return touches_;
+    }
+
+    const OdeUse ode_;
+    ProbeWorld world_;
+    MeshStore meshes_;
+    ContactTracker tracker_{r};
+    std::vector<Touch> touches_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Plates, ContactTrackerTest, testing::Bool(),
+                         [](const auto &info) { return info.param ? "Meshes" : "Boxes"; });
+
+TEST_P(ContactTrackerTest, AThinPlateThatMovesAndTurnsIsNeverPassed)
+{
+    const Plate plate(world_, GetParam());
+    RandomNumbers random(1);
+    Vector3 tool(0, 0, 0.05);
+    int behind = 0;
+    for (int tick = 0; tick < 20000; ++tick)
+    {
+        if (tick % 100 == 0)
+        {
+            const dReal *place = dBodyGetPosition(plate.body);
+            const Vector3 velocity = random.in_cube(1) - 2 * Vector3(place[0], place[1], place[2]);
+            const Vector3 spin = random.in_cube(3);
+            dBodySetLinearVel(plate.body, velocity.x(), velocity.y(), velocity.z());
+            dBodySetAngularVel(plate.body, spin.x(), spin.y(), spin.z());
+        }
+        tool += random.in_cube(tick % 50 == 0 ? 0.03 : 0.001) - 0.001 * tool;
+        const auto &touches = look(tool, {&plate});
+        ASSERT_GE(plate.to_local(tracker_.proxy()).z(), 0.999 * r) << tick;
+        for (const Touch &touch : touches)
+        {
+            ASSERT_GT(plate.direction_to_local(touch.normal).z(), 0.999) << tick;
+        }
+        behind += plate.to_local(tool).z() < -r ? 1 : 0;
+        world_.step(dt);
+    }
+    EXPECT_GT(behind, 1000);
+}
+
+TEST_P(ContactTrackerTest, WhatIsSqueezedBetweenPlatesKeepsItsSideOfEach)
+{
+    const Plate below(world_, GetParam());
+    const Plate above(world_, GetParam());
+    const dQuaternion turned = {0, 1, 0, 0}; // its top looks down
+    dBodySetQuaternion(above.body, turned);
+    for (int tick = 0; tick < 2000; ++tick)
+    {
+        // The gap closes from 10 cm to 4 mm, which is less than the probe, and opens again.
+        const double gap = 0.052 + 0.048 * std::cos(tick * 2 * M_PI / 2000);
+        dBodySetPosition(below.body, 0, 0, -gap / 2);
+        dBodySetPosition(above.body, 0, 0, gap / 2);
+        const Vector3 tool(0.0002 * tick, 0, 0.03 * std::sin(0.05 * tick));
+        for (const Touch &touch : look(tool, {&below, &above}))
+        {
+            const Plate &plate = touch.object == object_of(below.geom) ? below : above;
+            ASSERT_GT(plate.direction_to_local(touch.normal).z(), 0.999) << tick;
+        }
+        if (gap > 2.1 * r)
+        {
+            ASSERT_GE(below.to_local(tracker_.proxy()).z(), 0.999 * r) << tick;
+            ASSERT_GE(above.to_local(tracker_.proxy()).z(), 0.999 * r) << tick;
+        }
+    }
+}
+} // namespace
+} // namespace ode_predictive_space::haptics
