@@ -227,6 +227,10 @@ LoopReport LoopParts::run(const SceneWork &work)
         throw std::logic_error("A haptic loop runs once");
     }
     const Turn turn(*this);
+    if (probe.sensor() != nullptr)
+    {
+        probe.sensor()->prepare_all();
+    }
     run_watched(work);
     if (guard->sink_failed())
     {

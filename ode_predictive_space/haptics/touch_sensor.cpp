@@ -133,6 +133,37 @@ void TouchSensor::prepare(dGeomID mesh)
     }
 }
 
+void TouchSensor::prepare_all()
+{
+    dSpaceID outermost = nullptr;
+    for (dSpaceID space = dGeomGetSpace(geom_); space != nullptr;
+         space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
+    {
+        outermost = space;
+    }
+    if (own_ && outermost != nullptr)
+    {
+        prepare_space(outermost);
+    }
+}
+
+void TouchSensor::prepare_space(dSpaceID space)
+{
+    const int count = dSpaceGetNumGeoms(space);
+    for (int i = 0; i < count; ++i)
+    {
+        const dGeomID geom = dSpaceGetGeom(space, i);
+        if (dGeomIsSpace(geom) != 0)
+        {
+            prepare_space(reinterpret_cast<dSpaceID>(geom));
+        }
+        else
+        {
+            prepare(geom);
+        }
+    }
+}
+
 void TouchSensor::forget_mesh(dTriMeshDataID data)
 {
     if (own_)

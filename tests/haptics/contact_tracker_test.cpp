@@ -115,6 +115,19 @@ TEST_P(ContactTrackerTest, AThinPlateThatMovesAndTurnsIsNeverPassed)
     EXPECT_GT(behind, 1000);
 }
 
+TEST_P(ContactTrackerTest, APlateThatGoesFartherThanARadiusInATickTakesTheProxyAlong)
+{
+    const Plate plate(world_, GetParam());
+    for (int tick = 0; tick < 12; ++tick)
+    {
+        dBodySetPosition(plate.body, 0, 0, -0.06 + 0.015 * tick);
+        look({0, 0, 0}, {&plate});
+        ASSERT_GE(plate.to_local(tracker_.proxy()).z(), 0.999 * r) << tick;
+    }
+    ASSERT_EQ(touches_.size(), 1U);
+    EXPECT_NEAR(touches_[0].depth, 0.105 + r, 1e-9);
+}
+
 TEST_P(ContactTrackerTest, WhatIsSqueezedBetweenPlatesKeepsItsSideOfEach)
 {
     const Plate below(world_, GetParam());

@@ -202,6 +202,43 @@ TEST(SphereSlide, EndsWhereNoShortStepLeadsNearerToTheGoal)
     dGeomDestroy(geom);
 }
 
+TEST(MeshStore, GeomsOfTheSameDataShareATreeUntilItsTrianglesChange)
+{
+    const OdeUse ode;
+    OdeMesh mesh(sheet_mesh(0.1, 4));
+    const OdeMesh other(sheet_mesh(0.1, 4));
+    const dGeomID geom = mesh.add_to(nullptr);
+    const dGeomID twin = mesh.add_to(nullptr);
+    dGeomSetPosition(twin, 100, 20, 3);
+    dMatrix3 turned;
+    dRFromAxisAndAngle(turned, 1, 2, 3, 1);
+    dGeomSetRotation(twin, turned);
+    MeshStore store;
+    const auto tree = store.tree_of(geom, {});
+    for (int i = 0; i < 20; ++i)
+    {
+        EXPECT_EQ(store.tree_of(twin, {}), tree);
+    }
+    EXPECT_EQ(store.count(), 1U);
+    dGeomTriMeshSetData(twin, other.data());
+    EXPECT_NE(store.tree_of(twin, {}), tree);
+    EXPECT_EQ(store.tree_of(geom, {}), tree);
+
+    MeshShape moved = sheet_mesh(0.1, 4);
+    moved.vertices[0].z() += 0.001; // of the first triangle and the second
+    mesh.set(moved);
+    dGeomTriMeshSetData(geom, mesh.data());
+    TriangleList touched;
+    touched.add(0);
+    EXPECT_NE(store.tree_of(geom, touched), tree) << "at once, if it is touched";
+    const auto changed = store.tree_of(geom, {});
+    EXPECT_EQ(store.tree_of(geom, touched), changed);
+    store.forget(mesh.data());
+    EXPECT_NE(store.tree_of(geom, {}), changed);
+    dGeomDestroy(geom);
+    dGeomDestroy(twin);
+}
+
 TEST(Solid, InsideAndOutsideAreTold)
 {
     const OdeUse ode;

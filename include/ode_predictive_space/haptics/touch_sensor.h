@@ -65,6 +65,10 @@ public:
     /// Read a mesh now rather than when the probe first comes near it: a hundred thousand triangles take some 0.1 s.
     void prepare(dGeomID mesh);
 
+    /// The same for all meshes that there are in the sensor's space, in those within it, and in those that it is in. Loops do this before
+    /// they begin.
+    void prepare_all();
+
     /// The triangles behind this id have changed in place. They are compared from tick to tick, too: those that are touched at once, the
     /// others in turn, eight at a time.
     void forget_mesh(dTriMeshDataID data);
@@ -101,6 +105,7 @@ public:
 
 private:
     void become_interactive();
+    void prepare_space(dSpaceID space);
     void look_around();
     bool hold(dGeomID other);
     void collide(dGeomID other);

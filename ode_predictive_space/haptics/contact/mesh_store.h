@@ -38,6 +38,8 @@ public:
     /// Make the tree anew when it is needed next.
     void forget(dTriMeshDataID data);
 
+    std::size_t count() const { return entries_.size(); }
+
 private:
     struct Entry
     {
