@@ -201,6 +201,26 @@ TEST_P(HeldContactTest, AMeshThatMovesAndTurnsHoldsOnItsWay)
     EXPECT_GT(compared, 100);
 }
 
+TEST(HeldContact, HoldsInAnySpaceAndInASpaceWithinIt)
+{
+    const OdeUse ode;
+    for (const SpaceChoice choice : all_space_choices)
+    {
+        for (const bool nested : {false, true})
+        {
+            ProbeWorld world(choice);
+            const OdeMesh mesh(sheet_mesh(0.4, 8));
+            mesh.add_to(nested ? make_space(choice, world.space) : world.space);
+            ScriptedDevice device([](double t) {
+                return between({0.01, 0.02, 0.03}, {0.01, 0.02, -4 * r}, 0.1, 0.5, t);
+            });
+            HapticProbe probe(device, world.space, r, RenderSettings());
+            world.run(probe, 700);
+            EXPECT_NEAR(probe.last_tick().wished.z(), 5 * r * 500, 1e-9) << static_cast<int>(choice) << ' ' << nested;
+        }
+    }
+}
+
 /// Triangles turned over, there twice, without area, in a sheet of cells of 1 cm.
 MeshShape untidy_sheet()
 {

@@ -16,7 +16,7 @@ Eigen::Matrix3d rotation_from_ode(const dReal *r)
     Eigen::Matrix3d rotation;
     for (int row = 0; row < 3; ++row)
     {
-        rotation.row(row) = from_ode(r + 4 * row);
+        rotation.row(row) = from_ode(r + std::ptrdiff_t{4} * row);
     }
     return rotation;
 }
