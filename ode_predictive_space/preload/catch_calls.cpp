@@ -244,7 +244,7 @@ __attribute__((constructor)) void look_at_program()
         say("%s has ODE built in, where its calls cannot be caught; it keeps its own spaces", program_invocation_name);
 }
 
-// Who asks what was done is told why nothing was.
+// A question for statistics gets the reason why there are none.
 __attribute__((destructor)) void tell_when_nothing_was_caught()
 {
     if (!callers && (is_asked_for("ODE_PREDICTIVE_STATS") || is_asked_for("ODE_PREDICTIVE_COMPARE")) &&

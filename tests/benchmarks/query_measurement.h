@@ -40,7 +40,7 @@ struct QueryResult
     QuerySeries rays{};
 };
 
-/// The scene "query" in these spaces, by turns: in each tick dSpaceCollide2(probe, space) for 20 spheres, then for 20 rays.
+/// The scene "query" in these spaces, which alternate: in each tick dSpaceCollide2(probe, space) for 20 spheres, then for 20 rays.
 ///
 /// @param progress called now and then with the number of ticks done.
 std::vector<QueryResult> measure_queries(const QuerySettings &settings, const std::function<void(int)> &progress = {});

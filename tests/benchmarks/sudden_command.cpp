@@ -128,8 +128,8 @@ private:
         {
             keep_explosions(result, 9);
         }
-        comparison.spec.name = "dearest of ten ticks from an explosion on";
-        show("dearest of ten ticks from an explosion on", size, comparison, findings);
+        comparison.spec.name = "slowest of ten ticks from an explosion on";
+        show("slowest of ten ticks from an explosion on", size, comparison, findings);
     }
 
     static void measure_first_tick(const Size &size, const Options &options, Findings &findings)
