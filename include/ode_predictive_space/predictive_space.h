@@ -41,8 +41,13 @@ enum
 {
     dPredictiveProximityBox = 0, /**< always: the same pairs as dSimpleSpace (default) */
     dPredictiveProximitySphere =
-        1 /**< when the bounding spheres overlap too, and for a ray in dSpaceCollide2() when it passes through the box:
-               never a contact less, fewer useless calls */
+        1, /**< when the bounding spheres overlap too, and for a ray in dSpaceCollide2() when it passes through the box:
+                never a contact less, fewer useless calls */
+    dPredictiveProximityShape =
+        2 /**< when the shapes of spheres, boxes, capsules, cylinders and planes may touch; of other classes, and of cylinders
+               beside boxes, capsules or cylinders, when the boxes overlap. Never a contact less than dCollide() finds with ODE's
+               own colliders, hardly a useless call. For dSpaceCollide() only: dSpaceCollide2() and inquiries go by boxes.
+               Not for programs that replace colliders with dSetColliderOverride(). */
 };
 
 /** How the motion of a geom is estimated. */
@@ -83,6 +88,9 @@ typedef struct dPredictiveSpaceCounters
     unsigned long unchanged; /**< notices of a geom whose pose and sizes were those of its last notice. They count as no
                                   move in any respect, and time does not pass for them. Spheres, boxes, capsules and
                                   cylinders only: the data of other classes may have changed without a sign. */
+    unsigned long postponed; /**< pairs whose boxes may overlap and that are now not tested, because their shapes cannot
+                                  touch yet; see dPredictiveProximityShape */
+    unsigned long looks;     /**< how often the gap between two shapes was looked for */
 } dPredictiveSpaceCounters;
 
 /**
@@ -102,11 +110,23 @@ ODE_PREDICTIVE_API dSpaceID dPredictiveSpaceCreate(dSpaceID parent);
  */
 ODE_PREDICTIVE_API int dSpaceIsPredictive(dSpaceID space);
 
-/** Set the test of proximity: dPredictiveProximityBox or dPredictiveProximitySphere. */
+/** Set the test of proximity: dPredictiveProximityBox, dPredictiveProximitySphere or dPredictiveProximityShape. */
 ODE_PREDICTIVE_API void dPredictiveSpaceSetProximity(dSpaceID space, int proximity);
 
 /** @return the test of proximity. */
 ODE_PREDICTIVE_API int dPredictiveSpaceGetProximity(dSpaceID space);
+
+/**
+ * Set up to which distance two shapes may touch, for dPredictiveProximityShape: for programs that act before there are contacts.
+ * A thousandth of the smaller of the two sizes is added in any case, because ODE's colliders are not exact. Pairs whose
+ * bounding boxes are apart are not reported whatever the margin.
+ *
+ * @param margin a length; finite and >= 0. The default is 0.
+ */
+ODE_PREDICTIVE_API void dPredictiveSpaceSetShapeMargin(dSpaceID space, dReal margin);
+
+/** @return that distance. */
+ODE_PREDICTIVE_API dReal dPredictiveSpaceGetShapeMargin(dSpaceID space);
 
 /**
  * Set how the motion of a geom is estimated. By default, a geom whose position changes although it has no body, or a
@@ -180,7 +200,8 @@ ODE_PREDICTIVE_API void dPredictiveSpaceGetCounters(dSpaceID space, dPredictiveS
 
 /**
  * Check the invariant of the space by brute force, in O(n^2): every geom lies inside its envelope, and every pair whose
- * bounding boxes overlap is in the near set.
+ * bounding boxes overlap is in the near set. With dPredictiveProximityShape, no pair that is left out because of its shapes has
+ * a contact by dCollide().
  *
  * @return 1 when it holds; otherwise 0, after an ODE message that names the geoms.
  */

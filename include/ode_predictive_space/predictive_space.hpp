@@ -33,6 +33,9 @@ public:
     void setProximity(int proximity) { dPredictiveSpaceSetProximity(id(), proximity); }
     int getProximity() const { return dPredictiveSpaceGetProximity(id()); }
 
+    void setShapeMargin(dReal margin) { dPredictiveSpaceSetShapeMargin(id(), margin); }
+    dReal getShapeMargin() const { return dPredictiveSpaceGetShapeMargin(id()); }
+
     void setGeomRole(dGeomID geom, int role) { dPredictiveSpaceSetGeomRole(id(), geom, role); }
     int getGeomRole(dGeomID geom) const { return dPredictiveSpaceGetGeomRole(id(), geom); }
 

@@ -36,11 +36,20 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
     if (room.size() < most)
         room.resize(most);
     const OverlapTest test{scene, boxes_.data(), proximity_test_ == ProximityTest::sphere};
-    const bool prefetches = proxies_.count() > tuning::cached_boxes;
-    const CandidatePair *end = by_sweep ? sweeping_.report(test, proxies_.members(), room.data())
-                                        : near_.report(test, now(), prefetches, room.data());
+    const CandidatePair *end =
+        by_sweep ? sweeping_.report(test, proxies_.members(), room.data()) : report_near(scene, test, room.data());
     interrupted_ = false;
     return static_cast<std::size_t>(end - room.data());
+}
+
+CandidatePair *Broadphase::report_near(Scene &scene, const OverlapTest &test, CandidatePair *room)
+{
+    if (proximity_test_ != ProximityTest::shape)
+        return near_.report(test, now(), proxies_.count() > tuning::cached_boxes, room);
+    measure_shapes(scene);
+    CandidatePair *end = near_.report_by_shape({test, shapes_, shape_margin_, counters_.looks}, now(), room);
+    shapes_.clear_renewed();
+    return end;
 }
 
 // --- Its steps ------------------------------------------------------------------------------------------------------------
@@ -62,6 +71,7 @@ Broadphase::Beginning Broadphase::begin(Scene &scene, bool is_tick)
     interrupted_ = true;
     counters_.moved += beginning.moves;
     boxes_.invalidate(moved);
+    shapes_.invalidate(moved);
     if (beginning.time_passed && mode() != Mode::sweeping)
         schedule_.advance(now());
     return beginning;
@@ -327,6 +337,7 @@ void Broadphase::resize_stages()
 {
     const std::size_t size = proxies_.size();
     boxes_.resize(size);
+    shapes_.resize(size);
     idle_.resize(size);
     verifier_.resize(size);
     predictor_.resize(size);
@@ -360,8 +371,19 @@ void Broadphase::trim()
 
 void Broadphase::set_proximity_test(ProximityTest test)
 {
+    if (test != ProximityTest::shape)
+        shapes_.stop();
+    else if (!shapes_.in_use())
+        shapes_.start(proxies_.size());
     proximity_test_ = test;
+    near_.restart_tests();
     predictor_.settings_changed(proxies_);
+}
+
+void Broadphase::set_shape_margin(double margin)
+{
+    shape_margin_ = margin;
+    near_.restart_tests();
 }
 
 void Broadphase::set_settings(const PredictionSettings &settings)
@@ -377,10 +399,18 @@ std::size_t Broadphase::near_pairs() const
     return count;
 }
 
+std::size_t Broadphase::postponed_pairs() const
+{
+    std::size_t count = 0;
+    if (!sweeping_.finds_pairs())
+        near_.for_each_postponed(shapes_, [&](const CandidatePair &) { ++count; });
+    return count;
+}
+
 std::size_t Broadphase::bytes() const
 {
-    return proxies_.bytes() + boxes_.bytes() + idle_.bytes() + verifier_.bytes() + predictor_.bytes() + index_.bytes() +
-           schedule_.bytes() + near_.bytes() + sweeping_.bytes() + batch_.bytes() + bytes_of(swept_) +
-           bytes_of(candidates_) + bytes_of(found_near_);
+    return proxies_.bytes() + boxes_.bytes() + shapes_.bytes() + idle_.bytes() + verifier_.bytes() +
+           predictor_.bytes() + index_.bytes() + schedule_.bytes() + near_.bytes() + sweeping_.bytes() +
+           batch_.bytes() + bytes_of(swept_) + bytes_of(candidates_) + bytes_of(found_near_);
 }
 } // namespace ode_predictive_space

@@ -32,6 +32,7 @@ struct Counters
     std::uint64_t repredictions = 0;
     std::uint64_t woken = 0;
     std::uint64_t sweeps = 0;
+    std::uint64_t looks = 0; ///< at gaps between shapes
 };
 
 /// Owns the stages of the tick, and hands the results of each to the next. No stage knows another.
@@ -119,6 +120,10 @@ public:
     ProximityTest proximity_test() const { return proximity_test_; }
     void set_proximity_test(ProximityTest test);
 
+    double shape_margin() const { return shape_margin_; }
+    /// By the shape test, pairs up to this distance are reported. @param margin finite and not negative.
+    void set_shape_margin(double margin);
+
     const PredictionSettings &settings() const { return predictor_.settings; }
     /// All objects are predicted anew by these settings at the next tick.
     void set_settings(const PredictionSettings &settings);
@@ -155,6 +160,17 @@ public:
                                     [&](const CandidatePair &pair) { visit(pair, PairState::active); });
     }
 
+    /// Pairs that are not tested because their shapes cannot touch yet.
+    std::size_t postponed_pairs() const;
+
+    /// Calls visit(pair) for each of these. The broad phase must be up to date.
+    template <typename Visit> void for_each_postponed(Scene &scene, Visit visit)
+    {
+        measure_shapes(scene);
+        if (!sweeping_.finds_pairs())
+            near_.for_each_postponed(shapes_, visit);
+    }
+
     bool consistent() const { return index_.consistent(); }
     std::size_t bytes() const;
 
@@ -181,6 +197,8 @@ private:
     void finish_work();
     void finish();
 
+    void measure_shapes(Scene &scene) { shapes_.update(scene, near_.members(), proxies_.members()); }
+    CandidatePair *report_near(Scene &scene, const OverlapTest &test, CandidatePair *room);
     void start_sweeping(bool with_new_objects);
     void recover();
     void forget(ProxyId id);
@@ -192,6 +210,7 @@ private:
     Clock clock_;
     ProxyStore proxies_;
     MeasuredBoxes boxes_;
+    MeasuredShapes shapes_; // in use by the shape test
     IdleObjects idle_;
     Verifier verifier_;
     Predictor predictor_;
@@ -201,6 +220,7 @@ private:
     Sweeping sweeping_;
 
     ProximityTest proximity_test_ = ProximityTest::box;
+    double shape_margin_ = 0;
     Counters counters_;
     bool has_new_ = false;       // objects were added since the last update
     bool interrupted_ = false;   // something has begun and not ended: what was derived from positions may be wrong

@@ -125,6 +125,9 @@ constexpr std::size_t least_purge = 4096;
 /// Reports between two looks for pairs that may rest. (gas 100,000, stack 1,000)
 constexpr unsigned reports_per_rest = 32;
 
+/// Reports between two looks at the gap of a pair that has had none for long.
+constexpr int longest_pause = 16;
+
 // --- Sweeping ---
 
 /// A prediction costs about as much as sweeping so many objects. (explosion 1,000, teleport 1,000)

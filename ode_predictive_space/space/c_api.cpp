@@ -81,6 +81,8 @@ void dPredictiveSpaceSetProximity(dSpaceID space, int proximity)
         self->set_proximity_test(ProximityTest::box);
     else if (proximity == dPredictiveProximitySphere)
         self->set_proximity_test(ProximityTest::sphere);
+    else if (proximity == dPredictiveProximityShape)
+        self->set_proximity_test(ProximityTest::shape);
     else
         refuse(__func__, "proximity", "it is no dPredictiveProximity constant");
 }
@@ -88,8 +90,23 @@ void dPredictiveSpaceSetProximity(dSpaceID space, int proximity)
 int dPredictiveSpaceGetProximity(dSpaceID space)
 {
     const dxPredictiveSpace *self = checked_space(__func__, space);
-    return self && self->broadphase().proximity_test() == ProximityTest::sphere ? dPredictiveProximitySphere
-                                                                                : dPredictiveProximityBox;
+    if (!self || self->broadphase().proximity_test() == ProximityTest::box)
+        return dPredictiveProximityBox;
+    return self->broadphase().proximity_test() == ProximityTest::sphere ? dPredictiveProximitySphere
+                                                                        : dPredictiveProximityShape;
+}
+
+void dPredictiveSpaceSetShapeMargin(dSpaceID space, dReal margin)
+{
+    dxPredictiveSpace *self = checked_space(__func__, space);
+    if (self && checked_coefficient(__func__, "margin", margin))
+        self->set_shape_margin(margin);
+}
+
+dReal dPredictiveSpaceGetShapeMargin(dSpaceID space)
+{
+    const dxPredictiveSpace *self = checked_space(__func__, space);
+    return self ? static_cast<dReal>(self->broadphase().shape_margin()) : 0;
 }
 
 void dPredictiveSpaceSetGeomRole(dSpaceID space, dGeomID geom, int role)
@@ -225,7 +242,8 @@ void dPredictiveSpaceGetCounters(dSpaceID space, dPredictiveSpaceCounters *count
         refuse(__func__, "counters", "it is null");
         return;
     }
-    const dPredictiveSpaceCounters known{self->unchanged()};
+    const Broadphase &broadphase = self->broadphase();
+    const dPredictiveSpaceCounters known{self->unchanged(), broadphase.postponed_pairs(), broadphase.counters().looks};
     std::memset(counters, 0, size);
     std::memcpy(counters, &known, std::min<std::size_t>(size, sizeof known));
 }

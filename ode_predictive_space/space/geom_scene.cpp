@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ode_predictive_space/broadphase/base/prefetch.h"
+#include "ode_predictive_space/space/geom_shape.h"
 
 namespace ode_predictive_space
 {
@@ -220,6 +221,13 @@ void GeomScene::observe(const ProxyId *ids, std::size_t count, const bool *with_
     for_each(
         count, [&](std::size_t i) { seen[i] = observation(ids[i], with_bounds[i]); },
         [&](std::size_t i) { prefetch_geom(ids[i]); }, prefetch_motion);
+}
+
+void GeomScene::get_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes)
+{
+    for_each(
+        count, [&](std::size_t i) { shapes[i] = shape_of(geoms_[ids[i]]); },
+        [&](std::size_t i) { prefetch_geom(ids[i]); }, [&](std::size_t i) { prefetch_pose(ids[i]); });
 }
 
 Box GeomScene::bounds(ProxyId id)

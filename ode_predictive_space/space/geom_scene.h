@@ -101,6 +101,7 @@ public:
     void locate(const ProxyId *ids, std::size_t count, Location *locations) override;
     void measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes) override;
     void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) override;
+    void get_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes) override;
     Box bounds(ProxyId id) override;
     std::optional<Vector3> pivot(ProxyId id) override;
     bool overlap(ProxyId first, ProxyId second) override { return overlap(geoms_[first], geoms_[second]); }

@@ -84,8 +84,10 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
     Violation wrong_state;
     broadphase_.for_each_near_pair([&](const CandidatePair &pair, PairState state) {
         near.push_back(std::minmax(pair.first, pair.second));
-        const bool known = state != PairState::active;
-        if (known && now.overlap(geoms_[pair.first], geoms_[pair.second]) != (state == PairState::overlapping))
+        const bool overlap = now.overlap(geoms_[pair.first], geoms_[pair.second]);
+        // By the shape test, pairs rest as separated whose boxes overlap.
+        const bool by_shape = broadphase_.proximity_test() == ProximityTest::shape;
+        if (state == PairState::overlapping ? !overlap : state == PairState::separated && overlap && !by_shape)
             wrong_state = {"what is known of a pair at rest is wrong", geoms_[pair.first], geoms_[pair.second]};
     });
     if (wrong_state.what)
@@ -106,6 +108,27 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
     return {};
 }
 
+// Pairs that are not reported because of their shapes must have no contacts.
+dxPredictiveSpace::Violation dxPredictiveSpace::find_touching(GeomScene &now)
+{
+    if (broadphase_.proximity_test() != ProximityTest::shape)
+        return {};
+    Violation touching;
+    const auto check = [&](const CandidatePair &pair) {
+        dxGeom *one = geoms_[pair.first], *other = geoms_[pair.second];
+        dContactGeom contact;
+        if (enabled(one) && enabled(other) && now.overlap(one, other) &&
+            dCollide(one, other, 1, &contact, sizeof contact) > 0)
+            touching = {"two geoms have a contact and are postponed", one, other};
+    };
+    broadphase_.for_each_postponed(now, check);
+    broadphase_.for_each_near_pair([&](const CandidatePair &pair, PairState state) {
+        if (state == PairState::separated)
+            check(pair);
+    });
+    return touching;
+}
+
 dxPredictiveSpace::Violation dxPredictiveSpace::find_violation()
 {
     caught_up_ = false; // ODE does not report that a geom was enabled
@@ -114,5 +137,8 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_violation()
     GeomScene now = scene();
     const std::vector<ProxyId> members = this->members();
     const Violation misplaced = find_misplaced(members, now);
-    return misplaced.what ? misplaced : find_missing_pair(members, now);
+    if (misplaced.what)
+        return misplaced;
+    const Violation missing = find_missing_pair(members, now);
+    return missing.what ? missing : find_touching(now);
 }

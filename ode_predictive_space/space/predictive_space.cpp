@@ -351,6 +351,11 @@ void dxPredictiveSpace::set_proximity_test(ProximityTest test)
     caught_up_ = false;
 }
 
+void dxPredictiveSpace::set_shape_margin(double margin)
+{
+    broadphase_.set_shape_margin(margin);
+}
+
 void dxPredictiveSpace::set_role(dxGeom *geom, Role role)
 {
     broadphase_.set_role(proxy_of(geom), role);

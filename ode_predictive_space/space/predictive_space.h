@@ -26,6 +26,7 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
     void set_proximity_test(ode_predictive_space::ProximityTest test);
+    void set_shape_margin(double margin);
     void set_role(dxGeom *geom, ode_predictive_space::Role role);
     void set_deviation(int role, const ode_predictive_space::Deviation *deviation);
     void set_horizon(const ode_predictive_space::HorizonBounds &horizon);
@@ -93,6 +94,7 @@ private:
     std::vector<ProxyId> members() const;
     Violation find_misplaced(const std::vector<ProxyId> &members, ode_predictive_space::GeomScene &now) const;
     Violation find_missing_pair(const std::vector<ProxyId> &members, const ode_predictive_space::GeomScene &now) const;
+    Violation find_touching(ode_predictive_space::GeomScene &now);
     bool lies_in_envelope(ProxyId id, ode_predictive_space::GeomScene &now) const;
 
     ode_predictive_space::Broadphase broadphase_;

@@ -134,9 +134,10 @@ TEST_F(BadInput, GeomsThatAreNullOrElsewhere)
 
 TEST_F(BadInput, Constants)
 {
+    for (int bad : {-1, 3, 1000, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()})
+        expect_refused("dPredictiveSpaceSetProximity", "proximity", [=] { dPredictiveSpaceSetProximity(space, bad); });
     for (int bad : {-1, 2, 1000, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()})
     {
-        expect_refused("dPredictiveSpaceSetProximity", "proximity", [=] { dPredictiveSpaceSetProximity(space, bad); });
         expect_refused("dPredictiveSpaceSetGeomRole", "role", [=] { dPredictiveSpaceSetGeomRole(space, geom, bad); });
         expect_refused("dPredictiveSpaceSetDeviation", "role",
                        [=] { dPredictiveSpaceSetDeviation(space, bad, 1, 1, 1); });

@@ -6,14 +6,55 @@
 
 namespace ode_predictive_space
 {
+namespace
+{
+// For pairs beside which nothing is kept.
+constexpr auto keep_nothing = [](std::size_t, std::size_t) {};
+
+// Moves what is kept beside pairs when the pairs are moved.
+auto keep_beside(std::vector<Look> &looks)
+{
+    return [&looks](std::size_t from, std::size_t to) { looks[to] = looks[from]; };
+}
+} // namespace
+
 CandidatePair *NearSet::report(const OverlapTest &test, Tick now, bool prefetches, CandidatePair *room)
 {
     activate_disturbed();
     CandidatePair *end = visit_active(test.boxes, now, prefetches, OverlapCollector(test, room)).end();
     end = std::copy(overlapping_.begin(), overlapping_.end(), end);
     if (++reports_ % tuning::reports_per_rest == 0)
-        let_rest(test);
+        let_rest([&](std::size_t i) { return test(pairs_[i]); }, keep_nothing);
     return end;
+}
+
+CandidatePair *NearSet::report_by_shape(const ShapeTest &test, Tick now, CandidatePair *room)
+{
+    activate_disturbed();
+    looks_.resize(pairs_.size());
+    if (may_have_stale(now))
+        drop_stale(now);
+    if (test.shapes().any_renewed())
+        for (std::size_t i = 0; i < pairs_.size(); ++i)
+            if (test.shapes().renewed(pairs_[i]))
+                looks_[i] = {};
+    CandidatePair *end = room;
+    for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
+    {
+        *end = pairs_[i];
+        end += test(pairs_[i], looks_[i]);
+    }
+    end = std::copy(overlapping_.begin(), overlapping_.end(), end);
+    if (++reports_ % tuning::reports_per_rest == 0)
+        let_rest([&](std::size_t i) { return test.judge(pairs_[i], looks_[i]); }, keep_beside(looks_));
+    return end;
+}
+
+void NearSet::restart_tests()
+{
+    looks_.clear();
+    disturbed_ |= resting_;
+    is_disturbed_ = true;
 }
 
 // Drops stale pairs and visits the other active ones. The visitor is passed by value and returned: what it counts stays in
@@ -37,7 +78,7 @@ template <typename Fetch, typename Visit>
 [[gnu::noinline]] Visit NearSet::visit_active(Tick now, Fetch fetch, Visit visit)
 {
     if (may_have_stale(now))
-        return drop_stale(now, fetch, visit);
+        return drop_stale(now, fetch, visit, keep_nothing);
     const NearPair *const pairs = pairs_.data();
     for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
     {
@@ -51,11 +92,18 @@ void NearSet::drop_stale(Tick now)
 {
     activate_disturbed();
     const auto ignore = [](const NearPair &) {};
-    drop_stale(now, ignore, ignore);
+    if (looks_.empty())
+    {
+        drop_stale(now, ignore, ignore, keep_nothing);
+        return;
+    }
+    looks_.resize(pairs_.size());
+    drop_stale(now, ignore, ignore, keep_beside(looks_));
 }
 
-template <typename Fetch, typename Visit>
-[[gnu::noinline]] Visit NearSet::drop_stale(Tick now, Fetch fetch, Visit visit)
+// @param keep called with the old and the new place of each pair that is moved.
+template <typename Fetch, typename Visit, typename Keep>
+[[gnu::noinline]] Visit NearSet::drop_stale(Tick now, Fetch fetch, Visit visit, Keep keep)
 {
     NearPair *const pairs = pairs_.data(), *left = pairs;
     const std::size_t count = pairs_.size(), settled = settled_;
@@ -73,7 +121,10 @@ template <typename Fetch, typename Visit>
         next_leave = std::min(next_leave, ticks_left);
         visit(pair);
         if (left != &pairs[i]) // memory that is not written stays clean
+        {
             *left = pair;
+            keep(i, static_cast<std::size_t>(left - pairs));
+        }
         ++left;
     }
     settle(left);
@@ -108,14 +159,22 @@ void NearSet::activate_disturbed(std::vector<NearPair> &pairs)
 }
 
 // Lets those pairs rest whose objects have not moved since the last call; their states are known from now on.
-void NearSet::let_rest(const OverlapTest &test)
+//
+// @param overlap says of the pair in a place whether its objects overlap.
+template <typename Overlap, typename Keep> void NearSet::let_rest(Overlap overlap, Keep keep)
 {
     NearPair *left = pairs_.data();
-    for (const NearPair &pair : pairs_)
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+    {
+        const NearPair pair = pairs_[i];
         if (moved_.contains(pair.first) || moved_.contains(pair.second))
+        {
+            keep(i, static_cast<std::size_t>(left - pairs_.data()));
             *left++ = pair;
+        }
         else
-            rest(test(pair) ? overlapping_ : separated_, pair);
+            rest(overlap(i) ? overlapping_ : separated_, pair);
+    }
     settle(left);
     moved_.clear();
 }
@@ -124,6 +183,7 @@ void NearSet::clear()
 {
     for (std::vector<NearPair> *pairs : {&pairs_, &overlapping_, &separated_})
         pairs->clear();
+    looks_.clear();
     for (IdSet *set : {&members_, &resting_, &disturbed_, &moved_})
         set->clear();
     retired_.clear();
@@ -138,6 +198,7 @@ void NearSet::release()
     clear();
     for (std::vector<NearPair> *pairs : {&pairs_, &overlapping_, &separated_})
         free_memory(*pairs);
+    free_memory(looks_);
     free_memory(retired_);
 }
 } // namespace ode_predictive_space

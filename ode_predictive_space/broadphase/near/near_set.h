@@ -11,6 +11,7 @@
 
 #include "ode_predictive_space/broadphase/base/memory.h"
 #include "ode_predictive_space/broadphase/near/overlap_test.h"
+#include "ode_predictive_space/broadphase/near/shape_test.h"
 #include "ode_predictive_space/broadphase/schedule/pairs.h"
 
 namespace ode_predictive_space
@@ -19,8 +20,8 @@ namespace ode_predictive_space
 enum class PairState
 {
     active,     ///< nothing that lasts: the pair is tested at each tick
-    separated,  ///< the pair rests, and its objects do not overlap
-    overlapping ///< the pair rests, and its objects overlap
+    separated,  ///< the pair rests, and its objects do not overlap; or their shapes do not touch
+    overlapping ///< the pair rests, and its objects overlap; or their shapes may touch
 };
 
 /// Pairs in the order in which they were added, and the set of objects that are in them. The pairs of each object are counted,
@@ -79,6 +80,12 @@ public:
     /// @return the end of what was written.
     CandidatePair *report(const OverlapTest &test, Tick now, bool prefetches, CandidatePair *room);
 
+    /// The same for pairs that overlap and whose shapes may touch. The shapes of all members() are up to date.
+    CandidatePair *report_by_shape(const ShapeTest &test, Tick now, CandidatePair *room);
+
+    /// Forgets all that is known of pairs, because they are tested in another way from now on.
+    void restart_tests();
+
     /// Drops all pairs.
     void clear();
     /// The same, and gives their memory back.
@@ -94,6 +101,14 @@ public:
         for_resting(separated_, PairState::separated, visit);
     }
 
+    /// Calls visit(pair) for the active pairs that are postponed.
+    template <typename Visit> void for_each_postponed(const MeasuredShapes &shapes, Visit visit) const
+    {
+        for (std::size_t i = 0; i < looks_.size(); ++i)
+            if (!is_retired(pairs_[i]) && !shapes.renewed(pairs_[i]) && shapes.travel(pairs_[i]) < looks_[i].due)
+                visit(pairs_[i]);
+    }
+
     /// Active pairs; stale ones among them.
     const std::vector<NearPair> &active() const { return pairs_; }
     /// Pairs that rest and overlap; until the next report, some that were disturbed among them.
@@ -103,7 +118,7 @@ public:
 
     std::size_t bytes() const
     {
-        return bytes_of(pairs_) + bytes_of(overlapping_) + bytes_of(separated_) + bytes_of(counts_) +
+        return bytes_of(pairs_) + bytes_of(looks_) + bytes_of(overlapping_) + bytes_of(separated_) + bytes_of(counts_) +
                bytes_of(retired_) + bytes_of(is_retired_) + members_.bytes() + resting_.bytes() + disturbed_.bytes() +
                moved_.bytes();
     }
@@ -120,7 +135,7 @@ private:
     void activate_disturbed();
     template <typename Visit> Visit visit_active(const MeasuredBox *boxes, Tick now, bool prefetches, Visit visit);
     template <typename Fetch, typename Visit> Visit visit_active(Tick now, Fetch fetch, Visit visit);
-    void let_rest(const OverlapTest &test);
+    template <typename Overlap, typename Keep> void let_rest(Overlap overlap, Keep keep);
 
     // Pairs have been added or become stale since the last time, or have left each other.
     bool may_have_stale(Tick now) const
@@ -129,12 +144,14 @@ private:
     }
 
     void drop_stale(Tick now);
-    template <typename Fetch, typename Visit> Visit drop_stale(Tick now, Fetch fetch, Visit visit);
+    template <typename Fetch, typename Visit, typename Keep>
+    Visit drop_stale(Tick now, Fetch fetch, Visit visit, Keep keep);
 
     void settle(const NearPair *end)
     {
         pairs_.resize(static_cast<std::size_t>(end - pairs_.data()));
         settled_ = pairs_.size();
+        looks_.resize(std::min(looks_.size(), settled_));
     }
 
     void rest(std::vector<NearPair> &pairs, const NearPair &pair)
@@ -180,9 +197,10 @@ private:
                 members_.erase(id);
     }
 
-    std::vector<NearPair> pairs_;                   // active
-    std::size_t settled_ = 0;                       // the first so many were there when stale ones were last dropped
-    Tick next_leave_ = 0;                           // the last tick at which none of these has left
+    std::vector<NearPair> pairs_; // active
+    std::vector<Look> looks_;     // of the first so many of these; none unless pairs are tested by shape
+    std::size_t settled_ = 0;     // the first so many were there when stale ones were last dropped
+    Tick next_leave_ = 0;         // the last tick at which none of these has left
     std::vector<NearPair> overlapping_, separated_; // at rest
     IdSet members_;
     IdSet resting_;   // all objects of pairs at rest, and maybe some whose partners have been disturbed

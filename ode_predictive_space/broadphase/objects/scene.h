@@ -31,6 +31,8 @@ struct Location
         squared_radius; ///< of the sphere around the centre that holds the object now; NaN when there is none any more
 };
 
+struct ConvexShape;
+
 /// The objects, by number. A caller asks about many objects at once; the scene knows how to prefetch them.
 class Scene
 {
@@ -46,6 +48,9 @@ public:
     /// Writes what a prediction needs, in the order of `ids`. Bounds are filled in where they are needed, and where
     /// with_bounds[i] is set.
     virtual void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) = 0;
+
+    /// Writes the shape of each of the objects, in the order of `ids`. Here: unknown, for scenes that are judged by boxes alone.
+    virtual void get_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes);
 
     /// The object's bounding box in double precision.
     virtual Box bounds(ProxyId id) = 0;

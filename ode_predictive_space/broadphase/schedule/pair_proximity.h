@@ -16,8 +16,9 @@ namespace ode_predictive_space
 /// When is a pair reported?
 enum class ProximityTest
 {
-    box,   ///< when bounding boxes overlap
-    sphere ///< when bounding boxes and bounding spheres overlap
+    box,    ///< when bounding boxes overlap
+    sphere, ///< when bounding boxes and bounding spheres overlap
+    shape   ///< when bounding boxes overlap, and the shapes, where they are known, may touch
 };
 
 /// One object, and when it meets others. Computed in single precision, three axes at a time and without branches; one object's

@@ -1,0 +1,35 @@
+#include "ode_predictive_space/broadphase/near/shape_test.h"
+
+#include <limits>
+
+#include "ode_predictive_space/broadphase/shape/gap.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+// Part of the smaller size of two objects: so far apart, programs may find contacts, because they compute with tolerances.
+constexpr double contact_slack = 1e-3;
+} // namespace
+
+bool ShapeTest::may_touch(const CandidatePair &pair, Look &look) const
+{
+    ++looks_;
+    const ConvexShape &first = shapes_[pair.first], &second = shapes_[pair.second];
+    const double margin = margin_ + contact_slack * std::min(first.size, second.size) + first.slack + second.slack;
+    const Vector3 axis(look.axis[0], look.axis[1], look.axis[2]);
+    const Gap gap = find_gap(first, second, axis, margin);
+    for (Eigen::Index i = 0; i < 3; ++i)
+        look.axis[i] = static_cast<float>(gap.axis[i]);
+    if (gap.length > margin)
+    {
+        constexpr double rounds_down = 1 - 8 * std::numeric_limits<double>::epsilon();
+        look.due = rounds_down * (shapes_.travel(pair) + (gap.length - margin));
+        look.last_pause = 0;
+        return false;
+    }
+    look.last_pause = static_cast<std::uint8_t>(std::clamp(2 * look.last_pause, 2, tuning::longest_pause));
+    look.pause = static_cast<std::uint8_t>(look.last_pause - 1);
+    return true;
+}
+} // namespace ode_predictive_space

@@ -1,0 +1,105 @@
+#include "ode_predictive_space/broadphase/shape/gap.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr int steps = 6;               // of the search for the closest points
+constexpr double precise_enough = 0.9; // of the distance: a larger gap is not worth a step
+
+// A point of the difference of two cores: where the second is, seen from the first.
+Vector3 nearest_along(const Vector3 &direction, const ConvexShape &first, const ConvexShape &second)
+{
+    return (second.centre + second.farthest_of_core(-direction)) - (first.centre + first.farthest_of_core(direction));
+}
+
+double rounding(const ConvexShape &shape)
+{
+    constexpr double units = 32 * std::numeric_limits<double>::epsilon();
+    return units * (shape.centre.lpNorm<1>() + shape.half_sides.lpNorm<1>() + shape.radius);
+}
+
+Gap gap_to_half_space(const ConvexShape &half_space, const ConvexShape &other)
+{
+    if (other.kind == ShapeKind::half_space)
+        return {};
+    const Vector3 &out = half_space.axes[0];
+    const double length = out.dot(other.centre - half_space.centre) - other.reach(out);
+    return {length - rounding(half_space) - rounding(other), out};
+}
+
+// No gap of these two can be larger.
+double most_gap(const ConvexShape &first, const ConvexShape &second)
+{
+    const auto within = [](const ConvexShape &shape) { return 0.5 * shape.size; };
+    return (second.centre - first.centre).norm() - within(first) - within(second);
+}
+
+void try_axes_of(const ConvexShape &shape, const ConvexShape &first, const ConvexShape &second, Gap &largest)
+{
+    for (std::size_t i = 0; i < 3; ++i)
+        if (shape.half_sides[static_cast<Eigen::Index>(i)] > 0)
+        {
+            const double towards = shape.axes[i].dot(second.centre - first.centre);
+            largest.improve(gap_along(std::copysign(1.0, towards) * shape.axes[i], first, second));
+        }
+}
+
+// Gilbert's steps towards the point of the difference that is closest to its origin: the direction to each point on the way is an
+// axis. Faces that look at each other make them zigzag; the axes of the shapes have been tried for these.
+void approach_closest(const ConvexShape &first, const ConvexShape &second, Gap &largest)
+{
+    const double around = first.core_distance() + second.core_distance();
+    Vector3 point = nearest_along(largest.axis, first, second);
+    for (int i = 0; i < steps; ++i)
+    {
+        const double distance = point.norm() - around;
+        if (!(distance > 0) || largest.length >= precise_enough * distance)
+            return;
+        largest.improve(gap_along(point, first, second));
+        const Vector3 nearest = nearest_along(point, first, second), step = nearest - point;
+        const double squared = step.squaredNorm();
+        if (!(squared > 0))
+            return;
+        point += std::clamp(-point.dot(step) / squared, 0.0, 1.0) * step;
+    }
+}
+} // namespace
+
+Gap gap_along(const Vector3 &direction, const ConvexShape &first, const ConvexShape &second)
+{
+    if (first.kind == ShapeKind::half_space)
+        return gap_to_half_space(first, second);
+    if (second.kind == ShapeKind::half_space)
+    {
+        const Gap gap = gap_to_half_space(second, first);
+        return {gap.length, -gap.axis};
+    }
+    const Vector3 axis = direction / direction.norm();
+    const double length = axis.dot(second.centre - first.centre) - first.reach(axis) - second.reach(axis);
+    return {length - rounding(first) - rounding(second), axis};
+}
+
+Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 &axis, double enough)
+{
+    if (!judged_by_shape(first, second))
+        return {};
+    if (first.kind == ShapeKind::half_space || second.kind == ShapeKind::half_space)
+        return gap_along(axis, first, second);
+    Gap largest;
+    if (axis.squaredNorm() > 0)
+        largest = gap_along(axis, first, second);
+    if (largest.length > enough && largest.length >= 0.5 * most_gap(first, second))
+        return largest;
+    const Vector3 between = second.centre - first.centre;
+    if (between.squaredNorm() > 0)
+        largest.improve(gap_along(between, first, second));
+    try_axes_of(first, first, second, largest);
+    try_axes_of(second, first, second, largest);
+    if (largest.axis.squaredNorm() > 0)
+        approach_closest(first, second, largest);
+    return largest;
+}
+} // namespace ode_predictive_space

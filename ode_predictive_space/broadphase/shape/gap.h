@@ -1,0 +1,35 @@
+// How far two shapes are apart, from below.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_GAP_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_GAP_H
+
+#include <limits>
+
+#include "ode_predictive_space/broadphase/shape/convex_shape.h"
+
+namespace ode_predictive_space
+{
+/// An axis and the gap along it: the shapes' distance is at least the gap. No gap, if it is not positive.
+struct Gap
+{
+    double length = -std::numeric_limits<double>::infinity();
+    Vector3 axis = Vector3::Zero(); ///< from the first shape to the second; of length 1, or zero when none is known
+
+    void improve(const Gap &other)
+    {
+        if (other.length > length)
+            *this = other;
+    }
+};
+
+/// The gap along a direction of any length but 0, rounded down. One of the shapes may be a half space: then the axis is its own.
+Gap gap_along(const Vector3 &direction, const ConvexShape &first, const ConvexShape &second);
+
+/// The largest gap that a few tries find. No gap unless the pair is judged_by_shape().
+///
+/// @param axis an axis to begin with, or zero.
+/// @param enough a larger gap along it, if it is at least half of what there can be, ends the search.
+Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 &axis, double enough);
+} // namespace ode_predictive_space
+
+#endif

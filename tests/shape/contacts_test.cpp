@@ -1,0 +1,111 @@
+// By the shape test no contact is missed, whatever happens to the geoms, and dCollide() is seldom called in vain.
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+#include <ode_predictive_space/predictive_space.h>
+
+#include "tests/contract/support/ode_test.h"
+#include "tests/shape/shape_history.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+using ShapeContacts = OdeTest;
+
+dPredictiveSpaceCounters counters_of(dSpaceID space)
+{
+    dPredictiveSpaceCounters counters;
+    dPredictiveSpaceGetCounters(space, &counters, sizeof counters);
+    return counters;
+}
+
+struct Totals
+{
+    long contacts = 0, calls = 0, ticks = 0;
+    unsigned long looks = 0, postponed = 0;
+};
+
+// Compares with brute force at each tick.
+void run(const ShapeHistory::Setting &setting, int ticks, Totals &totals)
+{
+    ShapeHistory history(setting);
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+        history.advance();
+        const ShapeHistory::Collision found = history.collide();
+        const std::string where = "seed " + std::to_string(setting.seed) + ", tick " + std::to_string(tick);
+        ASSERT_EQ(found.repeated, 0) << where;
+        ASSERT_EQ(found.contacts, history.contacts_by_brute_force()) << where;
+        if (tick % 16 == 0)
+        {
+            ASSERT_EQ(dPredictiveSpaceValidate(history.space()), 1) << where;
+            totals.postponed += counters_of(history.space()).postponed;
+        }
+        totals.contacts += static_cast<long>(found.contacts.size());
+        totals.calls += found.calls;
+        ++totals.ticks;
+    }
+    totals.looks += counters_of(history.space()).looks;
+}
+
+// Histories for a seed other than the usual: ODE_PREDICTIVE_SHAPE_SEED.
+unsigned first_seed()
+{
+    const char *seed = std::getenv("ODE_PREDICTIVE_SHAPE_SEED");
+    return seed ? static_cast<unsigned>(std::strtoul(seed, nullptr, 10)) : 1;
+}
+
+TEST_F(ShapeContacts, AreThoseOfASimpleSpaceInAnyHistory)
+{
+    Totals totals;
+    const unsigned first = first_seed();
+    for (unsigned i = 0; i < 60; ++i)
+    {
+        ShapeHistory::Setting setting;
+        setting.seed = first + i;
+        setting.proximity = dPredictiveProximityShape;
+        setting.geoms = 10 + static_cast<int>(i % 3) * 15;
+        setting.half_room = 1 + i % 4;
+        setting.surprises = i % 5 == 0 ? 3 : i % 5 == 1 ? 0.5 : 0.03;
+        setting.all_classes = i % 2 == 0;
+        setting.deviation = i % 7 < 3 ? 0.5 : 0;
+        run(setting, 600, totals);
+        if (HasFailure())
+            return;
+    }
+    std::cout << "seeds from " << first << ": " << totals.ticks << " ticks, " << totals.contacts << " contacts, "
+              << totals.calls << " calls, " << totals.looks << " looks, " << totals.postponed << " postponed\n";
+    EXPECT_GT(totals.contacts, totals.ticks);
+    EXPECT_GT(totals.postponed, 0u);
+}
+
+Totals in_sparse_scene(int proximity)
+{
+    ShapeHistory::Setting setting;
+    setting.seed = 7;
+    setting.proximity = proximity;
+    setting.geoms = 150;
+    setting.half_room = 6;
+    setting.surprises = 0;
+    setting.all_classes = setting.with_plane = setting.with_cylinders = false;
+    Totals totals;
+    run(setting, 500, totals);
+    return totals;
+}
+
+TEST_F(ShapeContacts, TakeFewCallsWhereObjectsTurnAndSeldomTouch)
+{
+    const Totals boxes = in_sparse_scene(dPredictiveProximityBox), shapes = in_sparse_scene(dPredictiveProximityShape);
+    std::cout << "calls " << boxes.calls << " by boxes, " << shapes.calls << " by shapes, " << shapes.looks
+              << " looks, contacts " << shapes.contacts << "\n";
+    EXPECT_EQ(boxes.contacts, shapes.contacts);
+    EXPECT_GT(boxes.calls, 2 * boxes.contacts) << "there is something to be gained";
+    EXPECT_LT(shapes.calls - shapes.contacts, (boxes.calls - boxes.contacts) / 4);
+    EXPECT_LT(shapes.looks, static_cast<unsigned long>(boxes.calls)) << "most pairs need no look at a tick";
+    EXPECT_EQ(boxes.looks, 0u);
+}
+} // namespace
+} // namespace ode_predictive_space

@@ -1,0 +1,104 @@
+// The gap is never above the distance of the shapes, and seldom far below it.
+
+#include "ode_predictive_space/broadphase/shape/gap.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/shape/random_shapes.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr int pairs_of_classes = 14; // of five, but two planes
+constexpr int poses = 1500000 / pairs_of_classes;
+constexpr double rounding = 1e-13;
+
+// Two shapes close to each other; now and then they overlap.
+struct NearShapes
+{
+    ConvexShape first, second;
+
+    NearShapes(ShapeMaker &maker, Solid one, Solid other)
+        : first(moved(maker.shape(one), maker.rotation(), maker.vector())), second(maker.shape(other))
+    {
+        second = moved(second, maker.rotation(), maker.vector());
+        const Vector3 direction = maker.direction();
+        const double away = maker.between(0, 1.2) * (extent(first) + extent(second));
+        second.centre = first.centre + away * direction;
+        if (one == Solid::plane)
+            second.centre = first.centre + maker.between(-1, 2) * extent(second) * first.axes[0] + maker.vector();
+        else if (other == Solid::plane)
+            second.centre = first.centre - maker.between(-1, 2) * extent(first) * second.axes[0];
+    }
+
+    static double extent(const ConvexShape &shape) { return shape.half_sides.norm() + shape.radius; }
+};
+
+template <typename Visit> void for_each_pair_of_classes(Visit visit)
+{
+    for (Solid one : solids)
+        for (Solid other : solids)
+            if (one <= other && !(one == Solid::plane && other == Solid::plane))
+                visit(one, other);
+}
+
+TEST(Gap, IsNeverMoreThanTheDistance)
+{
+    unsigned seed = 1;
+    for_each_pair_of_classes([&](Solid one, Solid other) {
+        ShapeMaker maker(seed++);
+        long apart = 0;
+        for (int i = 0; i < poses; ++i)
+        {
+            const NearShapes shapes = maker.one_in(2) ? NearShapes(maker, one, other) : NearShapes(maker, other, one);
+            const Vector3 axis = maker.one_in(2) ? maker.direction() : Vector3(0, 0, 0);
+            const double enough = maker.one_in(2) ? 0 : 1e9;
+            const Gap gap = find_gap(shapes.first, shapes.second, axis, enough);
+            apart += gap.length > 0;
+            ASSERT_LE(gap.length, distance_from_above(shapes.first, shapes.second, 8) + rounding)
+                << "classes " << static_cast<int>(one) << " " << static_cast<int>(other) << ", pose " << i;
+        }
+        EXPECT_GT(apart, poses / 10) << "too few are apart for a test";
+    });
+}
+
+TEST(Gap, IsSeldomFarLessThanTheDistance)
+{
+    unsigned seed = 100;
+    for_each_pair_of_classes([&](Solid one, Solid other) {
+        ShapeMaker maker(seed++);
+        int apart = 0, precise = 0;
+        for (int i = 0; i < 3000; ++i)
+        {
+            const NearShapes shapes(maker, one, other);
+            const double distance = distance_from_above(shapes.first, shapes.second, 400);
+            if (distance < 1e-3)
+                continue;
+            ++apart;
+            precise += find_gap(shapes.first, shapes.second, Vector3::Zero(), 1e9).length > 0.5 * distance;
+        }
+        EXPECT_GT(apart, 300);
+        EXPECT_GT(precise, 0.95 * apart) << "classes " << static_cast<int>(one) << " " << static_cast<int>(other);
+    });
+}
+
+TEST(Gap, IsNoneForShapesThatAreNotJudgedTogether)
+{
+    ShapeMaker maker(1);
+    ConvexShape one = maker.shape(Solid::sphere), other = moved(one, Eigen::Matrix3d::Identity(), Vector3(9, 0, 0));
+    EXPECT_GT(find_gap(one, other, Vector3::Zero(), 0).length, 7);
+    other.group = 2;
+    EXPECT_LT(find_gap(one, other, Vector3::Zero(), 0).length, 0);
+    EXPECT_LT(find_gap(ConvexShape{}, one, Vector3::Zero(), 0).length, 0);
+}
+
+TEST(Gap, IsNoneAtTheSamePlace)
+{
+    ShapeMaker maker(2);
+    for_each_pair_of_classes([&](Solid one, Solid other) {
+        EXPECT_LE(find_gap(maker.shape(one), maker.shape(other), Vector3::Zero(), 0).length, 0);
+    });
+}
+} // namespace
+} // namespace ode_predictive_space

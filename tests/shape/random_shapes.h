@@ -1,0 +1,51 @@
+// Shapes of all kinds at random, and their distance by another way than the gap: by the nearest points of each.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_RANDOM_SHAPES_H
+#define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_RANDOM_SHAPES_H
+
+#include <array>
+#include <random>
+
+#include <Eigen/Geometry>
+
+#include "ode_predictive_space/broadphase/shape/convex_shape.h"
+
+namespace ode_predictive_space
+{
+enum class Solid
+{
+    sphere,
+    box,
+    capsule,
+    cylinder,
+    plane
+};
+constexpr std::array<Solid, 5> solids{Solid::sphere, Solid::box, Solid::capsule, Solid::cylinder, Solid::plane};
+
+class ShapeMaker
+{
+public:
+    explicit ShapeMaker(unsigned seed) : random_(seed) {}
+
+    double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+    bool one_in(int count) { return random_() % static_cast<unsigned>(count) == 0; }
+    Vector3 vector() { return Vector3(between(-1, 1), between(-1, 1), between(-1, 1)); }
+    Vector3 direction();
+    /// Any rotation; often one along the axes of the scene, or almost.
+    Eigen::Matrix3d rotation();
+
+    /// A shape with sides from 0.02 to 1, at the origin.
+    ConvexShape shape(Solid solid);
+
+private:
+    std::mt19937_64 random_;
+};
+
+/// The shape, turned about its centre and then moved.
+ConvexShape moved(const ConvexShape &shape, const Eigen::Matrix3d &turn, const Vector3 &by);
+
+/// A distance between two points of the shapes: never less than the distance of the shapes, and after many steps close to it.
+double distance_from_above(const ConvexShape &first, const ConvexShape &second, int steps);
+} // namespace ode_predictive_space
+
+#endif

@@ -1,0 +1,274 @@
+#include "tests/shape/shape_history.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <ode_predictive_space/predictive_space.h>
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr dReal step = REAL(0.01);
+
+// ODE has an error for convexes on meshes without angles of faces, so these are not collided.
+bool collidable(dGeomID one, dGeomID other)
+{
+    return std::max(dGeomGetClass(one), dGeomGetClass(other)) != dTriMeshClass ||
+           std::min(dGeomGetClass(one), dGeomGetClass(other)) != dConvexClass;
+}
+
+bool touch(dGeomID one, dGeomID other)
+{
+    if (!collidable(one, other))
+        return false;
+    std::array<dContactGeom, 4> contacts;
+    // The order must not matter for the comparison.
+    return dCollide(std::min(one, other), std::max(one, other), 4, contacts.data(), sizeof contacts[0]) > 0;
+}
+
+bool boxes_overlap(dGeomID one, dGeomID other)
+{
+    dReal a[6], b[6];
+    dGeomGetAABB(one, a);
+    dGeomGetAABB(other, b);
+    return !(a[0] > b[1] || a[1] < b[0] || a[2] > b[3] || a[3] < b[2] || a[4] > b[5] || a[5] < b[4]);
+}
+
+void note_contact(void *data, dGeomID one, dGeomID other)
+{
+    auto &[collision, seen] = *static_cast<std::pair<ShapeHistory::Collision, ShapeHistory::GeomPairs> *>(data);
+    const std::pair<dGeomID, dGeomID> pair = std::minmax(one, other);
+    collision.repeated += !seen.insert(pair).second;
+    ++collision.calls;
+    if (touch(one, other))
+        collision.contacts.insert(pair);
+}
+} // namespace
+
+ShapeHistory::ShapeHistory(const Setting &setting)
+    : setting_(setting), random_(setting.seed), world_(dWorldCreate()), space_(dPredictiveSpaceCreate(nullptr))
+{
+    dPredictiveSpaceSetProximity(space_, setting_.proximity);
+    for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
+        dPredictiveSpaceSetDeviation(space_, role, static_cast<dReal>(setting_.deviation), 0, 0);
+    if (setting_.with_plane)
+        members_.push_back(
+            {dCreatePlane(space_, 0, 0, 1, static_cast<dReal>(-0.7 * setting_.half_room)), GeomKind::plane});
+    while (static_cast<int>(members_.size()) < setting_.geoms)
+        create();
+}
+
+ShapeHistory::~ShapeHistory()
+{
+    dSpaceDestroy(space_);
+    dWorldDestroy(world_);
+}
+
+void ShapeHistory::create()
+{
+    constexpr std::array judged{GeomKind::sphere, GeomKind::box, GeomKind::capsule, GeomKind::cylinder};
+    constexpr std::array others{GeomKind::trimesh, GeomKind::convex, GeomKind::ray, GeomKind::transform,
+                                GeomKind::heightfield};
+    const bool other = setting_.all_classes && any(5) == 0;
+    const GeomKind kind = other ? others[any(others.size())] : judged[any(judged.size() - !setting_.with_cylinders)];
+    const dReal size = other ? std::array<dReal, 2>{REAL(0.3), REAL(1.0)}[any(2)] : real(0.1, 0.8);
+    const dGeomID geom = create_geom(kind, size, space_);
+    members_.push_back({geom, kind});
+    if (any(5) > 0 && kind != GeomKind::heightfield)
+        give_body(geom);
+    place(geom);
+    turn(geom);
+    if (any(4) == 0)
+        offset(geom);
+}
+
+void ShapeHistory::give_body(dGeomID geom)
+{
+    const dBodyID body = dBodyCreate(world_);
+    dBodySetGravityMode(body, 0);
+    dGeomSetBody(geom, body);
+    set_velocity(body);
+}
+
+void ShapeHistory::set_velocity(dBodyID body)
+{
+    const double speed = any(4) == 0 ? 0 : std::exp(between(-4, 1)),
+                 spin = any(4) == 0 ? 0 : std::exp(between(-3, 2.5));
+    dBodySetLinearVel(body, real(-speed, speed), real(-speed, speed), real(-speed, speed));
+    dBodySetAngularVel(body, real(-spin, spin), real(-spin, spin), real(-spin, spin));
+    dBodyEnable(body);
+}
+
+void ShapeHistory::place(dGeomID geom)
+{
+    const double half = setting_.half_room;
+    dGeomSetPosition(geom, real(-half, half), real(-half, half), real(-half, half));
+}
+
+void ShapeHistory::turn(dGeomID geom)
+{
+    dMatrix3 turned;
+    dRFromAxisAndAngle(turned, real(-1, 1), real(-1, 1), real(-1, 1), real(-4, 4));
+    dGeomSetRotation(geom, turned);
+}
+
+void ShapeHistory::offset(dGeomID geom)
+{
+    if (dGeomGetBody(geom) == nullptr)
+        return;
+    dMatrix3 turned;
+    dRFromAxisAndAngle(turned, real(-1, 1), real(-1, 1), real(-1, 1), real(-4, 4));
+    dGeomSetOffsetPosition(geom, real(-0.5, 0.5), real(-0.5, 0.5), real(-0.5, 0.5));
+    dGeomSetOffsetRotation(geom, turned);
+}
+
+void ShapeHistory::push(dGeomID geom)
+{
+    const dBodyID body = dGeomGetBody(geom);
+    if (body == nullptr)
+        return;
+    dBodyEnable(body);
+    dBodyAddForce(body, real(-50, 50), real(-50, 50), real(-50, 50));
+    dBodyAddTorque(body, real(-50, 50), real(-50, 50), real(-50, 50));
+}
+
+void ShapeHistory::lose_body(dGeomID geom)
+{
+    const dBodyID body = dGeomGetBody(geom);
+    if (body == nullptr)
+    {
+        give_body(geom);
+        place(geom);
+        return;
+    }
+    dGeomSetBody(geom, nullptr);
+    dBodyDestroy(body);
+}
+
+void ShapeHistory::destroy(std::size_t index)
+{
+    const dGeomID geom = members_[index].geom;
+    const dBodyID body = dGeomGetBody(geom);
+    dGeomDestroy(geom);
+    if (body)
+        dBodyDestroy(body);
+    members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void ShapeHistory::resize(std::size_t index)
+{
+    const Member &member = members_[index];
+    switch (member.kind)
+    {
+    case GeomKind::sphere:
+        dGeomSphereSetRadius(member.geom, real(0.05, 0.8));
+        break;
+    case GeomKind::box:
+        dGeomBoxSetLengths(member.geom, real(0.05, 1.5), real(0.05, 1.5), real(0.05, 1.5));
+        break;
+    case GeomKind::capsule:
+        dGeomCapsuleSetParams(member.geom, real(0.05, 0.5), real(0.05, 1.5));
+        break;
+    case GeomKind::cylinder:
+        dGeomCylinderSetParams(member.geom, real(0.05, 0.8), real(0.05, 1.5));
+        break;
+    case GeomKind::plane:
+        dGeomPlaneSetParams(member.geom, real(-0.2, 0.2), real(-0.2, 0.2), 1, real(-2, -0.5));
+        break;
+    default:
+        resize_geom(member.geom, member.kind, any(2) ? REAL(0.3) : REAL(1.0));
+    }
+}
+
+void ShapeHistory::surprise()
+{
+    const std::size_t index = any(members_.size());
+    const dGeomID geom = members_[index].geom;
+    const dBodyID body = dGeomGetBody(geom);
+    const bool placeable = members_[index].kind != GeomKind::plane;
+    const auto kind_of_surprise = any(13);
+    if (kind_of_surprise == 0 || !placeable)
+        resize(index);
+    else if (kind_of_surprise == 1)
+        place(geom);
+    else if (kind_of_surprise == 2)
+        turn(geom);
+    else if (kind_of_surprise == 3)
+        offset(geom);
+    else if (kind_of_surprise == 4)
+        (dGeomIsEnabled(geom) ? dGeomDisable : dGeomEnable)(geom);
+    else if (kind_of_surprise == 5)
+        destroy(index);
+    else if (kind_of_surprise == 6 && members_[index].kind != GeomKind::heightfield)
+        lose_body(geom);
+    else if (kind_of_surprise == 7 && body)
+        dBodyDisable(body);
+    else if (kind_of_surprise == 8 && body)
+        set_velocity(body);
+    else if (kind_of_surprise == 9)
+        create();
+    else if (kind_of_surprise == 10)
+        dGeomSetCategoryBits(geom, any(2) ? 1u : ~0u);
+    else
+        push(geom);
+    while (static_cast<int>(members_.size()) < setting_.geoms / 2)
+        create();
+}
+
+void ShapeHistory::keep_inside()
+{
+    for (const Member &member : members_)
+    {
+        const dBodyID body = member.kind == GeomKind::plane ? nullptr : dGeomGetBody(member.geom);
+        if (body == nullptr)
+            continue;
+        const dReal *position = dBodyGetPosition(body), *velocity = dBodyGetLinearVel(body);
+        dReal turned[3];
+        bool turns = false;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const bool leaves = std::abs(position[axis]) > setting_.half_room && position[axis] * velocity[axis] > 0;
+            turned[axis] = leaves ? -velocity[axis] : velocity[axis];
+            turns |= leaves;
+        }
+        if (turns)
+            dBodySetLinearVel(body, turned[0], turned[1], turned[2]);
+    }
+}
+
+void ShapeHistory::advance()
+{
+    for (double left = setting_.surprises; left > 0; --left)
+        if (between(0, 1) < left)
+            surprise();
+    keep_inside();
+    if (any(20) > 0)
+        dWorldQuickStep(world_, step);
+}
+
+ShapeHistory::Collision ShapeHistory::collide()
+{
+    std::pair<Collision, GeomPairs> collected;
+    dSpaceCollide(space_, &collected, note_contact);
+    return collected.first;
+}
+
+ShapeHistory::GeomPairs ShapeHistory::contacts_by_brute_force() const
+{
+    GeomPairs contacts;
+    for (std::size_t i = 0; i < members_.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            const dGeomID one = members_[i].geom, other = members_[j].geom;
+            const bool same_body = dGeomGetBody(one) && dGeomGetBody(one) == dGeomGetBody(other);
+            const bool bits = (dGeomGetCategoryBits(one) & dGeomGetCollideBits(other)) |
+                              (dGeomGetCategoryBits(other) & dGeomGetCollideBits(one));
+            if (dGeomIsEnabled(one) && dGeomIsEnabled(other) && !same_body && bits && boxes_overlap(one, other) &&
+                touch(one, other))
+                contacts.insert(std::minmax(one, other));
+        }
+    return contacts;
+}
+} // namespace ode_predictive_space

@@ -1,0 +1,90 @@
+// Random histories of a program whose geoms move, turn, grow and vanish in all the ways that ODE has, with the contacts that it
+// finds by brute force.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_SHAPE_HISTORY_H
+#define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_SHAPE_HISTORY_H
+
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <ode/ode.h>
+
+#include "tests/contract/support/geom_zoo.h"
+
+namespace ode_predictive_space
+{
+class ShapeHistory
+{
+public:
+    struct Setting
+    {
+        unsigned seed = 0;
+        int geoms = 24;
+        double half_room = 2;    ///< they stay within a cube of twice this side
+        double surprises = 0.3;  ///< changes per tick beside motion
+        bool all_classes = true; ///< otherwise spheres, boxes and capsules, and these two:
+        bool with_plane = true;
+        bool with_cylinders = true;
+        int proximity = 0;
+        double deviation = 0; ///< fixed; 0 to have the space adapt it. With a large one, pairs stay near for long.
+    };
+
+    explicit ShapeHistory(const Setting &setting);
+    ~ShapeHistory();
+    ShapeHistory(const ShapeHistory &) = delete;
+    ShapeHistory &operator=(const ShapeHistory &) = delete;
+
+    /// Things happen, and time passes.
+    void advance();
+
+    using GeomPairs = std::set<std::pair<dGeomID, dGeomID>>;
+
+    /// What one dSpaceCollide() leads to.
+    struct Collision
+    {
+        GeomPairs contacts; ///< pairs with a contact
+        long calls = 0;     ///< of dCollide(), one for each pair reported
+        long repeated = 0;  ///< pairs that were reported before at the same tick
+    };
+    Collision collide();
+
+    /// The pairs with a contact that a simple space would report.
+    GeomPairs contacts_by_brute_force() const;
+
+    dSpaceID space() const { return space_; }
+
+private:
+    double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+    dReal real(double low, double high) { return static_cast<dReal>(between(low, high)); }
+    std::size_t any(std::size_t count) { return random_() % count; }
+
+    void create();
+    void give_body(dGeomID geom);
+    void set_velocity(dBodyID body);
+    void place(dGeomID geom);
+    void turn(dGeomID geom);
+    void offset(dGeomID geom);
+    void push(dGeomID geom);
+    void lose_body(dGeomID geom);
+    void destroy(std::size_t index);
+    void resize(std::size_t index);
+    void surprise();
+    void keep_inside();
+
+    struct Member
+    {
+        dGeomID geom;
+        GeomKind kind;
+    };
+
+    Setting setting_;
+    std::mt19937_64 random_;
+    dWorldID world_;
+    dSpaceID space_;
+    std::vector<Member> members_;
+};
+} // namespace ode_predictive_space
+
+#endif

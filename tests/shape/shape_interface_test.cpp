@@ -1,0 +1,257 @@
+// The shape test of proximity as a program sets it, and what it promises of single pairs.
+
+#include <cmath>
+#include <limits>
+
+#include <ode_predictive_space/predictive_space.hpp>
+
+#include "tests/contract/support/scenario.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+class ShapeProximity : public OdeTest
+{
+protected:
+    ShapeProximity()
+    {
+        dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+        // So that new geoms are predicted at once, not swept.
+        dPredictiveEncounter none;
+        const dGeomID first = dCreateSphere(space, 1);
+        dPredictiveSpaceGetEncounters(space, first, &none, 1);
+        dGeomDestroy(first);
+    }
+    ~ShapeProximity() override { dSpaceDestroy(space); }
+
+    dGeomID ball(dReal x, dReal y)
+    {
+        const dGeomID geom = dCreateSphere(space, 1);
+        dGeomSetPosition(geom, x, y, 0);
+        return geom;
+    }
+
+    std::size_t pairs()
+    {
+        const std::size_t count = collide(space).size();
+        EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
+        return count;
+    }
+
+    dPredictiveSpaceCounters counters() const
+    {
+        dPredictiveSpaceCounters counters;
+        dPredictiveSpaceGetCounters(space, &counters, sizeof counters);
+        return counters;
+    }
+
+    // Until pairs of objects that do not move are at rest.
+    void let_rest()
+    {
+        for (int i = 0; i < 100; ++i)
+            pairs();
+    }
+
+    // The boxes of balls of radius 1 overlap, the balls are 0.26 apart.
+    static constexpr dReal apart = REAL(1.6);
+
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+};
+
+TEST_F(ShapeProximity, LeavesOutPairsWhoseBoxesAloneOverlap)
+{
+    ball(0, 0);
+    const dGeomID other = ball(apart, apart);
+    EXPECT_EQ(pairs(), 0u);
+    EXPECT_EQ(counters().postponed, 1u);
+    EXPECT_EQ(counters().looks, 1u);
+    dGeomSetPosition(other, REAL(1.4), REAL(1.4), 0);
+    EXPECT_EQ(pairs(), 1u);
+    EXPECT_EQ(counters().postponed, 0u);
+}
+
+TEST_F(ShapeProximity, NeedsNoLookUntilThePairHasTravelledItsGap)
+{
+    // So that the motion keeps to its prediction: a pair of an object that is predicted anew is a new pair.
+    for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
+        dPredictiveSpaceSetDeviation(space, role, REAL(0.1), 0, 0);
+    ball(0, 0);
+    const dGeomID other = ball(apart, apart);
+    for (int i = 0; i < 20; ++i)
+    {
+        dGeomSetPosition(other, apart - REAL(0.01) * (i % 2), apart, 0);
+        EXPECT_EQ(pairs(), 0u);
+    }
+    EXPECT_EQ(counters().looks, 1u);
+}
+
+TEST_F(ShapeProximity, NoticesThatAGeomGrows)
+{
+    ball(0, 0);
+    const dGeomID other = ball(apart, apart);
+    EXPECT_EQ(pairs(), 0u);
+    dGeomSphereSetRadius(other, REAL(1.4));
+    EXPECT_EQ(pairs(), 1u);
+    dGeomSphereSetRadius(other, 1);
+    let_rest();
+    EXPECT_EQ(pairs(), 0u);
+    dGeomSphereSetRadius(other, REAL(1.4));
+    EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(ShapeProximity, NoticesThatAGeomGrowsWithinItsEnvelope)
+{
+    // So that neither object is predicted anew, and the pair stays the same.
+    for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
+        dPredictiveSpaceSetDeviation(space, role, 1, 0, 0);
+    ball(REAL(1.8), REAL(1.8));
+    const dGeomID box = dCreateBox(space, 2, 2, 2);
+    EXPECT_EQ(pairs(), 0u);
+    EXPECT_EQ(counters().postponed, 1u);
+    dGeomBoxSetLengths(box, REAL(2.4), REAL(2.4), REAL(2.4));
+    EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(ShapeProximity, NoticesThatAPlaneMoves)
+{
+    ball(0, 0);
+    const dGeomID plane = dCreatePlane(space, REAL(0.6), 0, REAL(0.8), REAL(-1.1));
+    EXPECT_EQ(pairs(), 0u);
+    dGeomPlaneSetParams(plane, REAL(0.6), 0, REAL(0.8), REAL(-0.9));
+    EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(ShapeProximity, NoticesThatAPlaneTurnsFarAway)
+{
+    const dGeomID plane = dCreatePlane(space, REAL(0.0001), 0, 1, 0);
+    dGeomSetPosition(dCreateSphere(space, 1), 1000, 0, REAL(1.2));
+    EXPECT_EQ(pairs(), 0u);
+    EXPECT_EQ(counters().postponed, 1u);
+    dGeomPlaneSetParams(plane, REAL(-0.0003), 0, 1, 0);
+    EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(ShapeProximity, ReportsPairsWithinTheMargin)
+{
+    ball(0, 0);
+    ball(apart, apart);
+    EXPECT_EQ(dPredictiveSpaceGetShapeMargin(space), 0);
+    dPredictiveSpaceSetShapeMargin(space, REAL(0.2));
+    EXPECT_EQ(dPredictiveSpaceGetShapeMargin(space), REAL(0.2));
+    EXPECT_EQ(pairs(), 0u);
+    dPredictiveSpaceSetShapeMargin(space, REAL(0.3));
+    EXPECT_EQ(pairs(), 1u);
+    dPredictiveSpaceSetShapeMargin(space, 0);
+    let_rest();
+    EXPECT_EQ(pairs(), 0u);
+    dPredictiveSpaceSetShapeMargin(space, REAL(0.3));
+    EXPECT_EQ(pairs(), 1u) << "the pair was at rest";
+}
+
+TEST_F(ShapeProximity, ReportsPairsWithinAThousandthOfTheirSize)
+{
+    ball(0, 0);
+    const dGeomID other = ball(0, REAL(2.0015));
+    EXPECT_EQ(pairs(), 0u) << "the boxes are apart";
+    const double oblique = std::sqrt(0.5);
+    dGeomSetPosition(other, static_cast<dReal>(2.0015 * oblique), static_cast<dReal>(2.0015 * oblique), 0);
+    EXPECT_EQ(pairs(), 1u);
+    dGeomSetPosition(other, static_cast<dReal>(2.0025 * oblique), static_cast<dReal>(2.0025 * oblique), 0);
+    // A pair without a gap is looked at again after some reports.
+    for (int i = 0; i < 20; ++i)
+        pairs();
+    EXPECT_EQ(pairs(), 0u);
+}
+
+TEST_F(ShapeProximity, OfAPairAtRestIsWhatItWasBefore)
+{
+    ball(0, 0);
+    const dGeomID other = ball(apart, apart);
+    let_rest();
+    EXPECT_EQ(pairs(), 0u);
+    const unsigned long looks = counters().looks;
+    EXPECT_EQ(pairs(), 0u);
+    EXPECT_EQ(counters().looks, looks);
+    dGeomSetPosition(other, 1, 1, 0);
+    EXPECT_EQ(pairs(), 1u);
+    let_rest();
+    EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(ShapeProximity, CanBeChangedAtAnyTime)
+{
+    ball(0, 0);
+    ball(apart, apart);
+    let_rest();
+    for (int i = 0; i < 3; ++i)
+    {
+        dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
+        EXPECT_EQ(pairs(), 1u);
+        let_rest();
+        EXPECT_EQ(pairs(), 1u);
+        EXPECT_EQ(counters().postponed, 0u);
+        dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+        EXPECT_EQ(pairs(), 0u);
+        let_rest();
+        EXPECT_EQ(pairs(), 0u);
+        EXPECT_EQ(dPredictiveSpaceGetProximity(space), dPredictiveProximityShape);
+    }
+}
+
+TEST_F(ShapeProximity, GoesByBoxesForOtherGeoms)
+{
+    ball(0, 0);
+    const dGeomID ray = dCreateRay(space, 1);
+    dGeomRaySet(ray, REAL(0.9), REAL(0.9), REAL(0.9), 0, 0, 1);
+    EXPECT_EQ(pairs(), 1u);
+    dGeomDestroy(ray);
+    const dGeomID skewed = dCreateBox(space, 2, 2, 2);
+    dGeomSetPosition(skewed, apart, apart, 0);
+    EXPECT_EQ(pairs(), 1u) << "the box and the ball touch";
+    dGeomSetPosition(skewed, REAL(1.9), REAL(1.9), 0);
+    EXPECT_EQ(pairs(), 0u);
+    const dMatrix3 no_rotation{1, 0, 0, 0, REAL(0.1), 1, 0, 0, 0, 0, 1, 0};
+    dGeomSetRotation(skewed, no_rotation);
+    EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(ShapeProximity, OfPlacesThatAreNotNumbersIsThatOfBoxes)
+{
+    const dReal nan = std::numeric_limits<dReal>::quiet_NaN();
+    ball(0, 0);
+    const dGeomID other = ball(apart, apart);
+    EXPECT_EQ(pairs(), 0u);
+    dGeomSetPosition(other, nan, nan, nan);
+    collide(space);
+    dGeomSetPosition(other, apart, apart, 0);
+    EXPECT_EQ(pairs(), 0u);
+    dGeomSetPosition(other, 1, 1, 0);
+    EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(ShapeProximity, RefusesMarginsThatAreNoLengths)
+{
+    dPredictiveSpaceSetShapeMargin(space, REAL(0.5));
+    for (const dReal bad :
+         {REAL(-1.0), std::numeric_limits<dReal>::infinity(), std::numeric_limits<dReal>::quiet_NaN()})
+    {
+        const std::string complaint = ode_complaint([&] { dPredictiveSpaceSetShapeMargin(space, bad); });
+        EXPECT_NE(complaint.find("dPredictiveSpaceSetShapeMargin(): bad argument margin"), std::string::npos)
+            << complaint;
+        EXPECT_EQ(dPredictiveSpaceGetShapeMargin(space), REAL(0.5));
+    }
+    EXPECT_NE(ode_complaint([&] { dPredictiveSpaceSetProximity(space, 3); }), "");
+}
+
+TEST_F(ShapeProximity, CanBeSetByTheWrapper)
+{
+    dPredictiveSpace wrapped;
+    wrapped.setProximity(dPredictiveProximityShape);
+    wrapped.setShapeMargin(REAL(0.25));
+    EXPECT_EQ(wrapped.getProximity(), dPredictiveProximityShape);
+    EXPECT_EQ(wrapped.getShapeMargin(), REAL(0.25));
+    EXPECT_EQ(wrapped.getCounters().looks, 0u);
+}
+} // namespace
+} // namespace ode_predictive_space

@@ -1,0 +1,150 @@
+// A pair is postponed until its gap may have closed: until then its shapes are apart, however they move and turn.
+
+#include <gtest/gtest.h>
+
+#include "ode_predictive_space/broadphase/near/shape_test.h"
+#include "ode_predictive_space/broadphase/objects/measured_shapes.h"
+#include "tests/shape/random_shapes.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr CandidatePair the_pair{0, 1};
+
+// Two shapes whose bounding boxes always overlap.
+class TwoShapes : public Scene
+{
+public:
+    TwoShapes()
+    {
+        both_.resize(2);
+        both_.insert(0);
+        both_.insert(1);
+        shapes_.start(2);
+        for (MeasuredBox &box : boxes_)
+            box = MeasuredBox(bounds(0));
+    }
+
+    ConvexShape now[2];
+    double margin = 0;
+
+    bool reported()
+    {
+        shapes_.invalidate(both_);
+        shapes_.update(*this, both_, both_);
+        if (shapes_.renewed(the_pair))
+            look_ = {};
+        shapes_.clear_renewed();
+        return ShapeTest({*this, boxes_, false}, shapes_, margin, looks_)(the_pair, look_);
+    }
+
+    bool postponed() const { return shapes_.travel(the_pair) < look_.due; }
+    std::uint64_t looks() const { return looks_; }
+
+    void get_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes) override
+    {
+        for (std::size_t i = 0; i < count; ++i)
+            shapes[i] = now[ids[i]];
+    }
+    void locate(const ProxyId *, std::size_t, Location *) override {}
+    void measure(const ProxyId *, std::size_t, MeasuredBox *) override {}
+    void observe(const ProxyId *, std::size_t, const bool *, Observation *) override {}
+    Box bounds(ProxyId) override { return Box(Vector3::Constant(-1e6), Vector3::Constant(1e6)); }
+    std::optional<Vector3> pivot(ProxyId) override { return {}; }
+    bool overlap(ProxyId, ProxyId) override { return true; }
+    void find_disabled(const ProxyId *, std::size_t, std::vector<ProxyId> &) override {}
+
+private:
+    MeasuredBox boxes_[2];
+    MeasuredShapes shapes_;
+    Look look_;
+    IdSet both_;
+    std::uint64_t looks_ = 0;
+};
+
+TEST(Travel, MovesNoPointFartherThanItSays)
+{
+    ShapeMaker maker(1);
+    for (int i = 0; i < 500000; ++i)
+    {
+        const Solid solid = solids[static_cast<std::size_t>(maker.between(0, 3.999))];
+        const ConvexShape before = moved(maker.shape(solid), maker.rotation(), maker.vector());
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(maker.between(0, maker.one_in(2) ? 3 : 0.01), maker.direction()).toRotationMatrix();
+        const ConvexShape after = moved(before, turn, maker.between(0, 0.1) * maker.vector());
+        const Vector3 direction = maker.direction();
+        const double change =
+            direction.dot(after.centre - before.centre) + after.reach(direction) - before.reach(direction);
+        ASSERT_LE(std::abs(change), after.moved_from(before) + 1e-13) << "shape " << i;
+    }
+}
+
+TEST(Travel, OfATurningSphereIsNone)
+{
+    ShapeMaker maker(1);
+    const ConvexShape sphere = maker.shape(Solid::sphere), capsule = maker.shape(Solid::capsule);
+    EXPECT_EQ(moved(sphere, maker.rotation(), Vector3::Zero()).moved_from(sphere), 0);
+    const Eigen::Matrix3d about_its_axis = Eigen::AngleAxisd(1, Vector3::UnitZ()).toRotationMatrix();
+    EXPECT_LT(moved(capsule, about_its_axis, Vector3::Zero()).moved_from(capsule), 1e-12);
+}
+
+TEST(Travel, OfAPlaneSaysNothing)
+{
+    ShapeMaker maker(1);
+    TwoShapes pair;
+    pair.now[0] = maker.shape(Solid::plane);
+    pair.now[0].axes[0] = Vector3::UnitZ();
+    pair.now[1] = moved(maker.shape(Solid::sphere), Eigen::Matrix3d::Identity(), Vector3(1000, 0, 2));
+    EXPECT_FALSE(pair.reported());
+    EXPECT_TRUE(pair.postponed());
+    pair.now[0].axes[0] = Vector3(-0.003, 0, 1).normalized();
+    EXPECT_TRUE(pair.reported());
+}
+
+TEST(Travel, ShapesOfPostponedPairsAreApart)
+{
+    long postponed = 0, touching = 0, steps = 0;
+    std::uint64_t looks = 0;
+    for (unsigned seed = 0; seed < 4000; ++seed)
+    {
+        ShapeMaker maker(seed);
+        TwoShapes pair;
+        pair.margin = maker.one_in(2) ? 0 : 0.02;
+        pair.now[0] = maker.shape(solids[static_cast<std::size_t>(maker.between(0, 4.999))]);
+        pair.now[1] = moved(maker.shape(solids[static_cast<std::size_t>(maker.between(0, 3.999))]), maker.rotation(),
+                            maker.between(0.3, 1.5) * maker.direction());
+        const double speed = std::exp(maker.between(-8, -3)), spin = std::exp(maker.between(-8, -2));
+        const bool far_away = maker.one_in(10);
+        for (ConvexShape &shape : pair.now)
+            shape.centre += far_away ? Vector3(1e6, -1e5, 0) : Vector3(0, 0, 0);
+        for (int tick = 0; tick < 300; ++tick, ++steps)
+        {
+            for (ConvexShape &shape : pair.now)
+            {
+                const Eigen::Matrix3d turn =
+                    Eigen::AngleAxisd(spin * maker.between(-1, 1), maker.direction()).toRotationMatrix();
+                shape = moved(shape, turn, speed * maker.vector());
+            }
+            if (maker.one_in(100)) // comes back
+                pair.now[1].centre = pair.now[0].centre + maker.vector();
+            if (maker.one_in(200)) // resized
+            {
+                pair.now[1].half_sides *= 1.2;
+                pair.now[1].radius *= 1.2;
+            }
+            const bool reported = pair.reported();
+            const double distance = distance_from_above(pair.now[0], pair.now[1], 8);
+            ASSERT_TRUE(reported || distance >= pair.margin - (far_away ? 1e-9 : 1e-13))
+                << "seed " << seed << ", tick " << tick;
+            postponed += pair.postponed();
+            touching += distance < 1e-6;
+        }
+        looks += pair.looks();
+    }
+    EXPECT_GT(postponed, steps / 3);
+    EXPECT_GT(touching, steps / 100);
+    EXPECT_LT(looks, static_cast<std::uint64_t>(steps) / 3) << "most ticks need no look";
+}
+} // namespace
+} // namespace ode_predictive_space
