@@ -13,7 +13,7 @@ namespace
 {
 std::vector<std::string> names_of_spaces()
 {
-    std::vector<std::string> names{"predictive", "predictive-sphere"};
+    std::vector<std::string> names{"predictive", "predictive-sphere", "predictive-shape"};
     for (const scenes::SpaceKind kind : scenes::all_spaces())
     {
         names.push_back(scenes::space_name(kind));

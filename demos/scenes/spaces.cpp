@@ -35,6 +35,7 @@ dSpaceID try_to_make_space(SpaceKind kind, const SceneFactory &factory)
         return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
     case SpaceKind::predictive:
     case SpaceKind::predictive_by_spheres:
+    case SpaceKind::predictive_by_shapes:
         break;
     }
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
@@ -42,12 +43,16 @@ dSpaceID try_to_make_space(SpaceKind kind, const SceneFactory &factory)
     {
         dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
     }
+    if (space != nullptr && kind == SpaceKind::predictive_by_shapes)
+    {
+        dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+    }
     return space;
 }
 
 Family family_of(SpaceKind kind)
 {
-    return kind == SpaceKind::predictive || kind == SpaceKind::predictive_by_spheres ? Family::predictive : Family::ode;
+    return is_predictive(kind) ? Family::predictive : Family::ode;
 }
 
 class SpaceContender : public Contender
@@ -57,7 +62,10 @@ public:
         : Contender(space_name(kind), family_of(kind), std::move(space)), kind_(kind)
     {}
 
-    bool exact() const override { return kind_ != SpaceKind::predictive_by_spheres; }
+    bool exact() const override
+    {
+        return kind_ != SpaceKind::predictive_by_spheres && kind_ != SpaceKind::predictive_by_shapes;
+    }
 
     // The sweep-and-prune space rounds its first axis to single precision, so it reports pairs whose gap is in the eighth
     // digit.
@@ -70,6 +78,12 @@ private:
     SpaceKind kind_;
 };
 } // namespace
+
+bool is_predictive(SpaceKind kind)
+{
+    return kind == SpaceKind::predictive || kind == SpaceKind::predictive_by_spheres ||
+           kind == SpaceKind::predictive_by_shapes;
+}
 
 const std::vector<SpaceKind> &all_spaces()
 {
@@ -92,6 +106,8 @@ std::string space_name(SpaceKind kind)
         return "sap";
     case SpaceKind::predictive_by_spheres:
         return "predictive-sphere";
+    case SpaceKind::predictive_by_shapes:
+        return "predictive-shape";
     case SpaceKind::predictive:
         break;
     }
@@ -104,8 +120,9 @@ SpaceKind space_named(const std::string &name)
     {
         return SpaceKind::predictive;
     }
-    for (const SpaceKind kind : {SpaceKind::predictive, SpaceKind::predictive_by_spheres, SpaceKind::simple,
-                                 SpaceKind::hash, SpaceKind::quadtree, SpaceKind::sweep_and_prune})
+    for (const SpaceKind kind :
+         {SpaceKind::predictive, SpaceKind::predictive_by_spheres, SpaceKind::predictive_by_shapes, SpaceKind::simple,
+          SpaceKind::hash, SpaceKind::quadtree, SpaceKind::sweep_and_prune})
     {
         if (space_name(kind) == name)
         {

@@ -15,14 +15,17 @@ enum class SpaceKind
 {
     predictive,
     predictive_by_spheres,
+    predictive_by_shapes,
     simple,
     hash,
     quadtree,
     sweep_and_prune
 };
 
-/// The kinds that report the same pairs: all but predictive_by_spheres.
+/// The kinds that report the same pairs: all but predictive_by_spheres and predictive_by_shapes.
 const std::vector<SpaceKind> &all_spaces();
+
+bool is_predictive(SpaceKind kind);
 
 /// Its name on command lines and in result files.
 std::string space_name(SpaceKind kind);

@@ -21,7 +21,7 @@ bool touch(const Pair &pair)
 }
 } // namespace
 
-Comparison::Comparison(const std::vector<Pair> &expected, bool spheres) : spheres_(spheres)
+Comparison::Comparison(const std::vector<Pair> &expected, bool contacts_only) : contacts_only_(contacts_only)
 {
     for (const Pair &pair : expected)
         expected_.insert(unordered(pair));
@@ -41,7 +41,7 @@ std::vector<Difference> Comparison::finish()
 {
     for (const Pair &pair : expected_)
         if (reported_.count(pair) == 0 && is_enabled(pair.first) && is_enabled(pair.second) &&
-            may_collide(pair.first, pair.second) && (!spheres_ || touch(pair)))
+            may_collide(pair.first, pair.second) && (!contacts_only_ || touch(pair)))
             differences_.push_back({"not reported", pair});
     return std::move(differences_);
 }

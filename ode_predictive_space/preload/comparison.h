@@ -20,8 +20,8 @@ class Comparison
 {
 public:
     /// @param expected found before the collide.
-    /// @param spheres pairs may be left out that have no contact.
-    Comparison(const std::vector<Pair> &expected, bool spheres);
+    /// @param contacts_only pairs may be left out that have no contact.
+    Comparison(const std::vector<Pair> &expected, bool contacts_only);
 
     /// A pair is reported; called before the program's callback is.
     void note(dGeomID first, dGeomID second);
@@ -33,7 +33,7 @@ private:
     std::set<Pair> expected_;
     std::set<Pair> reported_;
     std::vector<Difference> differences_;
-    bool spheres_;
+    bool contacts_only_;
 };
 } // namespace ode_predictive_space::preload
 

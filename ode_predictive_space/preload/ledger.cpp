@@ -31,6 +31,7 @@ std::string space_line(const SpaceRecord &record)
     const char *kind = name_of_space_class(record.space_class);
     const char *served = !record.predictive                               ? "ODE's own"
                          : record.proximity == dPredictiveProximitySphere ? "predictive by spheres"
+                         : record.proximity == dPredictiveProximityShape  ? "predictive by shapes"
                                                                           : "predictive by boxes";
     return formatted("  space %d: %s, %s; at most %d geoms, %lu pairs", record.number, kind, served, record.most_geoms,
                      record.reported) +

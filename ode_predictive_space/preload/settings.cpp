@@ -73,8 +73,10 @@ public:
         const std::string text = value(name);
         if (text == "sphere")
             return dPredictiveProximitySphere;
+        if (text == "shape")
+            return dPredictiveProximityShape;
         if (!text.empty() && text != "box")
-            complain(name, text, "box or sphere", "box");
+            complain(name, text, "box, sphere or shape", "box");
         return dPredictiveProximityBox;
     }
 

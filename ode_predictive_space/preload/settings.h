@@ -12,7 +12,7 @@ namespace ode_predictive_space::preload
 struct Settings
 {
     std::set<int> replaced; ///< classes of spaces (dHashSpaceClass and so on) that predictive ones stand in for
-    int proximity;          ///< dPredictiveProximityBox or dPredictiveProximitySphere
+    int proximity;          ///< a dPredictiveProximity constant
     bool stats = false;     ///< at exit, say what each space did
     std::string stats_file; ///< where; empty: on standard error
     bool compare = false;   ///< check every collide against all pairs

@@ -123,7 +123,7 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
     const auto [predictive, proximity] = ledger_.with(
         call.space, [](const SpaceRecord &record) { return std::pair(record.predictive, record.proximity); });
     if (settings_.compare && (predictive || settings_.replaced.empty()))
-        call.comparison.emplace(call.expected(), proximity == dPredictiveProximitySphere);
+        call.comparison.emplace(call.expected(), proximity != dPredictiveProximityBox);
     if (call.keep)
         call.kept.reserve(1000);
 

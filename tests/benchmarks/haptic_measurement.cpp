@@ -14,7 +14,7 @@ constexpr int warm_up_ticks = 200;
 
 bool is_odes_own(SpaceKind kind)
 {
-    return kind != SpaceKind::predictive && kind != SpaceKind::predictive_by_spheres;
+    return !is_predictive(kind);
 }
 
 /// The search for one space.

@@ -69,6 +69,7 @@ TEST(Settings, StatisticsGoToStandardErrorOrAFile)
 TEST(Settings, TheOthers)
 {
     EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "sphere"}}).proximity, dPredictiveProximitySphere);
+    EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "shape"}}).proximity, dPredictiveProximityShape);
     EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "ball"}}, 1).proximity, dPredictiveProximityBox);
     EXPECT_TRUE(read({{"ODE_PREDICTIVE_COMPARE", "1"}}).compare);
     EXPECT_FALSE(read({{"ODE_PREDICTIVE_COMPARE", "on"}}, 1).compare);

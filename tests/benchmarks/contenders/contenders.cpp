@@ -34,6 +34,7 @@ const std::vector<Entry> &entries()
     static const std::vector<Entry> all = {
         entry_of(SpaceKind::predictive),
         entry_of(SpaceKind::predictive_by_spheres),
+        entry_of(SpaceKind::predictive_by_shapes),
         entry_of(SpaceKind::simple),
         entry_of(SpaceKind::hash),
         entry_of(SpaceKind::quadtree),
