@@ -34,10 +34,7 @@ struct Spread
         most.store(high);
     }
 
-    float width(int axis) const
-    {
-        return high[axis] - low[axis];
-    }
+    float width(int axis) const { return high[axis] - low[axis]; }
 
     int widest() const
     {
@@ -45,10 +42,7 @@ struct Spread
         return width(2) > width(wider) ? 2 : wider;
     }
 
-    float middle(int axis) const
-    {
-        return 0.5f * low[axis] + 0.5f * high[axis];
-    }
+    float middle(int axis) const { return 0.5f * low[axis] + 0.5f * high[axis]; }
 };
 } // namespace
 

@@ -52,7 +52,8 @@ struct Spread
     Moments centres;
 
     Spread(const std::vector<SweptProxy> &items, int along)
-        : axis(along), centres(items, [along](const FloatBox &box) { return 0.5f * (box.low[along] + box.high[along]); })
+        : axis(along),
+          centres(items, [along](const FloatBox &box) { return 0.5f * (box.low[along] + box.high[along]); })
     {}
 
     bool operator>(const Spread &other) const { return centres.variance > other.centres.variance; }
@@ -103,8 +104,9 @@ int SortAndSweep::Layout::bits_of_slabs(const Items &items) const
     const double width = Moments(items, [axis](const FloatBox &box) { return box.high[axis] - box.low[axis]; }).mean;
     // Of boxes that lie evenly, all are within this part of the places.
     const double part = std::sqrt(3) / tuning::deviations_per_half;
-    const double least = std::max(tuning::least_widths_per_slab * width * across.places_per_unit,
-                                  tuning::least_boxes_per_slab * part * places_beside / static_cast<double>(items.size()));
+    const double least =
+        std::max(tuning::least_widths_per_slab * width * across.places_per_unit,
+                 tuning::least_boxes_per_slab * part * places_beside / static_cast<double>(items.size()));
     int bits = fewest_bits;
     while (bits < bits_beside && (1 << bits) < least)
         ++bits;

@@ -69,8 +69,7 @@ struct PairProximity::Gaps
 
     float enter() const
     {
-        return max(first_not_above(above_begin, above_end), first_not_above(below_begin, below_end))
-            .largest_of_three();
+        return max(first_not_above(above_begin, above_end), first_not_above(below_begin, below_end)).largest_of_three();
     }
 
     float leave() const
@@ -88,8 +87,8 @@ PairProximity::PairProximity(const ProxyStore &proxies, ProxyId id, Tick now, Pr
     const Path since = path.path(), current = since.advanced(age_);
     std::copy_n(current.position.data(), 3, position_);
     reach_ = path.reach(age_);
-    velocity_ = Float4::nearest(current.velocity.data())
-                    .with_fourth(-(path.deviation_rate + 2 * age_ * path.deviation_bend));
+    velocity_ =
+        Float4::nearest(current.velocity.data()).with_fourth(-(path.deviation_rate + 2 * age_ * path.deviation_bend));
     half_acceleration_ = Float4::load_aligned(path.half_acceleration).with_fourth(-path.deviation_bend);
     speed_ = abs(Float4::load_aligned(path.velocity));
     bend_ = Float4::all(2) * abs(Float4::load_aligned(path.half_acceleration));
@@ -128,12 +127,11 @@ inline PairProximity::Gaps PairProximity::gaps(ProxyId other, float duration) co
     const Float4 ages = Float4::all(age), durations = Float4::all(duration);
     const Float4 velocity = Float4::load_aligned(path.velocity);
     const Float4 half_acceleration = Float4::load_aligned(path.half_acceleration);
-    const Float4 offset =
-        Float4::difference(path.position, position_).with_fourth(reach_ + path.deviation_base);
+    const Float4 offset = Float4::difference(path.position, position_).with_fourth(reach_ + path.deviation_base);
     const Float4 half_bend = half_acceleration - half_acceleration_;
     const Float4 begin = offset + ages * (velocity + ages * half_acceleration);
-    const Float4 end = begin + durations * (velocity + Float4::all(2 * age) * half_acceleration - velocity_ +
-                                            durations * half_bend);
+    const Float4 end =
+        begin + durations * (velocity + Float4::all(2 * age) * half_acceleration - velocity_ + durations * half_bend);
     const Float4 reach = begin.fourth_in_all(), reach_at_end = end.fourth_in_all();
     const Float4 half_reach_bend = half_bend.fourth_in_all();
 
@@ -143,10 +141,8 @@ inline PairProximity::Gaps PairProximity::gaps(ProxyId other, float duration) co
     const Float4 rounding = this->rounding(other, offset, terms);
     const Float4 low = Float4::load(bounds.low), high = Float4::load(bounds.high), unit = Float4::all(rounding_unit);
     const Float4 quarter = Float4::all(0.25f * duration * duration), none = Float4::all(0);
-    const Float4 above =
-        low - unit * abs(low) - high_ - rounding - quarter * max(half_bend - half_reach_bend, none);
-    const Float4 below =
-        low_ - high - unit * abs(high) - rounding - quarter * max(-half_bend - half_reach_bend, none);
+    const Float4 above = low - unit * abs(low) - high_ - rounding - quarter * max(half_bend - half_reach_bend, none);
+    const Float4 below = low_ - high - unit * abs(high) - rounding - quarter * max(-half_bend - half_reach_bend, none);
     return {above + begin - reach, above + end - reach_at_end, below - begin - reach, below - end - reach_at_end};
 }
 
@@ -169,9 +165,9 @@ std::optional<ProximityInterval> PairProximity::of_boxes(ProxyId other) const
 // Boxes and spheres must be near: not before the later of the two first times.
 std::optional<ProximityInterval> PairProximity::of_spheres(ProxyId other, const ProximityInterval &of_boxes) const
 {
-    const std::optional<double> time = sphere_time_of_proximity(
-        spherical(proxies_.outer_envelope(id_, now_)), spherical(proxies_.outer_envelope(other, now_)),
-        proxies_.common_horizon(id_, other, now_));
+    const std::optional<double> time = sphere_time_of_proximity(spherical(proxies_.outer_envelope(id_, now_)),
+                                                                spherical(proxies_.outer_envelope(other, now_)),
+                                                                proxies_.common_horizon(id_, other, now_));
     if (!time)
         return std::nullopt;
     return ProximityInterval{std::max(of_boxes.enter, *time), of_boxes.leave};

@@ -106,8 +106,8 @@ Verifier::Outcome Verifier::find_broken(Scene &scene, const ProxyStore &proxies,
     for (ProxyId id : suspects_)
     {
         const Check check = proxies.records[id].kind.check;
-        const bool holds = prediction_holds(scene, proxies, boxes, check == Check::centre ? *location++ : nowhere, id,
-                                            now.now);
+        const bool holds =
+            prediction_holds(scene, proxies, boxes, check == Check::centre ? *location++ : nowhere, id, now.now);
         outcome.broken += !holds && check != Check::none;
         if (!holds || has_stopped(moved_, id, now.now))
             batch.add(id);
