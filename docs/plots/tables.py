@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Prints tables in Markdown, as docs/performance.md has them, from what `predictive_bench all --json FILE` wrote.
+"""Prints tables in Markdown, as docs/performance.md has them, from what `predictive_bench` wrote with `--json FILE`.
 
-    tables.py FILE
+    tables.py FILE             of `all` or `stepped`
+    tables.py FILE BEFORE      of `instructions`, beside the counts of another version
 """
 
 import json
@@ -9,6 +10,7 @@ import sys
 
 SPACES = ["predictive-box", "predictive-sphere", "simple", "hash", "quadtree", "sap", "bullet-dbvt", "bullet-sap", "sweep",
           "floor-boxes", "floor"]
+ODE = ["simple", "hash", "quadtree", "sap"]
 PAPER = {"brute": "brute force", "sap": "sweep & prune", "quadtree": "quadtree", "hash": "uniform grid"}
 
 
@@ -91,9 +93,50 @@ def print_table1(records):
         print_table(["objects"] + list(PAPER.values()), rows)
 
 
+def print_stepped(records):
+    scenes = {}
+    for record in records:
+        scenes.setdefault((record["scene"], record["n"], record["begin_s"], record["end_s"]), {})[record["space"]] = record
+    rows = []
+    for (scene, n, begin, end), spaces in scenes.items():
+        ours = spaces["predictive-box"]
+        best_name = min((name for name in ODE if name in spaces), key=lambda name: spaces[name]["mean_us"])
+        best, tails = spaces[best_name], [spaces[name]["p99_us"] for name in ODE if name in spaces]
+        rows.append([scene + (f", {begin} to {end} s" if end is not None else ""), f"{n:,}",
+                     f"{number(best['mean_us'])} ({best_name})", number(ours["mean_us"]), number(ours["best_ode_ratio"]),
+                     number(ours["median_us"]), number(ours["p99_us"]), number(ours["p999_us"]),
+                     number(min(tails) / ours["p99_us"]), number(ours["best_ode_ratio_of_wholes"])])
+    print_table(["scene", "objects", "best ODE space, mean", "predictive, mean", "ratio", "median", "p99", "p99.9",
+                 "ratio of p99", "ratio of whole ticks"], rows)
+
+
+def print_instructions(records, before):
+    key = lambda record: (record["scene"], record["n"], record["space"])
+    earlier = {key(record): record for record in before}
+    rows = []
+    for record in records:
+        if record["space"] == "predictive-box" and key(record) in earlier:
+            old = earlier[key(record)]
+            rows.append([record["scene"], f"{record['n']:,}"] +
+                        [f"{version[part]:,.0f}" for part in ("collide", "notices", "sum") for version in (old, record)] +
+                        [f"{record['sum'] / old['sum']:.3f}"])
+    print_table(["scene", "objects", "collide before", "now", "notices before", "now", "sum before", "now", "now / before"],
+                rows)
+
+
+def read(name):
+    with open(name, encoding="utf-8") as file:
+        return json.load(file)
+
+
 def main():
-    with open(sys.argv[1], encoding="utf-8") as file:
-        records = json.load(file)
+    records = read(sys.argv[1])
+    if len(sys.argv) > 2:
+        print_instructions(records, read(sys.argv[2]))
+        return
+    if records[0].get("table") == "stepped":
+        print_stepped(records)
+        return
     print("<!-- requirements -->\n")
     print_requirements(records)
     print("<!-- table 1 -->\n")
