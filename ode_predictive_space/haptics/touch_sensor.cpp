@@ -147,8 +147,13 @@ void TouchSensor::prepare_all()
     }
 }
 
+// ODE's quadtree cannot list its geoms and aborts: meshes in one are read when they are first touched.
 void TouchSensor::prepare_space(dSpaceID space)
 {
+    if (dGeomGetClass(reinterpret_cast<dGeomID>(space)) == dQuadTreeSpaceClass)
+    {
+        return;
+    }
     const int count = dSpaceGetNumGeoms(space);
     for (int i = 0; i < count; ++i)
     {

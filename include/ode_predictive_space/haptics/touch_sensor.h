@@ -65,8 +65,8 @@ public:
     /// Read a mesh now rather than when the probe first comes near it: a hundred thousand triangles take some 0.1 s.
     void prepare(dGeomID mesh);
 
-    /// The same for all meshes that there are in the sensor's space, in those within it, and in those that it is in. Loops do this before
-    /// they begin.
+    /// The same for all meshes that there are in the sensor's space, in those within it, and in those that it is in. Loops do this
+    /// before they begin. Meshes in ODE's quadtree spaces, which cannot list their geoms, are read when they are first touched.
     void prepare_all();
 
     /// The triangles behind this id have changed in place. They are compared from tick to tick, too: those that are touched at once, the
