@@ -11,7 +11,7 @@ void write_moves(std::FILE *out, const std::vector<Move> &moves)
 {
     const std::uint64_t count = moves.size();
     if (std::fwrite(&count, sizeof count, 1, out) != 1 ||
-        std::fwrite(moves.data(), sizeof(Move), moves.size(), out) != moves.size())
+        (!moves.empty() && std::fwrite(moves.data(), sizeof(Move), moves.size(), out) != moves.size()))
     {
         throw std::runtime_error("the motion could not be passed on");
     }
