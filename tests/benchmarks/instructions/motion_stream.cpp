@@ -25,7 +25,7 @@ std::vector<Move> read_moves(std::FILE *in)
         throw std::runtime_error("the motion ends early");
     }
     std::vector<Move> moves(count);
-    if (std::fread(moves.data(), sizeof(Move), moves.size(), in) != moves.size())
+    if (count > 0 && std::fread(moves.data(), sizeof(Move), moves.size(), in) != moves.size())
     {
         throw std::runtime_error("the motion ends early");
     }
