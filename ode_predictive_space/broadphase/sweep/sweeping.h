@@ -79,7 +79,7 @@ public:
     /// @param in_parts not all objects were predicted at once.
     void finish_filling(bool in_parts);
 
-    /// Sweeping → predicting, if sweeping began because most objects were new: predictions are asked for now.
+    /// Sweeping → predicting, if sweeping began because most objects were new and the program asks for predictions.
     ///
     /// @return true when it did; then all objects have to be predicted.
     bool end_for_predictions();
