@@ -23,12 +23,13 @@ struct Mover
     Quaternion turn; ///< per tick
 };
 
-/// The differences between gas, game and still; the other scenes build on them.
+/// The differences between gas, game, classes and still; the other scenes build on them.
 struct GasSettings
 {
     double volume_fraction = 0.01;
     double moving = 0.5;           ///< share of the objects
     double max_speed = calm_speed; ///< metres per tick
+    int shapes = 3;                ///< the objects have the first so many shapes
 };
 
 GasSettings gas_settings(const SceneSpec &spec)
@@ -37,6 +38,10 @@ GasSettings gas_settings(const SceneSpec &spec)
     if (spec.name == "game")
     {
         settings = {0.05, 1, game_speed};
+    }
+    else if (spec.name == "classes")
+    {
+        settings = {0.05, 1, game_speed, 6};
     }
     else if (spec.name == "still" || spec.name == "probe" || spec.name == "teleport")
     {
@@ -85,7 +90,7 @@ protected:
         {
             // Every k-th object moves, where k = 1 / share.
             const bool moves = std::floor((i + 1) * settings_.moving) > std::floor(i * settings_.moving);
-            add_object(static_cast<Shape>(i % 3), moves);
+            add_object(static_cast<Shape>(i % settings_.shapes), moves);
         }
     }
 

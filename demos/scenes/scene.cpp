@@ -23,6 +23,7 @@ struct Description
 constexpr Description descriptions[] = {
     {"gas", "half of the objects still, the others fly at up to 1 mm per tick and bounce off the walls"},
     {"game", "a dense room in which everything flies, at up to 10 mm per tick"},
+    {"classes", "game with spheres, boxes, capsules, meshes, cylinders and convexes"},
     {"pile", "spheres and boxes that have settled in a pit, under gravity"},
     {"stack", "walls and towers of boxes, asleep until a heavy ball hits them, every two seconds"},
     {"terrain", "small movers on a heightfield, a mesh and a plane, among boxes up to 10,000 times as long"},

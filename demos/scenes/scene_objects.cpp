@@ -31,7 +31,7 @@ dGeomID SceneObjects::make_geom(Shape shape)
     {
         mesh_ = std::make_unique<BallMesh>(object_radius);
     }
-    return add_geom(make_shape(space_, shape, object_radius, mesh_.get()));
+    return add_geom(make_shape(space_, shape, object_radius, {mesh_.get(), &octahedron_}));
 }
 
 Object SceneObjects::add_still(Shape shape, const Vector3 &position, const Quaternion &orientation)

@@ -66,7 +66,8 @@ private:
     dSpaceID space_;
     dWorldID world_;
     std::unique_ptr<BallMesh> mesh_; ///< created with the first mesh
-    std::vector<dGeomID> geoms_;     ///< by number
+    const Octahedron octahedron_{object_radius};
+    std::vector<dGeomID> geoms_; ///< by number
 };
 
 BodyState state_of(dBodyID body);

@@ -5,6 +5,7 @@
 #include "ode_predictive_space/space/ode_internals.h"
 
 #include <gtest/gtest.h>
+#include <set>
 #include <stdexcept>
 
 namespace ode_predictive_space::benchmarks
@@ -93,11 +94,27 @@ TEST(SteppedScene, MovesWhatItSays)
     const OdeSession ode;
     EXPECT_EQ(moved_in_a_tick("gas"), objects / 2);
     EXPECT_EQ(moved_in_a_tick("game"), objects);
+    EXPECT_EQ(moved_in_a_tick("classes"), objects);
     EXPECT_EQ(moved_in_a_tick("settling"), objects);
     EXPECT_EQ(moved_in_a_tick("terrain"), objects + 2) << "and the airships; the cranes turn where they are";
     EXPECT_EQ(moved_in_a_tick("teleport"), objects);
     EXPECT_EQ(moved_in_a_tick("dart"), objects / 20);
     EXPECT_EQ(moved_in_a_tick("ask"), objects / 2);
+}
+
+TEST(SteppedScene, ClassesHaveEveryClassThatAShapeHas)
+{
+    const OdeSession ode;
+    const SceneFactory factory(spec_of_stepped_scene("classes", objects, 3));
+    const OwnedSpace space(make_space(SpaceKind::simple, factory));
+    const std::unique_ptr<Scene> scene = make_stepped_scene("classes", factory, space.get());
+    std::set<int> classes;
+    for (const dGeomID geom : scene->geoms())
+    {
+        classes.insert(dGeomGetClass(geom));
+    }
+    EXPECT_EQ(classes,
+              (std::set<int>{dSphereClass, dBoxClass, dCapsuleClass, dCylinderClass, dConvexClass, dTriMeshClass}));
 }
 
 TEST(SteppedScene, DartSetsEveryPose)
@@ -139,7 +156,7 @@ std::vector<Vector3> positions_after_ticks(const std::string &name, bool with_co
 TEST(SteppedScene, ContactsChangeTheMotion)
 {
     const OdeSession ode;
-    for (const char *name : {"gas", "game", "pile", "settling", "stack", "terrain"})
+    for (const char *name : {"gas", "game", "classes", "pile", "settling", "stack", "terrain"})
     {
         EXPECT_NE(positions_after_ticks(name, true), positions_after_ticks(name, false)) << name;
     }

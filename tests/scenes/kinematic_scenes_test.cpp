@@ -63,11 +63,14 @@ TEST(Gas, BouncesOffTheWalls)
 
 TEST(Game, AllMoveAtNoMoreThanATenthOfTheRadiusPerTick)
 {
-    Motion motion({"game", 100, 1});
-    motion.advance();
-    EXPECT_EQ(motion.moved(), 100);
-    EXPECT_LE(motion.longest_way(), 0.1 * object_radius * 1.0001);
-    EXPECT_GT(motion.longest_way(), 0.05 * object_radius);
+    for (const char *name : {"game", "classes"})
+    {
+        Motion motion({name, 100, 1});
+        motion.advance();
+        EXPECT_EQ(motion.moved(), 100);
+        EXPECT_LE(motion.longest_way(), 0.1 * object_radius * 1.0001);
+        EXPECT_GT(motion.longest_way(), 0.05 * object_radius);
+    }
 }
 
 TEST(Still, NothingMoves)

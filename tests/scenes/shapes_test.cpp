@@ -9,7 +9,7 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr Shape all_shapes[] = {Shape::sphere, Shape::box, Shape::capsule, Shape::mesh};
+constexpr Shape all_shapes[] = {Shape::sphere, Shape::box, Shape::capsule, Shape::mesh, Shape::cylinder, Shape::convex};
 
 class ShapesTest : public testing::Test
 {
@@ -32,13 +32,15 @@ protected:
     OdeSession ode_;
     dSpaceID space_ = dSimpleSpaceCreate(nullptr);
     BallMesh mesh_{object_radius};
+    Octahedron octahedron_{object_radius};
+    ShapeData data_{&mesh_, &octahedron_};
 };
 
 TEST_F(ShapesTest, FitTheirBoundingSphere)
 {
     for (const Shape shape : all_shapes)
     {
-        const dGeomID geom = make_shape(space_, shape, object_radius, &mesh_);
+        const dGeomID geom = make_shape(space_, shape, object_radius, data_);
         dReal box[6];
         dGeomGetAABB(geom, box);
         double longest = 0;
@@ -59,7 +61,7 @@ TEST_F(ShapesTest, CornersOfTheBoxLieOnItsBoundingSphere)
 
 TEST_F(ShapesTest, MeshIsClosedAndFacesOutwards)
 {
-    const dGeomID mesh = make_shape(space_, Shape::mesh, object_radius, &mesh_);
+    const dGeomID mesh = make_shape(space_, Shape::mesh, object_radius, data_);
     EXPECT_EQ(dGeomTriMeshGetTriangleCount(mesh), 80);
     // Every ray from outside to the centre meets it once, at a face that looks at the ray's beginning.
     haptics::Random random(1);
@@ -75,14 +77,35 @@ TEST_F(ShapesTest, MeshIsClosedAndFacesOutwards)
     dGeomDestroy(ray);
 }
 
+TEST_F(ShapesTest, OctahedronIsTouchedAtEachOfItsFaces)
+{
+    const dGeomID octahedron = make_shape(space_, Shape::convex, object_radius, data_);
+    const double ball_radius = 0.01;
+    const dGeomID ball = dCreateSphere(space_, ball_radius);
+    haptics::Random random(1);
+    for (int face = 0; face < 8; ++face)
+    {
+        const Vector3 normal = Vector3((face & 1) * 2 - 1, (face & 2) - 1, (face & 4) / 2 - 1) / std::sqrt(3.0);
+        const Vector3 middle = object_radius / std::sqrt(3.0) * normal;
+        for (int i = 0; i < 20; ++i)
+        {
+            const Vector3 aside = 0.2 * object_radius * random.direction().cross(normal);
+            set_position(ball, middle + aside + 0.9 * ball_radius * normal);
+            EXPECT_EQ(contacts_of(octahedron, ball), 1) << "face " << face;
+            set_position(ball, middle + aside + 1.1 * ball_radius * normal);
+            EXPECT_EQ(contacts_of(octahedron, ball), 0) << "face " << face;
+        }
+    }
+}
+
 TEST_F(ShapesTest, TouchOneAnother)
 {
     for (const Shape one : all_shapes)
     {
         for (const Shape other : all_shapes)
         {
-            const dGeomID first = make_shape(space_, one, object_radius, &mesh_);
-            const dGeomID second = make_shape(space_, other, object_radius, &mesh_);
+            const dGeomID first = make_shape(space_, one, object_radius, data_);
+            const dGeomID second = make_shape(space_, other, object_radius, data_);
             // Not deep: a mesh is hollow, and what lies inside it touches nothing.
             dGeomSetPosition(second, half_width(first) + half_width(second) - 0.01, 0.001, 0.002);
             EXPECT_GT(contacts_of(first, second), 0)
@@ -99,6 +122,8 @@ TEST_F(ShapesTest, HaveTheMassOfTheirVolume)
     EXPECT_NEAR(box.mass, 1000 * std::pow(2 * half_side_of_box(object_radius), 3), 1e-9);
     const dMass ball = mass_of_shape(Shape::sphere, object_radius, 1000);
     EXPECT_NEAR(ball.mass, 1000 * 4.0 / 3.0 * pi * std::pow(object_radius, 3), 1e-9);
+    const dMass octahedron = mass_of_shape(Shape::convex, object_radius, 1000);
+    EXPECT_NEAR(octahedron.mass, 1000 * 4.0 / 3.0 * std::pow(object_radius, 3), 1e-9);
 }
 } // namespace
 } // namespace ode_predictive_space::scenes

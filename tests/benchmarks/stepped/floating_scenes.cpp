@@ -16,9 +16,9 @@ constexpr double fastest_spin = 5;       // rad/s
 constexpr double pose_setting_speed = 1; // m/s
 constexpr int objects_per_moving_pose = 20;
 
-Shape shape_of(int number)
+Shape shape_of(int number, int shapes)
 {
-    return static_cast<Shape>(number % 3);
+    return static_cast<Shape>(number % shapes);
 }
 
 BodyState random_state(double half, double max_speed, haptics::Random &random)
@@ -64,14 +64,15 @@ FloatingScene::FloatingScene(const SceneSpec &spec, dSpaceID space, const Floati
     for (int i = 0; i < spec.objects; ++i)
     {
         const BodyState state = random_state(half_, settings.max_speed, random_);
+        const Shape shape = shape_of(i, settings.shapes);
         // Every k-th object moves, where k = 1 / share.
         if (std::floor((i + 1) * settings.moving) > std::floor(i * settings.moving))
         {
-            floaters_.push_back(objects_.add_moving(shape_of(i), state, density));
+            floaters_.push_back(objects_.add_moving(shape, state, density));
         }
         else
         {
-            objects_.add_still(shape_of(i), state.position, state.orientation);
+            objects_.add_still(shape, state.position, state.orientation);
         }
     }
 }
@@ -107,7 +108,9 @@ PoseSettingScene::PoseSettingScene(const SceneSpec &spec, dSpaceID space)
     {
         Posed posed{};
         posed.state = random_state(half_, pose_setting_speed, random);
-        posed.geom = objects_.add_still(shape_of(i), posed.state.position, posed.state.orientation).geom;
+        posed.geom =
+            objects_.add_still(shape_of(i, FloatingSettings().shapes), posed.state.position, posed.state.orientation)
+                .geom;
         if (i % objects_per_moving_pose == 0)
         {
             posed.body = dBodyCreate(objects_.world());

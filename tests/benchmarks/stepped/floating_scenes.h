@@ -13,6 +13,7 @@ struct FloatingSettings
 {
     double moving = 0.5;  ///< share of the objects
     double max_speed = 1; ///< m/s
+    int shapes = 3;       ///< the objects have the first so many shapes
 };
 
 /// Objects that bounce off one another and turn back at the sides of a room that has no geoms. They begin in random places, with
@@ -20,7 +21,7 @@ struct FloatingSettings
 class FloatingScene : public scenes::ContactScene
 {
 public:
-    /// @param spec of gas, game or teleport: the room is as large as there.
+    /// @param spec of gas, game, classes or teleport: the room is as large as there.
     FloatingScene(const scenes::SceneSpec &spec, dSpaceID space, const FloatingSettings &settings);
 
 protected:

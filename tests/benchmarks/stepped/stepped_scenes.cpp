@@ -15,6 +15,7 @@ using namespace scenes;
 
 constexpr FloatingSettings gas = {0.5, 1};
 constexpr FloatingSettings game = {1, 10};
+constexpr FloatingSettings classes = {1, 10, 6};
 
 struct Entry
 {
@@ -57,6 +58,10 @@ const std::vector<Entry> &entries()
     static const std::vector<Entry> all = {
         {"gas", "half of the objects still, the others float at up to 1 mm per tick", {"gas"}, &make_floating<gas>},
         {"game", "a dense room in which everything floats, at up to 10 mm per tick", {"game"}, &make_floating<game>},
+        {"classes",
+         "game with spheres, boxes, capsules, meshes, cylinders and convexes",
+         {"classes"},
+         &make_floating<classes>},
         {"pile", "spheres and boxes that have settled in a pit", {"pile"}, &make_as_it_is},
         {"settling", "the same from their drop on, in windows of 0.5 s", falling_pile(), &make_as_it_is},
         {"stack", "walls and towers of boxes, asleep until a heavy ball hits them", {"stack"}, &make_as_it_is},

@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// gas, game, pile, settling, stack, terrain, teleport, dart, ask.
+/// gas, game, classes, pile, settling, stack, terrain, teleport, dart, ask.
 const std::vector<std::string> &stepped_scene_names();
 
 /// One sentence on what happens in a scene.
