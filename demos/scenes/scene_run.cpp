@@ -1,6 +1,7 @@
 #include "demos/scenes/scene_run.h"
 
 #include <algorithm>
+#include <array>
 #include <ode_predictive_space/predictive_space.h>
 #include <utility>
 
@@ -10,6 +11,28 @@ namespace
 {
 constexpr int ticks_per_turn = 100;
 constexpr double microseconds = 1e6;
+constexpr int max_contacts = 8; // of one pair
+
+using TickHashes = const std::vector<std::uint64_t> &(SceneRun::*)() const;
+
+/// Number of the first tick in which the runs differ, -1 when there is none.
+int first_difference(const std::vector<const SceneRun *> &runs, TickHashes hashes)
+{
+    const auto ticks = [hashes](const SceneRun *run) { return (run->*hashes)().size(); };
+    const auto longest =
+        std::max_element(runs.begin(), runs.end(), [&](const auto *a, const auto *b) { return ticks(a) < ticks(b); });
+    for (std::size_t tick = 0; longest != runs.end() && tick < ticks(*longest); ++tick)
+    {
+        for (const SceneRun *run : runs)
+        {
+            if (tick < ticks(run) && (run->*hashes)()[tick] != ((*longest)->*hashes)()[tick])
+            {
+                return static_cast<int>(tick);
+            }
+        }
+    }
+    return -1;
+}
 } // namespace
 
 double clock_overhead()
@@ -67,6 +90,36 @@ void SceneRun::collide()
     }
 }
 
+// The order within a pair is the same in every space: colliders may depend on it.
+void SceneRun::find_contacts()
+{
+    std::array<dContactGeom, max_contacts> contacts;
+    touching_pairs_.clear();
+    const Clock::time_point start = Clock::now();
+    for (const auto &[first, second] : list_.geoms())
+    {
+        const bool swapped = geom_index(second) < geom_index(first);
+        const dGeomID one = swapped ? second : first, other = swapped ? first : second;
+        if (dCollide(one, other, max_contacts, contacts.data(), sizeof(dContactGeom)) > 0)
+        {
+            touching_pairs_.emplace_back(geom_index(one), geom_index(other));
+        }
+    }
+    const double seconds = seconds_between(start, Clock::now());
+    contact_times_.push_back(microseconds * std::max(0.0, seconds - clock_overhead_));
+    calls_ += list_.size();
+}
+
+// Some colliders find contacts although the boxes are apart: a space need not report such a pair.
+void SceneRun::note_touching(const std::vector<IndexPair> &pairs)
+{
+    const auto is_false = [&](const IndexPair &pair) { return !std::binary_search(pairs.begin(), pairs.end(), pair); };
+    touching_pairs_.erase(std::remove_if(touching_pairs_.begin(), touching_pairs_.end(), is_false),
+                          touching_pairs_.end());
+    touching_ += touching_pairs_.size();
+    touching_hashes_.push_back(hash_pairs(touching_pairs_));
+}
+
 double SceneRun::turn(int ticks, double seconds)
 {
     contender_->prepare(ticks);
@@ -87,8 +140,16 @@ void SceneRun::make_tick()
     const Clock::time_point moved = Clock::now();
     collide();
     const Clock::time_point collided = Clock::now();
+    if (measuring_contacts_)
+    {
+        find_contacts();
+    }
     false_pairs_ += contender_->finish(list_);
     const std::vector<IndexPair> pairs = list_.sorted();
+    if (measuring_contacts_)
+    {
+        note_touching(pairs);
+    }
     const Clock::time_point read = Clock::now();
     scene_->respond(pairs);
     const Clock::time_point responded = Clock::now();
@@ -110,6 +171,9 @@ void SceneRun::start_measuring()
 {
     collide_times_.clear();
     tick_times_.clear();
+    contact_times_.clear();
+    calls_ = 0;
+    touching_ = 0;
 }
 
 void SceneRun::check()
@@ -163,25 +227,24 @@ void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int
 
 int first_difference(const SceneRuns &runs)
 {
-    const SceneRun *reference = nullptr; // the longest of the exact ones
+    std::vector<const SceneRun *> exact;
     for (const auto &run : runs)
     {
-        if (run->contender().exact() && (reference == nullptr || run->ticks() > reference->ticks()))
+        if (run->contender().exact())
         {
-            reference = run.get();
+            exact.push_back(run.get());
         }
     }
-    for (std::size_t tick = 0; reference != nullptr && tick < reference->ticks(); ++tick)
+    return first_difference(exact, &SceneRun::tick_hashes);
+}
+
+int first_difference_of_contacts(const SceneRuns &runs)
+{
+    std::vector<const SceneRun *> all;
+    for (const auto &run : runs)
     {
-        for (const auto &run : runs)
-        {
-            if (run->contender().exact() && tick < run->ticks() &&
-                run->tick_hashes()[tick] != reference->tick_hashes()[tick])
-            {
-                return static_cast<int>(tick);
-            }
-        }
+        all.push_back(run.get());
     }
-    return -1;
+    return first_difference(all, &SceneRun::touching_hashes);
 }
 } // namespace ode_predictive_space::scenes

@@ -66,6 +66,10 @@ public:
     /// program that needs only what is near some geoms. Times and pairs below are then those of these calls.
     void ask_only(std::size_t queries) { queries_ = queries; }
 
+    /// In each tick, call dCollide() for all reported pairs right after dSpaceCollide(), and measure that: the narrow phase of a
+    /// program. The scene, which calls it for the pairs in its own order, does so in any case.
+    void measure_contacts() { measuring_contacts_ = true; }
+
     /// Check the space by brute force after each tick, if it is a predictive one.
     void check_every_tick() { checking_ = true; }
 
@@ -79,6 +83,16 @@ public:
     /// Duration of each whole tick since start_measuring(), in microseconds: motion (with the step of the world), collide,
     /// contacts.
     const std::vector<double> &tick_times() const { return tick_times_; }
+
+    /// With measure_contacts(): duration of the dCollide() calls of each tick since start_measuring(), in microseconds.
+    const std::vector<double> &contact_times() const { return contact_times_; }
+    std::uint64_t calls() const { return calls_; } ///< of dCollide() since start_measuring()
+    std::uint64_t touching() const
+    {
+        return touching_;
+    } ///< pairs with contacts, summed over the ticks since start_measuring()
+    /// One hash per tick, of the pairs with contacts.
+    const std::vector<std::uint64_t> &touching_hashes() const { return touching_hashes_; }
 
     /// The probe of the scene since the beginning.
     const ProbeLog &probe_log() const { return probe_log_; }
@@ -101,12 +115,15 @@ public:
 private:
     void make_tick();
     void collide();
+    void find_contacts();
+    void note_touching(const std::vector<IndexPair> &pairs);
     void check();
 
     std::unique_ptr<Contender> contender_; // before the scene, whose geoms are in its space
     std::unique_ptr<Scene> scene_;
     PairList list_;
     std::size_t queries_ = 0; ///< 0: dSpaceCollide()
+    bool measuring_contacts_ = false;
     bool checking_ = false;
     bool invariant_held_ = true;
     double clock_overhead_;
@@ -115,6 +132,11 @@ private:
     std::uint64_t false_pairs_ = 0;
     std::vector<double> collide_times_;
     std::vector<double> tick_times_;
+    std::vector<double> contact_times_;
+    std::vector<IndexPair> touching_pairs_; // in this tick
+    std::uint64_t calls_ = 0;
+    std::uint64_t touching_ = 0;
+    std::vector<std::uint64_t> touching_hashes_;
     ProbeLog probe_log_;
     std::vector<std::uint64_t> tick_hashes_;
 };
@@ -136,6 +158,9 @@ void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int
 /// Number of the first tick in which the exact contenders did not all report the same pairs, from 0 on; -1 when there is
 /// none. A run with fewer ticks than another is compared in these ticks.
 int first_difference(const SceneRuns &runs);
+
+/// The same for the pairs with contacts, of all contenders with measure_contacts(), exact or not.
+int first_difference_of_contacts(const SceneRuns &runs);
 } // namespace ode_predictive_space::scenes
 
 #endif

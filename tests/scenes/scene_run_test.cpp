@@ -43,6 +43,59 @@ TEST_F(SceneRunTest, TurnsAddUpAlsoWhenTheyDoNotDivideTheTicks)
     }
 }
 
+SceneRuns contact_runs(const std::vector<SpaceKind> &kinds, const SceneFactory &factory)
+{
+    SceneRuns runs = make_runs(kinds, factory);
+    for (const auto &run : runs)
+    {
+        run->measure_contacts();
+    }
+    return runs;
+}
+
+TEST_F(SceneRunTest, PairsWithContactsAreTheSameInEveryMeasure)
+{
+    const SceneFactory factory({"classes", 60, 1});
+    const SceneRuns runs =
+        contact_runs({SpaceKind::predictive, SpaceKind::predictive_by_shapes, SpaceKind::hash}, factory);
+    run_by_turns(runs, 20);
+    for (const auto &run : runs)
+    {
+        run->start_measuring();
+        EXPECT_EQ(run->calls(), 0u);
+    }
+    run_by_turns(runs, 200);
+    EXPECT_EQ(first_difference_of_contacts(runs), -1);
+    for (const auto &run : runs)
+    {
+        EXPECT_EQ(run->contact_times().size(), 200u);
+        EXPECT_EQ(run->touching_hashes().size(), 220u) << "the warm-up is compared, too";
+        EXPECT_EQ(run->touching(), runs.front()->touching());
+        EXPECT_GT(run->touching(), 0u);
+        EXPECT_GE(run->calls(), run->touching());
+    }
+    EXPECT_LT(runs[1]->calls(), runs[0]->calls());
+    EXPECT_EQ(runs[2]->calls(), runs[0]->calls());
+}
+
+TEST_F(SceneRunTest, FindsTheFirstTickInWhichContactsDiffer)
+{
+    const SceneFactory factory({"mix", 60, 1});
+    SceneRuns runs = contact_runs({SpaceKind::predictive_by_shapes}, factory);
+    runs.push_back(std::make_unique<SceneRun>(SpaceKind::simple, SceneFactory({"mix", 60, 2})));
+    runs.back()->measure_contacts();
+    run_by_turns(runs, 400);
+    EXPECT_GE(first_difference_of_contacts(runs), 0);
+}
+
+TEST_F(SceneRunTest, ContactsAreNotLookedForUnlessTheyAreMeasured)
+{
+    SceneRun run(SpaceKind::simple, factory_);
+    run.tick();
+    EXPECT_TRUE(run.contact_times().empty());
+    EXPECT_EQ(run.calls(), 0u);
+}
+
 TEST_F(SceneRunTest, WarmUpLeavesThePairsAndNoTimes)
 {
     SceneRun run(SpaceKind::simple, factory_);
