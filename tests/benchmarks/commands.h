@@ -13,6 +13,7 @@ Commands make_commands();
 std::unique_ptr<Command> make_scene_command();
 std::unique_ptr<Command> make_instructions_command();
 std::unique_ptr<Command> make_stepped_command();
+std::unique_ptr<Command> make_contact_command();
 std::unique_ptr<Command> make_table1_command();
 std::unique_ptr<Command> make_ratios_command();
 std::unique_ptr<Command> make_sudden_command();

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
+#include <iterator>
 #include <numeric>
 
 namespace ode_predictive_space::benchmarks
@@ -37,6 +39,10 @@ SceneRuns make_runs(const Plan &plan, const SceneFactory &factory, Findings &fin
         auto scene = plan.make_scene ? plan.make_scene(factory, contender->space()) : factory.make(contender->space());
         runs.push_back(std::make_unique<SceneRun>(std::move(contender), std::move(scene)));
         runs.back()->ask_only(plan.queries);
+        if (plan.contacts)
+        {
+            runs.back()->measure_contacts();
+        }
         if (plan.check)
         {
             runs.back()->check_every_tick();
@@ -61,7 +67,27 @@ void make_ticks(const Plan &plan, const SceneRuns &runs)
         runs, plan.ticks, [&](int done) { progress.show(done); }, plan.seconds_each);
 }
 
-Result result_of(const SceneRun &run)
+std::uint64_t hash_of(const std::vector<std::uint64_t> &tick_hashes)
+{
+    PairHash hash;
+    for (const std::uint64_t tick_hash : tick_hashes)
+    {
+        hash.add_tick(tick_hash);
+    }
+    return hash.value();
+}
+
+void add_contacts(const SceneRun &run, Result &result)
+{
+    std::transform(run.collide_times().begin(), run.collide_times().end(), run.contact_times().begin(),
+                   std::back_inserter(result.both_times), std::plus<>());
+    const auto ticks = static_cast<double>(std::max<std::size_t>(1, run.measured_ticks()));
+    result.calls_per_tick = static_cast<double>(run.calls()) / ticks;
+    result.touching_per_tick = static_cast<double>(run.touching()) / ticks;
+    result.touching_hash = hash_of(run.touching_hashes());
+}
+
+Result result_of(const SceneRun &run, bool with_contacts)
 {
     Result result;
     result.name = run.name();
@@ -75,6 +101,10 @@ Result result_of(const SceneRun &run)
     result.pair_hash = run.pair_hash();
     result.false_pairs = run.false_pairs();
     result.contacts = run.contacts();
+    if (with_contacts)
+    {
+        add_contacts(run, result);
+    }
     return result;
 }
 
@@ -101,6 +131,13 @@ void judge(const Plan &plan, const SceneRuns &runs, Findings &findings)
         std::cerr << "THE CONTENDERS DISAGREE: they did not all come to the same contacts" << where;
         findings.fail(exit_wrong_pairs);
     }
+    const int contact_tick = first_difference_of_contacts(runs);
+    if (contact_tick >= 0)
+    {
+        std::cerr << "THE CONTENDERS DISAGREE: from tick " << contact_tick
+                  << " on they did not all report the same pairs with contacts" << where;
+        findings.fail(exit_wrong_pairs);
+    }
     for (const auto &run : runs)
     {
         if (!run->invariant_held())
@@ -120,7 +157,7 @@ Comparison compare_with(const Plan &plan, const SceneFactory &factory, Findings 
     judge(plan, runs, findings);
     for (const auto &run : runs)
     {
-        Result result = result_of(*run);
+        Result result = result_of(*run, plan.contacts);
         const dSpaceID space = run->contender().space();
         if (const auto bytes = told_bytes(space))
         {
@@ -146,6 +183,14 @@ void time_in_batches(Comparison &comparison, const Plan &plan, const SceneFactor
     for (std::size_t i = 0; i < times.size(); ++i)
     {
         comparison.results[i].times = times[i];
+    }
+    if (plan.contacts)
+    {
+        const auto both = measure_batches(factory, names, plan.ticks, NearCallback::find_contacts);
+        for (std::size_t i = 0; i < both.size(); ++i)
+        {
+            comparison.results[i].both_times = both[i];
+        }
     }
     comparison.in_batches = true;
 }
@@ -209,6 +254,11 @@ const Result *Comparison::best_of_ode_by_ticks() const
     return least_of_ode(results, &Result::mean_tick);
 }
 
+const Result *Comparison::best_of_ode_with_contacts() const
+{
+    return least_of_ode(results, &Result::mean_of_both);
+}
+
 // Fewer common ticks say less than the means of all: a turn begins with cold caches.
 double Comparison::ratio(const Result &other, const Result &ours) const
 {
@@ -226,7 +276,7 @@ Comparison compare(const Plan &plan, Findings &findings)
 {
     const SceneFactory factory(plan.spec);
     Comparison comparison = compare_with(plan, factory, findings);
-    if (measured_in_batches(plan.spec))
+    if (measured_in_batches(plan.spec) && !plan.make_scene)
     {
         time_in_batches(comparison, plan, factory);
     }

@@ -27,6 +27,7 @@ struct Plan
     /// Makes the scene, if it is not the one that the factory makes.
     std::function<std::unique_ptr<scenes::Scene>(const scenes::SceneFactory &, dSpaceID)> make_scene{};
     std::size_t queries = 0; ///< not 0: instead of dSpaceCollide(), dSpaceCollide2() for so many queries of the scene
+    bool contacts = false;   ///< measure the dCollide() calls for the reported pairs, too
     bool weigh = false; ///< find out what memory contenders need that do not tell: this takes one more copy of each
 };
 
@@ -39,6 +40,11 @@ struct Result
     std::vector<double> times;       ///< microseconds per dSpaceCollide(), or of each batch the mean
     std::vector<double> clock_times; ///< microseconds per dSpaceCollide(), each timed by itself in any case
     std::vector<double> tick_times;  ///< microseconds per whole tick: motion, dSpaceCollide(), contacts
+    /// With Plan::contacts: microseconds per dSpaceCollide() and dCollide() for its pairs, or of each batch the mean.
+    std::vector<double> both_times;
+    double calls_per_tick = 0;       ///< of dCollide(), with Plan::contacts
+    double touching_per_tick = 0;    ///< pairs with contacts, with Plan::contacts
+    std::uint64_t touching_hash = 0; ///< of the pairs with contacts of all ticks, with Plan::contacts
     std::size_t ticks = 0;           ///< all, with the warm-up: those that the pairs are of
     std::uint64_t pairs = 0;
     std::uint64_t pair_hash = 0;
@@ -48,6 +54,7 @@ struct Result
 
     double mean() const { return scenes::summarise(times).mean; }
     double mean_tick() const { return scenes::summarise(tick_times).mean; }
+    double mean_of_both() const { return scenes::summarise(both_times).mean; }
 };
 
 struct Comparison
@@ -64,6 +71,9 @@ struct Comparison
 
     /// The same by the mean of whole ticks.
     const Result *best_of_ode_by_ticks() const;
+
+    /// The same by the mean of dSpaceCollide() and dCollide().
+    const Result *best_of_ode_with_contacts() const;
 
     static constexpr std::size_t least_common_ticks = 20;
 

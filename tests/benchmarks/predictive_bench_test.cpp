@@ -128,6 +128,95 @@ TEST(PredictiveBench, StepsEverySceneInAllSpaces)
     EXPECT_EQ(records.size(), hashes.size() * 6);
 }
 
+TEST(PredictiveBench, FindsTheSameContactsInEverySpace)
+{
+    const nlohmann::json records =
+        results_of("contact --scenes mix:40,classes:60,pile:40,terrain:40 --ticks 130 --check");
+    std::map<std::string, std::vector<nlohmann::json>> scenes;
+    for (const nlohmann::json &record : records)
+    {
+        if (record.value("table", "") == "contact")
+        {
+            scenes[record.at("scene")].push_back(record);
+        }
+    }
+    ASSERT_EQ(scenes.size(), 4u);
+    for (const auto &[scene, spaces] : scenes)
+    {
+        ASSERT_EQ(spaces.size(), 7u) << scene;
+        for (const nlohmann::json &record : spaces)
+        {
+            EXPECT_EQ(record.at("in_batches"), scene == "mix");
+            EXPECT_EQ(record.at("touching_hash"), spaces[0].at("touching_hash")) << record;
+            EXPECT_EQ(record.at("touching_per_tick"), spaces[0].at("touching_per_tick")) << record;
+            EXPECT_GE(record.at("calls_per_tick"), record.at("touching_per_tick")) << record;
+            EXPECT_DOUBLE_EQ(record.at("collide_us").get<double>() + record.at("dcollide_us").get<double>(),
+                             record.at("sum_us"));
+            EXPECT_GE(record.at("whole_us"), 0);
+        }
+        EXPECT_EQ(spaces[0].at("space"), "predictive-box");
+        EXPECT_EQ(spaces[2].at("space"), "predictive-shape");
+        EXPECT_EQ(spaces[3].at("calls_per_tick"), spaces[0].at("calls_per_tick")) << "simple reports what boxes report";
+        EXPECT_LT(spaces[2].at("calls_per_tick"), spaces[0].at("calls_per_tick")) << scene;
+        EXPECT_EQ(spaces[0].at("box_ratio"), 1);
+        EXPECT_GT(spaces[0].at("touching_per_tick"), 0) << scene;
+    }
+}
+
+TEST(PredictiveBench, ContactsAreOfTheChosenSpaces)
+{
+    const nlohmann::json records =
+        results_of("contact --scenes game:60 --ticks 50 --spaces predictive,sweep,brute,floor");
+    ASSERT_EQ(records.size(), 2u);
+    EXPECT_EQ(records[1].at("space"), "sweep");
+    EXPECT_TRUE(records[0].at("best_ode_ratio").is_null()) << "none of ODE's took part";
+    EXPECT_EQ(records[0].at("measured_ticks"), 50);
+}
+
+TEST(PredictiveBench, FailsWhenASpaceLosesContacts)
+{
+    const std::string arguments = "contact --scenes pile:40 --ticks 100 --spaces ";
+    const Outcome outcome = run(BENCH_THAT_LOSES_PAIRS, arguments + "predictive-shape,simple");
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "on they did not all report the same pairs with contacts")) << outcome.output;
+    EXPECT_EQ(run(BENCH_THAT_LOSES_PAIRS, arguments + "simple,sap").status, 0);
+}
+
+TEST(PredictiveBench, ShowsThePapersTableForContacts)
+{
+    const nlohmann::json records = results_of("contact --table1 --ticks 64");
+    std::map<std::string, int> cells;
+    int lines = 0;
+    for (const nlohmann::json &record : records)
+    {
+        cells[record.value("block", "")] += record.value("ours", "") == "predictive-shape" ? 1 : 0;
+        lines += record.value("line", "") == "P16" ? 1 : 0;
+    }
+    EXPECT_EQ(cells["broad and narrow phase"], 20);
+    EXPECT_EQ(cells["whole tick"], 20);
+    EXPECT_EQ(lines, 2);
+}
+
+std::map<std::string, int> requirements_in(const std::string &arguments)
+{
+    std::map<std::string, int> lines;
+    for (const nlohmann::json &record : results_of(arguments))
+    {
+        lines[record.value("line", "")] += record.contains("limit") ? 1 : 0;
+    }
+    return lines;
+}
+
+TEST(PredictiveBench, AsksForContactsOnlyInTheScenesThatItHas)
+{
+    const std::string arguments = "contact --ticks 20 --spaces predictive-box,predictive-shape,sap --scenes ";
+    std::map<std::string, int> lines = requirements_in(arguments + "stack,mix:100");
+    EXPECT_EQ(lines["P18"], 2) << "mix 100 and stack against the best ODE space";
+    EXPECT_EQ(lines["P19"], 2) << "time and calls in stack against boxes";
+    lines = requirements_in(arguments + "mix:101,stack:20");
+    EXPECT_EQ(lines.count("P18") + lines.count("P19"), 0u);
+}
+
 TEST(PredictiveBench, ShowsHowAPileSettlesInWindows)
 {
     const nlohmann::json records = results_of("stepped --scenes settling:40 --ticks 200 --spaces predictive,sap");
