@@ -82,6 +82,32 @@ TEST(Callgrind, TheMotionOfAPileIsTheSameThere)
     EXPECT_GT(counted.read()[0].at("pairs"), 0);
 }
 
+TEST(Callgrind, WholeTicksAreTheSameMotionInEverySpace)
+{
+    const TemporaryFile file("callgrind_whole");
+    const Outcome outcome = run(PREDICTIVE_BENCH, "instructions --whole --scenes mix:40,pile:20 --ticks 60 --spaces "
+                                                  "predictive,predictive-shape,sap --json " +
+                                                      file.quoted());
+    ASSERT_EQ(outcome.status, 0) << outcome.output;
+    const nlohmann::json records = file.read();
+    ASSERT_EQ(records.size(), 6u);
+    for (std::size_t i = 0; i < records.size(); ++i)
+    {
+        const nlohmann::json &record = records[i], &boxes = records[i / 3 * 3];
+        EXPECT_EQ(record.at("count"), "whole ticks");
+        EXPECT_EQ(record.at("warm_up_ticks"), 0);
+        EXPECT_EQ(record.at("state_hash"), boxes.at("state_hash"));
+        EXPECT_EQ(record.at("contacts_per_tick"), boxes.at("contacts_per_tick"));
+        EXPECT_EQ(record.at("both"), record.at("collide").get<double>() + record.at("contacts").get<double>());
+        EXPECT_GT(record.at("notices"), 10) << record;
+        EXPECT_GT(record.at("whole"), record.at("both").get<double>() + record.at("notices").get<double>()) << record;
+        EXPECT_LE(record.at("calls_per_tick"), boxes.at("calls_per_tick"));
+    }
+    EXPECT_LT(records[4].at("calls_per_tick"), records[3].at("calls_per_tick")) << "in the pile";
+    EXPECT_LT(records[4].at("contacts"), records[3].at("contacts"));
+    EXPECT_NE(records[0].at("state_hash"), records[3].at("state_hash"));
+}
+
 TEST(Callgrind, OtherPairsThanBeforeFail)
 {
     const TemporaryFile before("callgrind_before");

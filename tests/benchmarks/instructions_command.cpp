@@ -48,6 +48,14 @@ const std::vector<Case> &cases()
     return all;
 }
 
+/// Of whole ticks, from the first one on: what a program needs that runs so long.
+const std::vector<Case> &whole_cases()
+{
+    static const std::vector<Case> all = {
+        {"mix", 100, 0, 200}, {"mix", 1000, 0, 200}, {"pile", 500, 0, 100}, {"stack", 1000, 0, 200}};
+    return all;
+}
+
 /// Where the functions come from that are counted.
 std::string which_library()
 {
@@ -67,22 +75,29 @@ public:
 
     void add_options(CLI::App &command) override
     {
-        command.footer("Counted are dSpaceCollide(), with a callback that only notes the pair, and the notices: what "
-                       "geoms that move\n"
-                       "cost beyond the same motion in a space that is never collided. Each scene runs once per space "
-                       "under valgrind's\n"
-                       "callgrind (Debian's package valgrind), with a motion that is made outside of it. Two runs of "
-                       "the same program on\n"
-                       "the same machine give the same numbers. To compare two versions of the library, run one "
-                       "program with each of\n"
-                       "them in LD_LIBRARY_PATH: the first time with --json FILE, then with --against FILE.");
+        command.footer(
+            "Counted are dSpaceCollide(), with a callback that only notes the pair, and the notices: what "
+            "geoms that move\n"
+            "cost beyond the same motion in a space that is never collided. Each scene runs once per space "
+            "under valgrind's\n"
+            "callgrind (Debian's package valgrind), with a motion that is made outside of it. Two runs of "
+            "the same program on\n"
+            "the same machine give the same numbers. To compare two versions of the library, run one "
+            "program with each of\n"
+            "them in LD_LIBRARY_PATH: the first time with --json FILE, then with --against FILE.\n"
+            "With --whole the scene runs under callgrind, too, and counted are whole ticks: motion with the step "
+            "of the world,\n"
+            "dSpaceCollide(), dCollide() and contact joints.");
         command.add_option("--scenes", scenes_, "Scenes, or scenes and sizes, separated by commas: stack,gas:1000")
             ->delimiter(',');
         command.add_option("--warm-up", warm_up_ticks_, "Ticks before those that are counted")
             ->check(CLI::Range(0, 100000000));
+        auto *whole =
+            command.add_flag("--whole", whole_, "Count whole ticks, and dSpaceCollide() and dCollide() in them");
         command.add_option("--against", earlier_file_, "Compare with what an earlier run wrote with --json")
             ->type_name("FILE")
-            ->check(CLI::ExistingFile);
+            ->check(CLI::ExistingFile)
+            ->excludes(whole);
         command.add_flag("--make-ticks", make_ticks_)->group(""); // what this program starts under callgrind
     }
 
@@ -90,13 +105,18 @@ public:
     {
         if (make_ticks_)
         {
-            const Case one = chosen(cases(), scenes_).front();
-            findings.record(make_counted_ticks(run_of(one, options.spaces.front(), options)));
+            const CountedRun run = run_of(chosen_cases().front(), options.spaces.front(), options);
+            findings.record(whole_ ? make_whole_ticks(run) : make_counted_ticks(run));
             return;
         }
         std::cout << "Counted in " << which_library() << "\n\n" << std::flush;
+        if (whole_)
+        {
+            measure_whole_ticks(options, findings);
+            return;
+        }
         std::vector<Count> counts;
-        for (const Case &one : chosen(cases(), scenes_))
+        for (const Case &one : chosen_cases())
         {
             if (options.objects.value_or(one.objects) == one.objects)
             {
@@ -115,6 +135,8 @@ public:
     }
 
 private:
+    std::vector<Case> chosen_cases() const { return chosen(whole_ ? whole_cases() : cases(), scenes_); }
+
     CountedRun run_of(const Case &one, const std::string &space, const Options &options) const
     {
         CountedRun run;
@@ -122,6 +144,7 @@ private:
         run.space = space == "predictive" ? space_name(SpaceKind::predictive) : space;
         run.warm_up_ticks = warm_up_ticks_.value_or(one.warm_up_ticks);
         run.ticks = options.ticks.value_or(one.ticks);
+        run.whole = whole_;
         return run;
     }
 
@@ -174,7 +197,50 @@ private:
         }
     }
 
-    static bool is_exact(const std::string &space) { return space != "predictive-sphere"; }
+    static bool is_exact(const std::string &space)
+    {
+        return space != "predictive-sphere" && space != "predictive-shape";
+    }
+
+    void measure_whole_ticks(const Options &options, Findings &findings) const
+    {
+        const std::vector<std::string> usual = {"predictive-box", "predictive-shape", "quadtree", "sap"};
+        const auto names = without_floors(options.spaces.empty() ? usual : options.spaces, findings);
+        std::vector<WholeCount> counts;
+        for (const Case &one : chosen_cases())
+        {
+            for (const std::string &space : names)
+            {
+                if (options.objects.value_or(one.objects) == one.objects)
+                {
+                    std::cerr << "instructions of whole ticks: " << title(one) << " in " << space << '\n';
+                    counts.push_back(count_whole_ticks(run_of(one, space, options)));
+                    findings.record(record_of(counts.back()));
+                }
+            }
+        }
+        print(std::cout, counts);
+        if (!same_states(counts))
+        {
+            std::cerr << "THE CONTENDERS DISAGREE: they did not all come to the same contacts\n";
+            findings.fail(exit_wrong_pairs);
+        }
+        require_whole_ticks(counts, findings);
+    }
+
+    static void require_whole_ticks(const std::vector<WholeCount> &counts, Findings &findings)
+    {
+        const WholeCount *boxes = find(counts, "mix", 1000, "predictive-box");
+        const WholeCount *shapes = find(counts, "mix", 1000, "predictive-shape");
+        if (boxes == nullptr || shapes == nullptr || shapes->ticks != 200 || shapes->warm_up_ticks != 0)
+        {
+            return;
+        }
+        findings.require({"P17", "mix 1,000, collide and dCollide in the first 200 ticks",
+                          shapes->both() * shapes->ticks / 1e6, Requirement::at_most, 41, "M instructions"});
+        findings.require({"P17", "mix 1,000, whole ticks, predictive-shape / predictive-box",
+                          shapes->whole / boxes->whole, Requirement::at_most, 0.78, "x"});
+    }
 
     void compare_with_earlier(const std::vector<Count> &counts, Findings &findings) const
     {
@@ -193,6 +259,7 @@ private:
     std::vector<std::string> scenes_;
     std::optional<int> warm_up_ticks_;
     std::string earlier_file_;
+    bool whole_ = false;
     bool make_ticks_ = false;
 };
 } // namespace

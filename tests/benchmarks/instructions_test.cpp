@@ -1,6 +1,7 @@
 #include "tests/benchmarks/instructions/callgrind_output.h"
 #include "tests/benchmarks/instructions/counts.h"
 #include "tests/benchmarks/instructions/motion_stream.h"
+#include "tests/benchmarks/instructions/whole_counts.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -45,6 +46,39 @@ TEST(CallgrindOutput, WhatIsNotUnderstoodIsRefused)
     EXPECT_THROW(instructions_of_calls(broken, "collide"), std::runtime_error);
     std::istringstream others("events: Ir Dr\ncfn=collide\ncalls=1 0\n0 1 5\n");
     EXPECT_THROW(instructions_of_calls(others, "collide"), std::runtime_error);
+}
+
+TEST(CallgrindOutput, AFunctionNeedNotHaveBeenCalled)
+{
+    std::istringstream without("events: Ir\ncfn=other\ncalls=1 0\n0 1\n");
+    EXPECT_FALSE(instructions_of_any_calls(without, "collide"));
+    std::istringstream with("events: Ir\ncfn=collide\ncalls=1 0\n0 7\n");
+    EXPECT_EQ(instructions_of_any_calls(with, "collide"), 7u);
+}
+
+WholeCount whole_count(const std::string &scene, const std::string &space, const std::string &hash)
+{
+    WholeCount result;
+    result.scene = scene;
+    result.objects = 100;
+    result.space = space;
+    result.contacts_per_tick = 2;
+    result.state_hash = hash;
+    return result;
+}
+
+TEST(WholeCounts, ContendersMustComeToTheSameStates)
+{
+    std::vector<WholeCount> counts = {whole_count("mix", "predictive-box", "a"), whole_count("mix", "sap", "a"),
+                                      whole_count("pile", "predictive-box", "b"), whole_count("pile", "sap", "b")};
+    EXPECT_TRUE(same_states(counts));
+    EXPECT_EQ(find(counts, "pile", 100, "sap"), &counts[3]);
+    EXPECT_EQ(find(counts, "pile", 200, "sap"), nullptr);
+    counts[3].state_hash = "a";
+    EXPECT_FALSE(same_states(counts));
+    counts[3].state_hash = "b";
+    counts[3].contacts_per_tick = 3;
+    EXPECT_FALSE(same_states(counts));
 }
 
 TEST(Counts, ARecordHoldsAllOfACount)

@@ -5,14 +5,20 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 namespace ode_predictive_space::benchmarks
 {
-/// Instructions of all calls of a function, with all that it called.
+/// Instructions of all calls of a function, with all that it called; none when there was no call.
 ///
 /// @param dump written with --compress-strings=no --compress-pos=no.
-/// @throws std::runtime_error when it counts anything but instructions, or no call of this function.
+/// @throws std::runtime_error when it counts anything but instructions.
+std::optional<std::uint64_t> instructions_of_any_calls(std::istream &dump, const std::string &function);
+
+/// The same of a function that has been called.
+///
+/// @throws std::runtime_error when there was no call, too.
 std::uint64_t instructions_of_calls(std::istream &dump, const std::string &function);
 } // namespace ode_predictive_space::benchmarks
 

@@ -2,7 +2,9 @@
 
 using ode_predictive_space::benchmarks::Move;
 using ode_predictive_space::benchmarks::Replay;
+using ode_predictive_space::scenes::IndexPair;
 using ode_predictive_space::scenes::PairList;
+using ode_predictive_space::scenes::Scene;
 
 void predictive_bench_counted_moves(Replay *replay, const std::vector<Move> *moves)
 {
@@ -17,4 +19,14 @@ void predictive_bench_bare_moves(Replay *replay, const std::vector<Move> *moves)
 void predictive_bench_counted_collide(dSpaceID space, PairList *list)
 {
     dSpaceCollide(space, list, &PairList::collect);
+}
+
+void predictive_bench_counted_advance(Scene *scene)
+{
+    scene->advance();
+}
+
+void predictive_bench_counted_respond(Scene *scene, const std::vector<IndexPair> *pairs)
+{
+    scene->respond(*pairs);
 }

@@ -4,7 +4,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_COUNTED_CALLS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_COUNTED_CALLS_H
 
-#include "demos/scenes/pair_list.h"
+#include "demos/scenes/scene.h"
 #include "tests/benchmarks/replay.h"
 
 extern "C" {
@@ -19,6 +19,13 @@ void predictive_bench_bare_moves(ode_predictive_space::benchmarks::Replay *repla
 
 /// dSpaceCollide().
 void predictive_bench_counted_collide(dSpaceID space, ode_predictive_space::scenes::PairList *list);
+
+/// The motion of a tick that a scene makes by itself, with the step of its world.
+void predictive_bench_counted_advance(ode_predictive_space::scenes::Scene *scene);
+
+/// What a scene does with the pairs of a tick: dCollide() and contact joints.
+void predictive_bench_counted_respond(ode_predictive_space::scenes::Scene *scene,
+                                      const std::vector<ode_predictive_space::scenes::IndexPair> *pairs);
 }
 
 #endif

@@ -70,23 +70,28 @@ std::vector<std::string> environment()
 
 std::vector<std::string> command_line(const CountedRun &run, const std::string &counts, const std::string &record)
 {
-    return {"valgrind",
-            "--tool=callgrind",
-            "--quiet",
-            "--instr-atstart=no",
-            "--collect-atstart=no",
-            "--compress-strings=no",
-            "--compress-pos=no",
-            "--callgrind-out-file=" + counts,
-            std::filesystem::read_symlink("/proc/self/exe").string(),
-            "instructions",
-            "--make-ticks",
-            "--spaces=" + run.space,
-            "--scenes=" + run.spec.name + ":" + std::to_string(run.spec.objects),
-            "--seed=" + std::to_string(run.spec.seed),
-            "--warm-up=" + std::to_string(run.warm_up_ticks),
-            "--ticks=" + std::to_string(run.ticks),
-            "--json=" + record};
+    std::vector<std::string> line = {"valgrind",
+                                     "--tool=callgrind",
+                                     "--quiet",
+                                     "--instr-atstart=no",
+                                     "--collect-atstart=no",
+                                     "--compress-strings=no",
+                                     "--compress-pos=no",
+                                     "--callgrind-out-file=" + counts,
+                                     std::filesystem::read_symlink("/proc/self/exe").string(),
+                                     "instructions",
+                                     "--make-ticks",
+                                     "--spaces=" + run.space,
+                                     "--scenes=" + run.spec.name + ":" + std::to_string(run.spec.objects),
+                                     "--seed=" + std::to_string(run.spec.seed),
+                                     "--warm-up=" + std::to_string(run.warm_up_ticks),
+                                     "--ticks=" + std::to_string(run.ticks),
+                                     "--json=" + record};
+    if (run.whole)
+    {
+        line.emplace_back("--whole");
+    }
+    return line;
 }
 
 void pass_motion_on(const CountedRun &run, const scenes::SceneFactory &factory, ChildProcess &process)
@@ -99,14 +104,19 @@ void pass_motion_on(const CountedRun &run, const scenes::SceneFactory &factory, 
     }
 }
 
-void run_callgrind(const CountedRun &run, const scenes::SceneFactory &factory,
-                   const std::vector<std::string> &arguments)
+/// @param feed writes what the process is to read.
+template <typename Feed> void run_callgrind(const std::vector<std::string> &arguments, Feed feed)
 {
+    if (!built_with_valgrind)
+    {
+        throw std::runtime_error("this program was built without valgrind's header; install the package valgrind and "
+                                 "build it again");
+    }
     bool succeeded = false;
     try
     {
         ChildProcess process(arguments, environment());
-        pass_motion_on(run, factory, process);
+        feed(process);
         succeeded = process.finish();
     }
     catch (const std::system_error &failure)
@@ -130,15 +140,11 @@ std::uint64_t instructions_in(const std::string &file, const char *function)
 
 Count count_instructions(const CountedRun &run, const scenes::SceneFactory &factory)
 {
-    if (!built_with_valgrind)
-    {
-        throw std::runtime_error("this program was built without valgrind's header; install the package valgrind and "
-                                 "build it again");
-    }
     const TemporaryFolder folder;
     const std::string counts = folder.file("counts");
     const std::string record = folder.file("record");
-    run_callgrind(run, factory, command_line(run, counts, record));
+    run_callgrind(command_line(run, counts, record),
+                  [&](ChildProcess &process) { pass_motion_on(run, factory, process); });
 
     const auto per_tick = [&](std::uint64_t instructions) { return static_cast<double>(instructions) / run.ticks; };
     Count count;
@@ -154,6 +160,36 @@ Count count_instructions(const CountedRun &run, const scenes::SceneFactory &fact
     const nlohmann::json written = nlohmann::json::parse(std::ifstream(record)).at(0);
     count.pairs = written.at("pairs");
     count.pair_hash = written.at("pair_hash");
+    return count;
+}
+
+WholeCount count_whole_ticks(const CountedRun &run)
+{
+    const TemporaryFolder folder;
+    const std::string counts = folder.file("counts");
+    const std::string record = folder.file("record");
+    run_callgrind(command_line(run, counts, record), [](ChildProcess &) {});
+
+    const auto per_tick = [&](const char *function) {
+        std::ifstream dump(counts);
+        return static_cast<double>(instructions_of_any_calls(dump, function).value_or(0)) / run.ticks;
+    };
+    WholeCount count;
+    count.scene = run.spec.name;
+    count.objects = run.spec.objects;
+    count.seed = run.spec.seed;
+    count.warm_up_ticks = run.warm_up_ticks;
+    count.ticks = run.ticks;
+    count.space = run.space;
+    count.collide = per_tick("predictive_bench_counted_collide");
+    count.contacts = per_tick("dCollide");
+    count.notices = per_tick("dGeomMoved");
+    count.whole =
+        count.collide + per_tick("predictive_bench_counted_advance") + per_tick("predictive_bench_counted_respond");
+    const nlohmann::json written = nlohmann::json::parse(std::ifstream(record)).at(0);
+    count.calls_per_tick = written.at("calls").get<double>() / run.ticks;
+    count.contacts_per_tick = written.at("contacts").get<double>() / run.ticks;
+    count.state_hash = written.at("state_hash");
     return count;
 }
 } // namespace ode_predictive_space::benchmarks

@@ -5,6 +5,7 @@
 
 #include "demos/scenes/scene.h"
 #include "tests/benchmarks/instructions/counts.h"
+#include "tests/benchmarks/instructions/whole_counts.h"
 
 #include <string>
 
@@ -16,6 +17,7 @@ struct CountedRun
     std::string space; ///< a contender's name
     int warm_up_ticks = 0;
     int ticks = 0;
+    bool whole = false; ///< the whole tick, with the step of the world
 };
 
 /// Count it: run this program again under callgrind and feed it with the motion of the scene, so that only what is counted, and
@@ -30,6 +32,17 @@ Count count_instructions(const CountedRun &run, const scenes::SceneFactory &fact
 /// @return the record that count_instructions() reads: {pairs, pair_hash}.
 /// @throws std::runtime_error when the program was built without the headers of valgrind, or the input ends early.
 nlohmann::json make_counted_ticks(const CountedRun &run);
+
+/// Count whole ticks: run this program again under callgrind, where the scene makes its motion and contacts by itself.
+///
+/// @throws std::runtime_error when valgrind is not there, or the other process fails.
+WholeCount count_whole_ticks(const CountedRun &run);
+
+/// In the other process: make whole ticks.
+///
+/// @return the record that count_whole_ticks() reads: {calls, contacts, state_hash}.
+/// @throws std::runtime_error when the program was built without the headers of valgrind.
+nlohmann::json make_whole_ticks(const CountedRun &run);
 } // namespace ode_predictive_space::benchmarks
 
 #endif
