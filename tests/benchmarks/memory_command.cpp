@@ -17,6 +17,7 @@ using namespace ode_predictive_space::scenes;
 constexpr int gas_objects = 100000;
 constexpr int gas_ticks = 200;
 constexpr int quick_gas_ticks = 20;
+constexpr int shape_objects = 1000;
 constexpr int churn_objects = 1000;
 constexpr int churn_ticks = 1000000;
 constexpr int quick_churn_ticks = 30000;
@@ -31,7 +32,7 @@ public:
     std::string name() const override { return "memory"; }
     std::string description() const override
     {
-        return "Bytes per geom in gas (--n), and whether they grow in churn 1,000 (--ticks)";
+        return "Bytes per geom in gas (--n) and mix, and whether they grow in churn 1,000 (--ticks)";
     }
     void measure(const Options &options, Findings &findings) override;
 };
@@ -51,7 +52,7 @@ std::vector<MemoryResult> measure_gas(const Options &options, Findings &findings
     if (kinds.empty())
     {
         // At this size the simple and the hash space take seconds per tick, the quadtree minutes for its first.
-        kinds = {SpaceKind::predictive, SpaceKind::sweep_and_prune};
+        kinds = {SpaceKind::predictive, SpaceKind::predictive_by_shapes, SpaceKind::sweep_and_prune};
         if (!options.quick)
         {
             kinds.push_back(SpaceKind::quadtree);
@@ -109,16 +110,18 @@ void print_churn(const MemoryResult &result)
 
 void require_size(const MemoryResult &result, Findings &findings)
 {
-    if (result.space != SpaceKind::predictive)
+    if (result.space != SpaceKind::predictive && result.space != SpaceKind::predictive_by_shapes)
     {
         return;
     }
-    const std::string where = "gas " + grouped(static_cast<std::uint64_t>(result.spec.objects));
+    const bool by_shapes = result.space == SpaceKind::predictive_by_shapes;
+    const std::string where = result.spec.name + " " + grouped(static_cast<std::uint64_t>(result.spec.objects));
     const MemorySample &last = result.samples.back();
     for (const auto &[bytes, how] : {std::pair(last.counted, "counted"), std::pair(last.allocated, "allocated")})
     {
-        findings.require({"P12", where + ", bytes " + how, static_cast<double>(bytes) / result.spec.objects,
-                          Requirement::at_most, 400, "bytes per geom"});
+        findings.require({by_shapes ? "P21" : "P12", where + (by_shapes ? ", by shape, bytes " : ", bytes ") + how,
+                          static_cast<double>(bytes) / result.spec.objects, Requirement::at_most, 400,
+                          "bytes per geom"});
     }
 }
 
@@ -133,6 +136,36 @@ void require_flatness(const MemoryResult &result, Findings &findings)
                       most_growth, "x"});
 }
 
+ShapeMemory measure_shapes(const std::string &scene, const Options &options)
+{
+    const SceneSpec spec{scene, shape_objects, options.seed};
+    const int ticks = options.quick ? quick_gas_ticks : gas_ticks;
+    return {measure_memory(SpaceKind::predictive, spec, ticks, 1),
+            measure_memory(SpaceKind::predictive_by_shapes, spec, ticks, 1)};
+}
+
+void report_shapes(const Options &options, Findings &findings)
+{
+    const ShapeMemory gas = measure_shapes("gas", options);
+    const ShapeMemory mix = measure_shapes("mix", options);
+    std::cout << "\nThe measures of boxes and of shapes; bytes per geom\n\n";
+    Table table({"scene", "space", "counted by itself", "allocated", "postponed pairs"});
+    for (const MemoryResult *result : {&gas.by_boxes, &gas.by_shapes, &mix.by_boxes, &mix.by_shapes})
+    {
+        const MemorySample &last = result->samples.back();
+        table.add({result->spec.name + " " + grouped(shape_objects), space_name(result->space),
+                   per_geom(last.counted, result->spec), per_geom(last.allocated, result->spec),
+                   grouped(static_cast<std::uint64_t>(last.postponed))});
+        findings.record(memory_record(*result));
+    }
+    table.print(std::cout);
+    require_size(mix.by_shapes, findings);
+    const double per_pair = bytes_per_postponed_pair(gas, mix);
+    findings.record({{"table", "memory of shapes"}, {"n", shape_objects}, {"bytes_per_postponed_pair", per_pair}});
+    findings.require({"P21", "mix 1,000, by shape, more than by box", per_pair, Requirement::at_most, 64,
+                      "bytes per postponed pair"});
+}
+
 void MemoryCommand::measure(const Options &options, Findings &findings)
 {
     const std::vector<MemoryResult> gas = measure_gas(options, findings);
@@ -141,6 +174,10 @@ void MemoryCommand::measure(const Options &options, Findings &findings)
     {
         findings.record(memory_record(result));
         require_size(result, findings);
+    }
+    if (options.spaces.empty())
+    {
+        report_shapes(options, findings);
     }
     const MemoryResult churn = measure_churn(options);
     print_churn(churn);

@@ -3,6 +3,8 @@
 #include "tests/benchmarks/weight.h"
 
 #include <algorithm>
+#include <limits>
+#include <ode_predictive_space/predictive_space.h>
 
 namespace ode_predictive_space::benchmarks
 {
@@ -10,12 +12,16 @@ namespace
 {
 using namespace ode_predictive_space::scenes;
 
-/// Notes the heap at the first pair that is reported.
+/// Notes the heap at the first pair that is reported, and the pairs for a scene that needs them.
 struct AtWork
 {
-    static void near(void *data, dGeomID, dGeomID)
+    static void near(void *data, dGeomID first, dGeomID second)
     {
         auto &self = *static_cast<AtWork *>(data);
+        if (self.notes_pairs)
+        {
+            PairList::collect(&self.pairs, first, second);
+        }
         if (self.wanted)
         {
             self.heap = heap_in_use();
@@ -23,6 +29,8 @@ struct AtWork
         }
     }
 
+    bool notes_pairs = false;
+    PairList pairs;
     bool wanted = false;
     std::int64_t heap = 0;
 };
@@ -37,15 +45,26 @@ std::int64_t counted_bytes(dSpaceID space)
     return static_cast<std::int64_t>(told_bytes(space).value_or(0));
 }
 
+std::int64_t postponed_pairs(dSpaceID space)
+{
+    dPredictiveSpaceCounters counters{};
+    if (dSpaceIsPredictive(space) != 0)
+    {
+        dPredictiveSpaceGetCounters(space, &counters, sizeof counters);
+    }
+    return static_cast<std::int64_t>(counters.postponed);
+}
+
 /// The program's memory with a scene in a space, over what it was before. `collides` is false for the scene alone.
 std::vector<MemorySample> watch(OwnedSpace space, const SceneFactory &factory, int ticks, int samples, bool collides,
                                 const std::function<void(int)> &progress)
 {
     std::vector<MemorySample> result;
     result.reserve(static_cast<std::size_t>(samples));
+    AtWork at_work;
     const std::int64_t before = heap_in_use();
     const std::unique_ptr<Scene> scene = factory.make(space.get());
-    AtWork at_work;
+    at_work.notes_pairs = collides && !scene->moves_by_itself();
     for (int tick = 1; tick <= ticks; ++tick)
     {
         const bool looks = is_time(tick, ticks, samples);
@@ -55,13 +74,19 @@ std::vector<MemorySample> watch(OwnedSpace space, const SceneFactory &factory, i
         {
             dSpaceCollide(space.get(), &at_work, &AtWork::near);
         }
+        if (at_work.notes_pairs)
+        {
+            scene->respond(at_work.pairs.sorted());
+            at_work.pairs.clear();
+        }
         if (!looks)
         {
             continue;
         }
         const std::int64_t heap = heap_in_use();
         result.push_back({tick, counted_bytes(space.get()), heap - before,
-                          (collides && !at_work.wanted ? std::max(at_work.heap, heap) : heap) - before});
+                          (collides && !at_work.wanted ? std::max(at_work.heap, heap) : heap) - before,
+                          postponed_pairs(space.get())});
         if (progress)
         {
             progress(tick);
@@ -103,6 +128,13 @@ double memory_growth(const MemoryResult &result, std::int64_t MemorySample::*mem
     return first > 0 ? largest(count / 2, count) / first : 1;
 }
 
+double bytes_per_postponed_pair(const ShapeMemory &few_pairs, const ShapeMemory &many_pairs)
+{
+    const std::int64_t pairs = many_pairs.postponed() - few_pairs.postponed();
+    return pairs > 0 ? static_cast<double>(many_pairs.extra() - few_pairs.extra()) / static_cast<double>(pairs)
+                     : std::numeric_limits<double>::quiet_NaN();
+}
+
 nlohmann::json memory_record(const MemoryResult &result)
 {
     const auto per_geom = [&](std::int64_t bytes) { return static_cast<double>(bytes) / result.spec.objects; };
@@ -113,7 +145,8 @@ nlohmann::json memory_record(const MemoryResult &result)
         samples.push_back({{"tick", sample.tick},
                            {"counted_bytes", sample.counted},
                            {"allocated_bytes", sample.allocated},
-                           {"at_work_bytes", sample.at_work}});
+                           {"at_work_bytes", sample.at_work},
+                           {"postponed", sample.postponed}});
     }
     nlohmann::json record = {{"scene", result.spec.name},
                              {"n", result.spec.objects},
@@ -123,6 +156,7 @@ nlohmann::json memory_record(const MemoryResult &result)
                              {"bytes_per_geom", nullptr},
                              {"allocated_bytes_per_geom", per_geom(last.allocated)},
                              {"at_work_bytes_per_geom", per_geom(last.at_work)},
+                             {"postponed", last.postponed},
                              {"samples", samples}};
     if (last.counted > 0)
     {

@@ -22,6 +22,8 @@ struct MemorySample
     std::int64_t allocated = 0;
     /// The same in the middle of dSpaceCollide(): what the space takes only while it works is in it.
     std::int64_t at_work = 0;
+    /// Pairs that a predictive space does not test now because their shapes cannot touch yet; 0 for others.
+    std::int64_t postponed = 0;
 };
 
 struct MemoryResult
@@ -31,7 +33,7 @@ struct MemoryResult
     std::vector<MemorySample> samples{}; ///< at equal distances, the last one at the end
 };
 
-/// Runs a scene that moves by itself, and looks at the memory so many times.
+/// Runs a scene and looks at the memory so many times.
 ///
 /// @param progress called now and then with the number of ticks done.
 MemoryResult measure_memory(scenes::SpaceKind kind, const scenes::SceneSpec &spec, int ticks, int samples,
@@ -43,8 +45,20 @@ MemoryResult measure_memory(scenes::SpaceKind kind, const scenes::SceneSpec &spe
 /// @param member &MemorySample::counted or &MemorySample::allocated
 double memory_growth(const MemoryResult &result, std::int64_t MemorySample::*member);
 
-/// {scene, n, space, seed, ticks, bytes_per_geom, allocated_bytes_per_geom, at_work_bytes_per_geom, samples}: of the last
-/// sample; bytes_per_geom is null for spaces that do not count.
+/// What the measure of shapes takes for each postponed pair beyond what the measure of boxes takes for the pair, in bytes as the
+/// spaces count. What it takes for each geom is left out by comparing two scenes of about as many geoms, of which one has few
+/// such pairs. Not a number when that one has as many.
+struct ShapeMemory
+{
+    MemoryResult by_boxes, by_shapes; ///< of the same scene
+
+    std::int64_t extra() const { return by_shapes.samples.back().counted - by_boxes.samples.back().counted; }
+    std::int64_t postponed() const { return by_shapes.samples.back().postponed; }
+};
+double bytes_per_postponed_pair(const ShapeMemory &few_pairs, const ShapeMemory &many_pairs);
+
+/// {scene, n, space, seed, ticks, bytes_per_geom, allocated_bytes_per_geom, at_work_bytes_per_geom, postponed, samples}: of the
+/// last sample; bytes_per_geom is null for spaces that do not count.
 nlohmann::json memory_record(const MemoryResult &result);
 } // namespace ode_predictive_space::benchmarks
 
