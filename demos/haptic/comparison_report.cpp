@@ -134,22 +134,37 @@ void print_false_pairs(std::ostream &out, const SceneRun &run)
     }
 }
 
+std::vector<const SceneRun *> exact_runs(const SceneRuns &runs)
+{
+    std::vector<const SceneRun *> exact;
+    for (const auto &run : runs)
+    {
+        if (run->contender().exact())
+        {
+            exact.push_back(run.get());
+        }
+    }
+    return exact;
+}
+
+/// Of the spaces that report every pair whose boxes overlap.
 void print_agreement(std::ostream &out, const SceneRuns &runs)
 {
-    const SceneRun &first = *runs.front();
+    const std::vector<const SceneRun *> exact = exact_runs(runs);
+    const SceneRun &first = exact.empty() ? *runs.front() : *exact.front();
     const int tick = first_difference(runs);
     if (tick >= 0)
     {
         out << "THE SPACES DISAGREE: from tick " << tick << " on they did not all report the same pairs.\n";
-        for (const auto &run : runs)
+        for (const SceneRun *run : exact)
         {
             out << "  " << long_name(*run) << ": hash of the pairs " << hexadecimal(run->pair_hash()) << '\n';
         }
         return;
     }
-    if (runs.size() > 1)
+    if (exact.size() > 1)
     {
-        out << "All " << runs.size() << " spaces reported the same pairs in each of the " << grouped(first.ticks())
+        out << "All " << exact.size() << " spaces reported the same pairs in each of the " << grouped(first.ticks())
             << " ticks: ";
     }
     else
@@ -157,6 +172,27 @@ void print_agreement(std::ostream &out, const SceneRuns &runs)
         out << "The space reported ";
     }
     out << grouped(first.pairs()) << " pairs in all (hash " << hexadecimal(first.pair_hash()) << ").\n";
+}
+
+/// Of the spaces that leave out pairs that do not touch.
+void print_contacts_of_inexact(std::ostream &out, const SceneRuns &runs)
+{
+    const std::vector<const SceneRun *> exact = exact_runs(runs);
+    const int tick = first_difference_of_contacts(runs);
+    if (tick >= 0)
+    {
+        out << "THE SPACES DISAGREE: from tick " << tick
+            << " on they did not all report the same pairs with contacts.\n";
+        return;
+    }
+    for (const auto &run : runs)
+    {
+        if (!run->contender().exact() && !exact.empty())
+        {
+            out << "The " << long_name(*run) << " space left out " << grouped(exact.front()->pairs() - run->pairs())
+                << " of them, none of which had contacts.\n";
+        }
+    }
 }
 } // namespace
 
@@ -185,6 +221,7 @@ void print_report(std::ostream &out, const SceneRuns &runs)
     print_verdict(out, runs);
     print_probe(out, *runs.front());
     print_agreement(out, runs);
+    print_contacts_of_inexact(out, runs);
     for (const auto &run : runs)
     {
         print_false_pairs(out, *run);
@@ -210,6 +247,7 @@ nlohmann::json json_report(const SceneRuns &runs, const SceneSpec &spec)
     const ProbeLog &probe = runs.front()->probe_log();
     return {{"program", "predictive_haptic_demo"},
             {"same_pairs", first_difference(runs) < 0},
+            {"same_contacts", first_difference_of_contacts(runs) < 0},
             {"probe",
              {{"touched", probe.touched.size()},
               {"ticks_in_touch", probe.ticks_in_touch},

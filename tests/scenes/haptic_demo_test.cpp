@@ -20,7 +20,9 @@ TEST(HapticDemo, EndsWellAndSaysThatAllSpacesAgree)
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "All 5 spaces reported the same pairs in each of the 400 ticks"))
         << outcome.output;
-    for (const char *name : {"predictive", "simple", "hash", "quadtree", "sweep and prune"})
+    EXPECT_TRUE(contains(outcome.output, "The predictive-shape space left out ")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, " of them, none of which had contacts.")) << outcome.output;
+    for (const char *name : {"predictive-box", "predictive-shape", "simple", "hash", "quadtree", "sweep and prune"})
     {
         EXPECT_TRUE(contains(outcome.output, name)) << name << " is missing in\n" << outcome.output;
     }
@@ -31,6 +33,16 @@ TEST(HapticDemo, FailsWhenTheSpacesDisagree)
     const Outcome outcome = run(HAPTIC_DEMO_THAT_LOSES_PAIRS, "--objects 40 --seconds 0.4 --space predictive,simple");
     EXPECT_EQ(outcome.status, 1) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "THE SPACES DISAGREE: from tick ")) << outcome.output;
+}
+
+TEST(HapticDemo, FailsWhenContactsAreLost)
+{
+    const std::string arguments = "--objects 100 --seconds 0.6 --space predictive-shape,predictive-sphere";
+    const Outcome outcome = run(HAPTIC_DEMO_THAT_LOSES_PAIRS, arguments);
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "on they did not all report the same pairs with contacts")) << outcome.output;
+    const Outcome right = run(HAPTIC_DEMO, arguments);
+    EXPECT_EQ(right.status, 0) << right.output;
 }
 
 TEST(HapticDemo, WritesItsResultsForOtherPrograms)
@@ -44,6 +56,7 @@ TEST(HapticDemo, WritesItsResultsForOtherPrograms)
     std::filesystem::remove(file);
 
     EXPECT_TRUE(results.at("same_pairs").get<bool>());
+    EXPECT_TRUE(results.at("same_contacts").get<bool>());
     ASSERT_EQ(results.at("spaces").size(), 2u);
     const nlohmann::json &predictive = results.at("spaces").at(0);
     const nlohmann::json &hash = results.at("spaces").at(1);
