@@ -44,10 +44,11 @@ enum
         1, /**< when the bounding spheres overlap too, and for a ray in dSpaceCollide2() when it passes through the box:
                 never a contact less, fewer useless calls */
     dPredictiveProximityShape =
-        2 /**< when the shapes of spheres, boxes, capsules, cylinders and planes may touch; of other classes, and of cylinders
-               beside boxes, capsules or cylinders, when the boxes overlap. Never a contact less than dCollide() finds with ODE's
-               own colliders, hardly a useless call. For dSpaceCollide() only: dSpaceCollide2() and inquiries go by boxes.
-               Not for programs that replace colliders with dSetColliderOverride(). */
+        2 /**< when the shapes of spheres, boxes, capsules, cylinders, planes, convexes and meshes may touch, of the last two
+               their convex hulls; of other classes, and of a few pairs of these (docs/method.md lists them), when the boxes
+               overlap. Never a contact less than dCollide() finds with ODE's own colliders, hardly a useless call. For
+               dSpaceCollide() only: dSpaceCollide2() and inquiries go by boxes. Not for programs that replace colliders with
+               dSetColliderOverride(). @see dPredictiveSpaceGeomChanged */
 };
 
 /** How the motion of a geom is estimated. */
@@ -127,6 +128,16 @@ ODE_PREDICTIVE_API void dPredictiveSpaceSetShapeMargin(dSpaceID space, dReal mar
 
 /** @return that distance. */
 ODE_PREDICTIVE_API dReal dPredictiveSpaceGetShapeMargin(dSpaceID space);
+
+/**
+ * Tell that the data which a geom is made of have been changed in place: the points of a convex, the vertices or triangles of a
+ * mesh. With dPredictiveProximityShape, contacts may be missed without this call. One call serves for all geoms of this space
+ * with the same data, except that the bounding box is computed anew for this geom alone. Not needed when a geom is given other
+ * arrays, by dGeomSetConvex(), dGeomTriMeshSetData() or dGeomTriMeshDataBuild...().
+ *
+ * @param geom a geom in this space itself (not in a nested one).
+ */
+ODE_PREDICTIVE_API void dPredictiveSpaceGeomChanged(dSpaceID space, dGeomID geom);
 
 /**
  * Set how the motion of a geom is estimated. By default, a geom whose position changes although it has no body, or a

@@ -36,6 +36,8 @@ public:
     void setShapeMargin(dReal margin) { dPredictiveSpaceSetShapeMargin(id(), margin); }
     dReal getShapeMargin() const { return dPredictiveSpaceGetShapeMargin(id()); }
 
+    void geomChanged(dGeomID geom) { dPredictiveSpaceGeomChanged(id(), geom); }
+
     void setGeomRole(dGeomID geom, int role) { dPredictiveSpaceSetGeomRole(id(), geom, role); }
     int getGeomRole(dGeomID geom) const { return dPredictiveSpaceGetGeomRole(id(), geom); }
 

@@ -109,6 +109,13 @@ dReal dPredictiveSpaceGetShapeMargin(dSpaceID space)
     return self ? static_cast<dReal>(self->broadphase().shape_margin()) : 0;
 }
 
+void dPredictiveSpaceGeomChanged(dSpaceID space, dGeomID geom)
+{
+    dxPredictiveSpace *self = checked_space(__func__, space);
+    if (self && checked_geom(__func__, "geom", self, geom))
+        self->geom_changed(geom);
+}
+
 void dPredictiveSpaceSetGeomRole(dSpaceID space, dGeomID geom, int role)
 {
     dxPredictiveSpace *self = checked_space(__func__, space);

@@ -10,6 +10,7 @@
 #include "ode_predictive_space/broadphase/index/ray_probe.h"
 #include "ode_predictive_space/broadphase/objects/scene.h"
 #include "ode_predictive_space/broadphase/tuning.h"
+#include "ode_predictive_space/space/hull_store.h"
 #include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space
@@ -93,15 +94,18 @@ class GeomScene : public Scene
 {
 public:
     /// @param geoms by number; must stay where they are as long as the scene is used.
+    /// @param hulls of convexes and meshes.
     /// @param by_sphere a pair overlaps only when the bounding spheres overlap, too.
-    GeomScene(const std::vector<dxGeom *> &geoms, bool by_sphere)
-        : geoms_(geoms.data()), overflows_cache_(geoms.size() > tuning::cached_objects), by_sphere_(by_sphere)
+    GeomScene(const std::vector<dxGeom *> &geoms, HullStore &hulls, bool by_sphere)
+        : geoms_(geoms.data()), hulls_(hulls), overflows_cache_(geoms.size() > tuning::cached_objects),
+          by_sphere_(by_sphere)
     {}
 
     void locate(const ProxyId *ids, std::size_t count, Location *locations) override;
     void measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes) override;
     void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) override;
-    void get_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes) override;
+    void update_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes) override;
+    bool hull_is_outdated(ProxyId id, const ConvexShape &shape) override;
     Box bounds(ProxyId id) override;
     std::optional<Vector3> pivot(ProxyId id) override;
     bool overlap(ProxyId first, ProxyId second) override { return overlap(geoms_[first], geoms_[second]); }
@@ -121,6 +125,7 @@ private:
     Observation observation(ProxyId id, bool with_bounds);
 
     dxGeom *const *geoms_;
+    HullStore &hulls_;
     bool overflows_cache_;
     bool by_sphere_;
 };

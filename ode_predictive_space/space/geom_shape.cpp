@@ -14,38 +14,71 @@ constexpr bool is_double = sizeof(dReal) == sizeof(double);
 // A rotation matrix is integrated and normalised, so it is not exact. What it is off is a small part of the slack.
 constexpr double most_skew = is_double ? 1e-6 : 1e-5;
 
-// Beyond this, squares of lengths may overflow.
-constexpr double largest_length = 1e100;
-
-constexpr std::uint8_t group_of(int type)
+constexpr std::uint16_t group_of(int type)
 {
-    return static_cast<std::uint8_t>(1u << static_cast<unsigned>(type));
+    return static_cast<std::uint16_t>(1u << static_cast<unsigned>(type));
 }
 
-constexpr std::uint8_t spheres = group_of(dSphereClass), boxes = group_of(dBoxClass),
-                       capsules = group_of(dCapsuleClass), cylinders = group_of(dCylinderClass),
-                       planes = group_of(dPlaneClass);
+constexpr std::uint16_t spheres = group_of(dSphereClass), boxes = group_of(dBoxClass),
+                        capsules = group_of(dCapsuleClass), cylinders = group_of(dCylinderClass),
+                        planes = group_of(dPlaneClass), convexes = group_of(dConvexClass),
+                        meshes = group_of(dTriMeshClass);
 
-// ODE has libccd find the contacts of cylinders with capsules, with other cylinders and, in some builds, with boxes. It finds some
-// between shapes that are apart by a tenth of their size and more.
-std::uint8_t partners_of(int type)
+// ODE has libccd find the contacts of cylinders and convexes with capsules, with each other and, in some builds, with more. It
+// finds some between shapes that are apart by a tenth of their size and more.
+std::uint16_t partners_of(int type)
 {
     switch (type)
     {
     case dSphereClass:
-        return spheres | boxes | capsules | cylinders | planes;
+        return spheres | boxes | capsules | cylinders | planes | meshes;
     case dBoxClass:
     case dCapsuleClass:
-        return spheres | boxes | capsules | planes;
+        return spheres | boxes | capsules | planes | meshes;
     case dCylinderClass:
-        return spheres | planes;
+        return spheres | planes | meshes;
+    case dConvexClass:
+        return planes;
+    case dTriMeshClass:
+        return spheres | boxes | capsules | cylinders | planes | meshes;
     default:
-        return spheres | boxes | capsules | cylinders;
+        return spheres | boxes | capsules | cylinders | convexes | meshes;
     }
 }
 
-bool take_pose(const dxPosR &pose, ConvexShape &shape)
+// Beside triangles, ODE leaves out directions in which a capsule may be separated, if a product of lengths is below 0.001. Its ends
+// are as good as flat then. When it keeps the triangles of the last tick, or leaves out some directions for good because of the
+// flags of edges, a capsule is touched in all of its box. Of a cylinder it leaves out directions below 0.00001.
+constexpr double left_out_of_capsule = 1e-3, left_out_of_cylinder = 1e-5;
+
+// Beside another mesh, a triangle is taken for coplanar with a point when a distance, times the length of its normal, is below
+// 0.000001. The normal is not of length 1.
+constexpr double coplanar = 1e-6;
+
+bool blunts_capsules_only(dGeomID mesh)
 {
+    return !dGeomTriMeshIsTCEnabled(mesh, dBoxClass) &&
+           dGeomTriMeshDataGet2(dGeomTriMeshGetData(mesh), dTRIMESHDATA_USE_FLAGS, nullptr) == nullptr;
+}
+
+// With whom the geom is judged by its shape, and how.
+void take_partners(dxGeom *geom, ConvexShape &shape)
+{
+    shape.group = group_of(geom->type);
+    shape.partners = partners_of(geom->type);
+    if (geom->type == dCapsuleClass || geom->type == dCylinderClass)
+    {
+        shape.blunt_beside = meshes;
+        shape.blunt_margin = geom->type == dCapsuleClass ? left_out_of_capsule : left_out_of_cylinder;
+    }
+    else if (geom->type == dTriMeshClass && !blunts_capsules_only(geom))
+        shape.partners &= static_cast<std::uint16_t>(~capsules);
+}
+
+bool take_pose(dxGeom *geom, ConvexShape &shape)
+{
+    geom->recomputePosr();
+    const dxPosR &pose = *geom->final_posr;
     shape.centre = Vector3(pose.pos[0], pose.pos[1], pose.pos[2]);
     for (std::size_t i = 0; i < 3; ++i)
         shape.axes[i] = Vector3(pose.R[i], pose.R[4 + i], pose.R[8 + i]);
@@ -56,7 +89,7 @@ bool take_pose(const dxPosR &pose, ConvexShape &shape)
     return skew <= most_skew && shape.centre.lpNorm<1>() <= largest_length;
 }
 
-void take_sizes(const dxGeom *geom, ConvexShape &shape)
+bool take_sizes(const dxGeom *geom, ConvexShape &shape)
 {
     const dReal *sizes = sizes_of(geom);
     shape.kind = geom->type == dCylinderClass ? ShapeKind::cylinder : ShapeKind::rounded;
@@ -64,17 +97,27 @@ void take_sizes(const dxGeom *geom, ConvexShape &shape)
     {
         shape.half_sides = 0.5 * Vector3(sizes[0], sizes[1], sizes[2]);
         shape.size = 2 * shape.half_sides.minCoeff();
-        return;
     }
-    shape.radius = sizes[0];
-    shape.size = 2 * shape.radius;
-    if (geom->type == dSphereClass)
-        return;
-    shape.half_sides[2] = 0.5 * sizes[1];
-    if (geom->type != dCylinderClass)
-        return;
-    shape.size = std::min(shape.size, 2 * shape.half_sides[2]);
-    shape.axes[2].normalize();
+    else
+    {
+        shape.radius = sizes[0];
+        shape.half_sides[2] = geom->type == dSphereClass ? 0 : 0.5 * sizes[1];
+        shape.size =
+            2 * (shape.kind == ShapeKind::cylinder ? std::min(shape.radius, shape.half_sides[2]) : shape.radius);
+    }
+    return shape.half_sides.lpNorm<1>() + shape.radius <= largest_length;
+}
+
+// In the pose that has been taken.
+void take_hull(const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
+{
+    shape.hull = hull;
+    shape.slack_beside_own = 2 * coplanar / hull->least_normal;
+    shape.kind = ShapeKind::hull;
+    shape.half_sides = shape.hull->half_sides();
+    shape.size = 2 * shape.half_sides.minCoeff();
+    const Vector3 &centre = shape.hull->centre();
+    shape.centre += centre[0] * shape.axes[0] + centre[1] * shape.axes[1] + centre[2] * shape.axes[2];
 }
 
 bool take_plane(dxGeom *geom, ConvexShape &shape)
@@ -86,30 +129,34 @@ bool take_plane(dxGeom *geom, ConvexShape &shape)
     shape.size = std::numeric_limits<double>::infinity();
     return std::abs(shape.axes[0].squaredNorm() - 1) <= most_skew && shape.centre.lpNorm<1>() <= largest_length;
 }
+
+bool take_shape(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before, ConvexShape &shape)
+{
+    if (geom->gflags & GEOM_ZERO_SIZED)
+        return false;
+    if (geom->type == dPlaneClass)
+        return take_plane(geom, shape);
+    if (geom->type <= dCylinderClass)
+        return take_sizes(geom, shape) && take_pose(geom, shape);
+    const std::shared_ptr<const DataHull> hull = hulls.hull_of(geom, before);
+    if (!hull || !take_pose(geom, shape))
+        return false;
+    take_hull(hull, shape);
+    return true;
+}
 } // namespace
 
-ConvexShape shape_of(dxGeom *geom)
+ConvexShape shape_of(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before)
 {
     ConvexShape shape;
-    const bool is_plane = geom->type == dPlaneClass;
-    if (static_cast<unsigned>(geom->type) > dCylinderClass && !is_plane)
-        return shape;
-    if (geom->gflags & GEOM_ZERO_SIZED)
-        return shape;
-    if (!is_plane)
-    {
-        geom->recomputePosr();
-        take_sizes(geom, shape);
-    }
-    const double lengths = shape.half_sides.lpNorm<1>() + shape.radius;
-    const bool good =
-        is_plane ? take_plane(geom, shape) : take_pose(*geom->final_posr, shape) && lengths <= largest_length;
-    if (!good)
+    if (!take_shape(geom, hulls, before, shape))
         return {};
-    // Some roundings of ODE's, in its precision.
-    shape.slack = 16 * double{std::numeric_limits<dReal>::epsilon()} * (shape.centre.lpNorm<1>() + lengths);
-    shape.group = group_of(geom->type);
-    shape.partners = partners_of(geom->type);
+    // Some roundings of ODE's: of places in its precision, of sizes beside meshes in single precision.
+    const double lengths =
+        shape.half_sides.lpNorm<1>() + shape.radius + (shape.hull ? shape.hull->centre().lpNorm<1>() : 0);
+    shape.slack = 16 * (double{std::numeric_limits<dReal>::epsilon()} * shape.centre.lpNorm<1>() +
+                        double{std::numeric_limits<float>::epsilon()} * lengths);
+    take_partners(geom, shape);
     return shape;
 }
 } // namespace ode_predictive_space

@@ -4,14 +4,17 @@
 #define ODE_PREDICTIVE_SPACE_SPACE_GEOM_SHAPE_H
 
 #include "ode_predictive_space/broadphase/shape/convex_shape.h"
+#include "ode_predictive_space/space/hull_store.h"
 #include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space
 {
-/// The shape of a sphere, box, capsule, cylinder or plane that has a size, a finite place and an orthonormal rotation matrix;
-/// unknown otherwise. Two shapes are judged together where ODE's own collider finds no contact between shapes that are apart by
-/// more than a tolerance.
-ConvexShape shape_of(dxGeom *geom);
+/// The shape of a sphere, box, capsule, cylinder, plane, convex or mesh that has a size, a finite place and an orthonormal rotation
+/// matrix; unknown otherwise. Two shapes are judged together where ODE's own collider finds no contact between shapes that are
+/// apart by more than a tolerance.
+///
+/// @param before the geom's last hull, or null.
+ConvexShape shape_of(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before = nullptr);
 } // namespace ode_predictive_space
 
 #endif

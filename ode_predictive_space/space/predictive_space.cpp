@@ -74,7 +74,7 @@ ProxyId dxPredictiveSpace::proxy_of(const dxGeom *geom)
 
 GeomScene dxPredictiveSpace::scene() const
 {
-    return GeomScene(geoms_, broadphase_.proximity_test() == ProximityTest::sphere);
+    return GeomScene(geoms_, hulls_, broadphase_.proximity_test() == ProximityTest::sphere);
 }
 
 // May run within the constructor of a geom, when neither its class nor its bounds exist: the next collide reads them.
@@ -185,12 +185,31 @@ void dxPredictiveSpace::poll_moves()
         return;
     polled_.for_each([this](ProxyId id) {
         if (geoms_[id]->gflags & GEOM_DIRTY)
-        {
-            broadphase_.mark_moved(id);
-            listen_to(geoms_[id]);
-            caught_up_ = false;
-        }
+            note_change(id);
     });
+}
+
+// What the geom is made of may be other data, even at the same place.
+void dxPredictiveSpace::note_change(ProxyId id)
+{
+    hulls_.outdate(geoms_[id]);
+    broadphase_.mark_moved(id);
+    listen_to(geoms_[id]);
+    caught_up_ = false;
+}
+
+// Goes up through the spaces as ODE's dGeomMoved() does.
+void dxPredictiveSpace::geom_changed(dxGeom *geom)
+{
+    note_change(proxy_of(geom));
+    geom->gflags |= GEOM_AABB_BAD;
+    for (dxSpace *moved = this; moved; moved = moved->parent_space)
+    {
+        const bool noticed = moved->gflags & GEOM_DIRTY;
+        moved->gflags |= GEOM_DIRTY | GEOM_AABB_BAD;
+        if (moved->parent_space && !noticed)
+            moved->parent_space->dirty(moved);
+    }
 }
 
 // Computes all boxes, also those that the space does not need yet. Moves stay reported for the next collide.
@@ -387,5 +406,5 @@ void dxPredictiveSpace::set_horizon(const HorizonBounds &horizon)
 std::size_t dxPredictiveSpace::bytes() const
 {
     return sizeof(*this) + broadphase_.bytes() + bytes_of(geoms_) + bytes_of(found_) + bytes_of(pairs_) +
-           unclassified_.bytes() + polled_.bytes() + off_line_.bytes() + known_poses_.bytes();
+           unclassified_.bytes() + polled_.bytes() + off_line_.bytes() + known_poses_.bytes() + hulls_.bytes();
 }

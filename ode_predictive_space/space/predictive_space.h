@@ -38,6 +38,9 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     /// The same, and makes predictions for all geoms; from now on new geoms are predicted as soon as they are added.
     void catch_up_with_predictions();
 
+    /// The data that a geom of this space is made of have been changed in place.
+    void geom_changed(dxGeom *geom);
+
     /// A geom that can be met, in ticks from now.
     struct Encounter
     {
@@ -90,6 +93,7 @@ private:
     void find_near(dxGeom *geom, std::vector<ProxyId> &found);
     void prepare();
     void poll_moves();
+    void note_change(ProxyId id);
     void fit_to_proxies();
     std::vector<ProxyId> members() const;
     Violation find_misplaced(const std::vector<ProxyId> &members, ode_predictive_space::GeomScene &now) const;
@@ -116,6 +120,7 @@ private:
     std::vector<ode_predictive_space::CandidatePair> pairs_;
     std::vector<ProxyId> found_;
 
+    mutable ode_predictive_space::HullStore hulls_; // a scene may make hulls
     ode_predictive_space::KnownPoses known_poses_;
     bool unprepared_ = false; // geoms are unclassified, or known poses need room
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <deque>
 #include <random>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "ode_predictive_space/space/geom_scene.h"
 #include "ode_predictive_space/space/geom_shape.h"
 #include "tests/contract/support/ode_test.h"
+#include "tests/shape/polyhedron_geom.h"
 
 namespace ode_predictive_space
 {
@@ -37,6 +39,12 @@ protected:
             return dCreateCapsule(nullptr, side(), side());
         case dCylinderClass:
             return dCreateCylinder(nullptr, side(), side());
+        case dConvexClass:
+            return convexes_.emplace_back(polyhedron(side(), side(), side(), false)).create(nullptr);
+        case dTriMeshClass:
+            meshes_.emplace_back(polyhedron(side(), side(), side(), true), one_in(2));
+            meshes_.back().build_face_angles();
+            return dCreateTriMesh(nullptr, meshes_.back().id(), nullptr, nullptr, nullptr);
         default:
         {
             const Vector3 normal = direction();
@@ -44,6 +52,16 @@ protected:
                                 static_cast<dReal>(normal[2]), 0);
         }
         }
+    }
+
+    Polyhedron polyhedron(double x, double y, double z, bool may_be_flat)
+    {
+        const Polyhedron shapes[] = {Polyhedron::cube(), Polyhedron::octahedron(), Polyhedron::tetrahedron(),
+                                     Polyhedron::square()};
+        const std::size_t choice = random_() % (may_be_flat ? 4 : 3);
+        // ODE wants the origin within a convex.
+        const double aside = one_in(3) ? may_be_flat ? 1 : 0.05 : 0;
+        return shapes[choice].changed(0.5 * Vector3(x, y, z), aside * Vector3(x, y, z).cwiseProduct(direction()));
     }
 
     Vector3 direction()
@@ -78,26 +96,39 @@ protected:
         dGeomPlaneSetParams(geom, plane[0], plane[1], plane[2], static_cast<dReal>(depth));
     }
 
-    // Moves the second geom along the direction until there is hardly a gap, and then a little on.
+    static bool touch(dGeomID first, dGeomID second)
+    {
+        dContactGeom found[4];
+        return dCollide(first, second, 4, found, sizeof found[0]) > 0;
+    }
+
+    // Moves the second geom along the direction until there is hardly a gap, or hardly a contact, and then a little on.
     void nearly_touch(dGeomID first, dGeomID second, double size)
     {
-        const Vector3 place = one_in(2) ? Vector3(0, 0, 0) : Vector3(size * 10 * direction()), towards = direction();
+        const double away = one_in(2) ? 0 : one_in(4) ? 1e4 : 10;
+        const Vector3 place = size * away * direction(), towards = direction();
         put(first, place, towards, 0);
         double low = 0, high = 8 * size;
+        const bool by_contact = one_in(2);
+        const auto apart = [&] {
+            return by_contact
+                       ? !touch(first, second)
+                       : find_gap(shape_of(first, hulls_), shape_of(second, hulls_), Vector3::Zero(), 0).length > 0;
+        };
         for (int i = 0; i < 40; ++i)
         {
             const double middle = 0.5 * (low + high);
             put(second, place, towards, middle);
-            (find_gap(shape_of(first), shape_of(second), Vector3::Zero(), 0).length > 0 ? high : low) = middle;
+            (apart() ? high : low) = middle;
         }
         put(second, place, towards, high + (one_in(4) ? -1 : 1) * size * log_between(1e-9, one_in(2) ? 1e-2 : 1));
     }
 
     // By the shape test alone, as if the boxes overlapped.
-    static bool may_touch(dGeomID first, dGeomID second)
+    bool may_touch(dGeomID first, dGeomID second)
     {
         const std::vector<dxGeom *> geoms{first, second};
-        GeomScene scene(geoms, false);
+        GeomScene scene(geoms, hulls_, false);
         IdSet both;
         both.resize(2);
         both.insert(0);
@@ -114,13 +145,21 @@ protected:
         return ShapeTest(overlap, shapes, 0, looks)({0, 1}, look);
     }
 
+    HullStore hulls_;
+    std::deque<ConvexArrays> convexes_;
+    std::deque<MeshArrays> meshes_;
     std::mt19937_64 random_{20261123};
 };
 
 TEST_F(ShapeColliders, FindNoContactOfPairsThatAreLeftOut)
 {
+#ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
+    constexpr int poses = 400000;
+#else
     constexpr int poses = 12000;
-    constexpr std::array<int, 5> classes{dSphereClass, dBoxClass, dCapsuleClass, dCylinderClass, dPlaneClass};
+#endif
+    constexpr std::array<int, 7> classes{dSphereClass, dBoxClass,    dCapsuleClass, dCylinderClass,
+                                         dPlaneClass,  dConvexClass, dTriMeshClass};
     for (int one : classes)
         for (int other : classes)
         {
@@ -130,7 +169,7 @@ TEST_F(ShapeColliders, FindNoContactOfPairsThatAreLeftOut)
                 const double size = log_between(1e-3, 1e2);
                 dGeomID first = create(one, size),
                         second = create(other, one_in(2) ? size : size * log_between(0.01, 1));
-                if (!judged_by_shape(shape_of(first), shape_of(second)))
+                if (!judged_by_shape(shape_of(first, hulls_), shape_of(second, hulls_)))
                     i = poses; // these two classes once, to see that they are reported
                 for (dGeomID geom : {first, second})
                     if (dGeomGetClass(geom) != dPlaneClass)
@@ -144,6 +183,8 @@ TEST_F(ShapeColliders, FindNoContactOfPairsThatAreLeftOut)
                 left_out += !reported;
                 dGeomDestroy(first);
                 dGeomDestroy(second);
+                convexes_.clear();
+                meshes_.clear();
                 if (HasFailure())
                     return;
             }

@@ -10,7 +10,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr int pairs_of_classes = 14; // of five, but two planes
+constexpr int pairs_of_classes = 20; // of six, but two planes
 constexpr int poses = 1500000 / pairs_of_classes;
 constexpr double rounding = 1e-13;
 

@@ -8,14 +8,75 @@ namespace ode_predictive_space
 {
 namespace
 {
+// A hull that keeps its points for the test, relative to the centre.
+struct PointHull : VertexHull
+{
+    explicit PointHull(const std::vector<Vector3> &given) : VertexHull(given), points(given)
+    {
+        for (Vector3 &point : points)
+            point -= centre();
+    }
+    std::vector<Vector3> points;
+};
+
+std::vector<Vector3> points_of(const VertexHull &hull)
+{
+    return static_cast<const PointHull &>(hull).points;
+}
+
+void take_hull(const std::vector<Vector3> &points, ConvexShape &shape)
+{
+    shape.hull = std::make_shared<PointHull>(points);
+    shape.half_sides = shape.hull->half_sides();
+    shape.size = 2 * shape.half_sides.minCoeff();
+}
+
 double log_between(ShapeMaker &maker, double low, double high)
 {
     return std::exp(maker.between(std::log(low), std::log(high)));
 }
 
+// The point of a hull that is nearest, by moving weight from the worst of the points that have some to the best of all (pairwise
+// Frank-Wolfe steps): whatever the number of steps, it is a point of the hull.
+Vector3 nearest_of_points(const std::vector<Vector3> &points, const Vector3 &point)
+{
+    std::vector<double> weights(points.size());
+    weights[0] = 1;
+    Vector3 nearest = points[0];
+    for (int step = 0; step < 60; ++step)
+    {
+        const Vector3 outwards = nearest - point;
+        std::size_t best = 0, worst = points.size();
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            if (outwards.dot(points[i]) < outwards.dot(points[best]))
+                best = i;
+            if (weights[i] > 0 && (worst == points.size() || outwards.dot(points[i]) > outwards.dot(points[worst])))
+                worst = i;
+        }
+        const Vector3 way = points[best] - points[worst];
+        if (!(outwards.dot(way) < 0))
+            break;
+        const double moved = std::min(weights[worst], -outwards.dot(way) / way.squaredNorm());
+        weights[worst] -= moved;
+        weights[best] += moved;
+        nearest += moved * way;
+    }
+    return nearest;
+}
+
+Vector3 nearest_of_hull(const ConvexShape &shape, const Vector3 &point)
+{
+    Eigen::Matrix3d axes;
+    axes << shape.axes[0], shape.axes[1], shape.axes[2];
+    return shape.centre + axes * nearest_of_points(points_of(*shape.hull), axes.transpose() * (point - shape.centre));
+}
+
 // The point of the shape that is nearest to `point`.
 Vector3 nearest_of(const ConvexShape &shape, const Vector3 &point)
 {
+    if (shape.kind == ShapeKind::hull)
+        return nearest_of_hull(shape, point);
     const Vector3 offset = point - shape.centre;
     if (shape.kind == ShapeKind::half_space)
         return point - std::max(0.0, shape.axes[0].dot(offset)) * shape.axes[0];
@@ -57,11 +118,29 @@ Eigen::Matrix3d ShapeMaker::rotation()
     return (Eigen::AngleAxisd(slightly, direction()) * Eigen::AngleAxisd(angle, direction())).toRotationMatrix();
 }
 
+// A tetrahedron, a box or a cloud of points.
+ConvexShape ShapeMaker::hull()
+{
+    const Vector3 sides(log_between(*this, 0.01, 0.5), log_between(*this, 0.01, 0.5), log_between(*this, 0.01, 0.5));
+    std::vector<Vector3> points;
+    if (one_in(3))
+        for (int i = one_in(2) ? 4 : 30; i > 0; --i)
+            points.push_back(sides.cwiseProduct(vector()));
+    else
+        for (int i = 0; i < 8; ++i)
+            points.push_back(sides.cwiseProduct(Vector3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+    ConvexShape shape;
+    shape.kind = ShapeKind::hull;
+    take_hull(points, shape);
+    return shape;
+}
+
 ConvexShape ShapeMaker::shape(Solid solid)
 {
     const auto side = [this] { return log_between(*this, 0.01, 0.5); };
-    ConvexShape shape;
-    shape.kind = solid == Solid::cylinder ? ShapeKind::cylinder : ShapeKind::rounded;
+    ConvexShape shape = solid == Solid::hull ? hull() : ConvexShape();
+    if (solid != Solid::hull)
+        shape.kind = solid == Solid::cylinder ? ShapeKind::cylinder : ShapeKind::rounded;
     shape.group = shape.partners = 1;
     for (std::size_t i = 0; i < 3; ++i)
         shape.axes[i] = Vector3::Unit(static_cast<Eigen::Index>(i));
@@ -71,6 +150,8 @@ ConvexShape ShapeMaker::shape(Solid solid)
         shape.size = std::numeric_limits<double>::infinity();
         return shape;
     }
+    if (solid == Solid::hull)
+        return shape;
     if (solid == Solid::box)
         shape.half_sides = Vector3(side(), side(), side());
     else
@@ -89,6 +170,21 @@ ConvexShape moved(const ConvexShape &shape, const Eigen::Matrix3d &turn, const V
     for (Vector3 &axis : result.axes)
         axis = (turn * axis).normalized();
     result.centre += by;
+    return result;
+}
+
+ConvexShape scaled(const ConvexShape &shape, double factor)
+{
+    ConvexShape result = shape;
+    result.half_sides *= factor;
+    result.radius *= factor;
+    if (shape.hull)
+    {
+        std::vector<Vector3> points = points_of(*shape.hull);
+        for (Vector3 &point : points)
+            point *= factor;
+        take_hull(points, result);
+    }
     return result;
 }
 

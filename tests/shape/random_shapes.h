@@ -18,9 +18,11 @@ enum class Solid
     box,
     capsule,
     cylinder,
+    hull,
     plane
 };
-constexpr std::array<Solid, 5> solids{Solid::sphere, Solid::box, Solid::capsule, Solid::cylinder, Solid::plane};
+constexpr std::array<Solid, 6> solids{Solid::sphere,   Solid::box,  Solid::capsule,
+                                      Solid::cylinder, Solid::hull, Solid::plane};
 
 class ShapeMaker
 {
@@ -38,11 +40,16 @@ public:
     ConvexShape shape(Solid solid);
 
 private:
+    ConvexShape hull();
+
     std::mt19937_64 random_;
 };
 
 /// The shape, turned about its centre and then moved.
 ConvexShape moved(const ConvexShape &shape, const Eigen::Matrix3d &turn, const Vector3 &by);
+
+/// The shape, larger by a factor.
+ConvexShape scaled(const ConvexShape &shape, double factor);
 
 /// A distance between two points of the shapes: never less than the distance of the shapes, and after many steps close to it.
 double distance_from_above(const ConvexShape &first, const ConvexShape &second, int steps);

@@ -42,7 +42,7 @@ public:
     bool postponed() const { return shapes_.travel(the_pair) < look_.due; }
     std::uint64_t looks() const { return looks_; }
 
-    void get_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes) override
+    void update_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes) override
     {
         for (std::size_t i = 0; i < count; ++i)
             shapes[i] = now[ids[i]];
@@ -68,7 +68,7 @@ TEST(Travel, MovesNoPointFartherThanItSays)
     ShapeMaker maker(1);
     for (int i = 0; i < 500000; ++i)
     {
-        const Solid solid = solids[static_cast<std::size_t>(maker.between(0, 3.999))];
+        const Solid solid = solids[static_cast<std::size_t>(maker.between(0, 4.999))];
         const ConvexShape before = moved(maker.shape(solid), maker.rotation(), maker.vector());
         const Eigen::Matrix3d turn =
             Eigen::AngleAxisd(maker.between(0, maker.one_in(2) ? 3 : 0.01), maker.direction()).toRotationMatrix();
@@ -111,8 +111,8 @@ TEST(Travel, ShapesOfPostponedPairsAreApart)
         ShapeMaker maker(seed);
         TwoShapes pair;
         pair.margin = maker.one_in(2) ? 0 : 0.02;
-        pair.now[0] = maker.shape(solids[static_cast<std::size_t>(maker.between(0, 4.999))]);
-        pair.now[1] = moved(maker.shape(solids[static_cast<std::size_t>(maker.between(0, 3.999))]), maker.rotation(),
+        pair.now[0] = maker.shape(solids[static_cast<std::size_t>(maker.between(0, 5.999))]);
+        pair.now[1] = moved(maker.shape(solids[static_cast<std::size_t>(maker.between(0, 4.999))]), maker.rotation(),
                             maker.between(0.3, 1.5) * maker.direction());
         const double speed = std::exp(maker.between(-8, -3)), spin = std::exp(maker.between(-8, -2));
         const bool far_away = maker.one_in(10);
@@ -129,10 +129,7 @@ TEST(Travel, ShapesOfPostponedPairsAreApart)
             if (maker.one_in(100)) // comes back
                 pair.now[1].centre = pair.now[0].centre + maker.vector();
             if (maker.one_in(200)) // resized
-            {
-                pair.now[1].half_sides *= 1.2;
-                pair.now[1].radius *= 1.2;
-            }
+                pair.now[1] = scaled(pair.now[1], 1.2);
             const bool reported = pair.reported();
             const double distance = distance_from_above(pair.now[0], pair.now[1], 8);
             ASSERT_TRUE(reported || distance >= pair.margin - (far_away ? 1e-9 : 1e-13))

@@ -30,6 +30,8 @@ CandidatePair *NearSet::report(const OverlapTest &test, Tick now, bool prefetche
 
 CandidatePair *NearSet::report_by_shape(const ShapeTest &test, Tick now, CandidatePair *room)
 {
+    if (test.shapes().any_renewed())
+        note_moves(test.shapes().renewed()); // a hull may change without a move
     activate_disturbed();
     looks_.resize(pairs_.size());
     if (may_have_stale(now))

@@ -10,13 +10,19 @@ namespace
 {
 // Part of the smaller size of two objects: so far apart, programs may find contacts, because they compute with tolerances.
 constexpr double contact_slack = 1e-3;
+
+double slack(const ConvexShape &first, const ConvexShape &second)
+{
+    const double slack = first.slack + second.slack;
+    return first.group == second.group ? slack + first.slack_beside_own + second.slack_beside_own : slack;
+}
 } // namespace
 
 bool ShapeTest::may_touch(const CandidatePair &pair, Look &look) const
 {
     ++looks_;
     const ConvexShape &first = shapes_[pair.first], &second = shapes_[pair.second];
-    const double margin = margin_ + contact_slack * std::min(first.size, second.size) + first.slack + second.slack;
+    const double margin = margin_ + contact_slack * std::min(first.size, second.size) + slack(first, second);
     const Vector3 axis(look.axis[0], look.axis[1], look.axis[2]);
     const Gap gap = find_gap(first, second, axis, margin);
     for (Eigen::Index i = 0; i < 3; ++i)

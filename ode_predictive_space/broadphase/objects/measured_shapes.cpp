@@ -26,7 +26,7 @@ void MeasuredShapes::resize(std::size_t count)
         return;
     resize_array(shapes_, count);
     resize_array(travels_, count);
-    for (IdSet *set : {&valid_, &renewed_})
+    for (IdSet *set : {&valid_, &renewed_, &hulls_})
         set->resize(count);
     stale_.resize(count);
     free_memory(found_);
@@ -35,6 +35,7 @@ void MeasuredShapes::resize(std::size_t count)
 void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const IdSet &members)
 {
     stale_.clear();
+    drop_outdated(scene, wanted, members);
     for (std::size_t i = 0; i < wanted.words(); ++i)
         IdSet::visit_word(i, wanted.word(i) & members.word(i) & ~valid_.word(i),
                           [this](ProxyId id) { stale_.add(id); });
@@ -42,15 +43,30 @@ void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const IdSet &memb
         return;
     if (found_.size() < stale_.size())
         found_.resize(stale_.size());
-    scene.get_shapes(stale_.data(), stale_.size(), found_.data());
+    for (std::size_t i = 0; i < stale_.size(); ++i)
+        found_[i] = shapes_[stale_.data()[i]];
+    scene.update_shapes(stale_.data(), stale_.size(), found_.data());
     for (std::size_t i = 0; i < stale_.size(); ++i)
         note(stale_.data()[i], found_[i]);
+}
+
+void MeasuredShapes::drop_outdated(Scene &scene, const IdSet &wanted, const IdSet &members)
+{
+    for (std::size_t i = 0; i < hulls_.words(); ++i)
+        IdSet::visit_word(i, hulls_.word(i) & wanted.word(i) & members.word(i), [&](ProxyId id) {
+            if (scene.hull_is_outdated(id, shapes_[id]))
+                valid_.erase(id);
+        });
 }
 
 void MeasuredShapes::note(ProxyId id, const ConvexShape &shape)
 {
     ConvexShape &before = shapes_[id];
     valid_.insert(id);
+    if (shape.hull)
+        hulls_.insert(id);
+    else
+        hulls_.erase(id);
     // A half space that turns moves without bounds far away.
     if (!shape.same_size(before) || shape.kind == ShapeKind::half_space)
     {
@@ -71,6 +87,6 @@ void MeasuredShapes::clear_renewed()
 std::size_t MeasuredShapes::bytes() const
 {
     return bytes_of(shapes_) + bytes_of(travels_) + bytes_of(found_) + valid_.bytes() + renewed_.bytes() +
-           stale_.bytes();
+           hulls_.bytes() + stale_.bytes();
 }
 } // namespace ode_predictive_space

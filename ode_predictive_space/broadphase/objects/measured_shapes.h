@@ -36,12 +36,13 @@ public:
             valid_ -= moved;
     }
 
-    /// Looks at those wanted objects that are there and have moved, and adds to their travels.
+    /// Looks at those wanted objects that are there and have moved or have another hull, and adds to their travels.
     void update(Scene &scene, const IdSet &wanted, const IdSet &members);
 
     /// Objects were seen for the first time, or resized, since the last clear_renewed(): their travels say nothing about the time
     /// before.
     bool any_renewed() const { return any_renewed_; }
+    const IdSet &renewed() const { return renewed_; }
     bool renewed(const CandidatePair &pair) const
     {
         return any_renewed_ && (renewed_.contains(pair.first) || renewed_.contains(pair.second));
@@ -56,6 +57,7 @@ public:
     std::size_t bytes() const;
 
 private:
+    void drop_outdated(Scene &scene, const IdSet &wanted, const IdSet &members);
     void note(ProxyId id, const ConvexShape &shape);
 
     bool in_use_ = false;
@@ -63,6 +65,7 @@ private:
     std::vector<double> travels_;
     IdSet valid_; // and some that are not there
     IdSet renewed_;
+    IdSet hulls_; // objects whose shape is a hull
     bool any_renewed_ = false;
     IdList stale_;                   // scratch
     std::vector<ConvexShape> found_; // scratch

@@ -6,8 +6,13 @@
 
 namespace ode_predictive_space
 {
-void Scene::get_shapes(const ProxyId *, std::size_t count, ConvexShape *shapes)
+void Scene::update_shapes(const ProxyId *, std::size_t count, ConvexShape *shapes)
 {
     std::fill_n(shapes, count, ConvexShape{});
+}
+
+bool Scene::hull_is_outdated(ProxyId, const ConvexShape &)
+{
+    return false;
 }
 } // namespace ode_predictive_space

@@ -49,8 +49,13 @@ public:
     /// with_bounds[i] is set.
     virtual void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) = 0;
 
-    /// Writes the shape of each of the objects, in the order of `ids`. Here: unknown, for scenes that are judged by boxes alone.
-    virtual void get_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes);
+    /// Renews the shape of each of the objects, in the order of `ids`. Here: unknown, for scenes that are judged by boxes alone.
+    ///
+    /// @param shapes as they were, or ConvexShape(); the same hull is kept as long as it serves.
+    virtual void update_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes);
+
+    /// Does the hull of an object's shape no longer serve? The data of hulls change without notice.
+    virtual bool hull_is_outdated(ProxyId id, const ConvexShape &shape);
 
     /// The object's bounding box in double precision.
     virtual Box bounds(ProxyId id) = 0;

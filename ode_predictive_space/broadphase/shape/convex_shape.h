@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 
+#include "ode_predictive_space/broadphase/shape/vertex_hull.h"
 #include "ode_predictive_space/prediction/path.h"
 
 namespace ode_predictive_space
@@ -16,6 +18,7 @@ enum class ShapeKind : std::uint8_t
     unknown,  ///< the object is judged by its bounding box
     rounded,  ///< all points up to `radius` away from a box; the sides of the box may be 0: spheres, capsules, boxes
     cylinder, ///< around axes[2]; half_sides[2] and `radius`
+    hull,     ///< of many points, within the box of half_sides
     half_space
 };
 
@@ -29,8 +32,13 @@ struct ConvexShape
     double radius = 0;
     double size = 0;  ///< the smallest of its diameters; infinite for a half space
     double slack = 0; ///< a length: contacts may be found when the shapes are so far apart, because that test rounds
-    std::uint8_t group = 0;    ///< one bit
-    std::uint8_t partners = 0; ///< the groups with which the shape decides; with others it is the bounding box
+    double slack_beside_own = 0; ///< the same, beside shapes of the same group
+    std::uint16_t group = 0;     ///< one bit
+    std::uint16_t partners = 0;  ///< the groups with which the shape decides; with others it is the bounding box
+    std::uint16_t blunt_beside =
+        0;                   ///< the groups beside which a capsule or cylinder counts as the cylinder around it, ...
+    double blunt_margin = 0; ///< ... larger by this on all sides
+    std::shared_ptr<const VertexHull> hull; ///< of a hull; relative to centre and axes
 
     bool known() const { return kind != ShapeKind::unknown; }
 
@@ -42,10 +50,9 @@ struct ConvexShape
             const double along = axes[2].dot(direction);
             return half_sides[2] * std::abs(along) + radius * (direction - along * axes[2]).norm();
         }
-        double sum = radius;
-        for (std::size_t i = 0; i < 3; ++i)
-            sum += half_sides[static_cast<Eigen::Index>(i)] * std::abs(axes[i].dot(direction));
-        return sum;
+        if (kind == ShapeKind::hull)
+            return hull->reach(along_axes(direction));
+        return radius + half_sides.dot(along_axes(direction).cwiseAbs());
     }
 
     /// The point of the shape's core that is farthest in a direction of any length, from the centre. The shape is the set of all
@@ -60,38 +67,67 @@ struct ConvexShape
             const Vector3 end = std::copysign(half_sides[2], along) * axes[2];
             return length > 0 ? Vector3(end + (radius / length) * across) : end;
         }
-        Vector3 point = Vector3::Zero();
-        for (std::size_t i = 0; i < 3; ++i)
-            point += std::copysign(half_sides[static_cast<Eigen::Index>(i)], axes[i].dot(direction)) * axes[i];
-        return point;
+        const Vector3 along = along_axes(direction);
+        if (kind == ShapeKind::hull)
+            return from_axes(hull->farthest(along));
+        return from_axes(
+            half_sides.binaryExpr(along, [](double side, double sign) { return std::copysign(side, sign); }));
     }
 
     double core_distance() const { return kind == ShapeKind::cylinder ? 0 : radius; }
 
+    /// The cylinder around a capsule or cylinder.
+    ConvexShape blunt() const
+    {
+        ConvexShape cylinder = *this;
+        cylinder.kind = ShapeKind::cylinder;
+        cylinder.half_sides[2] = blunt_half();
+        cylinder.radius += blunt_margin;
+        cylinder.blunt_beside = 0;
+        return cylinder;
+    }
+
     bool same_size(const ConvexShape &other) const
     {
-        return kind == other.kind && half_sides == other.half_sides && radius == other.radius;
+        return kind == other.kind && half_sides == other.half_sides && radius == other.radius && hull == other.hull;
     }
 
     /// An upper bound of the distance that any point of the surface has moved from `before`, a shape of the same size, if each
     /// is taken to the nearest point that serves: turning about an axis of symmetry moves nothing. Not for half spaces.
     ///
     /// The reach in any direction changes by no more: the sum of half_side |axis . direction| by half_side |change of axis|
-    /// each, that of a cylinder by the chord of its farthest points.
+    /// each, that of a cylinder by the chord of its farthest points, and a point of a hull by its coordinates, which are no
+    /// larger than the half sides, times the changes of the axes.
     double moved_from(const ConvexShape &before) const
     {
         double sum = (centre - before.centre).norm();
-        if (kind == ShapeKind::cylinder)
-            return sum + std::hypot(half_sides[2], radius) * (axes[2] - before.axes[2]).norm();
+        if (kind == ShapeKind::cylinder || blunt_beside)
+        {
+            const double half = blunt_half(), across = radius + blunt_margin;
+            return sum + std::sqrt(half * half + across * across) * (axes[2] - before.axes[2]).norm();
+        }
         for (std::size_t i = 0; i < 3; ++i)
             sum += half_sides[static_cast<Eigen::Index>(i)] * (axes[i] - before.axes[i]).norm();
         return sum;
     }
+
+private:
+    double blunt_half() const { return half_sides[2] + (kind == ShapeKind::cylinder ? 0 : radius) + blunt_margin; }
+
+    Vector3 along_axes(const Vector3 &direction) const
+    {
+        return Vector3(axes[0].dot(direction), axes[1].dot(direction), axes[2].dot(direction));
+    }
+    Vector3 from_axes(const Vector3 &point) const
+    {
+        return point[0] * axes[0] + point[1] * axes[1] + point[2] * axes[2];
+    }
 };
+
 /// Do the shapes decide whether the two can touch?
 inline bool judged_by_shape(const ConvexShape &first, const ConvexShape &second)
 {
-    return (first.partners & second.group) != 0;
+    return (first.partners & second.group) != 0 && (second.partners & first.group) != 0;
 }
 } // namespace ode_predictive_space
 

@@ -1,6 +1,6 @@
 #include "ode_predictive_space/broadphase/shape/gap.h"
 
-#include <algorithm>
+#include "ode_predictive_space/broadphase/shape/nearest_point.h"
 
 namespace ode_predictive_space
 {
@@ -26,7 +26,7 @@ Gap gap_to_half_space(const ConvexShape &half_space, const ConvexShape &other)
     if (other.kind == ShapeKind::half_space)
         return {};
     const Vector3 &out = half_space.axes[0];
-    const double length = out.dot(other.centre - half_space.centre) - other.reach(out);
+    const double length = out.dot(other.centre - half_space.centre) - other.reach(-out);
     return {length - rounding(half_space) - rounding(other), out};
 }
 
@@ -47,23 +47,20 @@ void try_axes_of(const ConvexShape &shape, const ConvexShape &first, const Conve
         }
 }
 
-// Gilbert's steps towards the point of the difference that is closest to its origin: the direction to each point on the way is an
-// axis. Faces that look at each other make them zigzag; the axes of the shapes have been tried for these.
+// Steps of GJK (Gilbert, Johnson, Keerthi 1988) towards the point of the difference that is closest to its origin: the direction to
+// each point on the way is an axis.
 void approach_closest(const ConvexShape &first, const ConvexShape &second, Gap &largest)
 {
     const double around = first.core_distance() + second.core_distance();
-    Vector3 point = nearest_along(largest.axis, first, second);
+    NearestPoint nearest(nearest_along(largest.axis, first, second));
     for (int i = 0; i < steps; ++i)
     {
-        const double distance = point.norm() - around;
+        const double distance = nearest.point().norm() - around;
         if (!(distance > 0) || largest.length >= precise_enough * distance)
             return;
-        largest.improve(gap_along(point, first, second));
-        const Vector3 nearest = nearest_along(point, first, second), step = nearest - point;
-        const double squared = step.squaredNorm();
-        if (!(squared > 0))
+        largest.improve(gap_along(nearest.point(), first, second));
+        if (!nearest.add(nearest_along(nearest.point(), first, second)))
             return;
-        point += std::clamp(-point.dot(step) / squared, 0.0, 1.0) * step;
     }
 }
 } // namespace
@@ -78,7 +75,7 @@ Gap gap_along(const Vector3 &direction, const ConvexShape &first, const ConvexSh
         return {gap.length, -gap.axis};
     }
     const Vector3 axis = direction / direction.norm();
-    const double length = axis.dot(second.centre - first.centre) - first.reach(axis) - second.reach(axis);
+    const double length = axis.dot(second.centre - first.centre) - first.reach(axis) - second.reach(-axis);
     return {length - rounding(first) - rounding(second), axis};
 }
 
@@ -86,6 +83,10 @@ Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 
 {
     if (!judged_by_shape(first, second))
         return {};
+    if (first.blunt_beside & second.group)
+        return find_gap(first.blunt(), second, axis, enough);
+    if (second.blunt_beside & first.group)
+        return find_gap(first, second.blunt(), axis, enough);
     if (first.kind == ShapeKind::half_space || second.kind == ShapeKind::half_space)
         return gap_along(axis, first, second);
     Gap largest;

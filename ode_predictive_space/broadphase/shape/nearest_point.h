@@ -1,0 +1,41 @@
+// The point of a growing simplex that is nearest to the origin.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_NEAREST_POINT_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_NEAREST_POINT_H
+
+#include <array>
+
+#include "ode_predictive_space/prediction/path.h"
+
+namespace ode_predictive_space
+{
+/// Finds the point of a convex shape that is nearest to the origin, if the farthest points of the shape against each point() on the
+/// way are added to it. (P. Wolfe: Finding the nearest point in a polytope, 1976. Points that do not help any more are dropped, so
+/// that there are never more than four.)
+class NearestPoint
+{
+public:
+    explicit NearestPoint(const Vector3 &first) : points_{first}, weights_{1}, point_(first) {}
+
+    const Vector3 &point() const { return point_; }
+
+    /// @return false when this brings the point no nearer: up to rounding, it is the nearest one.
+    bool add(const Vector3 &corner);
+
+private:
+    static constexpr int most = 4;
+    using Weights = std::array<double, most>;
+
+    bool find_affine(Weights &weights) const;
+    void move_towards(const Weights &weights);
+    void drop_unused();
+    Vector3 weighted() const;
+
+    std::array<Vector3, most> points_;
+    Weights weights_{};
+    int count_ = 1;
+    Vector3 point_;
+};
+} // namespace ode_predictive_space
+
+#endif

@@ -1,0 +1,277 @@
+// Convexes and meshes are judged by the hull of their present data, however these are exchanged.
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <ode_predictive_space/predictive_space.h>
+
+#include "tests/contract/support/scenario.h"
+#include "tests/shape/polyhedron_geom.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+const Eigen::Vector3d same(1, 1, 1), here(0, 0, 0);
+
+// An octahedron of height 2 in the middle and a ball near its edge: the boxes overlap. So that the motion keeps to its prediction,
+// and the pair stays the same, deviations are large.
+class HullData : public OdeTest
+{
+protected:
+    HullData()
+    {
+        dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+        for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
+            dPredictiveSpaceSetDeviation(space, role, 1, 0, 0);
+        dPredictiveEncounter none;
+        dPredictiveSpaceGetEncounters(space, ball, &none, 1);
+        dGeomSetPosition(ball, REAL(0.8), REAL(0.8), 0);
+    }
+    ~HullData() override { dSpaceDestroy(space); }
+
+    dGeomID create_mesh(const MeshArrays &arrays)
+    {
+        return dCreateTriMesh(space, arrays.id(), nullptr, nullptr, nullptr);
+    }
+
+    // Something moves, so that time passes.
+    std::size_t pairs()
+    {
+        moves = -moves;
+        dGeomSetPosition(ball, REAL(0.8) + moves, REAL(0.8), 0);
+        const std::size_t count = collide(space).size();
+        EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
+        return count;
+    }
+
+    std::size_t pairs_at_rest()
+    {
+        for (int i = 0; i < 70; ++i)
+            collide(space);
+        const std::size_t count = collide(space).size();
+        EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
+        return count;
+    }
+
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dGeomID ball = dCreateSphere(space, REAL(0.3));
+    dReal moves = REAL(1e-6);
+
+    const Polyhedron octahedron = Polyhedron::octahedron(), cube = Polyhedron::cube().changed(0.9 * same, here);
+};
+
+TEST_F(HullData, LeavesOutAMeshThatIsApart)
+{
+    for (bool single : {false, true})
+    {
+        MeshArrays arrays(octahedron, single);
+        const dGeomID mesh = create_mesh(arrays);
+        EXPECT_EQ(pairs(), 0u);
+        dGeomSetPosition(mesh, REAL(0.2), REAL(0.2), 0);
+        EXPECT_EQ(pairs(), 1u);
+        dGeomDestroy(mesh);
+    }
+}
+
+TEST_F(HullData, LeavesOutAConvexThatIsAbovePlane)
+{
+    const ConvexArrays arrays(octahedron);
+    const dGeomID convex = arrays.create(space);
+    dCreatePlane(space, 0, REAL(0.6), REAL(0.8), REAL(-0.9));
+    dGeomSetPosition(ball, 5, 5, 5);
+    EXPECT_EQ(collide(space).size(), 0u);
+    dGeomSetPosition(convex, 0, REAL(-0.2), 0);
+    EXPECT_EQ(collide(space).size(), 1u);
+}
+
+// Bytes that a space takes for 20 meshes in a row.
+unsigned long bytes_with(const std::vector<std::unique_ptr<MeshArrays>> &data)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+    for (std::size_t i = 0; i < 20; ++i)
+        dCreateTriMesh(space, data[i % data.size()]->id(), nullptr, nullptr, nullptr);
+    dPredictiveEncounter none;
+    dPredictiveSpaceGetEncounters(space, dSpaceGetGeom(space, 0), &none, 1);
+    collide(space);
+    dPredictiveSpaceStats stats;
+    dPredictiveSpaceGetStats(space, &stats);
+    dSpaceDestroy(space);
+    return stats.bytes;
+}
+
+TEST_F(HullData, IsMadeOnceForAllGeomsOfTheSameData)
+{
+    std::vector<std::unique_ptr<MeshArrays>> one, many;
+    one.push_back(std::make_unique<MeshArrays>(octahedron));
+    for (int i = 0; i < 20; ++i)
+        many.push_back(std::make_unique<MeshArrays>(octahedron));
+    EXPECT_GT(bytes_with(many), bytes_with(one) + 19 * 200);
+}
+
+TEST_F(HullData, IsThatOfTheMeshDataThatWereSet)
+{
+    MeshArrays small(octahedron), large(cube);
+    const dGeomID mesh = create_mesh(small);
+    EXPECT_EQ(pairs(), 0u);
+    dGeomTriMeshSetData(mesh, large.id());
+    EXPECT_EQ(pairs(), 1u);
+    dGeomTriMeshSetData(mesh, small.id());
+    EXPECT_EQ(pairs(), 0u);
+}
+
+TEST_F(HullData, IsThatOfTheMeshDataThatWereSetAtRest)
+{
+    MeshArrays small(octahedron), large(cube);
+    const dGeomID mesh = create_mesh(small);
+    EXPECT_EQ(pairs_at_rest(), 0u);
+    dGeomTriMeshSetData(mesh, large.id());
+    EXPECT_EQ(collide(space).size(), 1u);
+}
+
+TEST_F(HullData, IsThatOfMeshDataThatWereBuiltAnew)
+{
+    MeshArrays arrays(octahedron);
+    create_mesh(arrays);
+    EXPECT_EQ(pairs(), 0u);
+    arrays.rebuild(cube);
+    EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(HullData, IsThatOfMeshDataThatWereBuiltAnewAtRest)
+{
+    MeshArrays arrays(octahedron);
+    create_mesh(arrays);
+    EXPECT_EQ(pairs_at_rest(), 0u);
+    arrays.rebuild(cube);
+    EXPECT_EQ(collide(space).size(), 1u);
+}
+
+TEST_F(HullData, IsThatOfOtherMeshDataAtTheSamePlace)
+{
+    auto arrays = std::make_unique<MeshArrays>(octahedron);
+    MeshArrays another(octahedron);
+    const dGeomID mesh = create_mesh(*arrays);
+    EXPECT_EQ(pairs(), 0u);
+    dGeomTriMeshSetData(mesh, another.id());
+    arrays->move_corners({0.4, 0.4, 0}); // as if it had been made anew from the memory of the first
+    dGeomTriMeshSetData(mesh, arrays->id());
+    EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(HullData, OfAConvexIsThatOfThePointsThatWereSet)
+{
+    const ConvexArrays small(octahedron), large(cube);
+    const dGeomID convex = small.create(space), plane = dCreatePlane(space, REAL(0.6), 0, REAL(0.8), REAL(-0.85));
+    dGeomSetPosition(ball, 5, 5, 5);
+    EXPECT_EQ(collide(space).size(), 0u);
+    large.give_to(convex);
+    EXPECT_EQ(collide(space).size(), 1u);
+    small.give_to(convex);
+    EXPECT_EQ(collide(space).size(), 0u);
+    dGeomDestroy(plane);
+}
+
+TEST_F(HullData, IsReadAgainWhenTheProgramSaysThatItChanged)
+{
+    MeshArrays arrays(octahedron);
+    const dGeomID mesh = create_mesh(arrays);
+    EXPECT_EQ(pairs_at_rest(), 0u);
+    arrays.move_corners({0.4, 0.4, 0});
+    dPredictiveSpaceGeomChanged(space, mesh);
+    EXPECT_EQ(collide(space).size(), 1u);
+    arrays.move_corners({-0.4, -0.4, 0});
+    dPredictiveSpaceGeomChanged(space, mesh);
+    EXPECT_EQ(pairs(), 0u);
+}
+
+// (ODE keeps the box of a mesh from when its data were built.)
+TEST_F(HullData, ChangedInPlaceIsNoticedInTheBoxesToo)
+{
+    dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
+    ConvexArrays arrays(octahedron);
+    const dGeomID convex = arrays.create(space);
+    dGeomSetPosition(convex, 5, 0, 0);
+    EXPECT_EQ(pairs_at_rest(), 0u);
+    arrays.move_points({-5, 0, 0});
+    dPredictiveSpaceGeomChanged(space, convex);
+    EXPECT_EQ(collide(space).size(), 1u);
+}
+
+TEST_F(HullData, ChangedInPlaceIsNoticedByTheSpacesAround)
+{
+    const dSpaceID outer = dPredictiveSpaceCreate(nullptr), inner = dPredictiveSpaceCreate(outer);
+    ConvexArrays arrays(octahedron);
+    const dGeomID convex = arrays.create(inner);
+    dGeomSetPosition(convex, 5, 0, 0);
+    dCreateBox(outer, 1, 1, 1);
+    for (int i = 0; i < 70; ++i)
+        EXPECT_EQ(collide(outer).size(), 0u);
+    arrays.move_points({-5, 0, 0});
+    dPredictiveSpaceGeomChanged(inner, convex);
+    EXPECT_EQ(collide(outer).size(), 1u);
+    EXPECT_EQ(dPredictiveSpaceValidate(outer), 1);
+    dSpaceDestroy(outer);
+}
+
+TEST_F(HullData, ChangesAreReportedForGeomsOfTheSpace)
+{
+    const dGeomID other = dCreateSphere(nullptr, 1);
+    const auto complaint = [](dSpaceID space, dGeomID geom) {
+        return ode_complaint([&] { dPredictiveSpaceGeomChanged(space, geom); });
+    };
+    EXPECT_NE(complaint(space, nullptr).find("dPredictiveSpaceGeomChanged(): bad argument geom"), std::string::npos);
+    EXPECT_NE(complaint(space, other).find("dPredictiveSpaceGeomChanged(): bad argument geom"), std::string::npos);
+    EXPECT_NE(complaint(nullptr, ball).find("dPredictiveSpaceGeomChanged(): bad argument space"), std::string::npos);
+    dGeomDestroy(other);
+}
+
+TEST_F(HullData, OfAMeshThatIsNotFiniteIsNone)
+{
+    Polyhedron wrong = octahedron;
+    wrong.corners[4][2] = std::numeric_limits<double>::infinity();
+    MeshArrays arrays(octahedron);
+    const dGeomID mesh = create_mesh(arrays);
+    EXPECT_EQ(pairs(), 0u);
+    MeshArrays infinite(wrong);
+    dGeomTriMeshSetData(mesh, infinite.id());
+    EXPECT_EQ(pairs(), 1u) << "judged by its box";
+}
+
+TEST_F(HullData, OfARoomHasWhatIsInside)
+{
+    MeshArrays arrays(Polyhedron::cube().changed(3 * same, here));
+    create_mesh(arrays);
+    EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(HullData, OfVeryManyPointsIsTheBoxOfItsOwnAxes)
+{
+    // A sheet like a saddle: far from flat in its own axes, too.
+    constexpr unsigned side = 150;
+    Polyhedron sheet;
+    for (unsigned i = 0; i < side; ++i)
+        for (unsigned j = 0; j < side; ++j)
+        {
+            const double x = 2.0 * i / (side - 1) - 1, y = 2.0 * j / (side - 1) - 1;
+            sheet.corners.emplace_back(x, y, 0.1 * x * y);
+            if (i + 1 < side && j + 1 < side)
+                sheet.faces.push_back({i * side + j, (i + 1) * side + j, (i + 1) * side + j + 1, i * side + j + 1});
+        }
+    MeshArrays arrays(sheet);
+    const dGeomID mesh = create_mesh(arrays);
+    dMatrix3 turned;
+    dRFromAxisAndAngle(turned, 0, 1, 0, REAL(0.785398));
+    dGeomSetRotation(mesh, turned);
+    dGeomSetPosition(ball, REAL(0.5), 0, REAL(0.5));
+    EXPECT_EQ(collide(space).size(), 0u);
+    dGeomSetPosition(ball, REAL(0.3), 0, REAL(-0.3));
+    EXPECT_EQ(collide(space).size(), 1u);
+}
+} // namespace
+} // namespace ode_predictive_space

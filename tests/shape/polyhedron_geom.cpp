@@ -1,0 +1,128 @@
+#include "tests/shape/polyhedron_geom.h"
+
+#include <Eigen/Geometry>
+
+namespace ode_predictive_space
+{
+Polyhedron Polyhedron::cube()
+{
+    Polyhedron cube;
+    for (int i = 0; i < 8; ++i)
+        cube.corners.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    cube.faces = {{1, 3, 7, 5}, {2, 6, 7, 3}, {4, 5, 7, 6}, {0, 4, 6, 2}, {0, 1, 5, 4}, {0, 2, 3, 1}};
+    return cube;
+}
+
+Polyhedron Polyhedron::octahedron()
+{
+    Polyhedron octahedron;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int side : {1, -1})
+            octahedron.corners.push_back(side * Eigen::Vector3d::Unit(axis));
+    octahedron.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    return octahedron;
+}
+
+Polyhedron Polyhedron::tetrahedron()
+{
+    return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
+}
+
+Polyhedron Polyhedron::square()
+{
+    return {{{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, {{0, 1, 2, 3}}};
+}
+
+Polyhedron Polyhedron::changed(const Eigen::Vector3d &factors, const Eigen::Vector3d &by) const
+{
+    Polyhedron result = *this;
+    for (Eigen::Vector3d &corner : result.corners)
+        corner = corner.cwiseProduct(factors) + by;
+    return result;
+}
+
+ConvexArrays::ConvexArrays(const Polyhedron &polyhedron)
+{
+    for (const Eigen::Vector3d &corner : polyhedron.corners)
+        for (int axis = 0; axis < 3; ++axis)
+            points_.push_back(static_cast<dReal>(corner[axis]));
+    for (const std::vector<unsigned> &face : polyhedron.faces)
+    {
+        const Eigen::Vector3d &first = polyhedron.corners[face[0]];
+        const Eigen::Vector3d normal =
+            (polyhedron.corners[face[1]] - first).cross(polyhedron.corners[face[2]] - first).normalized();
+        for (int axis = 0; axis < 3; ++axis)
+            planes_.push_back(static_cast<dReal>(normal[axis]));
+        planes_.push_back(static_cast<dReal>(normal.dot(first)));
+        polygons_.push_back(static_cast<unsigned>(face.size()));
+        polygons_.insert(polygons_.end(), face.begin(), face.end());
+    }
+}
+
+dGeomID ConvexArrays::create(dSpaceID space) const
+{
+    return dCreateConvex(space, planes_.data(), static_cast<unsigned>(planes_.size() / 4), points_.data(),
+                         static_cast<unsigned>(points_.size() / 3), polygons_.data());
+}
+
+void ConvexArrays::give_to(dGeomID convex) const
+{
+    dGeomSetConvex(convex, planes_.data(), static_cast<unsigned>(planes_.size() / 4), points_.data(),
+                   static_cast<unsigned>(points_.size() / 3), polygons_.data());
+}
+
+MeshArrays::MeshArrays(const Polyhedron &polyhedron, bool single) : single_(single)
+{
+    build(polyhedron);
+}
+
+MeshArrays::~MeshArrays()
+{
+    dGeomTriMeshDataDestroy(id_);
+}
+
+void MeshArrays::rebuild(const Polyhedron &polyhedron)
+{
+    const std::vector<double> old = vertices_; // so that the new ones are elsewhere
+    vertices_ = {};
+    build(polyhedron);
+}
+
+void ConvexArrays::move_points(const Eigen::Vector3d &by)
+{
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        points_[i] += static_cast<dReal>(by[static_cast<Eigen::Index>(i % 3)]);
+}
+
+void MeshArrays::build(const Polyhedron &polyhedron)
+{
+    vertices_.clear();
+    vertices_.shrink_to_fit();
+    triangles_.clear();
+    for (const Eigen::Vector3d &corner : polyhedron.corners)
+        vertices_.insert(vertices_.end(), corner.data(), corner.data() + 3);
+    single_vertices_.assign(vertices_.begin(), vertices_.end());
+    for (const std::vector<unsigned> &face : polyhedron.faces)
+        for (std::size_t i = 2; i < face.size(); ++i)
+            triangles_.insert(triangles_.end(), {face[0], face[i - 1], face[i]});
+    const int count = static_cast<int>(polyhedron.corners.size()), indices = static_cast<int>(triangles_.size());
+    if (single_)
+        dGeomTriMeshDataBuildSingle(id_, single_vertices_.data(), 3 * sizeof(float), count, triangles_.data(), indices,
+                                    3 * sizeof(dTriIndex));
+    else
+        dGeomTriMeshDataBuildDouble(id_, vertices_.data(), 3 * sizeof(double), count, triangles_.data(), indices,
+                                    3 * sizeof(dTriIndex));
+}
+
+void MeshArrays::build_face_angles()
+{
+    dGeomTriMeshDataPreprocess2(id_, 1u << dTRIDATAPREPROCESS_BUILD_FACE_ANGLES, nullptr);
+}
+
+void MeshArrays::move_corners(const Eigen::Vector3d &by)
+{
+    for (std::size_t i = 0; i < vertices_.size(); ++i)
+        single_vertices_[i] = static_cast<float>(vertices_[i] += by[static_cast<Eigen::Index>(i % 3)]);
+    dGeomTriMeshDataUpdate(id_);
+}
+} // namespace ode_predictive_space

@@ -1,0 +1,73 @@
+// Convexes and meshes of any polyhedron, with the data that they are made of.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_POLYHEDRON_GEOM_H
+#define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_POLYHEDRON_GEOM_H
+
+#include <vector>
+
+#include <ode/ode.h>
+
+#include <Eigen/Core>
+
+namespace ode_predictive_space
+{
+/// Corners, and faces as lists of corners, counterclockwise seen from outside.
+struct Polyhedron
+{
+    std::vector<Eigen::Vector3d> corners;
+    std::vector<std::vector<unsigned>> faces;
+
+    static Polyhedron cube();        ///< of sides 2
+    static Polyhedron octahedron();  ///< of height 2
+    static Polyhedron tetrahedron(); ///< in the cube
+    static Polyhedron square();      ///< of sides 2, with one face
+
+    /// With all corners multiplied, along each axis by its own factor, and then moved.
+    Polyhedron changed(const Eigen::Vector3d &factors, const Eigen::Vector3d &by) const;
+};
+
+/// The arrays of a dConvex; they must outlive the geom.
+class ConvexArrays
+{
+public:
+    explicit ConvexArrays(const Polyhedron &polyhedron);
+    dGeomID create(dSpaceID space) const;
+    void give_to(dGeomID convex) const;
+    /// Changes points in place; the planes stay.
+    void move_points(const Eigen::Vector3d &by);
+
+private:
+    std::vector<dReal> points_;
+    std::vector<dReal> planes_;
+    std::vector<unsigned> polygons_;
+};
+
+/// The data of a dTriMesh; they must outlive the geom.
+class MeshArrays
+{
+public:
+    explicit MeshArrays(const Polyhedron &polyhedron, bool single = false);
+    ~MeshArrays();
+    MeshArrays(const MeshArrays &) = delete;
+    MeshArrays &operator=(const MeshArrays &) = delete;
+
+    dTriMeshDataID id() const { return id_; }
+    /// Without these, ODE cannot collide it with convexes. Only once.
+    void build_face_angles();
+    /// Gives ODE other corners in new arrays, under the same id.
+    void rebuild(const Polyhedron &polyhedron);
+    /// Changes corners in place, and tells ODE, whose box stays that of the old ones.
+    void move_corners(const Eigen::Vector3d &by);
+
+private:
+    void build(const Polyhedron &polyhedron);
+
+    dTriMeshDataID id_ = dGeomTriMeshDataCreate();
+    bool single_;
+    std::vector<double> vertices_;
+    std::vector<float> single_vertices_;
+    std::vector<dTriIndex> triangles_;
+};
+} // namespace ode_predictive_space
+
+#endif
