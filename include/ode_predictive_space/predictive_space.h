@@ -133,7 +133,8 @@ ODE_PREDICTIVE_API dReal dPredictiveSpaceGetShapeMargin(dSpaceID space);
  * Tell that the data which a geom is made of have been changed in place: the points of a convex, the vertices or triangles of a
  * mesh. With dPredictiveProximityShape, contacts may be missed without this call. One call serves for all geoms of this space
  * with the same data, except that the bounding box is computed anew for this geom alone. Not needed when a geom is given other
- * arrays, by dGeomSetConvex(), dGeomTriMeshSetData() or dGeomTriMeshDataBuild...().
+ * arrays, by dGeomSetConvex(), dGeomTriMeshSetData() or dGeomTriMeshDataBuild...(), unless these had been given to a geom of the space
+ * before and were changed since.
  *
  * @param geom a geom in this space itself (not in a nested one).
  */

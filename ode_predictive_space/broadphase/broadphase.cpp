@@ -30,24 +30,36 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
 {
     interrupted_ = true;
     const bool by_sweep = sweeping_.finds_pairs();
-    if (!by_sweep)
-        boxes_.update(scene, near_.members(), proxies_.members());
     const std::size_t most = by_sweep ? sweeping_.pairs() : near_.most_pairs();
     if (room.size() < most)
         room.resize(most);
-    const OverlapTest test{scene, boxes_.data(), proximity_test_ == ProximityTest::sphere};
-    const CandidatePair *end =
-        by_sweep ? sweeping_.report(test, proxies_.members(), room.data()) : report_near(scene, test, room.data());
+    const CandidatePair *end = by_sweep                                  ? report_swept(scene, room.data())
+                               : proximity_test_ == ProximityTest::shape ? report_by_shape(scene, room.data())
+                                                                         : report_near(scene, room.data());
     interrupted_ = false;
     return static_cast<std::size_t>(end - room.data());
 }
 
-CandidatePair *Broadphase::report_near(Scene &scene, const OverlapTest &test, CandidatePair *room)
+OverlapTest Broadphase::overlap_test(Scene &scene) const
 {
-    if (proximity_test_ != ProximityTest::shape)
-        return near_.report(test, now(), proxies_.count() > tuning::cached_boxes, room);
-    measure_shapes(scene);
-    CandidatePair *end = near_.report_by_shape({test, shapes_, shape_margin_, counters_.looks}, now(), room);
+    return {scene, boxes_.data(), proximity_test_ == ProximityTest::sphere};
+}
+
+CandidatePair *Broadphase::report_swept(Scene &scene, CandidatePair *room)
+{
+    return sweeping_.report(overlap_test(scene), proxies_.members(), room);
+}
+
+CandidatePair *Broadphase::report_near(Scene &scene, CandidatePair *room)
+{
+    boxes_.update(scene, near_.members(), proxies_.members());
+    return near_.report(overlap_test(scene), now(), proxies_.count() > tuning::cached_boxes, room);
+}
+
+CandidatePair *Broadphase::report_by_shape(Scene &scene, CandidatePair *room)
+{
+    ShapeTest test({scene, proxies_.members(), boxes_, shapes_}, shape_margin_, counters_.looks);
+    CandidatePair *end = near_.report_by_shape(test, now(), room);
     shapes_.clear_renewed();
     return end;
 }
@@ -309,6 +321,7 @@ void Broadphase::remove(ProxyId id)
 {
     verifier_.forget(id);
     idle_.forget(id);
+    shapes_.forget(id);
     try
     {
         if (!interrupted_)

@@ -74,6 +74,12 @@ public:
 
     /// The object may have changed in any way since it was looked at.
     void mark_moved(ProxyId id) { verifier_.mark_moved(id); }
+    /// The object is made of other data.
+    void mark_changed(ProxyId id)
+    {
+        shapes_.forget(id);
+        mark_moved(id);
+    }
 
     /// A pair of the object came up for report, and the object is disabled.
     void note_disabled(ProxyId id) { predictor_.request(id); }
@@ -163,10 +169,10 @@ public:
     /// Pairs that are not tested because their shapes cannot touch yet.
     std::size_t postponed_pairs() const;
 
-    /// Calls visit(pair) for each of these. The broad phase must be up to date.
+    /// Calls visit(pair) for each of these that cannot touch even now. The broad phase must be up to date.
     template <typename Visit> void for_each_postponed(Scene &scene, Visit visit)
     {
-        measure_shapes(scene);
+        shapes_.update(scene, near_.members(), proxies_.members());
         if (!sweeping_.finds_pairs())
             near_.for_each_postponed(shapes_, visit);
     }
@@ -197,8 +203,10 @@ private:
     void finish_work();
     void finish();
 
-    void measure_shapes(Scene &scene) { shapes_.update(scene, near_.members(), proxies_.members()); }
-    CandidatePair *report_near(Scene &scene, const OverlapTest &test, CandidatePair *room);
+    OverlapTest overlap_test(Scene &scene) const;
+    CandidatePair *report_swept(Scene &scene, CandidatePair *room);
+    CandidatePair *report_near(Scene &scene, CandidatePair *room);
+    CandidatePair *report_by_shape(Scene &scene, CandidatePair *room);
     void start_sweeping(bool with_new_objects);
     void recover();
     void forget(ProxyId id);

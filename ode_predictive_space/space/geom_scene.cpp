@@ -223,16 +223,20 @@ void GeomScene::observe(const ProxyId *ids, std::size_t count, const bool *with_
         [&](std::size_t i) { prefetch_geom(ids[i]); }, prefetch_motion);
 }
 
-void GeomScene::update_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes)
+void GeomScene::follow(const ProxyId *ids, std::size_t count, ConvexShape *shapes, double *moves)
 {
     for_each(
-        count, [&](std::size_t i) { shapes[i] = shape_of(geoms_[ids[i]], hulls_, shapes[i].hull); },
-        [&](std::size_t i) { prefetch_geom(ids[i]); }, [&](std::size_t i) { prefetch_pose(ids[i]); });
+        count, [&](std::size_t i) { moves[i] = follow_geom(geoms_[ids[i]], hulls_, shapes[ids[i]]); },
+        [&](std::size_t i) { prefetch_geom(ids[i]); },
+        [&](std::size_t i) {
+            prefetch_pose(ids[i]);
+            prefetch_block<sizeof(ConvexShape)>(&shapes[ids[i]]);
+        });
 }
 
 bool GeomScene::hull_is_outdated(ProxyId id, const ConvexShape &shape)
 {
-    return HullStore::is_outdated(geoms_[id], *shape.hull);
+    return is_outdated(geoms_[id], shape);
 }
 
 Box GeomScene::bounds(ProxyId id)

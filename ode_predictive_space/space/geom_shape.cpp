@@ -14,6 +14,9 @@ constexpr bool is_double = sizeof(dReal) == sizeof(double);
 // A rotation matrix is integrated and normalised, so it is not exact. What it is off is a small part of the slack.
 constexpr double most_skew = is_double ? 1e-6 : 1e-5;
 
+// Roundings of ODE's that are allowed for.
+constexpr double rounded_places = 16;
+
 constexpr std::uint16_t group_of(int type)
 {
     return static_cast<std::uint16_t>(1u << static_cast<unsigned>(type));
@@ -75,6 +78,7 @@ void take_partners(dxGeom *geom, ConvexShape &shape)
         shape.partners &= static_cast<std::uint16_t>(~capsules);
 }
 
+// False when the matrix is no rotation, or the place is too far away.
 bool take_pose(dxGeom *geom, ConvexShape &shape)
 {
     geom->recomputePosr();
@@ -82,6 +86,12 @@ bool take_pose(dxGeom *geom, ConvexShape &shape)
     shape.centre = Vector3(pose.pos[0], pose.pos[1], pose.pos[2]);
     for (std::size_t i = 0; i < 3; ++i)
         shape.axes[i] = Vector3(pose.R[i], pose.R[4 + i], pose.R[8 + i]);
+    if (shape.hull)
+    {
+        const Vector3 &offset = shape.hull->centre();
+        shape.centre += offset[0] * shape.axes[0] + offset[1] * shape.axes[1] + offset[2] * shape.axes[2];
+    }
+    shape.place_slack = rounded_places * double{std::numeric_limits<dReal>::epsilon()} * shape.centre.lpNorm<1>();
     double skew = 0;
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j <= i; ++j)
@@ -108,55 +118,87 @@ bool take_sizes(const dxGeom *geom, ConvexShape &shape)
     return shape.half_sides.lpNorm<1>() + shape.radius <= largest_length;
 }
 
-// In the pose that has been taken.
-void take_hull(const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
+bool take_hull(const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
 {
+    if (!hull)
+        return false;
     shape.hull = hull;
     shape.slack_beside_own = 2 * coplanar / hull->least_normal;
     shape.kind = ShapeKind::hull;
-    shape.half_sides = shape.hull->half_sides();
+    shape.half_sides = hull->half_sides();
     shape.size = 2 * shape.half_sides.minCoeff();
-    const Vector3 &centre = shape.hull->centre();
-    shape.centre += centre[0] * shape.axes[0] + centre[1] * shape.axes[1] + centre[2] * shape.axes[2];
+    return true;
 }
 
-bool take_plane(dxGeom *geom, ConvexShape &shape)
+bool take_plane(const dxGeom *geom, ConvexShape &shape)
 {
     const dReal *plane = static_cast<const dxPlane *>(geom)->p;
     shape.kind = ShapeKind::half_space;
     shape.axes.fill(Vector3(plane[0], plane[1], plane[2]));
     shape.centre = double{plane[3]} * shape.axes[0];
+    shape.place_slack = rounded_places * double{std::numeric_limits<dReal>::epsilon()} * shape.centre.lpNorm<1>();
     shape.size = std::numeric_limits<double>::infinity();
     return std::abs(shape.axes[0].squaredNorm() - 1) <= most_skew && shape.centre.lpNorm<1>() <= largest_length;
 }
 
-bool take_shape(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before, ConvexShape &shape)
+bool take_all(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before, ConvexShape &shape)
 {
     if (geom->gflags & GEOM_ZERO_SIZED)
         return false;
     if (geom->type == dPlaneClass)
         return take_plane(geom, shape);
-    if (geom->type <= dCylinderClass)
-        return take_sizes(geom, shape) && take_pose(geom, shape);
-    const std::shared_ptr<const DataHull> hull = hulls.hull_of(geom, before);
-    if (!hull || !take_pose(geom, shape))
+    const bool has_form =
+        geom->type <= dCylinderClass ? take_sizes(geom, shape) : take_hull(hulls.hull_of(geom, before), shape);
+    return has_form && take_pose(geom, shape);
+}
+
+// Is the shape what it was, but for its pose?
+bool keeps_form(dxGeom *geom, const ConvexShape &shape)
+{
+    if (shape.group != group_of(geom->type) || (geom->gflags & GEOM_ZERO_SIZED))
         return false;
-    take_hull(hull, shape);
-    return true;
+    const dReal *sizes = sizes_of(geom);
+    switch (geom->type)
+    {
+    case dSphereClass:
+        return shape.radius == sizes[0];
+    case dBoxClass:
+        return shape.half_sides == 0.5 * Vector3(sizes[0], sizes[1], sizes[2]);
+    case dCapsuleClass:
+    case dCylinderClass:
+        return shape.radius == sizes[0] && shape.half_sides[2] == 0.5 * sizes[1];
+    default:
+        return shape.hull && !is_outdated(geom, shape);
+    }
 }
 } // namespace
 
 ConvexShape shape_of(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before)
 {
     ConvexShape shape;
-    if (!take_shape(geom, hulls, before, shape))
+    if (!take_all(geom, hulls, before, shape))
         return {};
-    // Some roundings of ODE's: of places in its precision, of sizes beside meshes in single precision.
-    const double lengths =
-        shape.half_sides.lpNorm<1>() + shape.radius + (shape.hull ? shape.hull->centre().lpNorm<1>() : 0);
-    shape.slack = 16 * (double{std::numeric_limits<dReal>::epsilon()} * shape.centre.lpNorm<1>() +
-                        double{std::numeric_limits<float>::epsilon()} * lengths);
+    // Sizes beside meshes are in single precision.
+    const Vector3 offset = shape.hull ? shape.hull->centre() : Vector3::Zero();
+    shape.slack = rounded_places * double{std::numeric_limits<float>::epsilon()} *
+                  (shape.half_sides.lpNorm<1>() + shape.radius + offset.lpNorm<1>());
     take_partners(geom, shape);
     return shape;
+}
+
+double follow_geom(dxGeom *geom, HullStore &hulls, ConvexShape &shape)
+{
+    const Pose before = shape;
+    if (keeps_form(geom, shape) && take_pose(geom, shape))
+        return shape.moved_from(before);
+    shape = shape_of(geom, hulls, shape.hull);
+    return std::numeric_limits<double>::infinity();
+}
+
+bool is_outdated(dxGeom *geom, const ConvexShape &shape)
+{
+    const bool with_capsules = (shape.partners & capsules) != 0;
+    return HullStore::is_outdated(geom, *shape.hull) ||
+           (geom->type == dTriMeshClass && with_capsules != blunts_capsules_only(geom));
 }
 } // namespace ode_predictive_space

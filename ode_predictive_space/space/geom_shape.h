@@ -15,6 +15,12 @@ namespace ode_predictive_space
 ///
 /// @param before the geom's last hull, or null.
 ConvexShape shape_of(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before = nullptr);
+/// Brings the shape of a geom up to date.
+///
+/// @return how far it has moved since; see Scene::follow().
+double follow_geom(dxGeom *geom, HullStore &hulls, ConvexShape &shape);
+/// Is a geom, whose shape is a hull, made of other data now, or judged together with others?
+bool is_outdated(dxGeom *geom, const ConvexShape &shape);
 } // namespace ode_predictive_space
 
 #endif

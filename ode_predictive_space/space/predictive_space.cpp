@@ -193,7 +193,7 @@ void dxPredictiveSpace::poll_moves()
 void dxPredictiveSpace::note_change(ProxyId id)
 {
     hulls_.outdate(geoms_[id]);
-    broadphase_.mark_moved(id);
+    broadphase_.mark_changed(id);
     listen_to(geoms_[id]);
     caught_up_ = false;
 }

@@ -1,5 +1,7 @@
 #include "tests/shape/polyhedron_geom.h"
 
+#include <utility>
+
 #include <Eigen/Geometry>
 
 namespace ode_predictive_space
@@ -83,8 +85,8 @@ MeshArrays::~MeshArrays()
 
 void MeshArrays::rebuild(const Polyhedron &polyhedron)
 {
-    const std::vector<double> old = vertices_; // so that the new ones are elsewhere
-    vertices_ = {};
+    old_vertices_.push_back(std::exchange(vertices_, {}));
+    old_single_vertices_.push_back(std::exchange(single_vertices_, {}));
     build(polyhedron);
 }
 
@@ -96,8 +98,6 @@ void ConvexArrays::move_points(const Eigen::Vector3d &by)
 
 void MeshArrays::build(const Polyhedron &polyhedron)
 {
-    vertices_.clear();
-    vertices_.shrink_to_fit();
     triangles_.clear();
     for (const Eigen::Vector3d &corner : polyhedron.corners)
         vertices_.insert(vertices_.end(), corner.data(), corner.data() + 3);

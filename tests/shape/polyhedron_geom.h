@@ -67,6 +67,9 @@ private:
     std::vector<double> vertices_;
     std::vector<float> single_vertices_;
     std::vector<dTriIndex> triangles_;
+    // They live on, so that new ones are never in the same place.
+    std::vector<std::vector<double>> old_vertices_;
+    std::vector<std::vector<float>> old_single_vertices_;
 };
 } // namespace ode_predictive_space
 

@@ -53,6 +53,11 @@ ShapeHistory::ShapeHistory(const Setting &setting)
     dPredictiveSpaceSetProximity(space_, setting_.proximity);
     for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
         dPredictiveSpaceSetDeviation(space_, role, static_cast<dReal>(setting_.deviation), 0, 0);
+    for (int i = 0; i < 6; ++i)
+    {
+        meshes_.emplace_back(polyhedron(), i % 2 == 0);
+        convexes_.emplace_back(polyhedron());
+    }
     if (setting_.with_plane)
         members_.push_back(
             {dCreatePlane(space_, 0, 0, 1, static_cast<dReal>(-0.7 * setting_.half_room)), GeomKind::plane});
@@ -66,15 +71,32 @@ ShapeHistory::~ShapeHistory()
     dWorldDestroy(world_);
 }
 
+Polyhedron ShapeHistory::polyhedron()
+{
+    const std::array shapes{Polyhedron::cube(), Polyhedron::octahedron(), Polyhedron::tetrahedron()};
+    const Eigen::Vector3d sides(between(0.1, 0.5), between(0.1, 0.5), between(0.1, 0.5));
+    return shapes[any(shapes.size())].changed(sides, 0.1 * sides);
+}
+
+dGeomID ShapeHistory::create_geom(GeomKind kind)
+{
+    if (kind == GeomKind::trimesh)
+        return dCreateTriMesh(space_, meshes_[any(meshes_.size())].id(), nullptr, nullptr, nullptr);
+    if (kind == GeomKind::convex)
+        return convexes_[any(convexes_.size())].create(space_);
+    return ode_predictive_space::create_geom(kind, real(0.1, 0.8), space_);
+}
+
 void ShapeHistory::create()
 {
-    constexpr std::array judged{GeomKind::sphere, GeomKind::box, GeomKind::capsule, GeomKind::cylinder};
-    constexpr std::array others{GeomKind::trimesh, GeomKind::convex, GeomKind::ray, GeomKind::transform,
-                                GeomKind::heightfield};
-    const bool other = setting_.all_classes && any(5) == 0;
-    const GeomKind kind = other ? others[any(others.size())] : judged[any(judged.size() - !setting_.with_cylinders)];
-    const dReal size = other ? std::array<dReal, 2>{REAL(0.3), REAL(1.0)}[any(2)] : real(0.1, 0.8);
-    const dGeomID geom = create_geom(kind, size, space_);
+    constexpr std::array simple{GeomKind::sphere, GeomKind::box, GeomKind::capsule, GeomKind::cylinder};
+    constexpr std::array of_data{GeomKind::trimesh, GeomKind::convex};
+    constexpr std::array others{GeomKind::ray, GeomKind::transform, GeomKind::heightfield};
+    const std::size_t choice = setting_.all_classes ? any(8) : 0;
+    const GeomKind kind = choice == 7   ? others[any(others.size())]
+                          : choice >= 5 ? of_data[any(of_data.size())]
+                                        : simple[any(simple.size() - !setting_.with_cylinders)];
+    const dGeomID geom = create_geom(kind);
     members_.push_back({geom, kind});
     if (any(5) > 0 && kind != GeomKind::heightfield)
         give_body(geom);
@@ -177,9 +199,33 @@ void ShapeHistory::resize(std::size_t index)
     case GeomKind::plane:
         dGeomPlaneSetParams(member.geom, real(-0.2, 0.2), real(-0.2, 0.2), 1, real(-2, -0.5));
         break;
+    case GeomKind::trimesh:
+    case GeomKind::convex:
+        give_other_data(member);
+        break;
     default:
         resize_geom(member.geom, member.kind, any(2) ? REAL(0.3) : REAL(1.0));
     }
+}
+
+void ShapeHistory::give_other_data(const Member &member)
+{
+    if (member.kind == GeomKind::convex)
+        convexes_[any(convexes_.size())].give_to(member.geom);
+    else if (any(2))
+        dGeomTriMeshSetData(member.geom, meshes_[any(meshes_.size())].id());
+    else
+        meshes_[any(meshes_.size())].rebuild(polyhedron());
+}
+
+// Of all geoms that are made of the same data.
+void ShapeHistory::change_in_place()
+{
+    const Eigen::Vector3d by(between(-0.1, 0.1), between(-0.1, 0.1), between(-0.1, 0.1));
+    meshes_[any(meshes_.size())].move_corners(by);
+    for (const Member &member : members_)
+        if (member.kind == GeomKind::trimesh)
+            dPredictiveSpaceGeomChanged(space_, member.geom);
 }
 
 void ShapeHistory::surprise()
@@ -188,7 +234,7 @@ void ShapeHistory::surprise()
     const dGeomID geom = members_[index].geom;
     const dBodyID body = dGeomGetBody(geom);
     const bool placeable = members_[index].kind != GeomKind::plane;
-    const auto kind_of_surprise = any(13);
+    const auto kind_of_surprise = any(14);
     if (kind_of_surprise == 0 || !placeable)
         resize(index);
     else if (kind_of_surprise == 1)
@@ -211,6 +257,8 @@ void ShapeHistory::surprise()
         create();
     else if (kind_of_surprise == 10)
         dGeomSetCategoryBits(geom, any(2) ? 1u : ~0u);
+    else if (kind_of_surprise == 11)
+        change_in_place();
     else
         push(geom);
     while (static_cast<int>(members_.size()) < setting_.geoms / 2)
@@ -255,9 +303,9 @@ ShapeHistory::Collision ShapeHistory::collide()
     return collected.first;
 }
 
-ShapeHistory::GeomPairs ShapeHistory::contacts_by_brute_force() const
+ShapeHistory::Truth ShapeHistory::brute_force() const
 {
-    GeomPairs contacts;
+    Truth truth;
     for (std::size_t i = 0; i < members_.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
         {
@@ -265,10 +313,12 @@ ShapeHistory::GeomPairs ShapeHistory::contacts_by_brute_force() const
             const bool same_body = dGeomGetBody(one) && dGeomGetBody(one) == dGeomGetBody(other);
             const bool bits = (dGeomGetCategoryBits(one) & dGeomGetCollideBits(other)) |
                               (dGeomGetCategoryBits(other) & dGeomGetCollideBits(one));
-            if (dGeomIsEnabled(one) && dGeomIsEnabled(other) && !same_body && bits && boxes_overlap(one, other) &&
-                touch(one, other))
-                contacts.insert(std::minmax(one, other));
+            if (!dGeomIsEnabled(one) || !dGeomIsEnabled(other) || same_body || !bits || !boxes_overlap(one, other))
+                continue;
+            ++truth.overlapping;
+            if (touch(one, other))
+                truth.contacts.insert(std::minmax(one, other));
         }
-    return contacts;
+    return truth;
 }
 } // namespace ode_predictive_space

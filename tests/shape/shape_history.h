@@ -4,6 +4,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_SHAPE_HISTORY_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_SHAPE_HISTORY_H
 
+#include <deque>
 #include <random>
 #include <set>
 #include <utility>
@@ -12,6 +13,7 @@
 #include <ode/ode.h>
 
 #include "tests/contract/support/geom_zoo.h"
+#include "tests/shape/polyhedron_geom.h"
 
 namespace ode_predictive_space
 {
@@ -50,12 +52,23 @@ public:
     };
     Collision collide();
 
-    /// The pairs with a contact that a simple space would report.
-    GeomPairs contacts_by_brute_force() const;
+    /// What a simple space would lead to.
+    struct Truth
+    {
+        GeomPairs contacts;
+        long overlapping = 0; ///< pairs whose boxes overlap
+    };
+    Truth brute_force() const;
 
     dSpaceID space() const { return space_; }
 
 private:
+    struct Member
+    {
+        dGeomID geom;
+        GeomKind kind;
+    };
+
     double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
     dReal real(double low, double high) { return static_cast<dReal>(between(low, high)); }
     std::size_t any(std::size_t count) { return random_() % count; }
@@ -70,17 +83,17 @@ private:
     void lose_body(dGeomID geom);
     void destroy(std::size_t index);
     void resize(std::size_t index);
+    dGeomID create_geom(GeomKind kind);
+    Polyhedron polyhedron();
+    void give_other_data(const Member &member);
+    void change_in_place();
     void surprise();
     void keep_inside();
 
-    struct Member
-    {
-        dGeomID geom;
-        GeomKind kind;
-    };
-
     Setting setting_;
     std::mt19937_64 random_;
+    std::deque<MeshArrays> meshes_; // outlive the geoms
+    std::deque<ConvexArrays> convexes_;
     dWorldID world_;
     dSpaceID space_;
     std::vector<Member> members_;

@@ -1,5 +1,7 @@
 // A pair is postponed until its gap may have closed: until then its shapes are apart, however they move and turn.
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "ode_predictive_space/broadphase/near/shape_test.h"
@@ -22,8 +24,6 @@ public:
         both_.insert(0);
         both_.insert(1);
         shapes_.start(2);
-        for (MeasuredBox &box : boxes_)
-            box = MeasuredBox(bounds(0));
     }
 
     ConvexShape now[2];
@@ -36,16 +36,26 @@ public:
         if (shapes_.renewed(the_pair))
             look_ = {};
         shapes_.clear_renewed();
-        return ShapeTest({*this, boxes_, false}, shapes_, margin, looks_)(the_pair, look_);
+        ShapeTest test({*this, both_, boxes_, shapes_}, margin, looks_);
+        if (test.postpones(the_pair, look_))
+            return false;
+        return look_.pause > 0 ? look_.pause-- > 0 : test.may_touch(the_pair, look_);
     }
 
     bool postponed() const { return shapes_.travel(the_pair) < look_.due; }
     std::uint64_t looks() const { return looks_; }
 
-    void update_shapes(const ProxyId *ids, std::size_t count, ConvexShape *shapes) override
+    void follow(const ProxyId *ids, std::size_t count, ConvexShape *shapes, double *moves) override
     {
         for (std::size_t i = 0; i < count; ++i)
-            shapes[i] = now[ids[i]];
+        {
+            ConvexShape &shape = shapes[ids[i]];
+            const ConvexShape &other = now[ids[i]];
+            const bool same = shape.kind == other.kind && shape.kind != ShapeKind::half_space &&
+                              shape.radius == other.radius && shape.half_sides == other.half_sides;
+            moves[i] = same ? other.moved_from(shape) : std::numeric_limits<double>::infinity();
+            shape = other;
+        }
     }
     void locate(const ProxyId *, std::size_t, Location *) override {}
     void measure(const ProxyId *, std::size_t, MeasuredBox *) override {}
@@ -56,7 +66,7 @@ public:
     void find_disabled(const ProxyId *, std::size_t, std::vector<ProxyId> &) override {}
 
 private:
-    MeasuredBox boxes_[2];
+    MeasuredBoxes boxes_; // unused: the boxes always overlap
     MeasuredShapes shapes_;
     Look look_;
     IdSet both_;

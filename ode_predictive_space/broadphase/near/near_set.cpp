@@ -28,28 +28,74 @@ CandidatePair *NearSet::report(const OverlapTest &test, Tick now, bool prefetche
     return end;
 }
 
-CandidatePair *NearSet::report_by_shape(const ShapeTest &test, Tick now, CandidatePair *room)
+CandidatePair *NearSet::report_by_shape(ShapeTest &test, Tick now, CandidatePair *room)
 {
-    if (test.shapes().any_renewed())
-        note_moves(test.shapes().renewed()); // a hull may change without a move
     activate_disturbed();
     looks_.resize(pairs_.size());
     if (may_have_stale(now))
         drop_stale(now);
-    if (test.shapes().any_renewed())
-        for (std::size_t i = 0; i < pairs_.size(); ++i)
-            if (test.shapes().renewed(pairs_[i]))
-                looks_[i] = {};
+    follow_postponed(test);
+    find_open(test);
     CandidatePair *end = room;
-    for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
+    for (std::uint32_t i : open_)
     {
         *end = pairs_[i];
-        end += test(pairs_[i], looks_[i]);
+        end += looks_[i].pause > 0 ? looks_[i].pause-- > 0 : test.may_touch(pairs_[i], looks_[i]);
     }
     end = std::copy(overlapping_.begin(), overlapping_.end(), end);
     if (++reports_ % tuning::reports_per_rest == 0)
-        let_rest([&](std::size_t i) { return test.judge(pairs_[i], looks_[i]); }, keep_beside(looks_));
+        let_rest(
+            [&](std::size_t i) {
+                return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]) && test.may_touch(pairs_[i], looks_[i]);
+            },
+            keep_beside(looks_));
     return end;
+}
+
+// Brings the travels of postponed pairs up to date. A pair of an object whose shape is another one now is as good as new, also one
+// at rest: a hull may change without a move.
+void NearSet::follow_postponed(ShapeTest &test)
+{
+    wanted_.clear();
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+        if (looks_[i].due > 0)
+            want(pairs_[i]);
+    test.renew_outdated(members_);
+    test.follow(wanted_);
+    if (!test.shapes().any_renewed())
+        return;
+    note_moves(test.shapes().renewed());
+    activate_disturbed();
+    looks_.resize(pairs_.size());
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+        if (test.shapes().renewed(pairs_[i]))
+            looks_[i] = {};
+}
+
+// The pairs that are not postponed and whose boxes overlap -> open_. Their shapes are up to date where they are looked at.
+void NearSet::find_open(ShapeTest &test)
+{
+    wanted_.clear();
+    open_.clear();
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+        if (!test.postpones(pairs_[i], looks_[i]))
+        {
+            looks_[i].due = 0;
+            open_.push_back(static_cast<std::uint32_t>(i));
+            want(pairs_[i]);
+        }
+    test.measure(wanted_);
+    wanted_.clear();
+    std::uint32_t *left = open_.data();
+    for (std::uint32_t i : open_)
+        if (test.boxes_overlap(pairs_[i]))
+        {
+            *left++ = i;
+            if (looks_[i].pause == 0)
+                want(pairs_[i]);
+        }
+    open_.resize(static_cast<std::size_t>(left - open_.data()));
+    test.follow(wanted_);
 }
 
 void NearSet::restart_tests()
@@ -201,6 +247,7 @@ void NearSet::release()
     for (std::vector<NearPair> *pairs : {&pairs_, &overlapping_, &separated_})
         free_memory(*pairs);
     free_memory(looks_);
+    free_memory(open_);
     free_memory(retired_);
 }
 } // namespace ode_predictive_space

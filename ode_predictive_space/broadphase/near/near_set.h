@@ -35,7 +35,7 @@ public:
     /// Makes room for objects 0 to count - 1.
     void resize(std::size_t count)
     {
-        for (IdSet *set : {&members_, &resting_, &disturbed_, &moved_})
+        for (IdSet *set : {&members_, &resting_, &disturbed_, &moved_, &wanted_})
             set->resize(count);
         resize_array(counts_, count);
         resize_array(is_retired_, count);
@@ -80,8 +80,8 @@ public:
     /// @return the end of what was written.
     CandidatePair *report(const OverlapTest &test, Tick now, bool prefetches, CandidatePair *room);
 
-    /// The same for pairs that overlap and whose shapes may touch. The shapes of all members() are up to date.
-    CandidatePair *report_by_shape(const ShapeTest &test, Tick now, CandidatePair *room);
+    /// The same for pairs that overlap and whose shapes may touch. Boxes and shapes are brought up to date where they are needed.
+    CandidatePair *report_by_shape(ShapeTest &test, Tick now, CandidatePair *room);
 
     /// Forgets all that is known of pairs, because they are tested in another way from now on.
     void restart_tests();
@@ -101,11 +101,11 @@ public:
         for_resting(separated_, PairState::separated, visit);
     }
 
-    /// Calls visit(pair) for the active pairs that are postponed.
+    /// Calls visit(pair) for the active pairs that were postponed at the last report.
     template <typename Visit> void for_each_postponed(const MeasuredShapes &shapes, Visit visit) const
     {
         for (std::size_t i = 0; i < looks_.size(); ++i)
-            if (!is_retired(pairs_[i]) && !shapes.renewed(pairs_[i]) && shapes.travel(pairs_[i]) < looks_[i].due)
+            if (!is_retired(pairs_[i]) && shapes.travel(pairs_[i]) < looks_[i].due)
                 visit(pairs_[i]);
     }
 
@@ -120,7 +120,7 @@ public:
     {
         return bytes_of(pairs_) + bytes_of(looks_) + bytes_of(overlapping_) + bytes_of(separated_) + bytes_of(counts_) +
                bytes_of(retired_) + bytes_of(is_retired_) + members_.bytes() + resting_.bytes() + disturbed_.bytes() +
-               moved_.bytes();
+               moved_.bytes() + wanted_.bytes() + bytes_of(open_);
     }
 
 private:
@@ -130,6 +130,14 @@ private:
             return;
         disturbed_.insert(id);
         is_disturbed_ = true;
+    }
+
+    void follow_postponed(ShapeTest &test);
+    void find_open(ShapeTest &test);
+    void want(const CandidatePair &pair)
+    {
+        wanted_.insert(pair.first);
+        wanted_.insert(pair.second);
     }
 
     void activate_disturbed();
@@ -211,6 +219,8 @@ private:
     std::vector<ProxyId> retired_;         // since stale pairs were last dropped
     std::vector<std::uint8_t> is_retired_; // bytes, not bits: two are looked up for each pair
     std::vector<std::uint32_t> counts_;    // pairs of each object
+    IdSet wanted_;                         // scratch
+    std::vector<std::uint32_t> open_;      // scratch
 };
 } // namespace ode_predictive_space
 

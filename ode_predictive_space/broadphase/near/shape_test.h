@@ -15,48 +15,61 @@ namespace ode_predictive_space
 /// What is known of the gap of a near pair. A new pair is looked at when it is first tested.
 struct Look
 {
-    double due = 0;         ///< the pair is postponed until the travels of both objects together reach this
+    double due = 0; ///< the pair is postponed until the travels of both objects together reach this; 0 when it is not
     float axis[3] = {};     ///< of the last look, from the first object to the second
     std::uint8_t pause = 0; ///< reports until the next look, of a pair without a gap
     std::uint8_t last_pause = 0;
 };
 static_assert(sizeof(Look) == 24, "there is one for each near pair");
 
-/// @pre boxes and shapes of all objects that are tested are up to date.
+/// Looks at boxes, travels and gaps, each when it is needed.
 class ShapeTest
 {
 public:
+    /// The objects, and what is known of them.
+    struct Objects
+    {
+        Scene &scene;
+        const IdSet &members;
+        MeasuredBoxes &boxes;
+        MeasuredShapes &shapes;
+    };
+
     /// @param margin up to this distance the program counts a pair as touching.
     /// @param looks counts the looks at a gap.
-    ShapeTest(const OverlapTest &boxes, const MeasuredShapes &shapes, double margin, std::uint64_t &looks)
-        : boxes_(boxes), shapes_(shapes), margin_(margin), looks_(looks)
+    ShapeTest(const Objects &objects, double margin, std::uint64_t &looks)
+        : objects_(objects), margin_(margin), looks_(looks)
     {}
 
-    /// Is the pair to be reported? One without a gap is, until it is looked at again.
-    bool operator()(const CandidatePair &pair, Look &look) const
+    /// Brings shapes and travels up to date.
+    void follow(const IdSet &wanted) { objects_.shapes.update(objects_.scene, wanted, objects_.members); }
+    /// The same for hulls that no longer serve.
+    void renew_outdated(const IdSet &wanted)
     {
-        if (shapes_.travel(pair) < look.due || !boxes_(pair))
-            return false;
-        if (look.pause == 0)
-            return may_touch(pair, look);
-        --look.pause;
-        return true;
+        objects_.shapes.renew_outdated(objects_.scene, wanted, objects_.members);
+    }
+    /// Brings boxes up to date.
+    void measure(const IdSet &wanted) { objects_.boxes.update(objects_.scene, wanted, objects_.members); }
+
+    /// Can the gap not have closed since the last look? The pair's shapes are up to date, if it has had one that found a gap.
+    bool postpones(const CandidatePair &pair, const Look &look) const
+    {
+        return objects_.shapes.travel(pair) < look.due;
     }
 
-    /// The same, looking at the gap now.
-    bool judge(const CandidatePair &pair, Look &look) const
+    /// The pair's boxes are up to date.
+    bool boxes_overlap(const CandidatePair &pair) const
     {
-        return shapes_.travel(pair) >= look.due && boxes_(pair) && may_touch(pair, look);
+        return OverlapTest{objects_.scene, objects_.boxes.data(), false}(pair);
     }
 
-    const MeasuredShapes &shapes() const { return shapes_; }
+    /// Looks at the gap of the pair, whose shapes are up to date.
+    bool may_touch(const CandidatePair &pair, Look &look);
+
+    const MeasuredShapes &shapes() const { return objects_.shapes; }
 
 private:
-    // Not inlined: few pairs come so far.
-    [[gnu::noinline]] bool may_touch(const CandidatePair &pair, Look &look) const;
-
-    OverlapTest boxes_;
-    const MeasuredShapes &shapes_;
+    Objects objects_;
     double margin_;
     std::uint64_t &looks_;
 };

@@ -29,64 +29,76 @@ void MeasuredShapes::resize(std::size_t count)
     for (IdSet *set : {&valid_, &renewed_, &hulls_})
         set->resize(count);
     stale_.resize(count);
-    free_memory(found_);
+    free_memory(moves_);
+}
+
+void MeasuredShapes::forget(ProxyId id)
+{
+    if (!in_use_ || id >= shapes_.size())
+        return;
+    shapes_[id] = {};
+    valid_.erase(id);
+    hulls_.erase(id);
 }
 
 void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const IdSet &members)
 {
     stale_.clear();
-    drop_outdated(scene, wanted, members);
     for (std::size_t i = 0; i < wanted.words(); ++i)
         IdSet::visit_word(i, wanted.word(i) & members.word(i) & ~valid_.word(i),
                           [this](ProxyId id) { stale_.add(id); });
-    if (stale_.empty())
-        return;
-    if (found_.size() < stale_.size())
-        found_.resize(stale_.size());
-    for (std::size_t i = 0; i < stale_.size(); ++i)
-        found_[i] = shapes_[stale_.data()[i]];
-    scene.update_shapes(stale_.data(), stale_.size(), found_.data());
-    for (std::size_t i = 0; i < stale_.size(); ++i)
-        note(stale_.data()[i], found_[i]);
+    follow_stale(scene);
 }
 
-void MeasuredShapes::drop_outdated(Scene &scene, const IdSet &wanted, const IdSet &members)
+void MeasuredShapes::renew_outdated(Scene &scene, const IdSet &wanted, const IdSet &members)
 {
+    stale_.clear();
     for (std::size_t i = 0; i < hulls_.words(); ++i)
         IdSet::visit_word(i, hulls_.word(i) & wanted.word(i) & members.word(i), [&](ProxyId id) {
             if (scene.hull_is_outdated(id, shapes_[id]))
-                valid_.erase(id);
+                stale_.add(id);
         });
+    follow_stale(scene);
 }
 
-void MeasuredShapes::note(ProxyId id, const ConvexShape &shape)
+void MeasuredShapes::follow_stale(Scene &scene)
 {
-    ConvexShape &before = shapes_[id];
+    if (stale_.empty())
+        return;
+    if (moves_.size() < stale_.size())
+        moves_.resize(stale_.size());
+    scene.follow(stale_.data(), stale_.size(), shapes_.data(), moves_.data());
+    for (std::size_t i = 0; i < stale_.size(); ++i)
+        note(stale_.data()[i], moves_[i]);
+}
+
+void MeasuredShapes::note(ProxyId id, double move)
+{
     valid_.insert(id);
-    if (shape.hull)
+    if (move < std::numeric_limits<double>::infinity())
+    {
+        travels_[id] = rounds_up * (travels_[id] + move);
+        return;
+    }
+    renewed_.insert(id);
+    any_renewed_ = true;
+    if (shapes_[id].hull)
         hulls_.insert(id);
     else
         hulls_.erase(id);
-    // A half space that turns moves without bounds far away.
-    if (!shape.same_size(before) || shape.kind == ShapeKind::half_space)
-    {
-        renewed_.insert(id);
-        any_renewed_ = true;
-    }
-    else if (shape.known())
-        travels_[id] = rounds_up * (travels_[id] + shape.moved_from(before));
-    before = shape;
 }
 
 void MeasuredShapes::clear_renewed()
 {
+    if (!any_renewed_)
+        return;
     renewed_.clear();
     any_renewed_ = false;
 }
 
 std::size_t MeasuredShapes::bytes() const
 {
-    return bytes_of(shapes_) + bytes_of(travels_) + bytes_of(found_) + valid_.bytes() + renewed_.bytes() +
+    return bytes_of(shapes_) + bytes_of(travels_) + bytes_of(moves_) + valid_.bytes() + renewed_.bytes() +
            hulls_.bytes() + stale_.bytes();
 }
 } // namespace ode_predictive_space

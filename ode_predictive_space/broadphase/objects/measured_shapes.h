@@ -36,8 +36,14 @@ public:
             valid_ -= moved;
     }
 
-    /// Looks at those wanted objects that are there and have moved or have another hull, and adds to their travels.
+    /// Gives the shape back: the object is gone, or is made of other data.
+    void forget(ProxyId id);
+
+    /// Looks at those wanted objects that are there and have moved, and adds to their travels.
     void update(Scene &scene, const IdSet &wanted, const IdSet &members);
+
+    /// Looks at those wanted objects whose hulls no longer serve, although they may not have moved.
+    void renew_outdated(Scene &scene, const IdSet &wanted, const IdSet &members);
 
     /// Objects were seen for the first time, or resized, since the last clear_renewed(): their travels say nothing about the time
     /// before.
@@ -57,8 +63,8 @@ public:
     std::size_t bytes() const;
 
 private:
-    void drop_outdated(Scene &scene, const IdSet &wanted, const IdSet &members);
-    void note(ProxyId id, const ConvexShape &shape);
+    void follow_stale(Scene &scene);
+    void note(ProxyId id, double move);
 
     bool in_use_ = false;
     std::vector<ConvexShape> shapes_;
@@ -67,8 +73,8 @@ private:
     IdSet renewed_;
     IdSet hulls_; // objects whose shape is a hull
     bool any_renewed_ = false;
-    IdList stale_;                   // scratch
-    std::vector<ConvexShape> found_; // scratch
+    IdList stale_;              // scratch
+    std::vector<double> moves_; // scratch
 };
 } // namespace ode_predictive_space
 

@@ -1,14 +1,15 @@
 #include "ode_predictive_space/broadphase/objects/scene.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "ode_predictive_space/broadphase/shape/convex_shape.h"
 
 namespace ode_predictive_space
 {
-void Scene::update_shapes(const ProxyId *, std::size_t count, ConvexShape *shapes)
+void Scene::follow(const ProxyId *, std::size_t count, ConvexShape *, double *moves)
 {
-    std::fill_n(shapes, count, ConvexShape{});
+    std::fill_n(moves, count, std::numeric_limits<double>::infinity());
 }
 
 bool Scene::hull_is_outdated(ProxyId, const ConvexShape &)

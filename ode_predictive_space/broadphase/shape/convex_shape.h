@@ -22,16 +22,21 @@ enum class ShapeKind : std::uint8_t
     half_space
 };
 
+struct Pose
+{
+    Vector3 centre = Vector3::Zero(); ///< of a half space, a point on its surface
+    std::array<Vector3, 3> axes{};    ///< unit vectors; of a half space, axes[0] points out of it
+};
+
 /// A convex shape, in coordinates of the scene. Finite, if its kind is known.
-struct ConvexShape
+struct ConvexShape : Pose
 {
     ShapeKind kind = ShapeKind::unknown;
-    Vector3 centre = Vector3::Zero();     ///< of a half space, a point on its surface
-    std::array<Vector3, 3> axes{};        ///< unit vectors; of a half space, axes[0] points out of it
     Vector3 half_sides = Vector3::Zero(); ///< along the axes
     double radius = 0;
     double size = 0;  ///< the smallest of its diameters; infinite for a half space
     double slack = 0; ///< a length: contacts may be found when the shapes are so far apart, because that test rounds
+    double place_slack = 0;      ///< the same, for the rounding of places
     double slack_beside_own = 0; ///< the same, beside shapes of the same group
     std::uint16_t group = 0;     ///< one bit
     std::uint16_t partners = 0;  ///< the groups with which the shape decides; with others it is the bounding box
@@ -87,18 +92,13 @@ struct ConvexShape
         return cylinder;
     }
 
-    bool same_size(const ConvexShape &other) const
-    {
-        return kind == other.kind && half_sides == other.half_sides && radius == other.radius && hull == other.hull;
-    }
-
-    /// An upper bound of the distance that any point of the surface has moved from `before`, a shape of the same size, if each
+    /// An upper bound of the distance that any point of the surface has moved from `before`, its own former pose, if each
     /// is taken to the nearest point that serves: turning about an axis of symmetry moves nothing. Not for half spaces.
     ///
     /// The reach in any direction changes by no more: the sum of half_side |axis . direction| by half_side |change of axis|
     /// each, that of a cylinder by the chord of its farthest points, and a point of a hull by its coordinates, which are no
     /// larger than the half sides, times the changes of the axes.
-    double moved_from(const ConvexShape &before) const
+    double moved_from(const Pose &before) const
     {
         double sum = (centre - before.centre).norm();
         if (kind == ShapeKind::cylinder || blunt_beside)
