@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Prints tables in Markdown, as docs/performance.md has them, from what `predictive_bench` wrote with `--json FILE`.
 
-    tables.py FILE             of `all` or `stepped`
+    tables.py FILE             of `all`, `stepped`, `contact` or `instructions --whole`
     tables.py FILE BEFORE      of `instructions`, beside the counts of another version
 """
 
@@ -110,6 +110,41 @@ def print_stepped(records):
                  "ratio of p99", "ratio of whole ticks"], rows)
 
 
+def print_contact(records):
+    scenes = {}
+    for record in records:
+        if record.get("table") == "contact":
+            scenes.setdefault((record["scene"], record["n"]), {})[record["space"]] = record
+    rows = []
+    for (scene, n), spaces in scenes.items():
+        boxes, shapes = spaces["predictive-box"], spaces["predictive-shape"]
+        best = min((name for name in ODE if name in spaces), key=lambda name: spaces[name]["sum_us"])
+        rows.append([scene, f"{n:,}", f"{number(spaces[best]['sum_us'])} ({best})"] +
+                    [f"{number(one['collide_us'])} + {number(one['dcollide_us'])} = {number(one['sum_us'])}"
+                     for one in (boxes, shapes)] +
+                    [number(shapes["best_ode_ratio"]), number(shapes["box_ratio"]),
+                     number(shapes["best_ode_ratio_of_wholes"]), number(boxes["calls_per_tick"]),
+                     number(shapes["calls_per_tick"]), number(shapes["touching_per_tick"]),
+                     number(shapes["calls_per_touching"])])
+    print_table(["scene", "objects", "best ODE space", "by box", "by shape", "best ODE / by shape", "by box / by shape",
+                 "best ODE / by shape, whole tick", "calls by box", "calls by shape", "touching", "calls per touching"], rows)
+
+
+def print_whole_ticks(records):
+    scenes = {}
+    for record in records:
+        if record.get("count") == "whole ticks":
+            scenes.setdefault((record["scene"], record["n"], record["ticks"]), {})[record["space"]] = record
+    rows = []
+    for (scene, n, ticks), spaces in scenes.items():
+        boxes, shapes = spaces["predictive-box"], spaces["predictive-shape"]
+        rows.append([scene, f"{n:,}", f"{ticks:,}"] +
+                    [f"{one[part]:,.0f}" for part in ("both", "whole") for one in (boxes, shapes)] +
+                    [f"{shapes[part] / boxes[part]:.3f}" for part in ("both", "whole")])
+    print_table(["scene", "objects", "ticks", "collide + dCollide by box", "by shape", "whole tick by box", "by shape",
+                 "shape / box, collide + dCollide", "shape / box, whole tick"], rows)
+
+
 def print_instructions(records, before):
     key = lambda record: (record["scene"], record["n"], record["space"])
     earlier = {key(record): record for record in before}
@@ -136,6 +171,16 @@ def main():
         return
     if records[0].get("table") == "stepped":
         print_stepped(records)
+        return
+    if records[0].get("table") == "contact":
+        print_requirements(records)
+        print_contact(records)
+        print_whole_ticks(records)
+        print_table1(records)
+        return
+    if records[0].get("count") == "whole ticks":
+        print_requirements(records)
+        print_whole_ticks(records)
         return
     print("<!-- requirements -->\n")
     print_requirements(records)

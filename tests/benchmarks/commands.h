@@ -11,7 +11,8 @@ namespace ode_predictive_space::benchmarks
 Commands make_commands();
 
 std::unique_ptr<Command> make_scene_command();
-std::unique_ptr<Command> make_instructions_command();
+/// @param whole count whole ticks, as with --whole.
+std::unique_ptr<Command> make_instructions_command(bool whole = false);
 std::unique_ptr<Command> make_stepped_command();
 std::unique_ptr<Command> make_contact_command();
 std::unique_ptr<Command> make_table1_command();
@@ -25,7 +26,8 @@ std::unique_ptr<Command> make_scale_command();
 /// `all`: these, one after the other.
 std::unique_ptr<Command> make_all_command(Commands parts);
 std::unique_ptr<Command> make_query_command();
-std::unique_ptr<Command> make_memory_command();
+/// @param only_shapes only what the measure of shapes takes.
+std::unique_ptr<Command> make_memory_command(bool only_shapes = false);
 std::unique_ptr<Command> make_haptic_command();
 std::unique_ptr<Command> make_servo_command();
 } // namespace ode_predictive_space::benchmarks

@@ -67,6 +67,8 @@ std::string which_library()
 class InstructionsCommand : public Command
 {
 public:
+    explicit InstructionsCommand(bool whole) : whole_(whole) {}
+
     std::string name() const override { return "instructions"; }
     std::string description() const override
     {
@@ -259,13 +261,13 @@ private:
     std::vector<std::string> scenes_;
     std::optional<int> warm_up_ticks_;
     std::string earlier_file_;
-    bool whole_ = false;
+    bool whole_;
     bool make_ticks_ = false;
 };
 } // namespace
 
-std::unique_ptr<Command> make_instructions_command()
+std::unique_ptr<Command> make_instructions_command(bool whole)
 {
-    return std::make_unique<InstructionsCommand>();
+    return std::make_unique<InstructionsCommand>(whole);
 }
 } // namespace ode_predictive_space::benchmarks

@@ -29,12 +29,17 @@ constexpr double most_growth = 1.05;
 class MemoryCommand : public Command
 {
 public:
+    explicit MemoryCommand(bool only_shapes) : only_shapes_(only_shapes) {}
+
     std::string name() const override { return "memory"; }
     std::string description() const override
     {
         return "Bytes per geom in gas (--n) and mix, and whether they grow in churn 1,000 (--ticks)";
     }
     void measure(const Options &options, Findings &findings) override;
+
+private:
+    bool only_shapes_;
 };
 
 std::string per_geom(std::int64_t bytes, const SceneSpec &spec)
@@ -42,9 +47,13 @@ std::string per_geom(std::int64_t bytes, const SceneSpec &spec)
     return fixed(static_cast<double>(bytes) / spec.objects, 0);
 }
 
-std::vector<MemoryResult> measure_gas(const Options &options, Findings &findings)
+std::vector<MemoryResult> measure_gas(const Options &options, bool only_shapes, Findings &findings)
 {
     std::vector<SpaceKind> kinds;
+    if (only_shapes)
+    {
+        kinds = {SpaceKind::predictive, SpaceKind::predictive_by_shapes};
+    }
     for (const std::string &name : options.spaces)
     {
         kinds.push_back(space_named(name));
@@ -168,7 +177,7 @@ void report_shapes(const Options &options, Findings &findings)
 
 void MemoryCommand::measure(const Options &options, Findings &findings)
 {
-    const std::vector<MemoryResult> gas = measure_gas(options, findings);
+    const std::vector<MemoryResult> gas = measure_gas(options, only_shapes_, findings);
     print_gas(gas);
     for (const MemoryResult &result : gas)
     {
@@ -179,6 +188,10 @@ void MemoryCommand::measure(const Options &options, Findings &findings)
     {
         report_shapes(options, findings);
     }
+    if (only_shapes_)
+    {
+        return;
+    }
     const MemoryResult churn = measure_churn(options);
     print_churn(churn);
     findings.record(memory_record(churn));
@@ -186,8 +199,8 @@ void MemoryCommand::measure(const Options &options, Findings &findings)
 }
 } // namespace
 
-std::unique_ptr<Command> make_memory_command()
+std::unique_ptr<Command> make_memory_command(bool only_shapes)
 {
-    return std::make_unique<MemoryCommand>();
+    return std::make_unique<MemoryCommand>(only_shapes);
 }
 } // namespace ode_predictive_space::benchmarks

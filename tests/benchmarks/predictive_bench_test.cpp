@@ -213,8 +213,9 @@ TEST(PredictiveBench, AsksForContactsOnlyInTheScenesThatItHas)
     std::map<std::string, int> lines = requirements_in(arguments + "stack,mix:100");
     EXPECT_EQ(lines["P18"], 2) << "mix 100 and stack against the best ODE space";
     EXPECT_EQ(lines["P19"], 2) << "time and calls in stack against boxes";
-    lines = requirements_in(arguments + "mix:101,stack:20");
-    EXPECT_EQ(lines.count("P18") + lines.count("P19"), 0u);
+    lines = requirements_in(arguments + "mix:101,stack:20,dart:20");
+    EXPECT_EQ(lines.count("P18") + lines.count("P19") + lines.count("P22"), 0u);
+    EXPECT_EQ(requirements_in(arguments + "dart:1000")["P22"], 1);
 }
 
 TEST(PredictiveBench, ShowsHowAPileSettlesInWindows)

@@ -1,0 +1,68 @@
+"""The tables of docs/plots/tables.py, from what predictive_bench writes."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "plots" / "tables.py"
+
+
+def contact(scene, space, sum_us, calls):
+    return {
+        "table": "contact",
+        "scene": scene,
+        "n": 1000,
+        "space": space,
+        "collide_us": sum_us / 4,
+        "dcollide_us": sum_us * 3 / 4,
+        "sum_us": sum_us,
+        "calls_per_tick": calls,
+        "touching_per_tick": 2,
+        "calls_per_touching": calls / 2,
+        "best_ode_ratio": 400 / sum_us,
+        "best_ode_ratio_of_wholes": 1.5,
+        "box_ratio": 100 / sum_us,
+    }
+
+
+def whole_ticks(space, both, whole):
+    return {"count": "whole ticks", "scene": "mix", "n": 1000, "ticks": 200, "space": space, "both": both, "whole": whole}
+
+
+REQUIREMENT = {"line": "P20", "what": "calls", "value": 2, "bound": "<=", "limit": 3, "unit": "calls", "met": True}
+
+
+def tables_of(records):
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "results.json"
+        file.write_text(json.dumps(records), encoding="utf-8")
+        done = subprocess.run([sys.executable, str(SCRIPT), str(file)], capture_output=True, text=True, check=True)
+    return done.stdout
+
+
+class Tables(unittest.TestCase):
+    def test_contact_is_beside_the_best_ode_space_and_beside_boxes(self):
+        text = tables_of([
+            contact("mix", "predictive-box", 100, 190),
+            contact("mix", "predictive-shape", 50, 4),
+            contact("mix", "sap", 400, 190),
+            contact("mix", "quadtree", 500, 190),
+            whole_ticks("predictive-box", 700000, 2000000),
+            whole_ticks("predictive-shape", 175000, 1500000),
+            REQUIREMENT,
+        ])
+        self.assertIn("| mix | 1,000 | 200 | 700,000 |", text)
+        self.assertIn("| mix | 1,000 | 400 (sap) | 25.0 + 75.0 = 100 | 12.5 + 37.5 = 50.0 | 8.00 | 2.00 | 1.50 | 190 | 4.00 | "
+                      "2.00 | 2.00 |", text)
+        self.assertIn("| P20 | calls | 2.00 calls | ≤ 3.00 calls | met |", text)
+
+    def test_whole_ticks_are_beside_boxes(self):
+        text = tables_of([whole_ticks("predictive-box", 700000, 2000000), whole_ticks("predictive-shape", 175000, 1500000)])
+        self.assertIn("| mix | 1,000 | 200 | 700,000 | 175,000 | 2,000,000 | 1,500,000 | 0.250 | 0.750 |", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
