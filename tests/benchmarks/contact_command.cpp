@@ -54,7 +54,7 @@ const std::vector<Case> &cases()
         {"game", 1000, 100, 1000},
         {"pile", 500, 100, 1000, {0, 0.97, 0, "P19"}},
         {"pile", 2000, 100, 400, {0, 0.97, 0, "P19"}},
-        {"stack", 1000, 100, 1200, {1, 0.97, 0, "P19"}}, // the ball is thrown every 400 ticks
+        {"stack", 1000, 100, 1200, {0, 0.97, 0, "P19"}}, // the ball is thrown every 400 ticks
         {"terrain", 1000, 100, 1000},
         {"gas", 1000, 100, 3000},
         {"gas", 10000, 100, 500},
