@@ -71,6 +71,24 @@ TEST_F(ShapeProximity, LeavesOutPairsWhoseBoxesAloneOverlap)
     EXPECT_EQ(counters().postponed, 0u);
 }
 
+TEST_F(ShapeProximity, NeedsNoLookAtBallsThatTouch)
+{
+    ball(0, 0);
+    const dGeomID other = ball(REAL(1.9), 0);
+    for (int i = 0; i < 40; ++i)
+    {
+        dGeomSetPosition(other, REAL(1.9) + REAL(0.01) * (i % 2), 0, 0);
+        EXPECT_EQ(pairs(), 1u);
+    }
+    EXPECT_EQ(counters().looks, 0u);
+    dGeomSetPosition(other, apart, apart, 0);
+    unsigned reported = 0;
+    for (int i = 0; i < 40; ++i)
+        reported += pairs();
+    EXPECT_LT(reported, 20u) << "it is looked at again";
+    EXPECT_GT(counters().looks, 0u);
+}
+
 TEST_F(ShapeProximity, NeedsNoLookUntilThePairHasTravelledItsGap)
 {
     // So that the motion keeps to its prediction: a pair of an object that is predicted anew is a new pair.

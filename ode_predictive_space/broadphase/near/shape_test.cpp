@@ -16,13 +16,35 @@ double slack(const ConvexShape &first, const ConvexShape &second)
     const double slack = first.slack + first.place_slack + second.slack + second.place_slack;
     return first.group == second.group ? slack + first.slack_beside_own + second.slack_beside_own : slack;
 }
+
+// Have the shapes no gap larger than the margin, because the balls within them have none? In piles most pairs are told so.
+bool touch_within(const ConvexShape &first, const ConvexShape &second, double margin)
+{
+    const auto has_ball = [](const ConvexShape &shape) {
+        return shape.kind == ShapeKind::rounded || shape.kind == ShapeKind::cylinder;
+    };
+    const double reach = 0.5 * (first.size + second.size) + margin;
+    return has_ball(first) && has_ball(second) && (second.centre - first.centre).squaredNorm() <= reach * reach;
+}
+
+void pause(Look &look)
+{
+    look.due = 0;
+    look.last_pause = static_cast<std::uint8_t>(std::clamp(2 * look.last_pause, 2, tuning::longest_pause));
+    look.pause = static_cast<std::uint8_t>(look.last_pause - 1);
+}
 } // namespace
 
 bool ShapeTest::may_touch(const CandidatePair &pair, Look &look)
 {
-    ++looks_;
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
     const double margin = margin_ + contact_slack * std::min(first.size, second.size) + slack(first, second);
+    if (touch_within(first, second, margin))
+    {
+        pause(look);
+        return true;
+    }
+    ++looks_;
     const Vector3 axis(look.axis[0], look.axis[1], look.axis[2]);
     const Gap gap = find_gap(first, second, axis, margin);
     for (Eigen::Index i = 0; i < 3; ++i)
@@ -34,9 +56,7 @@ bool ShapeTest::may_touch(const CandidatePair &pair, Look &look)
         look.last_pause = 0;
         return false;
     }
-    look.due = 0;
-    look.last_pause = static_cast<std::uint8_t>(std::clamp(2 * look.last_pause, 2, tuning::longest_pause));
-    look.pause = static_cast<std::uint8_t>(look.last_pause - 1);
+    pause(look);
     return true;
 }
 } // namespace ode_predictive_space
