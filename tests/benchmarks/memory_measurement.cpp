@@ -55,6 +55,16 @@ std::int64_t postponed_pairs(dSpaceID space)
     return static_cast<std::int64_t>(counters.postponed);
 }
 
+std::int64_t near_pairs(dSpaceID space)
+{
+    dPredictiveSpaceStats stats{};
+    if (dSpaceIsPredictive(space) != 0)
+    {
+        dPredictiveSpaceGetStats(space, &stats);
+    }
+    return static_cast<std::int64_t>(stats.near);
+}
+
 /// The program's memory with a scene in a space, over what it was before. `collides` is false for the scene alone.
 std::vector<MemorySample> watch(OwnedSpace space, const SceneFactory &factory, int ticks, int samples, bool collides,
                                 const std::function<void(int)> &progress)
@@ -86,7 +96,7 @@ std::vector<MemorySample> watch(OwnedSpace space, const SceneFactory &factory, i
         const std::int64_t heap = heap_in_use();
         result.push_back({tick, counted_bytes(space.get()), heap - before,
                           (collides && !at_work.wanted ? std::max(at_work.heap, heap) : heap) - before,
-                          postponed_pairs(space.get())});
+                          postponed_pairs(space.get()), near_pairs(space.get())});
         if (progress)
         {
             progress(tick);
@@ -128,9 +138,9 @@ double memory_growth(const MemoryResult &result, std::int64_t MemorySample::*mem
     return first > 0 ? largest(count / 2, count) / first : 1;
 }
 
-double bytes_per_postponed_pair(const ShapeMemory &few_pairs, const ShapeMemory &many_pairs)
+double bytes_per_near_pair(const ShapeMemory &few_pairs, const ShapeMemory &many_pairs)
 {
-    const std::int64_t pairs = many_pairs.postponed() - few_pairs.postponed();
+    const std::int64_t pairs = many_pairs.near() - few_pairs.near();
     return pairs > 0 ? static_cast<double>(many_pairs.extra() - few_pairs.extra()) / static_cast<double>(pairs)
                      : std::numeric_limits<double>::quiet_NaN();
 }
@@ -146,7 +156,8 @@ nlohmann::json memory_record(const MemoryResult &result)
                            {"counted_bytes", sample.counted},
                            {"allocated_bytes", sample.allocated},
                            {"at_work_bytes", sample.at_work},
-                           {"postponed", sample.postponed}});
+                           {"postponed", sample.postponed},
+                           {"near", sample.near}});
     }
     nlohmann::json record = {{"scene", result.spec.name},
                              {"n", result.spec.objects},

@@ -24,6 +24,7 @@ struct MemorySample
     std::int64_t at_work = 0;
     /// Pairs that a predictive space does not test now because their shapes cannot touch yet; 0 for others.
     std::int64_t postponed = 0;
+    std::int64_t near = 0; ///< pairs in the near set of a predictive space; 0 for others
 };
 
 struct MemoryResult
@@ -45,17 +46,17 @@ MemoryResult measure_memory(scenes::SpaceKind kind, const scenes::SceneSpec &spe
 /// @param member &MemorySample::counted or &MemorySample::allocated
 double memory_growth(const MemoryResult &result, std::int64_t MemorySample::*member);
 
-/// What the measure of shapes takes for each postponed pair beyond what the measure of boxes takes for the pair, in bytes as the
-/// spaces count. What it takes for each geom is left out by comparing two scenes of about as many geoms, of which one has few
-/// such pairs. Not a number when that one has as many.
+/// What the measure of shapes takes for each near pair, postponed or not, beyond what the measure of boxes takes for it: in bytes
+/// as the spaces count. What it takes for each geom is left out by comparing two scenes of about as many geoms, of which one has
+/// few near pairs. Not a number when that one has as many.
 struct ShapeMemory
 {
     MemoryResult by_boxes, by_shapes; ///< of the same scene
 
     std::int64_t extra() const { return by_shapes.samples.back().counted - by_boxes.samples.back().counted; }
-    std::int64_t postponed() const { return by_shapes.samples.back().postponed; }
+    std::int64_t near() const { return by_shapes.samples.back().near; }
 };
-double bytes_per_postponed_pair(const ShapeMemory &few_pairs, const ShapeMemory &many_pairs);
+double bytes_per_near_pair(const ShapeMemory &few_pairs, const ShapeMemory &many_pairs);
 
 /// {scene, n, space, seed, ticks, bytes_per_geom, allocated_bytes_per_geom, at_work_bytes_per_geom, postponed, samples}: of the
 /// last sample; bytes_per_geom is null for spaces that do not count.

@@ -41,21 +41,22 @@ TEST(MemoryMeasurement, OfShapesIsOfTheSameScene)
     const MemoryResult by_shapes = measure_memory(SpaceKind::predictive_by_shapes, spec, 60, 1);
     EXPECT_EQ(by_boxes.samples.back().postponed, 0);
     EXPECT_GT(by_shapes.samples.back().postponed, 0);
+    EXPECT_GT(by_shapes.samples.back().near, by_shapes.samples.back().postponed);
     EXPECT_GT(by_shapes.samples.back().counted, by_boxes.samples.back().counted);
     EXPECT_EQ(memory_record(by_shapes)["postponed"], by_shapes.samples.back().postponed);
 }
 
-MemoryResult result_of(std::int64_t counted, std::int64_t postponed)
+MemoryResult result_of(std::int64_t counted, std::int64_t near)
 {
-    return {SpaceKind::predictive_by_shapes, {}, {{1, counted, 0, 0, postponed}}};
+    return {SpaceKind::predictive_by_shapes, {}, {{1, counted, 0, 0, 0, near}}};
 }
 
-TEST(MemoryMeasurement, APostponedPairTakesWhatTwoScenesDifferBy)
+TEST(MemoryMeasurement, ANearPairTakesWhatTwoScenesDifferBy)
 {
     const ShapeMemory few{result_of(1000, 0), result_of(1400, 2)};
     const ShapeMemory many{result_of(5000, 0), result_of(5900, 12)};
-    EXPECT_DOUBLE_EQ(bytes_per_postponed_pair(few, many), (900 - 400) / 10.0);
-    EXPECT_TRUE(std::isnan(bytes_per_postponed_pair(few, few)));
+    EXPECT_DOUBLE_EQ(bytes_per_near_pair(few, many), (900 - 400) / 10.0);
+    EXPECT_TRUE(std::isnan(bytes_per_near_pair(few, few)));
 }
 
 TEST(MemoryMeasurement, GrowthIsTheSecondHalfOverTheFirst)
@@ -65,7 +66,7 @@ TEST(MemoryMeasurement, GrowthIsTheSecondHalfOverTheFirst)
     {
         // The first two, a tenth, do not count.
         const std::int64_t bytes = i < 2 ? 5000 : 100 + 10 * i;
-        result.samples.push_back({i + 1, bytes, 0, 0, 0});
+        result.samples.push_back({i + 1, bytes, 0, 0, 0, 0});
     }
     EXPECT_DOUBLE_EQ(memory_growth(result, &MemorySample::counted), 290.0 / 190.0);
     EXPECT_EQ(memory_growth(result, &MemorySample::allocated), 1) << "nothing does not grow";
