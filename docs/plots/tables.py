@@ -131,6 +131,8 @@ def print_contact(records):
 
 
 def print_whole_ticks(records):
+    if not any(record.get("count") == "whole ticks" for record in records):
+        return
     scenes = {}
     for record in records:
         if record.get("count") == "whole ticks":
