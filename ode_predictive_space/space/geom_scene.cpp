@@ -236,7 +236,7 @@ void GeomScene::follow(const ProxyId *ids, std::size_t count, ConvexShape *shape
 
 bool GeomScene::hull_is_outdated(ProxyId id, const ConvexShape &shape)
 {
-    return is_outdated(geoms_[id], shape);
+    return HullStore::is_outdated(geoms_[id], *shape.hull);
 }
 
 Box GeomScene::bounds(ProxyId id)

@@ -168,7 +168,7 @@ bool keeps_form(dxGeom *geom, const ConvexShape &shape)
     case dCylinderClass:
         return shape.radius == sizes[0] && shape.half_sides[2] == 0.5 * sizes[1];
     default:
-        return shape.hull && !is_outdated(geom, shape);
+        return shape.hull && !HullStore::is_outdated(geom, *shape.hull);
     }
 }
 } // namespace
@@ -193,12 +193,5 @@ double follow_geom(dxGeom *geom, HullStore &hulls, ConvexShape &shape)
         return shape.moved_from(before);
     shape = shape_of(geom, hulls, shape.hull);
     return std::numeric_limits<double>::infinity();
-}
-
-bool is_outdated(dxGeom *geom, const ConvexShape &shape)
-{
-    const bool with_capsules = (shape.partners & capsules) != 0;
-    return HullStore::is_outdated(geom, *shape.hull) ||
-           (geom->type == dTriMeshClass && with_capsules != blunts_capsules_only(geom));
 }
 } // namespace ode_predictive_space

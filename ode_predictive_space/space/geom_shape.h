@@ -19,8 +19,6 @@ ConvexShape shape_of(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const
 ///
 /// @return how far it has moved since; see Scene::follow().
 double follow_geom(dxGeom *geom, HullStore &hulls, ConvexShape &shape);
-/// Is a geom, whose shape is a hull, made of other data now, or judged together with others?
-bool is_outdated(dxGeom *geom, const ConvexShape &shape);
 } // namespace ode_predictive_space
 
 #endif

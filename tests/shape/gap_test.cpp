@@ -53,8 +53,8 @@ TEST(Gap, IsNeverMoreThanTheDistance)
         {
             const NearShapes shapes = maker.one_in(2) ? NearShapes(maker, one, other) : NearShapes(maker, other, one);
             const Vector3 axis = maker.one_in(2) ? maker.direction() : Vector3(0, 0, 0);
-            const double enough = maker.one_in(2) ? 0 : 1e9;
-            const Gap gap = find_gap(shapes.first, shapes.second, axis, enough);
+            const double least = maker.one_in(2) ? 0 : maker.between(0, 0.5);
+            const Gap gap = find_gap(shapes.first, shapes.second, axis, least);
             apart += gap.length > 0;
             ASSERT_LE(gap.length, distance_from_above(shapes.first, shapes.second, 8) + rounding)
                 << "classes " << static_cast<int>(one) << " " << static_cast<int>(other) << ", pose " << i;
@@ -76,10 +76,30 @@ TEST(Gap, IsSeldomFarLessThanTheDistance)
             if (distance < 1e-3)
                 continue;
             ++apart;
-            precise += find_gap(shapes.first, shapes.second, Vector3::Zero(), 1e9).length > 0.5 * distance;
+            precise += find_gap(shapes.first, shapes.second, Vector3::Zero(), 0).length > 0.5 * distance;
         }
         EXPECT_GT(apart, 300);
         EXPECT_GT(precise, 0.95 * apart) << "classes " << static_cast<int>(one) << " " << static_cast<int>(other);
+    });
+}
+
+TEST(Gap, IsFoundIfItIsLargerThanTheLeast)
+{
+    unsigned seed = 200;
+    for_each_pair_of_classes([&](Solid one, Solid other) {
+        ShapeMaker maker(seed++);
+        int larger = 0, found = 0;
+        for (int i = 0; i < 3000; ++i)
+        {
+            const NearShapes shapes(maker, one, other);
+            const double gap = find_gap(shapes.first, shapes.second, Vector3::Zero(), 0).length;
+            const double least = maker.between(0, 0.5);
+            if (gap <= least)
+                continue;
+            ++larger;
+            found += find_gap(shapes.first, shapes.second, Vector3::Zero(), least).length > least;
+        }
+        EXPECT_EQ(found, larger) << "classes " << static_cast<int>(one) << " " << static_cast<int>(other);
     });
 }
 

@@ -75,17 +75,17 @@ void MeasuredShapes::follow_stale(Scene &scene)
 void MeasuredShapes::note(ProxyId id, double move)
 {
     valid_.insert(id);
-    if (move < std::numeric_limits<double>::infinity())
-    {
-        travels_[id] = rounds_up * (travels_[id] + move);
-        return;
-    }
-    renewed_.insert(id);
-    any_renewed_ = true;
     if (shapes_[id].hull)
         hulls_.insert(id);
     else
         hulls_.erase(id);
+    if (move < std::numeric_limits<double>::infinity())
+        travels_[id] = rounds_up * (travels_[id] + move);
+    else
+    {
+        renewed_.insert(id);
+        any_renewed_ = true;
+    }
 }
 
 void MeasuredShapes::clear_renewed()

@@ -49,14 +49,14 @@ void try_axes_of(const ConvexShape &shape, const ConvexShape &first, const Conve
 
 // Steps of GJK (Gilbert, Johnson, Keerthi 1988) towards the point of the difference that is closest to its origin: the direction to
 // each point on the way is an axis.
-void approach_closest(const ConvexShape &first, const ConvexShape &second, Gap &largest)
+void approach_closest(const ConvexShape &first, const ConvexShape &second, double least, Gap &largest)
 {
     const double around = first.core_distance() + second.core_distance();
     NearestPoint nearest(nearest_along(largest.axis, first, second));
     for (int i = 0; i < steps; ++i)
     {
         const double distance = nearest.point().norm() - around;
-        if (!(distance > 0) || largest.length >= precise_enough * distance)
+        if (!(distance > least) || largest.length >= precise_enough * distance)
             return;
         largest.improve(gap_along(nearest.point(), first, second));
         if (!nearest.add(nearest_along(nearest.point(), first, second)))
@@ -79,20 +79,20 @@ Gap gap_along(const Vector3 &direction, const ConvexShape &first, const ConvexSh
     return {length - rounding(first) - rounding(second), axis};
 }
 
-Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 &axis, double enough)
+Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 &axis, double least)
 {
     if (!judged_by_shape(first, second))
         return {};
     if (first.blunt_beside & second.group)
-        return find_gap(first.blunt(), second, axis, enough);
+        return find_gap(first.blunt(), second, axis, least);
     if (second.blunt_beside & first.group)
-        return find_gap(first, second.blunt(), axis, enough);
+        return find_gap(first, second.blunt(), axis, least);
     if (first.kind == ShapeKind::half_space || second.kind == ShapeKind::half_space)
         return gap_along(axis, first, second);
     Gap largest;
     if (axis.squaredNorm() > 0)
         largest = gap_along(axis, first, second);
-    if (largest.length > enough && largest.length >= 0.5 * most_gap(first, second))
+    if (largest.length > least && largest.length >= 0.5 * most_gap(first, second))
         return largest;
     const Vector3 between = second.centre - first.centre;
     if (between.squaredNorm() > 0)
@@ -100,7 +100,7 @@ Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 
     try_axes_of(first, first, second, largest);
     try_axes_of(second, first, second, largest);
     if (largest.axis.squaredNorm() > 0)
-        approach_closest(first, second, largest);
+        approach_closest(first, second, least, largest);
     return largest;
 }
 } // namespace ode_predictive_space

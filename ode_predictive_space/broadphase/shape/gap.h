@@ -28,8 +28,9 @@ Gap gap_along(const Vector3 &direction, const ConvexShape &first, const ConvexSh
 /// The largest gap that a few tries find. No gap unless the pair is judged_by_shape().
 ///
 /// @param axis an axis to begin with, or zero.
-/// @param enough a larger gap along it, if it is at least half of what there can be, ends the search.
-Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 &axis, double enough);
+/// @param least no smaller gap is of use, at least 0: the search ends when there can be no larger one, or when one along the given
+/// axis is at least half of what there can be.
+Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 &axis, double least);
 } // namespace ode_predictive_space
 
 #endif

@@ -15,8 +15,8 @@ template <int Dimensions, typename Points, typename Weights> bool solve(const Po
     Eigen::Matrix<double, 3, Dimensions> sides;
     for (int i = 0; i < Dimensions; ++i)
         sides.col(i) = points[static_cast<std::size_t>(i + 1)] - points[0];
-    Eigen::Matrix<double, Dimensions, Dimensions> inverse;
-    bool invertible;
+    Eigen::Matrix<double, Dimensions, Dimensions> inverse = Eigen::Matrix<double, Dimensions, Dimensions>::Zero();
+    bool invertible = false;
     const Eigen::Matrix<double, Dimensions, Dimensions> squares = sides.transpose() * sides;
     squares.computeInverseWithCheck(inverse, invertible, 0);
     const Eigen::Matrix<double, Dimensions, 1> found = inverse * (sides.transpose() * -points[0]);
@@ -34,7 +34,7 @@ bool NearestPoint::add(const Vector3 &corner)
     const double before = point_.squaredNorm();
     points_[static_cast<std::size_t>(count_)] = corner;
     weights_[static_cast<std::size_t>(count_++)] = 0;
-    Weights affine;
+    Weights affine{};
     while (count_ > 1 && find_affine(affine))
     {
         const bool within =
