@@ -1,18 +1,21 @@
-// The loop of two threads: the scene at its own rate, and the servo, which feels a local model of the scene's contacts.
+// The loop of two threads: the scene at its own rate, and the servo, which feels a local model of the scene around the probe.
 //
-//     scene's thread                        servo's thread
-//     --------------                        --------------
-//     pose the probe   <--- RenderedTick ---  read the device
-//     collide          ---- ContactModel -->  touches of the planes, law, safety, write
-//     push the bodies  <---- impulses ------  what the hand got since
+//     scene's thread                           servo's thread
+//     --------------                           --------------
+//                      <--- ContactMemory ---
+//     pose the probe   <--- RenderedTick -----  read the device
+//     collide          ---- Surroundings ---->  proxy, touches, law, safety, write
+//     push the bodies  <---- impulses --------  what the hand got since
 //     advance
 
+#include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "ode_predictive_space/haptics/contact_model.h"
 #include "ode_predictive_space/haptics/loop_parts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <optional>
 
 namespace ode_predictive_space::haptics
 {
@@ -24,6 +27,13 @@ struct Impulse
     std::uintptr_t object;
     Vector3 point;   ///< m
     Vector3 impulse; ///< N s
+};
+
+/// What the servo knows of the scene, as it was at the last step.
+struct Surroundings
+{
+    ContactModel planes; ///< of what only dCollide() knows
+    NearbyGeoms geoms;   ///< all others
 };
 
 /// Impulses that can be on their way before the watchdog has taken the force away from a scene that does not fetch them.
@@ -41,7 +51,11 @@ class Servo
 public:
     Servo(LoopParts &parts) : parts_(parts), renderer_(parts.probe.renderer()), impulses_(most_impulses(parts.settings))
     {
-        touches_.reserve(ContactModel::capacity);
+        if (parts.probe.sensor()->tracker() != nullptr)
+        {
+            tracker_.emplace(parts.probe.sensor()->radius());
+        }
+        touches_.reserve(usual_touches);
         held_.reserve(2 * ContactModel::capacity);
     }
 
@@ -54,16 +68,24 @@ public:
     std::exception_ptr error() const { return error_; }
     bool ended() const { return ended_.load(std::memory_order_acquire); }
 
-    Snapshot<ContactModel> &contacts() { return contacts_; }
+    Snapshot<Surroundings> &surroundings() { return surroundings_; }
+    Snapshot<ContactMemory> &memory() { return memory_; }
     Queue<Impulse> &impulses() { return impulses_; }
 
 private:
     void render(double due);
+    bool feel(const Surroundings &scene, double due);
+    bool feel_geoms(const NearbyGeoms &nearby, double due);
     void end();
+
+    static constexpr std::size_t usual_touches = 256; ///< before the deepest are chosen
 
     LoopParts &parts_;
     Renderer &renderer_;
-    Snapshot<ContactModel> contacts_;
+    Snapshot<Surroundings> surroundings_;
+    Snapshot<ContactMemory> memory_;
+    std::optional<ContactTracker> tracker_; ///< of the probe's own sphere
+    int tool_jumps_ = 0;                    ///< as RenderedTick has it
     Queue<Impulse> impulses_;
     std::vector<Touch> touches_;
     std::vector<ForceShare> held_; ///< what the device has rendered since the last write
@@ -102,12 +124,45 @@ void Servo::tick(double due)
 
 void Servo::render(double due)
 {
-    contacts_.take();
-    const ContactModel &contacts = contacts_.latest();
+    surroundings_.take();
+    const Surroundings &scene = surroundings_.latest();
     renderer_.read(parts_.first_time + (due - parts_.start), parts_.clock.now());
-    contacts.evaluate(renderer_.tool().position, due, touches_);
-    renderer_.render(touches_, contacts.all_known(), 1 / parts_.settings.rate);
+    const bool all_known = feel(scene, due);
+    renderer_.render(touches_, all_known, 1 / parts_.settings.rate);
     parts_.note_rendered(renderer_.last_tick());
+}
+
+/// @return whether the touches are all there are.
+bool Servo::feel(const Surroundings &scene, double due)
+{
+    scene.planes.evaluate(renderer_.tool().position, due, touches_);
+    const bool all_known = !tracker_ || feel_geoms(scene.geoms, due);
+    if (touches_.size() > ContactModel::capacity)
+    {
+        std::nth_element(touches_.begin(), touches_.begin() + ContactModel::capacity, touches_.end(),
+                         [](const Touch &a, const Touch &b) { return a.depth > b.depth; });
+        touches_.resize(ContactModel::capacity);
+    }
+    return all_known && scene.planes.all_known();
+}
+
+bool Servo::feel_geoms(const NearbyGeoms &nearby, double due)
+{
+    tracker_->begin();
+    if (renderer_.last_tick().tool_jumps != tool_jumps_)
+    {
+        tool_jumps_ = renderer_.last_tick().tool_jumps;
+        tracker_->forget();
+    }
+    tracker_->aim(renderer_.tool().position);
+    for (std::size_t i = 0; i < nearby.count; ++i)
+    {
+        tracker_->add(nearby.geoms[i].later(due - nearby.time));
+    }
+    tracker_->follow();
+    tracker_->remember_in(memory_.draft());
+    memory_.publish();
+    return tracker_->touches(renderer_.law().view(), touches_);
 }
 
 void Servo::settle()
@@ -152,6 +207,7 @@ public:
 
 private:
     void step(double due);
+    void tell_servo(const Vector3 &tool, double due);
 
     LoopParts &parts_;
     Servo &servo_;
@@ -182,13 +238,28 @@ void SceneLoop::step(double due)
     const RenderedTick &tick = parts_.rendered.latest();
     const ToolState &tool = tick.tool;
     sensor_.clear();
+    if (sensor_.tracker() != nullptr)
+    {
+        servo_.memory().take();
+        sensor_.tracker()->adopt(servo_.memory().latest());
+    }
     parts_.probe.place(tick);
     parts_.collide(work_);
-    servo_.contacts().draft().set(sensor_.touches(), !sensor_.saw_nonsense(), tool.position, due);
-    servo_.contacts().publish();
+    tell_servo(tool.position, due);
     parts_.probe.renderer().physics_fresh(parts_.clock.now());
     push();
     work_.advance(dt_);
+}
+
+void SceneLoop::tell_servo(const Vector3 &tool, double due)
+{
+    Surroundings &surroundings = servo_.surroundings().draft();
+    surroundings.planes.set(sensor_.collided(), !sensor_.saw_nonsense(), tool, due);
+    if (sensor_.tracker() != nullptr)
+    {
+        sensor_.tracker()->hand_over(surroundings.geoms, due);
+    }
+    servo_.surroundings().publish();
 }
 
 void SceneLoop::push()

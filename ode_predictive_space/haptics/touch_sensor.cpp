@@ -48,12 +48,6 @@ Vector3 velocity_at(dBodyID body, const Vector3 &point)
     return from_ode(velocity);
 }
 
-bool is_finite(const Touch &touch)
-{
-    return touch.point.allFinite() && touch.normal.allFinite() && std::isfinite(touch.depth) &&
-           touch.surface_velocity.allFinite();
-}
-
 // NaN is deeper than anything, so that it is never overlooked.
 bool is_shallower(const dContactGeom &a, const dContactGeom &b)
 {
@@ -310,11 +304,8 @@ void TouchSensor::resolve()
         return;
     }
     tracker_->follow();
-    tracker_->touches(view_, touches_);
-    const auto first_nonsense =
-        std::remove_if(touches_.begin(), touches_.end(), [](const Touch &touch) { return !is_finite(touch); });
-    nonsense_ = nonsense_ || first_nonsense != touches_.end();
-    touches_.erase(first_nonsense, touches_.end());
+    const bool all = tracker_->touches(view_, touches_);
+    nonsense_ = nonsense_ || !all;
 }
 
 const std::vector<Touch> &TouchSensor::touches()

@@ -60,7 +60,7 @@ protected:
         LoopSettings settings;
         settings.decoupled = decoupled();
         settings.rate = decoupled() ? 4000 : 1000;
-        settings.physics_rate = 1000;
+        settings.physics_rate = physics_rate_;
         settings.duration = duration;
         settings.ask_for_priority = false;
         settings.clock = &clock_;
@@ -80,6 +80,7 @@ protected:
     const OdeUse ode_;
     ProbeWorld world_;
     SimulatedClock clock_;
+    double physics_rate_ = 1000;   ///< Hz; of the scene, in two threads
     HapticProbe *probe_ = nullptr; ///< while it runs
 };
 

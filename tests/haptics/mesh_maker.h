@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <ode/ode.h>
 #include <vector>
 
@@ -27,21 +28,21 @@ struct MeshShape
     }
 };
 
-/// A flat square in the plane z = 0, of cells x cells quadrilaterals that share their corners.
-inline MeshShape sheet_mesh(double side, int cells)
+/// A flat rectangle in the plane z = 0, of across x along quadrilaterals that share their corners.
+inline MeshShape grid_mesh(double cell, int across, int along)
 {
     MeshShape shape;
-    for (int j = 0; j <= cells; ++j)
+    for (int j = 0; j <= along; ++j)
     {
-        for (int i = 0; i <= cells; ++i)
+        for (int i = 0; i <= across; ++i)
         {
-            shape.vertices.emplace_back(side * (1.0 * i / cells - 0.5), side * (1.0 * j / cells - 0.5), 0);
+            shape.vertices.emplace_back(cell * (i - across / 2.0), cell * (j - along / 2.0), 0);
         }
     }
-    const int row = cells + 1;
-    for (int j = 0; j < cells; ++j)
+    const int row = across + 1;
+    for (int j = 0; j < along; ++j)
     {
-        for (int i = 0; i < cells; ++i)
+        for (int i = 0; i < across; ++i)
         {
             const int corner = j * row + i;
             shape.triangles.push_back({corner, corner + 1, corner + row + 1});
@@ -49,6 +50,12 @@ inline MeshShape sheet_mesh(double side, int cells)
         }
     }
     return shape;
+}
+
+/// The same, cells x cells of them.
+inline MeshShape sheet_mesh(double side, int cells)
+{
+    return grid_mesh(side / cells, cells, cells);
 }
 
 /// A closed box between two corners.
@@ -106,6 +113,32 @@ inline MeshShape roof_mesh(double degrees)
     MeshShape shape;
     shape.vertices = {{0, -0.3, 0}, {0, 0.3, 0}, {x, -0.3, z}, {x, 0.3, z}, {-x, -0.3, z}, {-x, 0.3, z}};
     shape.triangles = {{0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4}};
+    return shape;
+}
+
+/// Ridges along y, the same at each y, whose profile is straight between the multiples of a cell's length.
+struct RidgeShape
+{
+    double cell = 0.002; ///< m
+    int half = 3;        ///< cells from a valley to a ridge
+    double top = 0.0015; ///< m; of a ridge above a valley
+
+    /// m; at a multiple of a cell.
+    double height(double x) const
+    {
+        const long place = std::lround(x / cell) % (2 * half);
+        return top * static_cast<double>(std::labs((place + 2 * half) % (2 * half) - half)) / half;
+    }
+};
+
+/// Ridges of across x along cells, about the z axis.
+inline MeshShape ridge_mesh(const RidgeShape &ridges, int across, int along)
+{
+    MeshShape shape = grid_mesh(ridges.cell, across, along);
+    for (Vector3 &vertex : shape.vertices)
+    {
+        vertex.z() = ridges.height(vertex.x());
+    }
     return shape;
 }
 

@@ -25,7 +25,7 @@ struct SceneWork
 struct LoopSettings
 {
     double rate = 1000;     ///< Hz; of the servo
-    bool decoupled = false; ///< whether the servo has a thread of its own, and feels a local model of the contacts
+    bool decoupled = false; ///< whether the servo has a thread of its own, and feels a local model of the scene
     double physics_rate =
         1000; ///< Hz; of the scene when decoupled, not more than rate. Else it is stepped at the servo's rate
     double duration = std::numeric_limits<double>::infinity(); ///< s, simulated
@@ -61,9 +61,10 @@ class LoopParts;
 ///
 /// Single-threaded, the default: all in the caller's thread, at the servo's rate: read, collide, force, write, step.
 ///
-/// Decoupled: the caller's thread steps the scene at its own rate and publishes what the probe touches as planes; a servo thread reads
-/// the device, feels those planes, which move on with their surfaces, and writes the force. Its cost does not depend on the scene. What it gave to the
-/// hand comes back to the scene as impulses, none lost and none twice. The probe's tool must not be a body then.
+/// Decoupled: the caller's thread steps the scene at its own rate and publishes the geoms around the probe; a servo thread reads the
+/// device, feels those geoms, which move on with their velocities, and writes the force. Its cost depends on what is near the probe, not
+/// on the size of the scene. What it gave to the hand comes back to the scene as impulses, none lost and none twice. The probe's tool
+/// must not be a body then.
 ///
 /// There is zero force in the end, whichever it is: the duration is over, stop() or a StopRequest (within 1 ms, whatever the loop does
 /// just then), an exception of the program (which run() throws on), a lost device. Scene and servo that hang are noticed:

@@ -99,6 +99,11 @@ public:
     /// touches(), which are not all, then.
     bool saw_nonsense();
 
+    /// For loops that run in two threads: the touches that dCollide() gave, and the contact of the own sphere, 0 for another geom.
+    const std::vector<Touch> &collided() const { return collided_; }
+    ContactTracker *tracker() { return tracker_.get(); }
+    double radius() const { return radius_; }
+
     /// Give each body the opposite of its share of the force on the hand, where it was touched. A disabled body that gets a force is
     /// enabled. Objects without a body are left alone, and so are bodies that are gone.
     void push(const std::vector<ForceShare> &shares);

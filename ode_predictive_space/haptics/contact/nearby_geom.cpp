@@ -50,9 +50,24 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
     return nearby;
 }
 
-bool NearbyGeom::is_same_thing(const NearbyGeom &other) const
+NearbyGeom NearbyGeom::later(double dt) const
 {
-    return id_ == other.id_ && object_ == other.object_ && mesh_ == other.mesh_ && is_solid() == other.is_solid();
+    NearbyGeom geom = *this;
+    geom.mesh_ = std::shared_ptr<const MeshTree>(std::shared_ptr<const void>(), mesh_.get());
+    if (!linear_.allFinite() || !angular_.allFinite())
+    {
+        return geom;
+    }
+    geom.centre_ += dt * linear_;
+    geom.position_ += dt * linear_;
+    const double angle = dt * angular_.norm();
+    if (angle != 0)
+    {
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, angular_.normalized()).toRotationMatrix();
+        geom.rotation_ = turn * rotation_;
+        geom.position_ = geom.centre_ + turn * (position_ - centre_);
+    }
+    return geom;
 }
 
 double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures &features) const

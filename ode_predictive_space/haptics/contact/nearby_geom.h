@@ -11,6 +11,19 @@
 
 namespace ode_predictive_space::haptics
 {
+/// Which geom it is: equal as long as it is the same thing, with the same body and the same surface. To compare only.
+struct GeomIdentity
+{
+    dGeomID id = nullptr;
+    std::uintptr_t object = 0;
+    const MeshTree *mesh = nullptr; ///< 0 for a solid
+
+    bool operator==(const GeomIdentity &other) const
+    {
+        return id == other.id && object == other.object && mesh == other.mesh;
+    }
+};
+
 /// All that contact needs to know of a geom: a copy, since the program may destroy the geom at any time.
 class NearbyGeom
 {
@@ -26,8 +39,14 @@ public:
     /// Whether it has a place. Its velocity may still be none: see velocity_at().
     bool is_finite() const { return rotation_.allFinite() && position_.allFinite(); }
 
-    /// Whether another one can be the same thing some time later: the same geom, with the same body and mesh.
-    bool is_same_thing(const NearbyGeom &other) const;
+    GeomIdentity identity() const { return {id_, object_, mesh_.get()}; }
+
+    /// The geom as it is some time later, with the velocity that it has.
+    ///
+    /// Real-time: the copy shares a mesh without owning it. It must not be used when this one is gone.
+    ///
+    /// @param dt s.
+    NearbyGeom later(double dt) const;
 
     /// m/s, of the surface.
     Vector3 velocity_at(const Vector3 &point) const { return linear_ + angular_.cross(point - centre_); }

@@ -1,0 +1,147 @@
+// The contact of a servo between two steps of a slow scene: the surface as it is, not a plane. Both laws.
+
+#include "tests/haptics/allocation_count.h"
+#include "tests/haptics/contact_fixture.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double r = contact_radius;
+constexpr double k = contact_stiffness;
+constexpr double servo_rate = 4000; // Hz
+
+class ServoContactTest : public ContactTest
+{
+protected:
+    ServoContactTest() { physics_rate_ = 100; }
+};
+
+INSTANTIATE_TEST_SUITE_P(Laws, ServoContactTest, testing::Combine(testing::Bool(), testing::Values(true)),
+                         contact_test_name);
+
+/// Where the probe's centre comes to above ridges that are the same at each y, as Zilles and Salisbury's god object: it goes down
+/// along the way that leads nearer to the tool, by steps far smaller than the ridges, and stays in the first valley of that.
+class ProxyAboveRidges
+{
+public:
+    ProxyAboveRidges(const RidgeShape &ridges, double x) : ridges_(ridges), x_(x) {}
+
+    /// @return the proxy's x and z.
+    Vector3 follow(const Vector3 &tool)
+    {
+        for (double step = 1e-5; step > 1e-10; step /= 2)
+        {
+            while (distance(x_ + step, tool) < distance(x_, tool))
+            {
+                x_ += step;
+            }
+            while (distance(x_ - step, tool) < distance(x_, tool))
+            {
+                x_ -= step;
+            }
+        }
+        return {x_, tool.y(), std::max(tool.z(), height(x_))};
+    }
+
+private:
+    double distance(double x, const Vector3 &tool) const
+    {
+        return std::hypot(x - tool.x(), std::max(0.0, height(x) - tool.z()));
+    }
+
+    /// The lowest place of the centre at x: the highest that any point of the ridges asks for.
+    double height(double x) const
+    {
+        const int first = static_cast<int>(std::floor((x - r) / ridges_.cell)) - 1;
+        const int last = static_cast<int>(std::ceil((x + r) / ridges_.cell)) + 1;
+        double highest = -std::numeric_limits<double>::infinity();
+        for (int i = first; i < last; ++i)
+        {
+            const double from = i * ridges_.cell, to = from + ridges_.cell;
+            const double slope = (ridges_.height(to) - ridges_.height(from)) / ridges_.cell;
+            // The point of this face, seen as a line, that touches the sphere; or the end that is nearest to it.
+            const double s = std::clamp(x + r * slope / std::hypot(1, slope), from, to);
+            if (std::abs(s - x) <= r)
+            {
+                highest =
+                    std::max(highest, ridges_.height(from) + slope * (s - from) + std::sqrt(r * r - (s - x) * (s - x)));
+            }
+        }
+        return highest;
+    }
+
+    RidgeShape ridges_;
+    double x_;
+};
+
+/// Down to 3 mm in the ridges, then over them at 0.5 m/s, at an angle.
+Vector3 over_the_ridges(double t)
+{
+    const Vector3 above(-0.2, -0.05, 0.03), in(-0.2, -0.05, r - 0.003), end(0.2, 0.05, r - 0.003);
+    return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.5, 0.8, t);
+}
+
+TEST_P(ServoContactTest, RidgesOfAHundredThousandTrianglesAreFeltBetweenTheStepsOfTheScene)
+{
+    const RidgeShape ridges;
+    const MeshShape shape = ridge_mesh(ridges, 250, 200);
+    ASSERT_EQ(shape.triangles.size(), 100000U);
+    const OdeMesh mesh(shape);
+    mesh.add_to(world_.space);
+    const auto samples = run(&over_the_ridges, 1.3);
+    ProxyAboveRidges proxy(ridges, samples.front().tool.x());
+    int compared = 0;
+    for (const Sample &sample : samples)
+    {
+        const Vector3 truth = k * (proxy.follow(sample.tool) - sample.tool);
+        ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 1e-6)
+            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
+        compared += truth.norm() > 0.5 ? 1 : 0;
+    }
+    EXPECT_GT(compared, 0.8 * servo_rate);
+}
+
+TEST_P(ServoContactTest, AnEdgeThatIsPassedBetweenTwoStepsEndsTheFloor)
+{
+    world_.add_box({0.2, 0.4, 0.2}, {-0.1, 0, -0.1}); // its edge is at the origin
+    const auto path = [](double t) {
+        const Vector3 above(-0.05, 0, 0.03), in(-0.05, 0, r - 0.003), end(0.05, 0, r - 0.003);
+        return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.503, 0.2, t);
+    };
+    for (const Sample &sample : run(path, 0.8))
+    {
+        const Vector3 nearest(std::min(0.0, sample.tool.x()), 0, 0);
+        const double distance = (sample.tool - nearest).norm();
+        const Vector3 truth = k * std::max(0.0, r - distance) * (sample.tool - nearest) / distance;
+        ASSERT_LE((sample.wished - truth).norm(), 1e-6) << sample.time << ": " << sample.wished.transpose();
+    }
+}
+
+TEST_P(ServoContactTest, APlateThatTurnsIsFeltWhereItIs)
+{
+    const dBodyID body = world_.add_body({0, 0, 0}, 1);
+    dBodySetKinematic(body);
+    dGeomSetBody(world_.add_box({0.6, 0.6, 0.001}, {0, 0, 0}), body);
+    dBodySetFiniteRotationMode(body, 1);
+    dBodySetAngularVel(body, 0, -1, 0); // what is at positive x rises
+    const Vector3 place(0.1, 0.02, 0.012);
+    const auto samples = run([&](double) { return place; }, 0.4);
+    int compared = 0;
+    for (const Sample &sample : samples)
+    {
+        const double angle = sample.time;
+        const Vector3 normal(-std::sin(angle), 0, std::cos(angle));
+        const double depth = r - (normal.dot(place) - 0.0005);
+        const Vector3 truth = k * std::max(0.0, depth) * normal;
+        ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 1e-6)
+            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
+        compared += depth > r ? 1 : 0;
+    }
+    EXPECT_GT(compared, 0.1 * servo_rate);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics
