@@ -153,5 +153,54 @@ TEST_P(ContactTrackerTest, WhatIsSqueezedBetweenPlatesKeepsItsSideOfEach)
         }
     }
 }
+
+TEST(ContactTracker, HandsOverTheNearestOfTooManyGeoms)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    MeshStore meshes;
+    ContactTracker tracker(r);
+    tracker.set_margin(1);
+    tracker.begin();
+    tracker.aim({0, 0, 0});
+    const std::size_t count = 100;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const dGeomID sphere = dCreateSphere(world.space, 0.001);
+        dGeomSetPosition(sphere, 0.05 + 0.001 * static_cast<double>(i * 37 % count), 0, 0);
+        tracker.add(*NearbyGeom::read(sphere, meshes, {}));
+    }
+    NearbyGeoms geoms;
+    tracker.hand_over(geoms, 5);
+    EXPECT_EQ(geoms.time, 5);
+    ASSERT_EQ(geoms.count, NearbyGeoms::capacity);
+    for (const NearbyGeom &geom : geoms.geoms)
+    {
+        EXPECT_LT(geom.to_scene({0, 0, 0}).x(), 0.05 + 0.001 * (static_cast<double>(NearbyGeoms::capacity) - 0.5));
+    }
+}
+
+TEST(ContactTracker, KeepsAMeshAliveUntilAnotherTakesItsPlace)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    MeshStore meshes;
+    const OdeMesh mesh(sheet_mesh(0.1, 2));
+    const dGeomID geom = mesh.add_to(world.space);
+    std::weak_ptr<const MeshTree> tree = meshes.tree_of(geom, {});
+    ContactTracker tracker(r);
+    tracker.begin();
+    tracker.aim({0, 0, 0});
+    tracker.add(*NearbyGeom::read(geom, meshes, {}));
+    NearbyGeoms geoms;
+    tracker.hand_over(geoms, 0);
+    tracker.begin();
+    meshes.forget(mesh.data());
+    const NearbyGeom borrowed = geoms.geoms[0].later(0.01);
+    EXPECT_EQ(tree.use_count(), 1) << "what is borrowed owns nothing";
+    tracker.hand_over(geoms, 0.01);
+    EXPECT_EQ(geoms.count, 0U);
+    EXPECT_TRUE(tree.expired());
+}
 } // namespace
 } // namespace ode_predictive_space::haptics

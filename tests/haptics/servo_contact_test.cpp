@@ -1,6 +1,5 @@
 // The contact of a servo between two steps of a slow scene: the surface as it is, not a plane. Both laws.
 
-#include "tests/haptics/allocation_count.h"
 #include "tests/haptics/contact_fixture.h"
 
 #include <algorithm>
@@ -103,6 +102,66 @@ TEST_P(ServoContactTest, RidgesOfAHundredThousandTrianglesAreFeltBetweenTheSteps
         compared += truth.norm() > 0.5 ? 1 : 0;
     }
     EXPECT_GT(compared, 0.8 * servo_rate);
+}
+
+TEST_P(ServoContactTest, TheServoAllocatesNothing)
+{
+    const OdeMesh mesh(ridge_mesh(RidgeShape(), 250, 200));
+    mesh.add_to(world_.space);
+    for (const Sample &sample : run(&over_the_ridges, 1.3))
+    {
+        if (sample.time > 0.6) // the law has seen a ridge and a valley
+        {
+            ASSERT_EQ(sample.allocations, 0U) << sample.time;
+        }
+    }
+}
+
+/// Two sheets, of which one lies 3 cm below the other, take turns as the data of a geom.
+TEST_P(ServoContactTest, AMeshThatGetsOtherDataIsFeltAsItIsFromTheNextStepOn)
+{
+    MeshShape shape = sheet_mesh(0.4, 8);
+    const OdeMesh upper(shape);
+    for (Vector3 &vertex : shape.vertices)
+    {
+        vertex.z() -= 0.03;
+    }
+    const OdeMesh lower(shape);
+    const dGeomID geom = upper.add_to(world_.space);
+    const double step = 1 / physics_rate_;
+    int steps = 0;
+    const auto samples = run([](double) { return Vector3(0.01, 0.02, r - 0.004); }, 1,
+                             [&](double) {
+                                 ++steps;
+                                 dGeomTriMeshSetData(geom, steps % 4 < 2 ? upper.data() : lower.data());
+                             });
+    int touching = 0;
+    for (const Sample &sample : samples)
+    {
+        const double since = std::fmod(sample.time + 1e-6, step);
+        if (since < 2e-6)
+        {
+            continue; // at the same time as a step
+        }
+        const bool is_upper = static_cast<int>(sample.time / step) % 4 < 2;
+        ASSERT_NEAR(sample.wished.z(), is_upper ? k * 0.004 : 0, 1e-9) << sample.time;
+        touching += is_upper ? 1 : 0;
+    }
+    EXPECT_GT(touching, 0.4 * servo_rate);
+}
+
+TEST_P(ServoContactTest, ADeviceThatComesBackElsewhereHasCrossedNothing)
+{
+    const OdeMesh mesh(sheet_mesh(0.4, 8));
+    mesh.add_to(world_.space);
+    silent_from_ = 0.4;
+    silent_until_ = 1.2;
+    const auto samples =
+        run([](double t) { return t < 0.8 ? Vector3(0.01, 0.02, 0.03) : Vector3(0.01, 0.02, -0.03); }, 1.5);
+    for (const Sample &sample : samples)
+    {
+        ASSERT_TRUE(sample.wished.isZero(0)) << sample.time << ": " << sample.wished.transpose();
+    }
 }
 
 TEST_P(ServoContactTest, AnEdgeThatIsPassedBetweenTwoStepsEndsTheFloor)

@@ -29,6 +29,7 @@ ContactTracker::ContactTracker(double radius) : radius_(radius)
 {
     near_.reserve(usual_geoms);
     before_.reserve(usual_geoms);
+    places_.reserve(usual_geoms);
     features_.reserve(usual_geoms);
     features_before_.reserve(usual_geoms);
 }

@@ -15,6 +15,7 @@ constexpr double shortest_look = 0.05; // of the radius
 constexpr double part_of_clearance = 0.9;
 constexpr double smallest_step = 1e-6; // of the radius; away from a surface that the centre lies on
 constexpr int most_sweeps = 200;
+constexpr std::size_t usual_planes = 256;
 constexpr double allowed_violation = 1e-6; // of the deepest plane
 
 /// Hildreth's method: slower than find_closest_point() and less exact, but never confused by normals that are nearly dependent.
@@ -78,6 +79,14 @@ double longest_step(const SlidePlace &place, double look, double radius)
                   : std::min(look, std::max(part_of_clearance * place.clearance, smallest_step * radius));
 }
 } // namespace
+
+SphereSlide::SphereSlide()
+{
+    planes_.reserve(usual_planes);
+    constraints_.reserve(usual_planes);
+    features_.reserve(usual_planes);
+    targets_.reserve(usual_planes);
+}
 
 bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
 {

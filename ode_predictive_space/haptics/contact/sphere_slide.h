@@ -43,6 +43,9 @@ public:
         double margin = 0;  ///< m; planes() has what is so far from the sphere, too
     };
 
+    /// Makes room for what a tick usually needs: up to that run() does not allocate.
+    SphereSlide();
+
     /// @param places where the centre is; then, where it came to.
     /// @return whether there is a place that all geoms allow. Else each of them has one for itself.
     bool run(const Task &task, std::vector<SlidePlace> &places);
