@@ -157,7 +157,7 @@ TEST_P(ServoContactTest, ADeviceThatComesBackElsewhereHasCrossedNothing)
     silent_from_ = 0.4;
     silent_until_ = 1.2;
     const auto samples =
-        run([](double t) { return t < 0.8 ? Vector3(0.01, 0.02, 0.03) : Vector3(0.01, 0.02, -0.03); }, 1.5);
+        run([](double t) { return t < 0.8 ? Vector3(0.01, 0.02, 0.015) : Vector3(0.01, 0.02, -0.015); }, 1.5);
     for (const Sample &sample : samples)
     {
         ASSERT_TRUE(sample.wished.isZero(0)) << sample.time << ": " << sample.wished.transpose();
