@@ -3,9 +3,9 @@
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 
 #include "tests/haptics/allocation_count.h"
-#include "tests/haptics/mesh_maker.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/random_numbers.h"
+#include "tests/haptics/ridges.h"
 
 #include <gtest/gtest.h>
 

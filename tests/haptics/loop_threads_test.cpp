@@ -3,8 +3,8 @@
 #include "ode_predictive_space/haptics/loop.h"
 
 #include "ode_predictive_space/haptics/penalty_law.h"
-#include "tests/haptics/mesh_maker.h"
 #include "tests/haptics/probe_world.h"
+#include "tests/haptics/ridges.h"
 #include "tests/haptics/scripted_device.h"
 
 #include <algorithm>

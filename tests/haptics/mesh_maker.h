@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <ode/ode.h>
 #include <vector>
 
@@ -113,32 +112,6 @@ inline MeshShape roof_mesh(double degrees)
     MeshShape shape;
     shape.vertices = {{0, -0.3, 0}, {0, 0.3, 0}, {x, -0.3, z}, {x, 0.3, z}, {-x, -0.3, z}, {-x, 0.3, z}};
     shape.triangles = {{0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4}};
-    return shape;
-}
-
-/// Ridges along y, the same at each y, whose profile is straight between the multiples of a cell's length.
-struct RidgeShape
-{
-    double cell = 0.002; ///< m
-    int half = 3;        ///< cells from a valley to a ridge
-    double top = 0.0015; ///< m; of a ridge above a valley
-
-    /// m; at a multiple of a cell.
-    double height(double x) const
-    {
-        const long place = std::lround(x / cell) % (2 * half);
-        return top * static_cast<double>(std::labs((place + 2 * half) % (2 * half) - half)) / half;
-    }
-};
-
-/// Ridges of across x along cells, about the z axis.
-inline MeshShape ridge_mesh(const RidgeShape &ridges, int across, int along)
-{
-    MeshShape shape = grid_mesh(ridges.cell, across, along);
-    for (Vector3 &vertex : shape.vertices)
-    {
-        vertex.z() = ridges.height(vertex.x());
-    }
     return shape;
 }
 

@@ -1,9 +1,9 @@
 // The contact of a servo between two steps of a slow scene: the surface as it is, not a plane. Both laws.
 
 #include "tests/haptics/contact_fixture.h"
+#include "tests/haptics/ridges.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace ode_predictive_space::haptics
 {
@@ -22,61 +22,6 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Laws, ServoContactTest, testing::Combine(testing::Bool(), testing::Values(true)),
                          contact_test_name);
 
-/// Where the probe's centre comes to above ridges that are the same at each y, as Zilles and Salisbury's god object: it goes down
-/// along the way that leads nearer to the tool, by steps far smaller than the ridges, and stays in the first valley of that.
-class ProxyAboveRidges
-{
-public:
-    ProxyAboveRidges(const RidgeShape &ridges, double x) : ridges_(ridges), x_(x) {}
-
-    /// @return the proxy's x and z.
-    Vector3 follow(const Vector3 &tool)
-    {
-        for (double step = 1e-5; step > 1e-10; step /= 2)
-        {
-            while (distance(x_ + step, tool) < distance(x_, tool))
-            {
-                x_ += step;
-            }
-            while (distance(x_ - step, tool) < distance(x_, tool))
-            {
-                x_ -= step;
-            }
-        }
-        return {x_, tool.y(), std::max(tool.z(), height(x_))};
-    }
-
-private:
-    double distance(double x, const Vector3 &tool) const
-    {
-        return std::hypot(x - tool.x(), std::max(0.0, height(x) - tool.z()));
-    }
-
-    /// The lowest place of the centre at x: the highest that any point of the ridges asks for.
-    double height(double x) const
-    {
-        const int first = static_cast<int>(std::floor((x - r) / ridges_.cell)) - 1;
-        const int last = static_cast<int>(std::ceil((x + r) / ridges_.cell)) + 1;
-        double highest = -std::numeric_limits<double>::infinity();
-        for (int i = first; i < last; ++i)
-        {
-            const double from = i * ridges_.cell, to = from + ridges_.cell;
-            const double slope = (ridges_.height(to) - ridges_.height(from)) / ridges_.cell;
-            // The point of this face, seen as a line, that touches the sphere; or the end that is nearest to it.
-            const double s = std::clamp(x + r * slope / std::hypot(1, slope), from, to);
-            if (std::abs(s - x) <= r)
-            {
-                highest =
-                    std::max(highest, ridges_.height(from) + slope * (s - from) + std::sqrt(r * r - (s - x) * (s - x)));
-            }
-        }
-        return highest;
-    }
-
-    RidgeShape ridges_;
-    double x_;
-};
-
 /// Down to 3 mm in the ridges, then over them at 0.5 m/s, at an angle.
 Vector3 over_the_ridges(double t)
 {
@@ -92,7 +37,7 @@ TEST_P(ServoContactTest, RidgesOfAHundredThousandTrianglesAreFeltBetweenTheSteps
     const OdeMesh mesh(shape);
     mesh.add_to(world_.space);
     const auto samples = run(&over_the_ridges, 1.3);
-    ProxyAboveRidges proxy(ridges, samples.front().tool.x());
+    ProxyAboveRidges proxy(ridges, r, samples.front().tool.x());
     int compared = 0;
     for (const Sample &sample : samples)
     {
