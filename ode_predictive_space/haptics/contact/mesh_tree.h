@@ -28,6 +28,9 @@ public:
     /// @return the distance to the mesh; the radius when nothing is within it.
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features) const;
 
+    /// The place of one triangle that is nearest to a point.
+    SurfaceFeature nearest_of(std::size_t triangle, const Vector3 &point) const;
+
 private:
     /// Its first child follows it.
     struct Node

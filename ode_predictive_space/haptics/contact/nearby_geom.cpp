@@ -89,9 +89,22 @@ double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures 
     }
     for (std::size_t i = first; i < features.size(); ++i)
     {
-        features[i].point = to_scene(features[i].point);
-        features[i].normal = rotation_ * features[i].normal;
+        move_to_scene(features[i]);
     }
     return nearest;
+}
+
+SurfaceFeature NearbyGeom::nearest_of(const SurfaceFeature &feature, const Vector3 &point) const
+{
+    SurfaceFeature seen = mesh_ ? mesh_->nearest_of(static_cast<std::size_t>(feature.triangle), to_local(point))
+                                : solid_.nearest(to_local(point));
+    move_to_scene(seen);
+    return seen;
+}
+
+void NearbyGeom::move_to_scene(SurfaceFeature &feature) const
+{
+    feature.point = to_scene(feature.point);
+    feature.normal = rotation_ * feature.normal;
 }
 } // namespace ode_predictive_space::haptics

@@ -59,10 +59,15 @@ public:
     /// @return the distance to the surface, or the radius if that is less.
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features) const;
 
+    /// The same face, edge or corner that a feature is of, or its neighbour in the same triangle, as seen from another point.
+    SurfaceFeature nearest_of(const SurfaceFeature &feature, const Vector3 &point) const;
+
     /// Whether there is an inside that a point is in, and out of which it may go any way.
     bool is_solid() const { return solid_.is_known(); }
 
 private:
+    void move_to_scene(SurfaceFeature &feature) const;
+
     dGeomID id_ = nullptr;
     std::uintptr_t object_ = 0;
     Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();

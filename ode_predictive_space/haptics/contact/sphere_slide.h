@@ -29,7 +29,7 @@ struct SlidePlane
 
 /// Each step takes the surfaces near the centre as planes, and goes to the place that is nearest to the goal and behind none of
 /// them. A triangle lies wholly behind the plane of its nearest place, so the planes forbid too much rather than too little; the
-/// next step has better ones. No step is as long as the way to the nearest surface, so that none passes anything. The steps end at
+/// next step has better ones; around an edge, if the step is short, the planes that carry the sphere are turned before it. No step is as long as the way to the nearest surface, so that none passes anything. The steps end at
 /// a local minimum of the distance to the goal.
 class SphereSlide
 {
@@ -54,8 +54,12 @@ public:
     const std::vector<SlidePlane> &planes() const { return planes_; }
 
 private:
+    double go(bool common, double look, double left, const Task &task, std::vector<SlidePlace> &places);
     void gather(const Task &task, double look, std::vector<SlidePlace> &places);
     bool find_target(const Vector3 &goal);
+    bool turn_planes(const Task &task, const std::vector<SlidePlace> &places);
+    bool is_short_step(const std::vector<SlidePlace> &places) const;
+    void refine_target(const Task &task, const std::vector<SlidePlace> &places);
     Vector3 target_of(std::size_t place, const Task &task, const std::vector<SlidePlace> &places);
 
     std::vector<SlidePlane> planes_;
@@ -63,6 +67,7 @@ private:
     SurfaceFeatures features_;
     std::vector<Vector3> targets_;
     Vector3 target_ = Vector3::Zero();
+    bool arrives_ = false; ///< the last step went to the targets
 };
 } // namespace ode_predictive_space::haptics
 
