@@ -21,6 +21,10 @@ void ContactModel::evaluate(const Vector3 &tool, double time, std::vector<Touch>
     for (std::size_t i = 0; i < count_; ++i)
     {
         Touch touch = touches_[i];
+        if (touch.from_entry_side)
+        {
+            continue; // the servo has the geom itself
+        }
         const Vector3 carried = (time - time_) * touch.surface_velocity;
         touch.depth -= touch.normal.dot(moved - carried);
         if (touch.depth <= 0)

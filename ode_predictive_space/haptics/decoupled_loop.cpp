@@ -254,7 +254,7 @@ void SceneLoop::step(double due)
 void SceneLoop::tell_servo(const Vector3 &tool, double due)
 {
     Surroundings &surroundings = servo_.surroundings().draft();
-    surroundings.planes.set(sensor_.collided(), !sensor_.saw_nonsense(), tool, due);
+    surroundings.planes.set(sensor_.touches(), !sensor_.saw_nonsense(), tool, due);
     if (sensor_.tracker() != nullptr)
     {
         sensor_.tracker()->hand_over(surroundings.geoms, due);

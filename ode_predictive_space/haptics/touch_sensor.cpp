@@ -171,6 +171,22 @@ void TouchSensor::forget_mesh(dTriMeshDataID data)
     }
 }
 
+void TouchSensor::set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples)
+{
+    if (own_)
+    {
+        meshes_->set_samples(data, samples);
+    }
+}
+
+void TouchSensor::forget_samples(dHeightfieldDataID data)
+{
+    if (own_)
+    {
+        meshes_->forget_samples(data);
+    }
+}
+
 void TouchSensor::forget_sides()
 {
     if (own_)

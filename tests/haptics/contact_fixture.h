@@ -55,6 +55,10 @@ protected:
         ScriptedDevice device(path);
         HapticProbe probe(device, world_.space, contact_radius, rendering);
         probe_ = &probe;
+        if (prepare_)
+        {
+            prepare_(probe);
+        }
         std::vector<Sample> samples;
         std::uint64_t allocated = 0;
         device.before_read = [&] {
@@ -91,10 +95,11 @@ protected:
     const OdeUse ode_;
     ProbeWorld world_;
     SimulatedClock clock_;
-    double physics_rate_ = 1000;   ///< Hz; of the scene, in two threads
-    double silent_from_ = 0;       ///< s; from then on the device cannot be read
-    double silent_until_ = 0;      ///< s
-    HapticProbe *probe_ = nullptr; ///< while it runs
+    double physics_rate_ = 1000;                 ///< Hz; of the scene, in two threads
+    std::function<void(HapticProbe &)> prepare_; ///< before it runs; may be empty
+    double silent_from_ = 0;                     ///< s; from then on the device cannot be read
+    double silent_until_ = 0;                    ///< s
+    HapticProbe *probe_ = nullptr;               ///< while it runs
 };
 
 inline std::string contact_test_name(const testing::TestParamInfo<std::tuple<bool, bool>> &parameters)

@@ -59,6 +59,18 @@ TEST(ContactModel, SurfacesMove)
     EXPECT_NEAR(touches[0].point.z(), 0.003, 1e-12);
 }
 
+TEST(ContactModel, LeavesOutWhatTheServoKnowsBetter)
+{
+    ContactModel model;
+    Touch held = wall(0.002);
+    held.from_entry_side = true;
+    model.set({held, wall(0.001)}, true, Vector3::Zero(), 0);
+    std::vector<Touch> touches;
+    model.evaluate(Vector3::Zero(), 0, touches);
+    ASSERT_EQ(touches.size(), 1U);
+    EXPECT_EQ(touches[0].depth, 0.001);
+}
+
 TEST(ContactModel, KeepsTheDeepestOfTooMany)
 {
     std::vector<Touch> many;

@@ -10,21 +10,35 @@
 #include <ode/collision.h>
 #include <ode/collision_trimesh.h>
 #include <ode/objects.h>
+#include <vector>
 
 namespace ode_predictive_space::haptics
 {
 class ContactTracker;
 class MeshStore;
 
+/// The heights of a heightfield, as it was built of them by dGeomHeightfieldDataBuildDouble() or the like. Its frame's y axis points up.
+struct HeightfieldSamples
+{
+    double width = 0;            ///< m, > 0; along x
+    double depth = 0;            ///< m, > 0; along z
+    int width_samples = 0;       ///< >= 2
+    int depth_samples = 0;       ///< >= 2
+    double scale = 1;            ///< m; of a height of 1
+    double offset = 0;           ///< m; of a height of 0
+    std::vector<double> heights; ///< that of column x and row z is at x + z * width_samples
+};
+
 /// A geom that follows the hand, tells what it touches, and pushes what it touches.
 ///
 /// Each tick: clear(), pose(), the program's dSpaceCollide() with touch() in its near callback, push(). In between the program may
 /// destroy what it likes, except this geom: what is gone is not pushed.
 ///
-/// The sphere of its own holds to boxes, spheres, capsules, cylinders, planes and triangle meshes: it is touched from the side by
+/// The sphere of its own holds to boxes, spheres, capsules, cylinders, planes, triangle meshes and, with set_samples(), heightfields: it
+/// is touched from the side by
 /// which the tool came, until it comes back through there, however thin the object, fast the tool, or deep it is. What the near
 /// callback does not tell of any more (destroyed, disabled, filtered out) is let go, and so is a mesh with other triangles. All else
-/// is touched as dCollide() says at the moment: convex geoms, heightfields, transforms and classes of the program, and all
+/// is touched as dCollide() says at the moment: convex geoms, other heightfields, transforms and classes of the program, and all
 /// things that a geom of the program touches.
 ///
 /// What the probe cannot touch is said as everywhere in ODE: by dGeomSetCategoryBits() and dGeomSetCollideBits().
@@ -73,6 +87,16 @@ public:
     /// others in turn, eight at a time.
     void forget_mesh(dTriMeshDataID data);
 
+    /// Hold to a heightfield as to a mesh: to all geoms of this data, until forget_samples(). ODE does not give its samples back, so that
+    /// the program has to. Samples of other heights end a contact. Of a field that repeats itself without end, one period is held to.
+    ///
+    /// @param samples are copied.
+    /// @throws std::invalid_argument when they make no field.
+    void set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples);
+
+    /// To be called before the data is destroyed: ODE may use its id again.
+    void forget_samples(dHeightfieldDataID data);
+
     /// The tool was put somewhere else, and nothing lies between: what is entered from now on is entered from there.
     void forget_sides();
 
@@ -99,8 +123,7 @@ public:
     /// touches(), which are not all, then.
     bool saw_nonsense();
 
-    /// For loops that run in two threads: the touches that dCollide() gave, and the contact of the own sphere, 0 for another geom.
-    const std::vector<Touch> &collided() const { return collided_; }
+    /// For loops that run in two threads: the contact of the own sphere, 0 for another geom.
     ContactTracker *tracker() { return tracker_.get(); }
     double radius() const { return radius_; }
 

@@ -11,14 +11,21 @@ Vector3 from_ode(const dReal *v)
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-Eigen::Matrix3d rotation_from_ode(const dReal *r)
+/// Of geoms that cannot be placed, too.
+Vector3 to_scene_by_ode(dGeomID geom, const Vector3 &point)
 {
-    Eigen::Matrix3d rotation;
-    for (int row = 0; row < 3; ++row)
-    {
-        rotation.row(row) = from_ode(r + std::ptrdiff_t{4} * row);
-    }
-    return rotation;
+    dVector3 in_scene;
+    dGeomGetRelPointPos(geom, static_cast<dReal>(point.x()), static_cast<dReal>(point.y()),
+                        static_cast<dReal>(point.z()), in_scene);
+    return from_ode(in_scene);
+}
+
+Vector3 direction_by_ode(dGeomID geom, const Vector3 &direction)
+{
+    dVector3 in_scene;
+    dGeomVectorToWorld(geom, static_cast<dReal>(direction.x()), static_cast<dReal>(direction.y()),
+                       static_cast<dReal>(direction.z()), in_scene);
+    return from_ode(in_scene);
 }
 } // namespace
 
@@ -26,26 +33,26 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
 {
     NearbyGeom nearby;
     nearby.solid_ = Solid::of(geom);
-    if (!nearby.is_solid() && (dGeomGetClass(geom) != dTriMeshClass || dGeomTriMeshGetData(geom) == nullptr))
+    if (!nearby.is_solid() && !meshes.knows(geom))
     {
         return {};
     }
     nearby.id_ = geom;
     nearby.object_ = object_of(geom);
-    if (dGeomGetClass(geom) != dPlaneClass)
+    nearby.position_ = to_scene_by_ode(geom, Vector3::Zero());
+    for (int axis = 0; axis < 3; ++axis)
     {
-        nearby.rotation_ = rotation_from_ode(dGeomGetRotation(geom));
-        nearby.position_ = from_ode(dGeomGetPosition(geom));
+        nearby.rotation_.col(axis) = direction_by_ode(geom, Vector3::Unit(axis));
+    }
+    if (!nearby.is_solid() && nearby.is_finite())
+    {
+        nearby.mesh_ = meshes.tree_of(geom, touched);
     }
     if (const dBodyID body = dGeomGetBody(geom))
     {
         nearby.linear_ = from_ode(dBodyGetLinearVel(body));
         nearby.angular_ = from_ode(dBodyGetAngularVel(body));
         nearby.centre_ = from_ode(dBodyGetPosition(body));
-    }
-    if (!nearby.is_solid() && nearby.is_finite())
-    {
-        nearby.mesh_ = meshes.tree_of(geom, touched);
     }
     return nearby;
 }

@@ -28,7 +28,7 @@ struct GeomIdentity
 class NearbyGeom
 {
 public:
-    /// Nothing for a geom whose surface is known to ODE alone (convex, heightfield, transform, classes of the program).
+    /// Nothing for a geom whose surface is known to ODE alone (convex, heightfield without samples, transform, classes of the program).
     ///
     /// @param touched triangles of the mesh that were touched last: see MeshStore.
     static std::optional<NearbyGeom> read(dGeomID geom, MeshStore &meshes, const TriangleList &touched);
