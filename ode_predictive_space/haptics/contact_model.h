@@ -9,7 +9,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The surfaces around the probe as planes that move: one for each touch, as it was when the scene was looked at last. Of fixed size, to be handed from thread to thread; what it costs does not depend on the scene.
+/// The surfaces around the probe as planes that move: one for each touch, as it was when the scene was looked at last. Of
+/// fixed size, to be handed from thread to thread; what it costs does not depend on the scene.
 ///
 /// A plane moves with the velocity that the surface had at the contact. Depth changes by how the tool moves along the normal: that
 /// is exact for a flat surface, whatever the shape of the probe, as long as the probe does not turn.
@@ -25,8 +26,8 @@ public:
     /// @param time s; when this was so.
     void set(const std::vector<Touch> &touches, bool all_known, const Vector3 &tool, double time);
 
-    /// What a probe touches that is at another place at another time. Touches from the side of entry are left out: they are those of
-    /// geoms that the servo knows better.
+    /// What a probe touches that is at another place at another time. Touches from the side of entry are left out: they are
+    /// those of geoms that the servo knows better.
     ///
     /// @param touches is overwritten: those whose depth is above 0.
     void evaluate(const Vector3 &tool, double time, std::vector<Touch> &touches) const;

@@ -1,4 +1,5 @@
-// The loop of two threads: the scene at its own rate, and the servo, which feels a local model of the scene around the probe.
+// The loop of two threads: the scene at its own rate, and the servo, which feels a local model of the scene around the
+// probe.
 //
 //     scene's thread                           servo's thread
 //     --------------                           --------------

@@ -39,7 +39,7 @@ public:
     /// Of the servo; neither allocates nor waits. Lost when a hundred others are on their way.
     void post(const Notice &notice) { posted_.give(notice); }
 
-    /// Of who made it, when the servo beats no more: the watch is over, and what was posted is delivered.
+    /// Of the thread that made it, when the servo has ended: the watch is over, and what was posted is delivered.
     void end();
 
     /// Whether the sink threw; it is not called any more, then. From any thread.

@@ -67,7 +67,7 @@ public:
     /// The program's part of a tick.
     void collide(const SceneWork &work);
 
-    /// Whether somebody wants the loop to end. From any thread.
+    /// Whether the loop was asked to end. From any thread.
     bool is_told_to_stop() const;
 
     /// Whether it has to: for that, or since notices cannot be told. From the threads of the scene and the servo.

@@ -9,7 +9,8 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// The probe goes round in a circle that is as large as the mesh allows, up to 15 cm. Its cells have the same size in all meshes.
+/// The probe goes round in a circle that is as large as the mesh allows, up to 15 cm. Its cells have the same size in all
+/// meshes.
 struct RidgeSettings
 {
     int cells = 224;                     ///< of two triangles each, in x and in y

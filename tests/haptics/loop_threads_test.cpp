@@ -179,7 +179,8 @@ TEST_F(LoopThreadsTest, WhatTheNoticesSinkThrowsEndsTheLoopWithoutForce)
     }
 }
 
-/// While the servo slides over a mesh, the scene gives other data to it, changes its triangles in place, destroys and makes it anew.
+/// While the servo slides over a mesh, the scene gives other data to it, changes its triangles in place, destroys and makes
+/// it anew.
 TEST_F(LoopThreadsTest, MeshesMayChangeWhileTheServoFeelsThem)
 {
     const RidgeShape ridges;

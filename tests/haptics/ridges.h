@@ -37,8 +37,9 @@ inline MeshShape ridge_mesh(const RidgeShape &ridges, int across, int along)
     return shape;
 }
 
-/// Where the probe's centre comes to above ridges that are the same at each y, as Zilles and Salisbury's god object: it goes down
-/// along the way that leads nearer to the tool, by steps far smaller than the ridges, and stays in the first valley of that.
+/// Where the probe's centre comes to above ridges that are the same at each y, as Zilles and Salisbury's god object: it goes
+/// down along the way that leads nearer to the tool, by steps far smaller than the ridges, and stays in the first valley of
+/// that.
 class ProxyAboveRidges
 {
 public:

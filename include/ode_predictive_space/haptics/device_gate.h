@@ -9,8 +9,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Sees to it that never two threads are in a device at once, without either of them ever waiting: who finds the device taken
-/// goes without. A servo loop of which the program's part hangs is not in the device; then the guard can set its force to zero.
+/// Ensures that two threads are never in a device at once. Neither of them ever waits: a call that finds the device taken is
+/// skipped. A servo loop of which the program's part hangs is not in the device; then the guard can set its force to zero.
 ///
 /// From then on the gate is closed to the servo's forces until it has noticed: what it computed before it hung must not be
 /// rendered after it.
@@ -25,8 +25,8 @@ public:
     /// Of the servo. @return false when the guard is in the device: then state is left alone. @throws DeviceError
     bool read(double time, DeviceState &state);
 
-    /// Of the servo. @return false when the guard is in the device, or has closed the gate since notice_closing(): then nothing is
-    /// written, except that zero is always let through, as the guard may have found the device taken.
+    /// Of the servo. @return false when the guard is in the device, or has closed the gate since notice_closing(): then
+    /// nothing is written, except that zero is always let through, as the guard may have found the device taken.
     /// @throws DeviceError
     bool write(const Wrench &wrench);
 
@@ -46,7 +46,8 @@ public:
     /// @param now s; on any clock.
     Outcome close_with_zero(double now);
 
-    /// When the program ends: no force, and none ever again. From any thread; it waits for one that is in the device, 20 ms at most.
+    /// When the program ends: no force, and none ever again. From any thread; it waits for one that is in the device, 20 ms
+    /// at most.
     void shut() noexcept;
 
     /// How often the guard took the force away.

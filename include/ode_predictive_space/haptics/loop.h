@@ -61,13 +61,14 @@ class LoopParts;
 ///
 /// Single-threaded, the default: all in the caller's thread, at the servo's rate: read, collide, force, write, step.
 ///
-/// Decoupled: the caller's thread steps the scene at its own rate and publishes the geoms around the probe; a servo thread reads the
-/// device, feels those geoms, which move on with their velocities, and writes the force. Its cost depends on what is near the probe, not
-/// on the size of the scene. What it gave to the hand comes back to the scene as impulses, none lost and none twice. The probe's tool
-/// must not be a body then.
+/// Decoupled: the caller's thread steps the scene at its own rate and publishes the geoms around the probe; a servo thread
+/// reads the device, feels those geoms, which move on with their velocities, and writes the force. Its cost depends on what
+/// is near the probe, not on the size of the scene. What it gave to the hand comes back to the scene as impulses, none lost
+/// and none twice. The probe's tool must not be a body then.
 ///
-/// There is zero force in the end, whichever it is: the duration is over, stop() or a StopRequest (within 1 ms, whatever the loop does
-/// just then), an exception of the program (which run() throws on), a lost device. Scene and servo that hang are noticed:
+/// There is zero force in the end, whichever it is: the duration is over, stop() or a StopRequest (within 1 ms, whatever the
+/// loop does just then), an exception of the program (which run() throws on), a lost device. Scene and servo that hang are
+/// noticed:
 /// - a servo, and with it the scene of a single-threaded loop, by a guard, a thread of the loop, that sets the force to zero within 5 ms
 ///   of the time at which the next tick should have begun: 6 ms after the last one at 1 kHz and above, 10 ms at 200 Hz, 15 ms at 100 Hz;
 /// - the scene of a decoupled loop by the servo's watchdog: the force is gone 8 ms after the next step should have begun: 9 ms after
@@ -76,10 +77,10 @@ class LoopParts;
 class HapticLoop
 {
 public:
-    /// @param probe is not owned. As long as run() runs, the program may use it in its collide() and advance(); of a decoupled loop
-    ///        only touch(), touches() and encounters(), as the rest belongs to the servo: see latest().
-    /// @throws std::invalid_argument for a rate that is not above 0, and for a decoupled loop with a tool body; std::logic_error when
-    ///         another loop runs the probe.
+    /// @param probe is not owned. As long as run() runs, the program may use it in its collide() and advance(); of a
+    ///        decoupled loop only touch(), touches() and encounters(), as the rest belongs to the servo: see latest().
+    /// @throws std::invalid_argument for a rate that is not above 0, and for a decoupled loop with a tool body;
+    ///        std::logic_error when another loop runs the probe.
     HapticLoop(HapticProbe &probe, LoopSettings settings);
 
     /// As HapticProbe's: a run in another thread is ended and waited for.
@@ -87,11 +88,12 @@ public:
     HapticLoop(const HapticLoop &) = delete;
     HapticLoop &operator=(const HapticLoop &) = delete;
 
-    /// Run until the duration is over, stop() is called, or StopRequest::requested(), which SIGINT, SIGTERM, SIGHUP and SIGQUIT do as
-    /// long as it runs: such a signal ends the loop and not the program (see StopRequest::signal()). Once.
+    /// Run until the duration is over, stop() is called, or StopRequest::requested(), which SIGINT, SIGTERM, SIGHUP and
+    /// SIGQUIT do as long as it runs: such a signal ends the loop and not the program (see StopRequest::signal()). Once.
     ///
     /// @return the report at the end.
-    /// @throws std::logic_error when it has run, or another loop runs the probe; what the program's callbacks throw, the sink of notices among them, or the force law, after the force has been taken away.
+    /// @throws std::logic_error when it has run, or another loop runs the probe; what the program's callbacks throw, the
+    ///        sink of notices among them, or the force law, after the force has been taken away.
     LoopReport run(const SceneWork &work);
 
     /// From any thread.

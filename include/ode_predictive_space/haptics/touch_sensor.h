@@ -17,7 +17,8 @@ namespace ode_predictive_space::haptics
 class ContactTracker;
 class MeshStore;
 
-/// The heights of a heightfield, as it was built of them by dGeomHeightfieldDataBuildDouble() or the like. Its frame's y axis points up.
+/// The heights of a heightfield, as it was built of them by dGeomHeightfieldDataBuildDouble() or the like. Its frame's y
+/// axis points up.
 struct HeightfieldSamples
 {
     double width = 0;            ///< m, > 0; along x
@@ -31,15 +32,14 @@ struct HeightfieldSamples
 
 /// A geom that follows the hand, tells what it touches, and pushes what it touches.
 ///
-/// Each tick: clear(), pose(), the program's dSpaceCollide() with touch() in its near callback, push(). In between the program may
-/// destroy what it likes, except this geom: what is gone is not pushed.
+/// Each tick: clear(), pose(), the program's dSpaceCollide() with touch() in its near callback, push(). In between the
+/// program may destroy anything except this geom: what is gone is not pushed.
 ///
-/// The sphere of its own holds to boxes, spheres, capsules, cylinders, planes, triangle meshes and, with set_samples(), heightfields: it
-/// is touched from the side by
-/// which the tool came, until it comes back through there, however thin the object, fast the tool, or deep it is. What the near
-/// callback does not tell of any more (destroyed, disabled, filtered out) is let go, and so is a mesh with other triangles. All else
-/// is touched as dCollide() says at the moment: convex geoms, other heightfields, transforms and classes of the program, and all
-/// things that a geom of the program touches.
+/// The sphere of its own holds to boxes, spheres, capsules, cylinders, planes, triangle meshes and, with set_samples(),
+/// heightfields: it is touched from the side by which the tool came, until it comes back through there, however thin the
+/// object, fast the tool, or deep it is. What the near callback does not tell of any more (destroyed, disabled, filtered
+/// out) is let go, and so is a mesh with other triangles. All else is touched as dCollide() says at the moment: convex
+/// geoms, other heightfields, transforms and classes of the program, and all things that a geom of the program touches.
 ///
 /// What the probe cannot touch is said as everywhere in ODE: by dGeomSetCategoryBits() and dGeomSetCollideBits().
 class TouchSensor
@@ -63,12 +63,12 @@ public:
     TouchSensor(const TouchSensor &) = delete;
     TouchSensor &operator=(const TouchSensor &) = delete;
 
-    /// The sphere of its own has the place and size in which it looks for what it can touch: larger than the tool while that moves or is
-    /// pressed into something.
+    /// The sphere of its own has the place and size in which it looks for what it can touch: larger than the tool while that
+    /// moves or is pressed into something.
     dGeomID geom() const { return geom_; }
 
-    /// Notice what comes near before it is touched: touches() then has what is up to this far away, too, with a negative depth.
-    /// Works for the sphere of its own, which grows by that; other geoms notice nothing before they touch it.
+    /// Notice what comes near before it is touched: touches() then has what is up to this far away, too, with a negative
+    /// depth. Works for the sphere of its own, which grows by that; other geoms notice nothing before they touch it.
     ///
     /// @param margin m, >= 0.
     void set_margin(double margin);
@@ -79,16 +79,18 @@ public:
     /// Read a mesh now rather than when the probe first comes near it: a hundred thousand triangles take some 0.1 s.
     void prepare(dGeomID mesh);
 
-    /// The same for all meshes that there are in the sensor's space, in those within it, and in those that it is in. Loops do this
-    /// before they begin. Meshes in ODE's quadtree spaces, which cannot list their geoms, are read when they are first touched.
+    /// The same for all meshes that there are in the sensor's space, in those within it, and in those that it is in. Loops
+    /// do this before they begin. Meshes in ODE's quadtree spaces, which cannot list their geoms, are read when they are
+    /// first touched.
     void prepare_all();
 
-    /// The triangles behind this id have changed in place. They are compared from tick to tick, too: those that are touched at once, the
-    /// others in turn, eight at a time.
+    /// The triangles behind this id have changed in place. They are compared from tick to tick, too: those that are touched
+    /// at once, the others in turn, eight at a time.
     void forget_mesh(dTriMeshDataID data);
 
-    /// Hold to a heightfield as to a mesh: to all geoms of this data, until forget_samples(). ODE does not give its samples back, so that
-    /// the program has to. Samples of other heights end a contact. Of a field that repeats itself without end, one period is held to.
+    /// Hold to a heightfield as to a mesh: to all geoms of this data, until forget_samples(). ODE does not give its samples
+    /// back, so that the program has to. Samples of other heights end a contact. Of a field that
+    /// repeats itself without end, one period.
     ///
     /// @param samples are copied.
     /// @throws std::invalid_argument when they make no field.
@@ -100,8 +102,9 @@ public:
     /// The tool was put somewhere else, and nothing lies between: what is entered from now on is entered from there.
     void forget_sides();
 
-    /// An exception came through dSpaceCollide(), and the geom is in one of ODE's own spaces, which is locked for good then. The geom is
-    /// not touched any more: it is disabled, and stays in its space when the sensor goes. In predictive spaces there is nothing to do.
+    /// An exception came through dSpaceCollide(), and the geom is in one of ODE's own spaces, which is locked for good then.
+    /// The geom is not touched any more: it is disabled, and stays in its space when the sensor goes. In predictive spaces
+    /// there is nothing to do.
     void abandon_locked_space();
 
     /// Forget the touches.
@@ -115,20 +118,20 @@ public:
     /// @return true when this pair has been dealt with: one of the two is the probe, the other one no space.
     bool touch(dGeomID first, dGeomID second);
 
-    /// What is touched since clear(). An object is a body with all its geoms, or a geom without a body. Of what only dCollide() knows,
-    /// the deepest contact with each object.
+    /// What is touched since clear(). An object is a body with all its geoms, or a geom without a body. Of what only
+    /// dCollide() knows, the deepest contact with each object.
     const std::vector<Touch> &touches();
 
-    /// Whether dCollide(), a geom's place or a body's velocity gave something that is not a number since clear(). It is left out of
-    /// touches(), which are not all, then.
+    /// Whether dCollide(), a geom's place or a body's velocity gave something that is not a number since clear(). It is left
+    /// out of touches(), which are not all, then.
     bool saw_nonsense();
 
     /// For loops that run in two threads: the contact of the own sphere, 0 for another geom.
     ContactTracker *tracker() { return tracker_.get(); }
     double radius() const { return radius_; }
 
-    /// Give each body the opposite of its share of the force on the hand, where it was touched. A disabled body that gets a force is
-    /// enabled. Objects without a body are left alone, and so are bodies that are gone.
+    /// Give each body the opposite of its share of the force on the hand, where it was touched. A disabled body that gets a
+    /// force is enabled. Objects without a body are left alone, and so are bodies that are gone.
     void push(const std::vector<ForceShare> &shares);
 
 private:

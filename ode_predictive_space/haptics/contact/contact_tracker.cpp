@@ -88,7 +88,8 @@ void ContactTracker::aim(const Vector3 &tool)
     longest_ = std::max(radius_, catching_up * moved_);
 }
 
-// All that the proxy may reach lies between two balls: one about where it is, and one about the tool that goes through there.
+// All that the proxy may reach lies between two balls: one about where it is, and one about the tool that goes through
+// there.
 ContactTracker::Region ContactTracker::region() const
 {
     const Vector3 way = tool_ - start_;

@@ -11,16 +11,17 @@ namespace ode_predictive_space::haptics
 /// Whether all numbers of a touch are.
 bool is_finite(const Touch &touch);
 
-/// Keeps a proxy of the tool, which never passes a surface: each tick it goes from where it was towards the tool. With respect to
-/// each geom its place is remembered in the geom's frame, so that it goes with what moves and turns. What holds the proxy off the tool
-/// is touched, from the proxy's side.
+/// Keeps a proxy of the tool, which never passes a surface: each tick it goes from where it was towards the tool. With
+/// respect to each geom its place is remembered in the geom's frame, so that it goes with what moves and turns. What holds
+/// the proxy off the tool is touched, from the proxy's side.
 ///
 /// Each tick: begin(), aim(), add() for each geom that the near callback tells, follow(), touches(). A geom that is not told
-/// is forgotten: its contact has ended, whatever became of it. That is safe since the region() in which geoms are looked for holds
-/// the proxy, hence all that it touches.
+/// is forgotten: its contact has ended, whatever became of it. That is safe since the region() in which geoms are looked for
+/// holds the proxy, hence all that it touches.
 ///
-/// In two threads there are two. The servo's owns the sides: each tick it is given the geoms that the scene's found at the last step,
-/// where they are by now. The scene's goes on from the servo's memory in each step: adopt(), and hand_over() after all add().
+/// In two threads there are two. The servo's owns the sides: each tick it is given the geoms that the scene's found at the
+/// last step, where they are by now. The scene's goes on from the servo's memory in each step: adopt(), and hand_over()
+/// after all add().
 class ContactTracker
 {
 public:

@@ -28,8 +28,8 @@ struct TriangleList
     }
 };
 
-/// Geoms of the same dTriMeshDataID share a tree. ODE does not tell when the triangles behind an id change: each look-up compares
-/// their number, some of them in turn, and those that the caller names, and makes the tree anew when one differs.
+/// Geoms of the same dTriMeshDataID share a tree. ODE does not tell when the triangles behind an id change: each look-up
+/// compares their number, some of them in turn, and those that the caller names, and makes the tree anew when one differs.
 ///
 /// A heightfield has the triangles of its cells. It is not compared: ODE tells neither samples nor triangles of it.
 class MeshStore

@@ -28,7 +28,8 @@ struct GeomIdentity
 class NearbyGeom
 {
 public:
-    /// Nothing for a geom whose surface is known to ODE alone (convex, heightfield without samples, transform, classes of the program).
+    /// Nothing for a geom whose surface is known to ODE alone (convex, heightfield without samples, transform, classes of
+    /// the program).
     ///
     /// @param touched triangles of the mesh that were touched last: see MeshStore.
     static std::optional<NearbyGeom> read(dGeomID geom, MeshStore &meshes, const TriangleList &touched);
@@ -59,7 +60,8 @@ public:
     /// @return the distance to the surface, or the radius if that is less.
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features) const;
 
-    /// The same face, edge or corner that a feature is of, or its neighbour in the same triangle, as seen from another point.
+    /// The same face, edge or corner that a feature is of, or its neighbour in the same triangle, as seen from another
+    /// point.
     SurfaceFeature nearest_of(const SurfaceFeature &feature, const Vector3 &point) const;
 
     /// Whether there is an inside that a point is in, and out of which it may go any way.

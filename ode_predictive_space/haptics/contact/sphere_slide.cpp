@@ -20,7 +20,8 @@ constexpr int most_sweeps = 200;
 constexpr std::size_t usual_planes = 256;
 constexpr double allowed_violation = 1e-6; // of the deepest plane
 
-/// Hildreth's method: slower than find_closest_point() and less exact, but never confused by normals that are nearly dependent.
+/// Hildreth's method: slower than find_closest_point() and less exact, but never confused by normals that are nearly
+/// dependent.
 bool find_by_sweeps(std::vector<ConstraintPlane> &planes)
 {
     double deepest = 0;
@@ -200,8 +201,8 @@ bool SphereSlide::is_short_step(const std::vector<SlidePlace> &places) const
     });
 }
 
-/// Around an edge the steps alone would come nearer by the same factor each time: depth over radius. A turned plane lets the sphere
-/// in behind the one before it, by what a short step makes of that: the next step sees what is there.
+/// Around an edge the steps alone would come nearer by the same factor each time: depth over radius. A turned plane lets the
+/// sphere in behind the one before it, by what a short step makes of that: the next step sees what is there.
 void SphereSlide::refine_target(const Task &task, const std::vector<SlidePlace> &places)
 {
     const Vector3 unrefined = target_;

@@ -1,5 +1,5 @@
-// The way of a sphere to a goal, around what lies between: the god object of Zilles and Salisbury (1995), swept as in Ruspini,
-// Kolarov and Khatib (1997).
+// The way of a sphere to a goal, around what lies between: the god object of Zilles and Salisbury (1995), swept as in
+// Ruspini, Kolarov and Khatib (1997).
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SPHERE_SLIDE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SPHERE_SLIDE_H
@@ -27,10 +27,11 @@ struct SlidePlane
         0; ///< m; what the plane adds to the way from the goal to the sphere's centre; 0 if it does not carry it
 };
 
-/// Each step takes the surfaces near the centre as planes, and goes to the place that is nearest to the goal and behind none of
-/// them. A triangle lies wholly behind the plane of its nearest place, so the planes forbid too much rather than too little; the
-/// next step has better ones; around an edge, if the step is short, the planes that carry the sphere are turned before it. No step is as long as the way to the nearest surface, so that none passes anything. The steps end at
-/// a local minimum of the distance to the goal.
+/// Each step takes the surfaces near the centre as planes, and goes to the place that is nearest to the goal and behind none
+/// of them. A triangle lies wholly behind the plane of its nearest place, so the planes forbid too much rather than too
+/// little; the next step has better ones; around an edge, if the step is short, the planes that carry the sphere are turned
+/// before it. No step is as long as the way to the nearest surface, so that none passes anything. The steps end at a local
+/// minimum of the distance to the goal.
 class SphereSlide
 {
 public:
