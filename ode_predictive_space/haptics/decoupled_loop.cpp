@@ -3,12 +3,14 @@
 //     scene's thread                        servo's thread
 //     --------------                        --------------
 //     pose the probe   <--- RenderedTick ---  read the device
-//     collide          ---- ContactModel -->  touches of the planes, law, safety, write
+//     collide          ---- ContactModel -->  move the planes on, touches, law, safety, write
 //     push the bodies  <---- impulses ------  what the hand got since
 //     advance
 
 #include "ode_predictive_space/haptics/contact_model.h"
 #include "ode_predictive_space/haptics/loop_parts.h"
+#include "ode_predictive_space/haptics/pending_motion.h"
+#include "ode_predictive_space/haptics/push_response.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +26,7 @@ struct Impulse
     std::uintptr_t object;
     Vector3 point;   ///< m
     Vector3 impulse; ///< N s
+    std::uint64_t number = 0;
 };
 
 /// Impulses that can be on their way before the watchdog has taken the force away from a scene that does not fetch them.
@@ -39,7 +42,9 @@ std::size_t most_impulses(const LoopSettings &settings)
 class Servo
 {
 public:
-    Servo(LoopParts &parts) : parts_(parts), renderer_(parts.probe.renderer()), impulses_(most_impulses(parts.settings))
+    Servo(LoopParts &parts)
+        : parts_(parts), renderer_(parts.probe.renderer()), impulses_(most_impulses(parts.settings)),
+          pending_(most_impulses(parts.settings)), rendered_due_(parts.start)
     {
         touches_.reserve(ContactModel::capacity);
         held_.reserve(2 * ContactModel::capacity);
@@ -59,12 +64,16 @@ public:
 
 private:
     void render(double due);
+    void give(const Impulse &impulse);
     void end();
 
     LoopParts &parts_;
     Renderer &renderer_;
     Snapshot<ContactModel> contacts_;
     Queue<Impulse> impulses_;
+    PendingMotion pending_;
+    std::uint64_t numbered_ = 0; ///< impulses so far
+    double rendered_due_;        ///< s, on the clock; when the tick of the last write was due
     std::vector<Touch> touches_;
     std::vector<ForceShare> held_; ///< what the device has rendered since the last write
     double settled_ = 0;           ///< s, on the clock; when that was
@@ -91,6 +100,7 @@ void Servo::tick(double due)
     {
         render(due);
         settle();
+        rendered_due_ = due;
     }
     catch (...)
     {
@@ -102,10 +112,11 @@ void Servo::tick(double due)
 
 void Servo::render(double due)
 {
-    contacts_.take();
+    const bool is_new = contacts_.take();
     const ContactModel &contacts = contacts_.latest();
+    pending_.update(contacts, is_new, held_, rendered_due_, due);
     renderer_.read(parts_.first_time + (due - parts_.start), parts_.clock.now());
-    contacts.evaluate(renderer_.tool().position, due, touches_);
+    contacts.evaluate(renderer_.tool().position, due, pending_.shifts(), touches_);
     renderer_.render(touches_, contacts.all_known(), 1 / parts_.settings.rate);
     parts_.note_rendered(renderer_.last_tick());
 }
@@ -118,7 +129,7 @@ void Servo::settle()
     const double held_until = guard_took_it ? std::clamp(renderer_.gate().last_zero(), settled_, now) : now;
     for (const ForceShare &share : held_)
     {
-        impulses_.give({share.object, share.point, (held_until - settled_) * share.force});
+        give({share.object, share.point, (held_until - settled_) * share.force});
     }
     zeros_ = zeros;
     settled_ = now;
@@ -126,6 +137,17 @@ void Servo::settle()
     if (guard_took_it)
     {
         held_.clear();
+    }
+}
+
+/// The pending motion is of the body, which gets the opposite.
+void Servo::give(const Impulse &impulse)
+{
+    Impulse numbered = impulse;
+    numbered.number = ++numbered_;
+    if (impulses_.give(numbered))
+    {
+        pending_.add(impulse.object, impulse.point, -impulse.impulse, rendered_due_, numbered_);
     }
 }
 
@@ -142,7 +164,7 @@ class SceneLoop
 public:
     SceneLoop(LoopParts &parts, Servo &servo, const SceneWork &work)
         : parts_(parts), servo_(servo), work_(work), sensor_(*parts.probe.sensor()),
-          dt_(1 / parts.settings.physics_rate)
+          dt_(1 / parts.settings.physics_rate), response_(dt_)
     {}
 
     void run();
@@ -152,13 +174,17 @@ public:
 
 private:
     void step(double due);
+    void publish(const Vector3 &tool, double due);
 
     LoopParts &parts_;
     Servo &servo_;
     const SceneWork &work_;
     TouchSensor &sensor_;
     double dt_; ///< s
+    PushResponse response_;
     std::vector<ForceShare> shares_;
+    std::uint64_t received_ = 0; ///< the number of the last impulse that has moved a body
+    double pushed_at_ = 0;       ///< s, on the clock; from when on
 };
 
 void SceneLoop::run()
@@ -184,11 +210,25 @@ void SceneLoop::step(double due)
     sensor_.clear();
     parts_.probe.place(tick);
     parts_.collide(work_);
-    servo_.contacts().draft().set(sensor_.touches(), !sensor_.saw_nonsense(), tool.position, due);
-    servo_.contacts().publish();
+    publish(tool.position, due);
     parts_.probe.renderer().physics_fresh(parts_.clock.now());
     push();
+    pushed_at_ = due;
     work_.advance(dt_);
+}
+
+void SceneLoop::publish(const Vector3 &tool, double due)
+{
+    ContactModel &model = servo_.contacts().draft();
+    model.set(sensor_.touches(), !sensor_.saw_nonsense(), tool, due);
+    model.set_included(received_, pushed_at_);
+    response_.begin();
+    for (std::size_t i = 0; i < model.count(); ++i)
+    {
+        const Touch &touch = model.surface(i).touch;
+        model.mobility(i) = response_.look(touch, sensor_.body_of(touch.object));
+    }
+    servo_.contacts().publish();
 }
 
 void SceneLoop::push()
@@ -198,7 +238,9 @@ void SceneLoop::push()
     while (servo_.impulses().receive(impulse))
     {
         shares_.push_back({impulse.object, impulse.point, impulse.impulse / dt_});
+        received_ = impulse.number;
     }
+    response_.note_pushes(shares_);
     sensor_.push(shares_);
 }
 } // namespace

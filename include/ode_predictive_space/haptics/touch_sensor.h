@@ -99,6 +99,9 @@ public:
     /// touches(), which are not all, then.
     bool saw_nonsense();
 
+    /// The body of a touched object; 0 for one that has none, and for one that is gone.
+    dBodyID body_of(std::uintptr_t object) const { return bodies_.find(object); }
+
     /// Give each body the opposite of its share of the force on the hand, where it was touched. A disabled body that gets a force is
     /// enabled. Objects without a body are left alone, and so are bodies that are gone.
     void push(const std::vector<ForceShare> &shares);
