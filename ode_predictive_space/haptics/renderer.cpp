@@ -35,6 +35,7 @@ constexpr SafetyAction worth_telling[] = {SafetyAction::not_finite, SafetyAction
 enum class Renderer::Topic
 {
     contact,
+    material,
     safety,                                  ///< and one for each of its actions
     watchdog = safety + safety_action_count, ///< and one for each of its reasons
     count = watchdog + watchdog_reason_count
@@ -169,7 +170,8 @@ void Renderer::relax() noexcept
 
 void Renderer::render(const std::vector<Touch> &touches, bool all_known, double dt)
 {
-    law_->forces(tick_.tool, touches, dt, forces_);
+    feel(touches);
+    law_->forces(tick_.tool, felt_, dt, forces_);
     Wrench wished;
     wished.force = sum_of(forces_);
     if (!all_known)
@@ -185,14 +187,38 @@ void Renderer::render(const std::vector<Touch> &touches, bool all_known, double 
     }
     else
     {
-        split_.split(touches, forces_, given);
+        split_.split(felt_, forces_, given);
     }
     close_tick(wished.force, given);
 }
 
+/// The touches with what the device can render of their materials.
+void Renderer::feel(const std::vector<Touch> &touches)
+{
+    const Material own = rendered(law_->material());
+    felt_ = touches;
+    for (Touch &touch : felt_)
+    {
+        if (!touch.material)
+        {
+            touch.material = own;
+            continue;
+        }
+        const Material asked = *touch.material;
+        touch.material = rendered(asked);
+        if (touch.material->stiffness < asked.stiffness || touch.material->damping < asked.damping)
+        {
+            tell_once_a_second(Topic::material, NoticeKind::stability,
+                               "A material is softer or less damped than asked for: the device cannot render more.");
+        }
+    }
+}
+
 Wrench Renderer::render(const VirtualCoupling &coupling, const ToolState &body, double dt)
 {
-    const Wrench wished = coupling.on_device(tick_.tool, body);
+    VirtualCoupling soft = coupling;
+    soft.set_stiffness(std::min(coupling.stiffness(), rendered({coupling.stiffness(), coupling.damping()}).stiffness));
+    const Wrench wished = soft.on_device(tick_.tool, body);
     Wrench given = write(wished, dt);
     if (gate_.device().capabilities().force_axes < 6 && answers_)
     {

@@ -116,9 +116,7 @@ public:
             at_reset();
         }
     }
-    double stiffness() const override { return law_.stiffness(); }
-    double damping() const override { return law_.damping(); }
-    void set_stiffness(double value) override { law_.set_stiffness(value); }
+    Material material() const override { return law_.material(); }
 
     std::function<void()> at_reset; ///< may be empty
 

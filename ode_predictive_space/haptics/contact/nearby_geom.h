@@ -29,6 +29,9 @@ public:
     /// Whether another one can be the same thing some time later: the same geom, with the same body and mesh.
     bool is_same_thing(const NearbyGeom &other) const;
 
+    void set_material(const std::optional<Material> &material) { material_ = material; }
+    const std::optional<Material> &material() const { return material_; }
+
     /// m/s, of the surface.
     Vector3 velocity_at(const Vector3 &point) const { return linear_ + angular_.cross(point - centre_); }
 
@@ -51,6 +54,7 @@ private:
     Vector3 linear_ = Vector3::Zero();   ///< m/s
     Vector3 angular_ = Vector3::Zero();  ///< rad/s
     Vector3 centre_ = Vector3::Zero();   ///< m; where linear_ is the velocity
+    std::optional<Material> material_;
     Solid solid_;
     std::shared_ptr<const MeshTree> mesh_;
 };
