@@ -79,16 +79,18 @@ void LoopGuard::stop_force(double now, double beat)
     if (take_force(now))
     {
         stopped_beat_ = beat;
-        seen_.give(
-            Notice(NoticeKind::guard, now, "No force: the loop has hung for too long in the program's part of it."));
+        tell("No force: the loop has hung for too long in the program's part of it.");
     }
     else if (busy_beat_ != beat)
     {
         busy_beat_ = beat;
-        seen_.give(
-            Notice(NoticeKind::guard, now,
-                   "The loop hangs in the device's driver: nobody but the device itself can take its force away."));
+        tell("The loop hangs in the device's driver: nobody but the device itself can take its force away.");
     }
+}
+
+void LoopGuard::tell(std::string_view sentence)
+{
+    seen_.give(Notice(NoticeKind::guard, duties_.time ? duties_.time() : clock_.now(), sentence));
 }
 
 /// @return false when it could not, and is to be tried again.
@@ -100,12 +102,11 @@ bool LoopGuard::take_force(double now)
     }
     catch (const std::exception &error)
     {
-        seen_.give(Notice(NoticeKind::guard, now,
-                          "The device takes no zero force, and was closed: " + std::string(error.what())));
+        tell("The device takes no zero force, and was closed: " + std::string(error.what()));
     }
     catch (...)
     {
-        seen_.give(Notice(NoticeKind::guard, now, "The device takes no zero force, and was closed."));
+        tell("The device takes no zero force, and was closed.");
     }
     return true;
 }

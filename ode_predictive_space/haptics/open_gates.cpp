@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <stdexcept>
 #include <vector>
 
 namespace ode_predictive_space::haptics::open_gates
@@ -48,6 +49,13 @@ void add(DeviceGate &gate)
 {
     Registry &all = registry();
     const std::lock_guard<std::mutex> lock(all.mutex);
+    for (const DeviceGate *other : all.gates)
+    {
+        if (&other->device() == &gate.device())
+        {
+            throw std::logic_error("Another probe renders to this device: one of them would have no guard");
+        }
+    }
     if (!all.installed)
     {
         install();

@@ -11,6 +11,7 @@ namespace ode_predictive_space::haptics
 /// std::terminate(), which an exception that is not caught calls. The program's terminate handler from before is called afterwards.
 namespace open_gates
 {
+/// @throws std::logic_error when there is a gate to the same device.
 void add(DeviceGate &gate);
 void remove(DeviceGate &gate) noexcept;
 

@@ -14,6 +14,7 @@ namespace
 {
 constexpr double never = -std::numeric_limits<double>::infinity();
 constexpr double usual_stiffness = 500; // N/m
+constexpr double usual_rate = 1000;     // Hz
 constexpr std::size_t usual_touches = 64;
 
 /// As stiff in the hand, whatever the scale.
@@ -23,6 +24,11 @@ std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const Work
     const double stiffness = capabilities.max_stiffness > 0 ? capabilities.max_stiffness / 2 : usual_stiffness;
     material.stiffness = mapping.stiffness_in_scene(stiffness);
     return std::make_shared<PenaltyLaw>(material);
+}
+
+double rate_of(const Capabilities &capabilities)
+{
+    return capabilities.rate > 0 ? capabilities.rate : usual_rate;
 }
 
 // With a device that cannot push, one can still push what is in the scene, as hard as with any other.
@@ -68,10 +74,11 @@ Renderer::Registration::~Registration()
 Renderer::Renderer(Device &device, RenderSettings settings)
     : gate_(device), opening_(device), registration_(gate_), settings_(std::move(settings)),
       mapping_(settings_.placement), law_(settings_.law ? settings_.law : usual_law(device.capabilities(), mapping_)),
-      safety_(settings_.safety ? *settings_.safety : usual_limits(device.capabilities())), next_try_(never),
-      last_state_time_(std::numeric_limits<double>::quiet_NaN()), last_answer_(never)
+      safety_(settings_.safety ? *settings_.safety : usual_limits(device.capabilities())), doubted_since_(never),
+      next_try_(never), last_state_time_(std::numeric_limits<double>::quiet_NaN()), last_answer_(never),
+      motion_(rate_of(device.capabilities()))
 {
-    told_.fill(never);
+    told_.fill({never, 0, {}});
     forces_.reserve(usual_touches);
     felt_.reserve(usual_touches);
     if (settings_.passivity_control)

@@ -41,7 +41,8 @@ inline Vector3 press_down(double seconds)
 class HapticLoopTest : public testing::TestWithParam<bool>
 {
 protected:
-    HapticLoopTest() : scripted_(&press_down), device_(scripted_), log_(device_, clock_)
+    HapticLoopTest()
+        : scripted_([this](double seconds) { return path_(seconds); }), device_(scripted_), log_(device_, clock_)
     {
         dCreatePlane(world_.space, 0, 0, 1, 0);
     }
@@ -89,6 +90,7 @@ protected:
     SimulatedClock clock_;
     ProbeWorld world_;
     NoticeList notices_;
+    ScriptedDevice::Path path_ = &press_down; ///< of the hand
     ScriptedDevice scripted_;
     FaultyDevice device_;
     WriteLog log_;

@@ -169,11 +169,11 @@ TEST_P(MaterialTest, StaticFrictionHoldsLongerAndSlidingIsFelt)
 }
 
 // Without care it jumps by 1.2 N. The hand moves 0.1 mm per tick: 0.08 N while friction holds, and the force of 1.6 N may change by a
-// twentieth, another 0.08 N.
+// twentieth, another 0.08 N; the rest is for the planes of two threads.
 TEST_P(MaterialTest, CrossingFromOneToTheOtherTheForceDoesNotJump)
 {
 
-    constexpr double most = 0.12; // N per tick
+    constexpr double most = 0.15; // N per tick
     // There, the planes that stand for edges between two steps of the scene hold the proxy back from where friction holds it.
     const bool has_friction = !(proxy_law() && decoupled());
     const Material foam = {200, 0, has_friction ? 0.9 : 0};

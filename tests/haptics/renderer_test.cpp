@@ -197,7 +197,9 @@ TEST(Renderer, ADeviceThatFailsGetsItsZeroBeforeAnybodyIsTold)
 
 TEST(Renderer, ALawMayBeChangedBetweenTwoTicks)
 {
-    ScriptedDevice device([](double seconds) -> Vector3 { return {0, 0, seconds < 1 ? 0.01 : -0.001}; });
+    ScriptedDevice device([](double seconds) -> Vector3 {
+        return {0, 0, std::clamp(0.01 - 0.5 * (seconds - 1), -0.001, 0.01)};
+    });
     Renderer renderer(device, {});
     int tick = 0;
     for (; tick < 1200; ++tick)

@@ -3,7 +3,9 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
 
+#include "ode_predictive_space/haptics/contact_birth.h"
 #include "ode_predictive_space/haptics/device_gate.h"
+#include "ode_predictive_space/haptics/device_motion.h"
 #include "ode_predictive_space/haptics/force_shares.h"
 #include "ode_predictive_space/haptics/notice.h"
 #include "ode_predictive_space/haptics/passivity.h"
@@ -63,6 +65,7 @@ public:
     ///
     /// @param device is not owned, and must outlive the renderer.
     /// @throws DeviceError as Device::open() does.
+    /// @throws std::logic_error when another renderer has the device.
     /// @throws std::invalid_argument for a law, a setting or a rate with which nothing sensible can be rendered.
     Renderer(Device &device, RenderSettings settings);
 
@@ -139,6 +142,12 @@ public:
 
     const SafetyReport &safety_report() const { return safety_.report(); }
 
+    /// Tell now what was held back because it had just been told: at the end of a run.
+    void tell_held_back();
+
+    /// How many notices were held back, so far. Those of a second are told as one, with their number.
+    std::uint64_t held_back() const { return held_back_; }
+
     /// For the guard of a loop.
     DeviceGate &gate() { return gate_; }
 
@@ -162,10 +171,13 @@ private:
     void check_law();
     void check(double stiffness, double damping);
     Rendering rendering(double stiffness, double damping) const;
-    void feel(const std::vector<Touch> &touches);
+    void feel(const std::vector<Touch> &touches, double dt);
     bool read_device(double time);
     bool is_silent(const DeviceState &state, double time);
+    void follow(DeviceState state);
+    void come_back();
     void fail(std::string_view why);
+    void doubt(std::string_view why);
     void release_device() noexcept;
     void begin_anew();
     void move_clutch();
@@ -176,6 +188,7 @@ private:
     void tell_of_safety();
     void tell_of_watchdog();
     void tell_once_a_second(Topic topic, NoticeKind kind, std::string_view sentence);
+    void tell_what_was_held_back(double quiet_for);
     void tell(NoticeKind kind, std::string_view sentence) const;
 
     /// Known to what takes the force away when the program ends.
@@ -203,20 +216,35 @@ private:
     std::function<void(const RenderedTick &)> recorder_;
 
     bool answers_ = false;
-    bool failed_ = false;    ///< and has not answered since
-    bool relaxed_ = false;   ///< and has not been read since
-    double next_try_;        ///< s, simulated; when a device that failed is tried again
-    double last_news_ = 0;   ///< s, simulated; when the device's state was a new one
-    double last_state_time_; ///< s; of the last state, by the device
+    bool failed_ = false;      ///< and has not answered since
+    bool guard_acted_ = false; ///< since the last tick
+    double doubted_since_;     ///< s, simulated; since when the device tells nonsense, if it does
+    bool relaxed_ = false;     ///< and has not been read since
+    double next_try_;          ///< s, simulated; when a device that failed is tried again
+    double last_news_ = 0;     ///< s, simulated; when the device's state was a new one
+    double last_state_time_;   ///< s; of the last state, by the device
     double clock_time_ = 0;
     double last_answer_;      ///< s, simulated; of the device
     std::vector<Touch> felt_; ///< touches with the materials that are rendered
+    ContactBirth birth_;
+    DeviceMotion motion_;
     TouchForces forces_;
     ForceSplit split_;
     RenderedTick tick_;
     WatchdogReason last_reason_ = WatchdogReason::none;
-    std::string stability_told_;  ///< why the law is rendered softer; empty when it is not
-    std::array<double, 16> told_; ///< s, simulated; when a topic was told of last
+    std::string stability_told_; ///< why the law is rendered softer; empty when it is not
+
+    /// What was told of a topic, and what was not.
+    struct Told
+    {
+        double last;   ///< s, simulated; when it was told
+        int times = 0; ///< held back since
+        Notice notice; ///< the last of those
+    };
+
+    static constexpr std::size_t most_topics = 20;
+    std::array<Told, most_topics> told_;
+    std::uint64_t held_back_ = 0;
 };
 } // namespace ode_predictive_space::haptics
 
