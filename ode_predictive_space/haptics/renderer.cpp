@@ -26,10 +26,10 @@ bool is_finite(const DeviceState &state)
            state.linear_velocity.allFinite() && state.angular_velocity.allFinite();
 }
 
-/// Beyond its workspace by twice its size: where no device can be, even one whose workspace is told too small.
+/// Beyond its workspace by a metre and by twice its size: where no device can be, even one whose workspace is told too small.
 bool is_far_off(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
 {
-    return !workspace.isEmpty() && workspace.exteriorDistance(state.position) > 2 * workspace.diagonal().norm();
+    return !workspace.isEmpty() && workspace.exteriorDistance(state.position) > std::max(1.0, 2 * workspace.diagonal().norm());
 }
 
 bool is_held(const std::optional<unsigned> &button, const DeviceState &state)
