@@ -71,6 +71,27 @@ void remove(DeviceGate &gate) noexcept
     all.gates.erase(std::remove(all.gates.begin(), all.gates.end(), &gate), all.gates.end());
 }
 
+void close_unguarded(std::thread::id reader, double now) noexcept
+{
+    Registry &all = registry();
+    const std::lock_guard<std::mutex> lock(all.mutex);
+    for (DeviceGate *gate : all.gates)
+    {
+        if (gate->is_guarded() || gate->reader() != reader)
+        {
+            continue;
+        }
+        try
+        {
+            gate->close_with_zero(now);
+        }
+        catch (...)
+        {
+            // it was closed
+        }
+    }
+}
+
 void shut_all() noexcept
 {
     Registry &all = registry();
