@@ -294,6 +294,7 @@ bool TouchSensor::hold(dGeomID other)
     {
         bodies_.keep(body);
     }
+    nearby->set_material(material_of(other));
     tracker_->add(std::move(*nearby));
     return true;
 }
@@ -305,6 +306,17 @@ void TouchSensor::collide(dGeomID other)
     {
         add(*std::max_element(contacts_.begin(), contacts_.begin() + count, is_shallower), other);
     }
+}
+
+std::optional<Material> TouchSensor::material_of(dGeomID geom)
+{
+    std::optional<Material> material = materials_ ? materials_(geom) : std::nullopt;
+    if (material && !is_valid(*material))
+    {
+        nonsense_ = true;
+        material.reset();
+    }
+    return material;
 }
 
 void TouchSensor::resolve()
@@ -345,6 +357,7 @@ void TouchSensor::add(const dContactGeom &contact, dGeomID other)
     touch.normal = from_ode(contact.normal);
     touch.depth = static_cast<double>(contact.depth) - margin_;
     touch.object = object_of(other);
+    touch.material = material_of(other);
     if (body != nullptr)
     {
         bodies_.keep(body);

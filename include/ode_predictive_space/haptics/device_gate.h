@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/device.h"
 
 #include <atomic>
+#include <thread>
 
 namespace ode_predictive_space::haptics
 {
@@ -50,6 +51,13 @@ public:
     /// at most.
     void shut() noexcept;
 
+    /// Whether a guard looks after this device.
+    void set_guarded(bool guarded) { guarded_.store(guarded, std::memory_order_relaxed); }
+    bool is_guarded() const { return guarded_.load(std::memory_order_relaxed); }
+
+    /// The thread that read last: the servo's. From any thread.
+    std::thread::id reader() const { return reader_.load(std::memory_order_relaxed); }
+
     /// How often the guard took the force away.
     std::uint64_t zeros() const { return zeros_.load(std::memory_order_acquire); }
 
@@ -74,6 +82,8 @@ private:
     std::atomic<User> user_{User::none};
     std::atomic<bool> closed_{false};
     std::atomic<bool> shut_{false}; ///< for good
+    std::atomic<bool> guarded_{false};
+    std::atomic<std::thread::id> reader_{};
     std::atomic<std::uint64_t> zeros_{0};
     std::atomic<double> last_zero_{0}; ///< s
 };

@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/body_watch.h"
 #include "ode_predictive_space/haptics/force_shares.h"
 
+#include <functional>
 #include <memory>
 #include <ode/collision.h>
 #include <ode/collision_trimesh.h>
@@ -29,6 +30,8 @@ struct HeightfieldSamples
     double offset = 0;           ///< m; of a height of 0
     std::vector<double> heights; ///< that of column x and row z is at x + z * width_samples
 };
+/// What a geom is made of; nothing: what the force law says.
+using MaterialOf = std::function<std::optional<Material>(dGeomID)>;
 
 /// A geom that follows the hand, tells what it touches, and pushes what it touches.
 ///
@@ -76,6 +79,9 @@ public:
     /// Which touches to tell of: the force law's view().
     void set_view(TouchView view) { view_ = view; }
 
+    /// What to ask for the materials of what is touched, in touch(). Empty: nothing.
+    void set_materials(MaterialOf materials) { materials_ = std::move(materials); }
+
     /// Read a mesh now rather than when the probe first comes near it: a hundred thousand triangles take some 0.1 s.
     void prepare(dGeomID mesh);
 
@@ -122,9 +128,12 @@ public:
     /// dCollide() knows, the deepest contact with each object.
     const std::vector<Touch> &touches();
 
-    /// Whether dCollide(), a geom's place or a body's velocity gave something that is not a number since clear(). It is left
-    /// out of touches(), which are not all, then.
+    /// Whether dCollide(), a geom's place, a body's velocity or a material had something that is not a number since clear(). It is left out of
+    /// touches(), which are not all, then.
     bool saw_nonsense();
+
+    /// The body of a touched object; 0 for one that has none, and for one that is gone.
+    dBodyID body_of(std::uintptr_t object) const { return bodies_.find(object); }
 
     /// For loops that run in two threads: the contact of the own sphere, 0 for another geom.
     ContactTracker *tracker() { return tracker_.get(); }
@@ -142,6 +151,7 @@ private:
     void collide(dGeomID other);
     void add(const dContactGeom &contact, dGeomID other);
     void resolve();
+    std::optional<Material> material_of(dGeomID geom);
 
     static constexpr int most_contacts = 256; ///< of one pair: a mesh gives many, of which one counts
 
@@ -162,6 +172,7 @@ private:
     std::vector<Touch> collided_;             ///< by dCollide()
     std::unique_ptr<ContactTracker> tracker_; ///< of the own sphere
     std::unique_ptr<MeshStore> meshes_;
+    MaterialOf materials_;
     BodyWatch bodies_;
     std::vector<dContactGeom> contacts_; ///< most_contacts of them, for dCollide() to write to
 };

@@ -259,6 +259,7 @@ void ContactTracker::tell_planes(std::vector<Touch> &touches)
         touch.surface_velocity = geom.velocity_at(touch.point);
         touch.object = geom.object();
         touch.from_entry_side = true;
+        touch.material = geom.material();
         touches.push_back(touch);
     }
 }

@@ -77,6 +77,13 @@ NearbyGeom NearbyGeom::later(double dt) const
     return geom;
 }
 
+void NearbyGeom::shift(const Vector3 &moved, const Vector3 &velocity)
+{
+    position_ += moved;
+    centre_ += moved;
+    linear_ += velocity;
+}
+
 double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures &features) const
 {
     const std::size_t first = features.size();

@@ -49,6 +49,12 @@ public:
     /// @param dt s.
     NearbyGeom later(double dt) const;
 
+    /// It has moved by this (m), and has this much more velocity (m/s).
+    void shift(const Vector3 &moved, const Vector3 &velocity);
+
+    void set_material(const std::optional<Material> &material) { material_ = material; }
+    const std::optional<Material> &material() const { return material_; }
+
     /// m/s, of the surface.
     Vector3 velocity_at(const Vector3 &point) const { return linear_ + angular_.cross(point - centre_); }
 
@@ -77,6 +83,7 @@ private:
     Vector3 linear_ = Vector3::Zero();   ///< m/s
     Vector3 angular_ = Vector3::Zero();  ///< rad/s
     Vector3 centre_ = Vector3::Zero();   ///< m; where linear_ is the velocity
+    std::optional<Material> material_;
     Solid solid_;
     std::shared_ptr<const MeshTree> mesh_;
 };
