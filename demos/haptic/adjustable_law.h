@@ -14,7 +14,7 @@ namespace ode_predictive_space::demo
 class AdjustableLaw : public haptics::ForceLaw
 {
 public:
-    explicit AdjustableLaw(std::unique_ptr<ForceLaw> law) : law_(std::move(law)), wish_(law_->stiffness()) {}
+    explicit AdjustableLaw(std::unique_ptr<ForceLaw> law) : law_(std::move(law)), wish_(law_->material().stiffness) {}
 
     /// Takes effect from the next tick on. From any thread. @param stiffness N/m in the scene, >= 0 and finite.
     void wish_stiffness(double stiffness) { wish_.store(stiffness, std::memory_order_relaxed); }
@@ -22,23 +22,17 @@ public:
     void forces(const haptics::ToolState &tool, const std::vector<haptics::Touch> &touches, double dt,
                 haptics::TouchForces &forces) override
     {
-        const double wish = wish_.load(std::memory_order_relaxed);
-        if (wish != law_->stiffness())
-        {
-            law_->set_stiffness(wish);
-        }
         law_->forces(tool, touches, dt, forces);
     }
 
     haptics::TouchView view() const override { return law_->view(); }
     void reset() override { law_->reset(); }
-    double stiffness() const override { return law_->stiffness(); }
-    double damping() const override { return law_->damping(); }
 
-    void set_stiffness(double stiffness) override
+    haptics::Material material() const override
     {
-        law_->set_stiffness(stiffness);
-        wish_stiffness(stiffness);
+        haptics::Material material = law_->material();
+        material.stiffness = wish_.load(std::memory_order_relaxed);
+        return material;
     }
 
 private:

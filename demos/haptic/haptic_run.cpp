@@ -76,7 +76,7 @@ void HapticRun::make_probe(const haptics::NoticeSink &notice)
     max_stiffness_ = stiffest();
     probe_ = std::make_unique<haptics::HapticProbe>(device_, space_.get(), probe_radius, settings);
     probe_->set_recorder([this](const haptics::RenderedTick &tick) { servo_log_->add(tick); });
-    control_.stiffness = law_->stiffness() * scale_;
+    control_.stiffness = probe_->renderer().rendered(law_->material()).stiffness * scale_;
 }
 
 void HapticRun::make_loop(const haptics::NoticeSink &notice)
@@ -204,7 +204,7 @@ RunResult HapticRun::run(const std::function<void()> &after_step)
     result.servo = servo_log_->totals();
     result.encounters = encounter_log_.summary();
     result.pairs = pair_count_;
-    result.stiffness = law_->stiffness() * scale_;
+    result.stiffness = probe_->renderer().rendered(law_->material()).stiffness * scale_;
     result.scale = scale_;
     result.lost_in_recording = servo_log_->lost_in_recording();
     if (dSpaceIsPredictive(space_.get()) != 0)

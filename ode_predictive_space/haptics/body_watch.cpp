@@ -31,18 +31,21 @@ void BodyWatch::age()
     watched_.erase(first_old, watched_.end());
 }
 
-BodyWatch::Watched *BodyWatch::find(std::uintptr_t object)
+dBodyID BodyWatch::find(std::uintptr_t object) const
 {
     const auto found = std::find_if(watched_.begin(), watched_.end(), [&](const Watched &watched) {
         return watched.object == object && dJointGetBody(watched.joint, 0) != nullptr;
     });
-    return found != watched_.end() ? &*found : nullptr;
+    return found != watched_.end() ? dJointGetBody(found->joint, 0) : nullptr;
 }
 
 void BodyWatch::keep(dBodyID body)
 {
     const auto object = reinterpret_cast<std::uintptr_t>(body);
-    if (Watched *known = find(object))
+    const auto known = std::find_if(watched_.begin(), watched_.end(), [&](const Watched &watched) {
+        return watched.object == object && dJointGetBody(watched.joint, 0) != nullptr;
+    });
+    if (known != watched_.end())
     {
         known->age = 0;
         return;
@@ -55,20 +58,16 @@ void BodyWatch::keep(dBodyID body)
 
 bool BodyWatch::has(dBodyID body) const
 {
-    const auto object = reinterpret_cast<std::uintptr_t>(body);
-    return std::any_of(watched_.begin(), watched_.end(), [&](const Watched &watched) {
-        return watched.object == object && dJointGetBody(watched.joint, 0) != nullptr;
-    });
+    return find(reinterpret_cast<std::uintptr_t>(body)) != nullptr;
 }
 
 bool BodyWatch::push(std::uintptr_t object, const Vector3 &force, const Vector3 &point)
 {
-    const Watched *known = find(object);
-    if (known == nullptr)
+    const dBodyID body = find(object);
+    if (body == nullptr)
     {
         return false;
     }
-    const dBodyID body = dJointGetBody(known->joint, 0);
     dBodyEnable(body);
     dBodyAddForceAtPos(body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),
                        static_cast<dReal>(force.z()), static_cast<dReal>(point.x()), static_cast<dReal>(point.y()),

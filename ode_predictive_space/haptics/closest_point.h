@@ -14,7 +14,7 @@ namespace ode_predictive_space::haptics
 ///
 /// False, and the shares are the depths, when there is no such point, or only one that is more than ten times as far
 /// as the deepest plane: between two nearly opposite planes, x grows without bounds. Likewise when something is not
-/// finite, so that it is not hidden from those who look for it.
+/// finite, so that checks for it still find it.
 ///
 /// Planes that miss their depth by 1e-9 of the deepest one are taken as kept.
 bool find_closest_point(std::vector<ConstraintPlane> &planes);

@@ -40,6 +40,7 @@ bool DeviceGate::enter(User user)
 
 bool DeviceGate::read(double time, DeviceState &state)
 {
+    reader_.store(std::this_thread::get_id(), std::memory_order_relaxed);
     const Visit visit(*this, User::servo);
     if (visit.entered())
     {

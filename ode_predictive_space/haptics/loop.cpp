@@ -92,6 +92,7 @@ public:
         duties.stall_after = parts.stall_after();
         duties.must_end = [&parts] { return parts.is_told_to_stop(); };
         duties.sink = counted(parts.settings.notice ? parts.settings.notice : sink_);
+        duties.time = [&parts] { return parts.now(); };
         duties.prepare = parts.priority_request(true);
         parts.guard = std::make_unique<LoopGuard>(parts.clock, parts.probe.renderer().gate(), std::move(duties));
         parts.probe.renderer().set_notice_sink([&parts](const Notice &notice) { parts.guard->post(notice); });
@@ -105,6 +106,7 @@ public:
         {
             parts_.probe.sensor()->set_margin(0);
         }
+        parts_.probe.renderer().tell_held_back();
         tell_of_scheduling();
         parts_.guard->end();
         parts_.probe.renderer().set_notice_sink(sink_);
@@ -129,7 +131,7 @@ private:
     {
         if (parts_.scheduling.refused())
         {
-            parts_.guard->post(Notice(NoticeKind::scheduling, parts_.simulated, parts_.scheduling.text()));
+            parts_.guard->post(Notice(NoticeKind::scheduling, parts_.now(), parts_.scheduling.text()));
         }
     }
 
@@ -218,6 +220,7 @@ void LoopParts::note_rendered(const RenderedTick &tick)
     rendered.draft() = tick;
     rendered.publish();
     saturated.store(saturated + (tick.saturated ? 1 : 0), std::memory_order_relaxed);
+    held_back.store(probe.renderer().held_back(), std::memory_order_relaxed);
 }
 
 LoopReport LoopParts::run(const SceneWork &work)
@@ -259,8 +262,8 @@ void LoopParts::collide(const SceneWork &work)
 void LoopParts::run_watched(const SceneWork &work)
 {
     const StopRequest instead_of_dying; // by a signal, with the force left on
-    const Watch watch(*this);
     first_time = probe.last_tick().time;
+    const Watch watch(*this);
     start = clock.now();
     try
     {
@@ -269,20 +272,20 @@ void LoopParts::run_watched(const SceneWork &work)
     catch (const std::exception &error)
     {
         probe.renderer().relax();
-        guard->post(Notice(NoticeKind::exception, simulated,
+        guard->post(Notice(NoticeKind::exception, now(),
                            "No force: the program's part of the loop failed: " + std::string(error.what())));
         throw;
     }
     catch (...)
     {
         probe.renderer().relax();
-        guard->post(Notice(NoticeKind::exception, simulated, "No force: the program's part of the loop failed."));
+        guard->post(Notice(NoticeKind::exception, now(), "No force: the program's part of the loop failed."));
         throw;
     }
     if (must_end())
     {
         probe.renderer().relax();
-        guard->post(Notice(NoticeKind::stop, simulated, "No force: the loop was asked to end."));
+        guard->post(Notice(NoticeKind::stop, now(), "No force: the loop was asked to end."));
     }
 }
 
@@ -304,6 +307,7 @@ LoopReport LoopParts::report() const
     report.dropped_steps = dropped;
     report.saturated = saturated;
     report.notices = notices;
+    report.held_back = held_back;
     report.scheduling = scheduling.text();
     return report;
 }

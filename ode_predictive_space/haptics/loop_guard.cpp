@@ -1,5 +1,7 @@
 #include "ode_predictive_space/haptics/loop_guard.h"
 
+#include "ode_predictive_space/haptics/open_gates.h"
+
 #include <string>
 #include <utility>
 
@@ -10,11 +12,17 @@ namespace
 constexpr double watch_period = 0.001; // s
 constexpr double speaker_period = 0.01;
 constexpr double none = -1; // no such beat
+
+DeviceGate &guarded(DeviceGate &gate)
+{
+    gate.set_guarded(true);
+    return gate;
+}
 } // namespace
 
 LoopGuard::LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties)
-    : clock_(clock), gate_(gate), duties_(std::move(duties)), last_beat_(none), stopped_beat_(none), busy_beat_(none),
-      watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }})),
+    : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)), last_beat_(none), stopped_beat_(none),
+      busy_beat_(none), watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }})),
       speaker_(clock.start({speaker_period, {}, [this](double) { deliver_all(); }}))
 {}
 
@@ -27,6 +35,7 @@ void LoopGuard::end()
 {
     watch_.reset();
     speaker_.reset();
+    gate_.set_guarded(false);
     deliver_all();
 }
 
@@ -79,16 +88,20 @@ void LoopGuard::stop_force(double now, double beat)
     if (take_force(now))
     {
         stopped_beat_ = beat;
-        seen_.give(
-            Notice(NoticeKind::guard, now, "No force: the loop has hung for too long in the program's part of it."));
+        open_gates::close_unguarded(gate_.reader(), now);
+        tell("No force: the loop has hung for too long in the program's part of it.");
     }
     else if (busy_beat_ != beat)
     {
         busy_beat_ = beat;
-        seen_.give(
-            Notice(NoticeKind::guard, now,
-                   "The loop hangs in the device's driver: nobody but the device itself can take its force away."));
+        open_gates::close_unguarded(gate_.reader(), now);
+        tell("The loop hangs in the device's driver: nobody but the device itself can take its force away.");
     }
+}
+
+void LoopGuard::tell(std::string_view sentence)
+{
+    seen_.give(Notice(NoticeKind::guard, duties_.time ? duties_.time() : clock_.now(), sentence));
 }
 
 /// @return false when it could not, and is to be tried again.
@@ -100,12 +113,11 @@ bool LoopGuard::take_force(double now)
     }
     catch (const std::exception &error)
     {
-        seen_.give(Notice(NoticeKind::guard, now,
-                          "The device takes no zero force, and was closed: " + std::string(error.what())));
+        tell("The device takes no zero force, and was closed: " + std::string(error.what()));
     }
     catch (...)
     {
-        seen_.give(Notice(NoticeKind::guard, now, "The device takes no zero force, and was closed."));
+        tell("The device takes no zero force, and was closed.");
     }
     return true;
 }

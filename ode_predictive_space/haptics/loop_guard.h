@@ -18,7 +18,9 @@ struct GuardDuties
     double stall_after = 0.005;     ///< s; so long after the last beat, the servo hangs
     std::function<bool()> must_end; ///< from the guard's thread: whether there is to be no force any more
     NoticeSink sink;                ///< may be empty
-    std::function<void()> prepare;  ///< where the guard runs, before it begins; may be empty
+    std::function<double()>
+        time; ///< s; of notices: simulated, as all notices have it. From the guard's thread; empty: the clock's
+    std::function<void()> prepare; ///< where the guard runs, before it begins; may be empty
 };
 
 /// Looks every millisecond whether the servo still ticks, and whether it is to end; when it does not or is, sets the force to zero.
@@ -39,7 +41,7 @@ public:
     /// Of the servo; neither allocates nor waits. Lost when a hundred others are on their way.
     void post(const Notice &notice) { posted_.give(notice); }
 
-    /// Of who made it, when the servo beats no more: the watch is over, and what was posted is delivered.
+    /// Of the thread that made it, when the servo has ended: the watch is over, and what was posted is delivered.
     void end();
 
     /// Whether the sink threw; it is not called any more, then. From any thread.
@@ -51,6 +53,7 @@ public:
 private:
     void look();
     void stop_force(double now, double beat);
+    void tell(std::string_view sentence);
     bool take_force(double now);
     void deliver_all();
     void deliver(const Notice &notice);

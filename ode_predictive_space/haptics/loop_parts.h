@@ -67,11 +67,14 @@ public:
     /// The program's part of a tick.
     void collide(const SceneWork &work);
 
-    /// Whether somebody wants the loop to end. From any thread.
+    /// Whether the loop was asked to end. From any thread.
     bool is_told_to_stop() const;
 
     /// Whether it has to: for that, or since notices cannot be told. From the threads of the scene and the servo.
     bool must_end() const;
+
+    /// s; simulated, by the device's time: for notices. From any thread.
+    double now() const { return first_time + simulated; }
 
     /// Of the servo.
     void note_rendered(const RenderedTick &tick);
@@ -93,6 +96,7 @@ public:
     std::atomic<std::uint64_t> dropped{0};
     std::atomic<std::uint64_t> saturated{0};
     std::atomic<std::uint64_t> notices{0};
+    std::atomic<std::uint64_t> held_back{0};
 
 private:
     class Watch;

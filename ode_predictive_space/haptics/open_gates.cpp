@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <stdexcept>
 #include <vector>
 
 namespace ode_predictive_space::haptics::open_gates
@@ -48,6 +49,13 @@ void add(DeviceGate &gate)
 {
     Registry &all = registry();
     const std::lock_guard<std::mutex> lock(all.mutex);
+    for (const DeviceGate *other : all.gates)
+    {
+        if (&other->device() == &gate.device())
+        {
+            throw std::logic_error("Another probe renders to this device: one of them would have no guard");
+        }
+    }
     if (!all.installed)
     {
         install();
@@ -61,6 +69,27 @@ void remove(DeviceGate &gate) noexcept
     Registry &all = registry();
     const std::lock_guard<std::mutex> lock(all.mutex);
     all.gates.erase(std::remove(all.gates.begin(), all.gates.end(), &gate), all.gates.end());
+}
+
+void close_unguarded(std::thread::id reader, double now) noexcept
+{
+    Registry &all = registry();
+    const std::lock_guard<std::mutex> lock(all.mutex);
+    for (DeviceGate *gate : all.gates)
+    {
+        if (gate->is_guarded() || gate->reader() != reader)
+        {
+            continue;
+        }
+        try
+        {
+            gate->close_with_zero(now);
+        }
+        catch (...)
+        {
+            // it was closed
+        }
+    }
 }
 
 void shut_all() noexcept

@@ -11,8 +11,13 @@ namespace ode_predictive_space::haptics
 /// std::terminate(), which an exception that is not caught calls. The program's terminate handler from before is called afterwards.
 namespace open_gates
 {
+/// @throws std::logic_error when there is a gate to the same device.
 void add(DeviceGate &gate);
 void remove(DeviceGate &gate) noexcept;
+
+/// No force on those that are read in this thread, which hangs, and have no guard of their own: probes that a program runs in a loop's
+/// callbacks. @param now s; on the guard's clock.
+void close_unguarded(std::thread::id reader, double now) noexcept;
 
 /// No force, ever again. From any thread.
 void shut_all() noexcept;

@@ -2,14 +2,29 @@
 
 #include <algorithm>
 
-#include "ode_predictive_space/haptics/check_argument.h"
 #include "ode_predictive_space/haptics/closest_point.h"
 
 namespace ode_predictive_space::haptics
 {
-PenaltyLaw::PenaltyLaw(const SurfaceProperties &properties) : properties_(properties)
+namespace
 {
-    check(properties);
+constexpr double goes_on = 0.9; // cosine between the normals of planes of one surface
+
+double normal_force(const ToolState &tool, const Touch &touch, const Material &material, double depth)
+{
+    const double spring = material.stiffness * depth;
+    const bool carried_by_others = depth == 0 && touch.depth > 0;
+    if (material.damping == 0 || carried_by_others)
+        return spring;
+    const double approach = (touch.surface_velocity - tool.linear_velocity).dot(touch.normal);
+    const double force = spring + material.damping * approach;
+    return force < 0 ? 0 : force; // what is not a number stays that
+}
+} // namespace
+
+PenaltyLaw::PenaltyLaw(const Material &material) : material_(material)
+{
+    check(material);
 }
 
 void PenaltyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces)
@@ -20,13 +35,18 @@ void PenaltyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches
     holds_.clear();
 
     share_ways_out(touches);
+    pressed_.clear();
+    for (const double depth : depths_)
+        pressed_.push_back(depth > 0 ? 1 : 0);
+    materials_.follow(touches, pressed_, material_, dt);
     forces.resize(touches.size());
     for (std::size_t i = 0; i < touches.size(); ++i)
     {
-        const double pressure = normal_force(tool, touches[i], depths_[i]);
+        const Material &material = materials_[i];
+        const double pressure = normal_force(tool, touches[i], material, depths_[i]);
         forces[i] = pressure * touches[i].normal;
-        if (properties_.friction > 0)
-            forces[i] += friction_force(touches[i], pressure, moved, dt);
+        if (std::max(material.friction, material.static_friction) > 0)
+            forces[i] += friction_force(touches[i], material, pressure, moved, dt);
     }
 }
 
@@ -59,48 +79,57 @@ void PenaltyLaw::share_ways_out(const std::vector<Touch> &touches)
     }
 }
 
-double PenaltyLaw::normal_force(const ToolState &tool, const Touch &touch, double depth) const
+/// Of the same plane, or of the plane of the object that it goes on from.
+const PenaltyLaw::Hold *PenaltyLaw::hold_before(const Touch &touch) const
 {
-    const double spring = properties_.stiffness * depth;
-    const bool carried_by_others = depth == 0 && touch.depth > 0;
-    if (properties_.damping == 0 || carried_by_others)
-        return spring;
-    const double approach = (touch.surface_velocity - tool.linear_velocity).dot(touch.normal);
-    const double force = spring + properties_.damping * approach;
-    return force < 0 ? 0 : force; // what is not a number stays that
+    const Hold *best = nullptr;
+    double agreement = goes_on;
+    for (const Hold &hold : last_holds_)
+    {
+        if (hold.object != touch.object)
+            continue;
+        if (hold.feature == touch.feature)
+            return &hold;
+        const double cosine = hold.normal.dot(touch.normal);
+        if (cosine > agreement)
+        {
+            best = &hold;
+            agreement = cosine;
+        }
+    }
+    return best;
 }
 
-Vector3 PenaltyLaw::friction_force(const Touch &touch, double normal_force, const Vector3 &moved, double dt)
+Vector3 PenaltyLaw::friction_force(const Touch &touch, const Material &material, double normal_force,
+                                   const Vector3 &moved, double dt)
 {
     const auto tangent = [&](const Vector3 &v) -> Vector3 { return v - v.dot(touch.normal) * touch.normal; };
-    const auto same_plane = [&](const Hold &hold) {
-        return hold.object == touch.object && hold.feature == touch.feature;
-    };
 
     // A new touch takes hold where it is.
     Vector3 stretch = Vector3::Zero();
-    const auto before = std::find_if(last_holds_.begin(), last_holds_.end(), same_plane);
-    if (before != last_holds_.end())
+    bool slides = false;
+    if (const Hold *before = hold_before(touch))
+    {
         stretch = tangent(before->stretch + moved - touch.surface_velocity * dt);
+        slides = before->slides;
+    }
 
-    const double most = properties_.friction * normal_force; // N
-    const double pull = properties_.stiffness * stretch.norm();
-    if (pull > most)
-        stretch *= most / pull;
-    if (stretch.allFinite()) // else it starts anew
-        holds_.push_back({touch.object, touch.feature, stretch});
-    return -properties_.stiffness * stretch;
+    const double sliding = material.friction * normal_force; // N
+    const double most = slides ? sliding : std::max(material.static_friction, material.friction) * normal_force;
+    const double pull = material.stiffness * stretch.norm();
+    slides = pull > most;
+    if (slides)
+        stretch *= sliding / pull;
+    if (normal_force > 0 && stretch.allFinite()) // else it starts anew
+        holds_.push_back({touch.object, touch.feature, touch.normal, stretch, slides});
+    return -material.stiffness * stretch;
 }
 
 void PenaltyLaw::reset()
 {
     last_holds_.clear();
     holds_.clear();
+    materials_.reset();
 }
 
-void PenaltyLaw::set_stiffness(double stiffness)
-{
-    check_not_negative(stiffness, "stiffness of a surface");
-    properties_.stiffness = stiffness;
-}
 } // namespace ode_predictive_space::haptics

@@ -25,8 +25,9 @@ HapticProbe::HapticProbe(Device &device, dGeomID geom, RenderSettings settings)
 {}
 
 HapticProbe::HapticProbe(Device &device, dBodyID tool, const CouplingProperties &coupling, RenderSettings settings)
-    : renderer_(device, std::move(settings)), tool_body_(tool), coupling_(renderer_.softened(VirtualCoupling(coupling)))
+    : renderer_(device, std::move(settings)), tool_body_(tool), coupling_(coupling)
 {
+    renderer_.check(coupling_);
     if (tool == nullptr)
     {
         throw std::invalid_argument("The virtual coupling needs a body to hold");
@@ -88,6 +89,14 @@ void HapticProbe::place(const RenderedTick &tick)
         sensor_->forget_sides();
     }
     sensor_->pose(tick.tool);
+}
+
+void HapticProbe::set_materials(MaterialOf materials)
+{
+    if (sensor_)
+    {
+        sensor_->set_materials(std::move(materials));
+    }
 }
 
 bool HapticProbe::touch(dGeomID first, dGeomID second)

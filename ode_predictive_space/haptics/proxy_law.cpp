@@ -2,14 +2,28 @@
 
 #include <algorithm>
 
-#include "ode_predictive_space/haptics/check_argument.h"
 #include "ode_predictive_space/haptics/closest_point.h"
 
 namespace ode_predictive_space::haptics
 {
-ProxyLaw::ProxyLaw(const SurfaceProperties &properties) : properties_(properties)
+namespace
 {
-    check(properties);
+constexpr double rounding = 1e-9; // of a plane that lies in the one that carries
+
+double normal_force(const ToolState &tool, const Touch &touch, const Material &material, const ConstraintPlane &plane)
+{
+    const double spring = material.stiffness * plane.share;
+    if (material.damping == 0 || plane.share == 0)
+        return spring;
+    const double approach = (touch.surface_velocity - tool.linear_velocity).dot(plane.normal);
+    const double force = spring + material.damping * approach;
+    return force < 0 ? 0 : force; // what is not a number stays that
+}
+} // namespace
+
+ProxyLaw::ProxyLaw(const Material &material) : material_(material)
+{
+    check(material);
 }
 
 void ProxyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces)
@@ -27,6 +41,7 @@ void ProxyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, 
         lifted += plane.share * plane.normal;
         carried += plane.share;
     }
+    follow_materials(touches, dt);
     const Vector3 along = friction(tool.position, lifted, carried, touches, dt);
     proxy_ = lifted + along;
     has_proxy_ = proxy_.allFinite();
@@ -34,9 +49,9 @@ void ProxyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, 
     forces.resize(touches.size());
     for (std::size_t i = 0; i < touches.size(); ++i)
     {
-        forces[i] = normal_force(tool, touches[i], planes_[i]) * planes_[i].normal;
+        forces[i] = normal_force(tool, touches[i], materials_[i], planes_[i]) * planes_[i].normal;
         if (carried > 0)
-            forces[i] += properties_.stiffness * planes_[i].share / carried * along;
+            forces[i] += materials_[i].stiffness * planes_[i].share / carried * along;
     }
 }
 
@@ -71,20 +86,38 @@ ConstraintPlane ProxyLaw::plane_of(const Vector3 &tool, const Touch &touch, doub
     return plane;
 }
 
-double ProxyLaw::normal_force(const ToolState &tool, const Touch &touch, const ConstraintPlane &plane) const
+void ProxyLaw::follow_materials(const std::vector<Touch> &touches, double dt)
 {
-    const double spring = properties_.stiffness * plane.share;
-    if (properties_.damping == 0 || plane.share == 0)
-        return spring;
-    const double approach = (touch.surface_velocity - tool.linear_velocity).dot(plane.normal);
-    const double force = spring + properties_.damping * approach;
-    return force < 0 ? 0 : force; // what is not a number stays that
+    carries_.clear();
+    for (const ConstraintPlane &plane : planes_)
+        carries_.push_back(plane.share > 0 ? 1 : 0);
+    materials_.follow(touches, carries_, material_, dt);
+}
+
+bool ProxyLaw::has_friction() const
+{
+    return most_friction(false) > 0;
+}
+
+/// m; how far friction holds the proxy off the place above the tool.
+double ProxyLaw::most_friction(bool slides) const
+{
+    double most = 0;
+    for (std::size_t i = 0; i < planes_.size(); ++i)
+    {
+        const Material &material = materials_[i];
+        const double coefficient = slides ? material.friction : std::max(material.friction, material.static_friction);
+        most += coefficient * planes_[i].share;
+    }
+    return most;
 }
 
 Vector3 ProxyLaw::friction(const Vector3 &tool, const Vector3 &lifted, double carried,
-                           const std::vector<Touch> &touches, double dt) const
+                           const std::vector<Touch> &touches, double dt)
 {
-    if (properties_.friction == 0 || !has_proxy_ || !(carried > 0))
+    const bool slid = slides_;
+    slides_ = false;
+    if (!has_friction() || !has_proxy_ || !(carried > 0))
         return Vector3::Zero();
 
     // Where the proxy would be had it stayed on the surfaces that carry it.
@@ -94,13 +127,13 @@ Vector3 ProxyLaw::friction(const Vector3 &tool, const Vector3 &lifted, double ca
     along = along_the_carriers(along);
 
     // As far as friction holds it, and nothing else is in the way.
-    const double most = properties_.friction * carried;
-    double part = along.norm() > most ? most / along.norm() : 1;
+    slides_ = along.norm() > most_friction(slid);
+    double part = slides_ ? most_friction(true) / along.norm() : 1;
     for (const ConstraintPlane &plane : planes_)
     {
         const double into = -plane.normal.dot(along);
         const double room = std::max(0.0, plane.normal.dot(lifted - tool) - plane.depth);
-        if (plane.share == 0 && into > 0)
+        if (plane.share == 0 && into > rounding * along.norm())
             part = std::min(part, room / into);
     }
     return part * along;
@@ -130,12 +163,9 @@ void ProxyLaw::reset()
 {
     planes_.clear();
     last_planes_.clear();
+    materials_.reset();
     has_proxy_ = false;
+    slides_ = false;
 }
 
-void ProxyLaw::set_stiffness(double stiffness)
-{
-    check_not_negative(stiffness, "stiffness of a surface");
-    properties_.stiffness = stiffness;
-}
 } // namespace ode_predictive_space::haptics

@@ -84,7 +84,7 @@ Recorder::~Recorder()
     }
     catch (const DeviceError &)
     {
-        // The caller who wants to know calls close().
+        // close() tells the caller.
     }
 }
 

@@ -3,6 +3,8 @@
 #include "ode_predictive_space/haptics/renderer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -15,11 +17,19 @@ constexpr double shortest_silence = 0.004; // s
 constexpr double periods_of_silence = 4;
 constexpr double tell_again_after = 1; // s
 constexpr double longest_gap = 0.5;    // s; after that, a device that answers again can be anywhere
+constexpr double longest_doubt = 0.01; // s; after that, a device that tells nonsense is one that does not answer
+constexpr double jump = 10;            // times the maximum of speed
 
 bool is_finite(const DeviceState &state)
 {
-    return state.position.allFinite() && state.orientation.coeffs().allFinite() && state.linear_velocity.allFinite() &&
-           state.angular_velocity.allFinite();
+    return std::isfinite(state.time) && state.position.allFinite() && state.orientation.coeffs().allFinite() &&
+           state.linear_velocity.allFinite() && state.angular_velocity.allFinite();
+}
+
+/// Beyond its workspace by a metre and by twice its size: where no device can be, even one whose workspace is told too small.
+bool is_far_off(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
+{
+    return !workspace.isEmpty() && workspace.exteriorDistance(state.position) > std::max(1.0, 2 * workspace.diagonal().norm());
 }
 
 bool is_held(const std::optional<unsigned> &button, const DeviceState &state)
@@ -29,12 +39,14 @@ bool is_held(const std::optional<unsigned> &button, const DeviceState &state)
 
 /// What makes the safety stage take the force away, or less of it than one would notice.
 constexpr SafetyAction worth_telling[] = {SafetyAction::not_finite, SafetyAction::too_fast, SafetyAction::waiting,
-                                          SafetyAction::clamped};
+                                          SafetyAction::no_axes, SafetyAction::clamped};
 } // namespace
 
 enum class Renderer::Topic
 {
     contact,
+    material,
+    jump,
     safety,                                  ///< and one for each of its actions
     watchdog = safety + safety_action_count, ///< and one for each of its reasons
     count = watchdog + watchdog_reason_count
@@ -44,7 +56,8 @@ void Renderer::read(double time, double clock_time)
 {
     tick_.time = time;
     clock_time_ = clock_time;
-    if (gate_.notice_closing() || relaxed_)
+    guard_acted_ = gate_.notice_closing();
+    if (guard_acted_ || relaxed_)
     {
         begin_anew();
     }
@@ -56,7 +69,7 @@ void Renderer::read(double time, double clock_time)
     }
     if (!answered)
     {
-        begin_anew();
+        come_back();
     }
     if (failed_)
     {
@@ -94,7 +107,12 @@ bool Renderer::read_device(double time)
         }
         if (!is_finite(state))
         {
-            fail("The device tells a position or a velocity that is not a number.");
+            doubt("The device tells a position, a velocity or a time that is not a number.");
+            return false;
+        }
+        if (is_far_off(state, gate_.device().capabilities().workspace))
+        {
+            doubt("The device tells a position far outside of its workspace.");
             return false;
         }
         if (is_silent(state, time))
@@ -102,13 +120,26 @@ bool Renderer::read_device(double time)
             fail("The device has told nothing new for too long.");
             return false;
         }
-        tick_.state = state;
+        follow(state);
         return true;
     }
     catch (const std::exception &error)
     {
         fail(error.what());
         return false;
+    }
+}
+
+void Renderer::follow(DeviceState state)
+{
+    motion_.follow(state);
+    tick_.state = state;
+    if (motion_.speed() > jump * safety_.limits().max_speed)
+    {
+        ++tick_.tool_jumps;
+        begin_anew();
+        tell_once_a_second(Topic::jump, NoticeKind::device,
+                           "No force until the probe is free: the device's position has jumped.");
     }
 }
 
@@ -135,6 +166,32 @@ void Renderer::fail(std::string_view why)
     }
 }
 
+/// Of one state that cannot be: the next may be right again, and the hand still lean on what it leant on.
+void Renderer::doubt(std::string_view why)
+{
+    if (!failed_)
+    {
+        doubted_since_ = tick_.time;
+    }
+    fail(why);
+    if (tick_.time - doubted_since_ < longest_doubt)
+    {
+        next_try_ = tick_.time;
+    }
+}
+
+void Renderer::come_back()
+{
+    if (tick_.time - doubted_since_ <= longest_doubt)
+    {
+        safety_.restart_ramp();
+    }
+    else
+    {
+        begin_anew();
+    }
+}
+
 // Zero, before anything else that might fail.
 void Renderer::release_device() noexcept
 {
@@ -154,6 +211,8 @@ void Renderer::begin_anew()
     relaxed_ = false;
     safety_.reset();
     law_->reset();
+    birth_.reset();
+    motion_.forget();
     split_.clear();
     if (passivity_)
     {
@@ -169,7 +228,8 @@ void Renderer::relax() noexcept
 
 void Renderer::render(const std::vector<Touch> &touches, bool all_known, double dt)
 {
-    law_->forces(tick_.tool, touches, dt, forces_);
+    feel(touches, dt);
+    law_->forces(tick_.tool, felt_, dt, forces_);
     Wrench wished;
     wished.force = sum_of(forces_);
     if (!all_known)
@@ -185,14 +245,39 @@ void Renderer::render(const std::vector<Touch> &touches, bool all_known, double 
     }
     else
     {
-        split_.split(touches, forces_, given);
+        split_.split(felt_, forces_, given);
     }
     close_tick(wished.force, given);
 }
 
+/// The touches as they are rendered: with what the device can render of their materials.
+void Renderer::feel(const std::vector<Touch> &touches, double dt)
+{
+    const Material own = rendered(law_->material());
+    felt_ = touches;
+    birth_.limit(tick_.tool, std::max(dt, 1 / settings_.physics_rate), safety_.engaged(), dt, felt_);
+    for (Touch &touch : felt_)
+    {
+        if (!touch.material)
+        {
+            touch.material = own;
+            continue;
+        }
+        const Material asked = *touch.material;
+        touch.material = rendered(asked);
+        if (touch.material->stiffness < asked.stiffness || touch.material->damping < asked.damping)
+        {
+            tell_once_a_second(Topic::material, NoticeKind::stability,
+                               "A material is softer or less damped than asked for: the device cannot render more.");
+        }
+    }
+}
+
 Wrench Renderer::render(const VirtualCoupling &coupling, const ToolState &body, double dt)
 {
-    const Wrench wished = coupling.on_device(tick_.tool, body);
+    VirtualCoupling soft = coupling;
+    soft.set_stiffness(std::min(coupling.stiffness(), rendered({coupling.stiffness(), coupling.damping()}).stiffness));
+    const Wrench wished = soft.on_device(tick_.tool, body);
     Wrench given = write(wished, dt);
     if (gate_.device().capabilities().force_axes < 6 && answers_)
     {
@@ -209,6 +294,7 @@ Wrench Renderer::write(const Wrench &wished, double dt)
     watchdog_->servo_ticked(clock_time_);
     const Wrench written = answers_ ? delivered(limited(wished, dt)) : Wrench();
     tell_of_watchdog();
+    tell_what_was_held_back(tell_again_after);
     if (passivity_)
     {
         passivity_->written(written.force);
@@ -226,7 +312,12 @@ Wrench Renderer::limited(const Wrench &wished, double dt)
     {
         at_device.force = passivity_->control(tick_.state, at_device.force, dt);
     }
-    Wrench safe = safety_.limit(at_device, tick_.state.linear_velocity, tick_.time, watchdog_->factor());
+    Vector3 velocity = tick_.state.linear_velocity;
+    if (motion_.speed() > safety_.limits().max_speed) // whatever the device tells
+    {
+        velocity = motion_.speed() * Vector3::UnitX();
+    }
+    Wrench safe = safety_.limit(at_device, velocity, tick_.time, watchdog_->factor());
     tell_of_safety();
     return safe;
 }
@@ -282,7 +373,7 @@ void Renderer::tell_of_watchdog()
 {
     const WatchdogReason reason = watchdog_->reason();
     const bool worth = reason == WatchdogReason::physics_stale || reason == WatchdogReason::servo_late;
-    if (worth && reason != last_reason_)
+    if (worth && reason != last_reason_ && !guard_acted_) // of that, the guard has told
     {
         const auto topic = static_cast<int>(Topic::watchdog) + static_cast<int>(reason);
         tell_once_a_second(static_cast<Topic>(topic), NoticeKind::watchdog, explanation_of(reason));
@@ -292,12 +383,38 @@ void Renderer::tell_of_watchdog()
 
 void Renderer::tell_once_a_second(Topic topic, NoticeKind kind, std::string_view sentence)
 {
-    static_assert(static_cast<std::size_t>(Topic::count) <= std::tuple_size_v<decltype(told_)>);
-    double &last = told_[static_cast<std::size_t>(topic)];
-    if (tick_.time - last >= tell_again_after)
+    static_assert(static_cast<std::size_t>(Topic::count) <= most_topics);
+    Told &told = told_[static_cast<std::size_t>(topic)];
+    if (tick_.time - told.last >= tell_again_after)
     {
-        last = tick_.time;
+        told.last = tick_.time;
         tell(kind, sentence);
+        return;
+    }
+    ++told.times;
+    ++held_back_;
+    told.notice = Notice(kind, tick_.time, sentence);
+}
+
+void Renderer::tell_held_back()
+{
+    tell_what_was_held_back(0);
+}
+
+void Renderer::tell_what_was_held_back(double quiet_for)
+{
+    for (Told &told : told_)
+    {
+        if (told.times == 0 || tick_.time - told.last < quiet_for)
+        {
+            continue;
+        }
+        std::array<char, std::tuple_size_v<decltype(Notice::text)>> text;
+        std::snprintf(text.data(), text.size(), "%s (%d more times, the last at %.3f s)", told.notice.text.data(),
+                      told.times, told.notice.time);
+        told.times = 0;
+        told.last = tick_.time;
+        tell(told.notice.kind, text.data());
     }
 }
 

@@ -14,13 +14,21 @@ namespace
 {
 constexpr double never = -std::numeric_limits<double>::infinity();
 constexpr double usual_stiffness = 500; // N/m
+constexpr double usual_rate = 1000;     // Hz
 constexpr std::size_t usual_touches = 64;
 
-std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities)
+/// As stiff in the hand, whatever the scale.
+std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const WorkspaceMapping &mapping)
 {
-    SurfaceProperties properties;
-    properties.stiffness = capabilities.max_stiffness > 0 ? capabilities.max_stiffness / 2 : usual_stiffness;
-    return std::make_shared<PenaltyLaw>(properties);
+    Material material;
+    const double stiffness = capabilities.max_stiffness > 0 ? capabilities.max_stiffness / 2 : usual_stiffness;
+    material.stiffness = mapping.stiffness_in_scene(stiffness);
+    return std::make_shared<PenaltyLaw>(material);
+}
+
+double rate_of(const Capabilities &capabilities)
+{
+    return capabilities.rate > 0 ? capabilities.rate : usual_rate;
 }
 
 // With a device that cannot push, one can still push what is in the scene, as hard as with any other.
@@ -65,12 +73,14 @@ Renderer::Registration::~Registration()
 
 Renderer::Renderer(Device &device, RenderSettings settings)
     : gate_(device), opening_(device), registration_(gate_), settings_(std::move(settings)),
-      law_(settings_.law ? settings_.law : usual_law(device.capabilities())), mapping_(settings_.placement),
-      safety_(settings_.safety ? *settings_.safety : usual_limits(device.capabilities())), next_try_(never),
-      last_state_time_(std::numeric_limits<double>::quiet_NaN()), last_answer_(never)
+      mapping_(settings_.placement), law_(settings_.law ? settings_.law : usual_law(device.capabilities(), mapping_)),
+      safety_(settings_.safety ? *settings_.safety : usual_limits(device.capabilities())), doubted_since_(never),
+      next_try_(never), last_state_time_(std::numeric_limits<double>::quiet_NaN()), last_answer_(never),
+      motion_(rate_of(device.capabilities()))
 {
-    told_.fill(never);
+    told_.fill({never, 0, {}});
     forces_.reserve(usual_touches);
+    felt_.reserve(usual_touches);
     if (settings_.passivity_control)
     {
         passivity_.emplace(device.capabilities().max_damping);
@@ -92,58 +102,79 @@ void Renderer::set_rates(double rate, double physics_rate)
     settings_.rate = rate;
     settings_.physics_rate = physics_rate;
     watchdog_.emplace(WatchdogLimits::of(rate, physics_rate));
-    soften_law();
+    check_law();
 }
 
 void Renderer::set_law(std::shared_ptr<ForceLaw> law)
 {
     law_ = std::move(law);
-    soften_law();
+    settings_.law = law_;
+    check_law();
     law_->reset();
 }
 
 void Renderer::set_placement(const WorkspacePlacement &placement)
 {
     mapping_ = WorkspaceMapping(placement);
-    soften_law();
+    if (!settings_.law)
+    {
+        law_ = usual_law(gate_.device().capabilities(), mapping_);
+    }
+    check_law();
     begin_anew(); // the tool jumps, perhaps into something
     ++tick_.tool_jumps;
 }
 
-void Renderer::soften_law()
+void Renderer::check_law()
 {
-    const double stiffness = verdict(law_->stiffness(), law_->damping()).stiffness;
-    const double in_scene = mapping_.stiffness_in_scene(stiffness);
-    if (in_scene < law_->stiffness())
-    {
-        law_->set_stiffness(in_scene);
-    }
+    const Material material = law_->material();
+    check(material.stiffness, material.damping);
 }
 
-VirtualCoupling Renderer::softened(VirtualCoupling coupling)
+void Renderer::check(const VirtualCoupling &coupling)
 {
-    const double stiffness = verdict(coupling.stiffness(), coupling.damping()).stiffness;
-    coupling.set_stiffness(std::min(coupling.stiffness(), mapping_.stiffness_in_scene(stiffness)));
-    return coupling;
+    check(coupling.stiffness(), coupling.damping());
 }
 
-/// @param stiffness,damping of the scene. @return those of the device.
-StabilityVerdict Renderer::verdict(double stiffness, double damping)
+/// @param stiffness,damping of the scene.
+Rendering Renderer::rendering(double stiffness, double damping) const
 {
     Rendering rendering;
     rendering.stiffness = mapping_.stiffness_at_device(stiffness);
     rendering.damping = mapping_.stiffness_at_device(damping);
     rendering.rate = settings_.rate;
     rendering.device_damping = settings_.device_damping;
-    StabilityVerdict verdict = check_stability(gate_.device().capabilities(), rendering);
-    if (verdict.outcome == StabilityOutcome::refused || verdict.damping < rendering.damping)
+    return rendering;
+}
+
+void Renderer::check(double stiffness, double damping)
+{
+    const Rendering wanted = rendering(stiffness, damping);
+    const StabilityVerdict verdict = check_stability(gate_.device().capabilities(), wanted);
+    if (verdict.outcome == StabilityOutcome::refused || verdict.damping < wanted.damping)
     {
         throw std::invalid_argument(verdict.reason);
     }
-    if (verdict.outcome == StabilityOutcome::clamped)
+    if (verdict.outcome == StabilityOutcome::clamped && verdict.reason != stability_told_)
     {
         tell(NoticeKind::stability, verdict.reason);
     }
-    return verdict;
+    stability_told_ = verdict.reason;
+}
+
+Material Renderer::rendered(const Material &material) const
+{
+    const Rendering wanted = rendering(material.stiffness, material.damping);
+    const Rendering possible = renderable(gate_.device().capabilities(), wanted);
+    Material result = material;
+    if (possible.stiffness < wanted.stiffness)
+    {
+        result.stiffness = mapping_.stiffness_in_scene(possible.stiffness);
+    }
+    if (possible.damping < wanted.damping)
+    {
+        result.damping = mapping_.stiffness_in_scene(possible.damping);
+    }
+    return result;
 }
 } // namespace ode_predictive_space::haptics

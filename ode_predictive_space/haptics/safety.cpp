@@ -77,7 +77,7 @@ const char *explanation_of(SafetyAction action)
     case SafetyAction::waiting:
         return "No force yet, as it has not been small since the start: the probe is in something.";
     case SafetyAction::no_axes:
-        return "No force, as the device cannot push.";
+        return "No force, as the device cannot push: its maximum of force is 0.";
     case SafetyAction::ramping:
         return "Less force than wished, as it comes back slowly after the start or a fault.";
     case SafetyAction::clamped:
@@ -205,6 +205,12 @@ void SafetyStage::close_report(std::uint32_t before)
     report_.begun = report_.now & ~before;
     for (int action = 0; action < safety_action_count; ++action)
         report_.calls[action] += (report_.now >> action) & 1u;
+}
+
+void SafetyStage::restart_ramp()
+{
+    last_ = Wrench();
+    ramp_ = 0;
 }
 
 void SafetyStage::reset()

@@ -51,7 +51,22 @@ std::string nonsense(const Rendering &rendering)
     return "";
 }
 
-/// By what was found by trial; for a nominal rate, or a faster one.
+/// N/m; by what was found by trial, for a nominal rate or a faster one.
+double stiffest_of_device(const Capabilities &capabilities, double rate)
+{
+    if (!(capabilities.max_stiffness > 0))
+        return unlimited;
+    return capabilities.max_stiffness * (rate < capabilities.rate ? rate / capabilities.rate : 1);
+}
+
+/// N/m; by passivity, with the law's damping.
+double stiffest_passive(const Rendering &rendering, double damping)
+{
+    if (!rendering.device_damping)
+        return unlimited;
+    return 2 * (*rendering.device_damping - damping) / (1 / rendering.rate + 2 * rendering.delay);
+}
+
 Bound bound_of_device(const Capabilities &capabilities, double rate)
 {
     if (!(capabilities.max_stiffness > 0))
@@ -59,17 +74,15 @@ Bound bound_of_device(const Capabilities &capabilities, double rate)
     if (!(rate < capabilities.rate))
         return {capabilities.max_stiffness,
                 sentence("the ", capabilities.max_stiffness, " N/m that ", capabilities.name, " can render")};
-    const double slower = capabilities.max_stiffness * rate / capabilities.rate;
+    const double slower = stiffest_of_device(capabilities, rate);
     return {slower, sentence("the ", slower, " N/m that ", capabilities.name, " can render at ", rate, " Hz")};
 }
 
-/// By passivity, with the law's damping.
 Bound bound_of_passivity(const Rendering &rendering, double damping)
 {
     if (!rendering.device_damping)
         return {};
-    const double surplus = *rendering.device_damping - damping;
-    const double most = 2 * surplus / (1 / rendering.rate + 2 * rendering.delay);
+    const double most = stiffest_passive(rendering, damping);
     return {most, sentence("the ", most, " N/m that are passive at ", rendering.rate, " Hz with ",
                            *rendering.device_damping, " N s/m in the device")};
 }
@@ -131,5 +144,20 @@ StabilityVerdict check_stability(const Capabilities &capabilities, const Renderi
     if (!refuse_damping(rendering, verdict))
         clamp_stiffness(capabilities, rendering, verdict);
     return verdict;
+}
+
+Rendering renderable(const Capabilities &capabilities, const Rendering &rendering) noexcept
+{
+    Rendering result = rendering;
+    if (capabilities.force_axes == 0)
+        return result;
+    if (capabilities.max_damping > 0)
+        result.damping = std::min(result.damping, capabilities.max_damping);
+    if (rendering.device_damping && !(result.damping < *rendering.device_damping))
+        result.damping = 0;
+    const double stiffest =
+        std::min(stiffest_of_device(capabilities, rendering.rate), stiffest_passive(rendering, result.damping));
+    result.stiffness = std::min(result.stiffness, stiffest);
+    return result;
 }
 } // namespace ode_predictive_space::haptics

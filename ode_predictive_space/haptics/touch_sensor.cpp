@@ -48,12 +48,6 @@ Vector3 velocity_at(dBodyID body, const Vector3 &point)
     return from_ode(velocity);
 }
 
-bool is_finite(const Touch &touch)
-{
-    return touch.point.allFinite() && touch.normal.allFinite() && std::isfinite(touch.depth) &&
-           touch.surface_velocity.allFinite();
-}
-
 // NaN is deeper than anything, so that it is never overlooked.
 bool is_shallower(const dContactGeom &a, const dContactGeom &b)
 {
@@ -177,6 +171,22 @@ void TouchSensor::forget_mesh(dTriMeshDataID data)
     }
 }
 
+void TouchSensor::set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples)
+{
+    if (own_)
+    {
+        meshes_->set_samples(data, samples);
+    }
+}
+
+void TouchSensor::forget_samples(dHeightfieldDataID data)
+{
+    if (own_)
+    {
+        meshes_->forget_samples(data);
+    }
+}
+
 void TouchSensor::forget_sides()
 {
     if (own_)
@@ -284,6 +294,7 @@ bool TouchSensor::hold(dGeomID other)
     {
         bodies_.keep(body);
     }
+    nearby->set_material(material_of(other));
     tracker_->add(std::move(*nearby));
     return true;
 }
@@ -295,6 +306,17 @@ void TouchSensor::collide(dGeomID other)
     {
         add(*std::max_element(contacts_.begin(), contacts_.begin() + count, is_shallower), other);
     }
+}
+
+std::optional<Material> TouchSensor::material_of(dGeomID geom)
+{
+    std::optional<Material> material = materials_ ? materials_(geom) : std::nullopt;
+    if (material && !is_valid(*material))
+    {
+        nonsense_ = true;
+        material.reset();
+    }
+    return material;
 }
 
 void TouchSensor::resolve()
@@ -310,11 +332,8 @@ void TouchSensor::resolve()
         return;
     }
     tracker_->follow();
-    tracker_->touches(view_, touches_);
-    const auto first_nonsense =
-        std::remove_if(touches_.begin(), touches_.end(), [](const Touch &touch) { return !is_finite(touch); });
-    nonsense_ = nonsense_ || first_nonsense != touches_.end();
-    touches_.erase(first_nonsense, touches_.end());
+    const bool all = tracker_->touches(view_, touches_);
+    nonsense_ = nonsense_ || !all;
 }
 
 const std::vector<Touch> &TouchSensor::touches()
@@ -338,6 +357,7 @@ void TouchSensor::add(const dContactGeom &contact, dGeomID other)
     touch.normal = from_ode(contact.normal);
     touch.depth = static_cast<double>(contact.depth) - margin_;
     touch.object = object_of(other);
+    touch.material = material_of(other);
     if (body != nullptr)
     {
         bodies_.keep(body);

@@ -3,6 +3,7 @@
 #include "demos/scenes/statistics.h"
 #include "demos/scenes/table.h"
 #include "tests/benchmarks/commands.h"
+#include "tests/benchmarks/ridge_measurement.h"
 #include "tests/benchmarks/servo_measurement.h"
 
 #include <algorithm>
@@ -19,7 +20,11 @@ constexpr double most_part_of_tick = 5; // %
 constexpr double least_in_time = 99.9;  // %
 constexpr double same_cost = 1.25;      // times; what counts as no growth
 constexpr int decoupled_sizes[] = {100, 1000, 10000};
-constexpr int turns = 5; // of the two sizes that are compared
+constexpr int turns = 5;            // of the two sizes that are compared
+constexpr int few_cells = 22;       // 1,000 triangles
+constexpr int many_cells = 224;     // 100,000
+constexpr double most_time = 50e-6; // s; of a tick on the ridges
+constexpr double most_error = 1;    // %
 
 std::string microseconds(double seconds)
 {
@@ -138,13 +143,46 @@ void require_same_cost(ServoSettings settings, Findings &findings)
                       summarise(many).median / summarise(few).median, Requirement::at_most, same_cost, "x"});
 }
 
+RidgeResult run_ridges_of(int cells, RidgeSettings settings, Findings &findings, Table &table)
+{
+    settings.cells = cells;
+    const std::string triangles = grouped(static_cast<std::uint64_t>(settings.triangles()));
+    std::cerr << "servo, ridges of " << triangles << " triangles: " << fixed(settings.seconds, 1) << " s\n";
+    const RidgeResult result = run_ridges(settings);
+    findings.record(ridge_record(result, settings));
+    table.add({triangles, microseconds(result.report.compute.p50), microseconds(result.report.compute.p99),
+               microseconds(result.report.compute.max), fixed(100 * result.p50_error, 4) + " %",
+               fixed(100 * result.p999_error, 4) + " %", fixed(100 * result.worst_error, 4) + " %"});
+    return result;
+}
+
+void measure_ridges(double seconds, Findings &findings)
+{
+    RidgeSettings settings;
+    settings.rate = fast_rate;
+    settings.seconds = seconds;
+    std::cout << "The same, sliding at " << fixed(settings.speed, 1) << " m/s over the ridges of a mesh, the scene at "
+              << grouped(static_cast<std::uint64_t>(settings.physics_rate)) << " Hz; error of the force\n\n";
+    Table table({"triangles", "servo's median", "p99", "max", "error: median", "p99.9", "worst"});
+    const RidgeResult few = run_ridges_of(few_cells, settings, findings, table);
+    const RidgeResult many = run_ridges_of(many_cells, settings, findings, table);
+    table.print(std::cout);
+    std::cout << '\n';
+    findings.require({"P15", "ridges of 100,000 triangles, servo at 4 kHz: p99 of its computing",
+                      1e6 * many.report.compute.p99, Requirement::at_most, 1e6 * most_time, "us"});
+    findings.require({"P15", "the same: error of the force between steps of the scene, p99.9", 100 * many.p999_error,
+                      Requirement::at_most, most_error, "%"});
+    findings.require({"P15", "the same: median computing over that with 1,000 triangles",
+                      many.report.compute.p50 / few.report.compute.p50, Requirement::at_most, same_cost, "x"});
+}
+
 class ServoCommand : public Command
 {
 public:
     std::string name() const override { return "servo"; }
     std::string description() const override
     {
-        return "Haptic loops by the wall clock: 10,000 objects at 1 kHz, and a servo of its own at 4 kHz";
+        return "Haptic loops by the wall clock: 10,000 objects at 1 kHz, a servo of its own at 4 kHz, ridges of a mesh";
     }
 
     void measure(const Options &options, Findings &findings) override
@@ -163,6 +201,7 @@ public:
         if (std::find(kinds.begin(), kinds.end(), SpaceKind::predictive) != kinds.end())
         {
             require_same_cost(settings, findings);
+            measure_ridges(settings.seconds, findings);
         }
     }
 };

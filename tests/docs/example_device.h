@@ -1,4 +1,4 @@
-// A device of one's own: an arm that another program on this machine serves, by datagrams.
+// A device: an arm that another program on this machine serves, by datagrams.
 
 #ifndef EXAMPLE_DEVICE_H
 #define EXAMPLE_DEVICE_H
@@ -29,7 +29,7 @@ public:
 
     ~ExampleDevice() override { ExampleDevice::close(); }
 
-    // Here one may wait: afterwards there is a state, and whoever reads gets no made-up one.
+    // May wait. Afterwards there is a state, so that read() never makes one up.
     void open() override
     {
         if (socket_ >= 0)

@@ -39,7 +39,7 @@ public:
     {
         std::thread answer([this] {
             receive();
-            tell({1, 2, 3});
+            tell({0.01, 0.02, 0.03});
         });
         device.open();
         answer.join();
@@ -115,7 +115,7 @@ TEST(ExampleDevice, tellsTheNewestStateAndWhenItWasNew)
     Server server;
     ExampleDevice device(server.port());
     server.open(device);
-    EXPECT_EQ(Vector3(1, 2, 3), device.read(0.5).position);
+    EXPECT_EQ(Vector3(0.01, 0.02, 0.03), device.read(0.5).position);
     server.tell({4, 5, 6});
     server.tell({7, 8, 9});
     const haptics::DeviceState state = device.read(1);

@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
+#include "tests/haptics/allocation_count.h"
 #include "tests/haptics/mesh_maker.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/scripted_device.h"
@@ -29,8 +30,9 @@ protected:
     {
         double time;
         Vector3 tool;
-        Vector3 wished; ///< N; what the law gave
-        Vector3 proxy;  ///< m; of the proxy's law alone
+        Vector3 wished;            ///< N; what the law gave
+        Vector3 proxy;             ///< m; of the proxy's law alone
+        std::uint64_t allocations; ///< from the device's read() to its write()
     };
 
     bool proxy_law() const { return std::get<0>(GetParam()); }
@@ -53,14 +55,27 @@ protected:
         ScriptedDevice device(path);
         HapticProbe probe(device, world_.space, contact_radius, rendering);
         probe_ = &probe;
+        if (prepare_)
+        {
+            prepare_(probe);
+        }
         std::vector<Sample> samples;
+        std::uint64_t allocated = 0;
+        device.before_read = [&] {
+            allocated = allocation_count();
+            if (clock_.now() > silent_from_ && clock_.now() < silent_until_)
+            {
+                throw DeviceError(DeviceFault::failed, "it cannot be read");
+            }
+        };
         probe.set_recorder([&](const RenderedTick &tick) {
-            samples.push_back({tick.time, tick.tool.position, tick.wished, proxy->proxy()});
+            allocated = allocation_count() - allocated;
+            samples.push_back({tick.time, tick.tool.position, tick.wished, proxy->proxy(), allocated});
         });
         LoopSettings settings;
         settings.decoupled = decoupled();
         settings.rate = decoupled() ? 4000 : 1000;
-        settings.physics_rate = 1000;
+        settings.physics_rate = physics_rate_;
         settings.duration = duration;
         settings.ask_for_priority = false;
         settings.clock = &clock_;
@@ -80,7 +95,11 @@ protected:
     const OdeUse ode_;
     ProbeWorld world_;
     SimulatedClock clock_;
-    HapticProbe *probe_ = nullptr; ///< while it runs
+    double physics_rate_ = 1000;                 ///< Hz; of the scene, in two threads
+    std::function<void(HapticProbe &)> prepare_; ///< before it runs; may be empty
+    double silent_from_ = 0;                     ///< s; from then on the device cannot be read
+    double silent_until_ = 0;                    ///< s
+    HapticProbe *probe_ = nullptr;               ///< while it runs
 };
 
 inline std::string contact_test_name(const testing::TestParamInfo<std::tuple<bool, bool>> &parameters)

@@ -23,7 +23,7 @@ TEST(ContactModel, AtItsOwnPlaceAndTimeItIsWhatItWasMadeOf)
     touch.surface_velocity = {0.1, 0.2, 0.3};
     model.set({touch}, true, {0, 0, 1}, 5);
     std::vector<Touch> touches;
-    model.evaluate({0, 0, 1}, 5, touches);
+    model.evaluate({0, 0, 1}, 5, {}, touches);
     ASSERT_EQ(touches.size(), 1U);
     EXPECT_EQ(touches[0].depth, 0.002);
     EXPECT_EQ(touches[0].point, touch.point);
@@ -36,11 +36,11 @@ TEST(ContactModel, DepthFollowsTheToolAlongTheNormal)
     model.set({wall(0.002, {1, 0, 1})}, true, {0, 0, 1}, 0);
     std::vector<Touch> touches;
     const Vector3 deeper(-0.001, 0.7, -0.001);
-    model.evaluate(Vector3(0, 0, 1) + deeper, 0, touches);
+    model.evaluate(Vector3(0, 0, 1) + deeper, 0, {}, touches);
     ASSERT_EQ(touches.size(), 1U);
     EXPECT_NEAR(touches[0].depth, 0.002 + 0.001 * std::sqrt(2), 1e-15);
     EXPECT_NEAR(touches[0].point.y(), 0.7, 1e-15) << "the contact goes with the tool along the surface";
-    model.evaluate({0.002, 0, 1.001}, 0, touches);
+    model.evaluate({0.002, 0, 1.001}, 0, {}, touches);
     EXPECT_TRUE(touches.empty()) << "outside";
 }
 
@@ -51,12 +51,24 @@ TEST(ContactModel, SurfacesMove)
     touch.surface_velocity = {0.5, 0, 1};
     model.set({touch}, true, Vector3::Zero(), 10);
     std::vector<Touch> touches;
-    model.evaluate(Vector3::Zero(), 10.0005, touches);
+    model.evaluate(Vector3::Zero(), 10.0005, {}, touches);
     EXPECT_TRUE(touches.empty());
-    model.evaluate(Vector3::Zero(), 10.003, touches);
+    model.evaluate(Vector3::Zero(), 10.003, {}, touches);
     ASSERT_EQ(touches.size(), 1U);
     EXPECT_NEAR(touches[0].depth, 0.002, 1e-12);
     EXPECT_NEAR(touches[0].point.z(), 0.003, 1e-12);
+}
+
+TEST(ContactModel, LeavesOutWhatTheServoKnowsBetter)
+{
+    ContactModel model;
+    Touch held = wall(0.002);
+    held.from_entry_side = true;
+    model.set({held, wall(0.001)}, true, Vector3::Zero(), 0);
+    std::vector<Touch> touches;
+    model.evaluate(Vector3::Zero(), 0, {}, touches);
+    ASSERT_EQ(touches.size(), 1U);
+    EXPECT_EQ(touches[0].depth, 0.001);
 }
 
 TEST(ContactModel, KeepsTheDeepestOfTooMany)
@@ -70,7 +82,7 @@ TEST(ContactModel, KeepsTheDeepestOfTooMany)
     model.set(many, true, Vector3::Zero(), 0);
     EXPECT_EQ(model.count(), ContactModel::capacity);
     std::vector<Touch> touches;
-    model.evaluate(Vector3::Zero(), 0, touches);
+    model.evaluate(Vector3::Zero(), 0, {}, touches);
     for (const Touch &touch : touches)
     {
         EXPECT_GE(touch.depth, 0.068 - 1e-12);

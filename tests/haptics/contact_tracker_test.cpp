@@ -2,9 +2,10 @@
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 
-#include "tests/haptics/mesh_maker.h"
+#include "tests/haptics/allocation_count.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/random_numbers.h"
+#include "tests/haptics/ridges.h"
 
 #include <gtest/gtest.h>
 
@@ -152,6 +153,104 @@ TEST_P(ContactTrackerTest, WhatIsSqueezedBetweenPlatesKeepsItsSideOfEach)
             ASSERT_GE(above.to_local(tracker_.proxy()).z(), 0.999 * r) << tick;
         }
     }
+}
+
+TEST(ContactTracker, HandsOverTheNearestOfTooManyGeoms)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    MeshStore meshes;
+    ContactTracker tracker(r);
+    tracker.set_margin(1);
+    tracker.begin();
+    tracker.aim({0, 0, 0});
+    const std::size_t count = 100;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const dGeomID sphere = dCreateSphere(world.space, 0.001);
+        dGeomSetPosition(sphere, 0.05 + 0.001 * static_cast<double>(i * 37 % count), 0, 0);
+        tracker.add(*NearbyGeom::read(sphere, meshes, {}));
+    }
+    NearbyGeoms geoms;
+    tracker.hand_over(geoms, 5);
+    EXPECT_EQ(geoms.time, 5);
+    ASSERT_EQ(geoms.count, NearbyGeoms::capacity);
+    for (const NearbyGeom &geom : geoms.geoms)
+    {
+        EXPECT_LT(geom.to_scene({0, 0, 0}).x(), 0.05 + 0.001 * (static_cast<double>(NearbyGeoms::capacity) - 0.5));
+    }
+}
+
+TEST(ContactTracker, LooksWhereverTheServoHoldsSomething)
+{
+    ContactMemory memory;
+    memory.has_proxy = true;
+    memory.proxy = {1, 0, 0};
+    memory.count = 1;
+    memory.places[0].at = {1.05, 0, 0}; // squeezed
+    ContactTracker tracker(r);
+    tracker.begin();
+    tracker.aim({1, 0, 0});
+    tracker.begin();
+    tracker.adopt(memory);
+    tracker.aim({1.01, 0, 0});
+    const ContactTracker::Region region = tracker.region();
+    for (const double x : {1.0, 1.05, 1.03}) // the proxy, the squeezed place, the tool as it goes on for two steps
+    {
+        EXPECT_LE((Vector3(x, 0, 0) - region.centre).norm() + r, region.radius) << x;
+    }
+}
+
+TEST(ContactTracker, AllocatesNothingFromItsFirstTickOn)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    MeshStore meshes;
+    const RidgeShape ridges;
+    const OdeMesh mesh(ridge_mesh(ridges, 50, 50));
+    const NearbyGeom geom = *NearbyGeom::read(mesh.add_to(world.space), meshes, {});
+    ContactMemory memory;
+    std::vector<Touch> touches;
+    touches.reserve(100);
+    ContactTracker tracker(r);
+    const std::uint64_t before = allocation_count();
+    std::size_t most = 0;
+    for (int tick = 0; tick < 400; ++tick)
+    {
+        tracker.begin();
+        tracker.aim({-0.02 + 0.0001 * tick, 0.003, 0.015 - 0.0001 * std::min(tick, 100)});
+        tracker.add(geom.later(0.001));
+        tracker.follow();
+        touches.clear();
+        tracker.touches(TouchView::each_object_alone, touches);
+        tracker.remember_in(memory);
+        most = std::max(most, touches.size());
+    }
+    EXPECT_EQ(allocation_count(), before);
+    EXPECT_GE(most, 2U) << "it was in a valley";
+}
+
+TEST(ContactTracker, KeepsAMeshAliveUntilAnotherTakesItsPlace)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    MeshStore meshes;
+    const OdeMesh mesh(sheet_mesh(0.1, 2));
+    const dGeomID geom = mesh.add_to(world.space);
+    std::weak_ptr<const MeshTree> tree = meshes.tree_of(geom, {});
+    ContactTracker tracker(r);
+    tracker.begin();
+    tracker.aim({0, 0, 0});
+    tracker.add(*NearbyGeom::read(geom, meshes, {}));
+    NearbyGeoms geoms;
+    tracker.hand_over(geoms, 0);
+    tracker.begin();
+    meshes.forget(mesh.data());
+    const NearbyGeom borrowed = geoms.geoms[0].later(0.01);
+    EXPECT_EQ(tree.use_count(), 1) << "what is borrowed owns nothing";
+    tracker.hand_over(geoms, 0.01);
+    EXPECT_EQ(geoms.count, 0U);
+    EXPECT_TRUE(tree.expired());
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

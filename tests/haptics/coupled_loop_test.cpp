@@ -70,7 +70,7 @@ protected:
             }
         });
         run(probe, world, settings(5));
-        stiffness_ = probe.renderer().law().stiffness();
+        stiffness_ = probe.renderer().rendered(probe.renderer().law().material()).stiffness;
         return highest - lowest;
     }
 

@@ -109,9 +109,7 @@ public:
     }
 
     void reset() override { law_.reset(); }
-    double stiffness() const override { return law_.stiffness(); }
-    double damping() const override { return law_.damping(); }
-    void set_stiffness(double value) override { law_.set_stiffness(value); }
+    Material material() const override { return law_.material(); }
 
 private:
     SimulatedClock &clock_;

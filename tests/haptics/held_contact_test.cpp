@@ -157,6 +157,31 @@ TEST_P(HeldContactTest, AThinBoxStopsWhatFliesAtTenMetresPerSecond)
     expect_stopped_at_front();
 }
 
+TEST_P(HeldContactTest, AThinBoxThatIsTurnedStopsWhatFliesAtTenMetresPerSecond)
+{
+    const dGeomID box = world_.add_box({0.4, 0.4, 0.001}, {0.0005, 0, 0});
+    dMatrix3 standing;
+    dRFromAxisAndAngle(standing, 0, 1, 0, std::acos(0.0));
+    dGeomSetRotation(box, standing);
+    expect_stopped_at_front();
+}
+
+TEST_P(HeldContactTest, AThinDiscStopsWhatFliesAtTenMetresPerSecond)
+{
+    const dGeomID disc = dCreateCylinder(world_.space, 0.2, 0.001);
+    dMatrix3 standing;
+    dRFromAxisAndAngle(standing, 0, 1, 0, std::acos(0.0));
+    dGeomSetRotation(disc, standing);
+    dGeomSetPosition(disc, 0.0005, 0, 0);
+    expect_stopped_at_front();
+}
+
+TEST_P(HeldContactTest, AWireCannotBePassedAtTenMetresPerSecond)
+{
+    dGeomSetPosition(dCreateCapsule(world_.space, 0.0005, 0.4), 0.0005, 0, 0); // along z
+    expect_stopped_at_front();
+}
+
 TEST_P(HeldContactTest, AThinMeshStopsWhatFliesAtTenMetresPerSecond)
 {
     const OdeMesh mesh(box_mesh({0, -0.2, -0.2}, {0.001, 0.2, 0.2}));

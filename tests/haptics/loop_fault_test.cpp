@@ -73,6 +73,41 @@ TEST_P(LoopFaultTest, AStalledStepIsFoundSoonAfterTheNextOneWasDueAtLowRates)
     }
 }
 
+// It is run by the program, in the loop's callbacks, hence in the thread that hangs.
+TEST(SecondProbe, IsGuardedByTheLoopOfTheFirst)
+{
+    const OdeUse ode;
+    SimulatedClock clock;
+    ProbeWorld world;
+    dCreatePlane(world.space, 0, 0, 1, 0);
+    ScriptedDevice first_device(&press_down);
+    ScriptedDevice second_device(&press_down);
+    WriteLog second_log(second_device, clock);
+    HapticProbe first(first_device, world.space, radius, usual_rendering());
+    ProbeWorld other;
+    dCreatePlane(other.space, 0, 0, 1, 0);
+    HapticProbe second(second_log, other.space, radius, usual_rendering());
+    LoopSettings settings;
+    settings.clock = &clock;
+    settings.duration = 3;
+    settings.ask_for_priority = false;
+    double stalled_at = 0;
+    HapticLoop(first, settings)
+        .run({[&] { world.collide(first); },
+              [&](double dt) {
+                  second.begin(first.last_tick().time, clock.now());
+                  other.collide(second);
+                  second.render(dt);
+                  if (clock.now() > pressed_after && stalled_at == 0)
+                  {
+                      stalled_at = clock.now();
+                      clock.advance(0.06);
+                  }
+              }});
+    EXPECT_GT(second_log.force_at(stalled_at).z(), 3);
+    EXPECT_TRUE(second_log.was_quiet(stalled_at + grace, stalled_at + 0.06));
+}
+
 TEST_P(LoopFaultTest, ALawThatHangsEndsWithZeroForceAndANotice)
 {
     double stalled_at = 0;

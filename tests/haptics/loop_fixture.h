@@ -41,7 +41,8 @@ inline Vector3 press_down(double seconds)
 class HapticLoopTest : public testing::TestWithParam<bool>
 {
 protected:
-    HapticLoopTest() : scripted_(&press_down), device_(scripted_), log_(device_, clock_)
+    HapticLoopTest()
+        : scripted_([this](double seconds) { return path_(seconds); }), device_(scripted_), log_(device_, clock_)
     {
         dCreatePlane(world_.space, 0, 0, 1, 0);
     }
@@ -89,6 +90,7 @@ protected:
     SimulatedClock clock_;
     ProbeWorld world_;
     NoticeList notices_;
+    ScriptedDevice::Path path_ = &press_down; ///< of the hand
     ScriptedDevice scripted_;
     FaultyDevice device_;
     WriteLog log_;
@@ -116,9 +118,7 @@ public:
             at_reset();
         }
     }
-    double stiffness() const override { return law_.stiffness(); }
-    double damping() const override { return law_.damping(); }
-    void set_stiffness(double value) override { law_.set_stiffness(value); }
+    Material material() const override { return law_.material(); }
 
     std::function<void()> at_reset; ///< may be empty
 

@@ -4,6 +4,7 @@
 
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "tests/haptics/probe_world.h"
+#include "tests/haptics/ridges.h"
 #include "tests/haptics/scripted_device.h"
 
 #include <algorithm>
@@ -176,6 +177,48 @@ TEST_F(LoopThreadsTest, WhatTheNoticesSinkThrowsEndsTheLoopWithoutForce)
                      std::runtime_error);
         EXPECT_EQ(device_.force, 0);
     }
+}
+
+/// While the servo slides over a mesh, the scene gives other data to it, changes its triangles in place, destroys and makes
+/// it anew.
+TEST_F(LoopThreadsTest, MeshesMayChangeWhileTheServoFeelsThem)
+{
+    const RidgeShape ridges;
+    OdeMesh mesh(ridge_mesh(ridges, 60, 60));
+    const OdeMesh other(ridge_mesh(ridges, 50, 50));
+    dGeomID geom = mesh.add_to(world_.space);
+    ScriptedDevice device([](double seconds) -> Vector3 { return {0.02 * std::sin(20 * seconds), 0.001, 0.008}; });
+    HapticProbe probe(device, world_.space, radius, without_ramp());
+    LoopSettings settings = this->settings(true);
+    settings.physics_rate = 500;
+    settings.duration = 0.5;
+    HapticLoop loop(probe, settings);
+    int steps = 0;
+    int felt = 0;
+    loop.run({[&] { world_.collide(probe); },
+              [&](double dt) {
+                  world_.step(dt);
+                  felt += loop.latest().wished.norm() > 0.5 ? 1 : 0;
+                  switch (++steps % 20)
+                  {
+                  case 5:
+                      mesh.set(ridge_mesh(ridges, 60 - steps % 3, 60));
+                      dGeomTriMeshSetData(geom, mesh.data());
+                      probe.sensor()->forget_mesh(mesh.data());
+                      break;
+                  case 10:
+                      dGeomTriMeshSetData(geom, other.data());
+                      break;
+                  case 15:
+                      dGeomDestroy(geom);
+                      geom = mesh.add_to(world_.space);
+                      break;
+                  default:
+                      break;
+                  }
+              }});
+    dGeomDestroy(geom);
+    EXPECT_GT(felt, 10);
 }
 
 TEST_F(LoopThreadsTest, AnExceptionEndsBothThreads)

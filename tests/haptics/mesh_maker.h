@@ -27,21 +27,21 @@ struct MeshShape
     }
 };
 
-/// A flat square in the plane z = 0, of cells x cells quadrilaterals that share their corners.
-inline MeshShape sheet_mesh(double side, int cells)
+/// A flat rectangle in the plane z = 0, of across x along quadrilaterals that share their corners.
+inline MeshShape grid_mesh(double cell, int across, int along)
 {
     MeshShape shape;
-    for (int j = 0; j <= cells; ++j)
+    for (int j = 0; j <= along; ++j)
     {
-        for (int i = 0; i <= cells; ++i)
+        for (int i = 0; i <= across; ++i)
         {
-            shape.vertices.emplace_back(side * (1.0 * i / cells - 0.5), side * (1.0 * j / cells - 0.5), 0);
+            shape.vertices.emplace_back(cell * (i - across / 2.0), cell * (j - along / 2.0), 0);
         }
     }
-    const int row = cells + 1;
-    for (int j = 0; j < cells; ++j)
+    const int row = across + 1;
+    for (int j = 0; j < along; ++j)
     {
-        for (int i = 0; i < cells; ++i)
+        for (int i = 0; i < across; ++i)
         {
             const int corner = j * row + i;
             shape.triangles.push_back({corner, corner + 1, corner + row + 1});
@@ -49,6 +49,12 @@ inline MeshShape sheet_mesh(double side, int cells)
         }
     }
     return shape;
+}
+
+/// The same, cells x cells of them.
+inline MeshShape sheet_mesh(double side, int cells)
+{
+    return grid_mesh(side / cells, cells, cells);
 }
 
 /// A closed box between two corners.

@@ -233,6 +233,8 @@ public:
         return {};
     }
 
+    const std::vector<Notice> &all() const { return notices_; }
+
 private:
     std::vector<Notice> notices_;
 };

@@ -31,10 +31,13 @@ public:
     /// Whether this body was kept and is still there.
     bool has(dBodyID body) const;
 
+    /// @param object the body's address, as Touch::object has it.
+    /// @return 0 when there is no such body: it is gone, or was never one.
+    dBodyID find(std::uintptr_t object) const;
+
     /// Add a force at a point, both in the world's frame. A disabled body is enabled by it.
     ///
-    /// @param object the body's address, as Touch::object has it.
-    /// @return false when there is no such body: it is gone, or was never one.
+    /// @return false when find() finds nothing.
     bool push(std::uintptr_t object, const Vector3 &force, const Vector3 &point);
 
 private:
@@ -45,8 +48,6 @@ private:
         dJointID joint;
         int age; ///< ticks since it was touched
     };
-
-    Watched *find(std::uintptr_t object);
 
     std::vector<Watched> watched_;
 };

@@ -83,9 +83,9 @@ struct DeviceStatus
 
 /// A haptic device, or something that stands for one.
 ///
-/// Call order: open(); then read() and write() by turns, from the servo loop's thread; close(). When that thread hangs elsewhere,
-/// another one may write() zero, or close(): never two at once (see DeviceGate). A force that was written stays until the next
-/// write() or close().
+/// Call order: open(); then read() and write() in each tick, from the servo loop's thread; close(). When that thread hangs
+/// elsewhere, another one may write() zero, or close(): never two at once (see DeviceGate). A force that was written stays
+/// until the next write() or close().
 class Device
 {
 public:

@@ -6,11 +6,12 @@
 #include "ode_predictive_space/haptics/device.h"
 
 #include <atomic>
+#include <thread>
 
 namespace ode_predictive_space::haptics
 {
-/// Sees to it that never two threads are in a device at once, without either of them ever waiting: who finds the device taken
-/// goes without. A servo loop of which the program's part hangs is not in the device; then the guard can set its force to zero.
+/// Ensures that two threads are never in a device at once. Neither of them ever waits: a call that finds the device taken is
+/// skipped. A servo loop of which the program's part hangs is not in the device; then the guard can set its force to zero.
 ///
 /// From then on the gate is closed to the servo's forces until it has noticed: what it computed before it hung must not be
 /// rendered after it.
@@ -25,8 +26,8 @@ public:
     /// Of the servo. @return false when the guard is in the device: then state is left alone. @throws DeviceError
     bool read(double time, DeviceState &state);
 
-    /// Of the servo. @return false when the guard is in the device, or has closed the gate since notice_closing(): then nothing is
-    /// written, except that zero is always let through, as the guard may have found the device taken.
+    /// Of the servo. @return false when the guard is in the device, or has closed the gate since notice_closing(): then
+    /// nothing is written, except that zero is always let through, as the guard may have found the device taken.
     /// @throws DeviceError
     bool write(const Wrench &wrench);
 
@@ -46,8 +47,16 @@ public:
     /// @param now s; on any clock.
     Outcome close_with_zero(double now);
 
-    /// When the program ends: no force, and none ever again. From any thread; it waits for one that is in the device, 20 ms at most.
+    /// When the program ends: no force, and none ever again. From any thread; it waits for one that is in the device, 20 ms
+    /// at most.
     void shut() noexcept;
+
+    /// Whether a guard looks after this device.
+    void set_guarded(bool guarded) { guarded_.store(guarded, std::memory_order_relaxed); }
+    bool is_guarded() const { return guarded_.load(std::memory_order_relaxed); }
+
+    /// The thread that read last: the servo's. From any thread.
+    std::thread::id reader() const { return reader_.load(std::memory_order_relaxed); }
 
     /// How often the guard took the force away.
     std::uint64_t zeros() const { return zeros_.load(std::memory_order_acquire); }
@@ -73,6 +82,8 @@ private:
     std::atomic<User> user_{User::none};
     std::atomic<bool> closed_{false};
     std::atomic<bool> shut_{false}; ///< for good
+    std::atomic<bool> guarded_{false};
+    std::atomic<std::thread::id> reader_{};
     std::atomic<std::uint64_t> zeros_{0};
     std::atomic<double> last_zero_{0}; ///< s
 };

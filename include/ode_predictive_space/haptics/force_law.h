@@ -12,6 +12,9 @@ namespace ode_predictive_space::haptics
 /// A law only ever gives the force on the probe; whoever applies it gives the touched object exactly the opposite, at the
 /// touch's point. Forces and reactions therefore add up to zero by construction.
 ///
+/// What a touch feels like is in Touch::material, by then no more than the device can render (see Renderer): a law that goes by something
+/// else has to see to stability itself.
+///
 /// Real-time: when forces() has seen a number of touches once, up to that number it neither allocates nor locks.
 class ForceLaw
 {
@@ -32,31 +35,12 @@ public:
     /// Forget what was felt before: friction's hold on a surface, the place of a proxy. After a jump of the tool.
     virtual void reset() = 0;
 
-    /// N/m, in the scene's frame; of one surface along its normal.
-    virtual double stiffness() const = 0;
-
-    /// N s/m, in the scene's frame; 0 when it has none.
-    virtual double damping() const = 0;
-
-    /// For the stability check, which may find that stiffness() is too much for a device.
-    ///
-    /// @throws std::invalid_argument when it is negative or not finite.
-    virtual void set_stiffness(double stiffness) = 0;
+    /// Of what has no material of its own.
+    virtual Material material() const = 0;
 };
 
 /// What the probe feels of several touches: the sum of their forces.
 Vector3 sum_of(const TouchForces &forces);
-
-/// What the penalty law and the proxy law can be set to.
-struct SurfaceProperties
-{
-    double stiffness = 500; ///< N/m, >= 0
-    double damping = 0;     ///< N s/m, >= 0; along the normal
-    double friction = 0;    ///< Coulomb's coefficient, >= 0; the same for holding and for sliding
-};
-
-/// @throws std::invalid_argument that names the property which is negative or not finite.
-void check(const SurfaceProperties &properties);
 } // namespace ode_predictive_space::haptics
 
 #endif

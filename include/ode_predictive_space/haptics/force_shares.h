@@ -16,7 +16,7 @@ struct ForceShare
     unsigned feature = 0;            ///< Touch::feature
 };
 
-/// Divides the force that the hand really got among those who made it, so that each of them gets the opposite of its part.
+/// Divides the force that the hand really got among the objects that made it, so that each of them gets the opposite of its part.
 ///
 /// What a law wishes is limited on its way to the device: clamped, scaled, and kept from changing too fast. The last of these
 /// mixes the wish of this tick with the force of the tick before, which other objects may have made. So the force that was written
@@ -35,7 +35,7 @@ public:
     /// what was given; there are none when nothing is touched or was before.
     const std::vector<ForceShare> &shares() const { return shares_; }
 
-    /// No force, and nobody's.
+    /// No force, and no shares.
     void clear() { shares_.clear(); }
 
 private:

@@ -25,7 +25,7 @@ struct SceneWork
 struct LoopSettings
 {
     double rate = 1000;     ///< Hz; of the servo
-    bool decoupled = false; ///< whether the servo has a thread of its own, and feels a local model of the contacts
+    bool decoupled = false; ///< whether the servo has a thread of its own, and feels a local model of the scene
     double physics_rate =
         1000; ///< Hz; of the scene when decoupled, not more than rate. Else it is stepped at the servo's rate
     double duration = std::numeric_limits<double>::infinity(); ///< s, simulated
@@ -52,7 +52,9 @@ struct LoopReport
     std::uint64_t dropped_steps = 0; ///< of the scene: it was too far behind
     std::uint64_t saturated = 0;     ///< ticks in which the force was more than the device can render
     std::uint64_t notices = 0;       ///< given to the sink
-    std::string scheduling;          ///< which priority and memory the system granted or refused, in sentences
+    std::uint64_t held_back =
+        0; ///< notices that came again within a second of the same: told later as one, with their number
+    std::string scheduling; ///< which priority and memory the system granted or refused, in sentences
 };
 
 class LoopParts;
@@ -61,12 +63,14 @@ class LoopParts;
 ///
 /// Single-threaded, the default: all in the caller's thread, at the servo's rate: read, collide, force, write, step.
 ///
-/// Decoupled: the caller's thread steps the scene at its own rate and publishes what the probe touches as planes; a servo thread reads
-/// the device, feels those planes, which move on with their surfaces, and writes the force. Its cost does not depend on the scene. What it gave to the
-/// hand comes back to the scene as impulses, none lost and none twice. The probe's tool must not be a body then.
+/// Decoupled: the caller's thread steps the scene at its own rate and publishes the geoms around the probe; a servo thread
+/// reads the device, feels those geoms, which move on with their velocities, and writes the force. Its cost depends on what
+/// is near the probe, not on the size of the scene. What it gave to the hand comes back to the scene as impulses, none lost
+/// and none twice. The probe's tool must not be a body then.
 ///
-/// There is zero force in the end, whichever it is: the duration is over, stop() or a StopRequest (within 1 ms, whatever the loop does
-/// just then), an exception of the program (which run() throws on), a lost device. Scene and servo that hang are noticed:
+/// There is zero force in the end, whichever it is: the duration is over, stop() or a StopRequest (within 1 ms, whatever the
+/// loop does just then), an exception of the program (which run() throws on), a lost device. Scene and servo that hang are
+/// noticed:
 /// - a servo, and with it the scene of a single-threaded loop, by a guard, a thread of the loop, that sets the force to zero within 5 ms
 ///   of the time at which the next tick should have begun: 6 ms after the last one at 1 kHz and above, 10 ms at 200 Hz, 15 ms at 100 Hz;
 /// - the scene of a decoupled loop by the servo's watchdog: the force is gone 8 ms after the next step should have begun: 9 ms after
@@ -75,10 +79,10 @@ class LoopParts;
 class HapticLoop
 {
 public:
-    /// @param probe is not owned. As long as run() runs, the program may use it in its collide() and advance(); of a decoupled loop
-    ///        only touch(), touches() and encounters(), as the rest belongs to the servo: see latest().
-    /// @throws std::invalid_argument for a rate that is not above 0, and for a decoupled loop with a tool body; std::logic_error when
-    ///         another loop runs the probe.
+    /// @param probe is not owned. As long as run() runs, the program may use it in its collide() and advance(); of a
+    ///        decoupled loop only touch(), touches() and encounters(), as the rest belongs to the servo: see latest().
+    /// @throws std::invalid_argument for a rate that is not above 0, and for a decoupled loop with a tool body;
+    ///        std::logic_error when another loop runs the probe.
     HapticLoop(HapticProbe &probe, LoopSettings settings);
 
     /// As HapticProbe's: a run in another thread is ended and waited for.
@@ -86,11 +90,12 @@ public:
     HapticLoop(const HapticLoop &) = delete;
     HapticLoop &operator=(const HapticLoop &) = delete;
 
-    /// Run until the duration is over, stop() is called, or StopRequest::requested(), which SIGINT, SIGTERM, SIGHUP and SIGQUIT do as
-    /// long as it runs: such a signal ends the loop and not the program (see StopRequest::signal()). Once.
+    /// Run until the duration is over, stop() is called, or StopRequest::requested(), which SIGINT, SIGTERM, SIGHUP and
+    /// SIGQUIT do as long as it runs: such a signal ends the loop and not the program (see StopRequest::signal()). Once.
     ///
     /// @return the report at the end.
-    /// @throws std::logic_error when it has run, or another loop runs the probe; what the program's callbacks throw, the sink of notices among them, or the force law, after the force has been taken away.
+    /// @throws std::logic_error when it has run, or another loop runs the probe; what the program's callbacks throw, the
+    ///        sink of notices among them, or the force law, after the force has been taken away.
     LoopReport run(const SceneWork &work);
 
     /// From any thread.

@@ -52,7 +52,7 @@ public:
     std::unique_ptr<RunningTask> start(PeriodicTask task) override;
 };
 
-/// A clock whose time passes only when somebody sleeps, or says so. Then the tasks that are due are carried out, in the
+/// A clock whose time passes only in sleep_until() and advance(). Then the tasks that are due are carried out, in the
 /// order of their times and, among those of the same time, of their start: all in the one thread, the same in each run.
 class SimulatedClock : public LoopClock
 {

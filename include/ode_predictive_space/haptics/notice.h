@@ -30,7 +30,7 @@ struct Notice
     Notice(NoticeKind notice_kind, double notice_time, std::string_view sentence);
 
     NoticeKind kind = NoticeKind::device;
-    double time = 0;              ///< s; on the loop's clock
+    double time = 0;              ///< s; simulated, as RenderedTick::time is
     std::array<char, 240> text{}; ///< ends with 0
 
     std::string_view sentence() const { return text.data(); }

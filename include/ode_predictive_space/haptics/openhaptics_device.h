@@ -38,8 +38,8 @@ struct OpenHapticsSettings
 /// Errors of the library in the servo thread, by their names in it:
 /// - WARM_MOTORS, EXCEEDED_MAX_FORCE, EXCEEDED_MAX_FORCE_IMPULSE, EXCEEDED_MAX_VELOCITY, FORCE_ERROR: it recovers. The
 ///   next read() or write() throws `failed`. No force is rendered until `recovery_time` has gone by without such an
-///   error; as long, read() throws, and status() is not ready. Writes after the first go through, for a zero. Whoever
-///   writes after that should let the force grow slowly, as after a start.
+///   error; as long, read() throws, and status() is not ready. Writes after the first go through, for a zero. After
+///   that the force should grow slowly, as after a start.
 /// - DEVICE_FAULT, DEVICE_ALREADY_INITIATED, COMM_ERROR, COMM_CONFIG_ERROR, TIMER_ERROR, BAD_HANDLE: read() and write()
 ///   throw `lost` until close().
 /// - any other: they throw `failed` until close().

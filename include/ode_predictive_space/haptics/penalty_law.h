@@ -4,17 +4,20 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PENALTY_LAW_H
 
 #include "ode_predictive_space/haptics/constraint_plane.h"
+#include "ode_predictive_space/haptics/felt_materials.h"
 #include "ode_predictive_space/haptics/force_law.h"
 
 namespace ode_predictive_space::haptics
 {
-/// F = k d n for each touch: stiffness times depth, along the normal. Exactly that when damping and friction are 0.
+/// F = k d n for each touch: stiffness times depth, along the normal. Exactly that when damping and friction are 0. All three are
+/// the touch's material's.
 ///
 /// Damping adds b times the speed at which tool and surface approach each other (Kelvin and Voigt's spring and dashpot). Where
 /// that would pull, on leaving a surface quickly, there is no force.
 ///
 /// Friction is a spring of the same stiffness in the tangent plane, with one end on the surface and the other on the tool. It
-/// slips as soon as it would pull by more than friction times the normal force. This is the elasto-plastic model of Hayward and
+/// slips as soon as it would pull by more than static friction times the normal force, and then pulls by friction times it, until that
+/// holds it again. This is the elasto-plastic model of Hayward and
 /// Armstrong ("A new computational model of friction applied to haptic rendering", 2000): it works on displacements,
 /// not on the sign of a measured velocity, hence it neither chatters nor creeps while it holds. Turning of the tool is
 /// left out: the tool is a point to friction.
@@ -28,13 +31,11 @@ class PenaltyLaw final : public ForceLaw
 {
 public:
     /// @throws std::invalid_argument as check() does.
-    explicit PenaltyLaw(const SurfaceProperties &properties = {});
+    explicit PenaltyLaw(const Material &material = {});
 
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override;
     void reset() override;
-    double stiffness() const override { return properties_.stiffness; }
-    double damping() const override { return properties_.damping; }
-    void set_stiffness(double stiffness) override;
+    Material material() const override { return material_; }
 
 private:
     /// Where friction's spring hangs: how far the tool has moved over the surface of an object since it took hold.
@@ -42,15 +43,20 @@ private:
     {
         std::uintptr_t object;
         unsigned feature;
+        Vector3 normal;
         Vector3 stretch; // m, in the tangent plane
+        bool slides;
     };
 
     void share_ways_out(const std::vector<Touch> &touches);
-    double normal_force(const ToolState &tool, const Touch &touch, double depth) const;
-    Vector3 friction_force(const Touch &touch, double normal_force, const Vector3 &moved, double dt);
+    const Hold *hold_before(const Touch &touch) const;
+    Vector3 friction_force(const Touch &touch, const Material &material, double normal_force, const Vector3 &moved,
+                           double dt);
 
-    SurfaceProperties properties_;
+    Material material_;
+    FeltMaterials materials_{FeltMaterials::Successor::same_object};
     std::vector<double> depths_;              // of this tick: what of each touch's depth counts
+    std::vector<char> pressed_;               // whether that is above 0
     std::vector<ConstraintPlane> planes_;     // of one object
     std::vector<Hold> holds_;                 // of this tick
     std::vector<Hold> last_holds_;            // of the tick before

@@ -67,6 +67,10 @@ public:
     HapticProbe(const HapticProbe &) = delete;
     HapticProbe &operator=(const HapticProbe &) = delete;
 
+    /// What each geom is made of; what the function leaves open is the law's. It is asked in the near callback for each geom that the probe
+    /// may touch, in every tick. It must not throw. Empty: all is the law's. Not with a tool body.
+    void set_materials(MaterialOf materials);
+
     /// A tick begins: read the device, place the geom there.
     ///
     /// @param time s, simulated; not less than in the call before.

@@ -4,11 +4,12 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PROXY_LAW_H
 
 #include "ode_predictive_space/haptics/constraint_plane.h"
+#include "ode_predictive_space/haptics/felt_materials.h"
 #include "ode_predictive_space/haptics/force_law.h"
 
 namespace ode_predictive_space::haptics
 {
-/// F = k (proxy - tool). The proxy is where the tool would be if no surface could be entered: the point nearest to the tool
+/// F = k (proxy - tool), with the stiffness of the touched material; of several, each plane has its own. The proxy is where the tool would be if no surface could be entered: the point nearest to the tool
 /// that no touch forbids (Zilles and Salisbury, "A constraint-based god-object method for haptic display", 1995).
 ///
 /// A touch forbids what is behind the plane that lies its depth above the tool, along its normal. Up to three such planes carry
@@ -18,7 +19,8 @@ namespace ode_predictive_space::haptics
 /// plane pushes by k d n as if it were alone.
 ///
 /// Friction: the proxy stays where it is on the surfaces, and moves along with them, as long as the tool is in the friction
-/// cone below it; otherwise it follows just as far as the cone's edge (Salisbury and Tarr 1997; Harwin and Melder 2002).
+/// cone below it; otherwise it follows just as far as the cone's edge (Salisbury and Tarr 1997; Harwin and Melder 2002). The cone is that of
+/// static friction as long as the proxy stays, and that of friction while it slides.
 /// Damping acts along each carrying plane's normal, and never pulls; it is not part of proxy().
 ///
 /// Where a touch does not know by which side the tool came in (Touch::from_entry_side), the law remembers it: when the tool has gone
@@ -28,26 +30,29 @@ class ProxyLaw final : public ForceLaw
 {
 public:
     /// @throws std::invalid_argument as check() does.
-    explicit ProxyLaw(const SurfaceProperties &properties = {});
+    explicit ProxyLaw(const Material &material = {});
 
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override;
     TouchView view() const override { return TouchView::all_together; }
     void reset() override;
-    double stiffness() const override { return properties_.stiffness; }
-    double damping() const override { return properties_.damping; }
-    void set_stiffness(double stiffness) override;
+    Material material() const override { return material_; }
 
     /// m, in the scene's frame; where the last call left it. The tool's position when nothing is touched.
     const Vector3 &proxy() const { return proxy_; }
 
 private:
     ConstraintPlane plane_of(const Vector3 &tool, const Touch &touch, double dt) const;
-    double normal_force(const ToolState &tool, const Touch &touch, const ConstraintPlane &plane) const;
+    void follow_materials(const std::vector<Touch> &touches, double dt);
     Vector3 friction(const Vector3 &tool, const Vector3 &lifted, double carried, const std::vector<Touch> &touches,
-                     double dt) const;
+                     double dt);
+    bool has_friction() const;
+    double most_friction(bool slides) const;
     Vector3 along_the_carriers(Vector3 vector) const;
 
-    SurfaceProperties properties_;
+    Material material_;
+    FeltMaterials materials_{FeltMaterials::Successor::any_object};
+    std::vector<char> carries_; // of each plane
+    bool slides_ = false;
     std::vector<ConstraintPlane> planes_;      // of this tick, in the order of the touches
     std::vector<ConstraintPlane> last_planes_; // of the tick before
     Vector3 proxy_ = Vector3::Zero();

@@ -55,7 +55,7 @@ Recording read_recording(const std::string &file);
 class Recorder
 {
 public:
-    /// Who calls flush().
+    /// Where flush() is called.
     enum class Flush
     {
         by_itself, ///< a thread of the recorder's

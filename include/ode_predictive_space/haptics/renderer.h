@@ -3,7 +3,9 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
 
+#include "ode_predictive_space/haptics/contact_birth.h"
 #include "ode_predictive_space/haptics/device_gate.h"
+#include "ode_predictive_space/haptics/device_motion.h"
 #include "ode_predictive_space/haptics/force_shares.h"
 #include "ode_predictive_space/haptics/notice.h"
 #include "ode_predictive_space/haptics/passivity.h"
@@ -17,14 +19,16 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace ode_predictive_space::haptics
 {
 /// How a device is rendered to.
 struct RenderSettings
 {
-    std::shared_ptr<ForceLaw> law; ///< 0: PenaltyLaw with half of the device's stiffness, 500 N/m if that is not known
-    WorkspacePlacement placement;  ///< of the device's workspace in the scene
+    std::shared_ptr<ForceLaw>
+        law; ///< 0: PenaltyLaw with what is half of the device's stiffness in the hand, 500 N/m if that is not known
+    WorkspacePlacement placement;          ///< of the device's workspace in the scene
     std::optional<SafetyLimits> safety;    ///< nothing: SafetyLimits::of() the device
     double rate = 1000;                    ///< Hz; how often the device is read and written
     double physics_rate = 1000;            ///< Hz; how often the scene is stepped
@@ -57,10 +61,11 @@ struct RenderedTick
 class Renderer
 {
 public:
-    /// Opens the device unless it is open; then check_stability() may make the law softer, with a notice.
+    /// Opens the device unless it is open. What the law wants to be stiffer than check_stability() allows is rendered softer, with a notice.
     ///
     /// @param device is not owned, and must outlive the renderer.
     /// @throws DeviceError as Device::open() does.
+    /// @throws std::logic_error when another renderer has the device.
     /// @throws std::invalid_argument for a law, a setting or a rate with which nothing sensible can be rendered.
     Renderer(Device &device, RenderSettings settings);
 
@@ -88,7 +93,7 @@ public:
     /// what the safety stage lets go slowly belongs to it. Empty when there was no force.
     const std::vector<ForceShare> &shares() const { return split_.shares(); }
 
-    /// Render a coupling to a tool body.
+    /// Render a coupling to a tool body, as stiff as the device can.
     ///
     /// @return what the body is to get: the opposite of what the hand really got, in the scene's frame. A torque that the device
     ///         cannot render is not felt, but turns the body all the same.
@@ -105,14 +110,19 @@ public:
 
     const RenderedTick &last_tick() const { return tick_; }
 
+    /// The default law is another one after set_placement().
     ForceLaw &law() { return *law_; }
 
-    /// Between two ticks: another law, or the same with another stiffness, after check_stability().
+    /// What the device can render of a material of the scene: the same, or with less stiffness or damping. This is what the law gets
+    /// with each touch, as scale and rate are now.
+    Material rendered(const Material &material) const;
+
+    /// Between two ticks: another law, after check_stability().
     /// @throws std::invalid_argument as the constructor does.
     void set_law(std::shared_ptr<ForceLaw> law);
 
-    /// For virtual couplings, as set_law() for laws. @return the coupling, softer where it must be.
-    VirtualCoupling softened(VirtualCoupling coupling);
+    /// For virtual couplings, as set_law() for laws: says what render() makes softer.
+    void check(const VirtualCoupling &coupling);
 
     /// Between two ticks; the force comes back slowly. @throws std::invalid_argument as the constructor does: what is stiff depends
     /// on the scale.
@@ -131,6 +141,12 @@ public:
     const NoticeSink &notice_sink() const { return settings_.notice; }
 
     const SafetyReport &safety_report() const { return safety_.report(); }
+
+    /// Tell now what was held back because it had just been told: at the end of a run.
+    void tell_held_back();
+
+    /// How many notices were held back, so far. Those of a second are told as one, with their number.
+    std::uint64_t held_back() const { return held_back_; }
 
     /// For the guard of a loop.
     DeviceGate &gate() { return gate_; }
@@ -152,11 +168,16 @@ private:
         bool opened_;
     };
 
-    void soften_law();
-    StabilityVerdict verdict(double stiffness, double damping);
+    void check_law();
+    void check(double stiffness, double damping);
+    Rendering rendering(double stiffness, double damping) const;
+    void feel(const std::vector<Touch> &touches, double dt);
     bool read_device(double time);
     bool is_silent(const DeviceState &state, double time);
+    void follow(DeviceState state);
+    void come_back();
     void fail(std::string_view why);
+    void doubt(std::string_view why);
     void release_device() noexcept;
     void begin_anew();
     void move_clutch();
@@ -167,6 +188,7 @@ private:
     void tell_of_safety();
     void tell_of_watchdog();
     void tell_once_a_second(Topic topic, NoticeKind kind, std::string_view sentence);
+    void tell_what_was_held_back(double quiet_for);
     void tell(NoticeKind kind, std::string_view sentence) const;
 
     /// Known to what takes the force away when the program ends.
@@ -185,27 +207,44 @@ private:
     DeviceGate gate_;
     Opening opening_;
     Registration registration_;
-    RenderSettings settings_;
-    std::shared_ptr<ForceLaw> law_;
+    RenderSettings settings_; ///< its law is 0 as long as that is the default
     WorkspaceMapping mapping_;
+    std::shared_ptr<ForceLaw> law_;
     SafetyStage safety_;
     std::optional<Watchdog> watchdog_; ///< always there: made anew when the rates change
     std::optional<PassivityController> passivity_;
     std::function<void(const RenderedTick &)> recorder_;
 
     bool answers_ = false;
-    bool failed_ = false;    ///< and has not answered since
-    bool relaxed_ = false;   ///< and has not been read since
-    double next_try_;        ///< s, simulated; when a device that failed is tried again
-    double last_news_ = 0;   ///< s, simulated; when the device's state was a new one
-    double last_state_time_; ///< s; of the last state, by the device
+    bool failed_ = false;      ///< and has not answered since
+    bool guard_acted_ = false; ///< since the last tick
+    double doubted_since_;     ///< s, simulated; since when the device tells nonsense, if it does
+    bool relaxed_ = false;     ///< and has not been read since
+    double next_try_;          ///< s, simulated; when a device that failed is tried again
+    double last_news_ = 0;     ///< s, simulated; when the device's state was a new one
+    double last_state_time_;   ///< s; of the last state, by the device
     double clock_time_ = 0;
-    double last_answer_; ///< s, simulated; of the device
+    double last_answer_;      ///< s, simulated; of the device
+    std::vector<Touch> felt_; ///< touches with the materials that are rendered
+    ContactBirth birth_;
+    DeviceMotion motion_;
     TouchForces forces_;
     ForceSplit split_;
     RenderedTick tick_;
     WatchdogReason last_reason_ = WatchdogReason::none;
-    std::array<double, 16> told_; ///< s, simulated; when a topic was told of last
+    std::string stability_told_; ///< why the law is rendered softer; empty when it is not
+
+    /// What was told of a topic, and what was not.
+    struct Told
+    {
+        double last;   ///< s, simulated; when it was told
+        int times = 0; ///< held back since
+        Notice notice; ///< the last of those
+    };
+
+    static constexpr std::size_t most_topics = 20;
+    std::array<Told, most_topics> told_;
+    std::uint64_t held_back_ = 0;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -38,7 +38,7 @@ enum class SafetyAction
     not_finite,   ///< the wrench, the velocity, the time or the allowance is NaN or infinite: zero, at once
     too_fast,     ///< the hand is faster than max_speed: zero, at once
     waiting,      ///< has not been small since the start: zero
-    no_axes,      ///< the device cannot push: zero
+    no_axes,      ///< the device cannot push, or its maximum of force is not told: zero
     ramping,      ///< after the start or a fault: scaled down
     clamped,      ///< was above the maximum: shortened, its direction kept
     slew_limited, ///< would have changed too fast: on its way
@@ -94,6 +94,12 @@ public:
 
     /// As at the start: the next wrench is zero, and the stage waits for a small one. Counts go on.
     void reset();
+
+    /// The force was taken away behind the stage, and nothing else has changed: the next wrench is zero, and it comes back by the ramp.
+    void restart_ramp();
+
+    /// Whether the wished wrench was small once since the start.
+    bool engaged() const { return engaged_; }
 
     const SafetyReport &report() const { return report_; }
     const SafetyLimits &limits() const { return limits_; }

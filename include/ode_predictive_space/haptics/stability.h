@@ -47,6 +47,12 @@ struct StabilityVerdict
 ///
 /// Without a known b, only the device's limits count: they were found by trial with a hand that damps.
 StabilityVerdict check_stability(const Capabilities &capabilities, const Rendering &rendering);
+
+/// The same without words, for where something has to be rendered: neither allocates nor throws. Damping that nothing would make passive
+/// becomes none.
+///
+/// @return what may be rendered; its stiffness and damping are those asked for, or less.
+Rendering renderable(const Capabilities &capabilities, const Rendering &rendering) noexcept;
 } // namespace ode_predictive_space::haptics
 
 #endif

@@ -4,7 +4,9 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_TOUCH_H
 
 #include "ode_predictive_space/haptics/device.h"
+#include "ode_predictive_space/haptics/material.h"
 
+#include <optional>
 #include <vector>
 
 namespace ode_predictive_space::haptics
@@ -20,6 +22,8 @@ struct Touch
     std::uintptr_t object = 0; ///< which object: the same from tick to tick, different for different ones
     unsigned feature = 0; ///< which plane of the object: the same from tick to tick, different for those of one object
     bool from_entry_side = false; ///< the normal is that of the side by which the probe came, however deep it is by now
+    std::optional<Material>
+        material; ///< nothing: the force law's own. A renderer fills it in with what the device can render
 };
 
 /// What the touches are of several objects at once.

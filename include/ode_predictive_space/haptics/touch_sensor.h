@@ -6,26 +6,43 @@
 #include "ode_predictive_space/haptics/body_watch.h"
 #include "ode_predictive_space/haptics/force_shares.h"
 
+#include <functional>
 #include <memory>
 #include <ode/collision.h>
 #include <ode/collision_trimesh.h>
 #include <ode/objects.h>
+#include <vector>
 
 namespace ode_predictive_space::haptics
 {
 class ContactTracker;
 class MeshStore;
 
+/// The heights of a heightfield, as it was built of them by dGeomHeightfieldDataBuildDouble() or the like. Its frame's y
+/// axis points up.
+struct HeightfieldSamples
+{
+    double width = 0;            ///< m, > 0; along x
+    double depth = 0;            ///< m, > 0; along z
+    int width_samples = 0;       ///< >= 2
+    int depth_samples = 0;       ///< >= 2
+    double scale = 1;            ///< m; of a height of 1
+    double offset = 0;           ///< m; of a height of 0
+    std::vector<double> heights; ///< that of column x and row z is at x + z * width_samples
+};
+/// What a geom is made of; nothing: what the force law says.
+using MaterialOf = std::function<std::optional<Material>(dGeomID)>;
+
 /// A geom that follows the hand, tells what it touches, and pushes what it touches.
 ///
-/// Each tick: clear(), pose(), the program's dSpaceCollide() with touch() in its near callback, push(). In between the program may
-/// destroy what it likes, except this geom: what is gone is not pushed.
+/// Each tick: clear(), pose(), the program's dSpaceCollide() with touch() in its near callback, push(). In between the
+/// program may destroy anything except this geom: what is gone is not pushed.
 ///
-/// The sphere of its own holds to boxes, spheres, capsules, cylinders, planes and triangle meshes: it is touched from the side by
-/// which the tool came, until it comes back through there, however thin the object, fast the tool, or deep it is. What the near
-/// callback does not tell of any more (destroyed, disabled, filtered out) is let go, and so is a mesh with other triangles. All else
-/// is touched as dCollide() says at the moment: convex geoms, heightfields, transforms and classes of the program, and all
-/// things that a geom of the program touches.
+/// The sphere of its own holds to boxes, spheres, capsules, cylinders, planes, triangle meshes and, with set_samples(),
+/// heightfields: it is touched from the side by which the tool came, until it comes back through there, however thin the
+/// object, fast the tool, or deep it is. What the near callback does not tell of any more (destroyed, disabled, filtered
+/// out) is let go, and so is a mesh with other triangles. All else is touched as dCollide() says at the moment: convex
+/// geoms, other heightfields, transforms and classes of the program, and all things that a geom of the program touches.
 ///
 /// What the probe cannot touch is said as everywhere in ODE: by dGeomSetCategoryBits() and dGeomSetCollideBits().
 class TouchSensor
@@ -49,12 +66,12 @@ public:
     TouchSensor(const TouchSensor &) = delete;
     TouchSensor &operator=(const TouchSensor &) = delete;
 
-    /// The sphere of its own has the place and size in which it looks for what it can touch: larger than the tool while that moves or is
-    /// pressed into something.
+    /// The sphere of its own has the place and size in which it looks for what it can touch: larger than the tool while that
+    /// moves or is pressed into something.
     dGeomID geom() const { return geom_; }
 
-    /// Notice what comes near before it is touched: touches() then has what is up to this far away, too, with a negative depth.
-    /// Works for the sphere of its own, which grows by that; other geoms notice nothing before they touch it.
+    /// Notice what comes near before it is touched: touches() then has what is up to this far away, too, with a negative
+    /// depth. Works for the sphere of its own, which grows by that; other geoms notice nothing before they touch it.
     ///
     /// @param margin m, >= 0.
     void set_margin(double margin);
@@ -62,22 +79,38 @@ public:
     /// Which touches to tell of: the force law's view().
     void set_view(TouchView view) { view_ = view; }
 
+    /// What to ask for the materials of what is touched, in touch(). Empty: nothing.
+    void set_materials(MaterialOf materials) { materials_ = std::move(materials); }
+
     /// Read a mesh now rather than when the probe first comes near it: a hundred thousand triangles take some 0.1 s.
     void prepare(dGeomID mesh);
 
-    /// The same for all meshes that there are in the sensor's space, in those within it, and in those that it is in. Loops do this
-    /// before they begin. Meshes in ODE's quadtree spaces, which cannot list their geoms, are read when they are first touched.
+    /// The same for all meshes that there are in the sensor's space, in those within it, and in those that it is in. Loops
+    /// do this before they begin. Meshes in ODE's quadtree spaces, which cannot list their geoms, are read when they are
+    /// first touched.
     void prepare_all();
 
-    /// The triangles behind this id have changed in place. They are compared from tick to tick, too: those that are touched at once, the
-    /// others in turn, eight at a time.
+    /// The triangles behind this id have changed in place. They are compared from tick to tick, too: those that are touched
+    /// at once, the others in turn, eight at a time.
     void forget_mesh(dTriMeshDataID data);
+
+    /// Hold to a heightfield as to a mesh: to all geoms of this data, until forget_samples(). ODE does not give its samples
+    /// back, so that the program has to. Samples of other heights end a contact. Of a field that
+    /// repeats itself without end, one period.
+    ///
+    /// @param samples are copied.
+    /// @throws std::invalid_argument when they make no field.
+    void set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples);
+
+    /// To be called before the data is destroyed: ODE may use its id again.
+    void forget_samples(dHeightfieldDataID data);
 
     /// The tool was put somewhere else, and nothing lies between: what is entered from now on is entered from there.
     void forget_sides();
 
-    /// An exception came through dSpaceCollide(), and the geom is in one of ODE's own spaces, which is locked for good then. The geom is
-    /// not touched any more: it is disabled, and stays in its space when the sensor goes. In predictive spaces there is nothing to do.
+    /// An exception came through dSpaceCollide(), and the geom is in one of ODE's own spaces, which is locked for good then.
+    /// The geom is not touched any more: it is disabled, and stays in its space when the sensor goes. In predictive spaces
+    /// there is nothing to do.
     void abandon_locked_space();
 
     /// Forget the touches.
@@ -91,16 +124,23 @@ public:
     /// @return true when this pair has been dealt with: one of the two is the probe, the other one no space.
     bool touch(dGeomID first, dGeomID second);
 
-    /// What is touched since clear(). An object is a body with all its geoms, or a geom without a body. Of what only dCollide() knows,
-    /// the deepest contact with each object.
+    /// What is touched since clear(). An object is a body with all its geoms, or a geom without a body. Of what only
+    /// dCollide() knows, the deepest contact with each object.
     const std::vector<Touch> &touches();
 
-    /// Whether dCollide(), a geom's place or a body's velocity gave something that is not a number since clear(). It is left out of
+    /// Whether dCollide(), a geom's place, a body's velocity or a material had something that is not a number since clear(). It is left out of
     /// touches(), which are not all, then.
     bool saw_nonsense();
 
-    /// Give each body the opposite of its share of the force on the hand, where it was touched. A disabled body that gets a force is
-    /// enabled. Objects without a body are left alone, and so are bodies that are gone.
+    /// The body of a touched object; 0 for one that has none, and for one that is gone.
+    dBodyID body_of(std::uintptr_t object) const { return bodies_.find(object); }
+
+    /// For loops that run in two threads: the contact of the own sphere, 0 for another geom.
+    ContactTracker *tracker() { return tracker_.get(); }
+    double radius() const { return radius_; }
+
+    /// Give each body the opposite of its share of the force on the hand, where it was touched. A disabled body that gets a
+    /// force is enabled. Objects without a body are left alone, and so are bodies that are gone.
     void push(const std::vector<ForceShare> &shares);
 
 private:
@@ -111,6 +151,7 @@ private:
     void collide(dGeomID other);
     void add(const dContactGeom &contact, dGeomID other);
     void resolve();
+    std::optional<Material> material_of(dGeomID geom);
 
     static constexpr int most_contacts = 256; ///< of one pair: a mesh gives many, of which one counts
 
@@ -131,6 +172,7 @@ private:
     std::vector<Touch> collided_;             ///< by dCollide()
     std::unique_ptr<ContactTracker> tracker_; ///< of the own sphere
     std::unique_ptr<MeshStore> meshes_;
+    MaterialOf materials_;
     BodyWatch bodies_;
     std::vector<dContactGeom> contacts_; ///< most_contacts of them, for dCollide() to write to
 };

@@ -36,7 +36,7 @@ struct WatchdogLimits
 
     /// What suits two rates in Hz: a sign of life is overdue 3 ms after it should have come, but not less than 4 ms after the one
     /// before. The force is gone 8 ms after it should have come. That is 9 ms after the last one at 1 kHz, and 10 ms at 500 Hz, but
-    /// 18 ms at 100 Hz: whether a scene hangs, or only uses the time that it has, nobody can tell before its step is due.
+    /// 18 ms at 100 Hz: whether a scene hangs, or only uses the time that it has, cannot be told before its step is due.
     static WatchdogLimits of(double servo_rate, double physics_rate);
 };
 

@@ -1,35 +1,50 @@
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <utility>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr std::size_t usual_geoms = 32;
+constexpr std::size_t usual_geoms = NearbyGeoms::capacity;
 constexpr double ahead = 1.5;           // times the tool's way: how far ahead surfaces are looked for
 constexpr double catching_up = 2;       // times the tool's way: how far the proxy may go in a tick, at least its radius
 constexpr double around = 1.5;          // times the proxy's way: the ball that holds all that it may reach, and more
+constexpr double steps_ahead = 2;       // times the tool's way: how far it may go until geoms come from another thread
 constexpr double farthest_carried = 10; // times the radius; a geom that moves more in a tick was put elsewhere
 constexpr double in_contact = 1e-6;     // of the radius
 constexpr double same_direction = 0.5;  // cosine; below, it is another plane of the object
 } // namespace
 
+bool is_finite(const Touch &touch)
+{
+    return touch.point.allFinite() && touch.normal.allFinite() && std::isfinite(touch.depth) &&
+           touch.surface_velocity.allFinite();
+}
+
 ContactTracker::ContactTracker(double radius) : radius_(radius)
 {
     near_.reserve(usual_geoms);
     before_.reserve(usual_geoms);
+    places_.reserve(usual_geoms);
     features_.reserve(usual_geoms);
     features_before_.reserve(usual_geoms);
 }
 
 void ContactTracker::begin()
 {
-    near_.swap(before_);
+    before_.clear();
+    for (const Held &held : near_)
+    {
+        before_.push_back(held.place);
+    }
     near_.clear();
     features_.swap(features_before_);
     features_.clear();
+    adopts_ = false;
 }
 
 void ContactTracker::forget()
@@ -40,9 +55,29 @@ void ContactTracker::forget()
     features_before_.clear();
 }
 
+void ContactTracker::adopt(const ContactMemory &memory)
+{
+    adopts_ = true;
+    if (memory.has_proxy)
+    {
+        proxy_ = memory.proxy;
+        before_.assign(memory.places.begin(), memory.places.begin() + static_cast<std::ptrdiff_t>(memory.count));
+    }
+}
+
+void ContactTracker::remember_in(ContactMemory &memory) const
+{
+    memory.has_proxy = has_proxy_;
+    memory.proxy = proxy_;
+    memory.count = std::min(near_.size(), memory.places.size());
+    std::transform(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(memory.count), memory.places.begin(),
+                   [](const Held &held) { return held.place; });
+}
+
 void ContactTracker::aim(const Vector3 &tool)
 {
     moved_ = has_proxy_ ? (tool - tool_).norm() : 0;
+    ahead_ = adopts_ ? steps_ahead * moved_ : 0;
     tool_ = tool;
     if (!has_proxy_)
     {
@@ -53,7 +88,8 @@ void ContactTracker::aim(const Vector3 &tool)
     longest_ = std::max(radius_, catching_up * moved_);
 }
 
-// All that the proxy may reach lies between two balls: one about where it is, and one about the tool that goes through there.
+// All that the proxy may reach lies between two balls: one about where it is, and one about the tool that goes through
+// there.
 ContactTracker::Region ContactTracker::region() const
 {
     const Vector3 way = tool_ - start_;
@@ -63,29 +99,29 @@ ContactTracker::Region ContactTracker::region() const
     region.centre = step < length ? Vector3(start_ + way * (step / length)) : tool_;
     double drift = 0;
     double farthest = 0; // of the places that differ from the proxy
-    for (const Held &held : before_)
+    for (const ContactMemory::Place &place : before_)
     {
-        drift = std::max(drift, held.drift);
-        if ((held.at - start_).norm() > in_contact * radius_)
+        drift = std::max(drift, place.drift);
+        if ((place.at - start_).norm() > in_contact * radius_)
         {
-            farthest = std::max(farthest, (held.at - region.centre).norm());
+            farthest = std::max(farthest, (place.at - region.centre).norm());
         }
     }
-    region.radius = radius_ + margin_ + std::max(around * step, farthest) + 2 * drift;
+    region.radius = radius_ + margin_ + ahead_ + std::max(around * step, farthest) + 2 * drift;
     return region;
 }
 
 TriangleList ContactTracker::touched_triangles(dGeomID geom) const
 {
-    const auto found =
-        std::find_if(before_.begin(), before_.end(), [&](const Held &held) { return held.geom.id() == geom; });
+    const auto found = std::find_if(before_.begin(), before_.end(),
+                                    [&](const ContactMemory::Place &place) { return place.geom.id == geom; });
     return found != before_.end() ? found->triangles : TriangleList();
 }
 
-const ContactTracker::Held *ContactTracker::known(const NearbyGeom &geom) const
+const ContactMemory::Place *ContactTracker::known(const NearbyGeom &geom) const
 {
-    const auto found =
-        std::find_if(before_.begin(), before_.end(), [&](const Held &held) { return held.geom.is_same_thing(geom); });
+    const auto found = std::find_if(before_.begin(), before_.end(),
+                                    [&](const ContactMemory::Place &place) { return place.geom == geom.identity(); });
     return found != before_.end() ? &*found : nullptr;
 }
 
@@ -98,18 +134,37 @@ void ContactTracker::add(NearbyGeom geom)
     }
     Held held;
     held.start = start_;
-    if (const Held *last = known(geom))
+    held.place.geom = geom.identity();
+    if (const ContactMemory::Place *last = known(geom))
     {
-        const Vector3 carried = geom.to_scene(last->place);
+        const Vector3 carried = geom.to_scene(last->local);
         const double drift = (carried - last->at).norm();
         if (drift <= farthest_carried * radius_)
         {
             held.start = drift > 0 ? carried : last->at;
-            held.drift = drift;
+            held.place.drift = drift;
         }
     }
     held.geom = std::move(geom);
     near_.push_back(std::move(held));
+}
+
+void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
+{
+    std::vector<std::pair<double, const NearbyGeom *>> nearest;
+    const double most = region().radius;
+    for (const Held &held : near_)
+    {
+        SurfaceFeatures features;
+        const bool all_go = near_.size() <= geoms.geoms.size();
+        nearest.emplace_back(all_go ? 0 : held.geom.collect(held.start, most, features), &held.geom);
+    }
+    geoms.count = std::min(near_.size(), geoms.geoms.size());
+    const auto end = nearest.begin() + static_cast<std::ptrdiff_t>(geoms.count);
+    std::nth_element(nearest.begin(), end, nearest.end());
+    std::transform(nearest.begin(), end, geoms.geoms.begin(), [](const auto &near) { return *near.second; });
+    std::fill(geoms.geoms.begin() + static_cast<std::ptrdiff_t>(geoms.count), geoms.geoms.end(), NearbyGeom());
+    geoms.time = time;
 }
 
 SphereSlide::Task ContactTracker::task() const
@@ -130,10 +185,10 @@ void ContactTracker::follow()
     {
         places_.push_back({&held.geom, held.start, 0});
     }
-    remember(slide_.run(task(), places_));
+    settle(slide_.run(task(), places_));
 }
 
-void ContactTracker::remember(bool common)
+void ContactTracker::settle(bool common)
 {
     if (near_.empty())
     {
@@ -143,25 +198,26 @@ void ContactTracker::remember(bool common)
     }
     for (std::size_t i = 0; i < near_.size(); ++i)
     {
-        near_[i].at = places_[i].at;
-        near_[i].place = near_[i].geom.to_local(places_[i].at);
-        near_[i].triangles = {};
+        ContactMemory::Place &place = near_[i].place;
+        place.at = places_[i].at;
+        place.local = near_[i].geom.to_local(places_[i].at);
+        place.triangles = {};
     }
     for (const SlidePlane &plane : slide_.planes())
     {
         if (plane.share > 0 && plane.feature.triangle >= 0)
         {
-            near_[plane.place].triangles.add(plane.feature.triangle);
+            near_[plane.place].place.triangles.add(plane.feature.triangle);
         }
     }
     // While geoms squeeze the sphere, the place that is farthest from the tool is the one that is behind nothing.
     const auto farthest = std::max_element(near_.begin(), near_.end(), [&](const Held &a, const Held &b) {
-        return (a.at - tool_).squaredNorm() < (b.at - tool_).squaredNorm();
+        return (a.place.at - tool_).squaredNorm() < (b.place.at - tool_).squaredNorm();
     });
-    proxy_ = common ? near_.front().at : farthest->at;
+    proxy_ = common ? near_.front().place.at : farthest->place.at;
 }
 
-void ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
+bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
 {
     const std::size_t first = touches.size();
     const bool several = std::any_of(near_.begin(), near_.end(), [&](const Held &held) {
@@ -176,6 +232,11 @@ void ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
         tell_each_object(touches);
     }
     number(touches, first);
+    const auto first_nonsense =
+        std::remove_if(touches.begin() + static_cast<std::ptrdiff_t>(first), touches.end(), std::not_fn(&is_finite));
+    const bool all = first_nonsense == touches.end();
+    touches.erase(first_nonsense, touches.end());
+    return all;
 }
 
 /// What the last slide found.
@@ -198,6 +259,7 @@ void ContactTracker::tell_planes(std::vector<Touch> &touches)
         touch.surface_velocity = geom.velocity_at(touch.point);
         touch.object = geom.object();
         touch.from_entry_side = true;
+        touch.material = geom.material();
         touches.push_back(touch);
     }
 }
@@ -219,7 +281,7 @@ void ContactTracker::tell_each_object(std::vector<Touch> &touches)
         {
             if (held.geom.object() == object)
             {
-                places_.push_back({&held.geom, held.at, 0});
+                places_.push_back({&held.geom, held.place.at, 0});
             }
         }
         SphereSlide::Task alone = task();

@@ -3,17 +3,25 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 
+#include "ode_predictive_space/haptics/contact/contact_memory.h"
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 
 namespace ode_predictive_space::haptics
 {
-/// Keeps a proxy of the tool, which never passes a surface: each tick it goes from where it was towards the tool. With respect to
-/// each geom its place is remembered in the geom's frame, so that it goes with what moves and turns. What holds the proxy off the tool
-/// is touched, from the proxy's side.
+/// Whether all numbers of a touch are.
+bool is_finite(const Touch &touch);
+
+/// Keeps a proxy of the tool, which never passes a surface: each tick it goes from where it was towards the tool. With
+/// respect to each geom its place is remembered in the geom's frame, so that it goes with what moves and turns. What holds
+/// the proxy off the tool is touched, from the proxy's side.
 ///
 /// Each tick: begin(), aim(), add() for each geom that the near callback tells, follow(), touches(). A geom that is not told
-/// is forgotten: its contact has ended, whatever became of it. That is safe since the region() in which geoms are looked for holds
-/// the proxy, hence all that it touches.
+/// is forgotten: its contact has ended, whatever became of it. That is safe since the region() in which geoms are looked for
+/// holds the proxy, hence all that it touches.
+///
+/// In two threads there are two. The servo's owns the sides: each tick it is given the geoms that the scene's found at the
+/// last step, where they are by now. The scene's goes on from the servo's memory in each step: adopt(), and hand_over()
+/// after all add().
 class ContactTracker
 {
 public:
@@ -34,6 +42,9 @@ public:
     /// Forget that, too: the tool is somewhere else now, and nothing lies between.
     void forget();
 
+    /// Of the scene's tracker, after begin(): another one, which has gone on meanwhile, knows where the proxy is.
+    void adopt(const ContactMemory &memory);
+
     void aim(const Vector3 &tool);
 
     /// Where to look for geoms.
@@ -44,6 +55,11 @@ public:
 
     void add(NearbyGeom geom);
 
+    /// Of the scene's tracker: what was added, for the servo's. If it is too much, what is nearest to the proxy.
+    ///
+    /// @param time s; when this was so.
+    void hand_over(NearbyGeoms &geoms, double time) const;
+
     /// The proxy goes as near to the tool as it can.
     void follow();
 
@@ -51,7 +67,12 @@ public:
     const Vector3 &proxy() const { return proxy_; }
 
     /// Append what is touched, or nearer than the margin.
-    void touches(TouchView view, std::vector<Touch> &touches);
+    ///
+    /// @return whether that is all: false when something of a touch is not a number. Such a touch is left out.
+    bool touches(TouchView view, std::vector<Touch> &touches);
+
+    /// Of the servo's tracker, after follow(): for adopt().
+    void remember_in(ContactMemory &memory) const;
 
 private:
     /// A geom, and where the proxy is with respect to it.
@@ -59,10 +80,7 @@ private:
     {
         NearbyGeom geom;
         Vector3 start = Vector3::Zero(); ///< m; the scene's frame, when the tick began
-        Vector3 at = Vector3::Zero();    ///< m; the scene's frame, when it was over
-        Vector3 place = Vector3::Zero(); ///< m; the geom's frame, likewise
-        double drift = 0;                ///< m; how far the geom carried the proxy in the last tick
-        TriangleList triangles;          ///< touched
+        ContactMemory::Place place;      ///< when it was over
     };
 
     /// Which plane of an object had which number.
@@ -74,8 +92,8 @@ private:
     };
 
     SphereSlide::Task task() const;
-    const Held *known(const NearbyGeom &geom) const;
-    void remember(bool common);
+    const ContactMemory::Place *known(const NearbyGeom &geom) const;
+    void settle(bool common);
     void tell_planes(std::vector<Touch> &touches);
     void tell_each_object(std::vector<Touch> &touches);
     void number(std::vector<Touch> &touches, std::size_t first);
@@ -85,13 +103,15 @@ private:
     double radius_;
     double margin_ = 0;
     bool has_proxy_ = false;
+    bool adopts_ = false; ///< another tracker has the proxy
     Vector3 tool_ = Vector3::Zero();
     Vector3 start_ = Vector3::Zero(); ///< m; the proxy when the tick began
     Vector3 proxy_ = Vector3::Zero(); ///< m; when it was over
     double moved_ = 0;                ///< m; the tool, since the tick before
+    double ahead_ = 0;                ///< m; how far the proxy may go until geoms are looked for again
     double longest_ = 0;              ///< m; how far the proxy may go in this tick
     std::vector<Held> near_;
-    std::vector<Held> before_;
+    std::vector<ContactMemory::Place> before_;
     std::vector<SlidePlace> places_;
     SphereSlide slide_;
     std::vector<KnownFeature> features_;

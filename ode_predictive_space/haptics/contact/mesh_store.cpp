@@ -1,6 +1,9 @@
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
 
+#include "ode_predictive_space/haptics/touch_sensor.h"
+
 #include <algorithm>
+#include <stdexcept>
 
 namespace ode_predictive_space::haptics
 {
@@ -20,6 +23,35 @@ TriangleCorners triangle_of(dGeomID geom, int index)
     dVector3 corners[3];
     dGeomTriMeshGetTriangle(geom, index, &corners[0], &corners[1], &corners[2]);
     return {from_ode(corners[0]), from_ode(corners[1]), from_ode(corners[2])};
+}
+
+/// The cells' diagonals go from the one with the higher x to the one with the higher z, as in ODE.
+std::vector<TriangleCorners> triangles_of(const HeightfieldSamples &samples)
+{
+    const int columns = samples.width_samples;
+    const int rows = samples.depth_samples;
+    if (!(samples.width > 0 && samples.depth > 0 && columns >= 2 && rows >= 2) ||
+        samples.heights.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))
+    {
+        throw std::invalid_argument("A heightfield needs a width and a depth, and a height for each of its samples");
+    }
+    const auto at = [&](int x, int z) -> Vector3 {
+        const double height =
+            samples
+                .heights[static_cast<std::size_t>(z) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
+        return {samples.width * (static_cast<double>(x) / (columns - 1) - 0.5), samples.scale * height + samples.offset,
+                samples.depth * (static_cast<double>(z) / (rows - 1) - 0.5)};
+    };
+    std::vector<TriangleCorners> triangles;
+    for (int z = 0; z + 1 < rows; ++z)
+    {
+        for (int x = 0; x + 1 < columns; ++x)
+        {
+            triangles.push_back({at(x, z), at(x + 1, z), at(x, z + 1)});
+            triangles.push_back({at(x + 1, z + 1), at(x, z + 1), at(x + 1, z)});
+        }
+    }
+    return triangles;
 }
 
 /// By a geom at the origin: there ODE gives the coordinates as they are.
@@ -57,7 +89,41 @@ bool is_same(dGeomID geom, const MeshTree &tree, std::size_t triangle)
 }
 } // namespace
 
+bool MeshStore::knows(dGeomID geom) const
+{
+    const int kind = dGeomGetClass(geom);
+    return (kind == dTriMeshClass && dGeomTriMeshGetData(geom) != nullptr) ||
+           (kind == dHeightfieldClass && tree_of_field(dGeomHeightfieldGetHeightfieldData(geom)) != nullptr);
+}
+
 std::shared_ptr<const MeshTree> MeshStore::tree_of(dGeomID geom, const TriangleList &touched)
+{
+    return dGeomGetClass(geom) == dTriMeshClass ? tree_of_mesh(geom, touched)
+                                                : tree_of_field(dGeomHeightfieldGetHeightfieldData(geom));
+}
+
+std::shared_ptr<const MeshTree> MeshStore::tree_of_field(dHeightfieldDataID data) const
+{
+    const auto known =
+        std::find_if(fields_.begin(), fields_.end(), [&](const Field &field) { return field.data == data; });
+    return known != fields_.end() ? known->tree : nullptr;
+}
+
+void MeshStore::set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples)
+{
+    Field field = {data, std::make_shared<const MeshTree>(triangles_of(samples))};
+    forget_samples(data);
+    fields_.push_back(std::move(field));
+}
+
+void MeshStore::forget_samples(dHeightfieldDataID data)
+{
+    fields_.erase(
+        std::remove_if(fields_.begin(), fields_.end(), [&](const Field &field) { return field.data == data; }),
+        fields_.end());
+}
+
+std::shared_ptr<const MeshTree> MeshStore::tree_of_mesh(dGeomID geom, const TriangleList &touched)
 {
     const dTriMeshDataID data = dGeomTriMeshGetData(geom);
     const auto known =

@@ -1,4 +1,4 @@
-// The trees of the meshes that a probe has come near: one for each mesh data.
+// The trees of the meshes that a probe has come near, and of the heightfields whose samples are known: one for each data.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MESH_STORE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MESH_STORE_H
@@ -11,6 +11,8 @@
 
 namespace ode_predictive_space::haptics
 {
+struct HeightfieldSamples;
+
 /// A few triangles of a mesh.
 struct TriangleList
 {
@@ -26,14 +28,23 @@ struct TriangleList
     }
 };
 
-/// Geoms of the same dTriMeshDataID share a tree. ODE does not tell when the triangles behind an id change: each look-up compares
-/// their number, some of them in turn, and those that the caller names, and makes the tree anew when one differs.
+/// Geoms of the same dTriMeshDataID share a tree. ODE does not tell when the triangles behind an id change: each look-up
+/// compares their number, some of them in turn, and those that the caller names, and makes the tree anew when one differs.
+///
+/// A heightfield has the triangles of its cells. It is not compared: ODE tells neither samples nor triangles of it.
 class MeshStore
 {
 public:
-    /// @param geom a triangle mesh.
+    /// Triangle meshes that have data, and heightfields that have samples.
+    bool knows(dGeomID geom) const;
+
+    /// @param geom that it knows.
     /// @param touched triangles of it to compare now.
     std::shared_ptr<const MeshTree> tree_of(dGeomID geom, const TriangleList &touched);
+
+    /// @throws std::invalid_argument when the samples make no field.
+    void set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples);
+    void forget_samples(dHeightfieldDataID data);
 
     /// Make the tree anew when it is needed next.
     void forget(dTriMeshDataID data);
@@ -48,9 +59,19 @@ private:
         std::size_t next = 0; ///< triangle to compare next
     };
 
+    /// Of a heightfield.
+    struct Field
+    {
+        dHeightfieldDataID data;
+        std::shared_ptr<const MeshTree> tree;
+    };
+
+    std::shared_ptr<const MeshTree> tree_of_mesh(dGeomID geom, const TriangleList &touched);
+    std::shared_ptr<const MeshTree> tree_of_field(dHeightfieldDataID data) const;
     bool is_current(dGeomID geom, Entry &entry, const TriangleList &touched) const;
 
     std::vector<Entry> entries_;
+    std::vector<Field> fields_;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -34,6 +34,19 @@ double squared_distance_to_box(const Vector3 &point, const Vector3 &low, const V
     const Vector3 outside = (low - point).cwiseMax(point - high).cwiseMax(0.0);
     return outside.squaredNorm();
 }
+
+SurfaceFeature feature_of(const NearestOnTriangle &nearest, std::size_t triangle, const Vector3 &point)
+{
+    SurfaceFeature feature;
+    feature.point = nearest.point;
+    feature.distance = std::sqrt(nearest.squared_distance);
+    feature.triangle = static_cast<int>(triangle);
+    if (feature.distance > 0)
+    {
+        feature.normal = (point - nearest.point) / feature.distance;
+    }
+    return feature;
+}
 } // namespace
 
 MeshTree::MeshTree(const std::vector<TriangleCorners> &triangles)
@@ -180,6 +193,11 @@ double MeshTree::collect(const Vector3 &point, double radius, SurfaceFeatures &f
     return nearest;
 }
 
+SurfaceFeature MeshTree::nearest_of(std::size_t triangle, const Vector3 &point) const
+{
+    return feature_of(nearest_on_triangle(point, corners(triangle)), triangle, point);
+}
+
 double MeshTree::add(const Vector3 &point, std::uint32_t triangle, double radius, std::size_t first,
                      SurfaceFeatures &features) const
 {
@@ -189,10 +207,7 @@ double MeshTree::add(const Vector3 &point, std::uint32_t triangle, double radius
     {
         return radius;
     }
-    SurfaceFeature feature;
-    feature.point = found.point;
-    feature.distance = std::sqrt(found.squared_distance);
-    feature.triangle = static_cast<int>(triangle);
+    SurfaceFeature feature = feature_of(found, triangle, point);
     const auto same = [&](const SurfaceFeature &other) {
         return (other.point - found.point).norm() <= same_place * feature.distance;
     };
@@ -208,10 +223,6 @@ double MeshTree::add(const Vector3 &point, std::uint32_t triangle, double radius
             features.push_back(feature);
         }
         return feature.distance;
-    }
-    if (feature.distance > 0)
-    {
-        feature.normal = (point - found.point) / feature.distance;
     }
     features.push_back(feature);
     return feature.distance;

@@ -12,8 +12,8 @@ namespace ode_predictive_space::haptics
 {
 /// A copy of a mesh's triangles, in the mesh's frame. It does not change, so that geoms and threads may share it.
 ///
-/// The surface has two sides: which one is felt depends on where the point is, never on the order of a triangle's corners. Holes,
-/// triangles that are there twice and triangles without area are no special cases.
+/// The surface has two sides: which one is felt depends on where the point is, never on the order of a triangle's corners.
+/// Holes, triangles that are there twice and triangles without area are no special cases.
 class MeshTree
 {
 public:
@@ -22,11 +22,15 @@ public:
     std::size_t count() const { return triangles_.size(); }
     TriangleCorners corners(std::size_t triangle) const;
 
-    /// Append the local minima of the distance within a radius, in no order. A place of an edge or of a corner is one only if no
-    /// triangle at that edge or corner comes nearer: on a flat floor there is one feature, however many triangles it is made of.
+    /// Append the local minima of the distance within a radius, in no order. A place of an edge or of a corner is one only
+    /// if no triangle at that edge or corner comes nearer: on a flat floor there is one feature, however many triangles it
+    /// is made of.
     ///
     /// @return the distance to the mesh; the radius when nothing is within it.
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features) const;
+
+    /// The place of one triangle that is nearest to a point.
+    SurfaceFeature nearest_of(std::size_t triangle, const Vector3 &point) const;
 
 private:
     /// Its first child follows it.

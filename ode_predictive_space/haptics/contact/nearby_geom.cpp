@@ -11,14 +11,21 @@ Vector3 from_ode(const dReal *v)
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-Eigen::Matrix3d rotation_from_ode(const dReal *r)
+/// Of geoms that cannot be placed, too.
+Vector3 to_scene_by_ode(dGeomID geom, const Vector3 &point)
 {
-    Eigen::Matrix3d rotation;
-    for (int row = 0; row < 3; ++row)
-    {
-        rotation.row(row) = from_ode(r + std::ptrdiff_t{4} * row);
-    }
-    return rotation;
+    dVector3 in_scene;
+    dGeomGetRelPointPos(geom, static_cast<dReal>(point.x()), static_cast<dReal>(point.y()),
+                        static_cast<dReal>(point.z()), in_scene);
+    return from_ode(in_scene);
+}
+
+Vector3 direction_by_ode(dGeomID geom, const Vector3 &direction)
+{
+    dVector3 in_scene;
+    dGeomVectorToWorld(geom, static_cast<dReal>(direction.x()), static_cast<dReal>(direction.y()),
+                       static_cast<dReal>(direction.z()), in_scene);
+    return from_ode(in_scene);
 }
 } // namespace
 
@@ -26,16 +33,20 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
 {
     NearbyGeom nearby;
     nearby.solid_ = Solid::of(geom);
-    if (!nearby.is_solid() && (dGeomGetClass(geom) != dTriMeshClass || dGeomTriMeshGetData(geom) == nullptr))
+    if (!nearby.is_solid() && !meshes.knows(geom))
     {
         return {};
     }
     nearby.id_ = geom;
     nearby.object_ = object_of(geom);
-    if (dGeomGetClass(geom) != dPlaneClass)
+    nearby.position_ = to_scene_by_ode(geom, Vector3::Zero());
+    for (int axis = 0; axis < 3; ++axis)
     {
-        nearby.rotation_ = rotation_from_ode(dGeomGetRotation(geom));
-        nearby.position_ = from_ode(dGeomGetPosition(geom));
+        nearby.rotation_.col(axis) = direction_by_ode(geom, Vector3::Unit(axis));
+    }
+    if (!nearby.is_solid() && nearby.is_finite())
+    {
+        nearby.mesh_ = meshes.tree_of(geom, touched);
     }
     if (const dBodyID body = dGeomGetBody(geom))
     {
@@ -43,16 +54,34 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
         nearby.angular_ = from_ode(dBodyGetAngularVel(body));
         nearby.centre_ = from_ode(dBodyGetPosition(body));
     }
-    if (!nearby.is_solid() && nearby.is_finite())
-    {
-        nearby.mesh_ = meshes.tree_of(geom, touched);
-    }
     return nearby;
 }
 
-bool NearbyGeom::is_same_thing(const NearbyGeom &other) const
+NearbyGeom NearbyGeom::later(double dt) const
 {
-    return id_ == other.id_ && object_ == other.object_ && mesh_ == other.mesh_ && is_solid() == other.is_solid();
+    NearbyGeom geom = *this;
+    geom.mesh_ = std::shared_ptr<const MeshTree>(std::shared_ptr<const void>(), mesh_.get());
+    if (!linear_.allFinite() || !angular_.allFinite())
+    {
+        return geom;
+    }
+    geom.centre_ += dt * linear_;
+    geom.position_ += dt * linear_;
+    const double angle = dt * angular_.norm();
+    if (angle != 0)
+    {
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, angular_.normalized()).toRotationMatrix();
+        geom.rotation_ = turn * rotation_;
+        geom.position_ = geom.centre_ + turn * (position_ - centre_);
+    }
+    return geom;
+}
+
+void NearbyGeom::shift(const Vector3 &moved, const Vector3 &velocity)
+{
+    position_ += moved;
+    centre_ += moved;
+    linear_ += velocity;
 }
 
 double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures &features) const
@@ -74,9 +103,22 @@ double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures 
     }
     for (std::size_t i = first; i < features.size(); ++i)
     {
-        features[i].point = to_scene(features[i].point);
-        features[i].normal = rotation_ * features[i].normal;
+        move_to_scene(features[i]);
     }
     return nearest;
+}
+
+SurfaceFeature NearbyGeom::nearest_of(const SurfaceFeature &feature, const Vector3 &point) const
+{
+    SurfaceFeature seen = mesh_ ? mesh_->nearest_of(static_cast<std::size_t>(feature.triangle), to_local(point))
+                                : solid_.nearest(to_local(point));
+    move_to_scene(seen);
+    return seen;
+}
+
+void NearbyGeom::move_to_scene(SurfaceFeature &feature) const
+{
+    feature.point = to_scene(feature.point);
+    feature.normal = rotation_ * feature.normal;
 }
 } // namespace ode_predictive_space::haptics

@@ -11,11 +11,25 @@
 
 namespace ode_predictive_space::haptics
 {
+/// Which geom it is: equal as long as it is the same thing, with the same body and the same surface. To compare only.
+struct GeomIdentity
+{
+    dGeomID id = nullptr;
+    std::uintptr_t object = 0;
+    const MeshTree *mesh = nullptr; ///< 0 for a solid
+
+    bool operator==(const GeomIdentity &other) const
+    {
+        return id == other.id && object == other.object && mesh == other.mesh;
+    }
+};
+
 /// All that contact needs to know of a geom: a copy, since the program may destroy the geom at any time.
 class NearbyGeom
 {
 public:
-    /// Nothing for a geom whose surface is known to ODE alone (convex, heightfield, transform, classes of the program).
+    /// Nothing for a geom whose surface is known to ODE alone (convex, heightfield without samples, transform, classes of
+    /// the program).
     ///
     /// @param touched triangles of the mesh that were touched last: see MeshStore.
     static std::optional<NearbyGeom> read(dGeomID geom, MeshStore &meshes, const TriangleList &touched);
@@ -26,8 +40,20 @@ public:
     /// Whether it has a place. Its velocity may still be none: see velocity_at().
     bool is_finite() const { return rotation_.allFinite() && position_.allFinite(); }
 
-    /// Whether another one can be the same thing some time later: the same geom, with the same body and mesh.
-    bool is_same_thing(const NearbyGeom &other) const;
+    GeomIdentity identity() const { return {id_, object_, mesh_.get()}; }
+
+    /// The geom as it is some time later, with the velocity that it has.
+    ///
+    /// Real-time: the copy shares a mesh without owning it. It must not be used when this one is gone.
+    ///
+    /// @param dt s.
+    NearbyGeom later(double dt) const;
+
+    /// It has moved by this (m), and has this much more velocity (m/s).
+    void shift(const Vector3 &moved, const Vector3 &velocity);
+
+    void set_material(const std::optional<Material> &material) { material_ = material; }
+    const std::optional<Material> &material() const { return material_; }
 
     /// m/s, of the surface.
     Vector3 velocity_at(const Vector3 &point) const { return linear_ + angular_.cross(point - centre_); }
@@ -40,10 +66,16 @@ public:
     /// @return the distance to the surface, or the radius if that is less.
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features) const;
 
+    /// The same face, edge or corner that a feature is of, or its neighbour in the same triangle, as seen from another
+    /// point.
+    SurfaceFeature nearest_of(const SurfaceFeature &feature, const Vector3 &point) const;
+
     /// Whether there is an inside that a point is in, and out of which it may go any way.
     bool is_solid() const { return solid_.is_known(); }
 
 private:
+    void move_to_scene(SurfaceFeature &feature) const;
+
     dGeomID id_ = nullptr;
     std::uintptr_t object_ = 0;
     Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();
@@ -51,6 +83,7 @@ private:
     Vector3 linear_ = Vector3::Zero();   ///< m/s
     Vector3 angular_ = Vector3::Zero();  ///< rad/s
     Vector3 centre_ = Vector3::Zero();   ///< m; where linear_ is the velocity
+    std::optional<Material> material_;
     Solid solid_;
     std::shared_ptr<const MeshTree> mesh_;
 };

@@ -10,14 +10,18 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr int most_steps = 48;
+constexpr int most_refinements = 24;
+constexpr double short_step = 0.1;     // of the clearance
 constexpr double arrived = 1e-9;       // of the radius: a step that is shorter is the last
 constexpr double shortest_look = 0.05; // of the radius
 constexpr double part_of_clearance = 0.9;
 constexpr double smallest_step = 1e-6; // of the radius; away from a surface that the centre lies on
 constexpr int most_sweeps = 200;
+constexpr std::size_t usual_planes = 256;
 constexpr double allowed_violation = 1e-6; // of the deepest plane
 
-/// Hildreth's method: slower than find_closest_point() and less exact, but never confused by normals that are nearly dependent.
+/// Hildreth's method: slower than find_closest_point() and less exact, but never confused by normals that are nearly
+/// dependent.
 bool find_by_sweeps(std::vector<ConstraintPlane> &planes)
 {
     double deepest = 0;
@@ -79,44 +83,71 @@ double longest_step(const SlidePlace &place, double look, double radius)
 }
 } // namespace
 
+SphereSlide::SphereSlide()
+{
+    planes_.reserve(usual_planes);
+    constraints_.reserve(usual_planes);
+    features_.reserve(usual_planes);
+    targets_.reserve(usual_planes);
+}
+
 bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
 {
     double look = std::max(task.look, shortest_look * task.radius);
     double left = task.longest;
+    bool stays = false; // the planes are those of where the sphere is
     targets_.resize(places.size());
     for (int step = 0; step < most_steps && left > 0; ++step)
     {
         gather(task, look, places);
         const bool common = find_target(task.goal);
-        double part = 1;
-        double longest = 0;
-        for (std::size_t i = 0; i < places.size(); ++i)
+        if (common)
         {
-            targets_[i] = common ? target_ : target_of(i, task, places);
-            const double way = (targets_[i] - places[i].at).norm();
-            const double allowed = std::min(left, longest_step(places[i], look, task.radius));
-            part = way > allowed ? std::min(part, allowed / way) : part;
-            longest = std::max(longest, way);
+            refine_target(task, places);
         }
-        for (std::size_t i = 0; i < places.size(); ++i)
+        const double way = go(common, look, left, task, places);
+        left -= way;
+        if (way <= arrived * task.radius)
         {
-            places[i].at = part == 1 ? targets_[i] : places[i].at + part * (targets_[i] - places[i].at);
-        }
-        left -= part * longest;
-        if (part * longest <= arrived * task.radius)
-        {
+            stays = look >= task.margin;
             look = shortest_look * task.radius;
             break;
         }
-        look *= part < 1 ? 2 : 1;
+        look *= arrives_ ? 1 : 2;
     }
-    gather(task, std::max(task.margin, look), places); // on its way still, it is carried by what it goes to
+    if (!stays)
+    {
+        gather(task, std::max(task.margin, look), places); // on its way still, it is carried by what it goes to
+    }
     const bool common = find_target(task.goal);
     for (std::size_t i = 0; i < planes_.size(); ++i)
     {
         planes_[i].share = common ? constraints_[i].share : std::max(0.0, planes_[i].depth);
     }
     return common;
+}
+
+/// A step of all, to the targets or as far towards them as is safe.
+///
+/// @return m; the longest way.
+double SphereSlide::go(bool common, double look, double left, const Task &task, std::vector<SlidePlace> &places)
+{
+    double part = 1;
+    double longest = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        targets_[i] = common ? target_ : target_of(i, task, places);
+        const double way = (targets_[i] - places[i].at).norm();
+        const double allowed = std::min(left, longest_step(places[i], look, task.radius));
+        part = way > allowed ? std::min(part, allowed / way) : part;
+        longest = std::max(longest, way);
+    }
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        places[i].at = part == 1 ? targets_[i] : places[i].at + part * (targets_[i] - places[i].at);
+    }
+    arrives_ = part == 1;
+    return part * longest;
 }
 
 void SphereSlide::gather(const Task &task, double look, std::vector<SlidePlace> &places)
@@ -144,6 +175,47 @@ bool SphereSlide::find_target(const Vector3 &goal)
     const bool found = find_place(constraints_);
     target_ = goal + lift_of(constraints_);
     return found;
+}
+
+/// The planes that carry the sphere at the target, as they are from there. @return whether there is a place.
+bool SphereSlide::turn_planes(const Task &task, const std::vector<SlidePlace> &places)
+{
+    for (std::size_t i = 0; i < planes_.size(); ++i)
+    {
+        if (constraints_[i].share > 0)
+        {
+            const SlidePlane &plane = planes_[i];
+            const SurfaceFeature seen = places[plane.place].geom->nearest_of(plane.feature, target_);
+            constraints_[i].normal = seen.normal;
+            constraints_[i].depth = task.radius - seen.normal.dot(task.goal - seen.point);
+        }
+    }
+    return find_place(constraints_);
+}
+
+/// To the target: so short that all surfaces are nearly as far from there as from here, and to the same side.
+bool SphereSlide::is_short_step(const std::vector<SlidePlace> &places) const
+{
+    return std::all_of(places.begin(), places.end(), [&](const SlidePlace &place) {
+        return (target_ - place.at).norm() <= short_step * place.clearance;
+    });
+}
+
+/// Around an edge the steps alone would come nearer by the same factor each time: depth over radius. A turned plane lets the
+/// sphere in behind the one before it, by what a short step makes of that: the next step sees what is there.
+void SphereSlide::refine_target(const Task &task, const std::vector<SlidePlace> &places)
+{
+    const Vector3 unrefined = target_;
+    for (int i = 0; i < most_refinements && is_short_step(places) && turn_planes(task, places); ++i)
+    {
+        const Vector3 last = target_;
+        target_ = task.goal + lift_of(constraints_);
+        if ((target_ - last).norm() <= arrived * task.radius)
+        {
+            break;
+        }
+    }
+    target_ = is_short_step(places) ? target_ : unrefined;
 }
 
 /// Where the sphere would go if there were this geom alone; if even that leaves no place, it stays.

@@ -1,5 +1,5 @@
-// The way of a sphere to a goal, around what lies between: the god object of Zilles and Salisbury (1995), swept as in Ruspini,
-// Kolarov and Khatib (1997).
+// The way of a sphere to a goal, around what lies between: the god object of Zilles and Salisbury (1995), swept as in
+// Ruspini, Kolarov and Khatib (1997).
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SPHERE_SLIDE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SPHERE_SLIDE_H
@@ -27,10 +27,11 @@ struct SlidePlane
         0; ///< m; what the plane adds to the way from the goal to the sphere's centre; 0 if it does not carry it
 };
 
-/// Each step takes the surfaces near the centre as planes, and goes to the place that is nearest to the goal and behind none of
-/// them. A triangle lies wholly behind the plane of its nearest place, so the planes forbid too much rather than too little; the
-/// next step has better ones. No step is as long as the way to the nearest surface, so that none passes anything. The steps end at
-/// a local minimum of the distance to the goal.
+/// Each step takes the surfaces near the centre as planes, and goes to the place that is nearest to the goal and behind none
+/// of them. A triangle lies wholly behind the plane of its nearest place, so the planes forbid too much rather than too
+/// little; the next step has better ones; around an edge, if the step is short, the planes that carry the sphere are turned
+/// before it. No step is as long as the way to the nearest surface, so that none passes anything. The steps end at a local
+/// minimum of the distance to the goal.
 class SphereSlide
 {
 public:
@@ -43,6 +44,9 @@ public:
         double margin = 0;  ///< m; planes() has what is so far from the sphere, too
     };
 
+    /// Makes room for what a tick usually needs: up to that run() does not allocate.
+    SphereSlide();
+
     /// @param places where the centre is; then, where it came to.
     /// @return whether there is a place that all geoms allow. Else each of them has one for itself.
     bool run(const Task &task, std::vector<SlidePlace> &places);
@@ -51,8 +55,12 @@ public:
     const std::vector<SlidePlane> &planes() const { return planes_; }
 
 private:
+    double go(bool common, double look, double left, const Task &task, std::vector<SlidePlace> &places);
     void gather(const Task &task, double look, std::vector<SlidePlace> &places);
     bool find_target(const Vector3 &goal);
+    bool turn_planes(const Task &task, const std::vector<SlidePlace> &places);
+    bool is_short_step(const std::vector<SlidePlace> &places) const;
+    void refine_target(const Task &task, const std::vector<SlidePlace> &places);
     Vector3 target_of(std::size_t place, const Task &task, const std::vector<SlidePlace> &places);
 
     std::vector<SlidePlane> planes_;
@@ -60,6 +68,7 @@ private:
     SurfaceFeatures features_;
     std::vector<Vector3> targets_;
     Vector3 target_ = Vector3::Zero();
+    bool arrives_ = false; ///< the last step went to the targets
 };
 } // namespace ode_predictive_space::haptics
 

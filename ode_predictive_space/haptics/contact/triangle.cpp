@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/contact/triangle.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace ode_predictive_space::haptics
 {
@@ -23,18 +24,11 @@ NearestOnTriangle nearest_on_edge(const Vector3 &point, const TriangleCorners &c
     return nearest;
 }
 
-/// Whether the point lies above or below the face, and not beside it.
-bool is_over_face(const Vector3 &point, const TriangleCorners &corners, const Vector3 &normal)
+/// Whether an edge lies between the point and the face, seen along the normal.
+bool is_beyond_edge(const Vector3 &point, const TriangleCorners &corners, const Vector3 &normal, int edge)
 {
-    for (int i = 0; i < 3; ++i)
-    {
-        const Vector3 along = corners[(i + 1) % 3] - corners[i];
-        if (normal.cross(along).dot(point - corners[i]) < 0)
-        {
-            return false;
-        }
-    }
-    return true;
+    const Vector3 along = corners[(edge + 1) % 3] - corners[edge];
+    return normal.cross(along).dot(point - corners[edge]) < 0;
 }
 } // namespace
 
@@ -44,23 +38,30 @@ NearestOnTriangle nearest_on_triangle(const Vector3 &point, const TriangleCorner
     const Vector3 second = corners[2] - corners[0];
     const Vector3 normal = first.cross(second);
     const double square = normal.squaredNorm();
-    if (square > smallest_squared_sine * first.squaredNorm() * second.squaredNorm() &&
-        is_over_face(point, corners, normal))
+    const bool has_face = square > smallest_squared_sine * first.squaredNorm() * second.squaredNorm();
+
+    // Of a face, only an edge that the point is beyond can be nearest.
+    NearestOnTriangle nearest;
+    nearest.squared_distance = std::numeric_limits<double>::infinity();
+    bool is_over_face = has_face;
+    for (int edge = 0; edge < 3; ++edge)
     {
-        NearestOnTriangle nearest;
+        if (has_face && !is_beyond_edge(point, corners, normal, edge))
+        {
+            continue;
+        }
+        is_over_face = false;
+        const NearestOnTriangle on_edge = nearest_on_edge(point, corners, edge);
+        if (!(on_edge.squared_distance >= nearest.squared_distance))
+        {
+            nearest = on_edge;
+        }
+    }
+    if (is_over_face)
+    {
         const double height = normal.dot(point - corners[0]);
         nearest.point = point - normal * (height / square);
         nearest.squared_distance = height * height / square;
-        return nearest;
-    }
-    NearestOnTriangle nearest = nearest_on_edge(point, corners, 0);
-    for (int edge = 1; edge < 3; ++edge)
-    {
-        const NearestOnTriangle other = nearest_on_edge(point, corners, edge);
-        if (other.squared_distance < nearest.squared_distance)
-        {
-            nearest = other;
-        }
     }
     return nearest;
 }

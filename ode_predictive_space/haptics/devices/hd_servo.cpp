@@ -53,7 +53,7 @@ void HdServo::run_frame()
     {
         note(error);
     }
-    // What was read in a frame that went wrong may be anything: who sees it sees the error, too.
+    // What was read in a frame that went wrong may be anything: its reader gets the error, too.
     samples_.publish();
     frames_.fetch_add(1, std::memory_order_acq_rel);
 }

@@ -31,7 +31,7 @@ struct HdSample
 /// The callback in the servo thread. It never waits, never allocates, never throws.
 ///
 /// Invariant: a frame sets zero unless the last write is younger than the longest age, no pause is on, nothing has
-/// ended the servo, and nobody has asked it to rest.
+/// ended the servo, and it was not asked to rest.
 class HdServo
 {
 public:

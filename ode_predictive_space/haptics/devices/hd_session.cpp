@@ -71,7 +71,7 @@ DeviceError hd_error(const HdLibrary &library, const std::string &doing, std::ui
 HdDevice::HdDevice(const HdLibrary &library, const std::string &configuration)
     : library_(library), configuration_(configuration.empty() ? "the default device" : "the device " + configuration)
 {
-    library_.take_errors(); // left behind by somebody else
+    library_.take_errors(); // left over from before
     handle_ = library_->init_device(configuration.empty() ? nullptr : configuration.c_str());
     const hd::ErrorInfo error = library_.take_errors();
     if (handle_ != hd::invalid_handle && error.code == hd::error::success)

@@ -72,7 +72,7 @@ public:
     void write(const Vector3 &force)
     {
         servo_.write(force.allFinite() ? force : Vector3(Vector3::Zero()));
-        throw_faults(servo_.take_pause()); // once: who writes zero because of it has done what is to be done
+        throw_faults(servo_.take_pause()); // once: a caller that writes zero because of it has done what is to be done
         if (!force.allFinite())
         {
             throw DeviceError(DeviceFault::failed,
