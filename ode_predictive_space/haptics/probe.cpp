@@ -46,6 +46,20 @@ HapticProbe::~HapticProbe()
     {
         run->end_and_wait("a haptic probe");
     }
+    tell_if_gone();
+}
+
+void HapticProbe::tell_if_gone()
+{
+    if (sensor_ && sensor_->is_gone() && !told_of_loss_)
+    {
+        told_of_loss_ = true;
+        if (const NoticeSink &sink = renderer_.notice_sink())
+        {
+            sink(Notice(NoticeKind::contact, last_tick().time,
+                        "No force: the probe's geom was destroyed with its space. The probe has to go first."));
+        }
+    }
 }
 
 void HapticProbe::take(std::shared_ptr<ActiveRun> run)
@@ -73,6 +87,7 @@ bool HapticProbe::is_taken() const
 void HapticProbe::begin(double time, double clock_time)
 {
     renderer_.read(time, clock_time);
+    tell_if_gone();
     if (sensor_)
     {
         sensor_->set_view(renderer_.law().view());
@@ -140,7 +155,7 @@ void HapticProbe::render_tool_body(double dt)
 const std::vector<Encounter> &HapticProbe::encounters()
 {
     encounters_.clear();
-    const dSpaceID space = sensor_ ? dGeomGetSpace(sensor_->geom()) : nullptr;
+    const dSpaceID space = geom() != nullptr ? dGeomGetSpace(geom()) : nullptr;
     if (space == nullptr || dSpaceIsPredictive(space) == 0)
     {
         return encounters_;

@@ -29,7 +29,8 @@ bool is_finite(const DeviceState &state)
 /// Beyond its workspace by a metre and by twice its size: where no device can be, even one whose workspace is told too small.
 bool is_far_off(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
 {
-    return !workspace.isEmpty() && workspace.exteriorDistance(state.position) > std::max(1.0, 2 * workspace.diagonal().norm());
+    return !workspace.isEmpty() &&
+           workspace.exteriorDistance(state.position) > std::max(1.0, 2 * workspace.diagonal().norm());
 }
 
 bool is_held(const std::optional<unsigned> &button, const DeviceState &state)
@@ -275,9 +276,7 @@ void Renderer::feel(const std::vector<Touch> &touches, double dt)
 
 Wrench Renderer::render(const VirtualCoupling &coupling, const ToolState &body, double dt)
 {
-    VirtualCoupling soft = coupling;
-    soft.set_stiffness(std::min(coupling.stiffness(), rendered({coupling.stiffness(), coupling.damping()}).stiffness));
-    const Wrench wished = soft.on_device(tick_.tool, body);
+    const Wrench wished = softened(coupling).on_device(tick_.tool, body);
     Wrench given = write(wished, dt);
     if (gate_.device().capabilities().force_axes < 6 && answers_)
     {

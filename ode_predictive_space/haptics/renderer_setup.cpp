@@ -136,6 +136,12 @@ void Renderer::check(const VirtualCoupling &coupling)
     check(coupling.stiffness(), coupling.damping());
 }
 
+VirtualCoupling Renderer::softened(VirtualCoupling coupling) const
+{
+    coupling.set_stiffness(rendered({coupling.stiffness(), coupling.damping()}).stiffness);
+    return coupling;
+}
+
 /// @param stiffness,damping of the scene.
 Rendering Renderer::rendering(double stiffness, double damping) const
 {

@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/touch_sensor.h"
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
+#include "ode_predictive_space/haptics/geom_watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +59,7 @@ bool is_shallower(const dContactGeom &a, const dContactGeom &b)
 TouchSensor::TouchSensor(dSpaceID space, double radius)
     : geom_(make_sphere(space, radius)), tool_(dCreateSphere(nullptr, static_cast<dReal>(radius))), own_(true),
       turns_(false), radius_(radius), tracker_(std::make_unique<ContactTracker>(radius)),
-      meshes_(std::make_unique<MeshStore>()), contacts_(most_contacts)
+      watch_(std::make_unique<GeomWatch>(geom_)), meshes_(std::make_unique<MeshStore>()), contacts_(most_contacts)
 {
     become_interactive();
 }
@@ -73,12 +74,21 @@ TouchSensor::~TouchSensor()
 {
     if (own_)
     {
-        if (!abandoned_)
+        if (may_touch_geom())
         {
             dGeomDestroy(geom_);
         }
+        if (abandoned_ && !is_gone())
+        {
+            static_cast<void>(watch_.release()); // it would move the geom, which must not be in a locked space
+        }
         dGeomDestroy(tool_);
     }
+}
+
+bool TouchSensor::is_gone() const
+{
+    return watch_ && !watch_->is_there();
 }
 
 void TouchSensor::abandon_locked_space()
@@ -112,7 +122,7 @@ void TouchSensor::set_margin(double margin)
         margin_ = margin;
         tracker_->set_margin(margin);
         dGeomSphereSetRadius(tool_, static_cast<dReal>(radius_ + margin_));
-        if (!abandoned_)
+        if (may_touch_geom())
         {
             dGeomSphereSetRadius(geom_, static_cast<dReal>(radius_ + margin_));
         }
@@ -130,7 +140,7 @@ void TouchSensor::prepare(dGeomID mesh)
 void TouchSensor::prepare_all()
 {
     dSpaceID outermost = nullptr;
-    for (dSpaceID space = dGeomGetSpace(geom_); space != nullptr;
+    for (dSpaceID space = is_gone() ? nullptr : dGeomGetSpace(geom_); space != nullptr;
          space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
     {
         outermost = space;
@@ -211,7 +221,7 @@ void TouchSensor::clear()
 
 void TouchSensor::pose(const ToolState &tool)
 {
-    if (abandoned_)
+    if (!may_touch_geom())
     {
         return;
     }

@@ -128,5 +128,41 @@ TEST_F(ProbeFaultTest, AtTheEndThereIsNoForceAndWhatWasOpenStaysOpen)
     }
     EXPECT_FALSE(scripted_.status().open);
 }
+// ODE crashed there, without a word.
+TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedFirstIsTold)
+{
+    for (const SpaceChoice choice : all_space_choices)
+    {
+        NoticeList notices;
+        ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - depth}));
+        const dSpaceID space = make_space(choice);
+        dCreatePlane(space, 0, 0, 1, 0);
+        {
+            HapticProbe probe(device, space, probe_radius, with_stiffness(800, notices.sink()));
+            dSpaceDestroy(space);
+            EXPECT_EQ(probe.geom(), nullptr);
+            for (int tick = 0; tick < 10; ++tick)
+            {
+                probe.begin(tick_length * tick);
+                EXPECT_TRUE(probe.encounters().empty());
+                probe.render(tick_length);
+            }
+            EXPECT_TRUE(device.last_wrench().force.isZero(0));
+        }
+        EXPECT_EQ(notices.count(NoticeKind::contact), 1);
+    }
+}
+
+TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedJustBeforeItsProbeIsToldOfAtTheEnd)
+{
+    NoticeList notices;
+    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - depth}));
+    const dSpaceID space = make_space(SpaceChoice::hash);
+    {
+        HapticProbe probe(device, space, probe_radius, with_stiffness(800, notices.sink()));
+        dSpaceDestroy(space);
+    }
+    EXPECT_EQ(notices.count(NoticeKind::contact), 1);
+}
 } // namespace
 } // namespace ode_predictive_space::haptics

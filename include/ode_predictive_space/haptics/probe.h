@@ -107,7 +107,7 @@ public:
     /// The probe in the scene.
     const ToolState &tool() const { return renderer_.tool(); }
 
-    /// 0 with a tool body.
+    /// 0 with a tool body, and when it was destroyed with its space.
     dGeomID geom() const { return sensor_ ? sensor_->geom() : nullptr; }
 
     /// Called at the end of each render(): for recordings. Empty: nothing.
@@ -132,6 +132,7 @@ public:
 
 private:
     void render_tool_body(double dt);
+    void tell_if_gone();
 
     mutable std::mutex run_mutex_; ///< of the one below
     std::shared_ptr<ActiveRun> run_;
@@ -142,6 +143,7 @@ private:
     VirtualCoupling coupling_;
     double tick_length_ = 0; ///< s
     int tool_jumps_ = 0;     ///< as RenderedTick has it
+    bool told_of_loss_ = false;
     std::vector<Encounter> encounters_;
 };
 } // namespace ode_predictive_space::haptics

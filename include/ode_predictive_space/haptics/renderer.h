@@ -124,6 +124,9 @@ public:
     /// For virtual couplings, as set_law() for laws: says what render() makes softer.
     void check(const VirtualCoupling &coupling);
 
+    /// What the device can render of a coupling, as scale and rate are now.
+    VirtualCoupling softened(VirtualCoupling coupling) const;
+
     /// Between two ticks; the force comes back slowly. @throws std::invalid_argument as the constructor does: what is stiff depends
     /// on the scale.
     void set_placement(const WorkspacePlacement &placement);

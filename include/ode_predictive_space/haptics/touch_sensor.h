@@ -16,6 +16,7 @@
 namespace ode_predictive_space::haptics
 {
 class ContactTracker;
+class GeomWatch;
 class MeshStore;
 
 /// The heights of a heightfield, as it was built of them by dGeomHeightfieldDataBuildDouble() or the like. Its frame's y
@@ -30,6 +31,7 @@ struct HeightfieldSamples
     double offset = 0;           ///< m; of a height of 0
     std::vector<double> heights; ///< that of column x and row z is at x + z * width_samples
 };
+
 /// What a geom is made of; nothing: what the force law says.
 using MaterialOf = std::function<std::optional<Material>(dGeomID)>;
 
@@ -66,9 +68,12 @@ public:
     TouchSensor(const TouchSensor &) = delete;
     TouchSensor &operator=(const TouchSensor &) = delete;
 
-    /// The sphere of its own has the place and size in which it looks for what it can touch: larger than the tool while that
-    /// moves or is pressed into something.
-    dGeomID geom() const { return geom_; }
+    /// Whether the sphere of its own was destroyed, with its space: nothing is touched then.
+    bool is_gone() const;
+
+    /// 0 when it is gone. The sphere of its own has the place and size in which it looks for what it can touch: larger than
+    /// the tool while that moves or is pressed into something.
+    dGeomID geom() const { return is_gone() ? nullptr : geom_; }
 
     /// Notice what comes near before it is touched: touches() then has what is up to this far away, too, with a negative
     /// depth. Works for the sphere of its own, which grows by that; other geoms notice nothing before they touch it.
@@ -155,6 +160,8 @@ private:
 
     static constexpr int most_contacts = 256; ///< of one pair: a mesh gives many, of which one counts
 
+    bool may_touch_geom() const { return !abandoned_ && !is_gone(); }
+
     dGeomID geom_;
     dGeomID tool_ = nullptr; ///< of the own sphere: in no space, of the tool's place and size, for dCollide()
     bool own_;
@@ -171,6 +178,7 @@ private:
     std::vector<Touch> touches_;
     std::vector<Touch> collided_;             ///< by dCollide()
     std::unique_ptr<ContactTracker> tracker_; ///< of the own sphere
+    std::unique_ptr<GeomWatch> watch_;        ///< of the own sphere
     std::unique_ptr<MeshStore> meshes_;
     MaterialOf materials_;
     BodyWatch bodies_;
