@@ -33,9 +33,12 @@ LoopGuard::~LoopGuard()
 
 void LoopGuard::end()
 {
+    if (watch_) // afterwards the device's gate may be gone
+    {
+        gate_.set_guarded(false);
+    }
     watch_.reset();
     speaker_.reset();
-    gate_.set_guarded(false);
     deliver_all();
 }
 
