@@ -55,7 +55,8 @@ Vector3 nearest_of_points(const std::vector<Vector3> &points, const Vector3 &poi
                 worst = i;
         }
         const Vector3 way = points[best] - points[worst];
-        if (!(outwards.dot(way) < 0))
+        constexpr double hardly_nearer = 1e-12;
+        if (!(outwards.dot(way) < -hardly_nearer))
             break;
         const double moved = std::min(weights[worst], -outwards.dot(way) / way.squaredNorm());
         weights[worst] -= moved;
