@@ -7,8 +7,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// ODE does not tell when a space is destroyed with its geoms, but a geom that is destroyed leaves its body. So the geom gets a kinematic
-/// body of a world of its own, in which nothing happens.
+/// ODE does not tell when a space is destroyed with its geoms, but a geom that is destroyed leaves its body. So the geom gets a
+/// kinematic body of a world of its own, in which nothing happens.
 class GeomWatch
 {
 public:
@@ -18,9 +18,16 @@ public:
         dGeomSetBody(geom, body_);
     }
 
-    ~GeomWatch() { dWorldDestroy(world_); }
+    ~GeomWatch()
+    {
+        if (world_)
+            dWorldDestroy(world_);
+    }
     GeomWatch(const GeomWatch &) = delete;
     GeomWatch &operator=(const GeomWatch &) = delete;
+
+    /// Leaves body and world to the geom for good: to destroy them would move the geom, which must not be in a locked space.
+    void leave() { world_ = nullptr; }
 
     bool is_there() const { return dBodyGetFirstGeom(body_) != nullptr; }
 

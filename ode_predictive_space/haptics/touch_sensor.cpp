@@ -80,7 +80,7 @@ TouchSensor::~TouchSensor()
         }
         if (abandoned_ && !is_gone())
         {
-            static_cast<void>(watch_.release()); // it would move the geom, which must not be in a locked space
+            watch_->leave();
         }
         dGeomDestroy(tool_);
     }
