@@ -72,7 +72,7 @@ TEST(Gap, IsSeldomFarLessThanTheDistance)
         for (int i = 0; i < 3000; ++i)
         {
             const NearShapes shapes(maker, one, other);
-            const double distance = distance_from_above(shapes.first, shapes.second, 400);
+            const double distance = distance_from_above(shapes.first, shapes.second, 100);
             if (distance < 1e-3)
                 continue;
             ++apart;
