@@ -18,6 +18,9 @@ set(CMAKE_C_VISIBILITY_PRESET hidden)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
+# A fused multiplication and addition rounds once, not twice: without this, results would depend on the processor.
+add_compile_options(-ffp-contract=off)
+
 add_compile_options(-Wall -Wextra)
 if(ODE_PREDICTIVE_SPACE_WARNINGS_AS_ERRORS)
     add_compile_options(-Werror)

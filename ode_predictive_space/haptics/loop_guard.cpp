@@ -98,7 +98,7 @@ void LoopGuard::stop_force(double now, double beat)
     {
         busy_beat_ = beat;
         open_gates::close_unguarded(gate_.reader(), now);
-        tell("The loop hangs in the device's driver: nobody but the device itself can take its force away.");
+        tell("The loop is stuck in the device's driver: only the device itself can remove its force.");
     }
 }
 

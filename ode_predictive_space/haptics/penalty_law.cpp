@@ -3,23 +3,13 @@
 #include <algorithm>
 
 #include "ode_predictive_space/haptics/closest_point.h"
+#include "ode_predictive_space/haptics/normal_force.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
 constexpr double goes_on = 0.9; // cosine between the normals of planes of one surface
-
-double normal_force(const ToolState &tool, const Touch &touch, const Material &material, double depth)
-{
-    const double spring = material.stiffness * depth;
-    const bool carried_by_others = depth == 0 && touch.depth > 0;
-    if (material.damping == 0 || carried_by_others)
-        return spring;
-    const double approach = (touch.surface_velocity - tool.linear_velocity).dot(touch.normal);
-    const double force = spring + material.damping * approach;
-    return force < 0 ? 0 : force; // what is not a number stays that
-}
 } // namespace
 
 PenaltyLaw::PenaltyLaw(const Material &material) : material_(material)
@@ -43,7 +33,9 @@ void PenaltyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches
     for (std::size_t i = 0; i < touches.size(); ++i)
     {
         const Material &material = materials_[i];
-        const double pressure = normal_force(tool, touches[i], material, depths_[i]);
+        const bool carried_by_others = depths_[i] == 0 && touches[i].depth > 0;
+        const double pressure =
+            normal_force(tool, touches[i], material, touches[i].normal, depths_[i], !carried_by_others);
         forces[i] = pressure * touches[i].normal;
         if (std::max(material.friction, material.static_friction) > 0)
             forces[i] += friction_force(touches[i], material, pressure, moved, dt);

@@ -3,22 +3,13 @@
 #include <algorithm>
 
 #include "ode_predictive_space/haptics/closest_point.h"
+#include "ode_predictive_space/haptics/normal_force.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
 constexpr double rounding = 1e-9; // of a plane that lies in the one that carries
-
-double normal_force(const ToolState &tool, const Touch &touch, const Material &material, const ConstraintPlane &plane)
-{
-    const double spring = material.stiffness * plane.share;
-    if (material.damping == 0 || plane.share == 0)
-        return spring;
-    const double approach = (touch.surface_velocity - tool.linear_velocity).dot(plane.normal);
-    const double force = spring + material.damping * approach;
-    return force < 0 ? 0 : force; // what is not a number stays that
-}
 } // namespace
 
 ProxyLaw::ProxyLaw(const Material &material) : material_(material)
@@ -49,9 +40,11 @@ void ProxyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, 
     forces.resize(touches.size());
     for (std::size_t i = 0; i < touches.size(); ++i)
     {
-        forces[i] = normal_force(tool, touches[i], materials_[i], planes_[i]) * planes_[i].normal;
+        const ConstraintPlane &plane = planes_[i];
+        forces[i] =
+            normal_force(tool, touches[i], materials_[i], plane.normal, plane.share, plane.share != 0) * plane.normal;
         if (carried > 0)
-            forces[i] += materials_[i].stiffness * planes_[i].share / carried * along;
+            forces[i] += materials_[i].stiffness * plane.share / carried * along;
     }
 }
 

@@ -29,7 +29,7 @@ struct DataHull : VertexHull
 
     DataKey key;
     double least_normal =
-        std::numeric_limits<double>::infinity(); ///< twice the area of the smallest triangle of a mesh
+        std::numeric_limits<double>::infinity(); ///< of a mesh: twice the area of its smallest triangle
     bool outdated = false;                       ///< the data have been changed in place
 };
 

@@ -24,7 +24,7 @@ using namespace scenes;
 const std::string by_boxes = "predictive-box";
 const std::string by_shapes = "predictive-shape";
 
-/// What is asked in a scene, of predictive-shape unless it says otherwise; 0: nothing.
+/// The limits for one scene. They are limits for predictive-shape, unless noted otherwise; 0 means no limit.
 struct Limits
 {
     double best_ode = 0; ///< at least so many times as fast as the best ODE space

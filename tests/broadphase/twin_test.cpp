@@ -75,9 +75,6 @@ TEST(Twin, CandidatesAreThoseOfBruteForce)
 // says what has changed.
 TEST(Twin, BoxesAndTimesOfProximityAreTheSameToTheLastBit)
 {
-#ifdef __FP_FAST_FMAF
-    GTEST_SKIP() << "this compiler may fuse multiplications and additions";
-#endif
     const Gas gas;
     Hash boxes, times;
     for (const SweptProxy &swept : gas.swept)

@@ -120,7 +120,7 @@ TEST_F(PendingMotionTest, AHeldPlaneComesBackWithoutAJumpWhenTheSceneSaysSo)
     EXPECT_NEAR(places.back(), 0, 1e-5);
 }
 
-TEST_F(PendingMotionTest, WhatHasNoBodyStays)
+TEST_F(PendingMotionTest, GeomsWithoutABodyStay)
 {
     for (const double place : run(std::numeric_limits<double>::infinity(), true, 50, [](int) { return 5; }))
     {

@@ -1,7 +1,7 @@
 // The contact of a servo between two steps of a slow scene: the surface as it is, not a plane. Both laws.
 
 #include "tests/haptics/contact_fixture.h"
-#include "tests/haptics/ridges.h"
+#include "tests/haptics/ridge_forces.h"
 
 #include <algorithm>
 
@@ -37,16 +37,7 @@ TEST_P(ServoContactTest, RidgesOfAHundredThousandTrianglesAreFeltBetweenTheSteps
     const OdeMesh mesh(shape);
     mesh.add_to(world_.space);
     const auto samples = run(&over_the_ridges, 1.3);
-    ProxyAboveRidges proxy(ridges, r, samples.front().tool.x());
-    int compared = 0;
-    for (const Sample &sample : samples)
-    {
-        const Vector3 truth = k * (proxy.follow(sample.tool) - sample.tool);
-        ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 1e-6)
-            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
-        compared += truth.norm() > 0.5 ? 1 : 0;
-    }
-    EXPECT_GT(compared, 0.8 * servo_rate);
+    expect_forces_of_ridges(samples, ridges, 0.8 * servo_rate);
 }
 
 TEST_P(ServoContactTest, TheServoAllocatesNothing)

@@ -20,8 +20,6 @@ namespace ode_predictive_space
 class VertexHull
 {
 public:
-    /// A hull of no points.
-    VertexHull() = default;
     /// @param points finite; at least one. Equal points are kept once.
     explicit VertexHull(std::vector<Vector3> points);
 
@@ -29,9 +27,8 @@ public:
     const Vector3 &centre() const { return centre_; }
     /// Of that box.
     const Vector3 &half_sides() const { return half_sides_; }
-    bool empty() const { return blocks_.empty(); }
 
-    /// The largest scalar product of a direction, of any length, with a point. Not for a hull of no points.
+    /// The largest scalar product of a direction, of any length, with a point.
     double reach(const Vector3 &direction) const { return find(direction).reach; }
     /// That point.
     Vector3 farthest(const Vector3 &direction) const;

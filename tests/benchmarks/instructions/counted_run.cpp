@@ -136,6 +136,11 @@ std::uint64_t instructions_in(const std::string &file, const char *function)
     std::ifstream dump(file);
     return instructions_of_calls(dump, function);
 }
+
+CountedScene scene_of(const CountedRun &run)
+{
+    return {run.spec.name, run.spec.objects, run.spec.seed, run.warm_up_ticks, run.ticks, run.space};
+}
 } // namespace
 
 Count count_instructions(const CountedRun &run, const scenes::SceneFactory &factory)
@@ -147,13 +152,7 @@ Count count_instructions(const CountedRun &run, const scenes::SceneFactory &fact
                   [&](ChildProcess &process) { pass_motion_on(run, factory, process); });
 
     const auto per_tick = [&](std::uint64_t instructions) { return static_cast<double>(instructions) / run.ticks; };
-    Count count;
-    count.scene = run.spec.name;
-    count.objects = run.spec.objects;
-    count.seed = run.spec.seed;
-    count.warm_up_ticks = run.warm_up_ticks;
-    count.ticks = run.ticks;
-    count.space = run.space;
+    Count count{scene_of(run)};
     count.collide = per_tick(instructions_in(counts, "predictive_bench_counted_collide"));
     count.notices = per_tick(instructions_in(counts, "predictive_bench_counted_moves")) -
                     per_tick(instructions_in(counts, "predictive_bench_bare_moves"));
@@ -174,13 +173,7 @@ WholeCount count_whole_ticks(const CountedRun &run)
         std::ifstream dump(counts);
         return static_cast<double>(instructions_of_any_calls(dump, function).value_or(0)) / run.ticks;
     };
-    WholeCount count;
-    count.scene = run.spec.name;
-    count.objects = run.spec.objects;
-    count.seed = run.spec.seed;
-    count.warm_up_ticks = run.warm_up_ticks;
-    count.ticks = run.ticks;
-    count.space = run.space;
+    WholeCount count{scene_of(run)};
     count.collide = per_tick("predictive_bench_counted_collide");
     count.contacts = per_tick("dCollide");
     count.notices = per_tick("dGeomMoved");

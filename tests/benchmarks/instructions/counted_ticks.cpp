@@ -5,18 +5,12 @@
 #include "demos/scenes/spaces.h"
 #include "demos/scenes/table.h"
 #include "tests/benchmarks/contenders/contenders.h"
+#include "tests/benchmarks/instructions/callgrind_requests.h"
 #include "tests/benchmarks/instructions/counted_calls.h"
 #include "tests/benchmarks/instructions/motion_stream.h"
 
 #include <cstdio>
 #include <stdexcept>
-
-#ifdef ODE_PREDICTIVE_SPACE_HAVE_VALGRIND
-#include <valgrind/callgrind.h>
-#else
-#define CALLGRIND_START_INSTRUMENTATION
-#define CALLGRIND_TOGGLE_COLLECT
-#endif
 
 namespace ode_predictive_space::benchmarks
 {

@@ -14,11 +14,6 @@ namespace
 {
 using namespace scenes;
 
-std::string title(const Count &count)
-{
-    return count.scene + " " + grouped(static_cast<std::uint64_t>(count.objects));
-}
-
 bool same_scene(const Count &one, const Count &other)
 {
     return one.scene == other.scene && one.objects == other.objects;
@@ -28,7 +23,7 @@ void check_comparable(const Count &before, const Count &now)
 {
     if (before.seed != now.seed || before.ticks != now.ticks || before.warm_up_ticks != now.warm_up_ticks)
     {
-        throw std::runtime_error(title(now) + " was counted over other ticks or with another seed before");
+        throw std::runtime_error(title_of(now) + " was counted over other ticks or with another seed before");
     }
 }
 
@@ -54,20 +49,31 @@ std::vector<CountPair> of_space(const std::vector<CountPair> &pairs, const std::
 }
 } // namespace
 
+nlohmann::json record_of(const CountedScene &counted, const std::string &kind)
+{
+    return {{"count", kind},
+            {"scene", counted.scene},
+            {"n", counted.objects},
+            {"seed", counted.seed},
+            {"warm_up_ticks", counted.warm_up_ticks},
+            {"ticks", counted.ticks},
+            {"space", counted.space}};
+}
+
+std::string title_of(const CountedScene &counted)
+{
+    return counted.scene + " " + grouped(static_cast<std::uint64_t>(counted.objects));
+}
+
 nlohmann::json record_of(const Count &count)
 {
-    return {{"count", "instructions"},
-            {"scene", count.scene},
-            {"n", count.objects},
-            {"seed", count.seed},
-            {"warm_up_ticks", count.warm_up_ticks},
-            {"ticks", count.ticks},
-            {"space", count.space},
-            {"collide", count.collide},
-            {"notices", count.notices},
-            {"sum", count.sum()},
-            {"pairs", count.pairs},
-            {"pair_hash", count.pair_hash}};
+    nlohmann::json record = record_of(count, "instructions");
+    record.update({{"collide", count.collide},
+                   {"notices", count.notices},
+                   {"sum", count.sum()},
+                   {"pairs", count.pairs},
+                   {"pair_hash", count.pair_hash}});
+    return record;
 }
 
 std::vector<Count> counts_in(const nlohmann::json &records)
@@ -77,9 +83,12 @@ std::vector<Count> counts_in(const nlohmann::json &records)
     {
         if (record.value("count", "") == "instructions")
         {
-            counts.push_back({record.at("scene"), record.at("n"), record.at("seed"), record.at("warm_up_ticks"),
-                              record.at("ticks"), record.at("space"), record.at("collide"), record.at("notices"),
-                              record.at("pairs"), record.at("pair_hash")});
+            counts.push_back({{record.at("scene"), record.at("n"), record.at("seed"), record.at("warm_up_ticks"),
+                               record.at("ticks"), record.at("space")},
+                              record.at("collide"),
+                              record.at("notices"),
+                              record.at("pairs"),
+                              record.at("pair_hash")});
         }
     }
     return counts;
@@ -131,7 +140,7 @@ RatioSummary summary_of(const std::vector<CountPair> &pairs)
         if (pair.ratio() > summary.largest)
         {
             summary.largest = pair.ratio();
-            summary.largest_in = title(pair.now);
+            summary.largest_in = title_of(pair.now);
         }
     }
     summary.geometric_mean = std::exp(logarithms / static_cast<double>(pairs.size()));
@@ -145,8 +154,8 @@ void print(std::ostream &out, const std::vector<Count> &counts)
     for (const Count &count : counts)
     {
         const Count *best = best_of_ode(counts, count);
-        table.add({title(count), count.space, fixed(count.collide, 1), fixed(count.notices, 1), fixed(count.sum(), 1),
-                   best != nullptr ? fixed(best->sum() / count.sum(), 2) : "-",
+        table.add({title_of(count), count.space, fixed(count.collide, 1), fixed(count.notices, 1),
+                   fixed(count.sum(), 1), best != nullptr ? fixed(best->sum() / count.sum(), 2) : "-",
                    grouped(static_cast<std::uint64_t>(count.ticks)), grouped(count.pairs), count.pair_hash});
     }
     table.print(out);
@@ -160,7 +169,7 @@ void print(std::ostream &out, const std::vector<CountPair> &pairs)
                  "now / before", "pairs"});
     for (const CountPair &pair : pairs)
     {
-        table.add({title(pair.now), pair.now.space, fixed(pair.before.collide, 1), fixed(pair.now.collide, 1),
+        table.add({title_of(pair.now), pair.now.space, fixed(pair.before.collide, 1), fixed(pair.now.collide, 1),
                    fixed(pair.before.notices, 1), fixed(pair.now.notices, 1), fixed(pair.before.sum(), 1),
                    fixed(pair.now.sum(), 1), fixed(pair.ratio(), 4), pair.same_pairs() ? "same" : "OTHERS"});
     }

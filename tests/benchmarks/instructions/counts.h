@@ -11,8 +11,8 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// One scene in one space.
-struct Count
+/// What was counted: one scene in one space.
+struct CountedScene
 {
     std::string scene;
     int objects = 0;
@@ -20,10 +20,20 @@ struct Count
     int warm_up_ticks = 0;
     int ticks = 0; ///< that the instructions are of
     std::string space;
+};
+
+/// {count: kind, scene, n, seed, warm_up_ticks, ticks, space}
+nlohmann::json record_of(const CountedScene &counted, const std::string &kind);
+
+/// For the tables: name and number of objects.
+std::string title_of(const CountedScene &counted);
+
+struct Count : CountedScene
+{
     double collide = 0; ///< instructions per tick in dSpaceCollide(), with a callback that only notes the pair
     double notices = 0; ///< instructions per tick in what ODE tells the space of geoms that move
     std::uint64_t pairs = 0;
-    std::string pair_hash; ///< of all ticks, with the warm-up; in hexadecimal digits
+    std::string pair_hash = {}; ///< of all ticks, with the warm-up; in hexadecimal digits
 
     double sum() const { return collide + notices; }
 };

@@ -20,21 +20,16 @@ std::string ratio_text(double one, double other)
 
 nlohmann::json record_of(const WholeCount &count)
 {
-    return {{"count", "whole ticks"},
-            {"scene", count.scene},
-            {"n", count.objects},
-            {"seed", count.seed},
-            {"warm_up_ticks", count.warm_up_ticks},
-            {"ticks", count.ticks},
-            {"space", count.space},
-            {"collide", count.collide},
-            {"contacts", count.contacts},
-            {"both", count.both()},
-            {"notices", count.notices},
-            {"whole", count.whole},
-            {"calls_per_tick", count.calls_per_tick},
-            {"contacts_per_tick", count.contacts_per_tick},
-            {"state_hash", count.state_hash}};
+    nlohmann::json record = record_of(count, "whole ticks");
+    record.update({{"collide", count.collide},
+                   {"contacts", count.contacts},
+                   {"both", count.both()},
+                   {"notices", count.notices},
+                   {"whole", count.whole},
+                   {"calls_per_tick", count.calls_per_tick},
+                   {"contacts_per_tick", count.contacts_per_tick},
+                   {"state_hash", count.state_hash}});
+    return record;
 }
 
 bool same_states(const std::vector<WholeCount> &counts)
@@ -64,12 +59,12 @@ void print(std::ostream &out, const std::vector<WholeCount> &counts)
     for (const WholeCount &count : counts)
     {
         const WholeCount *boxes = find(counts, count.scene, count.objects, "predictive-box");
-        table.add({count.scene + " " + grouped(static_cast<std::uint64_t>(count.objects)), count.space,
-                   fixed(count.collide, 1), fixed(count.contacts, 1), fixed(count.both(), 1),
-                   ratio_text(count.both(), boxes != nullptr ? boxes->both() : 0), fixed(count.notices, 1),
-                   fixed(count.whole, 1), ratio_text(count.whole, boxes != nullptr ? boxes->whole : 0),
-                   fixed(count.calls_per_tick, 2), fixed(count.contacts_per_tick, 2),
-                   grouped(static_cast<std::uint64_t>(count.ticks)), count.state_hash});
+        table.add({title_of(count), count.space, fixed(count.collide, 1), fixed(count.contacts, 1),
+                   fixed(count.both(), 1), ratio_text(count.both(), boxes != nullptr ? boxes->both() : 0),
+                   fixed(count.notices, 1), fixed(count.whole, 1),
+                   ratio_text(count.whole, boxes != nullptr ? boxes->whole : 0), fixed(count.calls_per_tick, 2),
+                   fixed(count.contacts_per_tick, 2), grouped(static_cast<std::uint64_t>(count.ticks)),
+                   count.state_hash});
     }
     table.print(out);
     out << '\n';

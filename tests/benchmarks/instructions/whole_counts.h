@@ -3,30 +3,25 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_WHOLE_COUNTS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_WHOLE_COUNTS_H
 
-#include <cstdint>
 #include <iosfwd>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "tests/benchmarks/instructions/counts.h"
+
 namespace ode_predictive_space::benchmarks
 {
-/// One scene in one space. Instructions are per tick, each with all that was called.
-struct WholeCount
+/// Instructions are per tick, each with all that was called.
+struct WholeCount : CountedScene
 {
-    std::string scene;
-    int objects = 0;
-    std::uint64_t seed = 1;
-    int warm_up_ticks = 0;
-    int ticks = 0; ///< that the instructions are of
-    std::string space;
     double collide = 0;           ///< dSpaceCollide(), with a callback that only notes the pair
     double contacts = 0;          ///< dCollide() for the reported pairs
     double notices = 0;           ///< dGeomMoved(), called by the step of the world or by the scene
     double whole = 0;             ///< motion with the step of the world, dSpaceCollide(), dCollide() and contact joints
     double calls_per_tick = 0;    ///< of dCollide()
     double contacts_per_tick = 0; ///< that they found
-    std::string state_hash;       ///< of where all geoms are at the end; in hexadecimal digits
+    std::string state_hash = {};  ///< of where all geoms are at the end; in hexadecimal digits
 
     double both() const { return collide + contacts; }
 };

@@ -6,16 +6,10 @@
 #include "demos/scenes/table.h"
 #include "ode_predictive_space/haptics/random.h"
 #include "tests/benchmarks/contenders/contenders.h"
+#include "tests/benchmarks/instructions/callgrind_requests.h"
 #include "tests/benchmarks/instructions/counted_calls.h"
 
 #include <cstring>
-
-#ifdef ODE_PREDICTIVE_SPACE_HAVE_VALGRIND
-#include <valgrind/callgrind.h>
-#else
-#define CALLGRIND_START_INSTRUMENTATION
-#define CALLGRIND_TOGGLE_COLLECT
-#endif
 
 namespace ode_predictive_space::benchmarks
 {
