@@ -126,7 +126,7 @@ constexpr std::size_t least_purge = 4096;
 constexpr unsigned reports_per_rest = 32;
 
 /// Reports between two looks at the gap of a pair that has had none for long.
-constexpr int longest_pause = 16;
+constexpr int longest_pause = 64;
 
 /// Points of a convex or mesh beyond which its box, in its own axes, stands for it. A mesh of more is mostly a landscape, which has
 /// the other objects within its hull, and a hull takes about a millisecond per thousand points to make.

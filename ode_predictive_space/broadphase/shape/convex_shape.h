@@ -3,9 +3,11 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_CONVEX_SHAPE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_CONVEX_SHAPE_H
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "ode_predictive_space/broadphase/shape/vertex_hull.h"
@@ -67,16 +69,34 @@ struct ConvexShape : Pose
         if (kind == ShapeKind::cylinder)
         {
             const double along = axes[2].dot(direction);
-            const Vector3 across = direction - along * axes[2];
-            const double length = across.norm();
+            Vector3 across = direction - along * axes[2];
+            across -= axes[2].dot(across) * axes[2]; // what rounding has left along the axis
+            constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+            const bool is_along = across.squaredNorm() <= rounding * rounding * direction.squaredNorm();
             const Vector3 end = std::copysign(half_sides[2], along) * axes[2];
-            return length > 0 ? Vector3(end + (radius / length) * across) : end;
+            return is_along ? end : Vector3(end + (radius / across.norm()) * across);
         }
         const Vector3 along = along_axes(direction);
         if (kind == ShapeKind::hull)
             return from_axes(hull->farthest(along));
         return from_axes(
             half_sides.binaryExpr(along, [](double side, double sign) { return std::copysign(side, sign); }));
+    }
+
+    /// A point of the core that is as good as nearest to a point. Not for hulls and half spaces.
+    Vector3 nearest_of_core(const Vector3 &point) const
+    {
+        Vector3 nearest = along_axes(point - centre);
+        if (kind == ShapeKind::cylinder)
+        {
+            const double across = std::hypot(nearest[0], nearest[1]);
+            if (across > radius)
+                nearest.head<2>() *= radius / across;
+            nearest[2] = std::clamp(nearest[2], -half_sides[2], half_sides[2]);
+        }
+        else
+            nearest = nearest.cwiseMax(-half_sides).cwiseMin(half_sides);
+        return centre + from_axes(nearest);
     }
 
     double core_distance() const { return kind == ShapeKind::cylinder ? 0 : radius; }
