@@ -223,14 +223,14 @@ void GeomScene::observe(const ProxyId *ids, std::size_t count, const bool *with_
         [&](std::size_t i) { prefetch_geom(ids[i]); }, prefetch_motion);
 }
 
-void GeomScene::follow(const ProxyId *ids, std::size_t count, ConvexShape *shapes, double *moves)
+void GeomScene::follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves)
 {
     for_each(
-        count, [&](std::size_t i) { moves[i] = follow_geom(geoms_[ids[i]], hulls_, shapes[ids[i]]); },
+        count, [&](std::size_t i) { moves[i] = follow_geom(geoms_[ids[i]], hulls_, *shapes[i]); },
         [&](std::size_t i) { prefetch_geom(ids[i]); },
         [&](std::size_t i) {
             prefetch_pose(ids[i]);
-            prefetch_block<sizeof(ConvexShape)>(&shapes[ids[i]]);
+            prefetch_block<sizeof(ConvexShape)>(shapes[i]);
         });
 }
 

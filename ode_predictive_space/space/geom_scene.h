@@ -104,7 +104,7 @@ public:
     void locate(const ProxyId *ids, std::size_t count, Location *locations) override;
     void measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes) override;
     void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) override;
-    void follow(const ProxyId *ids, std::size_t count, ConvexShape *shapes, double *moves) override;
+    void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves) override;
     bool hull_is_outdated(ProxyId id, const ConvexShape &shape) override;
     Box bounds(ProxyId id) override;
     std::optional<Vector3> pivot(ProxyId id) override;

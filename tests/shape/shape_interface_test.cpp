@@ -271,5 +271,37 @@ TEST_F(ShapeProximity, CanBeSetByTheWrapper)
     EXPECT_EQ(wrapped.getShapeMargin(), REAL(0.25));
     EXPECT_EQ(wrapped.getCounters().looks, 0u);
 }
+
+// After the balls have been near to each other, and then farther away for some time.
+unsigned long bytes_of_a_thousand_balls(int proximity, dReal farther)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    dPredictiveSpaceSetProximity(space, proximity);
+    std::vector<dGeomID> balls(1000);
+    for (dGeomID &ball : balls)
+        ball = dCreateSphere(space, 1);
+    for (const dReal between : {REAL(1.6), farther})
+        for (int tick = 0; tick < 300; ++tick)
+        {
+            for (std::size_t i = 0; i < balls.size(); ++i)
+                dGeomSetPosition(balls[i], between * static_cast<dReal>(i % 32), between * static_cast<dReal>(i / 32),
+                                 REAL(1e-4) * static_cast<dReal>(tick));
+            collide(space);
+        }
+    dPredictiveSpaceStats stats;
+    dPredictiveSpaceGetStats(space, &stats);
+    dSpaceDestroy(space);
+    return stats.bytes;
+}
+
+TEST_F(ShapeProximity, HoldsTheShapesOfNearObjectsAlone)
+{
+    constexpr dReal far_apart = 10;
+    const unsigned long by_boxes = bytes_of_a_thousand_balls(dPredictiveProximityBox, far_apart),
+                        by_shapes = bytes_of_a_thousand_balls(dPredictiveProximityShape, far_apart);
+    EXPECT_LE(by_shapes, by_boxes + 250 * 1000);
+    EXPECT_GT(bytes_of_a_thousand_balls(dPredictiveProximityShape, apart),
+              bytes_of_a_thousand_balls(dPredictiveProximityBox, apart) + 200 * 1000);
+}
 } // namespace
 } // namespace ode_predictive_space

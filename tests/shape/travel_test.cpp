@@ -45,11 +45,11 @@ public:
     bool postponed() const { return shapes_.travel(the_pair) < look_.due; }
     std::uint64_t looks() const { return looks_; }
 
-    void follow(const ProxyId *ids, std::size_t count, ConvexShape *shapes, double *moves) override
+    void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves) override
     {
         for (std::size_t i = 0; i < count; ++i)
         {
-            ConvexShape &shape = shapes[ids[i]];
+            ConvexShape &shape = *shapes[i];
             const ConvexShape &other = now[ids[i]];
             const bool same = shape.kind == other.kind && shape.kind != ShapeKind::half_space &&
                               shape.radius == other.radius && shape.half_sides == other.half_sides;

@@ -44,11 +44,14 @@ CandidatePair *NearSet::report_by_shape(ShapeTest &test, Tick now, CandidatePair
     }
     end = std::copy(overlapping_.begin(), overlapping_.end(), end);
     if (++reports_ % tuning::reports_per_rest == 0)
+    {
         let_rest(
             [&](std::size_t i) {
                 return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]) && test.may_touch(pairs_[i], looks_[i]);
             },
             keep_beside(looks_));
+        test.keep_only(members_);
+    }
     return end;
 }
 

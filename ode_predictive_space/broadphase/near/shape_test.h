@@ -48,6 +48,8 @@ public:
     {
         objects_.shapes.renew_outdated(objects_.scene, wanted, objects_.members);
     }
+    /// Nothing need be known of the shapes of other objects.
+    void keep_only(const IdSet &wanted) { objects_.shapes.keep_only(wanted); }
     /// Brings boxes up to date.
     void measure(const IdSet &wanted) { objects_.boxes.update(objects_.scene, wanted, objects_.members); }
 

@@ -1,5 +1,6 @@
 #include "ode_predictive_space/broadphase/objects/measured_shapes.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -10,7 +11,8 @@ namespace ode_predictive_space
 namespace
 {
 constexpr double rounds_up = 1 + 32 * std::numeric_limits<double>::epsilon();
-}
+constexpr std::size_t least_room = 64;
+} // namespace
 
 void MeasuredShapes::start(std::size_t count)
 {
@@ -24,21 +26,39 @@ void MeasuredShapes::resize(std::size_t count)
 {
     if (!in_use_)
         return;
-    resize_array(shapes_, count);
+    for (std::size_t id = count; id < places_.size(); ++id)
+        forget(static_cast<ProxyId>(id));
+    resize_array(places_, count);
     resize_array(travels_, count);
     for (IdSet *set : {&valid_, &renewed_, &hulls_})
         set->resize(count);
     stale_.resize(count);
+    free_memory(followed_);
     free_memory(moves_);
 }
 
 void MeasuredShapes::forget(ProxyId id)
 {
-    if (!in_use_ || id >= shapes_.size())
+    if (!in_use_ || id >= places_.size() || !has_shape(id))
         return;
-    shapes_[id] = {};
+    const std::size_t last = owners_.size() - 1;
+    shapes_[place_of(id)] = std::move(shapes_[last]);
+    owners_[place_of(id)] = owners_[last];
+    places_[owners_[last]] = places_[id];
+    shapes_.resize(last);
+    owners_.resize(last);
+    places_[id] = 0;
     valid_.erase(id);
     hulls_.erase(id);
+}
+
+void MeasuredShapes::keep_only(const IdSet &wanted)
+{
+    for (std::size_t place = owners_.size(); place-- > 0;)
+        if (!wanted.contains(owners_[place]))
+            forget(owners_[place]);
+    if (shapes_.capacity() > 4 * (shapes_.size() + least_room))
+        shapes_.shrink_to_fit();
 }
 
 void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const IdSet &members)
@@ -55,19 +75,35 @@ void MeasuredShapes::renew_outdated(Scene &scene, const IdSet &wanted, const IdS
     stale_.clear();
     for (std::size_t i = 0; i < hulls_.words(); ++i)
         IdSet::visit_word(i, hulls_.word(i) & wanted.word(i) & members.word(i), [&](ProxyId id) {
-            if (scene.hull_is_outdated(id, shapes_[id]))
+            if (scene.hull_is_outdated(id, (*this)[id]))
                 stale_.add(id);
         });
     follow_stale(scene);
+}
+
+// Gives each stale object a place for its shape, and notes where that is.
+void MeasuredShapes::make_places()
+{
+    for (ProxyId id : stale_)
+        if (!has_shape(id))
+        {
+            shapes_.resize(owners_.size() + 1);
+            owners_.push_back(id);
+            places_[id] = static_cast<std::uint32_t>(owners_.size());
+        }
+    followed_.clear();
+    for (ProxyId id : stale_)
+        followed_.push_back(&shapes_[place_of(id)]);
 }
 
 void MeasuredShapes::follow_stale(Scene &scene)
 {
     if (stale_.empty())
         return;
+    make_places();
     if (moves_.size() < stale_.size())
         moves_.resize(stale_.size());
-    scene.follow(stale_.data(), stale_.size(), shapes_.data(), moves_.data());
+    scene.follow(stale_.data(), stale_.size(), followed_.data(), moves_.data());
     for (std::size_t i = 0; i < stale_.size(); ++i)
         note(stale_.data()[i], moves_[i]);
 }
@@ -75,7 +111,7 @@ void MeasuredShapes::follow_stale(Scene &scene)
 void MeasuredShapes::note(ProxyId id, double move)
 {
     valid_.insert(id);
-    if (shapes_[id].hull)
+    if ((*this)[id].hull)
         hulls_.insert(id);
     else
         hulls_.erase(id);
@@ -98,7 +134,7 @@ void MeasuredShapes::clear_renewed()
 
 std::size_t MeasuredShapes::bytes() const
 {
-    return bytes_of(shapes_) + bytes_of(travels_) + bytes_of(moves_) + valid_.bytes() + renewed_.bytes() +
-           hulls_.bytes() + stale_.bytes();
+    return bytes_of(shapes_) + bytes_of(owners_) + bytes_of(places_) + bytes_of(travels_) + bytes_of(followed_) +
+           bytes_of(moves_) + valid_.bytes() + renewed_.bytes() + hulls_.bytes() + stale_.bytes();
 }
 } // namespace ode_predictive_space

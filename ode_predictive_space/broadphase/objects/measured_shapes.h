@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_MEASURED_SHAPES_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_MEASURED_SHAPES_H
 
+#include <cstdint>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/base/id_list.h"
@@ -12,7 +13,8 @@
 
 namespace ode_predictive_space
 {
-/// Takes memory only while it is in use.
+/// Takes memory only while it is in use, and holds the shapes of the objects that were last wanted alone: most objects of a large
+/// scene are near no other.
 ///
 /// The travel of an object is a sum: it grows by at least as much as any point of the surface has moved, turning included.
 /// Two objects that were a gap apart cannot touch before their travels have grown by that gap together. What happened between
@@ -55,7 +57,11 @@ public:
     }
     void clear_renewed();
 
-    const ConvexShape &operator[](ProxyId id) const { return shapes_[id]; }
+    /// Of an object that has been looked at, and not been dropped or forgotten since.
+    const ConvexShape &operator[](ProxyId id) const { return shapes_[place_of(id)]; }
+
+    /// Gives the shapes of all other objects back: when they are looked at again, it is as for the first time.
+    void keep_only(const IdSet &wanted);
 
     /// Of both objects together.
     double travel(const CandidatePair &pair) const { return travels_[pair.first] + travels_[pair.second]; }
@@ -63,18 +69,24 @@ public:
     std::size_t bytes() const;
 
 private:
+    bool has_shape(ProxyId id) const { return places_[id] > 0; }
+    std::size_t place_of(ProxyId id) const { return places_[id] - 1; }
+    void make_places();
     void follow_stale(Scene &scene);
     void note(ProxyId id, double move);
 
     bool in_use_ = false;
     std::vector<ConvexShape> shapes_;
-    std::vector<double> travels_;
-    IdSet valid_; // and some that are not there
+    std::vector<ProxyId> owners_;       // of these
+    std::vector<std::uint32_t> places_; // of each object among these, counted from 1; 0: it has none
+    std::vector<double> travels_;       // of the objects
+    IdSet valid_;                       // and some that are not there
     IdSet renewed_;
     IdSet hulls_; // objects whose shape is a hull
     bool any_renewed_ = false;
-    IdList stale_;              // scratch
-    std::vector<double> moves_; // scratch
+    IdList stale_;                        // scratch
+    std::vector<ConvexShape *> followed_; // scratch: the shapes of these
+    std::vector<double> moves_;           // scratch
 };
 } // namespace ode_predictive_space
 

@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space
 {
-void Scene::follow(const ProxyId *, std::size_t count, ConvexShape *, double *moves)
+void Scene::follow(const ProxyId *, std::size_t count, ConvexShape *const *, double *moves)
 {
     std::fill_n(moves, count, std::numeric_limits<double>::infinity());
 }

@@ -49,11 +49,11 @@ public:
     /// with_bounds[i] is set.
     virtual void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) = 0;
 
-    /// Brings the shape of each of the objects up to date, in shapes[id], and tells how far the object has moved since: the most
-    /// that any point of its surface has, in the order of `ids`; infinite when the shape is another one now.
+    /// Brings the shape of each of the objects up to date, and tells how far the object has moved since: the most
+    /// that any point of its surface has; infinite when the shape is another one now. All in the order of `ids`.
     ///
     /// Here: unknown shapes, for scenes that are judged by boxes alone.
-    virtual void follow(const ProxyId *ids, std::size_t count, ConvexShape *shapes, double *moves);
+    virtual void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves);
 
     /// Does the hull of an object's shape no longer serve? The data of hulls change without notice.
     virtual bool hull_is_outdated(ProxyId id, const ConvexShape &shape);
