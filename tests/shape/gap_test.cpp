@@ -11,7 +11,11 @@ namespace ode_predictive_space
 namespace
 {
 constexpr int pairs_of_classes = 20; // of six, but two planes
+#ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
+constexpr int poses = 1000000;
+#else
 constexpr int poses = 1500000 / pairs_of_classes;
+#endif
 constexpr double rounding = 1e-13;
 
 // Two shapes close to each other; now and then they overlap.

@@ -14,6 +14,12 @@ namespace
 {
 constexpr CandidatePair the_pair{0, 1};
 
+#ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
+constexpr unsigned seeds = 100000;
+#else
+constexpr unsigned seeds = 4000;
+#endif
+
 // Two shapes whose bounding boxes always overlap.
 class TwoShapes : public Scene
 {
@@ -116,7 +122,7 @@ TEST(Travel, ShapesOfPostponedPairsAreApart)
 {
     long postponed = 0, touching = 0, steps = 0;
     std::uint64_t looks = 0;
-    for (unsigned seed = 0; seed < 4000; ++seed)
+    for (unsigned seed = 0; seed < seeds; ++seed)
     {
         ShapeMaker maker(seed);
         TwoShapes pair;
