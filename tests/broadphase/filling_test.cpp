@@ -80,6 +80,14 @@ TEST_F(Filling, ComesToItsEnd)
     EXPECT_EQ(gas.world.broadphase.counters().sweeps, sweeps) << "no more sweeps afterwards";
 }
 
+TEST_F(Filling, ComesToItsEndAmongIdleObjects)
+{
+    explode();
+    for (ProxyId id = 0; id < count; id += 7)
+        gas.world.object(id).enabled = false;
+    EXPECT_LE(ticks_to_the_end(), 60);
+}
+
 // Each part of the scene then makes a good part of a tree.
 TEST_F(Filling, PredictsNeighboursTogether)
 {

@@ -122,6 +122,16 @@ TEST_F(Contract, 07_GeomsAreBroughtUpToDateUnderTheLock)
     dSpaceDestroy(space);
 }
 
+TEST_F(Contract, 08_ACollideWithinACallbackIsNoTick)
+{
+    Heap heap;
+    const dSpaceID space = heap.scene.space();
+    collide_with(space, [space](dGeomID, dGeomID) { collide(space); });
+    dPredictiveSpaceStats stats;
+    dPredictiveSpaceGetStats(space, &stats);
+    EXPECT_EQ(stats.ticks, 1u);
+}
+
 TEST_F(Contract, 08_ACallbackMayCollideTheSameSpaceAgain)
 {
     Heap heap;

@@ -209,6 +209,19 @@ TEST_F(HullData, IsReadAgainWhenTheProgramSaysThatItChanged)
     EXPECT_EQ(pairs_later(), 0u);
 }
 
+// One call serves for all geoms with these data.
+TEST_F(HullData, ChangedInPlaceIsReadAnewForEveryGeomThatHasThem)
+{
+    MeshArrays arrays(octahedron);
+    create_mesh(arrays);
+    const dGeomID far = create_mesh(arrays);
+    dGeomSetPosition(far, 50, 0, 0);
+    EXPECT_EQ(pairs_at_rest(), 0u);
+    arrays.move_corners({0.4, 0.4, 0});
+    dPredictiveSpaceGeomChanged(space, far);
+    EXPECT_EQ(collide(space).size(), 1u);
+}
+
 // (ODE keeps the box of a mesh from when its data were built.)
 TEST_F(HullData, ChangedInPlaceIsNoticedInTheBoxesToo)
 {

@@ -104,6 +104,37 @@ TEST_F(ShapeProximity, NeedsNoLookUntilThePairHasTravelledItsGap)
     EXPECT_EQ(counters().looks, 1u);
 }
 
+TEST_F(ShapeProximity, ReportsAPairThatComesWithinTheMarginAtThatTick)
+{
+    // So that the motion keeps to its prediction, and the pair stays the same.
+    for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
+        dPredictiveSpaceSetDeviation(space, role, 2, 0, 0);
+    dPredictiveSpaceSetShapeMargin(space, REAL(0.2));
+    ball(0, 0);
+    const dGeomID other = ball(apart, apart);
+    for (dReal place = apart; place > REAL(1.5); place -= REAL(0.002))
+    {
+        dGeomSetPosition(other, place, place, 0);
+        const dReal gap = std::sqrt(2 * place * place) - 2;
+        const std::size_t count = pairs();
+        ASSERT_GE(count, gap <= REAL(0.2) ? 1u : 0u) << "at a gap of " << gap;
+        ASSERT_LE(count, gap <= REAL(0.21) ? 1u : 0u) << "at a gap of " << gap;
+    }
+}
+
+TEST_F(ShapeProximity, OfAPairAtRestFollowsTheMargin)
+{
+    ball(0, 0);
+    ball(apart, apart);
+    let_rest();
+    EXPECT_EQ(pairs(), 0u);
+    dPredictiveSpaceSetShapeMargin(space, REAL(0.3));
+    EXPECT_EQ(pairs(), 1u);
+    let_rest();
+    dPredictiveSpaceSetShapeMargin(space, 0);
+    EXPECT_EQ(pairs(), 0u);
+}
+
 TEST_F(ShapeProximity, NoticesThatAGeomGrows)
 {
     ball(0, 0);
