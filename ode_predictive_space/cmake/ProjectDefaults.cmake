@@ -32,6 +32,23 @@ if(ODE_PREDICTIVE_SPACE_SANITIZERS)
     add_link_options(-fsanitize=${ODE_PREDICTIVE_SPACE_SANITIZERS})
 endif()
 
+# What makes a mistake in the libraries harder to exploit; in release builds, and not with a sanitizer, which has its own.
+# docs/reliability.md says what it costs, and a test looks at the libraries. Switch it off where a package brings its own flags.
+option(ODE_PREDICTIVE_SPACE_HARDENING "Harden the libraries of a release build" ON)
+function(ode_predictive_space_harden)
+    if(NOT ODE_PREDICTIVE_SPACE_HARDENING OR ODE_PREDICTIVE_SPACE_SANITIZERS)
+        return()
+    endif()
+    foreach(target ${ARGN})
+        target_compile_options(
+            ${target} PRIVATE "$<$<CONFIG:Release>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2;-fstack-protector-strong>")
+        get_target_property(type ${target} TYPE)
+        if(NOT type STREQUAL STATIC_LIBRARY)
+            target_link_options(${target} PRIVATE "$<$<CONFIG:Release>:LINKER:-z,relro,-z,now>")
+        endif()
+    endforeach()
+endfunction()
+
 find_program(CCACHE_PROGRAM ccache)
 mark_as_advanced(CCACHE_PROGRAM)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -81,7 +81,7 @@ extern "C" __attribute__((visibility("default"))) const Hooks *ode_predictive_sp
         return nullptr;
     }
     std::vector<std::string> complaints;
-    settings = new Settings(read_settings([](const char *name) { return std::getenv(name); }, complaints));
+    settings = new Settings(read_settings([](const char *name) { return secure_getenv(name); }, complaints));
     for (const std::string &complaint : complaints)
         say("%s", complaint.c_str());
     static Hooks hooks{create, nullptr, nullptr, nullptr};

@@ -234,7 +234,7 @@ dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, const void *re
 
 bool is_asked_for(const char *variable)
 {
-    const char *value = std::getenv(variable);
+    const char *value = secure_getenv(variable);
     return value && value[0] && std::strcmp(value, "0") != 0;
 }
 
