@@ -4,6 +4,7 @@
 
 #include <ode_predictive_space/predictive_space.h>
 
+#include "ode_predictive_space/space/ode_internals.h"
 #include "tests/contract/support/geom_zoo.h"
 #include "tests/contract/support/scenario.h"
 
@@ -84,6 +85,22 @@ void run_cars(Scenario &scene, const MakeSpace &make)
         if (tick % 50 == 25)
             dBodySetPosition(bodies[0], dBodyGetPosition(bodies[1])[0], 0, 0);
     }
+}
+
+// A clean geom may be added to a nested space of ODE's own only when none in it is dirty.
+TEST_F(Contract, 11_ATickCleansTheGeomsOfNestedSpaces)
+{
+    const dSpaceID outer = dPredictiveSpaceCreate(nullptr);
+    const dSpaceID nested = dSimpleSpaceCreate(dSimpleSpaceCreate(outer));
+    const dGeomID geom = dCreateSphere(nested, 1);
+    dCreateSphere(outer, 1);
+    for (int i = 0; i < 10; ++i)
+    {
+        dGeomSetPosition(geom, i, 0, 0);
+        collide(outer);
+        EXPECT_FALSE(geom->gflags & GEOM_DIRTY) << "at tick " << i;
+    }
+    dSpaceDestroy(outer);
 }
 
 TEST_F(Contract, 11_PredictiveInPredictive)
