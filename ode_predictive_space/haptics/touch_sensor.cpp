@@ -305,7 +305,7 @@ bool TouchSensor::hold(dGeomID other)
         bodies_.keep(body);
     }
     nearby->set_material(material_of(other));
-    tracker_->add(std::move(*nearby));
+    tracker_->add_if_near(std::move(*nearby));
     return true;
 }
 

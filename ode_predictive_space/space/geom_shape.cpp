@@ -14,6 +14,9 @@ constexpr bool is_double = sizeof(dReal) == sizeof(double);
 // A rotation matrix is integrated and normalised, so it is not exact. What it is off is a small part of the slack.
 constexpr double most_skew = is_double ? 1e-6 : 1e-5;
 
+// By a sphere's growth its gaps become less and the margin, which is a small part of its size, becomes more.
+constexpr double growth_and_margin = 1.01;
+
 // Roundings of ODE's that are allowed for.
 constexpr double rounded_places = 16;
 
@@ -191,7 +194,11 @@ double follow_geom(dxGeom *geom, HullStore &hulls, ConvexShape &shape)
     const Pose before = shape;
     if (keeps_form(geom, shape) && take_pose(geom, shape))
         return shape.moved_from(before);
+    const bool was_sphere = shape.group == group_of(dSphereClass);
+    const double radius_before = shape.radius;
     shape = shape_of(geom, hulls, shape.hull);
+    if (was_sphere && shape.known())
+        return shape.moved_from(before) + growth_and_margin * std::max(0.0, shape.radius - radius_before);
     return std::numeric_limits<double>::infinity();
 }
 } // namespace ode_predictive_space

@@ -17,7 +17,7 @@ namespace ode_predictive_space
 ConvexShape shape_of(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before = nullptr);
 /// Brings the shape of a geom up to date.
 ///
-/// @return how far it has moved since; see Scene::follow().
+/// @return how far it has moved since; see Scene::follow(). Of a sphere, with what it has grown.
 double follow_geom(dxGeom *geom, HullStore &hulls, ConvexShape &shape);
 } // namespace ode_predictive_space
 

@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/probe.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <ode/ode.h>
 #include <ode_predictive_space/predictive_space.h>
@@ -118,7 +119,8 @@ public:
         }
     }
 
-    bool swap = false; ///< hand the pairs over the other way round
+    bool swap = false;                             ///< hand the pairs over the other way round
+    std::function<void(dGeomID, dGeomID)> on_pair; ///< called for each pair of the near callback; may be empty
     const dWorldID world;
     const dSpaceID space;
 
@@ -126,6 +128,10 @@ private:
     static void near(void *data, dGeomID first, dGeomID second)
     {
         auto &self = *static_cast<ProbeWorld *>(data);
+        if (self.on_pair)
+        {
+            self.on_pair(first, second);
+        }
         if (self.swap ? self.probe_->touch(second, first) : self.probe_->touch(first, second))
         {
             return;

@@ -125,7 +125,17 @@ const ContactMemory::Place *ContactTracker::known(const NearbyGeom &geom) const
     return found != before_.end() ? &*found : nullptr;
 }
 
-void ContactTracker::add(NearbyGeom geom)
+void ContactTracker::add_if_near(NearbyGeom geom)
+{
+    const Region around = region();
+    const double distance = geom.distance(around.centre, around.radius);
+    if (distance < around.radius)
+    {
+        insert(std::move(geom), distance);
+    }
+}
+
+void ContactTracker::insert(NearbyGeom geom, double distance)
 {
     const auto same = [&](const Held &held) { return held.geom.id() == geom.id(); };
     if (std::any_of(near_.begin(), near_.end(), same))
@@ -133,6 +143,7 @@ void ContactTracker::add(NearbyGeom geom)
         return;
     }
     Held held;
+    held.distance = distance;
     held.start = start_;
     held.place.geom = geom.identity();
     if (const ContactMemory::Place *last = known(geom))
@@ -146,7 +157,8 @@ void ContactTracker::add(NearbyGeom geom)
         }
     }
     held.geom = std::move(geom);
-    near_.push_back(std::move(held));
+    const auto farther = [](double length, const Held &other) { return length < other.distance; };
+    near_.insert(std::upper_bound(near_.begin(), near_.end(), distance, farther), std::move(held));
 }
 
 void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
@@ -155,9 +167,8 @@ void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
     const double most = region().radius;
     for (const Held &held : near_)
     {
-        SurfaceFeatures features;
         const bool all_go = near_.size() <= geoms.geoms.size();
-        nearest.emplace_back(all_go ? 0 : held.geom.collect(held.start, most, features), &held.geom);
+        nearest.emplace_back(all_go ? 0 : held.geom.distance(held.start, most), &held.geom);
     }
     geoms.count = std::min(near_.size(), geoms.geoms.size());
     const auto end = nearest.begin() + static_cast<std::ptrdiff_t>(geoms.count);

@@ -15,13 +15,13 @@ bool is_finite(const Touch &touch);
 /// respect to each geom its place is remembered in the geom's frame, so that it goes with what moves and turns. What holds
 /// the proxy off the tool is touched, from the proxy's side.
 ///
-/// Each tick: begin(), aim(), add() for each geom that the near callback tells, follow(), touches(). A geom that is not told
+/// Each tick: begin(), aim(), add_if_near() for each geom that the near callback tells, follow(), touches(). A geom that is not told
 /// is forgotten: its contact has ended, whatever became of it. That is safe since the region() in which geoms are looked for
 /// holds the proxy, hence all that it touches.
 ///
 /// In two threads there are two. The servo's owns the sides: each tick it is given the geoms that the scene's found at the
 /// last step, where they are by now. The scene's goes on from the servo's memory in each step: adopt(), and hand_over()
-/// after all add().
+/// after all add_if_near().
 class ContactTracker
 {
 public:
@@ -53,7 +53,11 @@ public:
     /// Triangles of a mesh that were touched in the tick before.
     TriangleList touched_triangles(dGeomID geom) const;
 
-    void add(NearbyGeom geom);
+    void add(NearbyGeom geom) { insert(std::move(geom), 0); }
+
+    /// Of what the near callback tells: the same for a geom whose surface is in the region(). The nearest comes first. So what is
+    /// felt depends on the scene alone: not on how many geoms around the region a space reports, and in which order.
+    void add_if_near(NearbyGeom geom);
 
     /// Of the scene's tracker: what was added, for the servo's. If it is too much, what is nearest to the proxy.
     ///
@@ -79,6 +83,7 @@ private:
     struct Held
     {
         NearbyGeom geom;
+        double distance = 0;             ///< m; from the middle of the region, if the order goes by it
         Vector3 start = Vector3::Zero(); ///< m; the scene's frame, when the tick began
         ContactMemory::Place place;      ///< when it was over
     };
@@ -91,6 +96,7 @@ private:
         Vector3 normal;
     };
 
+    void insert(NearbyGeom geom, double distance);
     SphereSlide::Task task() const;
     const ContactMemory::Place *known(const NearbyGeom &geom) const;
     void settle(bool common);

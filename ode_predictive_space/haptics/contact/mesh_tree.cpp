@@ -159,10 +159,9 @@ void MeshTree::build(std::uint32_t first, std::uint32_t count)
     build(first + half, count - half);
 }
 
-double MeshTree::collect(const Vector3 &point, double radius, SurfaceFeatures &features) const
+/// Calls visit(triangle) for each triangle that may be within the radius, which the visitor may make less.
+template <typename Visit> void MeshTree::walk(const Vector3 &point, const double &radius, Visit visit) const
 {
-    const std::size_t first = features.size();
-    double nearest = radius;
     std::array<std::uint32_t, deepest> waiting;
     int count = 0;
     if (!nodes_.empty())
@@ -179,7 +178,7 @@ double MeshTree::collect(const Vector3 &point, double radius, SurfaceFeatures &f
         }
         for (std::uint32_t i = 0; i < node.count; ++i)
         {
-            nearest = std::min(nearest, add(point, order_[node.first + i], radius, first, features));
+            visit(order_[node.first + i]);
         }
         if (node.count == 0)
         {
@@ -187,10 +186,27 @@ double MeshTree::collect(const Vector3 &point, double radius, SurfaceFeatures &f
             waiting[count++] = index + 1;
         }
     }
+}
+
+double MeshTree::collect(const Vector3 &point, double radius, SurfaceFeatures &features) const
+{
+    const std::size_t first = features.size();
+    double nearest = radius;
+    walk(point, radius,
+         [&](std::uint32_t triangle) { nearest = std::min(nearest, add(point, triangle, radius, first, features)); });
     const auto is_none = [](const SurfaceFeature &feature) { return feature.triangle == no_minimum; };
     const auto begin = features.begin() + static_cast<std::ptrdiff_t>(first);
     features.erase(std::remove_if(begin, features.end(), is_none), features.end());
     return nearest;
+}
+
+double MeshTree::distance(const Vector3 &point, double most) const
+{
+    walk(point, most, [&](std::uint32_t triangle) {
+        const double squared = nearest_on_triangle(point, corners(triangle)).squared_distance;
+        most = squared < most * most ? std::sqrt(squared) : most;
+    });
+    return most;
 }
 
 SurfaceFeature MeshTree::nearest_of(std::size_t triangle, const Vector3 &point) const

@@ -29,6 +29,9 @@ public:
     /// @return the distance to the mesh; the radius when nothing is within it.
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features) const;
 
+    /// The distance from a point to the mesh, or `most` if that is less.
+    double distance(const Vector3 &point, double most) const;
+
     /// The place of one triangle that is nearest to a point.
     SurfaceFeature nearest_of(std::size_t triangle, const Vector3 &point) const;
 
@@ -44,6 +47,7 @@ private:
 
     using Triangle = std::array<std::uint32_t, 3>; ///< vertices
 
+    template <typename Visit> void walk(const Vector3 &point, const double &radius, Visit visit) const;
     void weld(const std::vector<TriangleCorners> &triangles);
     void list_fans();
     void list_order();

@@ -108,6 +108,12 @@ double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures 
     return nearest;
 }
 
+double NearbyGeom::distance(const Vector3 &point, double most) const
+{
+    const Vector3 local = to_local(point);
+    return mesh_ ? mesh_->distance(local, most) : std::min(most, solid_.nearest(local).distance);
+}
+
 SurfaceFeature NearbyGeom::nearest_of(const SurfaceFeature &feature, const Vector3 &point) const
 {
     SurfaceFeature seen = mesh_ ? mesh_->nearest_of(static_cast<std::size_t>(feature.triangle), to_local(point))

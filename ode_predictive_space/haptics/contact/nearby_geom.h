@@ -66,6 +66,9 @@ public:
     /// @return the distance to the surface, or the radius if that is less.
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features) const;
 
+    /// The distance from a point to the surface, below 0 inside of a solid; `most` if that is less.
+    double distance(const Vector3 &point, double most) const;
+
     /// The same face, edge or corner that a feature is of, or its neighbour in the same triangle, as seen from another
     /// point.
     SurfaceFeature nearest_of(const SurfaceFeature &feature, const Vector3 &point) const;
