@@ -47,8 +47,9 @@ enum
         2 /**< when the shapes of spheres, boxes, capsules, cylinders, planes, convexes and meshes may touch, of the last two
                their convex hulls; of other classes, and of a few pairs of these (docs/method.md lists them), when the boxes
                overlap. Never a contact less than dCollide() finds with ODE's own colliders, hardly a useless call. For
-               dSpaceCollide() only: dSpaceCollide2() and inquiries go by boxes. Not for programs that replace colliders with
-               dSetColliderOverride(). @see dPredictiveSpaceGeomChanged */
+               dSpaceCollide() and for the times of dPredictiveSpaceGetTimeOfProximity() and dPredictiveSpaceGetEncounters();
+               dSpaceCollide2() goes by boxes. Not for programs that replace colliders with dSetColliderOverride().
+               @see dPredictiveSpaceGeomChanged */
 };
 
 /** How the motion of a geom is estimated. */
@@ -182,6 +183,9 @@ ODE_PREDICTIVE_API void dPredictiveSpaceGetHorizon(dSpaceID space, int *min_tick
  * Get the earliest time at which two geoms of the space can come near each other, from the present predictions. From the
  * first call on, the space predicts new geoms at once; otherwise it observes them for some ticks first.
  *
+ * Near are two geoms whose bounding boxes overlap; with dPredictiveProximityShape, two geoms whose shapes may touch. Those whose
+ * boxes alone overlap then meet at the next tick at the earliest, and mostly later.
+ *
  * @param ticks receives a time from now, in ticks; may be 0.
  * @return 1 when they can come near each other; the time is the earliest at which they can (0 when they are near now).
  *         0 when they stay apart as long as both keep to their predictions; the time is the one up to which that is known
@@ -190,7 +194,7 @@ ODE_PREDICTIVE_API void dPredictiveSpaceGetHorizon(dSpaceID space, int *min_tick
 ODE_PREDICTIVE_API int dPredictiveSpaceGetTimeOfProximity(dSpaceID space, dGeomID first, dGeomID second, dReal *ticks);
 
 /**
- * List the geoms that a geom can meet within its horizon, soonest first.
+ * List the geoms that a geom can meet within its horizon, soonest first. See dPredictiveSpaceGetTimeOfProximity() for the times.
  *
  * @param out an array of max encounters.
  * @return the number of encounters written.

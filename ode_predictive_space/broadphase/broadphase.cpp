@@ -4,6 +4,9 @@
 #include <new>
 #include <utility>
 
+#include "ode_predictive_space/broadphase/near/contact_forecast.h"
+#include "ode_predictive_space/broadphase/shape/gap.h"
+
 namespace ode_predictive_space
 {
 // --- The tick -------------------------------------------------------------------------------------------------------------
@@ -255,6 +258,30 @@ void Broadphase::recover()
 {
     resize_stages();
     start_sweeping(false);
+}
+
+void Broadphase::follow_shapes(Scene &scene, const IdSet &wanted)
+{
+    shapes_.renew_outdated(scene, wanted, proxies_.members());
+    shapes_.update(scene, wanted, proxies_.members());
+}
+
+bool Broadphase::may_touch(ProxyId first, ProxyId second) const
+{
+    const ConvexShape &one = shapes_[first], &other = shapes_[second];
+    const double margin = touching_distance(one, other, shape_margin_);
+    return !(find_gap(one, other, Vector3::Zero(), margin).length > margin);
+}
+
+std::optional<double> Broadphase::time_of_contact(ProxyId first, ProxyId second) const
+{
+    const auto predicted = [this](ProxyId id) {
+        const auto &kind = proxies_.records[id].kind;
+        return PredictedShape{shapes_[id], proxies_.outer_envelope(id, now()), kind.still, kind.check == Check::centre};
+    };
+    const double duration = std::min(proxies_.remaining(first, now()), proxies_.remaining(second, now()));
+    const double margin = touching_distance(shapes_[first], shapes_[second], shape_margin_);
+    return ode_predictive_space::time_of_contact(predicted(first), predicted(second), margin, duration);
 }
 
 bool Broadphase::want_predictions()

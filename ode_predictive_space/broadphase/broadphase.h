@@ -113,6 +113,16 @@ public:
         return PairProximity(proxies_, first, clock_.now(), proximity_test_).to(second);
     }
 
+    /// Brings the shapes of objects up to date for time_of_contact(). By the shape test only.
+    void follow_shapes(Scene &scene, const IdSet &wanted);
+
+    /// By the shape test: when the shapes of two objects may touch, in ticks from now on; 0 when they may now, none when they stay
+    /// apart over their horizons. Both are predicted, and their shapes are up to date.
+    std::optional<double> time_of_contact(ProxyId first, ProxyId second) const;
+
+    /// The same for now, whether or not they are predicted.
+    bool may_touch(ProxyId first, ProxyId second) const;
+
     /// Predictions are asked for: has them made in the next update if there are none because most objects are new.
     ///
     /// @return true when there will be new ones.

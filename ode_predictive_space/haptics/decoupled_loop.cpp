@@ -270,11 +270,13 @@ void SceneLoop::run()
     {
         parts_.clock.sleep_until(pacer.due());
         parts_.scene.begin(parts_.clock.now());
+        parts_.guard->begin_step(parts_.clock.now());
         step(pacer.due());
         parts_.simulated = static_cast<double>(steps + 1) * dt_;
         parts_.dropped += pacer.go_on(parts_.clock.now());
         parts_.scene.end(parts_.clock.now(), pacer.due());
     }
+    parts_.guard->end_steps();
 }
 
 void SceneLoop::step(double due)

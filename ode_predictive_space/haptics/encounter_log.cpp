@@ -128,7 +128,7 @@ std::string EncounterSummary::text() const
     out.precision(3);
     out << "Of " << contacts << " first contacts, " << foretold << " were foretold, " << 1000 * mean_warning
         << " ms ahead on average. They came " << 1000 * mean_early << " ms (at most " << 1000 * max_early
-        << " ms) after the predicted time of proximity, which is that of bounding boxes; " << late
+        << " ms) after the predicted time of proximity; " << late
         << " came before it, as the hand had left its predicted path; " << missed << " were missed.";
     return out.str();
 }

@@ -89,7 +89,8 @@ public:
             memory_.emplace(parts.scheduling.memory_error);
         }
         GuardDuties duties;
-        duties.stall_after = parts.stall_after();
+        duties.stall_after = parts.stall_after(parts.settings.rate);
+        duties.scene_stall_after = parts.stall_after(parts.settings.physics_rate);
         duties.must_end = [&parts] { return parts.is_told_to_stop(); };
         duties.sink = counted(parts.settings.notice ? parts.settings.notice : sink_);
         duties.time = [&parts] { return parts.now(); };
@@ -194,9 +195,9 @@ bool LoopParts::must_end() const
     return is_told_to_stop() || guard->sink_failed();
 }
 
-double LoopParts::stall_after() const
+double LoopParts::stall_after(double rate)
 {
-    return std::max(shortest_stall, 1 / settings.rate + overdue);
+    return std::max(shortest_stall, 1 / rate + overdue);
 }
 
 /// For the thread that is to run it.

@@ -11,7 +11,6 @@ namespace
 {
 constexpr double watch_period = 0.001; // s
 constexpr double speaker_period = 0.01;
-constexpr double none = -1; // no such beat
 
 DeviceGate &guarded(DeviceGate &gate)
 {
@@ -21,8 +20,8 @@ DeviceGate &guarded(DeviceGate &gate)
 } // namespace
 
 LoopGuard::LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties)
-    : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)), last_beat_(none), stopped_beat_(none),
-      busy_beat_(none), watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }})),
+    : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)), last_beat_(no_beat), stopped_beat_(no_beat),
+      busy_beat_(no_beat), watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }})),
       speaker_(clock.start({speaker_period, {}, [this](double) { deliver_all(); }}))
 {}
 
@@ -75,14 +74,35 @@ void LoopGuard::look()
 {
     const double beat = last_beat_.load(std::memory_order_relaxed);
     const double now = clock_.now();
-    if (beat != none && beat != stopped_beat_ && now - beat >= duties_.stall_after)
+    if (beat != no_beat && beat != stopped_beat_ && now - beat >= duties_.stall_after)
     {
         stop_force(now, beat);
     }
+    look_at_scene(now);
     // The loop itself may sleep until its next deadline, or wait for the scene.
     if (!ended_ && duties_.must_end && duties_.must_end())
     {
         ended_ = take_force(now);
+    }
+}
+
+void LoopGuard::begin_step(double now)
+{
+    scene_thread_.store(std::this_thread::get_id(), std::memory_order_relaxed);
+    last_step_.store(now, std::memory_order_release);
+}
+
+void LoopGuard::look_at_scene(double now)
+{
+    const double step = last_step_.load(std::memory_order_acquire);
+    if (step == no_beat || step == stopped_step_ || now - step < duties_.scene_stall_after)
+    {
+        return;
+    }
+    stopped_step_ = step;
+    if (open_gates::close_unguarded(scene_thread_.load(std::memory_order_relaxed), now))
+    {
+        tell("No force at another probe of the program: the scene has hung for too long.");
     }
 }
 

@@ -16,6 +16,7 @@ namespace ode_predictive_space::haptics
 struct GuardDuties
 {
     double stall_after = 0.005;     ///< s; so long after the last beat, the servo hangs
+    double scene_stall_after = 0;   ///< s; so long after the last step, the scene's thread hangs
     std::function<bool()> must_end; ///< from the guard's thread: whether there is to be no force any more
     NoticeSink sink;                ///< may be empty
     std::function<double()>
@@ -38,6 +39,13 @@ public:
     /// Of the servo: it ticks. The first one begins the watch.
     void beat(double now) { last_beat_.store(now, std::memory_order_relaxed); }
 
+    /// Of the scene's thread, where it is not the servo's: it begins a step. Without force after a stall are the probes that the program
+    /// runs in this thread beside the loop's own.
+    void begin_step(double now);
+
+    /// Of the same: there are no more steps.
+    void end_steps() { last_step_.store(no_beat, std::memory_order_relaxed); }
+
     /// Of the servo; neither allocates nor waits. Lost when a hundred others are on their way.
     void post(const Notice &notice) { posted_.give(notice); }
 
@@ -52,6 +60,7 @@ public:
 
 private:
     void look();
+    void look_at_scene(double now);
     void stop_force(double now, double beat);
     void tell(std::string_view sentence);
     bool take_force(double now);
@@ -59,6 +68,7 @@ private:
     void deliver(const Notice &notice);
 
     static constexpr std::size_t most_notices = 100; ///< on their way
+    static constexpr double no_beat = -1;
 
     LoopClock &clock_;
     DeviceGate &gate_;
@@ -68,7 +78,10 @@ private:
     std::atomic<double> last_beat_;
     double stopped_beat_; ///< the last beat before a stall that has been dealt with
     double busy_beat_;    ///< the same, told that the driver hangs
-    bool ended_ = false;  ///< must_end() has been dealt with
+    std::atomic<double> last_step_{no_beat};
+    double stopped_step_ = no_beat; ///< the last step before a stall that has been dealt with
+    std::atomic<std::thread::id> scene_thread_{};
+    bool ended_ = false; ///< must_end() has been dealt with
     std::atomic<bool> sink_failed_{false};
     std::exception_ptr sink_error_;
     std::unique_ptr<RunningTask> watch_; ///< last: they use the others

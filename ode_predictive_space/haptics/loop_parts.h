@@ -106,7 +106,7 @@ private:
     void run_coupled(const SceneWork &work);   ///< in one thread
     void run_decoupled(const SceneWork &work); ///< in two
     std::function<void()> priority_request(bool above_servo);
-    double stall_after() const;
+    static double stall_after(double rate); ///< s
 
     mutable std::mutex run_mutex_; ///< of the one below
     std::shared_ptr<ActiveRun> run_;

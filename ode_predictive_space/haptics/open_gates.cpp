@@ -71,8 +71,9 @@ void remove(DeviceGate &gate) noexcept
     all.gates.erase(std::remove(all.gates.begin(), all.gates.end(), &gate), all.gates.end());
 }
 
-void close_unguarded(std::thread::id reader, double now) noexcept
+bool close_unguarded(std::thread::id reader, double now) noexcept
 {
+    bool any = false;
     Registry &all = registry();
     const std::lock_guard<std::mutex> lock(all.mutex);
     for (DeviceGate *gate : all.gates)
@@ -81,6 +82,7 @@ void close_unguarded(std::thread::id reader, double now) noexcept
         {
             continue;
         }
+        any = true;
         try
         {
             gate->close_with_zero(now);
@@ -90,6 +92,7 @@ void close_unguarded(std::thread::id reader, double now) noexcept
             // it was closed
         }
     }
+    return any;
 }
 
 void shut_all() noexcept

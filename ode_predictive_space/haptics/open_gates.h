@@ -16,8 +16,8 @@ void add(DeviceGate &gate);
 void remove(DeviceGate &gate) noexcept;
 
 /// No force on those that are read in this thread, which hangs, and have no guard of their own: probes that a program runs in a loop's
-/// callbacks. @param now s; on the guard's clock.
-void close_unguarded(std::thread::id reader, double now) noexcept;
+/// callbacks. @param now s; on the guard's clock. @return whether there was one.
+bool close_unguarded(std::thread::id reader, double now) noexcept;
 
 /// No force, ever again. From any thread.
 void shut_all() noexcept;

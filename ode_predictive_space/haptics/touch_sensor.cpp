@@ -68,20 +68,26 @@ TouchSensor::TouchSensor(dGeomID geom)
     : geom_(checked(geom)), own_(false), turns_(dGeomGetClass(geom) != dSphereClass), contacts_(most_contacts)
 {
     become_interactive();
+    if (const dSpaceID space = dGeomGetSpace(geom))
+    {
+        sentinel_ = dCreateSphere(space, 0);
+        dGeomDisable(sentinel_);
+        watch_ = std::make_unique<GeomWatch>(sentinel_);
+    }
 }
 
 TouchSensor::~TouchSensor()
 {
+    if (const dGeomID watched = own_ ? geom_ : sentinel_; watched != nullptr && may_touch_geom())
+    {
+        dGeomDestroy(watched);
+    }
+    if (watch_ && abandoned_ && !is_gone())
+    {
+        watch_->leave();
+    }
     if (own_)
     {
-        if (may_touch_geom())
-        {
-            dGeomDestroy(geom_);
-        }
-        if (abandoned_ && !is_gone())
-        {
-            watch_->leave();
-        }
         dGeomDestroy(tool_);
     }
 }

@@ -7,16 +7,31 @@
 
 using namespace ode_predictive_space;
 
-std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom *second, double *apart_until) const
+std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom *second, double *apart_until)
 {
-    return time_of_proximity(proxy_of(first), proxy_of(second), scene(), apart_until);
+    GeomScene now = scene();
+    const ProxyId one = proxy_of(first), other = proxy_of(second);
+    follow_shapes({one, other}, now);
+    return time_of_proximity(one, other, now, apart_until);
+}
+
+// By the shape test, answers are about shapes.
+void dxPredictiveSpace::follow_shapes(const std::vector<ProxyId> &ids, GeomScene &now)
+{
+    if (!by_shape())
+        return;
+    IdSet wanted;
+    wanted.resize(geoms_.size());
+    for (ProxyId id : ids)
+        wanted.insert(id);
+    broadphase_.follow_shapes(now, wanted);
 }
 
 std::optional<double> dxPredictiveSpace::time_of_proximity(ProxyId one, ProxyId other, const GeomScene &now,
                                                            double *apart_until) const
 {
     *apart_until = 0;
-    if (now.overlap(geoms_[one], geoms_[other]))
+    if (now.overlap(geoms_[one], geoms_[other]) && (!by_shape() || broadphase_.may_touch(one, other)))
         return 0.0;
     if (!broadphase_.predicted(one) || !broadphase_.predicted(other))
         return std::nullopt;
@@ -26,24 +41,32 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(ProxyId one, ProxyId 
     const bool forever = proxies.records[one].kind.still && proxies.records[other].kind.still;
     *apart_until = forever ? std::numeric_limits<double>::infinity() : static_cast<double>(remaining);
     const std::optional<ProximityInterval> interval = broadphase_.time_of_proximity(one, other);
-    return interval ? std::optional<double>(interval->enter) : std::nullopt;
+    if (!interval)
+        return std::nullopt;
+    const std::optional<double> contact = by_shape() ? broadphase_.time_of_contact(one, other) : 0.0;
+    return contact ? std::optional<double>(std::max(interval->enter, *contact)) : std::nullopt;
 }
 
-std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *geom) const
+std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *geom)
 {
     const ProxyId self = proxy_of(geom);
     geom->recomputeAABB();
-    const GeomScene now = scene();
-    std::vector<Encounter> met;
+    GeomScene now = scene();
+    std::vector<ProxyId> candidates{self};
     const FloatBox box = broadphase_.predicted(self) ? broadphase_.proxies().swept_box(self, broadphase_.now())
                                                      : FloatBox::around(to_box(geom->aabb));
     broadphase_.query(box, [&](ProxyId other) {
-        double apart_until;
-        if (other == self)
-            return;
-        if (const auto time = time_of_proximity(self, other, now, &apart_until))
-            met.push_back({geoms_[other], *time});
+        if (other != self)
+            candidates.push_back(other);
     });
+    follow_shapes(candidates, now);
+    std::vector<Encounter> met;
+    for (std::size_t i = 1; i < candidates.size(); ++i)
+    {
+        double apart_until;
+        if (const auto time = time_of_proximity(self, candidates[i], now, &apart_until))
+            met.push_back({geoms_[candidates[i]], *time});
+    }
     std::stable_sort(met.begin(), met.end(), [](const Encounter &a, const Encounter &b) { return a.ticks < b.ticks; });
     return met;
 }
@@ -86,8 +109,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
         near.push_back(std::minmax(pair.first, pair.second));
         const bool overlap = now.overlap(geoms_[pair.first], geoms_[pair.second]);
         // By the shape test, pairs rest as separated whose boxes overlap.
-        const bool by_shape = broadphase_.proximity_test() == ProximityTest::shape;
-        if (state == PairState::overlapping ? !overlap : state == PairState::separated && overlap && !by_shape)
+        if (state == PairState::overlapping ? !overlap : state == PairState::separated && overlap && !by_shape())
             wrong_state = {"what is known of a pair at rest is wrong", geoms_[pair.first], geoms_[pair.second]};
     });
     if (wrong_state.what)
@@ -111,7 +133,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
 // Pairs that are not reported because of their shapes must have no contacts.
 dxPredictiveSpace::Violation dxPredictiveSpace::find_touching(GeomScene &now)
 {
-    if (broadphase_.proximity_test() != ProximityTest::shape)
+    if (!by_shape())
         return {};
     Violation touching;
     const auto check = [&](const CandidatePair &pair) {

@@ -50,10 +50,10 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
 
     /// The time of proximity of two geoms of this space, in ticks from now. None when they stay apart; then `apart_until` tells
     /// for how many ticks this is known. The space must be caught up.
-    std::optional<double> time_of_proximity(dxGeom *first, dxGeom *second, double *apart_until) const;
+    std::optional<double> time_of_proximity(dxGeom *first, dxGeom *second, double *apart_until);
 
     /// All geoms that a geom of this space can meet, the soonest first. The space must be caught up.
-    std::vector<Encounter> encounters(dxGeom *geom) const;
+    std::vector<Encounter> encounters(dxGeom *geom);
 
     /// What contradicts the invariant.
     struct Violation
@@ -84,6 +84,8 @@ private:
 
     static ProxyId proxy_of(const dxGeom *geom);
     ode_predictive_space::GeomScene scene() const;
+    bool by_shape() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::shape; }
+    void follow_shapes(const std::vector<ProxyId> &ids, ode_predictive_space::GeomScene &now);
     std::optional<double> time_of_proximity(ProxyId one, ProxyId other, const ode_predictive_space::GeomScene &now,
                                             double *apart_until) const;
     void call_back(const ode_predictive_space::CandidatePair &pair, void *data, dNearCallback *callback);

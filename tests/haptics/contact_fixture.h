@@ -44,6 +44,7 @@ protected:
     {
         SurfaceProperties properties;
         properties.stiffness = contact_stiffness;
+        properties.friction = friction_;
         const auto penalty = std::make_shared<PenaltyLaw>(properties);
         const auto proxy = std::make_shared<ProxyLaw>(properties);
         RenderSettings rendering;
@@ -95,6 +96,7 @@ protected:
     const OdeUse ode_;
     ProbeWorld world_;
     SimulatedClock clock_;
+    double friction_ = 0;
     double physics_rate_ = 1000;                 ///< Hz; of the scene, in two threads
     std::function<void(HapticProbe &)> prepare_; ///< before it runs; may be empty
     double silent_from_ = 0;                     ///< s; from then on the device cannot be read

@@ -74,9 +74,16 @@ TEST_P(LoopFaultTest, AStalledStepIsFoundSoonAfterTheNextOneWasDueAtLowRates)
 }
 
 // It is run by the program, in the loop's callbacks, hence in the thread that hangs.
-TEST(SecondProbe, IsGuardedByTheLoopOfTheFirst)
+class SecondProbe : public testing::TestWithParam<bool>
+{};
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SecondProbe, testing::Bool(),
+                         [](const testing::TestParamInfo<bool> &kind) { return kind.param ? "Decoupled" : "Coupled"; });
+
+TEST_P(SecondProbe, IsGuardedByTheLoopOfTheFirst)
 {
     const OdeUse ode;
+    NoticeList notices;
     SimulatedClock clock;
     ProbeWorld world;
     dCreatePlane(world.space, 0, 0, 1, 0);
@@ -91,11 +98,13 @@ TEST(SecondProbe, IsGuardedByTheLoopOfTheFirst)
     settings.clock = &clock;
     settings.duration = 3;
     settings.ask_for_priority = false;
+    settings.decoupled = GetParam();
+    settings.notice = notices.sink();
     double stalled_at = 0;
     HapticLoop(first, settings)
         .run({[&] { world.collide(first); },
               [&](double dt) {
-                  second.begin(first.last_tick().time, clock.now());
+                  second.begin(clock.now(), clock.now());
                   other.collide(second);
                   second.render(dt);
                   if (clock.now() > pressed_after && stalled_at == 0)
@@ -106,6 +115,7 @@ TEST(SecondProbe, IsGuardedByTheLoopOfTheFirst)
               }});
     EXPECT_GT(second_log.force_at(stalled_at).z(), 3);
     EXPECT_TRUE(second_log.was_quiet(stalled_at + grace, stalled_at + 0.06));
+    EXPECT_EQ(notices.count(NoticeKind::guard), 1);
 }
 
 TEST_P(LoopFaultTest, ALawThatHangsEndsWithZeroForceAndANotice)

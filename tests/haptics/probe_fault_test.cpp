@@ -153,6 +153,49 @@ TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedFirstIsTold)
     }
 }
 
+TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedWithAGeomOfTheProgramIsTold)
+{
+    for (const SpaceChoice choice : all_space_choices)
+    {
+        NoticeList notices;
+        ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - depth}));
+        const dSpaceID space = make_space(choice);
+        dCreatePlane(space, 0, 0, 1, 0);
+        {
+            HapticProbe probe(device, dCreateCapsule(space, probe_radius, 0.01), with_stiffness(800, notices.sink()));
+            EXPECT_NE(probe.geom(), nullptr);
+            dSpaceDestroy(space);
+            EXPECT_EQ(probe.geom(), nullptr);
+            for (int tick = 0; tick < 10; ++tick)
+            {
+                probe.begin(tick_length * tick);
+                EXPECT_TRUE(probe.encounters().empty());
+                probe.render(tick_length);
+            }
+            EXPECT_TRUE(device.last_wrench().force.isZero(0));
+        }
+        EXPECT_EQ(notices.count(NoticeKind::contact), 1);
+    }
+}
+
+TEST_F(ProbeFaultTest, AGeomOfTheProgramIsLeftAsItWas)
+{
+    const dGeomID sphere = dCreateSphere(world_.space, probe_radius);
+    const int geoms = dSpaceGetNumGeoms(world_.space);
+    {
+        const HapticProbe probe(device_, sphere);
+        EXPECT_EQ(probe.geom(), sphere);
+    }
+    EXPECT_EQ(dSpaceGetNumGeoms(world_.space), geoms);
+    EXPECT_EQ(dGeomGetBody(sphere), nullptr);
+    const dGeomID in_no_space = dCreateSphere(nullptr, probe_radius);
+    {
+        const HapticProbe probe(device_, in_no_space);
+        EXPECT_EQ(probe.geom(), in_no_space);
+    }
+    dGeomDestroy(in_no_space);
+}
+
 TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedJustBeforeItsProbeIsToldOfAtTheEnd)
 {
     NoticeList notices;

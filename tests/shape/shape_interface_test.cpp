@@ -135,6 +135,47 @@ TEST_F(ShapeProximity, OfAPairAtRestFollowsTheMargin)
     EXPECT_EQ(pairs(), 0u);
 }
 
+TEST_F(ShapeProximity, QuestionsAreAboutContact)
+{
+    const dGeomID one = ball(0, 0), other = ball(apart, apart);
+    pairs();
+    dReal ticks = -1;
+    const bool meet = dPredictiveSpaceGetTimeOfProximity(space, one, other, &ticks) != 0;
+    EXPECT_TRUE(!meet || ticks >= 1) << "their boxes alone overlap";
+    dGeomSetPosition(other, REAL(1.4), REAL(1.4), 0);
+    EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, one, other, &ticks), 1);
+    EXPECT_EQ(ticks, 0);
+    dPredictiveEncounter met;
+    EXPECT_EQ(dPredictiveSpaceGetEncounters(space, one, &met, 1), 1);
+    EXPECT_EQ(met.ticks, 0);
+    dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
+    dGeomSetPosition(other, apart, apart, 0);
+    EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, one, other, &ticks), 1);
+    EXPECT_EQ(ticks, 0);
+}
+
+TEST_F(ShapeProximity, TheTimeOfContactIsNeverLateAndNotMuchTooEarly)
+{
+    const dGeomID one = ball(0, 0), other = ball(3, 3);
+    constexpr dReal step = REAL(0.01);
+    int foretold = 0;
+    for (dReal place = 3; 2 * place * place > 4; place -= step)
+    {
+        dGeomSetPosition(other, place, place, 0);
+        pairs();
+        const dReal until_contact = (place - std::sqrt(REAL(2.0))) / step;
+        dReal ticks = -1;
+        const int meet = dPredictiveSpaceGetTimeOfProximity(space, one, other, &ticks);
+        // At the tick after, it touches. At first it may still count as still.
+        EXPECT_TRUE(ticks <= until_contact + 1 || place > REAL(2.5)) << place;
+        if (!meet || place > REAL(1.9))
+            continue;
+        ++foretold;
+        EXPECT_GE(ticks, REAL(0.7) * until_contact - 5) << place << ": the boxes meet at 2";
+    }
+    EXPECT_GT(foretold, 30);
+}
+
 TEST_F(ShapeProximity, NoticesThatAGeomGrows)
 {
     ball(0, 0);

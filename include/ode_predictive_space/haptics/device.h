@@ -94,7 +94,7 @@ public:
     /// @throws DeviceError when the device cannot be used; it is then as if open() had not been called.
     virtual void open() = 0;
 
-    /// Render no force and let go of the device. Never throws; does nothing when it is not open.
+    /// Render no force and release the device. Never throws; does nothing when it is not open.
     virtual void close() noexcept = 0;
 
     /// Known after open(); before that, what its class of devices can usually do.

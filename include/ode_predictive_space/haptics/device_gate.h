@@ -31,7 +31,7 @@ public:
     /// @throws DeviceError
     bool write(const Wrench &wrench);
 
-    /// Of the servo: let go of a device that takes no zero. Left to the guard when that is in the device.
+    /// Of the servo: closes a device that does not accept zero force. Left to the guard when that is in the device.
     void close_device() noexcept;
 
     /// Of the servo: opens the gate again. @return whether the guard had closed it.
@@ -43,7 +43,7 @@ public:
         busy  ///< the servo is in the device: it does not hang in the program, or else the device's driver hangs
     };
 
-    /// Of the guard: no force, and the gate is closed. @throws DeviceError when the device refuses; then it was let go of.
+    /// Of the guard: no force, and the gate is closed. @throws DeviceError when the device refuses; it has been closed then.
     /// @param now s; on any clock.
     Outcome close_with_zero(double now);
 
@@ -81,7 +81,7 @@ private:
     Device &device_;
     std::atomic<User> user_{User::none};
     std::atomic<bool> closed_{false};
-    std::atomic<bool> shut_{false}; ///< for good
+    std::atomic<bool> shut_{false}; ///< for ever
     std::atomic<bool> guarded_{false};
     std::atomic<std::thread::id> reader_{};
     std::atomic<std::uint64_t> zeros_{0};

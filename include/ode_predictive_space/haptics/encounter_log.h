@@ -35,7 +35,7 @@ struct EncounterSummary
 };
 
 /// Compares the times of proximity that a predictive space predicts for the probe with the times of its contacts. The prediction is of
-/// bounding boxes, hence early; it must never be late.
+/// bounding boxes, hence early; with dPredictiveProximityShape it is of the shapes. It must never be late.
 ///
 /// Only objects in the probe's own space are listed by it: those in nested spaces are never foretold. Allocates: not for a servo of
 /// its own thread.
@@ -45,7 +45,7 @@ public:
     /// Call in each tick, between the collision and the next one. Asks the probe for its encounters, which costs time.
     void add(double time, HapticProbe &probe);
 
-    /// The same with lists of one's own.
+    /// The same with lists that the program has made.
     ///
     /// @param time s; later than in the call before.
     void add(double time, const std::vector<Encounter> &encounters, const std::vector<Touch> &touches);

@@ -9,7 +9,7 @@ namespace ode_predictive_space::haptics
 {
 /// Turns what the probe touches into forces. One law belongs to one probe and is used from one thread.
 ///
-/// A law only ever gives the force on the probe; whoever applies it gives the touched object exactly the opposite, at the
+/// A law gives only the force on the probe. The code that applies it gives the touched object exactly the opposite, at the
 /// touch's point. Forces and reactions therefore add up to zero by construction.
 ///
 /// What a touch feels like is in Touch::material, by then no more than the device can render (see Renderer): a law that goes by something

@@ -64,12 +64,12 @@ class LoopParts;
 /// Single-threaded, the default: all in the caller's thread, at the servo's rate: read, collide, force, write, step.
 ///
 /// Decoupled: the caller's thread steps the scene at its own rate and publishes the geoms around the probe; a servo thread
-/// reads the device, feels those geoms, which move on with their velocities, and writes the force. Its cost depends on what
+/// reads the device, feels those geoms, extrapolated with their velocities, and writes the force. Its cost depends on what
 /// is near the probe, not on the size of the scene. What it gave to the hand comes back to the scene as impulses, none lost
 /// and none twice. The probe's tool must not be a body then.
 ///
-/// There is zero force in the end, whichever it is: the duration is over, stop() or a StopRequest (within 1 ms, whatever the
-/// loop does just then), an exception of the program (which run() throws on), a lost device. Scene and servo that hang are
+/// However the loop ends, it ends with zero force: the duration is over, stop() or a StopRequest (within 1 ms, even while the
+/// program's part of a tick runs), an exception of the program (which run() rethrows), a lost device. Scene and servo that hang are
 /// noticed:
 /// - a servo, and with it the scene of a single-threaded loop, by a guard, a thread of the loop, that sets the force to zero within 5 ms
 ///   of the time at which the next tick should have begun: 6 ms after the last one at 1 kHz and above, 10 ms at 200 Hz, 15 ms at 100 Hz;

@@ -17,7 +17,7 @@ struct PeriodicTask
     std::function<void(double)> carry_out; ///< gets the time, in s, at which it was due. Must not throw
 };
 
-/// A periodic task that goes on until this is destroyed; then it is certain that it does not run any more.
+/// A periodic task. It runs until this is destroyed; the destructor returns when the task has ended.
 class RunningTask
 {
 public:

@@ -1,4 +1,4 @@
-// What the haptic side has to tell people.
+// Messages of the haptics library to the user.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_H

@@ -19,7 +19,9 @@ class ActiveRun;
 struct Encounter
 {
     dGeomID geom = nullptr;
-    double seconds = 0; ///< from now to the earliest time at which it can be near; 0: it is near now
+    double seconds =
+        0; ///< from now to the earliest time at which it can be near; 0: it is near now. Near are two whose
+           ///< bounding boxes overlap, or with dPredictiveProximityShape, whose shapes may touch
 };
 
 /// Binds a device to an ODE world. The hand moves a geom of the scene, feels what that touches, and pushes it back: the touched

@@ -24,8 +24,8 @@ namespace ode_predictive_space::haptics
 /// Damping acts along each carrying plane's normal, and never pulls; it is not part of proxy().
 ///
 /// Where a touch does not know by which side the tool came in (Touch::from_entry_side), the law remembers it: when the tool has gone
-/// so far into a thin object that its surface at the back is nearer, and the normal turns round, the surface in front goes on to
-/// push, until the tool leaves the object.
+/// so far into a thin object that its surface at the back is nearer, and the normal turns round, the surface in front keeps
+/// pushing until the tool leaves the object.
 class ProxyLaw final : public ForceLaw
 {
 public:

@@ -90,13 +90,13 @@ public:
 
     /// What the hand really got of each object in the last render(): N, the scene's frame. The sum is the force that was
     /// written, whatever limits shortened it, as long as something is touched. An object that was left may still be in it:
-    /// what the safety stage lets go slowly belongs to it. Empty when there was no force.
+    /// the force that the safety stage takes away slowly belongs to it. Empty when there was no force.
     const std::vector<ForceShare> &shares() const { return split_.shares(); }
 
     /// Render a coupling to a tool body, as stiff as the device can.
     ///
     /// @return what the body is to get: the opposite of what the hand really got, in the scene's frame. A torque that the device
-    ///         cannot render is not felt, but turns the body all the same.
+    ///         cannot render is not felt, but still turns the body.
     Wrench render(const VirtualCoupling &coupling, const ToolState &body, double dt);
 
     /// No force, now: at the end. The next force comes slowly, as at the start. Calls nothing but the device.

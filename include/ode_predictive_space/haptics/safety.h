@@ -1,4 +1,4 @@
-// The last stage before a device: whatever was wished, this is what may be written.
+// The last stage before a device: it limits what is written.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SAFETY_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SAFETY_H
@@ -67,16 +67,16 @@ struct SafetyReport
 
 /// Makes any wrench safe. One stage belongs to one device and is used from its servo loop. Neither allocates nor locks.
 ///
-/// Whatever comes in, what goes out
+/// Whatever the wished wrench, the one that is returned
 /// - is finite;
 /// - is never above the maximum, nor above the maximum times the allowance;
-/// - differs from what went out before by at most max_force_rate times the time between the calls, except on its way to zero:
+/// - differs from the one before by at most max_force_rate times the time between the calls, except on its way to zero:
 ///   a fault (not_finite, too_fast) takes the force away at once, since what drives the hand then cannot be trusted, and a
 ///   falling allowance as fast as it falls. A force never comes at once;
 /// - is zero from the start until the wished wrench was small once: a program that starts with the probe inside of something
 ///   does not kick.
 ///
-/// Time between two calls counts as 10 ms at most: after a pause, the force goes on slowly where it was.
+/// Time between two calls counts as 10 ms at most: after a pause, the force changes on slowly from where it was.
 class SafetyStage
 {
 public:

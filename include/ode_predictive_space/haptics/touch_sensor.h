@@ -40,17 +40,17 @@ using MaterialOf = std::function<std::optional<Material>(dGeomID)>;
 /// Each tick: clear(), pose(), the program's dSpaceCollide() with touch() in its near callback, push(). In between the
 /// program may destroy anything except this geom: what is gone is not pushed.
 ///
-/// The sphere of its own holds to boxes, spheres, capsules, cylinders, planes, triangle meshes and, with set_samples(),
+/// The sphere that the sensor makes holds to boxes, spheres, capsules, cylinders, planes, triangle meshes and, with set_samples(),
 /// heightfields: it is touched from the side by which the tool came, until it comes back through there, however thin the
 /// object, fast the tool, or deep it is. What the near callback does not tell of any more (destroyed, disabled, filtered
-/// out) is let go, and so is a mesh with other triangles. All else is touched as dCollide() says at the moment: convex
+/// out) is released, and so is a mesh with other triangles. All else is touched as dCollide() says at the moment: convex
 /// geoms, other heightfields, transforms and classes of the program, and all things that a geom of the program touches.
 ///
-/// What the probe cannot touch is said as everywhere in ODE: by dGeomSetCategoryBits() and dGeomSetCollideBits().
+/// Which geoms the probe cannot touch is set as everywhere in ODE, by dGeomSetCategoryBits() and dGeomSetCollideBits().
 class TouchSensor
 {
 public:
-    /// A sphere of its own. In a predictive space it gets the interactive role.
+    /// Makes a sphere. In a predictive space it gets the interactive role.
     ///
     /// @param space is not owned, and must outlive the sensor.
     /// @param radius m, > 0.
@@ -60,7 +60,10 @@ public:
     /// A geom of the program: of any class but planes and spaces, and without a body. In a predictive space it gets the
     /// interactive role.
     ///
-    /// @param geom is not owned, and must outlive the sensor.
+    /// A disabled sphere without size is put beside it into its space: ODE does not tell when a space is destroyed with its geoms, but
+    /// this sphere tells it. The destruction of the geom alone cannot be found out.
+    ///
+    /// @param geom is not owned, and must outlive the sensor. Its space stays the same.
     /// @throws std::invalid_argument when it is 0, has a body, or cannot be placed.
     explicit TouchSensor(dGeomID geom);
 
@@ -68,15 +71,15 @@ public:
     TouchSensor(const TouchSensor &) = delete;
     TouchSensor &operator=(const TouchSensor &) = delete;
 
-    /// Whether the sphere of its own was destroyed, with its space: nothing is touched then.
+    /// Whether its geom was destroyed with its space: nothing is touched then.
     bool is_gone() const;
 
-    /// 0 when it is gone. The sphere of its own has the place and size in which it looks for what it can touch: larger than
-    /// the tool while that moves or is pressed into something.
+    /// 0 when it is gone. A sphere that the sensor makes has the place and size of the region in which it looks for what it can
+    /// touch: larger than the tool while the tool moves or is pressed into something.
     dGeomID geom() const { return is_gone() ? nullptr : geom_; }
 
     /// Notice what comes near before it is touched: touches() then has what is up to this far away, too, with a negative
-    /// depth. Works for the sphere of its own, which grows by that; other geoms notice nothing before they touch it.
+    /// depth. Works for the sphere that the sensor makes, which grows by that; other geoms notice nothing before they touch it.
     ///
     /// @param margin m, >= 0.
     void set_margin(double margin);
@@ -113,7 +116,7 @@ public:
     /// The tool was put somewhere else, and nothing lies between: what is entered from now on is entered from there.
     void forget_sides();
 
-    /// An exception came through dSpaceCollide(), and the geom is in one of ODE's own spaces, which is locked for good then.
+    /// An exception came through dSpaceCollide(), and the geom is in one of ODE's own spaces, which stays locked from then on.
     /// The geom is not touched any more: it is disabled, and stays in its space when the sensor goes. In predictive spaces
     /// there is nothing to do.
     void abandon_locked_space();
@@ -140,7 +143,7 @@ public:
     /// The body of a touched object; 0 for one that has none, and for one that is gone.
     dBodyID body_of(std::uintptr_t object) const { return bodies_.find(object); }
 
-    /// For loops that run in two threads: the contact of the own sphere, 0 for another geom.
+    /// For loops that run in two threads: the contact of the sphere that the sensor makes, 0 for another geom.
     ContactTracker *tracker() { return tracker_.get(); }
     double radius() const { return radius_; }
 
@@ -163,11 +166,13 @@ private:
     bool may_touch_geom() const { return !abandoned_ && !is_gone(); }
 
     dGeomID geom_;
-    dGeomID tool_ = nullptr; ///< of the own sphere: in no space, of the tool's place and size, for dCollide()
+    dGeomID sentinel_ = nullptr; ///< of a geom of the program that is in a space: it goes with that
+    dGeomID tool_ =
+        nullptr; ///< of the sphere that the sensor makes: in no space, of the tool's place and size, for dCollide()
     bool own_;
     bool abandoned_ = false; ///< nothing may be done to geom_
     bool turns_ = true;      ///< whether the orientation matters
-    double radius_ = 0;      ///< m; of the own sphere, without the margin
+    double radius_ = 0;      ///< m; of the sphere that the sensor makes, without the margin
     double margin_ = 0;      ///< m
     bool posed_ = false;
     Vector3 position_ = Vector3::Zero();
@@ -177,8 +182,8 @@ private:
     TouchView view_ = TouchView::each_object_alone;
     std::vector<Touch> touches_;
     std::vector<Touch> collided_;             ///< by dCollide()
-    std::unique_ptr<ContactTracker> tracker_; ///< of the own sphere
-    std::unique_ptr<GeomWatch> watch_;        ///< of the own sphere
+    std::unique_ptr<ContactTracker> tracker_; ///< of the sphere that the sensor makes
+    std::unique_ptr<GeomWatch> watch_;        ///< of the sphere that the sensor makes or the sentinel
     std::unique_ptr<MeshStore> meshes_;
     MaterialOf materials_;
     BodyWatch bodies_;

@@ -58,7 +58,7 @@ public:
     /// The scene was stepped, or its state found to be as of this time.
     void physics_fresh(double time) { physics_time_.store(time, std::memory_order_relaxed); }
 
-    /// The program is to end: the force goes, for good.
+    /// The program is to end: the force decays to zero and stays there.
     void request_stop() { stop_requested_.store(true, std::memory_order_relaxed); }
 
     /// Whether the device answered in this tick. It counts as lost before the first call.

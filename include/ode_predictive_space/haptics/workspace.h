@@ -36,8 +36,8 @@ struct WorkspacePlacement
 /// scale * k N/m, as the tool goes scale times as deep (see stiffness_at_device()), and the energy of the hand is not that of the
 /// scene: force_scale 1 / scale would give the hand the stiffness of the scene, force_scale = scale the energy.
 ///
-/// The clutch: while it is held, the device moves freely, without force, and the tool stays where it is. When it is let go, the
-/// tool goes on from there; the offset has changed, and the way the tool lies in the hand (R q becomes R q g). Speeds do not jump,
+/// The clutch: while it is held, the device moves freely, without force, and the tool stays where it is. When it is released, the
+/// tool moves on from there; the offset has changed, and the way the tool lies in the hand (R q becomes R q g). Speeds do not jump,
 /// either, except to 0 and back.
 class WorkspaceMapping
 {

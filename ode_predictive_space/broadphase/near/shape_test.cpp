@@ -35,10 +35,15 @@ void pause(Look &look)
 }
 } // namespace
 
+double touching_distance(const ConvexShape &first, const ConvexShape &second, double margin)
+{
+    return margin + contact_slack * std::min(first.size, second.size) + slack(first, second);
+}
+
 bool ShapeTest::may_touch(const CandidatePair &pair, Look &look)
 {
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
-    const double margin = margin_ + contact_slack * std::min(first.size, second.size) + slack(first, second);
+    const double margin = touching_distance(first, second, margin_);
     if (touch_within(first, second, margin))
     {
         pause(look);

@@ -22,6 +22,9 @@ struct Look
 };
 static_assert(sizeof(Look) == 24, "there is one for each near pair");
 
+/// Up to this distance a pair counts as touching. @param margin what the program adds.
+double touching_distance(const ConvexShape &first, const ConvexShape &second, double margin);
+
 /// Looks at boxes, travels and gaps, each when it is needed.
 class ShapeTest
 {

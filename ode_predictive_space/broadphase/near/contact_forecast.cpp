@@ -1,0 +1,53 @@
+#include "ode_predictive_space/broadphase/near/contact_forecast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ode_predictive_space/broadphase/shape/gap.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// How much farther the object may reach along the axis after any turn.
+double reach_by_turning(const PredictedShape &object, const PredictedShape &other, const Vector3 &axis)
+{
+    if (object.still || (object.shape.kind == ShapeKind::rounded && object.shape.half_sides.isZero(0)))
+        return 0;
+    if (!object.about_centre || (object.shape.blunt_beside & other.shape.group))
+        return infinity;
+    return std::max(0.0, object.envelope.radius - object.shape.reach(axis));
+}
+
+// Of c + b t + a t^2, with c > 0: the first time at which it is not positive.
+double first_root(double c, double b, double a)
+{
+    const double half = -0.5 * b, discriminant = half * half - a * c;
+    if (discriminant < 0)
+        return infinity;
+    const double divisor = half + std::sqrt(discriminant);
+    return divisor > 0 ? c / divisor : infinity;
+}
+} // namespace
+
+std::optional<double> time_of_contact(const PredictedShape &first, const PredictedShape &second, double margin,
+                                      double duration)
+{
+    const Gap gap = find_gap(first.shape, second.shape, Vector3::Zero(), margin);
+    if (!(gap.length > margin))
+        return 0.0;
+    constexpr double next_tick = 1, rounds_down = 1 - 1e-9;
+    const Path way = relative_path(first.envelope.path, second.envelope.path);
+    const Deviation deviation = first.envelope.deviation + second.envelope.deviation;
+    const double left = rounds_down * (gap.length - margin) - reach_by_turning(first, second, gap.axis) -
+                        reach_by_turning(second, first, -gap.axis) - 2 * deviation.a;
+    if (!(left > 0))
+        return next_tick;
+    const double time = rounds_down * first_root(left, gap.axis.dot(way.velocity) - deviation.b,
+                                                 0.5 * gap.axis.dot(way.acceleration) - deviation.c);
+    return time <= duration ? std::optional<double>(std::max(next_tick, time)) : std::nullopt;
+}
+} // namespace ode_predictive_space

@@ -1,0 +1,126 @@
+// The forecast of a contact is never late, however the objects move and turn within their predictions.
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "ode_predictive_space/broadphase/near/contact_forecast.h"
+#include "tests/shape/random_shapes.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr double for_long = 1000; // ticks
+
+ConvexShape ball(const Vector3 &centre)
+{
+    ConvexShape shape;
+    shape.kind = ShapeKind::rounded;
+    shape.radius = 1;
+    shape.size = 2;
+    shape.group = shape.partners = 1;
+    shape.axes = {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
+    shape.centre = centre;
+    return shape;
+}
+
+Envelope going(const ConvexShape &shape, const Vector3 &velocity)
+{
+    Envelope envelope;
+    envelope.path = {shape.centre, velocity, Vector3::Zero()};
+    envelope.radius = shape.radius + shape.half_sides.norm();
+    return envelope;
+}
+
+TEST(ContactForecast, OfBallsIsExact)
+{
+    const ConvexShape left = ball({0, 0, 0}), right = ball({12, 0, 0});
+    const PredictedShape still{left, going(left, Vector3::Zero()), true, true};
+    PredictedShape comes{right, going(right, {-0.5, 0, 0}), false, true};
+    EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 20, 1e-6);
+    EXPECT_NEAR(time_of_contact(comes, still, 0, for_long).value(), 20, 1e-6);
+    EXPECT_NEAR(time_of_contact(still, comes, 2, for_long).value(), 16, 1e-6) << "the margin is reached earlier";
+    EXPECT_FALSE(time_of_contact(still, comes, 0, 19)) << "they stay apart for so long";
+    comes.envelope.path.velocity.setZero();
+    comes.envelope.path.acceleration = {-0.05, 0, 0};
+    EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 20, 1e-6);
+    comes.envelope.path.velocity = {-0.9, 0, 0};
+    comes.envelope.path.acceleration = {0.05, 0, 0};
+    EXPECT_FALSE(time_of_contact(still, comes, 0, for_long)) << "it turns back before";
+}
+
+TEST(ContactForecast, DeviationsCountFromBothSidesOfThePath)
+{
+    const ConvexShape left = ball({0, 0, 0}), right = ball({12, 0, 0});
+    const PredictedShape still{left, going(left, Vector3::Zero()), true, true};
+    PredictedShape comes{right, going(right, {-0.5, 0, 0}), false, true};
+    comes.envelope.deviation = {1, 0.3, 0};
+    EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 10, 1e-6);
+}
+
+TEST(ContactForecast, WhatTouchesIsNowAndWhatIsApartNotBeforeTheNextTick)
+{
+    const ConvexShape left = ball({0, 0, 0}), touching = ball({1.9, 0, 0}), close = ball({2.1, 0, 0});
+    const PredictedShape still{left, going(left, Vector3::Zero()), true, true};
+    EXPECT_EQ(time_of_contact(still, {touching, going(touching, Vector3::Zero()), false, true}, 0, for_long), 0);
+    EXPECT_EQ(time_of_contact(still, {close, going(close, {-5, 0, 0}), false, true}, 0, for_long), 1);
+    ConvexShape unknown = close;
+    unknown.partners = 0;
+    EXPECT_EQ(time_of_contact(still, {unknown, going(unknown, {1, 0, 0}), false, true}, 0, for_long), 0)
+        << "judged by its box";
+}
+
+TEST(ContactForecast, WhatMayTurnReachesAsFarAsItsSphere)
+{
+    ConvexShape stick = ball({10, 0, 0});
+    stick.half_sides = {0, 0, 4};
+    const ConvexShape other = ball({0, 0, 0});
+    const PredictedShape still{other, going(other, Vector3::Zero()), true, true};
+    PredictedShape comes{stick, going(stick, {-0.5, 0, 0}), false, true};
+    EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 8, 1e-6) << "8 - 4, at 0.5";
+    comes.about_centre = false;
+    EXPECT_EQ(time_of_contact(still, comes, 0, for_long), 1) << "it may turn about any point";
+}
+
+// The true objects turn as they like and leave their paths, as far as they may.
+TEST(ContactForecast, IsNeverLate)
+{
+    int foretold = 0;
+    constexpr double duration = 60;
+    for (unsigned seed = 0; seed < 20000; ++seed)
+    {
+        ShapeMaker maker(seed);
+        ConvexShape now[2] = {maker.shape(solids[static_cast<std::size_t>(maker.between(0, 3.999))]),
+                              maker.shape(solids[static_cast<std::size_t>(maker.between(0, 3.999))])};
+        now[1] = moved(now[1], maker.rotation(), maker.between(0.5, 3) * maker.direction());
+        Envelope envelopes[2];
+        for (int i = 0; i < 2; ++i)
+        {
+            const double slack = maker.one_in(2) ? 0 : maker.between(0, 0.05);
+            envelopes[i] = going(now[i], 0.05 * maker.vector());
+            envelopes[i].path.position += 0.99 * slack * maker.direction();
+            envelopes[i].path.acceleration = 0.002 * maker.vector();
+            envelopes[i].deviation = {slack, maker.between(0, 0.002), maker.between(0, 0.0001)};
+        }
+        const PredictedShape first{now[0], envelopes[0], false, true}, second{now[1], envelopes[1], false, true};
+        const std::optional<double> forecast = time_of_contact(first, second, 0, duration);
+        foretold += forecast && *forecast > 1;
+        for (int tick = 1; tick < forecast.value_or(duration); ++tick)
+        {
+            ConvexShape then[2];
+            for (int i = 0; i < 2; ++i)
+            {
+                const Vector3 towards = (i == 0 ? 1 : -1) * (now[1].centre - now[0].centre).normalized();
+                const Vector3 off =
+                    0.99 * envelopes[i].deviation.at(tick) * (maker.one_in(2) ? towards : maker.direction());
+                then[i] = moved(now[i], maker.rotation(), envelopes[i].path.at(tick) + off - now[i].centre);
+            }
+            ASSERT_GT(distance_from_above(then[0], then[1], 8), 1e-9) << "seed " << seed << ", tick " << tick;
+        }
+    }
+    EXPECT_GT(foretold, 2000);
+}
+} // namespace
+} // namespace ode_predictive_space
