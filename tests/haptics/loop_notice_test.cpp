@@ -93,5 +93,41 @@ TEST_P(LoopNoticeTest, WhatComesAgainSoonIsToldLaterWithItsNumber)
     EXPECT_EQ(told + counted, 10) << "each tap, of two seconds";
     EXPECT_EQ(report.held_back, static_cast<std::uint64_t>(counted));
 }
+
+// Other causes than the one that is held back, of the same kind and of another one.
+TEST_P(LoopNoticeTest, ANewCauseIsToldAtOnceWhileAnotherIsHeldBack)
+{
+    RenderSettings rendering = usual_rendering();
+    rendering.safety = SafetyLimits::of(desktop_capabilities());
+    rendering.safety->max_force = 1;
+    rendering.safety->engage_force = 0.5;
+    path_ = [](double seconds) -> Vector3 { // taps, ten times a second; a fast move to the side at 2.25 s
+        const double aside = 0.05 * std::clamp((seconds - 2.25) / 0.01, 0.0, 1.0);
+        return {aside, 0, radius + (seconds < 1 ? 0.003 : 0.003 * std::cos(20 * M_PI * seconds))};
+    };
+    make(std::move(rendering));
+    probe_->set_materials([this](dGeomID) -> std::optional<Material> {
+        const bool broken = std::abs(clock_.now() - 2.65) < 0.02;
+        return broken ? std::optional<Material>(Material{-1}) : std::nullopt;
+    });
+    loop_->run(work());
+    const auto told_at = [&](const char *text) {
+        std::vector<double> times;
+        for (const Notice &notice : notices_.all())
+        {
+            const bool held_back = notice.sentence().find(" more times") != std::string_view::npos;
+            if (!held_back && notice.sentence().find(text) != std::string_view::npos)
+            {
+                times.push_back(notice.time);
+            }
+        }
+        return times;
+    };
+    EXPECT_LE(told_at("above the device's maximum").size(), 2U) << "others are held back";
+    ASSERT_EQ(told_at("faster than the limit").size(), 1U);
+    EXPECT_NEAR(told_at("faster than the limit").front(), 2.25, 0.02);
+    ASSERT_GE(told_at("is not a number").size(), 1U);
+    EXPECT_NEAR(told_at("is not a number").front(), 2.64, 0.04);
+}
 } // namespace
 } // namespace ode_predictive_space::haptics
