@@ -230,6 +230,31 @@ TEST(ContactTracker, AllocatesNothingFromItsFirstTickOn)
     EXPECT_GE(most, 2U) << "it was in a valley";
 }
 
+TEST(ContactTracker, TakesWhatIsInItsRegionTheNearestFirst)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    MeshStore meshes;
+    ContactTracker tracker(r);
+    tracker.begin();
+    tracker.aim({0, 0, 0});
+    const auto add_box_at = [&](double distance) {
+        const dGeomID box = world.add_box({0.1, 0.1, 0.1}, {distance + 0.05, 0, 0});
+        tracker.add_if_near(*NearbyGeom::read(box, meshes, {}));
+        return box;
+    };
+    const dGeomID far = add_box_at(0.9 * r);
+    const dGeomID near = add_box_at(0.1 * r);
+    add_box_at(1.1 * r);
+    const dGeomID between = add_box_at(0.5 * r);
+    NearbyGeoms geoms;
+    tracker.hand_over(geoms, 0);
+    ASSERT_EQ(geoms.count, 3U);
+    EXPECT_EQ(geoms.geoms[0].id(), near);
+    EXPECT_EQ(geoms.geoms[1].id(), between);
+    EXPECT_EQ(geoms.geoms[2].id(), far);
+}
+
 TEST(ContactTracker, KeepsAMeshAliveUntilAnotherTakesItsPlace)
 {
     const OdeUse ode;

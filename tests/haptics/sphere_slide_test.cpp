@@ -65,6 +65,7 @@ TEST(MeshTree, FindsTheDistanceThatAllTrianglesGive)
             }
             SurfaceFeatures features;
             ASSERT_NEAR(tree.collect(point, 0.03, features), distance, 1e-12);
+            ASSERT_NEAR(tree.distance(point, 0.03), distance, 1e-12);
             const bool has_it = std::any_of(features.begin(), features.end(), [&](const SurfaceFeature &feature) {
                 return std::abs(feature.distance - distance) < 1e-12;
             });
