@@ -32,6 +32,12 @@ extern "C" {
  * Time is counted in ticks. A tick is one dSpaceCollide() on the space after something has moved: while nothing moves, no
  * time passes. Lengths are in the program's own unit (for instance metres), speeds in that unit per tick.
  *
+ * Several threads may ask one space by dSpaceCollide2() at once as long as nothing is moved, added, removed or set: the first
+ * question brings the space up to date, later ones only read. Each thread needs a probe of its own, and ODE's data
+ * (dAllocateODEDataForThread()). dSpaceCollide(), also as dSpaceCollide2() of a space with itself, is for one thread at a time;
+ * beside that of another thread it is refused with a message, and calls no callback. So is what the aabb function of a user class
+ * asks the space that needs the box.
+ *
  * All functions report invalid arguments through ODE's message handler (dSetMessageHandler()), with the name of the call
  * and of the argument, and then change nothing.
  */

@@ -189,7 +189,9 @@ int dPredictiveSpaceGetTimeOfProximity(dSpaceID space, dGeomID first, dGeomID se
     dxPredictiveSpace *self = checked_space(__func__, space);
     if (!self || !checked_geom(__func__, "first", self, first) || !checked_geom(__func__, "second", self, second))
         return 0;
-    self->catch_up_with_predictions();
+    const auto inquiry = self->begin_inquiry(__func__);
+    if (!inquiry)
+        return 0;
     double apart_until;
     const std::optional<double> time = self->time_of_proximity(first, second, &apart_until);
     if (ticks)
@@ -207,7 +209,9 @@ int dPredictiveSpaceGetEncounters(dSpaceID space, dGeomID geom, dPredictiveEncou
         refuse(__func__, max < 0 ? "max" : "out", max < 0 ? "it is negative" : "it is null");
         return 0;
     }
-    self->catch_up_with_predictions();
+    const auto inquiry = self->begin_inquiry(__func__);
+    if (!inquiry)
+        return 0;
     const std::vector<dxPredictiveSpace::Encounter> met = self->encounters(geom);
     const int count = std::min(max, static_cast<int>(met.size()));
     for (int i = 0; i < count; ++i)

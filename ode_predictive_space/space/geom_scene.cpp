@@ -158,7 +158,7 @@ static const dReal *valid_aabb(dxGeom *geom)
 {
     if (IS_SPACE(geom))
         static_cast<dxSpace *>(geom)->cleanGeoms();
-    geom->recomputeAABB();
+    compute_box_beside_others(geom);
     return geom->aabb;
 }
 
@@ -283,8 +283,8 @@ void GeomScene::find_disabled(const ProxyId *ids, std::size_t count, std::vector
 
 bool GeomScene::overlap(dxGeom *one, dxGeom *other) const
 {
-    one->recomputeAABB();
-    other->recomputeAABB();
+    compute_box_beside_others(one);
+    compute_box_beside_others(other);
     if (!aabbs_overlap(one, other))
         return false;
     return !by_sphere_ || (spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one));

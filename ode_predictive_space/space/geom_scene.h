@@ -59,10 +59,32 @@ inline bool turns_safely(const dxGeom *geom)
     return (geom->type == dSphereClass) | turns_with_body;
 }
 
-/// Does the geom take part in collisions? It must be enabled and have a size.
+/// Does a geom with these flags take part in collisions? It must be enabled and have a size.
+inline bool enabled(int flags)
+{
+    return (flags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
+}
 inline bool enabled(const dxGeom *geom)
 {
-    return (geom->gflags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
+    return enabled(geom->gflags);
+}
+
+/// The flags of a geom whose bounding box another thread may be computing. When they say that the box is good, it can be read.
+inline int flags_beside_others(const dxGeom *geom)
+{
+    return __atomic_load_n(&geom->gflags, __ATOMIC_ACQUIRE);
+}
+
+/// Computes the bounding box if it is bad, as dxGeom::recomputeAABB() does; flags_beside_others() tells other threads when it is
+/// done. Only one thread at a time may do this for a geom.
+inline void compute_box_beside_others(dxGeom *geom)
+{
+    if (!(geom->gflags & GEOM_AABB_BAD))
+        return;
+    if (geom->gflags & GEOM_POSR_BAD)
+        geom->computePosr();
+    geom->computeAABB();
+    __atomic_store_n(&geom->gflags, geom->gflags & ~(GEOM_POSR_BAD | GEOM_AABB_BAD), __ATOMIC_RELEASE);
 }
 
 /// Can the geom be touched outside of a sphere around its bounding box? ODE makes contacts with a heightfield beside and below

@@ -50,7 +50,7 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(ProxyId one, ProxyId 
 std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *geom)
 {
     const ProxyId self = proxy_of(geom);
-    geom->recomputeAABB();
+    compute_box_beside_others(geom);
     GeomScene now = scene();
     std::vector<ProxyId> candidates{self};
     const FloatBox box = broadphase_.predicted(self) ? broadphase_.proxies().swept_box(self, broadphase_.now())
@@ -153,9 +153,11 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_touching(GeomScene &now)
 
 dxPredictiveSpace::Violation dxPredictiveSpace::find_violation()
 {
-    caught_up_ = false; // ODE does not report that a geom was enabled
-    catch_up();
-    Lock lock(this);
+    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    forget_catching_up(); // ODE does not report that a geom was enabled
+    if (!catch_up("dPredictiveSpaceValidate"))
+        return {"it cannot be checked now"};
+    const Lock lock(this);
     GeomScene now = scene();
     const std::vector<ProxyId> members = this->members();
     const Violation misplaced = find_misplaced(members, now);

@@ -88,7 +88,7 @@ void dxPredictiveSpace::add(dxGeom *geom)
     geoms_[id] = geom;
     unclassified_.insert(id);
     unprepared_ = true;
-    caught_up_ = false;
+    forget_catching_up();
     // A number, not an address, in the member that ODE gives to spaces. NOLINTNEXTLINE(performance-no-int-to-ptr)
     geom->next_ex = reinterpret_cast<dxGeom *>(static_cast<std::uintptr_t>(id) + 1);
     geom->tome_ex = nullptr;
@@ -137,7 +137,7 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
     if (!broadphase_.report_at_once(proxy_of(geom), NoticedGeom(geom, known_poses_)))
         return look_closely(geom);
     listen_to(geom);
-    caught_up_ = false;
+    forget_catching_up();
 }
 
 // Not inlined: dirty() saves no registers, as it goes on to this.
@@ -151,7 +151,7 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
         return;
     }
     unprepared_ |= known_poses_.needs_room(geoms_.size());
-    caught_up_ = false;
+    forget_catching_up();
 }
 
 // Does what may need memory or the class of new geoms, which is known only now.
@@ -195,7 +195,7 @@ void dxPredictiveSpace::note_change(ProxyId id)
     hulls_.outdate(geoms_[id]);
     broadphase_.mark_changed(id);
     listen_to(geoms_[id]);
-    caught_up_ = false;
+    forget_catching_up();
 }
 
 // Goes up through the spaces as ODE's dGeomMoved() does.
@@ -215,53 +215,138 @@ void dxPredictiveSpace::geom_changed(dxGeom *geom)
 // Computes all boxes, also those that the space does not need yet. Moves stay reported for the next collide.
 void dxPredictiveSpace::cleanGeoms()
 {
-    Lock lock(this);
+    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    const Lock lock(this);
     for (dxGeom *geom = first; geom; geom = geom->next)
     {
         if (IS_SPACE(geom))
             static_cast<dxSpace *>(geom)->cleanGeoms();
-        geom->recomputeAABB();
+        compute_box_beside_others(geom);
         if (geom->gflags & GEOM_DIRTY)
             dirty(geom);
     }
 }
 
-void dxPredictiveSpace::catch_up()
+// --- One thread at a time ---------------------------------------------------------------------------------------------------
+
+// A thread's turn to tick, callbacks included. Refused while another thread has it; a callback may collide the space again.
+class dxPredictiveSpace::Turn
 {
-    poll_moves();
-    if (caught_up_)
-        return;
-    Lock lock(this);
-    GeomScene now = scene();
-    broadphase_.catch_up(now);
-    caught_up_ = true;
+public:
+    explicit Turn(std::atomic<std::thread::id> &holder) : holder_(holder)
+    {
+        const std::thread::id self = std::this_thread::get_id();
+        std::thread::id before;
+        taken_ = holder.compare_exchange_strong(before, self, std::memory_order_acquire);
+        granted_ = taken_ || before == self;
+    }
+    ~Turn()
+    {
+        if (taken_)
+            holder_.store(std::thread::id(), std::memory_order_release);
+    }
+    Turn(const Turn &) = delete;
+    Turn &operator=(const Turn &) = delete;
+
+    bool granted() const { return granted_; }
+
+private:
+    std::atomic<std::thread::id> &holder_;
+    bool taken_, granted_;
+};
+
+// While it lives the broad phase changes. A callback for bounding boxes that asks the space meanwhile is refused.
+class dxPredictiveSpace::Work
+{
+public:
+    explicit Work(dxPredictiveSpace *space) : space_(space) { space->working_.store(true, std::memory_order_relaxed); }
+    ~Work() { space_->working_.store(false, std::memory_order_relaxed); }
+    Work(const Work &) = delete;
+    Work &operator=(const Work &) = delete;
+
+private:
+    dxPredictiveSpace *space_;
+};
+
+bool dxPredictiveSpace::is_free(const char *function) const
+{
+    if (!working_.load(std::memory_order_relaxed))
+        return true;
+    dMessage(d_ERR_UASSERT, "%s(): not answered, because the space is just being brought up to date", function);
+    return false;
 }
 
-void dxPredictiveSpace::catch_up_with_predictions()
+// --- Questions and ticks ----------------------------------------------------------------------------------------------------
+
+bool dxPredictiveSpace::catch_up(const char *function)
 {
-    if (broadphase_.want_predictions())
-        caught_up_ = false;
-    catch_up();
+    return is_caught_up() || catch_up_alone(function);
+}
+
+inline bool dxPredictiveSpace::is_caught_up() const
+{
+    return caught_up_.load(std::memory_order_seq_cst) && !is_silently_changed();
+}
+
+// See poll_moves().
+inline bool dxPredictiveSpace::is_silently_changed() const
+{
+    bool changed = false;
+    if (polled_count_ > 0)
+        polled_.for_each([&](ProxyId id) { changed |= (flags_beside_others(geoms_[id]) & GEOM_DIRTY) != 0; });
+    return changed;
+}
+
+// The threads that ask meanwhile wait.
+[[gnu::noinline]] bool dxPredictiveSpace::catch_up_alone(const char *function)
+{
+    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    if (!is_free(function))
+        return false;
+    poll_moves();
+    if (caught_up_)
+        return true;
+    const Lock lock(this);
+    const Work work(this);
+    GeomScene now = scene();
+    broadphase_.catch_up(now);
+    caught_up_.store(true, std::memory_order_release);
+    return true;
+}
+
+// Questions of other threads that have begun look at the broad phase without a lock; those that begin now wait. Changes that are
+// not necessary are left for later while there are such questions.
+std::unique_lock<std::recursive_mutex> dxPredictiveSpace::begin_inquiry(const char *function)
+{
+    std::unique_lock<std::recursive_mutex> hold(upkeep_);
+    if (!is_free(function))
+        return {};
+    const bool was_caught_up = caught_up_.exchange(false);
+    const bool is_asked = __atomic_load_n(&lock_count, __ATOMIC_SEQ_CST) > 0 &&
+                          ticking_thread_.load(std::memory_order_relaxed) != std::this_thread::get_id();
+    const bool may_change = !was_caught_up || !is_asked;
+    const bool changes = may_change && broadphase_.want_predictions();
+    caught_up_.store(was_caught_up && !changes, std::memory_order_release);
+    catch_up(function);
+    return hold;
 }
 
 void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
 {
     dAASSERT(callback);
+    const Turn turn(ticking_thread_);
+    if (!turn.granted())
+        return dMessage(d_ERR_UASSERT, "dSpaceCollide(): not done, because another thread is colliding the space");
+    if (!is_free("dSpaceCollide"))
+        return;
     const bool nested_call = lock_count > 0;
-    Lock lock(this);
-    poll_moves();
-    GeomScene now = scene();
-    if (nested_call)
-        broadphase_.catch_up(now);
-    else
-    {
-        ++ticks_;
-        broadphase_.tick(now);
-        known_poses_.end_tick();
-    }
-    caught_up_ = true;
+    const Lock lock(this);
+    std::size_t count = 0;
     std::vector<CandidatePair> pairs = std::exchange(pairs_, {});
-    const std::size_t count = broadphase_.report(now, pairs);
+    {
+        const Work work(this);
+        count = find_reported(nested_call, pairs);
+    }
     const auto visit = [&](std::size_t i) { call_back(pairs[i], data, callback); };
     if (geoms_.size() > tuning::cached_measured)
         for_each_prefetched(
@@ -278,6 +363,23 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
         for (std::size_t i = 0; i < count; ++i)
             visit(i);
     pairs_ = std::move(pairs);
+}
+
+std::size_t dxPredictiveSpace::find_reported(bool nested_call, std::vector<CandidatePair> &pairs)
+{
+    poll_moves();
+    forget_catching_up();
+    GeomScene now = scene();
+    if (nested_call)
+        broadphase_.catch_up(now);
+    else
+    {
+        ++ticks_;
+        broadphase_.tick(now);
+        known_poses_.end_tick();
+    }
+    caught_up_.store(true, std::memory_order_release);
+    return broadphase_.report(now, pairs);
 }
 
 // Checks the rest of ODE's conditions for a pair whose boxes overlap, and calls back.
@@ -301,16 +403,17 @@ inline void dxPredictiveSpace::call_back(const CandidatePair &pair, void *data, 
 void dxPredictiveSpace::note_disabled(ProxyId id)
 {
     broadphase_.note_disabled(id);
-    caught_up_ = false;
+    forget_catching_up();
 }
 
 void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback)
 {
     dAASSERT(geom && callback);
-    catch_up();
+    const Lock lock(this);
+    if (!catch_up("dSpaceCollide2"))
+        return;
     predict_when_asked_often();
-    Lock lock(this);
-    std::vector<ProxyId> found = std::exchange(found_, {});
+    std::vector<ProxyId> found = lock.is_only_one ? std::exchange(found_, {}) : std::vector<ProxyId>();
     found.clear();
     find_near(geom, found);
     const GeomScene now = scene();
@@ -318,33 +421,71 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
         found.size(), tuning::turns_ahead,
         [&](std::size_t i) {
             dxGeom *other = geoms_[found[i]];
-            if (bits_agree(other, geom) && enabled(other) && now.overlap(other, geom) && wants_callback(other, geom))
+            const int flags = flags_beside_others(other);
+            if (!bits_agree(other, geom) || !enabled(flags))
+                return;
+            if (flags & GEOM_AABB_BAD)
+                compute_box(other);
+            if (now.overlap(other, geom) && wants_callback(other, geom))
                 callback(data, other, geom);
         },
         [&](std::size_t i) { now.prefetch_geom(found[i]); });
-    found_ = std::move(found);
+    if (lock.is_only_one)
+        found_ = std::move(found);
+}
+
+// Boxes that no tick has needed are computed when they are first asked for.
+[[gnu::noinline]] void dxPredictiveSpace::compute_box(dxGeom *geom)
+{
+    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    compute_box_beside_others(geom);
+}
+
+// The probe may be a geom of another predictive space, which several threads ask, too.
+[[gnu::noinline]] void dxPredictiveSpace::compute_box_of_probe(dxGeom *geom)
+{
+    auto *owner = dynamic_cast<dxPredictiveSpace *>(geom->parent_space);
+    (owner ? owner : this)->compute_box(geom);
 }
 
 // Objects without predictions get them as time passes. In a program that only asks, no time passes, and each question would look
 // at all of these objects. After some questions this has cost as much as the predictions.
-void dxPredictiveSpace::predict_when_asked_often()
+inline void dxPredictiveSpace::predict_when_asked_often()
 {
-    const bool looks_at_all = broadphase_.mode() != Mode::predicting;
-    if (!looks_at_all || std::exchange(asked_at_, broadphase_.now()) != broadphase_.now())
+    if (broadphase_.mode() != Mode::predicting)
+        count_question();
+}
+
+// See begin_inquiry().
+[[gnu::noinline]] void dxPredictiveSpace::count_question()
+{
+    const std::unique_lock<std::recursive_mutex> hold(upkeep_, std::try_to_lock);
+    if (!hold)
+        return;
+    if (std::exchange(asked_at_, broadphase_.now()) != broadphase_.now())
         questions_ = 0;
-    else if (++questions_ == tuning::questions_worth_predictions)
-    {
+    else if (questions_ < tuning::questions_worth_predictions)
+        ++questions_;
+    else
+        return;
+    if (questions_ < tuning::questions_worth_predictions)
+        return;
+    caught_up_ = false;
+    const bool is_asked = __atomic_load_n(&lock_count, __ATOMIC_SEQ_CST) > 1;
+    if (is_asked)
+        --questions_;
+    else
         broadphase_.predict_all_waiting();
-        caught_up_ = false;
-        catch_up();
-    }
+    caught_up_ = is_asked;
+    catch_up("dSpaceCollide2");
 }
 
 // All geoms whose bounding box may overlap that of `geom`. By the sphere test, a ray is followed along its line; only geoms that
 // a ray can touch without meeting their box are looked for in the box of the ray.
 void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
 {
-    geom->recomputeAABB();
+    if (flags_beside_others(geom) & GEOM_AABB_BAD)
+        compute_box_of_probe(geom);
     const bool as_line = geom->type == dRayClass && broadphase_.proximity_test() == ProximityTest::sphere;
     const std::optional<RayProbe> line = as_line ? line_of_ray(geom) : std::nullopt;
     const FloatBox box = FloatBox::around(to_box(geom->aabb));
@@ -367,7 +508,7 @@ void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
 void dxPredictiveSpace::set_proximity_test(ProximityTest test)
 {
     broadphase_.set_proximity_test(test);
-    caught_up_ = false;
+    forget_catching_up();
 }
 
 void dxPredictiveSpace::set_shape_margin(double margin)
@@ -378,7 +519,7 @@ void dxPredictiveSpace::set_shape_margin(double margin)
 void dxPredictiveSpace::set_role(dxGeom *geom, Role role)
 {
     broadphase_.set_role(proxy_of(geom), role);
-    caught_up_ = false;
+    forget_catching_up();
 }
 
 Role dxPredictiveSpace::role(dxGeom *geom) const
@@ -392,7 +533,7 @@ void dxPredictiveSpace::set_deviation(int role, const Deviation *deviation)
     auto &fixed = settings.deviation[static_cast<std::size_t>(role)];
     fixed = deviation ? std::optional(*deviation) : std::nullopt;
     broadphase_.set_settings(settings);
-    caught_up_ = false;
+    forget_catching_up();
 }
 
 void dxPredictiveSpace::set_horizon(const HorizonBounds &horizon)
@@ -400,7 +541,7 @@ void dxPredictiveSpace::set_horizon(const HorizonBounds &horizon)
     PredictionSettings settings = broadphase_.settings();
     settings.horizon = horizon;
     broadphase_.set_settings(settings);
-    caught_up_ = false;
+    forget_catching_up();
 }
 
 std::size_t dxPredictiveSpace::bytes() const

@@ -3,6 +3,9 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
 
+#include <atomic>
+#include <mutex>
+#include <thread>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/broadphase.h"
@@ -33,10 +36,14 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     ode_predictive_space::Role role(dxGeom *geom) const;
 
     /// Brings the broad phase up to date with what has moved, without a tick.
-    void catch_up();
+    ///
+    /// @return false, after a message, when it is just being brought up to date, by another thread's tick or further up the stack.
+    bool catch_up(const char *function);
 
     /// The same, and makes predictions for all geoms; from now on new geoms are predicted as soon as they are added.
-    void catch_up_with_predictions();
+    ///
+    /// @return holds back the inquiries of other threads as long as it lives; without a mutex when the space cannot be asked now.
+    [[nodiscard]] std::unique_lock<std::recursive_mutex> begin_inquiry(const char *function);
 
     /// The data that a geom of this space is made of have been changed in place.
     void geom_changed(dxGeom *geom);
@@ -72,13 +79,21 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     std::size_t bytes() const;
 
 private:
-    // The space is locked while it works and while its callbacks run, as ODE's own are.
+    // The space is locked while it works and while its callbacks run, as ODE's own are. Several threads may ask it at once.
     struct Lock
     {
-        explicit Lock(dxSpace *space) : space(space) { ++space->lock_count; }
-        ~Lock() { --space->lock_count; }
+        explicit Lock(dxSpace *space)
+            : space(space), is_only_one(__atomic_fetch_add(&space->lock_count, 1, __ATOMIC_SEQ_CST) == 0)
+        {}
+        ~Lock() { __atomic_fetch_sub(&space->lock_count, 1, __ATOMIC_SEQ_CST); }
+        Lock(const Lock &) = delete;
+        Lock &operator=(const Lock &) = delete;
         dxSpace *space;
+        bool is_only_one; // when it was made
     };
+
+    class Turn;
+    class Work;
 
     using ProxyId = ode_predictive_space::ProxyId;
 
@@ -88,10 +103,19 @@ private:
     void follow_shapes(const std::vector<ProxyId> &ids, ode_predictive_space::GeomScene &now);
     std::optional<double> time_of_proximity(ProxyId one, ProxyId other, const ode_predictive_space::GeomScene &now,
                                             double *apart_until) const;
+    std::size_t find_reported(bool nested_call, std::vector<ode_predictive_space::CandidatePair> &pairs);
     void call_back(const ode_predictive_space::CandidatePair &pair, void *data, dNearCallback *callback);
     void look_closely(dxGeom *geom);
     void note_disabled(ProxyId id);
+    bool is_caught_up() const;
+    bool is_silently_changed() const;
+    bool catch_up_alone(const char *function);
+    bool is_free(const char *function) const;
+    void forget_catching_up() { caught_up_.store(false, std::memory_order_relaxed); }
+    void compute_box(dxGeom *geom);
+    void compute_box_of_probe(dxGeom *geom);
     void predict_when_asked_often();
+    void count_question();
     void find_near(dxGeom *geom, std::vector<ProxyId> &found);
     void prepare();
     void poll_moves();
@@ -112,8 +136,12 @@ private:
     ode_predictive_space::IdSet off_line_; // geoms that a ray may touch where it does not meet their box
     std::size_t off_line_count_ = 0;
 
-    // Nothing has been added, moved or set since the broad phase was last brought up to date. True at most queries.
-    bool caught_up_ = false;
+    // Nothing has been added, moved or set since the broad phase was last brought up to date. True at most questions: these only
+    // read, so that several threads may ask at once. A question counts itself in lock_count before it reads this.
+    std::atomic<bool> caught_up_{false};
+    std::recursive_mutex upkeep_;                   // of all that questions write
+    std::atomic<bool> working_{false};              // the broad phase is changing; nothing may be asked
+    std::atomic<std::thread::id> ticking_thread_{}; // in dSpaceCollide(), callbacks included
 
     int questions_ = 0;                       // at this tick, that looked at geoms without predictions
     ode_predictive_space::Tick asked_at_ = 0; // the tick of the last question
