@@ -2,132 +2,15 @@
 
 #include <functional>
 #include <new>
-#include <vector>
 
-#include <ode_predictive_space/predictive_space.h>
-
-#include "tests/contract/support/scenario.h"
 #include "tests/faults/allocation_faults.h"
+#include "tests/faults/gas.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
 using AllocationFaults = OdeTest;
-
-/// A gas of spheres and boxes, moved in the same way in each copy of it.
-class Gas
-{
-public:
-    explicit Gas(int count) : space_(dPredictiveSpaceCreate(nullptr))
-    {
-        bodies_.reserve(2 * static_cast<std::size_t>(count)); // no faults of the test itself
-        for (int i = 0; i < count; ++i)
-            add();
-    }
-    ~Gas() { dSpaceDestroy(space_); }
-    Gas(const Gas &) = delete;
-    Gas &operator=(const Gas &) = delete;
-
-    dSpaceID space() const { return space_; }
-    dGeomID geom(std::size_t i) const { return bodies_[i].geom; }
-
-    void add()
-    {
-        const dReal x = place(), y = place(), z = place();
-        dGeomID geom = next_number_ % 2 ? dCreateSphere(space_, 0.4) : dCreateBox(space_, 0.6, 0.6, 0.6);
-        dGeomSetPosition(geom, x, y, z);
-        number_geom(geom, next_number_++);
-        const dReal slow = 0.02;
-        bodies_.push_back({geom, {slow * number(), slow * number(), slow * number()}});
-    }
-
-    void remove(std::size_t i)
-    {
-        dGeomDestroy(bodies_[i].geom);
-        bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(i));
-    }
-
-    void move()
-    {
-        for (std::size_t i = 0; i < bodies_.size(); i += 2)
-        {
-            const dReal *position = dGeomGetPosition(bodies_[i].geom), *velocity = bodies_[i].velocity;
-            dGeomSetPosition(bodies_[i].geom, position[0] + velocity[0], position[1] + velocity[1],
-                             position[2] + velocity[2]);
-        }
-    }
-
-    /// All velocities change, and some objects jump.
-    void explode()
-    {
-        for (Body &body : bodies_)
-            for (dReal &velocity : body.velocity)
-                velocity = 0.3 * number();
-        move();
-        for (std::size_t i = 0; i < bodies_.size(); i += 3)
-            dGeomSetPosition(bodies_[i].geom, place(), place(), place());
-    }
-
-    void run(int ticks)
-    {
-        for (int i = 0; i < ticks; ++i)
-        {
-            move();
-            collide(space_);
-        }
-    }
-
-    void expect_exact_for(int ticks)
-    {
-        for (int i = 0; i < ticks; ++i)
-        {
-            const Pairs reported = unordered(collide(space_));
-            EXPECT_EQ(reported, overlapping());
-            EXPECT_EQ(dPredictiveSpaceValidate(space_), 1);
-            if (HasFailure())
-                return;
-            move();
-        }
-    }
-
-private:
-    struct Body
-    {
-        dGeomID geom;
-        dReal velocity[3];
-    };
-
-    static bool HasFailure() { return ::testing::Test::HasFailure(); }
-
-    Pairs overlapping() const
-    {
-        Pairs pairs;
-        for (std::size_t i = 0; i < bodies_.size(); ++i)
-            for (std::size_t j = i + 1; j < bodies_.size(); ++j)
-            {
-                dReal a[6], b[6];
-                dGeomGetAABB(bodies_[i].geom, a);
-                dGeomGetAABB(bodies_[j].geom, b);
-                if (a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] && b[4] <= a[5])
-                    pairs.push_back({geom_number(bodies_[i].geom), geom_number(bodies_[j].geom)});
-            }
-        return unordered(pairs);
-    }
-
-    // Uniform in [-1, 1].
-    dReal number()
-    {
-        state_ = state_ * 1664525u + 1013904223u;
-        return static_cast<dReal>(state_ >> 8) / (1u << 23) - 1;
-    }
-    dReal place() { return 4 * number(); }
-
-    dSpaceID space_;
-    std::vector<Body> bodies_;
-    int next_number_ = 0;
-    std::uint32_t state_ = 1;
-};
 
 /// What a program was doing when memory ran out.
 struct Situation
@@ -136,6 +19,8 @@ struct Situation
     int objects;
     std::function<void(Gas &)> before;
     std::function<void(Gas &)> during;
+    Matter matter = Matter::plain;
+    int proximity = dPredictiveProximityBox;
 };
 
 void tick(Gas &gas)
@@ -255,6 +140,90 @@ const Situation situations[] = {
          for (int i = 0; i < 1000; ++i)
              gas.remove(0);
      }},
+    {"by_sphere", 300,
+     [](Gas &gas) {
+         gas.run(10);
+         gas.move();
+     },
+     tick, Matter::shapes, dPredictiveProximitySphere},
+    {"first_looks_at_shapes", 60, [](Gas &) {}, tick, Matter::shapes, dPredictiveProximityShape},
+    {"first_tick_with_predictions_by_shape", 60, [](Gas &) {},
+     [](Gas &gas) {
+         dPredictiveSpaceGetEncounters(gas.space(), gas.geom(0), nullptr, 0);
+         tick(gas);
+     },
+     Matter::shapes, dPredictiveProximityShape},
+    {"looks_at_shapes", 60,
+     [](Gas &gas) {
+         gas.run(20);
+         gas.move();
+     },
+     tick, Matter::shapes, dPredictiveProximityShape},
+    {"looks_at_shapes_of_many", 300,
+     [](Gas &gas) {
+         gas.run(20);
+         gas.move();
+     },
+     tick, Matter::shapes, dPredictiveProximityShape},
+    {"explosion_by_shape", 300,
+     [](Gas &gas) {
+         gas.run(20);
+         gas.explode();
+     },
+     tick, Matter::shapes, dPredictiveProximityShape},
+    {"shapes_of_other_data", 60,
+     [](Gas &gas) {
+         gas.run(20);
+         gas.move();
+     },
+     [](Gas &gas) {
+         for (std::size_t i = 0; i < 60; ++i)
+             dPredictiveSpaceGeomChanged(gas.space(), gas.geom(i));
+         tick(gas);
+     },
+     Matter::shapes, dPredictiveProximityShape},
+    {"from_boxes_to_shapes", 60,
+     [](Gas &gas) {
+         dPredictiveSpaceSetProximity(gas.space(), dPredictiveProximityBox);
+         gas.run(20);
+         gas.move();
+     },
+     [](Gas &gas) {
+         dPredictiveSpaceSetProximity(gas.space(), dPredictiveProximityShape);
+         dPredictiveSpaceSetShapeMargin(gas.space(), 0.05);
+         tick(gas);
+     },
+     Matter::shapes, dPredictiveProximityShape},
+    {"validating", 60,
+     [](Gas &gas) {
+         gas.run(20);
+         gas.move();
+     },
+     [](Gas &gas) { dPredictiveSpaceValidate(gas.space()); }, Matter::shapes, dPredictiveProximityShape},
+    {"cleaning", 60,
+     [](Gas &gas) {
+         gas.run(20);
+         gas.move();
+     },
+     [](Gas &gas) { dSpaceClean(gas.space()); }},
+    {"time_of_proximity", 300, [](Gas &gas) { gas.run(3); },
+     [](Gas &gas) { dPredictiveSpaceGetTimeOfProximity(gas.space(), gas.geom(0), gas.geom(1), nullptr); }},
+    {"asked_often", 300, [](Gas &) {},
+     [](Gas &gas) {
+         for (int i = 0; i < 60; ++i)
+             collide2(gas.geom(0), as_geom(gas.space()));
+     }},
+    {"a_space_in_the_space", 60,
+     [](Gas &gas) {
+         gas.run(20);
+         gas.move();
+     },
+     [](Gas &gas) {
+         dSpaceID nested = dPredictiveSpaceCreate(gas.space());
+         for (int i = 0; i < 20; ++i)
+             dGeomSetPosition(dCreateSphere(nested, 0.1), 100, 0, 0);
+         tick(gas);
+     }},
 };
 
 class EverySituation : public OdeTest, public ::testing::WithParamInterface<Situation>
@@ -269,7 +238,7 @@ TEST_P(EverySituation, TheNextTickIsExactWhicheverAllocationFails)
     int faults = 0;
     for (long spared = 0; struck && !HasFailure(); ++spared)
     {
-        Gas gas(situation.objects);
+        Gas gas(situation.objects, situation.matter, situation.proximity);
         situation.before(gas);
         {
             AllocationFault fault(spared);
