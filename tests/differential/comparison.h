@@ -13,8 +13,9 @@ namespace ode_predictive_space
 {
 enum class Measure
 {
-    boxes,  ///< the predictive space must report the same pairs
-    spheres ///< it may leave out pairs, but none that has a contact
+    boxes,   ///< the predictive space must report the same pairs
+    spheres, ///< it may leave out pairs, but none that has a contact
+    shapes   ///< the same, by the shape test
 };
 
 enum class FailureKind

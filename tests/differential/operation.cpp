@@ -7,12 +7,43 @@ namespace ode_predictive_space
 {
 const char *action_name(Action action)
 {
-    static const char *const names[] = {
-        "make_geom",  "destroy_geom",  "make_body", "destroy_body", "attach", "offset",      "clear_offset",
-        "move_geom",  "move_body",     "turn_geom", "turn_body",    "resize", "enable_geom", "enable_body",
-        "bits",       "velocity",      "force",     "kinematic",    "drive",  "take_out",    "put_in",
-        "make_space", "destroy_space", "clean",     "ask_bounds",   "role",   "deviation",   "horizon",
-        "step",       "tick",          "calm",      "query"};
+    static const char *const names[] = {"make_geom",
+                                        "destroy_geom",
+                                        "make_body",
+                                        "destroy_body",
+                                        "attach",
+                                        "offset",
+                                        "clear_offset",
+                                        "move_geom",
+                                        "move_body",
+                                        "turn_geom",
+                                        "turn_body",
+                                        "resize",
+                                        "enable_geom",
+                                        "enable_body",
+                                        "bits",
+                                        "velocity",
+                                        "force",
+                                        "kinematic",
+                                        "drive",
+                                        "take_out",
+                                        "put_in",
+                                        "make_space",
+                                        "destroy_space",
+                                        "clean",
+                                        "ask_bounds",
+                                        "role",
+                                        "deviation",
+                                        "horizon",
+                                        "step",
+                                        "tick",
+                                        "calm",
+                                        "query",
+                                        "tick_asking",
+                                        "tick_broken_off",
+                                        "query_broken_off",
+                                        "data_changed",
+                                        "bad_call"};
     static_assert(sizeof names / sizeof *names == static_cast<std::size_t>(Action::last) + 1, "a name for each");
     return names[static_cast<int>(action)];
 }

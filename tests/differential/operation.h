@@ -35,16 +35,21 @@ enum class Action
     put_in,       ///< geom or space subject into space object, if it is in none
     make_space,   ///< space subject in space object; number: NestedKind + 16 * cleanup mode
     destroy_space,
-    clean,      ///< dSpaceClean() of space subject
-    ask_bounds, ///< dGeomGetAABB() of geom or space subject
-    role,       ///< geom subject gets role number, if it is in a predictive space
-    deviation,  ///< of role number in space subject: value[0..2]
-    horizon,    ///< of space subject: from number to object ticks
-    step,       ///< the world, by value[0] seconds
-    tick,       ///< dSpaceCollide() of the outermost space, and now and then of the others
-    calm,       ///< number ticks, each after `object` steps of value[0] seconds
-    query,      ///< dSpaceCollide2() of the geoms or spaces subject and object
-    last = query
+    clean,            ///< dSpaceClean() of space subject
+    ask_bounds,       ///< dGeomGetAABB() of geom or space subject
+    role,             ///< geom subject gets role number, if it is in a predictive space
+    deviation,        ///< of role number in space subject: value[0..2]
+    horizon,          ///< of space subject: from number to object ticks
+    step,             ///< the world, by value[0] seconds
+    tick,             ///< dSpaceCollide() of the outermost space, and now and then of the others
+    calm,             ///< number ticks, each after `object` steps of value[0] seconds
+    query,            ///< dSpaceCollide2() of the geoms or spaces subject and object
+    tick_asking,      ///< a tick whose callback asks the outermost space for its first geom
+    tick_broken_off,  ///< in a predictive space: a tick whose callback number `number` throws
+    query_broken_off, ///< the same of dSpaceCollide2() of the geoms or spaces subject and object
+    data_changed,     ///< dPredictiveSpaceGeomChanged() of geom subject, if it is in a predictive space
+    bad_call,         ///< in a predictive space: a call with a bad argument, the one of this number
+    last = bad_call
 };
 
 enum class DriveMode

@@ -20,6 +20,7 @@ struct Options
     std::string flavour = "all";
     bool flat = false;
     bool spheres = false;
+    bool shapes = false;
     bool pairs_only = false;
 };
 
@@ -47,15 +48,16 @@ int run(const Options &options)
         const Profile profile = profile_of(options, seed);
         // Before it runs: a history that ends the process is known, too.
         std::cout << "seed " << seed << " (" << flavour_name(profile.flavour) << ")" << std::flush;
-        const Terms terms{options.spheres ? Measure::spheres : Measure::boxes, !options.pairs_only};
+        const Measure measure = options.shapes ? Measure::shapes : options.spheres ? Measure::spheres : Measure::boxes;
+        const Terms terms{measure, !options.pairs_only};
         const std::string report = report_of(profile, seed, terms, &tally);
         std::cout << (report.empty() ? ": same pairs\n" : ": DIFFERENT\n" + report) << std::flush;
         if (!report.empty())
             return 1;
     }
     std::cout << options.histories << " histories, " << tally.ticks << " ticks, " << tally.pairs << " pairs";
-    if (options.spheres)
-        std::cout << ", " << tally.left_out << " left out by the measure of spheres";
+    if (options.spheres || options.shapes)
+        std::cout << ", " << tally.left_out << " left out";
     std::cout << "\n";
     return 0;
 }
@@ -73,9 +75,10 @@ int main(int argc, char **argv)
         ->check(CLI::IsMember({"all", "calm", "mixed", "wild", "teleport", "pile", "extreme", "explosion"}));
     app.add_flag("--flat", options.flat, "no nested spaces");
     app.add_flag("--spheres", options.spheres, "by the measure of spheres: no pair left out has a contact");
+    app.add_flag("--shapes", options.shapes, "the same by the shape test");
     app.add_flag("--pairs-only", options.pairs_only, "do not check the invariant beside the pairs");
     CLI11_PARSE(app, argc, argv);
-    if (options.spheres)
+    if (options.spheres || options.shapes)
         options.flat = true;
 
     dInitODE2(0);

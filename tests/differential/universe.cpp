@@ -144,8 +144,8 @@ void Universe::make_space(const Operation &operation)
         made.id = dHashSpaceCreate(parent);
     else
         made.id = made.predictive ? dPredictiveSpaceCreate(parent) : dSimpleSpaceCreate(parent);
-    if (spheres_ && made.predictive)
-        dPredictiveSpaceSetProximity(made.id, dPredictiveProximitySphere);
+    if (made.predictive)
+        dPredictiveSpaceSetProximity(made.id, proximity_);
     dSpaceSetCleanup(made.id, operation.number / 16);
     number_geom(as_geom(made.id), space_reference(operation.subject));
     spaces_[static_cast<std::size_t>(operation.subject)] = made;
@@ -230,6 +230,15 @@ void Universe::apply(const Operation &operation)
         return;
     case Action::step:
         return step(operation.value[0]);
+    case Action::tick_broken_off:
+    case Action::query_broken_off:
+        if (kind_ == SpaceKind::predictive)
+            break_off(operation);
+        return;
+    case Action::bad_call:
+        if (kind_ == SpaceKind::predictive)
+            call_badly(operation.number);
+        return;
     default:
         break;
     }
@@ -294,6 +303,10 @@ void Universe::apply_to_geom(const Operation &operation, GeomSlot &geom)
     case Action::role:
         if (dGeomGetSpace(geom.id) && dSpaceIsPredictive(dGeomGetSpace(geom.id)))
             dPredictiveSpaceSetGeomRole(dGeomGetSpace(geom.id), geom.id, operation.number);
+        break;
+    case Action::data_changed:
+        if (dGeomGetSpace(geom.id) && dSpaceIsPredictive(dGeomGetSpace(geom.id)))
+            dPredictiveSpaceGeomChanged(dGeomGetSpace(geom.id), geom.id);
         break;
     default:
         break;

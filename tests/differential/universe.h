@@ -38,8 +38,11 @@ public:
     /// dPredictiveSpaceValidate() of all predictive spaces.
     bool valid() const;
 
-    /// For the measure of spheres: in all predictive spaces, now and later.
-    void measure_by_spheres();
+    /// Sets the test of proximity of all predictive spaces, now and later.
+    void measure_by(int proximity);
+
+    /// dSpaceCollide() of the outermost space, whose callback asks it for the first geom of each pair. All pairs, sorted.
+    Pairs tick_asking();
 
     /// How many contacts dCollide() finds between two geoms; none when it stops at an assertion, as it may where
     /// coordinates are extreme.
@@ -89,6 +92,8 @@ private:
     void move_driven();
     void turn_back();
     void make_contacts(const Pairs &pairs);
+    void break_off(const Operation &operation);
+    void call_badly(int which);
     bool can_touch(int number) const;
 
     SpaceKind kind_;
@@ -98,7 +103,7 @@ private:
     std::vector<GeomSlot> geoms_;
     std::vector<dBodyID> bodies_;
     std::vector<SpaceSlot> spaces_;
-    bool spheres_ = false;
+    int proximity_ = 0; // a dPredictiveProximity constant
     unsigned long steps_ = 0;
     unsigned long ticks_ = 0;
 };

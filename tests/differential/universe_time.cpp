@@ -165,13 +165,89 @@ bool Universe::valid() const
     });
 }
 
-void Universe::measure_by_spheres()
+void Universe::measure_by(int proximity)
 {
-    spheres_ = true;
+    proximity_ = proximity;
     for (const SpaceSlot &space : spaces_)
     {
         if (space.id && space.predictive)
-            dPredictiveSpaceSetProximity(space.id, dPredictiveProximitySphere);
+            dPredictiveSpaceSetProximity(space.id, proximity);
+    }
+}
+
+Pairs Universe::tick_asking()
+{
+    struct Asked
+    {
+        dGeomID space;
+        Pairs pairs;
+    } asked{as_geom(spaces_[0].id), {}};
+    dSpaceCollide(spaces_[0].id, &asked, [](void *data, dGeomID first, dGeomID second) {
+        Asked &asked = *static_cast<Asked *>(data);
+        // The lower number first: which geom is the first one in a callback is not promised.
+        dGeomID asking = geom_number(first) < geom_number(second) ? first : second;
+        asked.pairs.push_back({geom_number(first), geom_number(second)});
+        if (!dGeomIsSpace(asking))
+            for (const Pair &pair : collide2(asked.space, asking))
+                asked.pairs.push_back(pair);
+    });
+    return unordered(asked.pairs);
+}
+
+namespace
+{
+struct BrokenOff
+{
+    int spared; // callbacks before the one that throws
+};
+
+void break_off_later(void *data, dGeomID, dGeomID)
+{
+    if (static_cast<BrokenOff *>(data)->spared-- == 0)
+        throw BrokenOff();
+}
+} // namespace
+
+// The predictive space is exact after that; a simple one would stay locked.
+void Universe::break_off(const Operation &operation)
+{
+    BrokenOff later{operation.number};
+    dGeomID one = find_reference(operation.subject), other = find_reference(operation.object);
+    const auto is_locked_by_exceptions = [](dGeomID geom) {
+        return dGeomIsSpace(geom) && !dSpaceIsPredictive(as_space(geom));
+    };
+    try
+    {
+        if (operation.action == Action::tick_broken_off)
+            dSpaceCollide(spaces_[0].id, &later, break_off_later);
+        else if (one && other && !is_locked_by_exceptions(one) && !is_locked_by_exceptions(other))
+            dSpaceCollide2(one, other, &later, break_off_later);
+    }
+    catch (const BrokenOff &)
+    {}
+}
+
+void Universe::call_badly(int which)
+{
+    dSpaceID space = spaces_[0].id;
+    const auto is_refused = [&](auto call) {
+        if (ode_complaint(call).find("bad argument") == std::string::npos)
+            throw OdeAbort("bad call " + std::to_string(which) + " was not refused");
+    };
+    switch (which % 6)
+    {
+    case 0:
+        return is_refused([&] { dPredictiveSpaceSetProximity(space, 3 + which); });
+    case 1:
+        return is_refused([&] { dPredictiveSpaceSetHorizon(space, -which, which); });
+    case 2:
+        return is_refused([&] { dPredictiveSpaceSetDeviation(space, which, 0, 0, 0); });
+    case 3:
+        return is_refused([&] { dPredictiveSpaceGetEncounters(space, nullptr, nullptr, which); });
+    case 4:
+        return is_refused([&] { dPredictiveSpaceSetGeomRole(space, as_geom(space), 0); });
+    default:
+        return is_refused([&] { dPredictiveSpaceSetShapeMargin(space, -which); });
     }
 }
 
