@@ -11,7 +11,12 @@ namespace ode_predictive_space
 namespace
 {
 constexpr std::size_t bytes_per_operation = 8, most_operations = 200;
-constexpr int geoms = 24, bodies = 8, spaces = 4;
+constexpr int geoms = 256, bodies = 8, spaces = 4;
+
+// First bytes from these on stand for many operations: trees, sweeps and predictions in parts need more objects than there are
+// bytes for.
+constexpr std::uint8_t first_jumping = 240, first_crowd = 248;
+constexpr int most_crowds = 3;
 
 // In the first byte, beside the measure.
 constexpr int with_contacts = 4, with_gravity = 8, with_sleep = 16, with_extremes = 32;
@@ -32,7 +37,7 @@ double extreme_coordinate(std::uint8_t byte)
 
 int reference(std::uint8_t byte)
 {
-    return byte < 192 ? byte % geoms : space_reference(byte % spaces);
+    return byte < 240 ? byte : space_reference(byte % spaces);
 }
 
 class Decoder
@@ -45,7 +50,61 @@ public:
 
     Measure measure() const { return measure_; }
 
-    /// `bytes` has bytes_per_operation.
+    /// Appends what the next bytes_per_operation bytes stand for.
+    void append(const std::uint8_t *bytes, std::vector<Operation> &operations)
+    {
+        if (bytes[0] < first_jumping)
+            operations.push_back(operation(bytes));
+        else if (bytes[0] < first_crowd)
+            append_jumps(bytes, operations);
+        else if (crowds_++ < most_crowds)
+            append_crowd(bytes, operations);
+    }
+
+private:
+    // Spheres and boxes on a grid; one of every few moves.
+    void append_crowd(const std::uint8_t *bytes, std::vector<Operation> &operations) const
+    {
+        const int count = bytes[3] % 200, every = 1 + bytes[2] % 16;
+        const double distance = (bytes[4] + 16) / 64.0;
+        for (int i = 0; i < count; ++i)
+        {
+            const int slot = (bytes[1] + i) % geoms;
+            Operation made;
+            made.action = Action::make_geom;
+            made.subject = slot;
+            made.object = 0;
+            made.number = i % 2;
+            made.value = {0.5 + (i % 3) / 8.0, distance * (i % 8), distance * (i / 8 % 8), distance * (i / 64)};
+            operations.push_back(made);
+            made.action = Action::drive;
+            made.number = i % every == 0 ? 1 + i / every % 3 : 0;
+            made.value = {coordinate(bytes[5]) / 16, coordinate(bytes[6]) / 16, coordinate(bytes[7]) / 16, 0};
+            operations.push_back(made);
+        }
+    }
+
+    // As after an explosion: other places, other ways to go on.
+    void append_jumps(const std::uint8_t *bytes, std::vector<Operation> &operations) const
+    {
+        const int count = bytes[3] % 200;
+        for (int i = 0; i < count; ++i)
+        {
+            Operation made;
+            made.action = Action::move_geom;
+            made.subject = (bytes[1] + i) % geoms;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                made.value[axis] = coordinate(static_cast<std::uint8_t>(bytes[4 + axis] + 37 * i * (bytes[7] | 1)));
+            operations.push_back(made);
+            made.action = Action::drive;
+            made.number = bytes[2] % 4;
+            for (double &value : made.value)
+                value /= 32;
+            operations.push_back(made);
+        }
+    }
+
+    // `bytes` has bytes_per_operation.
     Operation operation(const std::uint8_t *bytes) const
     {
         Operation made;
@@ -59,14 +118,13 @@ public:
         return made;
     }
 
-private:
     // Into what the action takes.
     void fit(Operation &made, const std::uint8_t *bytes) const
     {
         switch (made.action)
         {
         case Action::make_geom:
-            made.object = bytes[2] % 16 == 15 ? -1 : bytes[2] % spaces;
+            made.object = bytes[2] % 16 == 15 ? -1 : measure_ == Measure::boxes ? bytes[2] % spaces : 0;
             made.number %= geom_kind_count;
             made.value[0] = (bytes[4] + 1) / 64.0;
             break;
@@ -175,6 +233,7 @@ private:
 
     Measure measure_;
     bool extremes_;
+    int crowds_ = 0;
 };
 } // namespace
 
@@ -184,14 +243,14 @@ FuzzedRun run_of_bytes(const std::uint8_t *data, std::size_t size)
     if (size == 0)
         return run;
     const int settings = data[0];
-    const Decoder decoder(data[0]);
+    Decoder decoder(data[0]);
     run.terms.measure = decoder.measure();
     run.history.contacts = (settings & with_contacts) != 0;
     run.history.gravity = (settings & with_gravity) != 0 ? 9.81 : 0;
     run.history.auto_disable = (settings & with_sleep) != 0;
     const std::size_t count = std::min((size - 1) / bytes_per_operation, most_operations);
     for (std::size_t i = 0; i < count; ++i)
-        run.history.operations.push_back(decoder.operation(data + 1 + i * bytes_per_operation));
+        decoder.append(data + 1 + i * bytes_per_operation, run.history.operations);
     run.history.operations.push_back({}); // a tick
     return run;
 }

@@ -16,8 +16,9 @@ struct FuzzedRun
     Terms terms;
 };
 
-/// One byte of settings, then eight bytes for each operation: action, subject, object, number and four values. What is behind the
-/// 200th operation is ignored. All bytes mean something, and the operations are legal ones.
+/// One byte of settings, then eight bytes for each operation: action, subject, object, number and four values. The last
+/// actions stand for many operations each. What is behind the 200th is ignored. All bytes mean something, and the operations are
+/// legal ones.
 FuzzedRun run_of_bytes(const std::uint8_t *data, std::size_t size);
 } // namespace ode_predictive_space
 
