@@ -221,7 +221,7 @@ constexpr Scene scenes[] = {
     {"teleports", 400, dPredictiveProximityBox, teleport, 4679123595683022244u},
     {"churn", 300, dPredictiveProximityBox, come_and_go, 5554845175376287132u},
     {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 12189448932214939159u},
-    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 3956834256410040403u},
+    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 3821319951906683825u},
 };
 
 class GoldenScene : public OdeTest, public testing::WithParamInterface<Scene>

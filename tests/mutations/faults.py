@@ -247,7 +247,9 @@ def shape_faults():
     proximity = (("shape_contract", "ShapeProximity.*"),)
     contacts = (("shape_contract", "ShapeContacts.AreThose*"),)
     hull_data = (("shape_contract", "HullData.*"),)
-    yield Fault("dropped_margin", "shapes", test, "const double margin = margin_ + ", "const double margin = ", proximity)
+    yield Fault(
+        "dropped_margin", "shapes", test, "touching_distance(first, second, margin_)", "touching_distance(first, second, 0)",
+        proximity)
     yield Fault(
         "dropped_slack_of_contacts", "shapes", test, " + contact_slack * std::min(first.size, second.size)", "", proximity)
     yield Fault(
@@ -355,21 +357,24 @@ def space_faults():
         "meshes_not_polled", "space", space, "if (geoms_[id]->type == dTriMeshClass || IS_SPACE(geoms_[id]))",
         "if (IS_SPACE(geoms_[id]))", contract("Contract.12_*"))
     yield Fault(
-        "new_geoms_missed_by_queries", "space", space, "unprepared_ = true;\n    caught_up_ = false;", "unprepared_ = true;",
+        "new_geoms_missed_by_queries", "space", space, "unprepared_ = true;\n    forget_catching_up();", "unprepared_ = true;",
         contract("Contract.09_*"))
     yield Fault(
-        "query_reports_what_is_apart", "space", space, "&& now.overlap(other, geom) &&", "&&", contract("Contract.09_*"))
+        "query_reports_what_is_apart", "space", space, "if (now.overlap(other, geom) && wants_callback(other, geom))",
+        "if (wants_callback(other, geom))", contract("Contract.09_*"))
     yield Fault(
         "query_with_a_stale_box", "space", space,
-        "geom->recomputeAABB();\n    const bool as_line", "const bool as_line", contract("Contract.09_*"))
+        "if (flags_beside_others(geom) & GEOM_AABB_BAD)\n        compute_box_of_probe(geom);\n    const bool as_line",
+        "const bool as_line", contract("Contract.09_*"))
     yield Fault(
         "tick_within_a_tick", "space", space, "const bool nested_call = lock_count > 0;",
         "const bool nested_call = false;", contract("Contract.08_*"))
     yield Fault(
-        "reports_without_the_lock", "space", space, "Lock lock(this);\n    poll_moves();", "poll_moves();",
+        "reports_without_the_lock", "space", space, "const Lock lock(this);\n    std::size_t count = 0;", "std::size_t count = 0;",
         contract("Contract.07_*"))
     yield Fault(
-        "outer_list_overwritten", "space", space, "std::vector<ProxyId> found = std::exchange(found_, {});",
+        "outer_list_overwritten", "space", space,
+        "std::vector<ProxyId> found = lock.is_only_one ? std::exchange(found_, {}) : std::vector<ProxyId>();",
         "std::vector<ProxyId> &found = found_;", contract("Contract.08_*"))
     yield Fault(
         "ignored_turn", "space", scene,
@@ -380,8 +385,8 @@ def space_faults():
         contract("EveryPlaceableClass*:Notice.*") + (HISTORIES,))
     yield Fault(
         "nested_spaces_not_cleaned", "space", scene,
-        "if (IS_SPACE(geom))\n        static_cast<dxSpace *>(geom)->cleanGeoms();\n    geom->recomputeAABB();",
-        "geom->recomputeAABB();", contract("Contract.11_*"))
+        "if (IS_SPACE(geom))\n        static_cast<dxSpace *>(geom)->cleanGeoms();\n    compute_box_beside_others(geom);",
+        "compute_box_beside_others(geom);", contract("Contract.11_*"))
     yield Fault(
         "lost_resize", "space", space, "set->resize(size);", "(void)set;", contract("Contract.02_*"))
 
