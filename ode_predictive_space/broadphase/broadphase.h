@@ -120,7 +120,7 @@ public:
     /// apart over their horizons. Both are predicted, and their shapes are up to date.
     std::optional<double> time_of_contact(ProxyId first, ProxyId second) const;
 
-    /// The same for now, whether or not they are predicted.
+    /// By the shape test: whether the shapes of two objects may touch now. The objects need no predictions; their shapes are up to date.
     bool may_touch(ProxyId first, ProxyId second) const;
 
     /// Predictions are asked for: has them made in the next update if there are none because most objects are new.

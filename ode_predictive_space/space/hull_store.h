@@ -28,9 +28,9 @@ struct DataHull : VertexHull
     DataHull(VertexHull &&points, const DataKey &data) : VertexHull(std::move(points)), key(data) {}
 
     DataKey key;
-    double least_normal =
-        std::numeric_limits<double>::infinity(); ///< of a mesh: twice the area of its smallest triangle
-    bool outdated = false;                       ///< the data have been changed in place
+    /// Twice the area of the smallest triangle of a mesh; infinite for a convex.
+    double least_normal = std::numeric_limits<double>::infinity();
+    bool outdated = false; ///< the data have been changed in place
 };
 
 /// A hull lives as long as a shape of a geom has it.

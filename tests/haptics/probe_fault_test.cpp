@@ -128,6 +128,19 @@ TEST_F(ProbeFaultTest, AtTheEndThereIsNoForceAndWhatWasOpenStaysOpen)
     }
     EXPECT_FALSE(scripted_.status().open);
 }
+
+void expect_no_force_without_a_geom(HapticProbe &probe, const ScriptedDevice &device)
+{
+    EXPECT_EQ(probe.geom(), nullptr);
+    for (int tick = 0; tick < 10; ++tick)
+    {
+        probe.begin(tick_length * tick);
+        EXPECT_TRUE(probe.encounters().empty());
+        probe.render(tick_length);
+    }
+    EXPECT_TRUE(device.last_wrench().force.isZero(0));
+}
+
 // ODE crashed there, without a word.
 TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedFirstIsTold)
 {
@@ -140,14 +153,7 @@ TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedFirstIsTold)
         {
             HapticProbe probe(device, space, probe_radius, with_stiffness(800, notices.sink()));
             dSpaceDestroy(space);
-            EXPECT_EQ(probe.geom(), nullptr);
-            for (int tick = 0; tick < 10; ++tick)
-            {
-                probe.begin(tick_length * tick);
-                EXPECT_TRUE(probe.encounters().empty());
-                probe.render(tick_length);
-            }
-            EXPECT_TRUE(device.last_wrench().force.isZero(0));
+            expect_no_force_without_a_geom(probe, device);
         }
         EXPECT_EQ(notices.count(NoticeKind::contact), 1);
     }
@@ -165,14 +171,7 @@ TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedWithAGeomOfTheProgramIsTold)
             HapticProbe probe(device, dCreateCapsule(space, probe_radius, 0.01), with_stiffness(800, notices.sink()));
             EXPECT_NE(probe.geom(), nullptr);
             dSpaceDestroy(space);
-            EXPECT_EQ(probe.geom(), nullptr);
-            for (int tick = 0; tick < 10; ++tick)
-            {
-                probe.begin(tick_length * tick);
-                EXPECT_TRUE(probe.encounters().empty());
-                probe.render(tick_length);
-            }
-            EXPECT_TRUE(device.last_wrench().force.isZero(0));
+            expect_no_force_without_a_geom(probe, device);
         }
         EXPECT_EQ(notices.count(NoticeKind::contact), 1);
     }
