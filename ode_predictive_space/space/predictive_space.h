@@ -92,40 +92,43 @@ private:
         bool is_only_one; // when it was made
     };
 
-    class Turn;
-    class Work;
-
     using ProxyId = ode_predictive_space::ProxyId;
 
     static ProxyId proxy_of(const dxGeom *geom);
     ode_predictive_space::GeomScene scene() const;
-    bool by_shape() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::shape; }
-    void follow_shapes(const std::vector<ProxyId> &ids, ode_predictive_space::GeomScene &now);
-    std::optional<double> time_of_proximity(ProxyId one, ProxyId other, const ode_predictive_space::GeomScene &now,
-                                            double *apart_until) const;
-    std::size_t find_reported(bool nested_call, std::vector<ode_predictive_space::CandidatePair> &pairs);
-    void call_back(const ode_predictive_space::CandidatePair &pair, void *data, dNearCallback *callback);
-    void look_closely(dxGeom *geom);
-    void note_disabled(ProxyId id);
+
+    // query.cpp
     bool is_caught_up() const;
     bool is_silently_changed() const;
     bool catch_up_alone(const char *function);
     bool is_free(const char *function) const;
-    void forget_catching_up() { caught_up_.store(false, std::memory_order_relaxed); }
     void compute_box(dxGeom *geom);
     void compute_box_of_probe(dxGeom *geom);
     void predict_when_asked_often();
     void count_question();
     void find_near(dxGeom *geom, std::vector<ProxyId> &found);
-    void prepare();
-    void poll_moves();
-    void note_change(ProxyId id);
-    void fit_to_proxies();
+
+    // inquiry.cpp
+    bool by_shape() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::shape; }
+    void follow_shapes(const std::vector<ProxyId> &ids, ode_predictive_space::GeomScene &now);
+    std::optional<double> time_of_proximity(ProxyId one, ProxyId other, const ode_predictive_space::GeomScene &now,
+                                            double *apart_until) const;
     std::vector<ProxyId> members() const;
     Violation find_misplaced(const std::vector<ProxyId> &members, ode_predictive_space::GeomScene &now) const;
     Violation find_missing_pair(const std::vector<ProxyId> &members, const ode_predictive_space::GeomScene &now) const;
     Violation find_touching(ode_predictive_space::GeomScene &now);
     bool lies_in_envelope(ProxyId id, ode_predictive_space::GeomScene &now) const;
+
+    // predictive_space.cpp
+    std::size_t find_reported(bool nested_call, std::vector<ode_predictive_space::CandidatePair> &pairs);
+    void call_back(const ode_predictive_space::CandidatePair &pair, void *data, dNearCallback *callback);
+    void look_closely(dxGeom *geom);
+    void note_disabled(ProxyId id);
+    void forget_catching_up() { caught_up_.store(false, std::memory_order_relaxed); }
+    void prepare();
+    void poll_moves();
+    void note_change(ProxyId id);
+    void fit_to_proxies();
 
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // by proxy number; 0 for gaps

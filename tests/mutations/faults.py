@@ -336,18 +336,20 @@ def sweep_faults():
 
 def space_faults():
     space = SOURCES + "space/predictive_space.cpp"
+    query = SOURCES + "space/query.cpp"
+    filters = SOURCES + "space/pair_filter.h"
     scene = SOURCES + "space/geom_scene.cpp"
     contract = lambda pattern: (("contract", pattern),)
     yield Fault(
         "deaf_after_the_first_move", "space", space, "return look_closely(geom);\n    listen_to(geom);",
         "return look_closely(geom);", contract("Contract.01_*:Notice.*"))
     yield Fault(
-        "swapped_bits", "space", space,
+        "swapped_bits", "space", filters,
         "((first->category_bits & second->collide_bits) | (second->category_bits & first->collide_bits))",
         "((first->category_bits & second->category_bits) | (second->collide_bits & first->collide_bits))",
         contract("Contract.01_*"))
     yield Fault(
-        "pairs_of_one_body", "space", space, "if (first->body == second->body && first->body)",
+        "pairs_of_one_body", "space", filters, "if (first->body == second->body && first->body)",
         "if (first == second && first->body)", contract("Contract.01_*"))
     yield Fault("missed_removal", "space", space, "broadphase_.remove(id);", "", contract("Contract.03_*:Notice.*"))
     yield Fault(
@@ -360,10 +362,10 @@ def space_faults():
         "new_geoms_missed_by_queries", "space", space, "unprepared_ = true;\n    forget_catching_up();", "unprepared_ = true;",
         contract("Contract.09_*"))
     yield Fault(
-        "query_reports_what_is_apart", "space", space, "if (now.overlap(other, geom) && wants_callback(other, geom))",
+        "query_reports_what_is_apart", "space", query, "if (now.overlap(other, geom) && wants_callback(other, geom))",
         "if (wants_callback(other, geom))", contract("Contract.09_*"))
     yield Fault(
-        "query_with_a_stale_box", "space", space,
+        "query_with_a_stale_box", "space", query,
         "if (flags_beside_others(geom) & GEOM_AABB_BAD)\n        compute_box_of_probe(geom);\n    const bool as_line",
         "const bool as_line", contract("Contract.09_*"))
     yield Fault(
@@ -373,7 +375,7 @@ def space_faults():
         "reports_without_the_lock", "space", space, "const Lock lock(this);\n    std::size_t count = 0;", "std::size_t count = 0;",
         contract("Contract.07_*"))
     yield Fault(
-        "outer_list_overwritten", "space", space,
+        "outer_list_overwritten", "space", query,
         "std::vector<ProxyId> found = lock.is_only_one ? std::exchange(found_, {}) : std::vector<ProxyId>();",
         "std::vector<ProxyId> &found = found_;", contract("Contract.08_*"))
     yield Fault(
