@@ -42,7 +42,8 @@ public:
     /// whole program.
     ///
     /// @throws DeviceError missing_library (this was built without libspnav), missing_file (no server at the socket),
-    /// permission_denied (the socket's, or libspnav's connection is taken), not_found (the server has no mouse), lost.
+    /// permission_denied (the socket's, libspnav's connection is taken, or SPNAV_SOCKET is set in a set-user-ID program),
+    /// not_found (the server has no mouse), lost.
     void open() override;
     void close() noexcept override;
     const Capabilities &capabilities() const override { return capabilities_; }

@@ -55,6 +55,19 @@ DeviceError server_error(const std::string &path, int error)
             "3D mouse: no connection to spacenavd at " + path + ": " + reason};
 }
 
+/// What SPNAV_SOCKET names; empty when it names nothing.
+/// @throws DeviceError in a set-user-ID program, where the environment is the attacker's: libspnav would follow it all the same.
+std::string named_socket()
+{
+    const char *named = std::getenv("SPNAV_SOCKET");
+    if (named != nullptr && secure_getenv("SPNAV_SOCKET") == nullptr)
+    {
+        throw DeviceError(DeviceFault::permission_denied,
+                          "3D mouse: SPNAV_SOCKET is set, which a set-user-ID program does not follow");
+    }
+    return named != nullptr ? named : "";
+}
+
 /// @throws DeviceError when there is no server.
 void open_library()
 {
@@ -63,8 +76,8 @@ void open_library()
         throw DeviceError(DeviceFault::permission_denied,
                           "3D mouse: another device of this program uses libspnav, which has but one connection");
     }
-    const char *named = std::getenv("SPNAV_SOCKET");
-    const bool is_named = named != nullptr && *named != 0;
+    const std::string named = named_socket();
+    const bool is_named = !named.empty();
     const std::string path = is_named ? named : usual_socket;
     const int error = connect_error(path);
     // libspnav would fall back on another server than the named one. And it loses memory at each open that fails.

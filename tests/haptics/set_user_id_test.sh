@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# A set-user-ID program does not follow SPNAV_SOCKET; the same program without set-user-ID does. Giving a file to a user and
+# running it as another one takes the superuser.
+# Usage: set_user_id_test.sh PROGRAM
+
+set -euo pipefail
+
+folder=$(mktemp --directory)
+trap 'rm -rf "$folder"' EXIT
+chmod 755 "$folder"
+export SPNAV_SOCKET=$folder/none.sock
+
+# expect <mode of the program> <text>
+expect() {
+    local output
+    install --mode="$1" "$program" "$folder/program"
+    output=$(setpriv --reuid=65534 --regid=65534 --clear-groups "$folder/program")
+    if [[ $output != *"$2"* ]]; then
+        printf 'mode %s: "%s" instead of "%s"\n' "$1" "$output" "$2" >&2
+        exit 1
+    fi
+}
+
+program=$1
+expect 0755 "$SPNAV_SOCKET: No such file"
+expect 4755 "SPNAV_SOCKET is set, which a set-user-ID program does not follow"
