@@ -20,7 +20,7 @@ class Comparison
 {
 public:
     /// @param expected found before the collide.
-    /// @param contacts_only pairs may be left out that have no contact.
+    /// @param contacts_only pairs may be left out that have no contact now, before the program's callbacks move anything.
     Comparison(const std::vector<Pair> &expected, bool contacts_only);
 
     /// A pair is reported; called before the program's callback is.
@@ -31,9 +31,9 @@ public:
 
 private:
     std::set<Pair> expected_;
+    std::set<Pair> required_; // of the expected ones, those that must not be left out
     std::set<Pair> reported_;
     std::vector<Difference> differences_;
-    bool contacts_only_;
 };
 } // namespace ode_predictive_space::preload
 

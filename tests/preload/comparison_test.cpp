@@ -66,5 +66,20 @@ TEST_F(PreloadComparison, BySpheresMissesContactsOnly)
     Comparison with_contact(expected, true);
     EXPECT_EQ(found(with_contact), "not reported;");
 }
+
+// The contacts were looked for after the callbacks, which may move geoms.
+TEST_F(PreloadComparison, ByContactsCountsThoseFromBeforeTheCallbacks)
+{
+    Comparison parted(expected, true);
+    parted.note(geoms[0], geoms[1]);
+    dGeomSetPosition(geoms[2], 9, 0, 0);
+    EXPECT_EQ(found(parted), "not reported;");
+
+    dGeomSetPosition(geoms[2], 1.5 + 1.9, 1.9, 0); // boxes overlap, spheres do not
+    Comparison met(expected_pairs(space), true);
+    met.note(geoms[0], geoms[1]);
+    dGeomSetPosition(geoms[2], 3, 0, 0);
+    EXPECT_EQ(found(met), "");
+}
 } // namespace
 } // namespace ode_predictive_space::preload
