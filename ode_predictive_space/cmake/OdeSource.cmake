@@ -1,0 +1,35 @@
+# The installed ODE, and the source of the very same version, where it is at hand.
+#
+# Defines ODE::ODE and ODE_SOURCE_FOUND. The libraries need no source. The demo's window and ODE's demos are built from it, and
+# tests compare the layout of ODE's classes with it. ODE_SOURCE_DIR (a CMake variable or an environment variable) says where
+# it is, and is empty to go without; `./run` puts the source where it is looked for by default.
+
+find_package(ODE 0.15 REQUIRED GLOBAL)
+
+set(default_folder "${PROJECT_SOURCE_DIR}/build/ode-source/ode-${ODE_VERSION}")
+if(DEFINED ENV{ODE_SOURCE_DIR})
+    set(default_folder "$ENV{ODE_SOURCE_DIR}")
+elseif(NOT EXISTS "${default_folder}")
+    set(default_folder "")
+endif()
+set(ODE_SOURCE_DIR
+    "${default_folder}"
+    CACHE PATH "Top folder of ODE's source, in the version of the installed ODE; empty to go without")
+
+set(ODE_SOURCE_FOUND FALSE)
+if(NOT ODE_SOURCE_DIR)
+    message(STATUS "Without ODE's source (ODE_SOURCE_DIR): no window for the demo, and no tests that need the source")
+    return()
+endif()
+
+if(NOT EXISTS "${ODE_SOURCE_DIR}/ode/src/collision_kernel.h" OR NOT EXISTS "${ODE_SOURCE_DIR}/configure.ac")
+    message(FATAL_ERROR "There is no source of ODE in ODE_SOURCE_DIR (${ODE_SOURCE_DIR}). It may be empty: the libraries "
+                        "need no source.")
+endif()
+file(STRINGS "${ODE_SOURCE_DIR}/configure.ac" ODE_SOURCE_VERSION REGEX "^AC_INIT")
+string(REGEX REPLACE "^AC_INIT\\(\\[?ODE\\]?, *\\[?([0-9.]+).*" "\\1" ODE_SOURCE_VERSION "${ODE_SOURCE_VERSION}")
+if(NOT ODE_SOURCE_VERSION VERSION_EQUAL ODE_VERSION)
+    message(FATAL_ERROR "The source of ODE in ODE_SOURCE_DIR (${ODE_SOURCE_DIR}) is version ${ODE_SOURCE_VERSION}, but "
+                        "the installed headers (${ODE_INCLUDE_DIR}/ode) are version ${ODE_VERSION}.")
+endif()
+set(ODE_SOURCE_FOUND TRUE)

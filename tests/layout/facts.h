@@ -1,0 +1,13 @@
+#ifndef TESTS_LAYOUT_FACTS_H
+#define TESTS_LAYOUT_FACTS_H
+
+#include <map>
+#include <string>
+
+/// What a compiler makes of the declarations of ODE's classes: offsets, sizes, places of virtual functions, numbers.
+using LayoutFacts = std::map<std::string, long>;
+
+LayoutFacts facts_of_odes_headers();
+LayoutFacts facts_of_our_header();
+
+#endif
