@@ -33,7 +33,8 @@ public:
         {
             if ((geom->gflags & GEOM_PLACEABLE) != 0)
             {
-                const dReal *position = geom->buildUpdatedPosition();
+                geom->recomputePosr();
+                const dReal *position = geom->final_posr->pos;
                 sum += position[0] + position[1] + position[2];
             }
         }

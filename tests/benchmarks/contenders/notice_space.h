@@ -3,11 +3,12 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_NOTICE_SPACE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_NOTICE_SPACE_H
 
-#include "ode_predictive_space/space/ode_internals.h"
-
-#include <collision_space_internal.h>
 #include <cstdint>
 #include <vector>
+
+#include "ode_predictive_space/space/geom_scene.h"
+#include "ode_predictive_space/space/ode_internals.h"
+#include "ode_predictive_space/space/pair_filter.h"
 
 namespace ode_predictive_space::benchmarks
 {
@@ -45,10 +46,9 @@ protected:
     /// The last test, the same as in ODE's own spaces: bits, bodies, boxes.
     static void report(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback)
     {
-        if (is_enabled(first) && is_enabled(second))
-        {
-            collideAABBs(first, second, data, callback);
-        }
+        if (is_enabled(first) && is_enabled(second) && bits_agree(first, second) && aabbs_overlap(first, second) &&
+            wants_callback(first, second))
+            callback(data, first, second);
     }
 
     /// Keeps the space locked, as ODE's own are while they work.
