@@ -127,10 +127,16 @@ std::vector<ProxyId> World::members() const
 
 Pairs World::overlapping() const
 {
-    return all_pairs(objects_.size(), [this](ProxyId first, ProxyId second) {
-        return present_[first] && present_[second] && objects_[first].enabled && objects_[second].enabled &&
-               boxes_and_spheres_overlap(first, second);
-    });
+    std::vector<ProxyId> ids = members();
+    ids.erase(std::remove_if(ids.begin(), ids.end(), [this](ProxyId id) { return !objects_[id].enabled; }), ids.end());
+    std::vector<Box> boxes;
+    std::transform(ids.begin(), ids.end(), std::back_inserter(boxes), [this](ProxyId id) { return box_of(id); });
+    Pairs pairs;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        for (std::size_t j = i + 1; j < ids.size(); ++j)
+            if (boxes_overlap(boxes[i], boxes[j]) && boxes_and_spheres_overlap(ids[i], ids[j]))
+                pairs.emplace_back(ids[i], ids[j]);
+    return pairs;
 }
 
 // An object without a prediction is in no envelope; in the mode `predicting` there is none.
