@@ -1,4 +1,5 @@
-// The scenes whose objects follow a motion that nothing disturbs: gas, game, still, probe, churn, explosion, teleport.
+// The scenes whose objects follow a motion that nothing disturbs: gas, game, classes, still, probe, churn, explosion,
+// teleport.
 //
 // Their bodies are moved by dBodySetPosition() and dBodySetQuaternion() and have the velocities of that motion; their world is
 // never stepped, and objects fly through one another.
