@@ -1,0 +1,87 @@
+// A scene in one predictive space that lives on while geoms come, go and change their size.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_SOAK_CHURNED_SCENE_H
+#define ODE_PREDICTIVE_SPACE_TESTS_SOAK_CHURNED_SCENE_H
+
+#include "demos/scenes/scene.h"
+#include "demos/scenes/spaces.h"
+#include "ode_predictive_space/haptics/random.h"
+#include "tests/soak/pair_oracle.h"
+
+#include <memory>
+#include <vector>
+
+namespace ode_predictive_space::soak
+{
+/// Beside the geoms of the scene there are transients: spheres, boxes and capsules of the test's own, half of which move along
+/// circles. Every few ticks one of these happens, chosen at random: a geom of the scene or a transient leaves the space and
+/// returns, at once or some ticks later; a transient is destroyed and another one made; a transient gets another size. The
+/// scene does not see the transients.
+class ChurnedScene
+{
+public:
+    /// @param ticks_per_copy after so many ticks the scene is destroyed and made anew, in the same space; 0: never. For scenes
+    ///        that do not stay as they begin, or that keep a list of all geoms that there ever were.
+    ChurnedScene(const scenes::SceneSpec &spec, scenes::SpaceKind kind, int ticks_per_copy);
+    ~ChurnedScene();
+    ChurnedScene(const ChurnedScene &) = delete;
+    ChurnedScene &operator=(const ChurnedScene &) = delete;
+
+    /// Motion, changes, dSpaceCollide(), dSpaceCollide2() for each query of the scene, contacts.
+    void tick();
+
+    /// Compare what the last tick reported with what it must have reported.
+    ///
+    /// @return "" when it is right, else what is wrong.
+    std::string wrong_pairs() const;
+
+    dSpaceID space() const { return space_.get(); }
+
+    /// What dSpaceCollide() reported in the last tick, sorted.
+    const std::vector<scenes::IndexPair> &pairs() const { return pairs_; }
+
+private:
+    struct Transient
+    {
+        dGeomID geom;
+        scenes::Vector3 home;
+        double radius; ///< of its circle; 0 when it does not move
+    };
+    struct Absent
+    {
+        bool is_transient;
+        std::size_t number;
+        int return_tick;
+    };
+
+    void renew_scene();
+    Transient make_transient(std::size_t number);
+    dGeomID make_geom();
+    double any_size();
+    void place(const Transient &transient) const;
+    void change();
+    void leave(bool is_transient, bool for_long);
+    void return_due();
+    void replace_transient();
+    void resize_transient();
+    void collide();
+    void respond();
+    dGeomID geom(bool is_transient, std::size_t number) const;
+    std::vector<dGeomID> geoms_inside() const;
+
+    scenes::SceneFactory factory_;
+    scenes::OwnedSpace space_; // before what is in it
+    std::unique_ptr<scenes::Scene> scene_;
+    int ticks_per_copy_;
+    bool by_shapes_;
+    haptics::Random random_;
+    std::vector<Transient> transients_;
+    std::vector<Absent> absent_;
+    scenes::PairList list_;
+    std::vector<scenes::IndexPair> pairs_;   ///< see pairs()
+    std::vector<scenes::IndexPair> answers_; ///< of dSpaceCollide2(), sorted
+    int tick_ = 0;
+};
+} // namespace ode_predictive_space::soak
+
+#endif
