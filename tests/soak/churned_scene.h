@@ -21,7 +21,8 @@ class ChurnedScene
 {
 public:
     /// @param ticks_per_copy after so many ticks the scene is destroyed and made anew, in the same space; 0: never. For scenes
-    ///        that do not stay as they begin, or that keep a list of all geoms that there ever were.
+    ///        that do not stay as they begin (a pile settles further, an explosion drives all objects to the walls), or that
+    ///        keep all numbers or all reaches of a hand that there ever were.
     ChurnedScene(const scenes::SceneSpec &spec, scenes::SpaceKind kind, int ticks_per_copy);
     ~ChurnedScene();
     ChurnedScene(const ChurnedScene &) = delete;

@@ -212,18 +212,18 @@ TEST_P(Soak, PairsAreRightAndNothingGrows)
 constexpr Case cases[] = {
     {"gas", 100, 600000},           {"game", 100, 600000},
     {"classes", 100, 400000},       {"classes", 100, 200000, 0, SpaceKind::predictive_by_shapes},
-    {"pile", 100, 200000},          {"stack", 100, 200000, 2000},
+    {"pile", 100, 200000, 5000},    {"stack", 100, 200000, 2000},
     {"terrain", 100, 400000},       {"still", 100, 400000},
-    {"probe", 100, 400000},         {"mix", 100, 300000},
+    {"probe", 100, 400000, 25000},  {"mix", 100, 300000},
     {"churn", 100, 400000, 25000},  {"explosion", 100, 400000, 2000},
-    {"teleport", 100, 300000},      {"query", 100, 200000},
+    {"teleport", 100, 300000},      {"query", 100, 200000, 25000},
     {"gas", 1000, 700000},          {"game", 1000, 600000},
     {"classes", 1000, 200000},      {"classes", 1000, 200000, 0, SpaceKind::predictive_by_shapes},
-    {"pile", 1000, 20000},          {"stack", 1000, 40000, 2000},
+    {"pile", 1000, 20000, 1000},    {"stack", 1000, 40000, 2000},
     {"terrain", 1000, 500000},      {"still", 1000, 500000},
-    {"probe", 1000, 500000},        {"mix", 1000, 140000},
+    {"probe", 1000, 500000, 25000}, {"mix", 1000, 140000},
     {"churn", 1000, 500000, 25000}, {"explosion", 1000, 500000, 2000},
-    {"teleport", 1000, 200000},     {"query", 1000, 400000},
+    {"teleport", 1000, 200000},     {"query", 1000, 400000, 25000},
 };
 
 constexpr int ticks_of_cases(int least_objects)
@@ -240,11 +240,11 @@ static_assert(ticks_of_cases(1) == 10000000 && ticks_of_cases(1000) == 5000000);
 constexpr Case cases[] = {
     {"gas", 100, 40000},         {"game", 100, 40000},
     {"classes", 100, 20000},     {"classes", 100, 20000, 0, SpaceKind::predictive_by_shapes},
-    {"pile", 100, 8000},         {"stack", 100, 16000, 2000},
+    {"pile", 100, 8000, 1000},   {"stack", 100, 16000, 2000},
     {"terrain", 100, 20000},     {"still", 100, 40000},
     {"probe", 100, 40000},       {"mix", 100, 20000},
     {"churn", 100, 40000, 5000}, {"explosion", 100, 32000, 2000},
-    {"teleport", 100, 20000},    {"query", 100, 20000},
+    {"teleport", 100, 20000},    {"query", 100, 20000, 5000},
     {"gas", 1000, 20000},        {"still", 1000, 40000},
     {"game", 1000, 8000},
 };
