@@ -15,6 +15,7 @@ std::unique_ptr<Command> make_scene_command();
 std::unique_ptr<Command> make_instructions_command(bool whole = false);
 std::unique_ptr<Command> make_stepped_command();
 std::unique_ptr<Command> make_contact_command();
+std::unique_ptr<Command> make_limits_command();
 std::unique_ptr<Command> make_table1_command();
 std::unique_ptr<Command> make_ratios_command();
 std::unique_ptr<Command> make_sudden_command();

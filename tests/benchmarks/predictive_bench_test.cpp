@@ -47,6 +47,28 @@ TEST(PredictiveBench, WritesARecordPerContender)
     EXPECT_TRUE(records[1].at("bytes_per_geom").is_null());
 }
 
+TEST(PredictiveBench, WritesARecordPerSpaceAtALimit)
+{
+    const nlohmann::json records = results_of("limits --scenes spot:20,shuffled:30 --ticks 2 --quick");
+    ASSERT_EQ(records.size(), 4u);
+    EXPECT_EQ(records[0].at("space"), "predictive-box");
+    EXPECT_EQ(records[1].at("space"), "sap");
+    for (const nlohmann::json &record : records)
+    {
+        EXPECT_EQ(record.at("table"), "limits");
+        for (const char *name : {"fill_ms", "first_ms", "collide_ms", "empty_ms", "sap_ratio_collide"})
+        {
+            EXPECT_GT(record.at(name).get<double>(), 0) << name;
+        }
+    }
+    EXPECT_EQ(records[0].at("n"), 20);
+    EXPECT_EQ(records[0].at("pairs"), 20 * 19 / 2);
+    EXPECT_EQ(records[0].at("pair_hash"), records[1].at("pair_hash"));
+    EXPECT_EQ(records[2].at("scene"), "shuffled");
+    EXPECT_TRUE(
+        results_of("limits --scenes spot:20 --ticks 2 --quick --spaces simple")[0].at("sap_ratio_empty").is_null());
+}
+
 TEST(PredictiveBench, FailsWhenASpaceLosesPairs)
 {
     const std::string arguments = "scene game --n 40 --ticks 300 --spaces ";

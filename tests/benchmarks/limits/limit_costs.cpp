@@ -1,0 +1,123 @@
+#include "tests/benchmarks/limits/limit_costs.h"
+
+#include "demos/scenes/statistics.h"
+#include "tests/benchmarks/weight.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace ode_predictive_space::benchmarks
+{
+namespace
+{
+using namespace scenes;
+
+/// The processor time that this thread has used, in milliseconds.
+double processor_time()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+template <typename Action> double time_of(Action action)
+{
+    const double before = processor_time();
+    action();
+    return processor_time() - before;
+}
+
+/// Pairs of one tick, without a list: there may be fifty million.
+struct PairCount
+{
+    static void count(void *self, dGeomID, dGeomID) { ++static_cast<PairCount *>(self)->pairs; }
+
+    static void count_and_hash(void *self, dGeomID first, dGeomID second)
+    {
+        auto &counts = *static_cast<PairCount *>(self);
+        ++counts.pairs;
+        const auto [low, high] = std::minmax({geom_index(first), geom_index(second)});
+        counts.hash += hash_pairs({{low, high}});
+    }
+
+    std::uint64_t pairs = 0;
+    std::uint64_t hash = 0;
+};
+
+OwnedSpace make_space_of(SpaceKind kind)
+{
+    return OwnedSpace(make_space(kind, SceneFactory({"gas", 1})));
+}
+
+void run_ticks(LimitScene &scene, const Limit &limit, Costs &costs)
+{
+    PairCount counted;
+    costs.first = time_of([&] { scene.collide(&counted, &PairCount::count); });
+    for (int tick = 0; tick < limit.ticks; ++tick)
+    {
+        costs.move += time_of([&] { scene.advance(); }) / limit.ticks;
+        costs.collide += time_of([&] { scene.collide(&counted, &PairCount::count); }) / limit.ticks;
+    }
+    costs.heap += static_cast<std::int64_t>(heap_in_use());
+    PairCount last;
+    scene.collide(&last, &PairCount::count_and_hash);
+    costs.pairs = last.pairs;
+    costs.pair_hash = last.hash;
+}
+
+Costs median_of(const std::vector<Costs> &runs)
+{
+    const auto median = [&](double Costs::*member) {
+        std::vector<double> values;
+        for (const Costs &costs : runs)
+        {
+            values.push_back(costs.*member);
+        }
+        return summarise(values).median;
+    };
+    Costs result = runs.front();
+    for (double Costs::*member : {&Costs::fill, &Costs::first, &Costs::move, &Costs::collide, &Costs::empty})
+    {
+        result.*member = median(member);
+    }
+    return result;
+}
+} // namespace
+
+Costs measure_once(const Limit &limit, SpaceKind kind, bool collides)
+{
+    Costs costs;
+    costs.heap = -static_cast<std::int64_t>(heap_in_use());
+    const OwnedSpace space = make_space_of(kind);
+    std::unique_ptr<LimitScene> scene;
+    costs.fill = time_of([&] { scene = make_limit_scene(limit.scene, limit.objects, kind, space.get()); });
+    if (collides)
+    {
+        run_ticks(*scene, limit, costs);
+    }
+    else
+    {
+        costs.heap += static_cast<std::int64_t>(heap_in_use());
+    }
+    costs.empty = time_of([&] { scene->empty(); });
+    return costs;
+}
+
+std::vector<Costs> measure_by_turns(const Limit &limit, const std::vector<SpaceKind> &kinds)
+{
+    std::vector<std::vector<Costs>> runs(kinds.size());
+    for (int round = 0; round < limit.rounds; ++round)
+    {
+        for (std::size_t i = 0; i < kinds.size(); ++i)
+        {
+            runs[i].push_back(measure_once(limit, kinds[i]));
+        }
+    }
+    std::vector<Costs> medians;
+    for (const std::vector<Costs> &of_space : runs)
+    {
+        medians.push_back(median_of(of_space));
+    }
+    return medians;
+}
+} // namespace ode_predictive_space::benchmarks

@@ -1,0 +1,43 @@
+// What a space takes for a scene at a limit: from the first geom to the last.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_LIMITS_LIMIT_COSTS_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_LIMITS_LIMIT_COSTS_H
+
+#include "tests/benchmarks/limits/limit_scenes.h"
+
+#include <cstdint>
+
+namespace ode_predictive_space::benchmarks
+{
+/// Times are of the processor in this thread, in milliseconds.
+struct Costs
+{
+    double fill = 0;             ///< all geoms created in the space
+    double first = 0;            ///< the first collide
+    double move = 0;             ///< the motion of a later tick, with the notices to the space: the mean
+    double collide = 0;          ///< the collide of a later tick: the mean
+    double empty = 0;            ///< all geoms destroyed
+    std::int64_t heap = 0;       ///< bytes from the heap after the last tick, with the geoms
+    std::uint64_t pairs = 0;     ///< after the last tick
+    std::uint64_t pair_hash = 0; ///< of these pairs
+};
+
+/// What is measured.
+struct Limit
+{
+    std::string scene; ///< one of limit_scene_names()
+    int objects;
+    int ticks;  ///< after the first one
+    int rounds; ///< measurements per space
+};
+
+/// Fill an empty space with this scene, make its ticks, empty the space.
+///
+/// @param collides false: the geoms are made and destroyed only.
+Costs measure_once(const Limit &limit, scenes::SpaceKind kind, bool collides = true);
+
+/// Measure some spaces in turn, limit.rounds times: of each time the median. The load of the machine affects all of them alike.
+std::vector<Costs> measure_by_turns(const Limit &limit, const std::vector<scenes::SpaceKind> &kinds);
+} // namespace ode_predictive_space::benchmarks
+
+#endif
