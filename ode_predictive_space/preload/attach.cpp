@@ -55,7 +55,8 @@ void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback
 
 void keep_ledger_whole_in_children()
 {
-    pthread_atfork([] { watch->ledger().lock(); }, [] { watch->ledger().unlock(); }, [] { watch->ledger().unlock(); });
+    pthread_atfork([] { watch->ledger().lock(); }, [] { watch->ledger().unlock(); },
+                   [] { watch->ledger().begin_in_child(); });
 }
 
 // Both checks of ODE, ours and the plugin's, ask the dynamic linker for the objects of the process. Here it holds its lock

@@ -1,68 +1,17 @@
 #include "ode_predictive_space/preload/ledger.h"
 
-#include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 
-#include "ode_predictive_space/preload/settings.h"
+#include <unistd.h>
 
 namespace ode_predictive_space::preload
 {
-namespace
+Ledger::Ledger() : file_(CountsFile::open(secure_getenv(counts_variable)))
 {
-template <typename... Arguments> std::string formatted(const char *format, Arguments... arguments)
-{
-    char text[512];
-    std::snprintf(text, sizeof text, format, arguments...);
-    return text;
-}
-
-std::string times_line(const char *function, const CallTimes &times)
-{
-    if (times.calls == 0)
-        return "";
-    const double mean = times.total / static_cast<double>(times.calls);
-    return formatted("; %s %lu calls, %.3f ms (mean %.3f us, median %.3f us, largest %.3f us), callbacks %.3f ms",
-                     function, times.calls, 1e3 * times.total, 1e6 * mean, 1e6 * times.median(), 1e6 * times.largest,
-                     1e3 * times.in_callbacks);
-}
-
-std::string space_line(const SpaceRecord &record)
-{
-    const char *kind = name_of_space_class(record.space_class);
-    const char *served = !record.predictive                               ? "ODE's own"
-                         : record.proximity == dPredictiveProximitySphere ? "predictive by spheres"
-                         : record.proximity == dPredictiveProximityShape  ? "predictive by shapes"
-                                                                          : "predictive by boxes";
-    return formatted("  space %d: %s, %s; at most %d geoms, %lu pairs", record.number, kind, served, record.most_geoms,
-                     record.reported) +
-           times_line("dSpaceCollide", record.collide) + times_line("dSpaceCollide2", record.collide2) + "\n";
-}
-
-std::string counters_line(const dPredictiveSpaceStats &stats)
-{
-    return formatted("    ticks %lu, moved %lu, verified %lu, violations %lu, re-predictions %lu, scheduled %lu, "
-                     "woken %lu, near %lu, scans %lu, bytes %lu\n",
-                     stats.ticks, stats.moved, stats.verified, stats.violations, stats.repredictions, stats.scheduled,
-                     stats.woken, stats.near, stats.scans, stats.bytes);
-}
-} // namespace
-
-void CallTimes::add(double seconds, double callback_seconds)
-{
-    ++calls;
-    total += seconds;
-    largest = std::max(largest, seconds);
-    in_callbacks += callback_seconds;
-    if (calls <= 1000000)
-        first_calls.push_back(static_cast<float>(seconds));
-}
-
-double CallTimes::median() const
-{
-    std::vector<float> sorted = first_calls;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return sorted.empty() ? 0 : *middle;
+    if (file_)
+        process_ = file_->new_process();
 }
 
 void Ledger::made(dSpaceID space)
@@ -71,47 +20,72 @@ void Ledger::made(dSpaceID space)
     enter(space);
 }
 
-SpaceRecord &Ledger::record_of(dSpaceID space)
+KnownSpace &Ledger::known(dSpaceID space)
 {
     const auto found = current_.find(space);
-    return found != current_.end() ? *found->second : enter(space);
+    if (found == current_.end())
+        return enter(space);
+    if (!found->second.counts)
+        found->second.counts = begin_counts(space, found->second.number);
+    return found->second;
 }
 
-SpaceRecord &Ledger::enter(dSpaceID space)
+KnownSpace &Ledger::enter(dSpaceID space)
 {
-    SpaceRecord record{};
-    record.number = static_cast<int>(records_.size()) + 1;
-    record.space_class = dSpaceGetClass(space);
-    record.predictive = dSpaceIsPredictive(space) != 0;
-    if (record.predictive)
-        record.proximity = dPredictiveSpaceGetProximity(space);
-    records_.push_back(record);
-    current_[space] = &records_.back();
-    return records_.back();
+    ++made_;
+    return current_[space] = {made_, begin_counts(space, made_), {}, {}};
 }
 
-std::string Ledger::statistics()
+SpaceCounts *Ledger::begin_counts(dSpaceID space, int number)
+{
+    if (number > last_space_with_page && !counts_.empty() && counts_.back()->number >= last_space_with_page)
+        return counts_.back();
+    SpaceCounts *counts = new_page();
+    counts->process = process_;
+    counts->process_id = getpid();
+    std::snprintf(counts->program, sizeof counts->program, "%s", program_invocation_short_name);
+    counts->number = number;
+    counts->space_class = dSpaceGetClass(space);
+    counts->predictive = dSpaceIsPredictive(space);
+    if (counts->predictive)
+        counts->proximity = dPredictiveSpaceGetProximity(space);
+    counts->state = PageState::counting;
+    counts_.push_back(counts);
+    return counts;
+}
+
+SpaceCounts *Ledger::new_page()
+{
+    SpaceCounts *page = file_ ? file_->take_page() : nullptr;
+    return page ? page : &own_pages_.emplace_back();
+}
+
+void Ledger::begin_in_child()
+{
+    if (file_)
+        process_ = file_->new_process();
+    counts_.clear();
+    for (auto &each : current_)
+    {
+        each.second.counts = nullptr;
+        each.second.before_fork = each.second.latest;
+    }
+    mutex_.unlock();
+}
+
+std::vector<SpaceCounts *> Ledger::all()
 {
     const std::lock_guard<std::mutex> guard(mutex_);
-    std::string text;
-    for (const SpaceRecord &record : records_)
-    {
-        text += space_line(record);
-        if (record.stats.ticks > 0)
-            text += counters_line(record.stats);
-    }
-    return text;
+    return counts_;
 }
 
-std::string Ledger::comparison()
+dPredictiveSpaceStats since(const dPredictiveSpaceStats &before, dPredictiveSpaceStats now)
 {
-    const std::lock_guard<std::mutex> guard(mutex_);
-    unsigned long compared = 0, differences = 0;
-    for (const SpaceRecord &record : records_)
-    {
-        compared += record.compared;
-        differences += record.differences;
-    }
-    return formatted("  compared with all pairs: %lu collides, %lu differences\n", compared, differences);
+    for (unsigned long dPredictiveSpaceStats::*counter :
+         {&dPredictiveSpaceStats::ticks, &dPredictiveSpaceStats::moved, &dPredictiveSpaceStats::verified,
+          &dPredictiveSpaceStats::violations, &dPredictiveSpaceStats::repredictions, &dPredictiveSpaceStats::woken,
+          &dPredictiveSpaceStats::reported, &dPredictiveSpaceStats::scans})
+        now.*counter -= before.*counter;
+    return now;
 }
 } // namespace ode_predictive_space::preload

@@ -6,12 +6,12 @@
 #include <optional>
 
 #include <cerrno>
-#include <cstring>
 #include <unistd.h>
 
 #include <ode/collision.h>
 
 #include "ode_predictive_space/preload/comparison.h"
+#include "ode_predictive_space/preload/report.h"
 #include "ode_predictive_space/preload/say.h"
 
 namespace ode_predictive_space::preload
@@ -55,18 +55,6 @@ std::string described(dGeomID geom)
                   b[2], b[3], b[4], b[5]);
     return text;
 }
-
-// Without a buffer: each text is written at once and in one piece, also when other processes write to the same file, and when
-// this one forks there is nothing left that its child would write again.
-std::FILE *appended(const std::string &path)
-{
-    std::FILE *file = std::fopen(path.c_str(), "ae");
-    if (file)
-        std::setvbuf(file, nullptr, _IONBF, 0);
-    else
-        say("%s cannot be written: %s", path.c_str(), std::strerror(errno));
-    return file;
-}
 } // namespace
 
 // One call of dSpaceCollide() or dSpaceCollide2() on its way through the watch.
@@ -76,7 +64,7 @@ struct Watch::Call
     const char *function;
     std::function<void(void *, dNearCallback *)> native;
     std::function<std::vector<Pair>()> expected;
-    CallTimes SpaceRecord::*times;
+    CallTimes SpaceCounts::*times;
 
     void *data = nullptr;
     dNearCallback *callback = nullptr;
@@ -101,7 +89,7 @@ void Watch::collide(dSpaceID space, void *data, dNearCallback *callback)
     if (!space || !callback)
         return ode_.collide(space, data, callback);
     Call call{space, "dSpaceCollide", [=](void *d, dNearCallback *c) { ode_.collide(space, d, c); },
-              [=] { return expected_pairs(space); }, &SpaceRecord::collide};
+              [=] { return expected_pairs(space); }, &SpaceCounts::collide};
     run(call, data, callback);
 }
 
@@ -111,7 +99,7 @@ void Watch::collide2(dGeomID first, dGeomID second, void *data, dNearCallback *c
     if (!space)
         return ode_.collide2(first, second, data, callback);
     Call call{space, "dSpaceCollide2", [=](void *d, dNearCallback *c) { ode_.collide2(first, second, d, c); },
-              [=] { return expected_pairs(first, second); }, &SpaceRecord::collide2};
+              [=] { return expected_pairs(first, second); }, &SpaceCounts::collide2};
     run(call, data, callback);
 }
 
@@ -120,8 +108,8 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
     call.data = data;
     call.callback = callback;
     call.keep = trace_file_ != nullptr;
-    const auto [predictive, proximity] = ledger_.with(
-        call.space, [](const SpaceRecord &record) { return std::pair(record.predictive, record.proximity); });
+    const bool predictive = dSpaceIsPredictive(call.space) != 0;
+    const int proximity = predictive ? dPredictiveSpaceGetProximity(call.space) : dPredictiveProximityBox;
     if (settings_.compare && (predictive || settings_.replaced.empty()))
         call.comparison.emplace(call.expected(), proximity != dPredictiveProximityBox);
     if (call.keep)
@@ -138,12 +126,16 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
         judge(call);
     if (call.keep)
         trace(call);
-    ledger_.with(call.space, [&](SpaceRecord &record) {
-        record.most_geoms = std::max(record.most_geoms, dSpaceGetNumGeoms(call.space));
-        record.reported += call.reported;
-        (record.*call.times).add(call.seconds, call.in_callbacks);
-        if (record.predictive)
-            dPredictiveSpaceGetStats(call.space, &record.stats);
+    ledger_.with(call.space, [&](KnownSpace &known) {
+        SpaceCounts &counts = *known.counts;
+        counts.proximity = proximity;
+        counts.most_geoms = std::max(counts.most_geoms, dSpaceGetNumGeoms(call.space));
+        counts.reported += call.reported;
+        (counts.*call.times).add(call.seconds, call.in_callbacks);
+        if (!predictive)
+            return;
+        dPredictiveSpaceGetStats(call.space, &known.latest);
+        counts.stats = since(known.before_fork, known.latest);
     });
 }
 
@@ -167,14 +159,15 @@ void Watch::judge(Call &call)
 {
     constexpr unsigned long most_complaints = 10;
     const std::vector<Difference> differences = call.comparison->finish();
-    ledger_.with(call.space, [&](SpaceRecord &record) {
-        ++record.compared;
-        record.differences += differences.size();
+    ledger_.with(call.space, [&](KnownSpace &known) {
+        SpaceCounts &counts = *known.counts;
+        ++counts.compared;
+        counts.differences += differences.size();
         for (const Difference &difference : differences)
         {
             if (complaints_++ < most_complaints)
-                say("space %d, %s() number %lu: %s: %s and %s", record.number, call.function,
-                    (record.*call.times).calls + 1, difference.what, described(difference.pair.first).c_str(),
+                say("space %d, %s() number %lu: %s: %s and %s", known.number, call.function,
+                    (counts.*call.times).calls + 1, difference.what, described(difference.pair.first).c_str(),
                     described(difference.pair.second).c_str());
             else if (complaints_ == most_complaints + 1)
                 say("more differences follow; they are only counted");
@@ -187,7 +180,7 @@ void Watch::judge(Call &call)
 void Watch::trace(Call &call)
 {
     const std::uint64_t hash = put_in_order(call.kept);
-    const int number = ledger_.with(call.space, [](const SpaceRecord &record) { return record.number; });
+    const int number = ledger_.with(call.space, [](const KnownSpace &known) { return known.number; });
     std::fprintf(trace_file_, "%s space %d geoms %d pairs %zu hash %016" PRIx64 "\n", call.function, number,
                  dSpaceGetNumGeoms(call.space), call.kept.size(), hash);
     const double start = now();
@@ -198,18 +191,7 @@ void Watch::trace(Call &call)
 
 void Watch::report()
 {
-    std::string text;
-    if (settings_.stats)
-        text += ledger_.statistics();
-    if (settings_.compare)
-        text += ledger_.comparison();
-    if (text.empty())
-        return;
-    text = "ode_predictive_space: " + std::string(program_invocation_short_name) + " (process " +
-           std::to_string(getpid()) + ")\n" + text;
-    std::FILE *file = settings_.stats_file.empty() ? nullptr : appended(settings_.stats_file);
-    std::fputs(text.c_str(), file ? file : stderr);
-    if (file)
-        std::fclose(file);
+    const std::vector<SpaceCounts *> spaces = ledger_.all();
+    write_report(settings_, report_text(settings_, program_invocation_short_name, getpid(), spaces), spaces);
 }
 } // namespace ode_predictive_space::preload

@@ -1,0 +1,108 @@
+#include "ode_predictive_space/preload/report.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include "ode_predictive_space/preload/say.h"
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+template <typename... Arguments> std::string formatted(const char *format, Arguments... arguments)
+{
+    char text[512];
+    std::snprintf(text, sizeof text, format, arguments...);
+    return text;
+}
+
+std::string times_line(const char *function, const CallTimes &times)
+{
+    if (times.calls == 0)
+        return "";
+    const double mean = times.total / static_cast<double>(times.calls);
+    return formatted("; %s %lu calls, %.3f ms (mean %.3f us, median %.3f us, largest %.3f us), callbacks %.3f ms",
+                     function, times.calls, 1e3 * times.total, 1e6 * mean, 1e6 * times.durations.median(),
+                     1e6 * times.largest, 1e3 * times.in_callbacks);
+}
+
+std::string space_line(const SpaceCounts &counts)
+{
+    const char *kind = name_of_space_class(counts.space_class);
+    const char *served = !counts.predictive                               ? "ODE's own"
+                         : counts.proximity == dPredictiveProximitySphere ? "predictive by spheres"
+                         : counts.proximity == dPredictiveProximityShape  ? "predictive by shapes"
+                                                                          : "predictive by boxes";
+    return formatted("  space %d%s: %s, %s; at most %d geoms, %lu pairs", counts.number,
+                     counts.number >= last_space_with_page ? " and later ones" : "", kind, served, counts.most_geoms,
+                     counts.reported) +
+           times_line("dSpaceCollide", counts.collide) + times_line("dSpaceCollide2", counts.collide2) + "\n";
+}
+
+std::string counters_line(const dPredictiveSpaceStats &stats)
+{
+    return formatted("    ticks %lu, moved %lu, verified %lu, violations %lu, re-predictions %lu, scheduled %lu, "
+                     "woken %lu, near %lu, scans %lu, bytes %lu\n",
+                     stats.ticks, stats.moved, stats.verified, stats.violations, stats.repredictions, stats.scheduled,
+                     stats.woken, stats.near, stats.scans, stats.bytes);
+}
+
+std::string statistics(const std::vector<SpaceCounts *> &spaces)
+{
+    std::string text;
+    for (const SpaceCounts *counts : spaces)
+    {
+        text += space_line(*counts);
+        if (counts->stats.ticks > 0)
+            text += counters_line(counts->stats);
+    }
+    return text;
+}
+
+std::string comparison(const std::vector<SpaceCounts *> &spaces)
+{
+    unsigned long compared = 0, differences = 0;
+    for (const SpaceCounts *counts : spaces)
+    {
+        compared += counts->compared;
+        differences += counts->differences;
+    }
+    return formatted("  compared with all pairs: %lu collides, %lu differences\n", compared, differences);
+}
+} // namespace
+
+std::string report_text(const Settings &settings, const char *program, int process_id,
+                        const std::vector<SpaceCounts *> &spaces)
+{
+    std::string text;
+    if (settings.stats)
+        text += statistics(spaces);
+    if (settings.compare)
+        text += comparison(spaces);
+    if (text.empty())
+        return text;
+    return formatted("ode_predictive_space: %s (process %d)\n", program, process_id) + text;
+}
+
+void write_report(const Settings &settings, const std::string &text, const std::vector<SpaceCounts *> &spaces)
+{
+    if (text.empty())
+        return;
+    std::FILE *file = settings.stats_file.empty() ? nullptr : appended(settings.stats_file);
+    std::fputs(text.c_str(), file ? file : stderr);
+    if (file)
+        std::fclose(file);
+    for (SpaceCounts *counts : spaces)
+        counts->state = PageState::reported;
+}
+
+std::FILE *appended(const std::string &path)
+{
+    std::FILE *file = std::fopen(path.c_str(), "ae");
+    if (file)
+        std::setvbuf(file, nullptr, _IONBF, 0);
+    else
+        say("%s cannot be written: %s", path.c_str(), std::strerror(errno));
+    return file;
+}
+} // namespace ode_predictive_space::preload

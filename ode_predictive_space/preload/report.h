@@ -1,0 +1,29 @@
+// The text of statistics and comparisons, from the pages in which it was counted.
+
+#ifndef ODE_PREDICTIVE_SPACE_PRELOAD_REPORT_H
+#define ODE_PREDICTIVE_SPACE_PRELOAD_REPORT_H
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "ode_predictive_space/preload/counts.h"
+#include "ode_predictive_space/preload/settings.h"
+
+namespace ode_predictive_space::preload
+{
+/// What there is to say of one process, as the settings ask: for each space a line, for a predictive one that was collided a
+/// second; then a line about the comparison. Empty when nothing is asked, or there is nothing to say.
+std::string report_text(const Settings &settings, const char *program, int process_id,
+                        const std::vector<SpaceCounts *> &spaces);
+
+/// Writes a report to where the settings want it, and marks its pages as reported.
+void write_report(const Settings &settings, const std::string &text, const std::vector<SpaceCounts *> &spaces);
+
+/// A file to append to; 0, after a line on standard error, when it cannot be written. Without a buffer: each text is written at
+/// once and in one piece, also when other processes write to the same file, and when this one forks there is nothing left that
+/// its child would write again.
+std::FILE *appended(const std::string &path);
+} // namespace ode_predictive_space::preload
+
+#endif

@@ -1,0 +1,150 @@
+#include "ode_predictive_space/preload/run_options.h"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <initializer_list>
+#include <sstream>
+#include <string>
+
+#include <getopt.h>
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+constexpr char help[] = R"(Usage: ode-predictive-run [options] PROGRAM [ARGUMENT...]
+
+Runs a program that uses the Open Dynamics Engine (ODE) with predictive collision spaces in place of the spaces that it
+makes. The program is not changed and does not notice: its spaces have the class that it asked for, and its near callback
+gets the same pairs.
+
+  --space LIST       which spaces are replaced: hash, quadtree, sap, simple, separated by commas; all; none
+                     (default: hash,quadtree,sap; simple ones are what programs use for tiny groups)
+  --proximity KIND   box: report the pairs whose bounding boxes overlap, as ODE does (default)
+                     sphere: leave out those whose bounding spheres do not overlap; no contact is lost
+                     shape: leave out those whose shapes cannot touch; no contact is lost that ODE's own colliders find
+  --stats[=FILE]     at the end, say on standard error, or at the end of FILE, what each space did and the time it took
+  --compare          check each collide against all pairs, and report differences on standard error; slow
+  --trace=FILE       add a line to FILE for each collide: how many pairs, and a hash of them. To make runs comparable, the
+                     callback then gets the pairs after the collide, in an order that does not depend on the space; with
+                     --space none the program's own spaces are traced
+  --help, --version
+
+Each option sets an environment variable, which the programs that PROGRAM starts inherit, and which can be set without this
+launcher: ODE_PREDICTIVE_SPACE=LIST, ODE_PREDICTIVE_PROXIMITY=KIND, ODE_PREDICTIVE_STATS=1 or FILE, ODE_PREDICTIVE_COMPARE=1,
+ODE_PREDICTIVE_TRACE=FILE; and LD_PRELOAD, the path of libode_predictive_space_preload.so.
+
+With --stats or --compare the launcher stays until PROGRAM has ended, passes signals on to it, and tells what a program that
+ended by a signal, a crash or _exit() could not tell. Otherwise PROGRAM takes its place.
+
+The program must use the shared library of ODE that this was built for. Others keep their own spaces, and a line on standard
+error says why: an ODE of another precision or layout, a second copy in the process, an ODE built into the program. Not seen
+and therefore not replaced are functions that a program looks up by dlsym(), and an ODE inside a program without symbols.
+LD_PRELOAD has no power over programs with set-user-ID and over those that are linked statically.
+
+Exit status: the program's, also when a signal ended it; 2 for a wrong option; 126 or 127 when the program cannot be started.
+)";
+
+bool is_one_of(const std::string &word, std::initializer_list<const char *> known)
+{
+    return std::any_of(known.begin(), known.end(), [&](const char *each) { return word == each; });
+}
+
+void check_spaces(const std::string &list)
+{
+    if (list.empty())
+        fail("--space needs a list");
+    std::istringstream words(list);
+    for (std::string word; std::getline(words, word, ',');)
+        if (!is_one_of(word, {"hash", "quadtree", "sap", "simple", "all", "none"}))
+            fail("--space: '%s' is not hash, quadtree, sap, simple, all or none", word.c_str());
+}
+
+void check_proximity(const std::string &kind)
+{
+    if (!is_one_of(kind, {"box", "sphere", "shape"}))
+        fail("--proximity: '%s' is not box, sphere or shape", kind.c_str());
+}
+
+void set(const char *variable, const std::string &value)
+{
+    setenv(variable, value.c_str(), 1);
+}
+
+// Another process may have another working directory.
+std::string absolute(const char *file, const char *option)
+{
+    if (!*file)
+        fail("%s needs a file", option);
+    return std::filesystem::absolute(file);
+}
+
+[[noreturn]] void show(const char *text)
+{
+    std::fputs(text, stdout);
+    std::exit(std::fflush(stdout) == 0 ? 0 : 1);
+}
+
+void take_option(int option, const char *option_text)
+{
+    switch (option)
+    {
+    case 's':
+        check_spaces(optarg);
+        return set("ODE_PREDICTIVE_SPACE", optarg);
+    case 'p':
+        check_proximity(optarg);
+        return set("ODE_PREDICTIVE_PROXIMITY", optarg);
+    case 'S':
+        return set("ODE_PREDICTIVE_STATS", optarg ? absolute(optarg, "--stats") : "1");
+    case 'c':
+        return set("ODE_PREDICTIVE_COMPARE", "1");
+    case 't':
+        return set("ODE_PREDICTIVE_TRACE", absolute(optarg, "--trace"));
+    case 'h':
+        show(help);
+    case 'v':
+        show("ode-predictive-run " VERSION "\n");
+    case ':':
+        fail("%s needs a value", option_text);
+    default:
+        fail("there is no option '%s'; --help lists them", option_text);
+    }
+}
+} // namespace
+
+void fail(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    std::fputs("ode-predictive-run: ", stderr);
+    std::vfprintf(stderr, format, arguments);
+    std::fputs("\n", stderr);
+    va_end(arguments);
+    std::exit(2);
+}
+
+char **take_options(int argc, char **argv)
+{
+    const option options[] = {
+        {"space", required_argument, nullptr, 's'}, {"proximity", required_argument, nullptr, 'p'},
+        {"stats", optional_argument, nullptr, 'S'}, {"compare", no_argument, nullptr, 'c'},
+        {"trace", required_argument, nullptr, 't'}, {"help", no_argument, nullptr, 'h'},
+        {"version", no_argument, nullptr, 'v'},     {}};
+    opterr = 0;
+    for (;;)
+    {
+        const char *option_text = argv[optind]; // "+": the first word that is no option is the program
+        const int option = getopt_long(argc, argv, "+:h", options, nullptr);
+        if (option < 0)
+            break;
+        take_option(option, option_text);
+    }
+    if (!argv[optind])
+        fail("which program? --help explains");
+    return argv + optind;
+}
+} // namespace ode_predictive_space::preload

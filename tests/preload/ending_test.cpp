@@ -1,0 +1,305 @@
+// What was counted remains, however a program ends, and its end is passed on.
+
+#include <csignal>
+#include <vector>
+
+#include <pty.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include "tests/preload/preload_programs.h"
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+// The status that its parent sees, as from waitpid().
+int raw_status(const std::string &command)
+{
+    return std::system(("ulimit -c 0; exec " + command + " >/dev/null 2>&1").c_str());
+}
+
+/// A program under the launcher that waits for signals. A test that does not end is ended.
+class Waiting
+{
+public:
+    enum class Output
+    {
+        pipe,
+        terminal
+    };
+
+    explicit Waiting(const std::string &statistics, Output output = Output::pipe)
+    {
+        alarm(60);
+        setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
+        launcher_ = output == Output::terminal ? forkpty(&output_, nullptr, nullptr, nullptr) : fork_with_pipe();
+        if (launcher_ == 0)
+        {
+            execl(LAUNCHER, LAUNCHER, ("--stats=" + statistics).c_str(), ENDING, "wait", nullptr);
+            _exit(126);
+        }
+        program_ = std::atoi(line().c_str());
+    }
+
+    ~Waiting()
+    {
+        kill(launcher_, SIGKILL);
+        waitpid(launcher_, nullptr, 0);
+        close(output_);
+        alarm(0);
+    }
+
+    Waiting(const Waiting &) = delete;
+    Waiting &operator=(const Waiting &) = delete;
+
+    pid_t launcher() const { return launcher_; }
+    pid_t program() const { return program_; }
+
+    /// What the program says next; empty when it has ended. A terminal shows ^C and ends lines in its own way.
+    std::string line()
+    {
+        std::string text;
+        for (char letter; read(output_, &letter, 1) == 1 && letter != '\n';)
+            if (letter != '\r')
+                text += letter;
+        return text.substr(0, 2) == "^C" ? text.substr(2) : text;
+    }
+
+    void press(char key) { EXPECT_EQ(write(output_, &key, 1), 1); }
+
+    void signal(int number) { EXPECT_EQ(kill(launcher_, number), 0); }
+
+    int wait(int options = 0)
+    {
+        int status = 0;
+        EXPECT_EQ(waitpid(launcher_, &status, options), launcher_);
+        return status;
+    }
+
+private:
+    pid_t fork_with_pipe()
+    {
+        int ends[2];
+        EXPECT_EQ(pipe(ends), 0);
+        const pid_t child = fork();
+        if (child == 0)
+            dup2(ends[1], STDOUT_FILENO);
+        if (child == 0)
+            close(ends[0]);
+        close(ends[1]);
+        output_ = ends[0];
+        return child;
+    }
+
+    int output_ = -1;
+    pid_t launcher_ = -1, program_ = -1;
+};
+
+/// A named pipe.
+class Fifo
+{
+public:
+    Fifo()
+    {
+        unlink(place_.path().c_str());
+        EXPECT_EQ(mkfifo(path().c_str(), 0600), 0);
+    }
+
+    const std::string &path() const { return place_.path(); }
+
+private:
+    ScratchFile place_;
+};
+
+struct EndOfAProgram : testing::TestWithParam<const char *>
+{};
+
+TEST_P(EndOfAProgram, LeavesStatisticsComparisonAndTrace)
+{
+    const ScratchFile statistics, trace;
+    const std::string program = std::string(ENDING " ") + GetParam();
+    const int native = raw_status(program);
+    setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
+    const int ours =
+        raw_status(LAUNCHER " --compare --stats=" + statistics.path() + " --trace=" + trace.path() + " " + program);
+    EXPECT_EQ(ours, native);
+    const std::string said = statistics.text();
+    EXPECT_EQ(count_of("preload_ending (process ", said), 1) << said;
+    EXPECT_EQ(count_of("hash, predictive by boxes; at most 2 geoms, 3 pairs; dSpaceCollide 3 calls", said), 1) << said;
+    EXPECT_EQ(count_of("    ticks 3,", said), 1) << said;
+    EXPECT_EQ(count_of("  compared with all pairs: 3 collides, 0 differences\n", said), 1) << said;
+    EXPECT_EQ(count_of("dSpaceCollide space 1 geoms 2 pairs 1 hash ", trace.text()), 3) << trace.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, EndOfAProgram,
+                         testing::Values("return", "exit", "_exit", "abort", "crash", "2", "9", "15"));
+
+// Of a child that had its parent's memory, exit() told what the parent had counted.
+TEST(EndOfAChild, IsToldOfItsOwnCollidesAlone)
+{
+    for (const char *way : {"exit", "_exit", "9", "crash"})
+    {
+        const ScratchFile statistics;
+        EXPECT_EQ(raw_status(LAUNCHER " --stats=" + statistics.path() + " " ENDING " child " + way), 0);
+        const std::string said = statistics.text();
+        EXPECT_EQ(count_of("(process ", said), 2) << said;
+        EXPECT_EQ(count_of("1 pairs; dSpaceCollide 1 calls", said), 1) << said;
+        EXPECT_EQ(count_of("    ticks 1,", said), 1) << said;
+        EXPECT_EQ(count_of("3 pairs; dSpaceCollide 3 calls", said), 1) << said;
+    }
+}
+
+TEST(EndOfAChild, WithoutCollidesNothingIsTold)
+{
+    const ScratchFile statistics;
+    EXPECT_EQ(launch("--stats=" + statistics.path() + " sh -c '" ENDING " _exit; true'").status, 0);
+    EXPECT_EQ(count_of("(process ", statistics.text()), 1) << statistics.text();
+}
+
+// It is not the launcher's to tell: it still counts.
+TEST(EndOfAChild, ThatOutlivesItsParentIsToldByItself)
+{
+    const ScratchFile statistics;
+    const Fifo fifo;
+    const std::string path = statistics.path();
+    const Outcome outcome = launch("--stats=" + path + " " ENDING " orphan " + fifo.path() + "; grep -c process " +
+                                   path + "; echo > " + fifo.path());
+    EXPECT_EQ(outcome.output, "1\n");
+    EXPECT_EQ(count_of("(process ", statistics.text()), 2) << statistics.text();
+    EXPECT_EQ(count_of("dSpaceCollide 1 calls", statistics.text()), 1) << statistics.text();
+}
+
+TEST(LauncherThatWaits, PassesASignalOn)
+{
+    const ScratchFile statistics;
+    Waiting waiting(statistics.path());
+    waiting.signal(SIGUSR1);
+    EXPECT_EQ(waiting.line(), "counted");
+    waiting.signal(SIGTERM);
+    const int status = waiting.wait();
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_TRUE(contains(statistics.text(), "dSpaceCollide 3 calls")) << statistics.text();
+}
+
+// The terminal sends it to both. The launcher is stopped meanwhile: two signals at the same time would count as one.
+TEST(LauncherThatWaits, LeavesControlCToTheProgram)
+{
+    const ScratchFile statistics;
+    Waiting waiting(statistics.path(), Waiting::Output::terminal);
+    waiting.signal(SIGSTOP);
+    EXPECT_TRUE(WIFSTOPPED(waiting.wait(WUNTRACED)));
+    waiting.press('\003');
+    EXPECT_EQ(waiting.line(), "counted");
+    waiting.signal(SIGCONT);
+    EXPECT_EQ(waiting.line(), "continued");
+    waiting.signal(SIGTERM);
+    const int status = waiting.wait();
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 1); // counted once
+}
+
+TEST(LauncherThatWaits, StopsAndGoesOnWithTheProgram)
+{
+    const ScratchFile statistics;
+    Waiting waiting(statistics.path());
+    kill(waiting.program(), SIGSTOP);
+    EXPECT_TRUE(WIFSTOPPED(waiting.wait(WUNTRACED)));
+    waiting.signal(SIGCONT);
+    EXPECT_EQ(waiting.line(), "continued");
+    waiting.signal(SIGTERM);
+    EXPECT_TRUE(WIFEXITED(waiting.wait()));
+}
+
+TEST(LauncherThatWaits, TakesTheProgramAlongWhenItIsKilled)
+{
+    const ScratchFile statistics;
+    Waiting waiting(statistics.path());
+    waiting.signal(SIGKILL);
+    EXPECT_EQ(waiting.line(), "");
+}
+
+// What a program says whose parent ignored the end of its children, which is handed on.
+std::string output_after_ignoring_children(std::vector<const char *> command)
+{
+    command.push_back(nullptr);
+    int ends[2];
+    EXPECT_EQ(pipe(ends), 0);
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        std::signal(SIGCHLD, SIG_IGN);
+        dup2(ends[1], STDOUT_FILENO);
+        dup2(ends[1], STDERR_FILENO);
+        close(ends[1]);
+        execvp(command[0], const_cast<char **>(command.data()));
+        _exit(126);
+    }
+    close(ends[1]);
+    std::string text;
+    for (char letter; read(ends[0], &letter, 1) == 1;)
+        text += letter;
+    close(ends[0]);
+    waitpid(child, nullptr, 0);
+    return text;
+}
+
+TEST(LauncherThatWaits, SeesTheEndOfAProgramAlsoWhereSuchEndsAreIgnored)
+{
+    const std::string said = output_after_ignoring_children({LAUNCHER, "--stats", ENDING, "_exit"});
+    EXPECT_TRUE(contains(said, "dSpaceCollide 3 calls")) << said;
+}
+
+TEST(LauncherThatWaits, LeavesTheSignalsOfItsParentToTheProgram)
+{
+    const std::vector<const char *> program = {"grep", "Sig[BI]", "/proc/self/status"};
+    const std::string native = output_after_ignoring_children(program);
+    const std::size_t at = native.find("SigIgn:\t");
+    ASSERT_NE(at, std::string::npos) << native;
+    EXPECT_TRUE(std::stoull(native.substr(at + 8), nullptr, 16) >> (SIGCHLD - 1) & 1) << native;
+    std::vector<const char *> launched = {LAUNCHER, "--stats=/dev/null"};
+    launched.insert(launched.end(), program.begin(), program.end());
+    EXPECT_EQ(output_after_ignoring_children(launched), native);
+}
+
+// The reader of a pipe waits for all writers; here the program waits for the reader.
+TEST(LauncherThatWaits, KeepsNoPipeOpen)
+{
+    const Fifo fifo;
+    const std::string program = LAUNCHER " --stats=/dev/null sh -c \"exec >&-; read word <" + fifo.path() + "\"";
+    EXPECT_EQ(run("timeout", "20 sh -c '" + program + " | { cat; echo word >" + fifo.path() + "; }'").status, 0);
+}
+
+// A measure that was changed later was compared by the one from the beginning, which misses pairs.
+TEST(Statistics, NameTheMeasureThatAProgramChose)
+{
+    const Outcome outcome = launch("--stats --compare " MEASURING);
+    EXPECT_TRUE(contains(outcome.output, "hash, predictive by spheres; at most 2 geoms, 0 pairs")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "20 collides, 0 differences")) << outcome.output;
+}
+
+// The first processes use up the pages that outlive them; the others have their own.
+TEST(Statistics, AreBoundedAndCompleteForAnyNumberOfSpaces)
+{
+    const ScratchFile statistics;
+    const std::string six_times = "for i in 1 2 3 4 5 6; do " ENDING " many; done";
+    EXPECT_EQ(launch("--stats=" + statistics.path() + " sh -c '" + six_times + "'").status, 0);
+    const std::string said = statistics.text();
+    EXPECT_EQ(count_of("\n  space ", said), 6 * 1000);
+    EXPECT_EQ(count_of("\n  space 1: hash, predictive by boxes; at most 2 geoms, 3 pairs; dSpaceCollide 3 calls", said),
+              6);
+    EXPECT_EQ(count_of("\n  space 1000 and later ones: hash, predictive by boxes; at most 0 geoms, 0 pairs; "
+                       "dSpaceCollide 101 calls",
+                       said),
+              6);
+}
+
+TEST(Statistics, NeedNoLauncher)
+{
+    const Outcome outcome = run("env", "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" PRELOAD
+                                       " ODE_PREDICTIVE_STATS=1 ODE_PREDICTIVE_COUNTS=1:1 " ENDING);
+    EXPECT_TRUE(contains(outcome.output, "dSpaceCollide 3 calls")) << outcome.output;
+}
+} // namespace
+} // namespace ode_predictive_space::preload

@@ -1,0 +1,140 @@
+/* A program that collides three times and ends in the way it is told to.
+ * Usage: ending WAY: return, exit, _exit, abort, crash, a signal's number; many: after it has made 1099 spaces more; or wait: it says its process id, then waits for
+ * signals. SIGINT and SIGUSR1 are counted, SIGCONT is said, and SIGTERM ends it with their number as status. After 20 seconds it
+ * says so and ends.
+ * Usage: ending child WAY: a child process collides once and ends so; its parent ends by return.
+ * Usage: ending orphan FILE: a child process collides once; when its parent has ended, it reads FILE and ends by exit. */
+
+#define _GNU_SOURCE
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <ode/ode.h>
+
+static volatile sig_atomic_t counted;
+static volatile int *volatile nowhere;
+
+static void say(const char *text)
+{
+    if (write(1, text, strlen(text)) < 0)
+        _exit(100);
+}
+
+static void on_signal(int number)
+{
+    if (number == SIGTERM)
+        _exit(counted);
+    if (number == SIGALRM)
+    {
+        say("late\n");
+        _exit(101);
+    }
+    if (number != SIGCONT)
+        ++counted;
+    say(number == SIGCONT ? "continued\n" : "counted\n");
+}
+
+static void wait_for_signals(void)
+{
+    signal(SIGINT, &on_signal);
+    signal(SIGUSR1, &on_signal);
+    signal(SIGCONT, &on_signal);
+    signal(SIGTERM, &on_signal);
+    signal(SIGALRM, &on_signal);
+    alarm(20);
+    printf("%d\n", (int)getpid());
+    fflush(stdout);
+    for (;;)
+        pause();
+}
+
+static void ignore(void *data, dGeomID first, dGeomID second)
+{
+    (void)data;
+    (void)first;
+    (void)second;
+}
+
+static void make_spaces(int count)
+{
+    while (count-- > 0)
+    {
+        dSpaceID space = dHashSpaceCreate(0);
+        dSpaceCollide(space, 0, &ignore);
+        dSpaceDestroy(space);
+    }
+}
+
+static void end(const char *way)
+{
+    if (strcmp(way, "exit") == 0)
+        exit(4);
+    if (strcmp(way, "_exit") == 0)
+        _exit(5);
+    if (strcmp(way, "abort") == 0)
+        abort();
+    if (strcmp(way, "crash") == 0)
+        *nowhere = 0;
+    if (strcmp(way, "many") == 0)
+        make_spaces(1099);
+    if (strcmp(way, "wait") == 0)
+        wait_for_signals();
+    if (atoi(way) > 0)
+        kill(getpid(), atoi(way));
+}
+
+static void run_child(dSpaceID space, const char *way)
+{
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        dSpaceCollide(space, 0, &ignore);
+        end(way);
+        _exit(0);
+    }
+    waitpid(child, 0, 0);
+}
+
+static void run_orphan(dSpaceID space, const char *file)
+{
+    int ready[2];
+    char letter;
+    if (pipe(ready) != 0)
+        _exit(102);
+    if (fork() == 0)
+    {
+        dSpaceCollide(space, 0, &ignore);
+        alarm(20);
+        close(ready[1]);
+        close(ready[0]);
+        fclose(fopen(file, "r")); /* waits for a writer */
+        exit(0);
+    }
+    close(ready[1]);
+    if (read(ready[0], &letter, 1) != 0)
+        _exit(103);
+}
+
+int main(int argc, char **argv)
+{
+    dSpaceID space;
+    int i;
+    dInitODE2(0);
+    space = dHashSpaceCreate(0);
+    dCreateSphere(space, 1);
+    dCreateSphere(space, 1);
+    for (i = 0; i < 3; ++i)
+        dSpaceCollide(space, 0, &ignore);
+    if (argc > 2 && strcmp(argv[1], "orphan") == 0)
+        run_orphan(space, argv[2]);
+    else if (argc > 2)
+        run_child(space, argv[2]);
+    else if (argc > 1)
+        end(argv[1]);
+    return 0;
+}

@@ -1,0 +1,30 @@
+/* A program that knows the predictive space, but makes it by another name: it changes the measure of its hash space.
+ * Two spheres are apart, their boxes overlap. */
+
+#include <ode/ode.h>
+
+#include <ode_predictive_space/predictive_space.h>
+
+static void ignore(void *data, dGeomID first, dGeomID second)
+{
+    (void)data;
+    (void)first;
+    (void)second;
+}
+
+int main(void)
+{
+    dSpaceID space;
+    int i;
+    dInitODE2(0);
+    space = dHashSpaceCreate(0);
+    dCreateSphere(space, 1);
+    dGeomSetPosition(dCreateSphere(space, 1), 1.9, 1.9, 0);
+    if (dSpaceIsPredictive(space))
+        dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
+    for (i = 0; i < 20; ++i)
+        dSpaceCollide(space, 0, &ignore);
+    dSpaceDestroy(space);
+    dCloseODE();
+    return 0;
+}
