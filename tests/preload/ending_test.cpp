@@ -16,6 +16,7 @@ namespace
 // The status that its parent sees, as from waitpid().
 int raw_status(const std::string &command)
 {
+    allow_preload();
     return std::system(("ulimit -c 0; exec " + command + " >/dev/null 2>&1").c_str());
 }
 
@@ -32,7 +33,7 @@ public:
     explicit Waiting(const std::string &statistics, Output output = Output::pipe)
     {
         alarm(60);
-        setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
+        allow_preload();
         launcher_ = output == Output::terminal ? forkpty(&output_, nullptr, nullptr, nullptr) : fork_with_pipe();
         if (launcher_ == 0)
         {
@@ -120,7 +121,6 @@ TEST_P(EndOfAProgram, LeavesStatisticsComparisonAndTrace)
     const ScratchFile statistics, trace;
     const std::string program = std::string(ENDING " ") + GetParam();
     const int native = raw_status(program);
-    setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
     const int ours =
         raw_status(LAUNCHER " --compare --stats=" + statistics.path() + " --trace=" + trace.path() + " " + program);
     EXPECT_EQ(ours, native);
@@ -223,6 +223,7 @@ TEST(LauncherThatWaits, TakesTheProgramAlongWhenItIsKilled)
 // What a program says whose parent ignored the end of its children, which is handed on.
 std::string output_after_ignoring_children(std::vector<const char *> command)
 {
+    allow_preload();
     command.push_back(nullptr);
     int ends[2];
     EXPECT_EQ(pipe(ends), 0);
@@ -266,6 +267,7 @@ TEST(LauncherThatWaits, LeavesTheSignalsOfItsParentToTheProgram)
 // The reader of a pipe waits for all writers; here the program waits for the reader.
 TEST(LauncherThatWaits, KeepsNoPipeOpen)
 {
+    allow_preload();
     const Fifo fifo;
     const std::string program = LAUNCHER " --stats=/dev/null sh -c \"exec >&-; read word <" + fifo.path() + "\"";
     EXPECT_EQ(run("timeout", "20 sh -c '" + program + " | { cat; echo word >" + fifo.path() + "; }'").status, 0);

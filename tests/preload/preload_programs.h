@@ -16,10 +16,15 @@
 
 namespace ode_predictive_space::preload
 {
+/// AddressSanitizer wants its library to be the first in a process; ours, which comes before it, does no harm.
+inline void allow_preload()
+{
+    setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
+}
+
 inline Outcome launch(const std::string &arguments)
 {
-    // AddressSanitizer wants its library to be the first in a process; ours, which comes before it, does no harm.
-    setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
+    allow_preload();
     return run(LAUNCHER, arguments);
 }
 

@@ -136,5 +136,7 @@ int main(int argc, char **argv)
         run_child(space, argv[2]);
     else if (argc > 1)
         end(argv[1]);
+    dSpaceDestroy(space);
+    dCloseODE();
     return 0;
 }
