@@ -77,10 +77,49 @@ Quaternion of_length_one(const Quaternion &q)
     return std::abs(error) > exact_length_tolerance ? q.normalized() : q;
 }
 
-/// Reads a file line by line. What it throws says what is wrong with the line.
+/// Takes the lines of a file one by one.
+class Lines
+{
+public:
+    explicit Lines(std::istream &stream) : stream_(stream) {}
+
+    /// @return false at the end of the file.
+    bool next()
+    {
+        stream_.getline(characters_.data(), static_cast<std::streamsize>(characters_.size()));
+        const bool cut = stream_.fail() && !stream_.eof() && !stream_.bad();
+        if (!cut && stream_.fail())
+        {
+            return false;
+        }
+        ++number_;
+        if (cut)
+        {
+            throw std::invalid_argument("it has more than " + std::to_string(longest_recorded_line) + " characters");
+        }
+        return true;
+    }
+
+    std::string_view line() const
+    {
+        const auto taken = static_cast<std::size_t>(stream_.gcount());
+        return {characters_.data(), stream_.eof() ? taken : taken - 1}; // without the end of the line
+    }
+
+    std::size_t number() const { return number_; }
+
+private:
+    std::istream &stream_;
+    std::array<char, longest_recorded_line + 1> characters_;
+    std::size_t number_ = 0;
+};
+
+/// Makes a recording of lines. What it throws says what is wrong with the line.
 class Reader
 {
 public:
+    explicit Reader(std::size_t most_ticks) : most_ticks_(most_ticks) {}
+
     void take(std::string_view line)
     {
         const std::string_view mark = device_line_mark;
@@ -178,15 +217,20 @@ private:
         {
             throw std::invalid_argument("its time is not later than that of the tick before");
         }
+        if (recording_.ticks.size() >= most_ticks_)
+        {
+            throw std::invalid_argument("more than " + std::to_string(most_ticks_) + " ticks");
+        }
         recording_.ticks.push_back(tick);
     }
 
+    std::size_t most_ticks_;
     std::size_t columns_ = 0; // of the lines so far
     Recording recording_;
 };
 } // namespace
 
-Recording read_recording(const std::string &file)
+Recording read_recording(const std::string &file, std::size_t most_ticks)
 {
     errno = 0;
     std::ifstream stream(file);
@@ -194,22 +238,20 @@ Recording read_recording(const std::string &file)
     {
         throw file_error(file, errno);
     }
-    Reader reader;
-    std::string line;
-    std::size_t number = 0;
+    Reader reader(most_ticks);
+    Lines lines(stream);
     try
     {
-        while (std::getline(stream, line))
+        while (lines.next())
         {
-            ++number;
-            reader.take(line);
+            reader.take(lines.line());
         }
         return reader.finish();
     }
     catch (const std::invalid_argument &error)
     {
         throw DeviceError(DeviceFault::bad_file,
-                          "recording " + file + ", line " + std::to_string(number) + ": " + error.what());
+                          "recording " + file + ", line " + std::to_string(lines.number()) + ": " + error.what());
     }
 }
 

@@ -137,6 +137,45 @@ TEST(Recording, NamesTheLineThatCannotBeUnderstood)
     expect_bad("# ode_predictive_space device: 6 3 7.9\n" + good, 1, "\"\"");
 }
 
+std::string of_length(std::size_t characters)
+{
+    const std::string tick = "0 1 2 3 0 0 0 1";
+    return tick + std::string(characters - tick.size(), ' ');
+}
+
+TEST(Recording, RefusesLinesThatAreTooLong)
+{
+    const std::string good = "1 1 2 3 0 0 0 1\n";
+    expect_bad(of_length(longest_recorded_line + 1) + "\n" + good, 1, "more than 4096 characters");
+    expect_bad(good + "# " + std::string(100 * longest_recorded_line, 'x'), 2, "more than 4096 characters");
+    expect_bad(std::string(longest_recorded_line + 1, '\0'), 1, "more than 4096 characters");
+}
+
+TEST(Recording, ReadsLinesOfTheGreatestLength)
+{
+    for (const char *end : {"\n", ""})
+    {
+        const TemporaryFile file("# a comment\n" + of_length(longest_recorded_line) + end);
+        EXPECT_EQ(read_recording(file.name()).ticks.size(), 1u);
+    }
+}
+
+TEST(Recording, RefusesMoreTicksThanAreAskedFor)
+{
+    const TemporaryFile file("0 1 2 3 0 0 0 1\n# a comment\n1 1 2 3 0 0 0 1\n2 1 2 3 0 0 0 1\n");
+    EXPECT_EQ(read_recording(file.name(), 3).ticks.size(), 3u);
+    try
+    {
+        read_recording(file.name(), 2);
+        ADD_FAILURE() << "it has been read";
+    }
+    catch (const DeviceError &error)
+    {
+        EXPECT_EQ(error.fault(), DeviceFault::bad_file);
+        EXPECT_NE(std::string(error.what()).find("line 4: more than 2 ticks"), std::string::npos) << error.what();
+    }
+}
+
 TEST(Recording, SaysWhyItCannotOpenAFile)
 {
     EXPECT_EQ(problem_with("/no/such/folder/run.txt").fault, DeviceFault::missing_file);
