@@ -11,6 +11,7 @@
 #include "demos/window/window.h"
 #endif
 
+#include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
 #include <stdexcept>

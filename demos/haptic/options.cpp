@@ -4,6 +4,7 @@
 #include "demos/scenes/spaces.h"
 #include "ode_predictive_space/haptics/device_factory.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <stdexcept>
 

@@ -3,10 +3,14 @@
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_OPTIONS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_OPTIONS_H
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+namespace CLI
+{
+class App; // its header takes seconds to compile
+}
 
 namespace ode_predictive_space::demo
 {

@@ -58,8 +58,9 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
 
-# What the files of a target include is read once for all of them: ode_predictive_space_precompile(<target> <headers>). For tests
-# and benchmarks; a file includes what it needs all the same, and with -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON all builds as well.
+# What the files of a target include is read once for all of them: ode_predictive_space_precompile(<target> <headers>). Of the
+# 140,000 lines that most files read, Eigen has 130,000. A file includes what it needs all the same, and with
+# -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON all builds as well.
 function(ode_predictive_space_precompile target)
     target_precompile_headers(${target} PRIVATE ${ARGN})
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)

@@ -1,21 +1,53 @@
 #!/usr/bin/env bash
 # `./run` refuses command lines that it does not understand: exit code 2, one line, and nothing is installed or built for them.
-# Usage: check_run_refuses.sh RUN
+# So it does with the demo's options, and `./run demo --help` needs no build either.
+# Usage: check_run_refuses.sh SOURCE_DIR DEMO; DEMO is the built demo, or empty
 
 set -uo pipefail
 
-run=$1
+source=$1
+demo=${2:-}
 wrong=0
+
+# shellcheck source=run_without_doing.sh
+. "$(dirname "${BASH_SOURCE[0]}")/run_without_doing.sh"
+run_without_doing "$source"
+
+complain() {
+    printf '%s\n' "$*" >&2
+    wrong=1
+}
 
 # refuses <arguments>
 refuses() {
     local output code
-    output=$("$run" "$@" 2>&1)
+    output=$("$copy/run" "$@" 2>&1)
     code=$?
     if ((code != 2)) || [[ $output == *$'\n'* ]]; then
-        printf './run %s: exit code %s, "%s"\n' "$*" "$code" "$output" >&2
-        wrong=1
+        complain "run $*: exit code $code, \"$output\""
     fi
+    if [[ -s $calls ]]; then
+        complain "run $* called: $(<"$calls")"
+        : >"$calls"
+    fi
+}
+
+# demo_refuses <arguments>: `./run`, and the demo itself.
+demo_refuses() {
+    refuses demo "$@"
+    if [[ -n $demo ]] && "$demo" "$@" >/dev/null 2>&1; then
+        complain "The demo itself accepts: $*"
+    fi
+}
+
+# demo_accepts <arguments>: they get past the check; what comes after it finds nothing to run.
+demo_accepts() {
+    local output
+    output=$("$copy/run" demo "$@" 2>&1)
+    if ! grep --quiet '^cmake --build' "$calls"; then
+        complain "run demo $* built nothing: \"$output\""
+    fi
+    : >"$calls"
 }
 
 refuses nonsense
@@ -28,4 +60,45 @@ refuses fuzz never
 refuses plots
 refuses format --all
 refuses tidy first
+
+demo_refuses everything
+demo_refuses --object 30
+demo_refuses --objects
+demo_refuses --objects many
+demo_refuses --objects 0
+demo_refuses --objects=100001
+demo_refuses --objects 2.5
+demo_refuses --seed x
+demo_refuses --seconds 0.001
+demo_refuses --rate 99
+demo_refuses --law magnetism
+demo_refuses --scene
+demo_refuses --space octree
+demo_refuses --space predictive,octree
+demo_refuses --space hash sap octree
+demo_refuses --headless 7 --fast
+demo_refuses --headless=maybe
+demo_refuses --compare --device virtual
+demo_refuses --space predictive,hash --fast
+demo_refuses --headless --screenshot picture.png
+demo_refuses --replay a.txt --device virtual
+demo_refuses --screenshot picture.png --seconds 0.5
+demo_refuses --device sponge --headless
+
+demo_accepts
+demo_accepts --device mouse --objects 300
+demo_accepts --headless --device virtual --seconds 10
+demo_accepts --scene pile --space hash --law proxy --stiffness 8e2
+demo_accepts --compare --objects=100 --seconds 5
+demo_accepts --space predictive,hash sap --json results.json
+demo_accepts --device replay:a.txt --fast
+demo_accepts --screenshot picture.png --seconds 2 --at 1.5
+
+help=$("$copy/run" demo --help) || complain "run demo --help fails"
+[[ $help == "$(<"$source/demos/haptic/help.txt")" ]] || complain "run demo --help does not print demos/haptic/help.txt"
+[[ ! -s $calls ]] || complain "run demo --help called: $(<"$calls")"
+if [[ -n $demo ]]; then
+    "$demo" --help | sed 's|^Usage: .*|Usage: ./run demo [OPTIONS]|' | diff "$source/demos/haptic/help.txt" - >&2 ||
+        complain "demos/haptic/help.txt is not the demo's help; its first line says how to write it anew"
+fi
 exit $wrong

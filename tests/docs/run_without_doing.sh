@@ -1,0 +1,30 @@
+# For tests of `./run`: a copy of it whose tools are stand-ins, which write down how they were called and do nothing.
+# Usage, in a script: . run_without_doing.sh; run_without_doing SOURCE_DIR; "$copy/run" ...; the calls are in $calls
+
+# Sets copy to a folder with `run` and what it reads itself, and calls to the file that the stand-ins write to. As seen by `run`,
+# no package is installed.
+run_without_doing() {
+    local source=$1 tool
+    work=$(mktemp --directory)
+    trap 'rm -rf "$work"' EXIT
+    copy=$work/copy
+    calls=$work/calls
+    mkdir -p "$copy/demos/haptic" "$work/tools"
+    cp "$source/run" "$copy/"
+    cp "$source"/demos/haptic/{check_arguments.awk,help.txt} "$copy/demos/haptic/"
+    for tool in apt-get cmake ctest sudo c++ ninja dpkg-query pkg-config; do
+        cat >"$work/tools/$tool" <<TOOL
+#!/bin/sh
+case $tool in
+sudo) exec "\$@" ;;
+dpkg-query) [ "\$2" = '--showformat=\${source:Package}=\${source:Version}' ]; exit ;;
+pkg-config) echo 0.16.2; exit ;;
+esac
+echo "$tool \$*" >>"$calls"
+TOOL
+        chmod +x "$work/tools/$tool"
+    done
+    PATH=$work/tools:$PATH
+    unset ODE_SOURCE_DIR
+    : >"$calls"
+}
