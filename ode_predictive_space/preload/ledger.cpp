@@ -1,8 +1,8 @@
 #include "ode_predictive_space/preload/ledger.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
 #include <unistd.h>
 
@@ -43,7 +43,7 @@ SpaceCounts *Ledger::begin_counts(dSpaceID space, int number)
     SpaceCounts *counts = new_page();
     counts->process = process_;
     counts->process_id = getpid();
-    std::snprintf(counts->program, sizeof counts->program, "%s", program_invocation_short_name);
+    std::string_view(program_invocation_short_name).copy(counts->program, sizeof counts->program - 1);
     counts->number = number;
     counts->space_class = dSpaceGetClass(space);
     counts->predictive = dSpaceIsPredictive(space);
