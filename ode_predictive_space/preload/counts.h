@@ -1,4 +1,4 @@
-// What is counted of a space: plain data, one page, so that it can lie in memory that outlives its process (counts_file.h).
+// What is counted of a space: plain data, two pages, so that it can lie in memory that outlives its process (counts_file.h).
 
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_COUNTS_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_COUNTS_H
@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "ode_predictive_space/predictive_space.h"
+#include "ode_predictive_space/report/bounded_series.h"
 
 namespace ode_predictive_space::preload
 {
@@ -66,12 +67,13 @@ struct SpaceCounts
     int most_geoms;
     unsigned long reported; ///< callbacks
     CallTimes collide, collide2;
+    report::BoundedSeries collide_series; ///< s; each call of dSpaceCollide()
     unsigned long compared, differences;
     dPredictiveSpaceStats stats; ///< of a predictive one, when it was last collided
 };
 
 constexpr std::size_t counts_page_size = 4096;
-static_assert(sizeof(SpaceCounts) <= counts_page_size, "a page for each");
+static_assert(sizeof(SpaceCounts) <= 2 * counts_page_size, "two pages for each");
 static_assert(std::is_standard_layout_v<SpaceCounts>, "two programs read it");
 static_assert(std::atomic<PageState>::is_always_lock_free, "it is shared by processes");
 

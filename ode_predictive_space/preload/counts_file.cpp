@@ -14,7 +14,7 @@ namespace ode_predictive_space::preload
 namespace
 {
 constexpr std::uint32_t page_count = 4095;
-constexpr char expected_magic[16] = "ode_counts 0.1";
+constexpr char expected_magic[16] = "ode_counts 0.2";
 constexpr int fixed_size = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
 } // namespace
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ode_predictive_space/preload/counts_file.h"
+#include "ode_predictive_space/preload/live.h"
 #include "ode_predictive_space/preload/report.h"
 #include "ode_predictive_space/preload/run_options.h"
 #include "ode_predictive_space/preload/say.h"
@@ -73,23 +74,48 @@ void report_the_rest(CountsFile &file, const Settings &settings)
             write_report(settings, report_text(settings, program.c_str(), first.process_id, spaces), spaces);
     }
 }
+
+int run(const RunOptions &options, CountsFile &counts)
+{
+    if (!options.watch)
+        return run_and_wait(options.command, counts.file(), {});
+    LiveCounters live(counts);
+    const int status = run_and_wait(options.command, counts.file(), [&] { live.show(); });
+    live.end();
+    return status;
+}
+
+void write_plots(const RunOptions &options, CountsFile &counts, const Settings &settings)
+{
+    try
+    {
+        ode_predictive_space::report::write_page(options.report_folder,
+                                                 page_of(options.command[0], counts.pages(), settings));
+    }
+    catch (const std::exception &failure)
+    {
+        say("%s", failure.what());
+    }
+}
 } // namespace
 
 int main(int argc, char **argv)
 {
-    char **command = take_options(argc, argv);
+    const RunOptions options = take_options(argc, argv);
     preload();
     const Settings settings = wanted();
-    if (!settings.stats && !settings.compare)
-        become(command);
+    if (!settings.stats && !settings.compare && !options.watch && options.report_folder.empty())
+        become(options.command);
     const std::unique_ptr<CountsFile> counts = CountsFile::create();
     if (!counts)
     {
         say("no memory for counts that outlive the program: %s", std::strerror(errno));
-        become(command);
+        become(options.command);
     }
     setenv(counts_variable, counts->name().c_str(), 1);
-    const int status = run_and_wait(command, counts->file());
+    const int status = run(options, *counts);
     report_the_rest(*counts, settings);
+    if (!options.report_folder.empty())
+        write_plots(options, *counts, settings);
     end_like(status);
 }

@@ -5,11 +5,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <initializer_list>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include <getopt.h>
+
+#include "ode_predictive_space/report/page.h"
 
 namespace ode_predictive_space::preload
 {
@@ -17,35 +21,54 @@ namespace
 {
 constexpr char help[] = R"(Usage: ode-predictive-run [options] PROGRAM [ARGUMENT...]
 
-Runs a program that uses the Open Dynamics Engine (ODE) with predictive collision spaces in place of the spaces that it
-makes. The program is not changed and does not notice: its spaces have the class that it asked for, and its near callback
-gets the same pairs.
+Runs a program that uses the Open Dynamics Engine (ODE) with predictive
+collision spaces in place of the spaces that it makes. The program is not
+changed and does not notice: its spaces have the class that it asked for, and
+its near callback gets the same pairs.
 
-  --space LIST       which spaces are replaced: hash, quadtree, sap, simple, separated by commas; all; none
-                     (default: hash,quadtree,sap; simple ones are what programs use for tiny groups)
-  --proximity KIND   box: report the pairs whose bounding boxes overlap, as ODE does (default)
-                     sphere: leave out those whose bounding spheres do not overlap; no contact is lost
-                     shape: leave out those whose shapes cannot touch; no contact is lost that ODE's own colliders find
-  --stats[=FILE]     at the end, say on standard error, or at the end of FILE, what each space did and the time it took
-  --compare          check each collide against all pairs, and report differences on standard error; slow
-  --trace=FILE       add a line to FILE for each collide: how many pairs, and a hash of them. To make runs comparable, the
-                     callback then gets the pairs after the collide, in an order that does not depend on the space; with
-                     --space none the program's own spaces are traced
+  --space LIST       which spaces are replaced: hash, quadtree, sap, simple,
+                     separated by commas; all; none (default:
+                     hash,quadtree,sap; simple ones are what programs use for
+                     tiny groups)
+  --proximity KIND   box: report the pairs whose bounding boxes overlap, as ODE
+                     does (default)
+                     sphere: leave out those whose bounding spheres do not
+                     overlap; no contact is lost
+                     shape: leave out those whose shapes cannot touch; no
+                     contact is lost that ODE's own colliders find
+  --stats[=FILE]     at the end, say on standard error, or at the end of FILE,
+                     what each space did and the time it took
+  --watch            show live counters on standard error, twice a second
+  --report DIR       at the end, write a page with plots, DIR/index.html
+  --compare          check each collide against all pairs, and report
+                     differences on standard error; slow
+  --trace=FILE       add a line to FILE for each collide: how many pairs, and a
+                     hash of them. To make runs comparable, the callback then
+                     gets the pairs after the collide, in an order that does
+                     not depend on the space; with --space none the program's
+                     own spaces are traced
   --help, --version
 
-Each option sets an environment variable, which the programs that PROGRAM starts inherit, and which can be set without this
-launcher: ODE_PREDICTIVE_SPACE=LIST, ODE_PREDICTIVE_PROXIMITY=KIND, ODE_PREDICTIVE_STATS=1 or FILE, ODE_PREDICTIVE_COMPARE=1,
-ODE_PREDICTIVE_TRACE=FILE; and LD_PRELOAD, the path of libode_predictive_space_preload.so.
+Each option but --watch and --report sets an environment variable, which the
+programs that PROGRAM starts inherit, and which can be set without this
+launcher: ODE_PREDICTIVE_SPACE=LIST, ODE_PREDICTIVE_PROXIMITY=KIND,
+ODE_PREDICTIVE_STATS=1 or FILE, ODE_PREDICTIVE_COMPARE=1,
+ODE_PREDICTIVE_TRACE=FILE; and LD_PRELOAD, the path of
+libode_predictive_space_preload.so.
 
-With --stats or --compare the launcher stays until PROGRAM has ended, passes signals on to it, and tells what a program that
-ended by a signal, a crash or _exit() could not tell. Otherwise PROGRAM takes its place.
+With --stats, --compare, --watch or --report the launcher stays until PROGRAM
+has ended, passes signals on to it, and tells what a program that ended by a
+signal, a crash or _exit() could not tell. Otherwise PROGRAM takes its place.
 
-The program must use the shared library of ODE that this was built for. Others keep their own spaces, and a line on standard
-error says why: an ODE of another precision or layout, a second copy in the process, an ODE built into the program. Not seen
-and therefore not replaced are functions that a program looks up by dlsym(), and an ODE inside a program without symbols.
-LD_PRELOAD has no power over programs with set-user-ID and over those that are linked statically.
+The program must use the shared library of ODE that this was built for. Others
+keep their own spaces, and a line on standard error says why: an ODE of another
+precision or layout, a second copy in the process, an ODE built into the
+program. Not seen and therefore not replaced are functions that a program looks
+up by dlsym(), and an ODE inside a program without symbols. LD_PRELOAD has no
+power over programs with set-user-ID and over those that are linked statically.
 
-Exit status: the program's, also when a signal ended it; 2 for a wrong option; 126 or 127 when the program cannot be started.
+Exit status: the program's, also when a signal ended it; 2 for a wrong option or
+a file that cannot be written; 126 or 127 when the program cannot be started.
 )";
 
 bool is_one_of(const std::string &word, std::initializer_list<const char *> known)
@@ -82,13 +105,42 @@ std::string absolute(const char *file, const char *option)
     return std::filesystem::absolute(file);
 }
 
+// Noticed before the program runs, which alone makes the file. Opening a pipe could be noticed by its reader.
+std::string writable(const char *file, const char *option)
+{
+    const std::string path = absolute(file, option);
+    std::error_code none;
+    const bool existed = std::filesystem::exists(path, none);
+    if (existed && !std::filesystem::is_regular_file(path, none))
+        return path;
+    if (!std::ofstream(path, std::ios::app))
+        fail("%s: cannot write %s", option, path.c_str());
+    if (!existed)
+        std::filesystem::remove(path, none);
+    return path;
+}
+
+std::string report_folder(const char *folder)
+{
+    const std::string path = absolute(folder, "--report");
+    try
+    {
+        report::prepare_folder(path);
+    }
+    catch (const std::runtime_error &failure)
+    {
+        fail("--report: %s", failure.what());
+    }
+    return path;
+}
+
 [[noreturn]] void show(const char *text)
 {
     std::fputs(text, stdout);
     std::exit(std::fflush(stdout) == 0 ? 0 : 1);
 }
 
-void take_option(int option, const char *option_text)
+void take_option(int option, const char *option_text, RunOptions &options)
 {
     switch (option)
     {
@@ -99,11 +151,17 @@ void take_option(int option, const char *option_text)
         check_proximity(optarg);
         return set("ODE_PREDICTIVE_PROXIMITY", optarg);
     case 'S':
-        return set("ODE_PREDICTIVE_STATS", optarg ? absolute(optarg, "--stats") : "1");
+        return set("ODE_PREDICTIVE_STATS", optarg ? writable(optarg, "--stats") : "1");
     case 'c':
         return set("ODE_PREDICTIVE_COMPARE", "1");
     case 't':
-        return set("ODE_PREDICTIVE_TRACE", absolute(optarg, "--trace"));
+        return set("ODE_PREDICTIVE_TRACE", writable(optarg, "--trace"));
+    case 'w':
+        options.watch = true;
+        return;
+    case 'r':
+        options.report_folder = report_folder(optarg);
+        return;
     case 'h':
         show(help);
     case 'v':
@@ -127,12 +185,14 @@ void fail(const char *format, ...)
     std::exit(2);
 }
 
-char **take_options(int argc, char **argv)
+RunOptions take_options(int argc, char **argv)
 {
+    RunOptions chosen;
     const option options[] = {
         {"space", required_argument, nullptr, 's'}, {"proximity", required_argument, nullptr, 'p'},
         {"stats", optional_argument, nullptr, 'S'}, {"compare", no_argument, nullptr, 'c'},
-        {"trace", required_argument, nullptr, 't'}, {"help", no_argument, nullptr, 'h'},
+        {"trace", required_argument, nullptr, 't'}, {"report", required_argument, nullptr, 'r'},
+        {"watch", no_argument, nullptr, 'w'},       {"help", no_argument, nullptr, 'h'},
         {"version", no_argument, nullptr, 'v'},     {}};
     opterr = 0;
     for (;;)
@@ -141,10 +201,11 @@ char **take_options(int argc, char **argv)
         const int option = getopt_long(argc, argv, "+:h", options, nullptr);
         if (option < 0)
             break;
-        take_option(option, option_text);
+        take_option(option, option_text, chosen);
     }
     if (!argv[optind])
         fail("which program? --help explains");
-    return argv + optind;
+    chosen.command = argv + optind;
+    return chosen;
 }
 } // namespace ode_predictive_space::preload

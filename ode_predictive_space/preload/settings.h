@@ -17,10 +17,11 @@ struct Settings
     std::string stats_file; ///< where; empty: on standard error
     bool compare = false;   ///< check every collide against all pairs
     std::string trace_file; ///< a line for every collide; empty: none
-    bool watches() const { return stats || compare || !trace_file.empty(); }
+    bool counted = false;   ///< a launcher shows the counts
+    bool watches() const { return stats || compare || counted || !trace_file.empty(); }
 };
 
-/// Reads the variables ODE_PREDICTIVE_SPACE, _PROXIMITY, _STATS, _COMPARE and _TRACE.
+/// Reads the variables ODE_PREDICTIVE_SPACE, _PROXIMITY, _STATS, _COMPARE, _COUNTS and _TRACE.
 ///
 /// @param variable gives a variable's value, or 0.
 /// @param complaints gets a sentence for each value that is not known, for which the default is taken.

@@ -82,16 +82,27 @@ bool is_sent_by_a_process(const siginfo_t &signal)
     return signal.si_code <= 0;
 }
 
-int wait_for(pid_t program)
+// @return whether there was one.
+bool wait_for_signal(siginfo_t &signal, bool at_most_half_a_second)
 {
     sigset_t all;
     sigfillset(&all);
+    const timespec half_a_second = {0, 500'000'000};
+    return sigtimedwait(&all, &signal, at_most_half_a_second ? &half_a_second : nullptr) > 0;
+}
+
+int wait_for(pid_t program, const std::function<void()> &twice_a_second)
+{
     for (;;)
     {
         siginfo_t signal;
         int status;
-        if (sigwaitinfo(&all, &signal) < 0)
+        if (!wait_for_signal(signal, static_cast<bool>(twice_a_second)))
+        {
+            if (twice_a_second)
+                twice_a_second();
             continue;
+        }
         if (signal.si_signo != SIGCHLD && is_sent_by_a_process(signal))
             kill(program, signal.si_signo);
         if (signal.si_signo == SIGCHLD && follow_state(program, status))
@@ -108,7 +119,7 @@ void become(char **command)
     _exit(reason == ENOENT ? 127 : 126);
 }
 
-int run_and_wait(char **command, int file)
+int run_and_wait(char **command, int file, const std::function<void()> &twice_a_second)
 {
     const SignalState signals = block_signals();
     const pid_t launcher = getpid();
@@ -121,7 +132,7 @@ int run_and_wait(char **command, int file)
     if (program == 0)
         begin_program(command, signals, launcher);
     close_all_files_but(file);
-    return wait_for(program);
+    return wait_for(program, twice_a_second);
 }
 
 void end_like(int status)

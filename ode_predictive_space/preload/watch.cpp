@@ -132,6 +132,8 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
         counts.most_geoms = std::max(counts.most_geoms, dSpaceGetNumGeoms(call.space));
         counts.reported += call.reported;
         (counts.*call.times).add(call.seconds, call.in_callbacks);
+        if (call.times == &SpaceCounts::collide)
+            counts.collide_series.add(call.seconds);
         if (!predictive)
             return;
         dPredictiveSpaceGetStats(call.space, &known.latest);

@@ -135,6 +135,40 @@ TEST_P(EndOfAProgram, LeavesStatisticsComparisonAndTrace)
 INSTANTIATE_TEST_SUITE_P(Ways, EndOfAProgram,
                          testing::Values("return", "exit", "_exit", "abort", "crash", "2", "9", "15"));
 
+TEST_P(EndOfAProgram, LeavesAPageWithPlots)
+{
+    const ScratchFile place;
+    const std::string folder = place.path() + ".report";
+    const std::string program = std::string(ENDING " ") + GetParam();
+    EXPECT_EQ(raw_status(LAUNCHER " --report " + folder + " " + program), raw_status(program));
+    std::ostringstream page;
+    page << std::ifstream(folder + "/index.html").rdbuf();
+    EXPECT_EQ(count_of("<polyline", page.str()), 1) << page.str();
+    EXPECT_TRUE(contains(page.str(), "dSpaceCollide 3 calls")) << page.str();
+    unlink((folder + "/index.html").c_str());
+    rmdir(folder.c_str());
+}
+
+TEST(LiveCounters, AreShownWhileTheProgramRunsAndAtItsEnd)
+{
+    alarm(60); // a test that does not end is ended
+    allow_preload();
+    FILE *pipe = popen("exec " LAUNCHER " --watch " ENDING " wait 2>&1", "r");
+    ASSERT_NE(pipe, nullptr);
+    pid_t program = 0;
+    char line[1000];
+    while (std::fgets(line, sizeof line, pipe) && !contains(line, "1 space, 3 collides, "))
+        program = std::max(program, std::atoi(line));
+    ASSERT_GT(program, 0);
+    kill(program, SIGKILL);
+    std::string last;
+    while (std::fgets(line, sizeof line, pipe))
+        last = line;
+    EXPECT_TRUE(contains(last, "ode-predictive-run: 1 space, 3 collides, ")) << last;
+    EXPECT_EQ(pclose(pipe), SIGKILL) << "its end is passed on";
+    alarm(0);
+}
+
 // Of a child that had its parent's memory, exit() told what the parent had counted.
 TEST(EndOfAChild, IsToldOfItsOwnCollidesAlone)
 {

@@ -10,19 +10,33 @@ TEST(Launcher, ExplainsItself)
 {
     const Outcome outcome = launch("--help");
     EXPECT_EQ(outcome.status, 0);
-    for (const char *word : {"--space", "--proximity", "--stats", "--compare", "--trace", "ODE_PREDICTIVE_SPACE"})
+    for (const char *word :
+         {"--space", "--proximity", "--stats", "--compare", "--trace", "--watch", "--report", "ODE_PREDICTIVE_SPACE"})
         EXPECT_TRUE(contains(outcome.output, word)) << word;
+    std::istringstream lines(outcome.output);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_LE(line.size(), 80u) << line;
 }
 
 TEST(Launcher, RefusesWrongOptions)
 {
-    for (const char *arguments : {"--space hsah true", "--space= true", "--proximity cube true", "--stats= true",
-                                  "--trace", "--speed true", "--space all", ""})
+    for (const char *arguments :
+         {"--space hsah true", "--space= true", "--proximity cube true", "--stats= true", "--trace", "--speed true",
+          "--space all", "", "--report= true", "--report /proc/no_folder true", "--stats=/nonexistent/file true",
+          "--trace=/nonexistent/file true"})
     {
         const Outcome outcome = launch(arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
         EXPECT_EQ(count_of("\n", outcome.output), 1) << outcome.output;
     }
+}
+
+TEST(Launcher, LeavesFilesToThePrograms)
+{
+    const ScratchFile place;
+    const std::string file = place.path() + ".new";
+    EXPECT_EQ(launch("--stats=" + file + " --trace=" + file + " true").status, 0);
+    EXPECT_FALSE(std::ifstream(file)) << "nothing was written to it";
 }
 
 TEST(Launcher, PassesArgumentsAndStatusOn)
@@ -57,7 +71,8 @@ TEST(Variables, UnknownValuesAreNamedAndDefaultsTaken)
 
 TEST(Variables, AFileThatCannotBeWrittenIsNamed)
 {
-    const Outcome outcome = launch("--stats=/nonexistent/file " LINKED);
+    const Outcome outcome = run("env", "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" PRELOAD
+                                       " ODE_PREDICTIVE_STATS=/nonexistent/file " LINKED);
     EXPECT_EQ(outcome.status, 0);
     EXPECT_TRUE(contains(outcome.output, "/nonexistent/file cannot be written")) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "predictive by boxes")) << outcome.output;

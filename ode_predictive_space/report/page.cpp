@@ -1,0 +1,58 @@
+#include "ode_predictive_space/report/page.h"
+
+#include "ode_predictive_space/report/drawing.h"
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace ode_predictive_space::report
+{
+namespace
+{
+constexpr char style[] =
+    R"(body { font-family: sans-serif; max-width: 54em; margin: 2em auto; padding: 0 1em; color: #222; }
+pre { background: #f4f4f4; padding: 1em; white-space: pre-wrap; }
+h2 { font-size: 1.1em; margin: 2em 0 0.3em; }
+svg { width: 100%; height: auto; }
+text { font-size: 12px; fill: #444; })";
+
+std::string path_of_page(const std::string &folder)
+{
+    return (std::filesystem::path(folder) / "index.html").string();
+}
+} // namespace
+
+std::string html(const Page &page)
+{
+    std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+                       escaped(page.title) + "</title>\n<style>\n" + style + "\n</style>\n</head>\n<body>\n<h1>" +
+                       escaped(page.title) + "</h1>\n<pre>" + escaped(page.text) + "</pre>\n";
+    for (const Plot &plot : page.plots)
+    {
+        text += svg(plot);
+    }
+    return text + "</body>\n</html>\n";
+}
+
+void prepare_folder(const std::string &folder)
+{
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure || !std::ofstream(path_of_page(folder), std::ios::app))
+    {
+        throw std::runtime_error("cannot write " + path_of_page(folder));
+    }
+}
+
+void write_page(const std::string &folder, const Page &page)
+{
+    std::ofstream out(path_of_page(folder));
+    out << html(page);
+    out.close();
+    if (!out)
+    {
+        throw std::runtime_error("cannot write " + path_of_page(folder));
+    }
+}
+} // namespace ode_predictive_space::report

@@ -1,0 +1,61 @@
+// One HTML page with plots of a run. It needs no network and no script: the plots are drawn in it as SVG.
+
+#ifndef ODE_PREDICTIVE_SPACE_REPORT_PAGE_H
+#define ODE_PREDICTIVE_SPACE_REPORT_PAGE_H
+
+#include <string>
+#include <vector>
+
+namespace ode_predictive_space::report
+{
+struct Point
+{
+    double x;
+    double y;
+};
+
+/// What is not a finite number has no place in a plot and is left out; with a logarithmic axis, so is what is not above 0.
+struct Curve
+{
+    enum class Style
+    {
+        line,
+        dots
+    };
+
+    std::string name;
+    std::vector<Point> points;
+    Style style = Style::line;
+};
+
+struct Plot
+{
+    std::string title;
+    std::string x_label; ///< with the unit
+    std::string y_label; ///< with the unit
+    std::vector<Curve> curves;
+    bool logarithmic = false; ///< the y axis
+};
+
+struct Page
+{
+    std::string title;
+    std::string text; ///< shown as it is, with its lines
+    std::vector<Plot> plots;
+};
+
+/// The page as text. Curves and plots without points are left out.
+std::string html(const Page &page);
+
+/// Makes the folder unless it exists, and checks that the page can be written there.
+///
+/// @throws std::runtime_error when it cannot.
+void prepare_folder(const std::string &folder);
+
+/// Writes `index.html` into the folder.
+///
+/// @throws std::runtime_error when it cannot.
+void write_page(const std::string &folder, const Page &page);
+} // namespace ode_predictive_space::report
+
+#endif

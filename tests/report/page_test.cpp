@@ -1,0 +1,87 @@
+#include "ode_predictive_space/report/page.h"
+
+#include "ode_predictive_space/report/curves.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <limits>
+#include <unistd.h>
+
+namespace ode_predictive_space::report
+{
+namespace
+{
+std::size_t count_of(const std::string &part, const std::string &text)
+{
+    std::size_t count = 0;
+    for (std::size_t place = text.find(part); place != std::string::npos; place = text.find(part, place + 1))
+    {
+        ++count;
+    }
+    return count;
+}
+
+TEST(Page, DrawsLinesAndDots)
+{
+    const std::string text =
+        html({"t", "", {{"plot", "x", "y", {{"a", {{0, 0}, {1, 2}}}, {"b", {{1, 1}}, Curve::Style::dots}}}}});
+    EXPECT_EQ(count_of("<svg", text), 1u);
+    EXPECT_EQ(count_of("points=\"70.0,255.0 790.0,10.0 \"", text), 1u) << "from corner to corner: " << text;
+    EXPECT_EQ(count_of("<circle cx=\"790.0\" cy=\"132.5\"", text), 1u) << text;
+}
+
+TEST(Page, ALogarithmicAxisHasWholeDecades)
+{
+    const std::string text = html({"t", "", {{"plot", "x", "y", {{"a", {{0, 1}, {1, 50}}}}, true}}});
+    EXPECT_EQ(count_of("points=\"70.0,255.0 790.0,46.9 \"", text), 1u) << text;
+    EXPECT_EQ(count_of(">100</text>", text), 1u);
+}
+
+TEST(Page, LeavesOutWhatHasNoPoints)
+{
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const double infinite = std::numeric_limits<double>::infinity();
+    const std::string text = html({"t",
+                                   "",
+                                   {{"empty", "x", "y", {{"a", {}}, {"b", {{none, 1}, {1, infinite}}}}},
+                                    {"log", "x", "y", {{"c", {{1, 0}, {2, -1}}}}, true}}});
+    EXPECT_EQ(count_of("<svg", text), 0u);
+    EXPECT_EQ(count_of("nan", text) + count_of("inf", text), 0u);
+}
+
+TEST(Page, ShowsTextAsItIs)
+{
+    const std::string text = html({"<script>", "a < b & \"c\"", {}});
+    EXPECT_EQ(count_of("<script", text), 0u);
+    EXPECT_EQ(count_of("a &lt; b &amp; &quot;c&quot;", text), 1u);
+}
+
+TEST(Page, IsWrittenIntoAFolder)
+{
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("page_test_" + std::to_string(getpid())) / "a" / "b";
+    prepare_folder(folder);
+    write_page(folder, {"title", "text", {}});
+    std::string first;
+    std::getline(std::ifstream(folder / "index.html"), first);
+    EXPECT_EQ(first, "<!DOCTYPE html>");
+    std::filesystem::remove_all(folder.parent_path().parent_path());
+    EXPECT_THROW(prepare_folder("/proc/no_folder"), std::runtime_error);
+    EXPECT_THROW(write_page("/proc/no_folder", {}), std::runtime_error);
+}
+
+TEST(Page, CurvesOfASeriesHaveTheirPointsInTheMiddleOfColumns)
+{
+    BoundedSeries series{};
+    for (std::size_t i = 0; i <= BoundedSeries::most_columns; ++i)
+    {
+        series.add(static_cast<double>(i));
+    }
+    const Curve mean = means("m", series, 0.1, 10);
+    EXPECT_DOUBLE_EQ(mean.points[1].x, 0.3);
+    EXPECT_DOUBLE_EQ(mean.points[1].y, 25);
+    EXPECT_DOUBLE_EQ(largest("l", series, 0.1, 10).points[1].y, 30);
+}
+} // namespace
+} // namespace ode_predictive_space::report
