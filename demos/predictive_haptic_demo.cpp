@@ -2,7 +2,10 @@
 
 #include "demos/haptic/comparison.h"
 #include "demos/haptic/haptic_run.h"
+#include "demos/haptic/run_page.h"
 #include "demos/haptic/run_summary.h"
+#include "demos/scenes/command_line.h"
+#include "demos/scenes/narrow_output.h"
 #include "demos/scenes/result_records.h"
 #include "ode_predictive_space/haptics/device_factory.h"
 #include "ode_predictive_space/haptics/stop_request.h"
@@ -80,10 +83,30 @@ void run_probe(Options options, bool in_window)
     {
         scenes::write_json(options.json_file, demo::json_summary(options, result));
     }
+    if (!options.report_folder.empty())
+    {
+        report::write_page(options.report_folder, demo::page_of_run(options, result));
+    }
+}
+
+void check_outputs(const Options &options)
+{
+    for (const std::string &file : {options.json_file, options.screenshot_file})
+    {
+        if (!file.empty())
+        {
+            scenes::check_writable(file);
+        }
+    }
+    if (!options.report_folder.empty())
+    {
+        report::prepare_folder(options.report_folder);
+    }
 }
 
 ExitStatus run_demo(const Options &options)
 {
+    check_outputs(options);
     const scenes::OdeSession ode;
     const std::string lack = options.headless ? "" : what_a_window_lacks();
     const bool in_window = !options.headless && !options.compare && lack.empty();
@@ -110,11 +133,18 @@ int run_as_asked(int argc, char **argv)
     CLI::App app(
         "A probe among still and moving objects, which feels and pushes what it touches: in a window where there is "
         "a display.\nWithout a window, and without an option that is about the probe, or with --compare, or with "
-        "several spaces: the\npredictive space beside ODE's own spaces.\n"
+        "several spaces: the predictive space beside ODE's own spaces.\n"
         "Exit status: 0, or 1 when spaces that are compared did not report the same pairs, or 2 when something "
         "failed.");
     demo::declare_options(app, options);
-    CLI11_PARSE(app, argc, argv);
+    try
+    {
+        app.parse(argc, argv);
+    }
+    catch (const CLI::ParseError &end)
+    {
+        return scenes::end_of_parsing(app, end);
+    }
     demo::complete(options, app);
     return run_demo(options);
 }
@@ -122,6 +152,8 @@ int run_as_asked(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    const scenes::NarrowOutput results(std::cout);
+    const scenes::NarrowOutput messages(std::cerr);
     try
     {
         return run_as_asked(argc, argv);

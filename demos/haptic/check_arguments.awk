@@ -13,12 +13,25 @@ function refuse(what) {
     exit 1
 }
 
-# An option of the help text: "  --name TYPE:CHECK=default   what it is", where TYPE and the rest are missing from a flag.
-function read_help(file, line, name, rest) {
+# An option of the help text: "  --name TYPE:CHECK=default   what it is", where TYPE and the rest are missing from a flag. Lines
+# that are too long go on below, broken after commas or at blanks.
+function read_help(file, line, option) {
     while ((getline line < file) > 0) {
-        if (line !~ /^  -/) {
-            continue
+        if (line ~ /^  -/) {
+            read_option(option)
+            option = line
+        } else {
+            sub(/^ +/, "", line)
+            option = option (option ~ /,$/ ? "" : "  ") line
         }
+    }
+    read_option(option)
+    close(file)
+    known["-h"] = 1
+}
+
+function read_option(line, name, rest) {
+    if (line ~ /^  -/) {
         match(line, /--[a-z]+/)
         name = substr(line, RSTART, RLENGTH)
         rest = substr(line, RSTART + RLENGTH)
@@ -29,11 +42,10 @@ function read_help(file, line, name, rest) {
         }
         if (name == "--device") {
             sub(/.*: /, "", line)
+            gsub(/, */, ", ", line)
             devices = line
         }
     }
-    close(file)
-    known["-h"] = 1
 }
 
 function parse_arguments(i, argument, name, separator) {

@@ -1,6 +1,7 @@
 #include "demos/haptic/comparison.h"
 
 #include "demos/haptic/comparison_report.h"
+#include "demos/haptic/run_page.h"
 #include "demos/scenes/progress.h"
 #include "demos/scenes/result_records.h"
 
@@ -81,6 +82,10 @@ bool compare_spaces(const Options &options)
     if (!options.json_file.empty())
     {
         write_json(options.json_file, json_report(runs, spec));
+    }
+    if (!options.report_folder.empty())
+    {
+        report::write_page(options.report_folder, page_of_comparison(runs, factory.tick_seconds()));
     }
     return first_difference(runs) < 0 && first_difference_of_contacts(runs) < 0;
 }

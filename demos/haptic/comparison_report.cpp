@@ -17,6 +17,11 @@ double mean_collide_time(const SceneRun &run)
     return summarise(run.collide_times()).mean;
 }
 
+double median_collide_time(const SceneRun &run)
+{
+    return summarise(run.collide_times()).median;
+}
+
 double mean_tick_time(const SceneRun &run)
 {
     return summarise(run.tick_times()).mean;
@@ -42,14 +47,14 @@ const SceneRun *predictive_run(const SceneRuns &runs)
     return found == runs.end() ? nullptr : found->get();
 }
 
-/// The fastest of the other spaces; null when there is none.
+/// The fastest of the other spaces, by the median; null when there is none.
 const SceneRun *best_other_run(const SceneRuns &runs)
 {
     const SceneRun *best = nullptr;
     for (const auto &run : runs)
     {
         if (run->contender().family() != Family::predictive &&
-            (best == nullptr || mean_collide_time(*run) < mean_collide_time(*best)))
+            (best == nullptr || median_collide_time(*run) < median_collide_time(*best)))
         {
             best = run.get();
         }
@@ -84,7 +89,7 @@ void print_collision_table(std::ostream &out, const SceneRuns &runs)
 void print_tick_table(std::ostream &out, const SceneRuns &runs)
 {
     out << "\nWhole tick: collision detection, contacts, forces and the step of the world\n\n";
-    Table table({"space", "ticks per second", "mean (µs)", "over 1 ms", "gain", "contacts per tick"});
+    Table table({"space", "ticks / s", "mean (µs)", "over 1 ms", "gain", "contacts / tick"});
     for (const auto &run : runs)
     {
         const double mean = mean_tick_time(*run);
@@ -103,10 +108,10 @@ void print_verdict(std::ostream &out, const SceneRuns &runs)
     {
         return;
     }
-    const double ratio = mean_collide_time(*best) / mean_collide_time(*ours);
+    const double ratio = median_collide_time(*best) / median_collide_time(*ours);
     out << "The gain is the share of the other space's mean time that prediction saves: (T_other - T_predictive) / "
            "T_other.\n"
-        << "The predictive space "
+        << "By the medians, the predictive space "
         << (ratio >= 1 ? "was " + fixed(ratio, 1) + " times as fast as"
                        : "took " + fixed(1 / ratio, 1) + " times as long as")
         << " the best of the others (" << long_name(*best) << ") in finding the pairs.\n";
@@ -115,6 +120,11 @@ void print_verdict(std::ostream &out, const SceneRuns &runs)
 void print_probe(std::ostream &out, const SceneRun &run)
 {
     const ProbeLog &log = run.probe_log();
+    if (log.touched.empty())
+    {
+        out << "The probe touched nothing.\n";
+        return;
+    }
     out << "The probe touched " << log.touched.size() << " objects, in " << grouped(log.ticks_in_touch) << " of "
         << grouped(run.ticks()) << " ticks";
     if (log.ticks_in_touch > 0)

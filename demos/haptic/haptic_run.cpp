@@ -122,7 +122,9 @@ void HapticRun::collide()
     near_.clear();
     const Clock::time_point begin = Clock::now();
     dSpaceCollide(space_.get(), this, &near_callback);
-    collide_times_.add(scenes::seconds_between(begin, Clock::now()));
+    const double seconds = scenes::seconds_between(begin, Clock::now());
+    collide_times_.add(seconds);
+    collide_series_.add(seconds);
     pair_count_ += pairs_.size() + near_.size();
     adjust_stiffness();
 }
@@ -144,7 +146,9 @@ void HapticRun::advance()
     }
     ++steps_;
     time_ = static_cast<double>(steps_) * tick_seconds_;
-    servo_log_->step_took(scenes::seconds_between(begin, Clock::now()));
+    const double seconds = scenes::seconds_between(begin, Clock::now());
+    servo_log_->step_took(seconds);
+    advance_series_.add(seconds);
 }
 
 void HapticRun::find_touched()
@@ -203,6 +207,13 @@ RunResult HapticRun::run(const std::function<void()> &after_step)
     result.collide = collide_times_.summary();
     result.servo = servo_log_->totals();
     result.encounters = encounter_log_.summary();
+    result.contacts = encounter_log_.contacts();
+    result.series = {tick_seconds_,
+                     1 / servo_rate_,
+                     collide_series_,
+                     advance_series_,
+                     servo_log_->force_series(),
+                     servo_log_->period_series()};
     result.pairs = pair_count_;
     result.stiffness = probe_->renderer().rendered(law_->material()).stiffness * scale_;
     result.scale = scale_;

@@ -20,6 +20,17 @@ namespace ode_predictive_space::demo
 {
 using haptics::Vector3;
 
+/// What a run was like from beginning to end.
+struct RunSeries
+{
+    double step_seconds = 0;         ///< simulated, of a value in collide and advance
+    double servo_seconds = 0;        ///< of a value in force and period
+    report::BoundedSeries collide{}; ///< s; in dSpaceCollide()
+    report::BoundedSeries advance{}; ///< s; contacts, forces and the step of the world
+    report::BoundedSeries force{};   ///< N
+    report::BoundedSeries period{};  ///< s
+};
+
 /// The result of a run.
 struct RunResult
 {
@@ -27,6 +38,8 @@ struct RunResult
     haptics::TimeSummary collide; ///< s; in dSpaceCollide()
     ServoTotals servo;
     haptics::EncounterSummary encounters;
+    std::vector<haptics::LoggedContact> contacts;
+    RunSeries series;
     std::uint64_t pairs = 0;                          ///< reported by the space, summed over the steps
     std::optional<dPredictiveSpaceStats> space_stats; ///< of a predictive space
     std::optional<haptics::ForceError> replay_error;  ///< of a replay: against the recorded forces
@@ -121,6 +134,8 @@ private:
     std::vector<haptics::Encounter> meetings_;
     haptics::EncounterLog encounter_log_;
     haptics::TimeHistogram collide_times_;
+    report::BoundedSeries collide_series_{};
+    report::BoundedSeries advance_series_{};
 };
 } // namespace ode_predictive_space::demo
 

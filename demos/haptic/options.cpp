@@ -85,6 +85,8 @@ void declare_output_options(CLI::App &app, Options &options)
     app.add_option("--replay", options.replay_file, "The same as --device replay:FILE, and compare the forces")
         ->type_name("FILE");
     app.add_option("--json", options.json_file, "Write the results to this file, too")->type_name("FILE");
+    app.add_option("--report", options.report_folder, "Write a page with plots of the run, index.html, to this folder")
+        ->type_name("DIR");
     app.add_flag("--headless", options.headless, "Open no window");
     app.add_flag("--compare", options.compare,
                  "Run the scene mix in several spaces, alternating, and compare their cost");

@@ -32,6 +32,7 @@ struct Options
     std::string record_file;
     std::string replay_file;
     std::string json_file;
+    std::string report_folder; ///< empty: no page
     bool headless = false;
     bool compare = false;
     std::string screenshot_file;

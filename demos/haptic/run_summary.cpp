@@ -66,14 +66,21 @@ void print_collisions(std::ostream &out, const RunResult &result)
 void print_force(std::ostream &out, const RunResult &result)
 {
     const ServoTotals &servo = result.servo;
-    line(out, "Force") << "in "
-                       << percent(static_cast<double>(servo.ticks_with_force), static_cast<double>(servo.ticks))
-                       << " of the ticks";
-    if (servo.ticks_with_force > 0)
+    line(out, "Force");
+    if (servo.ticks_with_force == 0)
     {
-        out << ", " << fixed(servo.force_sum / static_cast<double>(servo.ticks_with_force), 2) << " N on average, "
-            << fixed(servo.max_force, 2) << " N at most; more than the device can in "
-            << percent(static_cast<double>(result.loop.saturated), static_cast<double>(servo.ticks));
+        out << "none";
+    }
+    else
+    {
+        out << "in " << percent(static_cast<double>(servo.ticks_with_force), static_cast<double>(servo.ticks))
+            << " of the ticks, " << fixed(servo.force_sum / static_cast<double>(servo.ticks_with_force), 2)
+            << " N on average, " << fixed(servo.max_force, 2) << " N at most";
+        if (result.loop.saturated > 0)
+        {
+            out << "; more than the device can in "
+                << percent(static_cast<double>(result.loop.saturated), static_cast<double>(servo.ticks));
+        }
     }
     out << '\n';
     line(out, "Stiffness") << fixed(result.stiffness, 0) << " N/m at the hand, "

@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/exchange.h"
 #include "ode_predictive_space/haptics/recording.h"
 #include "ode_predictive_space/haptics/renderer.h"
+#include "ode_predictive_space/report/bounded_series.h"
 
 #include <atomic>
 #include <chrono>
@@ -63,7 +64,9 @@ public:
 
     /// After the end.
     const ServoTotals &totals() const { return totals_; }
-    const std::vector<haptics::Vector3> &forces() const { return forces_; } ///< N
+    const std::vector<haptics::Vector3> &forces() const { return forces_; }       ///< N
+    const report::BoundedSeries &force_series() const { return force_series_; }   ///< N
+    const report::BoundedSeries &period_series() const { return period_series_; } ///< s; from the second tick on
     std::size_t lost_in_recording() const { return recorder_ ? recorder_->lost() : 0; }
 
     /// After the end. @throws haptics::DeviceError when the recording could not be written.
@@ -79,6 +82,8 @@ private:
     bool keep_forces_;
     std::vector<haptics::Vector3> forces_;
     ServoTotals totals_;
+    report::BoundedSeries force_series_{};
+    report::BoundedSeries period_series_{};
     Clock::time_point last_tick_{};
     ServoColumn column_;
     std::atomic<double> longest_step_{0};

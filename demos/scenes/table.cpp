@@ -1,5 +1,7 @@
 #include "demos/scenes/table.h"
 
+#include "demos/scenes/narrow_output.h"
+
 #include <algorithm>
 #include <cinttypes>
 #include <cmath>
@@ -12,6 +14,7 @@ namespace ode_predictive_space::scenes
 namespace
 {
 constexpr std::size_t gap = 2;
+constexpr std::size_t narrowest_label = 26; // of a first column that is too wide for the others
 
 std::string with_groups(std::string digits)
 {
@@ -20,13 +23,6 @@ std::string with_groups(std::string digits)
         digits.insert(static_cast<std::size_t>(position), ",");
     }
     return digits;
-}
-
-/// Characters on the screen: in UTF-8 all bytes but those that continue a character.
-std::size_t width(const std::string &text)
-{
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 } // namespace
 
@@ -67,13 +63,37 @@ std::vector<std::size_t> Table::column_widths() const
 
 void Table::print(std::ostream &out) const
 {
-    const std::vector<std::size_t> widths = column_widths();
-    const std::size_t total = std::accumulate(widths.begin(), widths.end(), std::size_t{0}) + gap * (widths.size() - 1);
+    std::vector<std::size_t> widths = column_widths();
+    const std::size_t others = std::accumulate(widths.begin() + 1, widths.end(), gap * (widths.size() - 1));
+    const std::size_t room = output_width - std::min(others, output_width - narrowest_label);
+    widths[0] = std::min(widths[0], room);
+    for (std::size_t begin = 1; begin < widths.size();)
+    {
+        std::size_t total = widths[0];
+        std::size_t end = begin;
+        while (end < widths.size() && (end == begin || total + gap + widths[end] <= output_width))
+        {
+            total += gap + widths[end++];
+        }
+        out << (begin > 1 ? "\n" : "");
+        print_columns(out, widths, begin, end);
+        begin = end;
+    }
+}
+
+void Table::print_columns(std::ostream &out, const std::vector<std::size_t> &widths, std::size_t begin,
+                          std::size_t end) const
+{
+    const auto first = widths.begin();
+    const std::size_t total =
+        std::accumulate(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end),
+                        widths[0] + gap * (end - begin));
     for (std::size_t i = 0; i < rows_.size(); ++i)
     {
         const Row &row = rows_[i];
-        out << row[0] << std::string(widths[0] - width(row[0]), ' ');
-        for (std::size_t column = 1; column < row.size(); ++column)
+        const bool too_long = width(row[0]) > widths[0];
+        out << row[0] << (too_long ? "\n" : "") << std::string(widths[0] - (too_long ? 0 : width(row[0])), ' ');
+        for (std::size_t column = begin; column < std::min(end, row.size()); ++column)
         {
             out << std::string(gap + widths[column] - width(row[column]), ' ') << row[column];
         }

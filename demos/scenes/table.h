@@ -19,7 +19,9 @@ std::string fixed(double number, int decimals);
 /// A 64-bit hash as 16 hexadecimal digits.
 std::string hexadecimal(std::uint64_t hash);
 
-/// Columns as wide as their widest cell, the first aligned on the left, the others on the right.
+/// Columns as wide as their widest cell, the first aligned on the left, the others on the right. A table that is wider than
+/// output_width is printed in several parts, each with the first column. A first cell that leaves no room for the others has a
+/// line of its own.
 class Table
 {
 public:
@@ -34,6 +36,8 @@ public:
 
 private:
     std::vector<std::size_t> column_widths() const;
+    void print_columns(std::ostream &out, const std::vector<std::size_t> &widths, std::size_t begin,
+                       std::size_t end) const;
 
     std::vector<Row> rows_;
 };

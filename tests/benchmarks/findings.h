@@ -18,7 +18,7 @@ enum ExitStatus
 {
     exit_ok = 0,
     exit_wrong_pairs = 1, ///< contenders that must agree did not, or a predictive space failed its check
-    exit_failed = 2       ///< the benchmark could not be run
+    exit_failed = 2       ///< the benchmark could not be run, or the command line is wrong
 };
 
 /// A figure that is asked for, and the figure that was measured.

@@ -1,5 +1,7 @@
 // Benchmarks of the predictive space beside ODE's own. Every claim is a ratio measured in one run, with the same motion.
 
+#include "demos/scenes/command_line.h"
+#include "demos/scenes/narrow_output.h"
 #include "demos/scenes/result_records.h"
 #include "demos/scenes/spaces.h"
 #include "tests/benchmarks/command.h"
@@ -18,6 +20,10 @@ ExitStatus run(Command &command, const Options &options)
     Findings findings;
     try
     {
+        if (!options.json_file.empty())
+        {
+            ode_predictive_space::scenes::check_writable(options.json_file);
+        }
         const ode_predictive_space::scenes::OdeSession ode;
         std::cout << which_ode() << "\n\n" << std::flush;
         command.measure(options, findings);
@@ -38,8 +44,10 @@ ExitStatus run(Command &command, const Options &options)
 
 int main(int argc, char **argv)
 {
+    const ode_predictive_space::scenes::NarrowOutput narrow;
     CLI::App app("What the predictive space, ODE's own spaces and others cost, side by side, with the same motion.\n"
-                 "Exit status: 0, or 1 when contenders did not report the same pairs, or 2 when something failed.");
+                 "Exit status: 0, or 1 when contenders did not report the same pairs, or 2 when something failed\n"
+                 "or the command line is wrong.");
     app.require_subcommand(1);
     Options options;
     const Commands commands = make_commands();
@@ -50,7 +58,14 @@ int main(int argc, char **argv)
         declare_options(*subcommands.back(), options);
         command->add_options(*subcommands.back());
     }
-    CLI11_PARSE(app, argc, argv);
+    try
+    {
+        app.parse(argc, argv);
+    }
+    catch (const CLI::ParseError &end)
+    {
+        return ode_predictive_space::scenes::end_of_parsing(app, end);
+    }
     for (std::size_t i = 0; i < commands.size(); ++i)
     {
         if (subcommands[i]->parsed())

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "demos/scenes/narrow_output.h"
 #include "tests/support/program.h"
 
 namespace ode_predictive_space::benchmarks
@@ -252,15 +253,50 @@ TEST(PredictiveBench, ShowsHowAPileSettlesInWindows)
     EXPECT_EQ(records[3].at("space"), "sap");
 }
 
+TEST(PredictiveBench, JudgesQueriesByTheLimitsOfTheirNumberOfObjects)
+{
+    const auto limits_with = [](const char *objects) {
+        std::vector<double> limits;
+        for (const nlohmann::json &record : results_of(std::string("query --ticks 3 --n ") + objects))
+        {
+            if (record.value("line", "") == "P7")
+            {
+                limits.push_back(record.at("limit"));
+            }
+        }
+        return limits;
+    };
+    EXPECT_EQ(limits_with("1000"), (std::vector<double>{1, 5, 1, 5}));
+    EXPECT_TRUE(limits_with("40").empty()) << "nothing is asked for";
+}
+
+TEST(PredictiveBench, PrintsWithinEightyColumns)
+{
+    for (const char *arguments :
+         {"--help", "contact --help", "scene gas --n 40 --ticks 64", "contact --scenes mix:40 --ticks 40",
+          "limits --scenes spot:20 --ticks 2 --quick", "table1 --ticks 2", "sudden --n 40 --quick --ticks 2",
+          "query --n 1000 --ticks 3", "tail --n 40 --ticks 4", "whole --n 40 --ticks 10", "stepped --n 100 --ticks 10",
+          "memory --n 40 --ticks 20 --quick", "scale --n 100 --ticks 4 --spaces predictive,sap"})
+    {
+        std::istringstream lines(run(PREDICTIVE_BENCH, arguments).output);
+        for (std::string line; std::getline(lines, line);)
+        {
+            line.erase(0, line.rfind('\r') + 1);
+            EXPECT_LE(scenes::width(line), scenes::output_width) << arguments << ": " << line;
+        }
+    }
+}
+
 TEST(PredictiveBench, RefusesWhatItCannotDo)
 {
-    EXPECT_GT(run(PREDICTIVE_BENCH, "").status, 1);
-    EXPECT_GT(run(PREDICTIVE_BENCH, "scene soup").status, 1);
-    EXPECT_GT(run(PREDICTIVE_BENCH, "scene gas --n 0").status, 1);
-    EXPECT_GT(run(PREDICTIVE_BENCH, "scene gas --spaces octree").status, 1);
+    for (const char *arguments : {"", "soup", "--nope", "scene soup", "scene gas --n 0", "scene gas --spaces octree"})
+    {
+        EXPECT_EQ(run(PREDICTIVE_BENCH, arguments).status, 2) << arguments;
+    }
+    EXPECT_EQ(run(PREDICTIVE_BENCH, "scene --help").status, 0);
     const Outcome outcome = run(PREDICTIVE_BENCH, "scene still --n 5 --ticks 64 --json /no/such/folder/results.json");
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_TRUE(contains(outcome.output, "cannot write /no/such/folder/results.json")) << outcome.output;
+    EXPECT_EQ(outcome.output, "predictive_bench: cannot write /no/such/folder/results.json\n") << "before it measures";
 }
 } // namespace
 } // namespace ode_predictive_space::benchmarks

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "demos/haptic/options.h"
+#include "demos/scenes/narrow_output.h"
 #include "tests/support/program.h"
 
 namespace ode_predictive_space::demo
@@ -81,7 +82,58 @@ TEST_F(ProbeRun, RefusesWhatContradictsItself)
     EXPECT_EQ(run(HAPTIC_DEMO, "--headless --screenshot a.png").status, 2);
     EXPECT_EQ(run(HAPTIC_DEMO, "--replay a.txt --device virtual").status, 2);
     EXPECT_EQ(run(HAPTIC_DEMO, "--headless --device sponge").status, 2);
-    EXPECT_GT(run(HAPTIC_DEMO, "--law magnetism").status, 2);
+    EXPECT_EQ(run(HAPTIC_DEMO, "--law magnetism").status, 2);
+    EXPECT_EQ(run(HAPTIC_DEMO, "--nope").status, 2);
+    EXPECT_EQ(run(HAPTIC_DEMO, "--objects 0").status, 2);
+    EXPECT_EQ(run(HAPTIC_DEMO, "--help").status, 0);
+}
+
+TEST_F(ProbeRun, PrintsWithinEightyColumnsAndNothingEmpty)
+{
+    for (const char *options : {"--help", "--device virtual --objects 60 --seconds 1.2 --fast",
+                                "--device virtual --objects 1 --seconds 0.01 --fast", "--compare --seconds 0.05",
+                                "--compare --objects 1 --seconds 0.02"})
+    {
+        const Outcome outcome = run(HAPTIC_DEMO, std::string("--headless ") + options);
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        std::istringstream lines(outcome.output);
+        for (std::string line; std::getline(lines, line);)
+        {
+            line.erase(0, line.rfind('\r') + 1);
+            EXPECT_LE(scenes::width(line), scenes::output_width) << line;
+            EXPECT_FALSE(contains(line, "Of 0 ") || contains(line, "touched 0") || contains(line, "in 0.00 %")) << line;
+        }
+    }
+}
+
+TEST_F(ProbeRun, NoticesAnUnwritableFileBeforeTheRun)
+{
+    for (const char *kind : {"--device virtual", "--compare"})
+    {
+        const Outcome outcome =
+            run(HAPTIC_DEMO, std::string("--headless --json /no/such/folder/a.json --seconds 0.1 ") + kind);
+        EXPECT_EQ(outcome.status, 2) << kind;
+        EXPECT_EQ(outcome.output, "predictive_haptic_demo: cannot write /no/such/folder/a.json\n");
+    }
+}
+
+TEST_F(ProbeRun, NoticesAnUnwritableFolderBeforeTheRun)
+{
+    const Outcome outcome = run(HAPTIC_DEMO, "--headless --device virtual --report /proc/no_folder");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.output, "predictive_haptic_demo: cannot write /proc/no_folder/index.html\n");
+}
+
+TEST_F(ProbeRun, ChecksFilesWithoutChangingThem)
+{
+    std::ofstream(file("results.json")) << "kept";
+    EXPECT_EQ(run(HAPTIC_DEMO, "--replay /no/such/recording --headless --json '" + file("results.json") + "'").status,
+              2);
+    std::string text;
+    std::ifstream(file("results.json")) >> text;
+    EXPECT_EQ(text, "kept");
+    EXPECT_EQ(run(HAPTIC_DEMO, "--replay /no/such/recording --headless --json '" + file("new.json") + "'").status, 2);
+    EXPECT_FALSE(std::filesystem::exists(file("new.json")));
 }
 } // namespace
 } // namespace ode_predictive_space::demo

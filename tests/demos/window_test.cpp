@@ -125,6 +125,7 @@ TEST_F(HapticDemoWindow, EndsByItselfWithASummary)
     const Outcome outcome = run(HAPTIC_DEMO, "--objects 30 --seconds 0.3 --json '" + file + "'");
     ASSERT_EQ(outcome.status, 0) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "real-time factor")) << outcome.output;
+    EXPECT_FALSE(contains(outcome.output, "Ctrl-")) << "drawstuff's keys beside ours: " << outcome.output;
     const nlohmann::json results = nlohmann::json::parse(std::ifstream(file));
     EXPECT_GT(results.at("loop").at("ticks").get<int>(), 0);
     EXPECT_GT(results.at("collision").at("pairs").get<int>(), 0);

@@ -40,7 +40,7 @@ TEST(HapticDemo, FailsWhenContactsAreLost)
     const std::string arguments = "--objects 100 --seconds 0.6 --space predictive-shape,predictive-sphere";
     const Outcome outcome = run(HAPTIC_DEMO_THAT_LOSES_PAIRS, arguments);
     EXPECT_EQ(outcome.status, 1) << outcome.output;
-    EXPECT_TRUE(contains(outcome.output, "on they did not all report the same pairs with contacts")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "on they did not all report the same pairs with\ncontacts")) << outcome.output;
     const Outcome right = run(HAPTIC_DEMO, arguments);
     EXPECT_EQ(right.status, 0) << right.output;
 }
@@ -99,6 +99,18 @@ TEST(HapticDemo, GainIsThePapers)
     EXPECT_DOUBLE_EQ(gain_percent(1, 4), 75);
     EXPECT_DOUBLE_EQ(gain_percent(4, 4), 0);
     EXPECT_DOUBLE_EQ(gain_percent(8, 4), -100);
+}
+
+TEST(BesideOde, ComparesMediansWithinEightyColumns)
+{
+    const Outcome outcome = run(BESIDE_ODE, "");
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "medians")) << outcome.output;
+    std::istringstream lines(outcome.output);
+    for (std::string line; std::getline(lines, line);)
+    {
+        EXPECT_LE(line.size(), 80u) << line;
+    }
 }
 } // namespace
 } // namespace ode_predictive_space::scenes

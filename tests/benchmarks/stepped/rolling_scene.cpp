@@ -60,7 +60,11 @@ void RollingScene::add_driven(int number, haptics::Random &random)
     state.position = random.in_box({half_side, half_side, 0});
     state.position.z() = driven.flies ? random.uniform(lowest_flight, highest_flight)
                                       : ground.height(state.position.x(), state.position.y()) + rest_height_of(shape);
-    state.orientation = driven.flies ? random.orientation() : Quaternion::Identity();
+    state.orientation = Quaternion::Identity();
+    if (driven.flies)
+    {
+        state.orientation = random.orientation();
+    }
     state.velocity = driven.velocity;
     driven.body = objects_.add_moving(shape, state, density).body;
     dBodySetGravityMode(driven.body, driven.flies ? 0 : 1);

@@ -1,0 +1,19 @@
+// The pages that --report writes.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_RUN_PAGE_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_RUN_PAGE_H
+
+#include "demos/haptic/haptic_run.h"
+#include "demos/scenes/scene_run.h"
+#include "ode_predictive_space/report/page.h"
+
+namespace ode_predictive_space::demo
+{
+/// Time per step, force, period of the servo, and predicted against actual contacts.
+report::Page page_of_run(const Options &options, const RunResult &result);
+
+/// Time per tick of each space.
+report::Page page_of_comparison(const scenes::SceneRuns &runs, double tick_seconds);
+} // namespace ode_predictive_space::demo
+
+#endif

@@ -1,0 +1,53 @@
+#include "demos/scenes/narrow_output.h"
+
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace ode_predictive_space::scenes
+{
+namespace
+{
+const std::string words_of_70 = std::string(34, 'a') + ' ' + std::string(35, 'b');
+
+TEST(NarrowOutput, LeavesWhatFits)
+{
+    EXPECT_EQ(folded(""), "");
+    EXPECT_EQ(folded(std::string(80, 'x')), std::string(80, 'x'));
+    EXPECT_EQ(folded(words_of_70 + " 1234 \u00b5\u00b5\u00b5\u00b5"), words_of_70 + " 1234 \u00b5\u00b5\u00b5\u00b5")
+        << "80 characters in 84 bytes";
+}
+
+TEST(NarrowOutput, BreaksAtTheLastBlankThatFits)
+{
+    EXPECT_EQ(folded(words_of_70 + " 123456789 c"), words_of_70 + " 123456789\nc");
+    EXPECT_EQ(folded(words_of_70 + " 1234567890 c"), words_of_70 + "\n1234567890 c");
+    EXPECT_EQ(folded("  " + words_of_70 + " 1234567890 c"), "  " + words_of_70 + "\n  1234567890 c");
+}
+
+TEST(NarrowOutput, FurtherLinesBeginBesideTheLabel)
+{
+    EXPECT_EQ(folded("Label     " + words_of_70 + " c"), "Label     " + words_of_70 + "\n          c");
+    EXPECT_EQ(folded("  --option TEXT:{" + std::string(60, 'x') + "," + std::string(20, 'y') + "}"),
+              "  --option TEXT:{" + std::string(60, 'x') + ",\n  " + std::string(20, 'y') + "}");
+}
+
+TEST(NarrowOutput, LeavesWhatCannotBeBroken)
+{
+    EXPECT_EQ(folded(std::string(100, 'x')), std::string(100, 'x'));
+    EXPECT_EQ(folded("    " + std::string(100, 'x')), "    " + std::string(100, 'x'));
+}
+
+TEST(NarrowOutput, FoldsAStreamUntilItGoes)
+{
+    std::ostringstream out;
+    {
+        const NarrowOutput narrow(out);
+        out << words_of_70 << ' ' << "1234567890\nshort\n" << std::flush;
+        EXPECT_EQ(out.str(), words_of_70 + "\n1234567890\nshort\n");
+        out << "last";
+    }
+    out << " and " << words_of_70 + words_of_70;
+    EXPECT_EQ(out.str(), words_of_70 + "\n1234567890\nshort\nlast and " + words_of_70 + words_of_70);
+}
+} // namespace
+} // namespace ode_predictive_space::scenes
