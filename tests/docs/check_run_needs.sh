@@ -26,7 +26,7 @@ has() { grep --quiet --extended-regexp -- "$1" <<<"$done_by" || complain "nothin
 lacks() { ! grep --quiet --extended-regexp -- "$1" <<<"$done_by" || complain "this was called: '$1'"; }
 count() { [[ $(grep --count --extended-regexp -- "$2" <<<"$done_by") == "$1" ]] || complain "not $1 calls like '$2'"; }
 
-games='mokomaze|mu-cade|dartpy|pyode'
+games='mokomaze|mu-cade|stormbaancoureur|libompl|dartpy|pyode'
 
 calls_of hello
 has 'apt-get install .*libode-dev'
@@ -54,10 +54,15 @@ has 'cmake --build --preset release --target all'
 has 'ctest .*--label-exclude \^\(long\|contract\)\$'
 
 calls_of test --with-clients
-for game in mokomaze mu-cade python3-dartpy python3-pyode; do
+for game in mokomaze mu-cade stormbaancoureur libompl-dev python3-dartpy python3-pyode; do
     has "apt-get install .*$game"
 done
 has 'cmake .*TEST_CLIENTS=ON'
+
+calls_of package
+has 'apt-get install .*libode-dev'
+lacks "libgtest|libcli11|lintian|mmdebstrap|$games"
+has 'cpack --preset package'
 
 # What asks for certain tests gets them, in one go.
 calls_of test --preset asan --long -R Contract

@@ -12,7 +12,7 @@ run_without_doing() {
     mkdir -p "$copy/demos/haptic" "$work/tools"
     cp "$source/run" "$copy/"
     cp "$source"/demos/haptic/{check_arguments.awk,help.txt} "$copy/demos/haptic/"
-    for tool in apt-get cmake ctest sudo c++ ninja dpkg-query pkg-config; do
+    for tool in apt-get cmake ctest cpack sudo c++ ninja dpkg-query pkg-config; do
         cat >"$work/tools/$tool" <<TOOL
 #!/bin/sh
 case $tool in
