@@ -143,6 +143,10 @@ ODE_PREDICTIVE_API dReal dPredictiveSpaceGetShapeMargin(dSpaceID space);
  * arrays, by dGeomSetConvex(), dGeomTriMeshSetData() or dGeomTriMeshDataBuild...(), unless these had been given to a geom of the space
  * before and were changed since.
  *
+ * The bounding box is the one that ODE computes. That of a mesh depends on a box which its data keep: after vertices were changed
+ * in place, build the data again (dGeomTriMeshDataBuildSingle() and the like) before this call. dGeomTriMeshDataUpdate() alone
+ * leaves that box as it was, so that every space, ODE's own also, misses pairs of a mesh that has grown.
+ *
  * @param geom a geom in this space itself (not in a nested one).
  */
 ODE_PREDICTIVE_API void dPredictiveSpaceGeomChanged(dSpaceID space, dGeomID geom);

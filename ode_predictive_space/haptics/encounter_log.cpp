@@ -126,10 +126,25 @@ std::string EncounterSummary::text() const
 {
     std::ostringstream out;
     out.precision(3);
-    out << "Of " << contacts << " first contacts, " << foretold << " were foretold, " << 1000 * mean_warning
-        << " ms ahead on average. They came " << 1000 * mean_early << " ms (at most " << 1000 * max_early
-        << " ms) after the predicted time of proximity; " << late
-        << " came before it, as the hand had left its predicted path; " << missed << " were missed.";
+    if (contacts == 0)
+    {
+        return "No contact began.";
+    }
+    out << "Of " << contacts << " first contacts, " << foretold << " were foretold";
+    if (foretold > 0)
+    {
+        out << ", " << 1000 * mean_warning << " ms ahead on average";
+    }
+    if (foretold > late)
+    {
+        out << ". They came " << 1000 * mean_early << " ms (at most " << 1000 * max_early
+            << " ms) after the predicted time of proximity";
+    }
+    if (late > 0)
+    {
+        out << "; " << late << " came before the predicted time, as the hand had left its predicted path";
+    }
+    out << "; " << missed << " were missed.";
     return out.str();
 }
 } // namespace ode_predictive_space::haptics

@@ -154,8 +154,9 @@ void Recorder::write_header(const Capabilities &device)
     append(text_, device.workspace.max());
     std::string name = device.name;
     std::replace(name.begin(), name.end(), '\n', ' ');
-    text_ += ' ' + name +
-             "\n# t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz\n"
+    text_ += ' ' + name;
+    text_.resize(std::min(text_.size(), longest_recorded_line)); // the reader takes no longer one
+    text_ += "\n# t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz\n"
              "# s, m, quaternion, N, bits, m/s, rad/s; in the device's own frame\n";
 }
 

@@ -74,7 +74,7 @@ Quaternion of_length_one(const Quaternion &q)
     {
         throw std::invalid_argument("the quaternion is not of length 1");
     }
-    return std::abs(error) > exact_length_tolerance ? q.normalized() : q;
+    return std::abs(error) > exact_length_tolerance ? Quaternion(q.normalized()) : q;
 }
 
 /// Takes the lines of a file one by one.

@@ -226,7 +226,7 @@ TEST(Schedule, IsNeverLate)
         if (!result.near.empty())
             continue;
         const std::int32_t end = std::min(store.remaining(0, now), store.remaining(1, now));
-        const bool wakes = !result.scheduled == 0;
+        const bool wakes = result.scheduled != 0;
         (wakes ? scheduled : dropped) += 1;
         const std::int32_t asleep = wakes ? result.ticks : std::min(end, 1000) + 1;
         ASSERT_GT(asleep, 0);

@@ -34,7 +34,10 @@ TEST_F(Contract, 17_TheClassIsThatOfASimpleSpaceOrItsOwn)
     EXPECT_EQ(dGeomGetClass(as_geom(space)), expected_class);
     EXPECT_EQ(dGeomIsSpace(as_geom(space)), 1);
     // No setter of another class of space may take it for its own.
-    EXPECT_NE(ode_complaint([=] { dHashSpaceSetLevels(space, -2, 2); }), "");
+    if (ode_has_assertions())
+    {
+        EXPECT_NE(ode_complaint([=] { dHashSpaceSetLevels(space, -2, 2); }), "");
+    }
     dSpaceDestroy(space);
 }
 

@@ -282,6 +282,8 @@ TEST_F(Contract, 10_GeomsAreEnumeratedEachOnce)
 
 TEST_F(Contract, 10_AnIndexOutOfRangeIsRefused)
 {
+    if (!ode_has_assertions())
+        GTEST_SKIP() << "this ODE refuses nothing";
     dSpaceID space = dPredictiveSpaceCreate(nullptr);
     dCreateSphere(space, 1);
     EXPECT_NE(ode_complaint([=] { dSpaceGetGeom(space, 1); }), "");

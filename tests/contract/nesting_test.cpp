@@ -186,7 +186,7 @@ TEST_F(Contract, 11_TheBoundsOfASpaceEncloseItsGeoms)
             collide(inner);
         dReal aabb[6];
         dGeomGetAABB(as_geom(inner), aabb);
-        const dReal expected[6] = {-tick - 1.0, 6, -1, 7, -1, 8};
+        const dReal expected[6] = {static_cast<dReal>(-tick - 1), 6, -1, 7, -1, 8};
         for (int side = 0; side < 6; ++side)
             EXPECT_EQ(aabb[side], expected[side]) << tick;
     }

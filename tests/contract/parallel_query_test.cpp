@@ -203,18 +203,21 @@ TEST_P(ParallelQuery, InquiriesAreAnsweredAsByOneThread)
     dPredictiveSpaceSetProximity(scene.space(), proximity);
     fill(scene);
     past.run(scene);
+    // Not by the threads: dSpaceGetGeom() keeps the last place in the list of the space.
+    std::vector<dGeomID> geoms;
+    for (int i = 0; i < dSpaceGetNumGeoms(scene.space()); ++i)
+        geoms.push_back(dSpaceGetGeom(scene.space(), i));
     const auto encounters = [&](int i) {
         std::vector<int> met;
         for (int round = 0; round < 20; ++round)
         {
             dPredictiveEncounter out[40];
-            dGeomID geom = dSpaceGetGeom(scene.space(), 3 * round + i);
+            dGeomID geom = geoms[static_cast<std::size_t>(3 * round + i)];
             const int count = dPredictiveSpaceGetEncounters(scene.space(), geom, out, 40);
             for (int k = 0; k < count; ++k)
                 met.push_back(geom_number(out[k].geom));
             dReal ticks;
-            met.push_back(
-                dPredictiveSpaceGetTimeOfProximity(scene.space(), geom, dSpaceGetGeom(scene.space(), 0), &ticks));
+            met.push_back(dPredictiveSpaceGetTimeOfProximity(scene.space(), geom, geoms[0], &ticks));
         }
         return met;
     };

@@ -65,6 +65,8 @@ TEST_F(Contract, 07_TheSpaceIsLockedWhileItReports)
 
 TEST_F(Contract, 07_AddAndRemoveAreRefusedWhileLocked)
 {
+    if (!ode_has_assertions())
+        GTEST_SKIP() << "this ODE refuses nothing";
     Heap heap;
     dSpaceID space = heap.scene.space();
     dGeomID outside = dCreateSphere(nullptr, 1);

@@ -43,7 +43,12 @@ const char *action_name(Action action)
                                         "tick_broken_off",
                                         "query_broken_off",
                                         "data_changed",
-                                        "bad_call"};
+                                        "bad_call",
+                                        "tick_throwing_bounds",
+                                        "query_throwing_bounds",
+                                        "change_in_place",
+                                        "ask_times",
+                                        "shape_margin"};
     static_assert(sizeof names / sizeof *names == static_cast<std::size_t>(Action::last) + 1, "a name for each");
     return names[static_cast<int>(action)];
 }

@@ -49,7 +49,12 @@ enum class Action
     query_broken_off, ///< the same of dSpaceCollide2() of the geoms or spaces subject and object
     data_changed,     ///< dPredictiveSpaceGeomChanged() of geom subject, if it is in a predictive space
     bad_call,         ///< in a predictive space: a call with a bad argument, the one of this number
-    last = bad_call
+    tick_throwing_bounds, ///< in predictive spaces: a tick in which the aabb function of a user class throws at call `number`
+    query_throwing_bounds, ///< the same of dSpaceCollide2() of the geoms or spaces subject and object
+    change_in_place, ///< convex or mesh subject gets size value[0], its own data changed in place once it has such
+    ask_times, ///< in a predictive space: when geoms subject and object meet, and the first `number` encounters of subject
+    shape_margin, ///< of space subject: value[0]
+    last = shape_margin
 };
 
 enum class DriveMode

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <ode/ode.h>
 
+#include "demos/scenes/command_line.h"
 #include "tests/differential/comparison.h"
 
 using namespace ode_predictive_space;
@@ -77,7 +78,14 @@ int main(int argc, char **argv)
     app.add_flag("--spheres", options.spheres, "by the measure of spheres: no pair left out has a contact");
     app.add_flag("--shapes", options.shapes, "the same by the shape test");
     app.add_flag("--pairs-only", options.pairs_only, "do not check the invariant beside the pairs");
-    CLI11_PARSE(app, argc, argv);
+    try
+    {
+        app.parse(argc, argv);
+    }
+    catch (const CLI::ParseError &end)
+    {
+        return ode_predictive_space::scenes::end_of_parsing(app, end);
+    }
     if (options.spheres || options.shapes)
         options.flat = true;
 

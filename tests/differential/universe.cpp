@@ -208,6 +208,35 @@ void Universe::put_offset(dGeomID geom, const Operation &operation)
     dGeomSetOffsetRotation(geom, rotation);
 }
 
+// Not with an offset: the place that a simple space needs for a notice would be computed anew, with other round-off.
+void Universe::change_in_place(GeomSlot &geom, dReal size)
+{
+    if (dGeomIsOffset(geom.id))
+        return;
+    if (geom.own_data)
+    {
+        geom.own_data->resize(size);
+        return tell_of_change(geom.id);
+    }
+    std::unique_ptr<OwnShapeData> data = make_own_data(geom.kind, size);
+    if (!data)
+        return;
+    data->give_to(geom.id);
+    geom.own_data = data.get();
+    own_data_.push_back(std::move(data));
+    tell_of_change(geom.id);
+}
+
+void Universe::tell_of_change(dGeomID geom)
+{
+    dSpaceID space = dGeomGetSpace(geom);
+    if (space && dSpaceIsPredictive(space))
+        return dPredictiveSpaceGeomChanged(space, geom);
+    dVector3 position;
+    dGeomCopyPosition(geom, position);
+    dGeomSetPosition(geom, position[0], position[1], position[2]);
+}
+
 void Universe::apply(const Operation &operation)
 {
     switch (operation.action)
@@ -235,6 +264,11 @@ void Universe::apply(const Operation &operation)
         if (kind_ == SpaceKind::predictive)
             break_off(operation);
         return;
+    case Action::tick_throwing_bounds:
+    case Action::query_throwing_bounds:
+        return throw_bounds(operation);
+    case Action::ask_times:
+        return ask_times(operation);
     case Action::bad_call:
         if (kind_ == SpaceKind::predictive)
             call_badly(operation.number);
@@ -293,6 +327,10 @@ void Universe::apply_to_geom(const Operation &operation, GeomSlot &geom)
         break;
     case Action::resize:
         resize_geom(geom.id, geom.kind, value[0]);
+        geom.own_data = nullptr;
+        break;
+    case Action::change_in_place:
+        change_in_place(geom, value[0]);
         break;
     case Action::enable_geom:
         (operation.number ? dGeomEnable : dGeomDisable)(geom.id);
@@ -359,6 +397,10 @@ void Universe::apply_to_space(const Operation &operation, SpaceSlot &space)
     case Action::horizon:
         if (space.predictive)
             dPredictiveSpaceSetHorizon(space.id, operation.number, operation.object);
+        break;
+    case Action::shape_margin:
+        if (space.predictive)
+            dPredictiveSpaceSetShapeMargin(space.id, operation.value[0]);
         break;
     default:
         break;

@@ -62,6 +62,7 @@ private:
     {
         dGeomID id = nullptr;
         GeomKind kind = GeomKind::sphere;
+        OwnShapeData *own_data = nullptr; ///< in own_data_, when the geom is made of it
         Drive drive;
     };
     struct SpaceSlot
@@ -89,10 +90,14 @@ private:
     void forget_contents(dSpaceID space);
     void put_in(dGeomID geom, SpaceSlot &space);
     void put_offset(dGeomID geom, const Operation &operation);
+    void change_in_place(GeomSlot &geom, dReal size);
+    void tell_of_change(dGeomID geom);
     void move_driven();
     void turn_back();
     void make_contacts(const Pairs &pairs);
     void break_off(const Operation &operation);
+    void throw_bounds(const Operation &operation);
+    void ask_times(const Operation &operation);
     void call_badly(int which);
     bool can_touch(int number) const;
 
@@ -100,6 +105,7 @@ private:
     History setup_;
     dWorldID world_;
     dJointGroupID contacts_;
+    std::vector<std::unique_ptr<OwnShapeData>> own_data_; // until the end: spaces destroy geoms, too
     std::vector<GeomSlot> geoms_;
     std::vector<dBodyID> bodies_;
     std::vector<SpaceSlot> spaces_;

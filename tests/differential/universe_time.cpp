@@ -227,6 +227,44 @@ void Universe::break_off(const Operation &operation)
     {}
 }
 
+// Where a simple space asks for the box, it would stay locked.
+void Universe::throw_bounds(const Operation &operation)
+{
+    const bool all_predictive = std::all_of(spaces_.begin(), spaces_.end(),
+                                            [](const SpaceSlot &space) { return !space.id || space.predictive; });
+    if (!all_predictive)
+        return;
+    dGeomID one = find_reference(operation.subject), other = find_reference(operation.object);
+    const auto ignore = [](void *, dGeomID, dGeomID) {};
+    const ThrowingBounds throwing(operation.number);
+    try
+    {
+        if (operation.action == Action::tick_throwing_bounds)
+            dSpaceCollide(spaces_[0].id, nullptr, ignore);
+        else if (one && other)
+            dSpaceCollide2(one, other, nullptr, ignore);
+    }
+    catch (const ThrowingBounds::Thrown &)
+    {}
+}
+
+void Universe::ask_times(const Operation &operation)
+{
+    const GeomSlot *one = find_geom(operation.subject), *other = find_geom(operation.object);
+    dSpaceID space = one ? dGeomGetSpace(one->id) : nullptr;
+    if (!space || !dSpaceIsPredictive(space))
+        return;
+    std::vector<dPredictiveEncounter> encounters(static_cast<std::size_t>(operation.number));
+    const int count = dPredictiveSpaceGetEncounters(space, one->id, encounters.data(), operation.number);
+    const bool sorted = std::is_sorted(encounters.begin(), encounters.begin() + count,
+                                       [](const auto &a, const auto &b) { return a.ticks < b.ticks; });
+    dReal ticks = 0;
+    if (other && other != one && dGeomGetSpace(other->id) == space)
+        dPredictiveSpaceGetTimeOfProximity(space, one->id, other->id, &ticks);
+    if (!sorted || !(ticks >= 0))
+        throw OdeAbort("times of encounters are wrong");
+}
+
 void Universe::call_badly(int which)
 {
     dSpaceID space = spaces_[0].id;

@@ -154,6 +154,7 @@ private:
             take_extremes(made, bytes);
             break;
         case Action::resize:
+        case Action::change_in_place:
             made.value[0] = bytes[4] / 64.0;
             break;
         case Action::enable_geom:
@@ -213,8 +214,19 @@ private:
             made.number = 1 + bytes[3] % 24;
             made.value[0] = (bytes[4] + 1) / 2048.0;
             break;
+        case Action::shape_margin:
+            made.subject %= spaces;
+            made.value[0] = bytes[4] / 256.0;
+            break;
+        case Action::ask_times:
+            made.number %= 16;
+            break;
+        case Action::tick_throwing_bounds:
+            made.number %= 32;
+            break;
         case Action::query:
         case Action::query_broken_off:
+        case Action::query_throwing_bounds:
             made.subject = reference(bytes[1]);
             made.object = reference(bytes[2]);
             made.number %= 8;

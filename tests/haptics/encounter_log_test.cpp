@@ -47,6 +47,13 @@ TEST_F(EncounterLogTest, ComparesTheForecastWithTheContact)
     EXPECT_NE(summary.text().find("Of 1 first contacts, 1 were foretold"), std::string::npos) << summary.text();
 }
 
+TEST_F(EncounterLogTest, SaysNothingOfWhatDidNotHappen)
+{
+    EXPECT_EQ(log_.summary().text(), "No contact began.");
+    log_.add(1.0, {}, touching());
+    EXPECT_EQ(log_.summary().text(), "Of 1 first contacts, 0 were foretold; 1 were missed.");
+}
+
 TEST_F(EncounterLogTest, AGapBeginsANewWarning)
 {
     log_.add(1.0, {{geom_, 1.0}}, {});

@@ -75,6 +75,19 @@ TEST(Recorder, WhatIsReadIsWhatWasRecordedBitByBit)
     }
 }
 
+TEST(Recorder, CutsANameThatTheReaderWouldNotTake)
+{
+    const TemporaryFile file;
+    Capabilities device;
+    device.name = std::string(2 * longest_recorded_line, 'n');
+    Recorder recorder(file.name(), device, Flush::by_caller);
+    add(recorder, 0);
+    recorder.close();
+    const std::string name = read_recording(file.name()).device->name;
+    EXPECT_EQ(name, device.name.substr(0, name.size()));
+    EXPECT_GT(name.size(), longest_recorded_line / 2);
+}
+
 TEST(Recorder, KeepsWhatTheDeviceCanDo)
 {
     const TemporaryFile file;

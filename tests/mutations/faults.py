@@ -389,6 +389,19 @@ def space_faults():
         "nested_spaces_not_cleaned", "space", scene,
         "if (IS_SPACE(geom))\n        static_cast<dxSpace *>(geom)->cleanGeoms();\n    compute_box_beside_others(geom);",
         "compute_box_beside_others(geom);", contract("Contract.11_*"))
+    # What throws in the middle.
+    faults = lambda pattern: (("faults", pattern),)
+    yield Fault(
+        "trusts_a_tick_that_was_broken_off", "space", BROADPHASE + "broadphase.cpp", "if (interrupted_)\n        recover();", "",
+        faults("*EveryCall*:*EverySituation*"))
+    yield Fault(
+        "linked_before_there_is_room", "space", space,
+        "broadphase_.make_room();\n    fit_to_proxies();\n    dxSpace::add(geom);",
+        "dxSpace::add(geom);\n    broadphase_.make_room();\n    fit_to_proxies();", faults("*EverySituation*"))
+    yield Fault(
+        "history_noted_before_there_is_room", "space", BROADPHASE + "predict/predictor.cpp",
+        "histories_.emplace_back();\n        number = static_cast<std::uint32_t>(histories_.size() - 1);",
+        "number = static_cast<std::uint32_t>(histories_.size());\n        histories_.emplace_back();", faults("*EverySituation*"))
     yield Fault(
         "lost_resize", "space", space, "set->resize(size);", "(void)set;", contract("Contract.02_*"))
 

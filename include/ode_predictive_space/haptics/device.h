@@ -11,7 +11,10 @@
 namespace ode_predictive_space::haptics
 {
 using Vector3 = Eigen::Vector3d;
-using Quaternion = Eigen::Quaterniond;
+
+/// Converts from and to Eigen::Quaterniond, but is not aligned as that is: to 16 bytes, or to 32 where a program is compiled for
+/// AVX. With it the layout of this library's structs would depend on how a program is compiled.
+using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 /// What a device can do. All in SI units, in the device's own frame: x to the right, y up, z towards the person.
 struct Capabilities

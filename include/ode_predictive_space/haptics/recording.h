@@ -72,7 +72,8 @@ public:
 
     /// Make the file, or empty it.
     ///
-    /// @param device what the device can do: a replay must have the same limits and workspace to give the same forces.
+    /// @param device what the device can do: a replay must have the same limits and workspace to give the same forces. Of a
+    /// name of thousands of characters, the end is not written: see longest_recorded_line.
     /// @param capacity of the buffer, in ticks, > 0: one minute of 1 kHz by default.
     /// @throws DeviceError: missing_file (no such folder), permission_denied. std::invalid_argument.
     Recorder(const std::string &file, const Capabilities &device, Flush flush = Flush::by_itself,

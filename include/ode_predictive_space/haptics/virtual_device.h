@@ -74,8 +74,11 @@ private:
         Vector3 velocity;
     };
 
+    /// Of the hand over one step; not aligned, for the reason given at Quaternion.
+    using Transition = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
+
     void move_hand(double seconds);
-    void move_hand_by(const Eigen::Matrix4d &change, double seconds);
+    void move_hand_by(const Transition &change, double seconds);
     void measure(double elapsed);
     Vector3 quantised(const Vector3 &position) const;
     Vector3 limited(const Vector3 &force) const;

@@ -25,7 +25,7 @@ SpacenavSettings checked(const SpacenavSettings &settings)
 Quaternion turned(const Quaternion &orientation, const Vector3 &angle)
 {
     const double size = angle.norm();
-    return size > 0 ? (Eigen::AngleAxisd(size, angle / size) * orientation).normalized() : orientation;
+    return size > 0 ? Quaternion((Eigen::AngleAxisd(size, angle / size) * orientation).normalized()) : orientation;
 }
 } // namespace
 

@@ -147,14 +147,14 @@ void VirtualDevice::move_hand(double seconds)
     }
     const double start = seconds_;
     const int steps = static_cast<int>(std::ceil(duration / longest_step - 1e-6));
-    const Eigen::Matrix4d change = transition(settings_.hand, duration / steps);
+    const Transition change = transition(settings_.hand, duration / steps);
     for (int step = 1; step <= steps; ++step)
     {
         move_hand_by(change, step == steps ? seconds : start + duration * step / steps);
     }
 }
 
-void VirtualDevice::move_hand_by(const Eigen::Matrix4d &change, double seconds)
+void VirtualDevice::move_hand_by(const Transition &change, double seconds)
 {
     const HandModel &hand = settings_.hand;
     const double step = seconds - seconds_;

@@ -23,9 +23,11 @@ struct ConvexData
     std::array<dReal, 24> planes;
     std::array<dReal, 24> points;
 
-    explicit ConvexData(dReal size)
-        : planes{1, 0, 0, size, 0, 1, 0, size, 0, 0, 1, size, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0}
+    explicit ConvexData(dReal size) { set_size(size); }
+
+    void set_size(dReal size)
     {
+        planes = {1, 0, 0, size, 0, 1, 0, size, 0, 0, 1, size, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0};
         for (unsigned corner = 0; corner < 8; ++corner)
         {
             for (unsigned axis = 0; axis < 3; ++axis)
@@ -39,6 +41,8 @@ struct ConvexData
                                            4, 0, 4, 6, 2, 4, 0, 1, 5, 4, 4, 0, 2, 3, 1};
         return indices;
     }
+
+    void give_to(dGeomID geom) const { dGeomSetConvex(geom, planes.data(), 6, points.data(), 8, polygons()); }
 };
 
 struct MeshData
@@ -47,16 +51,19 @@ struct MeshData
     std::array<dTriIndex, 12> indices = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
     dTriMeshDataID id = dGeomTriMeshDataCreate();
 
-    explicit MeshData(dReal size)
-    {
-        const float h = static_cast<float>(size) / 2;
-        vertices = {h, h, h, 3 * h, h, h, h, 3 * h, h, h, h, 3 * h};
-        dGeomTriMeshDataBuildSingle(id, vertices.data(), 3 * sizeof(float), 4, indices.data(), 12,
-                                    3 * sizeof(dTriIndex));
-    }
+    explicit MeshData(dReal size) { set_size(size); }
     ~MeshData() { dGeomTriMeshDataDestroy(id); }
     MeshData(const MeshData &) = delete;
     MeshData &operator=(const MeshData &) = delete;
+
+    void set_size(dReal size)
+    {
+        const float h = static_cast<float>(size) / 2;
+        vertices = {h, h, h, 3 * h, h, h, h, 3 * h, h, h, h, 3 * h};
+        // Not dGeomTriMeshDataUpdate(): it leaves the box of the data as it was.
+        dGeomTriMeshDataBuildSingle(id, vertices.data(), 3 * sizeof(float), 4, indices.data(), 12,
+                                    3 * sizeof(dTriIndex));
+    }
 };
 
 struct HeightData
@@ -108,8 +115,12 @@ void ball_centre(dGeomID geom, dVector3 centre)
     dGeomGetRelPointPos(geom, 1.5 * ball_radius(geom), 0, 0, centre);
 }
 
+int calls_until_throw = -1; // of ball_bounds(); negative when none is to throw
+
 void ball_bounds(dGeomID geom, dReal aabb[6])
 {
+    if (calls_until_throw >= 0 && calls_until_throw-- == 0)
+        throw ThrowingBounds::Thrown();
     dVector3 centre;
     ball_centre(geom, centre);
     for (int axis = 0; axis < 3; ++axis)
@@ -158,12 +169,12 @@ dGeomID create_ball(dReal size, dSpaceID space)
 
 // dGeomTriMeshSetData() marks the geom dirty and tells nobody: in a space, ODE would then be silent about its later moves,
 // and a simple space would stop at an assertion. So it is done outside.
-void set_mesh(dGeomID geom, dReal size)
+void set_mesh(dGeomID geom, dTriMeshDataID data)
 {
     dSpaceID space = dGeomGetSpace(geom);
     if (space)
         dSpaceRemove(space, geom);
-    dGeomTriMeshSetData(geom, mesh_data(size));
+    dGeomTriMeshSetData(geom, data);
     if (space)
         dSpaceAdd(space, geom);
 }
@@ -189,12 +200,47 @@ dGeomID create_convex(dReal size, dSpaceID space)
     return dCreateConvex(space, data.planes.data(), 6, data.points.data(), 8, ConvexData::polygons());
 }
 
-void set_convex(dGeomID geom, dReal size)
+class OwnConvex : public OwnShapeData
 {
-    const ConvexData &data = convex_data(size);
-    dGeomSetConvex(geom, data.planes.data(), 6, data.points.data(), 8, ConvexData::polygons());
-}
+public:
+    explicit OwnConvex(dReal size) : data_(size) {}
+    void give_to(dGeomID geom) const override { data_.give_to(geom); }
+    void resize(dReal size) override { data_.set_size(size); }
+
+private:
+    ConvexData data_;
+};
+
+class OwnMesh : public OwnShapeData
+{
+public:
+    explicit OwnMesh(dReal size) : data_(size) {}
+    void give_to(dGeomID geom) const override { set_mesh(geom, data_.id); }
+    void resize(dReal size) override { data_.set_size(size); }
+
+private:
+    MeshData data_;
+};
 } // namespace
+
+std::unique_ptr<OwnShapeData> make_own_data(GeomKind kind, dReal size)
+{
+    if (kind == GeomKind::convex)
+        return std::make_unique<OwnConvex>(size);
+    if (kind == GeomKind::trimesh)
+        return std::make_unique<OwnMesh>(size);
+    return nullptr;
+}
+
+ThrowingBounds::ThrowingBounds(int spared)
+{
+    calls_until_throw = spared;
+}
+
+ThrowingBounds::~ThrowingBounds()
+{
+    calls_until_throw = -1;
+}
 
 const char *geom_kind_name(GeomKind kind)
 {
@@ -275,10 +321,10 @@ void resize_geom(dGeomID geom, GeomKind kind, dReal size)
         // Nothing about it can change that its bounds would show.
         return;
     case GeomKind::convex:
-        set_convex(geom, size);
+        convex_data(size).give_to(geom);
         break;
     case GeomKind::trimesh:
-        set_mesh(geom, size);
+        set_mesh(geom, mesh_data(size));
         break;
     case GeomKind::heightfield:
         dGeomHeightfieldSetHeightfieldData(geom, height_data(size, false));

@@ -3,6 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_CONTRACT_SUPPORT_GEOM_ZOO_H
 #define ODE_PREDICTIVE_SPACE_TESTS_CONTRACT_SUPPORT_GEOM_ZOO_H
 
+#include <memory>
+
 #include <ode/ode.h>
 
 namespace ode_predictive_space
@@ -39,6 +41,32 @@ dGeomID create_geom(GeomKind kind, dReal size, dSpaceID space);
 void resize_geom(dGeomID geom, GeomKind kind, dReal size);
 /// The triangles of a mesh of that size.
 dTriMeshDataID mesh_data(dReal size);
+
+/// The data of one convex or one mesh, in any size, which can be changed in place. They must outlive the geom.
+class OwnShapeData
+{
+public:
+    virtual ~OwnShapeData() = default;
+    virtual void give_to(dGeomID geom) const = 0;
+    /// Changes the points in place. ODE is not told that the geom has another box.
+    virtual void resize(dReal size) = 0;
+};
+
+/// Nothing for other kinds than convexes and meshes.
+std::unique_ptr<OwnShapeData> make_own_data(GeomKind kind, dReal size);
+
+/// While it lives, one call of the aabb function of the user class throws, after `spared` others.
+class ThrowingBounds
+{
+public:
+    struct Thrown
+    {};
+
+    explicit ThrowingBounds(int spared);
+    ~ThrowingBounds();
+    ThrowingBounds(const ThrowingBounds &) = delete;
+    ThrowingBounds &operator=(const ThrowingBounds &) = delete;
+};
 } // namespace ode_predictive_space
 
 #endif

@@ -88,6 +88,14 @@ std::string ode_complaint(const std::function<void()> &call)
     return complaint;
 }
 
+bool ode_has_assertions()
+{
+    dGeomID sphere = dCreateSphere(nullptr, 1);
+    const bool complains = !ode_complaint([=] { dGeomSphereSetRadius(sphere, -1); }).empty();
+    dGeomDestroy(sphere);
+    return complains;
+}
+
 void OdeTest::TearDown()
 {
     EXPECT_EQ(OdeMessages::text(), "");

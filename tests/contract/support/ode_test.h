@@ -39,6 +39,9 @@ private:
 /// Runs `call` and returns what ODE's handlers were told by it: the text of an error, an assert, or messages.
 std::string ode_complaint(const std::function<void()> &call);
 
+/// Whether ODE checks what it is given; one that was built without assertions does not.
+bool ode_has_assertions();
+
 /// ODE is up; an assert of ODE, an error or a message that no test asked for fails the test.
 class OdeTest : public ::testing::Test
 {
