@@ -35,15 +35,31 @@ def print_table(head, rows):
     print()
 
 
+def text(value):
+    """A cell: a name, a figure, a figure with the space that it is of, or two figures and their sum."""
+    if isinstance(value, str):
+        return value
+    if not isinstance(value, tuple):
+        return number(value)
+    if isinstance(value[1], str):
+        return f"{number(value[0])} ({value[1]})"
+    return "{} + {} = {}".format(*map(number, value))
+
+
+def print_rows(rows):
+    """Rows as the functions without `print` in their names return them: {column: value}, all with the same columns."""
+    if rows:
+        print_table(list(rows[0]), [list(map(text, cells.values())) for cells in rows])
+
+
 def print_requirements(records):
     rows = []
     for record in records:
         if "limit" not in record:
             continue
-        unit = "" if record["unit"] == "x" else " " + record["unit"]
-        times = " x" if record["unit"] == "x" else ""
-        rows.append([record["line"], record["what"], number(record["value"]) + times + unit,
-                     record["bound"].replace("<=", "≤").replace(">=", "≥") + " " + number(record["limit"]) + times + unit,
+        unit = " " + record["unit"]
+        rows.append([record["line"], record["what"], number(record["value"]) + unit,
+                     record["bound"].replace("<=", "≤").replace(">=", "≥") + " " + number(record["limit"]) + unit,
                      "met" if record["met"] else "**not met**"])
     print_table(["line", "what", "measured", "asked", ""], rows)
 
@@ -93,7 +109,7 @@ def print_table1(records):
         print_table(["objects"] + list(PAPER.values()), rows)
 
 
-def print_stepped(records):
+def stepped(records):
     scenes = {}
     for record in records:
         scenes.setdefault((record["scene"], record["n"], record["begin_s"], record["end_s"]), {})[record["space"]] = record
@@ -101,16 +117,23 @@ def print_stepped(records):
     for (scene, n, begin, end), spaces in scenes.items():
         ours = spaces["predictive-box"]
         best_name = min((name for name in ODE if name in spaces), key=lambda name: spaces[name]["mean_us"])
-        best, tails = spaces[best_name], [spaces[name]["p99_us"] for name in ODE if name in spaces]
-        rows.append([scene + (f", {begin} to {end} s" if end is not None else ""), f"{n:,}",
-                     f"{number(best['mean_us'])} ({best_name})", number(ours["mean_us"]), number(ours["best_ode_ratio"]),
-                     number(ours["median_us"]), number(ours["p99_us"]), number(ours["p999_us"]),
-                     number(min(tails) / ours["p99_us"]), number(ours["best_ode_ratio_of_wholes"])])
-    print_table(["scene", "objects", "best ODE space, mean", "predictive, mean", "ratio", "median", "p99", "p99.9",
-                 "ratio of p99", "ratio of whole ticks"], rows)
+        tails = [spaces[name]["p99_us"] for name in ODE if name in spaces]
+        rows.append({
+            "scene": scene + (f", {begin} to {end} s" if end is not None else ""),
+            "objects": f"{n:,}",
+            "best ODE space, mean": (spaces[best_name]["mean_us"], best_name),
+            "predictive, mean": ours["mean_us"],
+            "ratio": ours["best_ode_ratio"],
+            "median": ours["median_us"],
+            "p99": ours["p99_us"],
+            "p99.9": ours["p999_us"],
+            "ratio of p99": min(tails) / ours["p99_us"],
+            "ratio of whole ticks": ours["best_ode_ratio_of_wholes"],
+        })
+    return rows
 
 
-def print_contact(records):
+def contact(records):
     scenes = {}
     for record in records:
         if record.get("table") == "contact":
@@ -119,15 +142,23 @@ def print_contact(records):
     for (scene, n), spaces in scenes.items():
         boxes, shapes = spaces["predictive-box"], spaces["predictive-shape"]
         best = min((name for name in ODE if name in spaces), key=lambda name: spaces[name]["sum_us"])
-        rows.append([scene, f"{n:,}", f"{number(spaces[best]['sum_us'])} ({best})"] +
-                    [f"{number(one['collide_us'])} + {number(one['dcollide_us'])} = {number(one['sum_us'])}"
-                     for one in (boxes, shapes)] +
-                    [number(shapes["best_ode_ratio"]), number(shapes["box_ratio"]),
-                     number(shapes["best_ode_ratio_of_wholes"]), number(boxes["calls_per_tick"]),
-                     number(shapes["calls_per_tick"]), number(shapes["touching_per_tick"]),
-                     number(shapes["calls_per_touching"])])
-    print_table(["scene", "objects", "best ODE space", "by box", "by shape", "best ODE / by shape", "by box / by shape",
-                 "best ODE / by shape, whole tick", "calls by box", "calls by shape", "touching", "calls per touching"], rows)
+        by_box, by_shape = ((one["collide_us"], one["dcollide_us"], one["sum_us"]) for one in (boxes, shapes))
+        rows.append({
+            "scene": scene,
+            "objects": f"{n:,}",
+            "best ODE space": (spaces[best]["sum_us"], best),
+            "by box": by_box,
+            "by shape": by_shape,
+            "best ODE / by box": spaces[best]["sum_us"] / boxes["sum_us"],
+            "best ODE / by shape": shapes["best_ode_ratio"],
+            "by box / by shape": shapes["box_ratio"],
+            "best ODE / by shape, whole tick": shapes["best_ode_ratio_of_wholes"],
+            "calls by box": boxes["calls_per_tick"],
+            "calls by shape": shapes["calls_per_tick"],
+            "touching": shapes["touching_per_tick"],
+            "calls per touching": shapes["calls_per_touching"],
+        })
+    return rows
 
 
 def print_whole_ticks(records):
@@ -147,18 +178,18 @@ def print_whole_ticks(records):
                  "shape / box, collide + dCollide", "shape / box, whole tick"], rows)
 
 
-def print_instructions(records, before):
+def instructions(records, before):
     key = lambda record: (record["scene"], record["n"], record["space"])
     earlier = {key(record): record for record in before}
     rows = []
     for record in records:
         if record["space"] == "predictive-box" and key(record) in earlier:
             old = earlier[key(record)]
-            rows.append([record["scene"], f"{record['n']:,}"] +
-                        [f"{version[part]:,.0f}" for part in ("collide", "notices", "sum") for version in (old, record)] +
-                        [f"{record['sum'] / old['sum']:.3f}"])
-    print_table(["scene", "objects", "collide before", "now", "notices before", "now", "sum before", "now", "now / before"],
-                rows)
+            cells = {"scene": record["scene"], "objects": f"{record['n']:,}"}
+            for part in ("collide", "notices", "sum"):
+                cells |= {f"{part} before": old[part], f"{part} now": record[part]}
+            rows.append(cells | {"now / before": f"{record['sum'] / old['sum']:.3f}"})
+    return rows
 
 
 def read(name):
@@ -169,14 +200,14 @@ def read(name):
 def main():
     records = read(sys.argv[1])
     if len(sys.argv) > 2:
-        print_instructions(records, read(sys.argv[2]))
+        print_rows(instructions(records, read(sys.argv[2])))
         return
     if records[0].get("table") == "stepped":
-        print_stepped(records)
+        print_rows(stepped(records))
         return
     if records[0].get("table") == "contact":
         print_requirements(records)
-        print_contact(records)
+        print_rows(contact(records))
         print_whole_ticks(records)
         print_table1(records)
         return

@@ -55,8 +55,8 @@ class Tables(unittest.TestCase):
             REQUIREMENT,
         ])
         self.assertIn("| mix | 1,000 | 200 | 700,000 |", text)
-        self.assertIn("| mix | 1,000 | 400 (sap) | 25.0 + 75.0 = 100 | 12.5 + 37.5 = 50.0 | 8.00 | 2.00 | 1.50 | 190 | 4.00 | "
-                      "2.00 | 2.00 |", text)
+        self.assertIn("| mix | 1,000 | 400 (sap) | 25.0 + 75.0 = 100 | 12.5 + 37.5 = 50.0 | 4.00 | 8.00 | 2.00 | 1.50 | 190 | "
+                      "4.00 | 2.00 | 2.00 |", text)
         self.assertIn("| P20 | calls | 2.00 calls | ≤ 3.00 calls | met |", text)
 
     def test_whole_ticks_are_beside_boxes(self):
