@@ -40,6 +40,8 @@ extern "C" {
  *
  * All functions report invalid arguments through ODE's message handler (dSetMessageHandler()), with the name of the call
  * and of the argument, and then change nothing.
+ *
+ * @{
  */
 
 /** When the callback is called for a pair whose bounding boxes overlap. */

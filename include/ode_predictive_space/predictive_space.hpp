@@ -24,42 +24,59 @@ class dPredictiveSpace : public dSpace
     void operator=(const dPredictiveSpace &);
 
 public:
+    /** In no other space. */
     dPredictiveSpace() { _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(0)); }
 
+    /** Inside this space. */
     explicit dPredictiveSpace(dSpace &parent) { _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(parent.id())); }
 
+    /** The same; 0 for none. */
     explicit dPredictiveSpace(dSpaceID parent) { _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(parent)); }
 
+    /** See dPredictiveSpaceSetProximity(). */
     void setProximity(int proximity) { dPredictiveSpaceSetProximity(id(), proximity); }
+    /** See dPredictiveSpaceGetProximity(). */
     int getProximity() const { return dPredictiveSpaceGetProximity(id()); }
 
+    /** See dPredictiveSpaceSetShapeMargin(). */
     void setShapeMargin(dReal margin) { dPredictiveSpaceSetShapeMargin(id(), margin); }
+    /** See dPredictiveSpaceGetShapeMargin(). */
     dReal getShapeMargin() const { return dPredictiveSpaceGetShapeMargin(id()); }
 
+    /** See dPredictiveSpaceGeomChanged(). */
     void geomChanged(dGeomID geom) { dPredictiveSpaceGeomChanged(id(), geom); }
 
+    /** See dPredictiveSpaceSetGeomRole(). */
     void setGeomRole(dGeomID geom, int role) { dPredictiveSpaceSetGeomRole(id(), geom, role); }
+    /** See dPredictiveSpaceGetGeomRole(). */
     int getGeomRole(dGeomID geom) const { return dPredictiveSpaceGetGeomRole(id(), geom); }
 
+    /** See dPredictiveSpaceSetDeviation(). */
     void setDeviation(int role, dReal a, dReal b, dReal c) { dPredictiveSpaceSetDeviation(id(), role, a, b, c); }
+    /** See dPredictiveSpaceGetDeviation(). */
     int getDeviation(int role, dReal *a, dReal *b, dReal *c) const
     {
         return dPredictiveSpaceGetDeviation(id(), role, a, b, c);
     }
 
+    /** See dPredictiveSpaceSetHorizon(). */
     void setHorizon(int min_ticks, int max_ticks) { dPredictiveSpaceSetHorizon(id(), min_ticks, max_ticks); }
+    /** See dPredictiveSpaceGetHorizon(). */
     void getHorizon(int *min_ticks, int *max_ticks) const { dPredictiveSpaceGetHorizon(id(), min_ticks, max_ticks); }
 
+    /** See dPredictiveSpaceGetTimeOfProximity(). */
     int getTimeOfProximity(dGeomID first, dGeomID second, dReal *ticks) const
     {
         return dPredictiveSpaceGetTimeOfProximity(id(), first, second, ticks);
     }
 
+    /** See dPredictiveSpaceGetEncounters(). */
     int getEncounters(dGeomID geom, dPredictiveEncounter *out, int max) const
     {
         return dPredictiveSpaceGetEncounters(id(), geom, out, max);
     }
 
+    /** See dPredictiveSpaceGetStats(). */
     dPredictiveSpaceStats getStats() const
     {
         dPredictiveSpaceStats stats;
@@ -67,6 +84,7 @@ public:
         return stats;
     }
 
+    /** See dPredictiveSpaceGetCounters(). */
     dPredictiveSpaceCounters getCounters() const
     {
         dPredictiveSpaceCounters counters;
@@ -74,6 +92,7 @@ public:
         return counters;
     }
 
+    /** See dPredictiveSpaceValidate(). */
     int validate() const { return dPredictiveSpaceValidate(id()); }
 };
 

@@ -58,6 +58,8 @@ refuses bench --ode
 refuses bench --ode newest
 refuses fuzz never
 refuses plots
+refuses drawings path
+refuses docs latex
 refuses format --all
 refuses tidy first
 

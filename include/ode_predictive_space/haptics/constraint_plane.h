@@ -10,7 +10,7 @@ namespace ode_predictive_space::haptics
 /// What a touch forbids to the proxy: all behind a plane.
 struct ConstraintPlane
 {
-    std::uintptr_t object = 0;
+    std::uintptr_t object = 0;         ///< Touch::object
     unsigned feature = 0;              ///< of the object
     Vector3 normal = Vector3::UnitZ(); ///< of length 1, towards where the proxy may be
     double height = 0;                 ///< m; where the plane is: normal . (a point on it)

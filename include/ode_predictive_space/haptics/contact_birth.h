@@ -21,6 +21,7 @@ public:
     /// @param watches whether new contacts are looked at. Those that are not are taken as they are.
     void limit(const ToolState &tool, double gap, bool watches, double dt, std::vector<Touch> &touches);
 
+    /// Forget all contacts: what is touched next is new.
     void reset();
 
 private:

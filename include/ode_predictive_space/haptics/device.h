@@ -10,6 +10,7 @@
 
 namespace ode_predictive_space::haptics
 {
+/// Each use states unit and frame.
 using Vector3 = Eigen::Vector3d;
 
 /// Converts from and to Eigen::Quaterniond, but is not aligned as that is: to 16 bytes, or to 32 where a program is compiled for
@@ -69,7 +70,9 @@ const char *name_of(DeviceFault fault);
 class DeviceError : public std::runtime_error
 {
 public:
+    /// @param message one sentence; what() gives it.
     DeviceError(DeviceFault fault, const std::string &message) : std::runtime_error(message), fault_(fault) {}
+    /// What kind of fault it is: whether it may pass by itself.
     DeviceFault fault() const { return fault_; }
 
 private:
@@ -79,7 +82,7 @@ private:
 /// How a device is, for people and for a watchdog.
 struct DeviceStatus
 {
-    bool open = false;
+    bool open = false;       ///< between open() and close()
     bool ready = false;      ///< read() and write() do something useful now
     std::string explanation; ///< why it is not, in one sentence; empty when it is
 };

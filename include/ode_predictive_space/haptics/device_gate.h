@@ -18,9 +18,12 @@ namespace ode_predictive_space::haptics
 class DeviceGate
 {
 public:
+    /// @param device must outlive the gate.
     explicit DeviceGate(Device &device) : device_(device) {}
 
+    /// The device behind the gate: for calls that need no gate.
     Device &device() { return device_; }
+    /// The same.
     const Device &device() const { return device_; }
 
     /// Of the servo. @return false when the guard is in the device: then state is left alone. @throws DeviceError
@@ -37,6 +40,7 @@ public:
     /// Of the servo: opens the gate again. @return whether the guard had closed it.
     bool notice_closing();
 
+    /// What closing the gate came to.
     enum class Outcome
     {
         zero, ///< the force is zero, and stays so until the servo has noticed
@@ -53,6 +57,7 @@ public:
 
     /// Whether a guard looks after this device.
     void set_guarded(bool guarded) { guarded_.store(guarded, std::memory_order_relaxed); }
+    /// The same.
     bool is_guarded() const { return guarded_.load(std::memory_order_relaxed); }
 
     /// The thread that read last: the servo's. From any thread.

@@ -22,9 +22,9 @@ struct LoggedContact
 /// Of all contacts so far.
 struct EncounterSummary
 {
-    std::size_t contacts = 0;
-    std::size_t foretold = 0;
-    std::size_t missed = 0; ///< touched while the space did not hold it for near: never, unless the space is broken
+    std::size_t contacts = 0; ///< first touches of an object
+    std::size_t foretold = 0; ///< of these, listed before they were touched
+    std::size_t missed = 0;   ///< touched while the space did not hold it for near: never, unless the space is broken
     std::size_t late = 0; ///< foretold, but for later: the hand left its predicted path, and the space saw that in time
     double mean_warning = 0; ///< s; of those that were foretold
     double mean_early = 0;   ///< s; contact minus forecast; of those that were foretold and not late
@@ -50,7 +50,9 @@ public:
     /// @param time s; later than in the call before.
     void add(double time, const std::vector<Encounter> &encounters, const std::vector<Touch> &touches);
 
+    /// All so far, in the order in which they were touched.
     const std::vector<LoggedContact> &contacts() const { return contacts_; }
+    /// Of contacts().
     EncounterSummary summary() const;
 
 private:

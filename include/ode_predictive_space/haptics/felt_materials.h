@@ -19,6 +19,7 @@ public:
         any_object
     };
 
+    /// @param successor from which touch a new one takes over its material.
     explicit FeltMaterials(Successor successor) : successor_(successor) {}
 
     /// One tick. @param own what touches without a material are of. @param pressed whether a touch carries the tool; in their order.
@@ -27,6 +28,7 @@ public:
     /// Of each touch, in their order.
     const Material &operator[](std::size_t touch) const { return now_[touch].material; }
 
+    /// Forget all touches: those of the next tick have their own materials at once.
     void reset();
 
 private:

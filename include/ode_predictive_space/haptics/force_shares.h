@@ -10,7 +10,7 @@ namespace ode_predictive_space::haptics
 /// The part of the force on the hand that one object made.
 struct ForceShare
 {
-    std::uintptr_t object = 0;
+    std::uintptr_t object = 0;       ///< Touch::object
     Vector3 point = Vector3::Zero(); ///< m, the scene's frame; where it was touched last
     Vector3 force = Vector3::Zero(); ///< N, the scene's frame; on the hand
     unsigned feature = 0;            ///< Touch::feature

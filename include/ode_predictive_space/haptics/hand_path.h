@@ -33,6 +33,7 @@ struct HandPathSettings
 class HandPath
 {
 public:
+    /// The same settings and seed give the same path.
     HandPath(const HandPathSettings &settings, std::uint64_t seed);
 
     /// Where the hand is `time` seconds after the start, in metres. Not const: reaches are drawn as they are needed, up to

@@ -13,6 +13,7 @@ namespace ode_predictive_space::haptics
 class HandPathDevice : public SoftwareDevice
 {
 public:
+    /// Not open. The arguments are those of HandPath.
     explicit HandPathDevice(const HandPathSettings &settings = {}, std::uint64_t seed = 1);
 
 protected:

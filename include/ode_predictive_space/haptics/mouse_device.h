@@ -10,6 +10,7 @@
 
 namespace ode_predictive_space::haptics
 {
+/// How pointer and wheel become a motion of the handle.
 struct MouseSettings
 {
     Eigen::AlignedBox3d workspace{Vector3::Constant(-0.1), Vector3::Constant(0.1)}; ///< m; the handle stays in it

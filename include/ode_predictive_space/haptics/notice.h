@@ -27,12 +27,14 @@ enum class NoticeKind
 struct Notice
 {
     Notice() = default;
+    /// Copies the sentence, cut off where it is too long.
     Notice(NoticeKind notice_kind, double notice_time, std::string_view sentence);
 
-    NoticeKind kind = NoticeKind::device;
-    double time = 0;              ///< s; simulated, as RenderedTick::time is
-    std::array<char, 240> text{}; ///< ends with 0
+    NoticeKind kind = NoticeKind::device; ///< what it is about
+    double time = 0;                      ///< s; simulated, as RenderedTick::time is
+    std::array<char, 240> text{};         ///< ends with 0
 
+    /// The text; valid as long as the notice.
     std::string_view sentence() const { return text.data(); }
 };
 

@@ -51,6 +51,7 @@ public:
     static constexpr double recovery_time = 0.1;   ///< s
     static constexpr double silence_timeout = 0.1; ///< s
 
+    /// Loads nothing: open() does.
     explicit OpenHapticsDevice(OpenHapticsSettings settings = {});
     ~OpenHapticsDevice() override;
 

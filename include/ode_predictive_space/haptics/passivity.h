@@ -37,6 +37,7 @@ public:
     double energy() const { return energy_; }   ///< J; into what is rendered, up to the last control()
     double damping() const { return damping_; } ///< N s/m; what the controller added in the last control()
 
+    /// As at the start: no energy.
     void reset();
 
 private:

@@ -12,12 +12,12 @@ namespace ode_predictive_space::haptics
 /// Of many times, in seconds. All 0 when there were none.
 struct TimeSummary
 {
-    std::uint64_t count = 0;
-    double mean = 0;
-    double p50 = 0; ///< half of the times are not longer
-    double p99 = 0;
-    double p999 = 0;
-    double max = 0;
+    std::uint64_t count = 0; ///< how many times
+    double mean = 0;         ///< of all
+    double p50 = 0;          ///< half of the times are not longer
+    double p99 = 0;          ///< 99 % are not longer
+    double p999 = 0;         ///< 99.9 % are not longer
+    double max = 0;          ///< the longest
 };
 
 /// Times, by their size, in buckets of constant relative width. Nothing is allocated after the constructor.
@@ -29,11 +29,13 @@ public:
     /// @param seconds >= 0. What is shorter than a nanosecond counts as one, what is longer than 10,000 s as that.
     void add(double seconds);
 
+    /// How many times were added.
     std::uint64_t count() const { return count_.load(std::memory_order_relaxed); }
 
     /// The time that the given share of all times, 0 to 1, does not exceed: never too short, and too long by less than 2 %.
     double quantile(double share) const;
 
+    /// Of all times that were added.
     TimeSummary summary() const;
 
 private:

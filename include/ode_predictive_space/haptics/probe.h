@@ -18,7 +18,7 @@ class ActiveRun;
 /// Something that the probe can meet soon, by the space's prediction.
 struct Encounter
 {
-    dGeomID geom = nullptr;
+    dGeomID geom = nullptr; ///< owned by the space
     double seconds =
         0; ///< from now to the earliest time at which it can be near; 0: it is near now. Near are two whose
            ///< bounding boxes overlap, or with dPredictiveProximityShape, whose shapes may touch
@@ -120,13 +120,16 @@ public:
 
     /// The parts, for loops that run them in different threads. The sensor is 0 with a tool body.
     Renderer &renderer() { return renderer_; }
+    /// The same.
     TouchSensor *sensor() { return sensor_.get(); }
 
     /// For the same: a loop takes the probe, and gives it back. From any thread.
     ///
     /// @throws std::logic_error when another loop runs it.
     void take(std::shared_ptr<ActiveRun> run);
+    /// The same.
     void give_back() noexcept;
+    /// Whether a loop has it.
     bool is_taken() const;
 
     /// For the same: the sensor's geom goes to the tool. Not with a tool body.

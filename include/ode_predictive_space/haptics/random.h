@@ -20,12 +20,14 @@ inline std::uint64_t mix_bits(std::uint64_t x)
     return x ^ (x >> 31);
 }
 
-/// A stream of random numbers (splitmix64). The distributions of <random> differ between libraries, these do not.
+/// A stream of random numbers (splitmix64). The distributions of the standard library differ between libraries, these do not.
 class Random
 {
 public:
+    /// The same seed gives the same stream; any will do.
     explicit Random(std::uint64_t seed) : state_(mix_bits(seed)) {}
 
+    /// 64 random bits.
     std::uint64_t bits() { return mix_bits(state_ += 0x9e3779b97f4a7c15u); }
 
     /// Uniform in [0, 1).

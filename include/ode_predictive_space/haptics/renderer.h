@@ -48,9 +48,9 @@ struct RenderedTick
     Vector3 wished = Vector3::Zero(); ///< N, the scene's frame; what the law gave
     Vector3 force = Vector3::Zero();  ///< N, the scene's frame; what the hand got of it
     double allowance = 0;             ///< 0 to 1; the watchdog's
-    bool device_answers = false;
-    bool saturated = false; ///< the safety stage had to shorten the force
-    int tool_jumps = 0;     ///< how often the tool was put elsewhere by more than the hand's motion
+    bool device_answers = false;      ///< what it told is in its range and not too old
+    bool saturated = false;           ///< the safety stage had to shorten the force
+    int tool_jumps = 0;               ///< how often the tool was put elsewhere by more than the hand's motion
 };
 
 /// Device, workspace, law, safety, watchdog: all that needs no scene. Used from one thread, the servo's; nothing in it
@@ -80,6 +80,7 @@ public:
     /// @param clock_time s; on the clock that physics_fresh() has, too: the watchdog goes by it.
     void read(double time, double clock_time);
 
+    /// Where the tool is since the last read().
     const ToolState &tool() const { return tick_.tool; }
 
     /// Render what is touched, with the law.
@@ -108,6 +109,7 @@ public:
     /// The scene's state is as of this time, on the watchdog's clock. From any thread.
     void physics_fresh(double clock_time) { watchdog_->physics_fresh(clock_time); }
 
+    /// Of the servo: the tick that was rendered last.
     const RenderedTick &last_tick() const { return tick_; }
 
     /// The default law is another one after set_placement().
@@ -130,6 +132,7 @@ public:
     /// Between two ticks; the force comes back slowly. @throws std::invalid_argument as the constructor does: what is stiff depends
     /// on the scale.
     void set_placement(const WorkspacePlacement &placement);
+    /// Between the device's frame and the scene's.
     const WorkspaceMapping &mapping() const { return mapping_; }
 
     /// Between two ticks: how often the device is read and written, and the scene is stepped, in Hz.
@@ -141,8 +144,10 @@ public:
 
     /// Where notices go; in the thread of the call that has something to tell.
     void set_notice_sink(NoticeSink sink) { settings_.notice = std::move(sink); }
+    /// The same.
     const NoticeSink &notice_sink() const { return settings_.notice; }
 
+    /// What the safety stage did in the last tick and so far.
     const SafetyReport &safety_report() const { return safety_.report(); }
 
     /// Tell now what was held back because it had just been told: at the end of a run.

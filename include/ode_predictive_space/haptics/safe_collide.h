@@ -12,6 +12,7 @@ namespace ode_predictive_space::haptics
 /// dSpaceCollide() and dSpaceCollide2(), with a callback that may throw. ODE's own spaces stay locked for ever when an exception
 /// goes through them; these two keep it until ODE is done, without further calls of the callback, and throw it then.
 void safe_collide(dSpaceID space, void *data, dNearCallback *callback);
+/// See safe_collide().
 void safe_collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback);
 
 /// For loops: whether one of the two threw this in this thread, so that no space is locked by it. Once for each exception.

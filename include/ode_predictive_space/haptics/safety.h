@@ -45,6 +45,7 @@ enum class SafetyAction
     held_back     ///< the allowance was below 1: scaled down
 };
 
+/// Of SafetyAction.
 constexpr int safety_action_count = 8;
 
 /// One sentence: what the stage does and why.
@@ -57,8 +58,11 @@ struct SafetyReport
     std::uint32_t begun = 0; ///< those of them that were not taken in the call before: worth a message
     std::array<std::uint64_t, safety_action_count> calls{}; ///< in how many calls each was taken so far
 
+    /// Whether this action was taken in the last call.
     bool did(SafetyAction action) const { return (now >> static_cast<int>(action)) & 1u; }
+    /// Whether it was, and not in the call before.
     bool began(SafetyAction action) const { return (begun >> static_cast<int>(action)) & 1u; }
+    /// In how many calls it was taken so far.
     std::uint64_t count(SafetyAction action) const { return calls[static_cast<std::size_t>(action)]; }
 
     /// A line for each action ever taken, with its count; empty when there was none. Allocates: not for the servo loop.
@@ -101,7 +105,9 @@ public:
     /// Whether the wished wrench was small once since the start.
     bool engaged() const { return engaged_; }
 
+    /// What was done in the last call and so far.
     const SafetyReport &report() const { return report_; }
+    /// As they were given.
     const SafetyLimits &limits() const { return limits_; }
 
 private:

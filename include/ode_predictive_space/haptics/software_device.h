@@ -30,6 +30,7 @@ public:
     const Wrench &last_wrench() const { return last_wrench_; }
 
 protected:
+    /// Not open.
     explicit SoftwareDevice(Capabilities capabilities) : capabilities_(std::move(capabilities)) {}
 
     /// Go back to the beginning of the motion. The device is not open if this throws.
@@ -42,7 +43,7 @@ protected:
     /// Why the device, open, is not ready; empty when it is.
     virtual std::string idle_reason() const { return {}; }
 
-    Capabilities capabilities_;
+    Capabilities capabilities_; ///< what capabilities() tells
 
 private:
     void check_open(const char *call) const;

@@ -19,6 +19,7 @@ struct Rendering
     std::optional<double> device_damping; ///< N s/m; b, of the device and the hand that holds it, where it is known
 };
 
+/// Whether a material can be rendered as it was asked for.
 enum class StabilityOutcome
 {
     fine,    ///< as it was asked for
@@ -26,12 +27,13 @@ enum class StabilityOutcome
     refused  ///< nothing sensible can be rendered: nonsense was asked for
 };
 
+/// What is rendered in place of a material that was asked for.
 struct StabilityVerdict
 {
-    StabilityOutcome outcome = StabilityOutcome::fine;
-    double stiffness = 0; ///< N/m; to be used
-    double damping = 0;   ///< N s/m; to be used
-    std::string reason;   ///< one sentence: why not as asked; empty when fine
+    StabilityOutcome outcome = StabilityOutcome::fine; ///< how it differs from what was asked for
+    double stiffness = 0;                              ///< N/m; to be used
+    double damping = 0;                                ///< N s/m; to be used
+    std::string reason;                                ///< one sentence: why not as asked; empty when fine
 };
 
 /// Compares what is to be rendered with what the device can do.

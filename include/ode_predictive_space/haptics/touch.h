@@ -36,10 +36,10 @@ enum class TouchView
 /// The probe, in the scene's frame, SI units.
 struct ToolState
 {
-    Vector3 position = Vector3::Zero(); ///< m
-    Quaternion orientation = Quaternion::Identity();
-    Vector3 linear_velocity = Vector3::Zero();  ///< m/s
-    Vector3 angular_velocity = Vector3::Zero(); ///< rad/s
+    Vector3 position = Vector3::Zero();              ///< m
+    Quaternion orientation = Quaternion::Identity(); ///< of length 1
+    Vector3 linear_velocity = Vector3::Zero();       ///< m/s
+    Vector3 angular_velocity = Vector3::Zero();      ///< rad/s
 };
 
 /// The forces on the probe, in N, one per touch and in their order: what each of the objects gets is minus that.

@@ -145,6 +145,7 @@ public:
 
     /// For loops that run in two threads: the contact of the sphere that the sensor makes, 0 for another geom.
     ContactTracker *tracker() { return tracker_.get(); }
+    /// Of the sphere that the sensor makes, m.
     double radius() const { return radius_; }
 
     /// Give each body the opposite of its share of the force on the hand, where it was touched. A disabled body that gets a

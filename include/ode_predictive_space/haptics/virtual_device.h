@@ -27,10 +27,11 @@ struct HandModel
     double grip_damping = 5;     ///< N s/m, >= 0
 };
 
+/// What device is simulated, and what hand holds it.
 struct VirtualDeviceSettings
 {
-    Capabilities capabilities = device_preset("PHANToM Desktop");
-    HandModel hand;
+    Capabilities capabilities = device_preset("PHANToM Desktop"); ///< of the device
+    HandModel hand;                                               ///< feels the force
     double encoder_step = 0.00003; ///< m, >= 0; positions are told in whole steps; 0: exactly
     double velocity_cutoff = 100;  ///< Hz, > 0; of the low-pass filter of first order over the differences of positions
     int position_delay = 0;        ///< ticks, >= 0; how late a position is told; a tick is one read()

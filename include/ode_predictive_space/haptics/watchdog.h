@@ -19,6 +19,7 @@ enum class WatchdogReason
     servo_late      ///< the servo loop missed its deadline by much, or many of them in a row
 };
 
+/// Of WatchdogReason.
 constexpr int watchdog_reason_count = 5;
 
 /// One sentence for people.
@@ -79,6 +80,7 @@ public:
     /// As at the start, a requested stop included.
     void reset();
 
+    /// As they were given.
     const WatchdogLimits &limits() const { return limits_; }
 
 private:

@@ -47,8 +47,10 @@ public:
 
     /// Call in every tick before the others. @param device the state in this tick.
     void clutch(bool held, const DeviceState &device);
+    /// Whether the clutch was held in the last call of clutch().
     bool clutched() const { return clutched_; }
 
+    /// Where the tool is in the scene while the device is in this state; while the clutch is held, where it was at first.
     ToolState to_scene(const DeviceState &device) const;
 
     /// The inverse, as if the clutch were not held; buttons and time are left at zero.

@@ -1,0 +1,341 @@
+#!/usr/bin/env python3
+"""Draws the diagrams of the pages: no data, only what the text says.
+
+    draw.py [--output FOLDER]
+
+path.svg       a predicted path, its deviation and envelope, and the true path (docs/method.md)
+proximity.svg  two envelopes and their time of proximity (docs/method.md)
+gap.svg        the gap between two shapes along an axis (docs/shapes.md)
+tick.svg       the stages of a tick (docs/architecture.md)
+servo.svg      the two threads of the servo (docs/haptics/method.md)
+
+The same matplotlib makes the same pictures, byte by byte.
+"""
+
+import argparse
+import pathlib
+
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.patches import Circle, FancyBboxPatch, Polygon
+
+# The colours of docs/plots: predictive is blue, what really happens is orange.
+BLACK, ORANGE, BLUE, RED, GREY = "#000000", "#E69F00", "#0072B2", "#D55E00", "#777777"
+PALE_BLUE, PALE_ORANGE, PALE_GREY = "#DCEBF5", "#FBEFD5", "#F0F0F0"
+
+STYLE = {
+    "svg.hashsalt": "ode_predictive_space",
+    "svg.fonttype": "path",
+    "font.family": "DejaVu Sans",
+    "font.size": 11,
+    "mathtext.fontset": "dejavusans",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "legend.frameon": False,
+}
+INCH = 72.0  # points
+
+
+def sheet(width, height):
+    """Axes without ticks whose unit is a point; (0, 0) is at the bottom left."""
+    figure = plt.figure(figsize=(width / INCH, height / INCH))
+    axes = figure.add_axes([0, 0, 1, 1])
+    axes.set(xlim=(0, width), ylim=(0, height))
+    axes.axis("off")
+    return figure, axes
+
+
+def save(figure, folder, name):
+    path = folder / name
+    figure.savefig(path, metadata={"Date": None, "Creator": None})
+    plt.close(figure)
+    print(path)
+
+
+def arrow(axes, start, end, style="-|>", colour=BLACK, dashed=False):
+    axes.annotate(
+        "",
+        end,
+        start,
+        arrowprops={
+            "arrowstyle": style,
+            "color": colour,
+            "linewidth": 1.3,
+            "linestyle": "--" if dashed else "-",
+            "shrinkA": 0,
+            "shrinkB": 0,
+            "mutation_scale": 13,
+        },
+    )
+
+
+def route(axes, *points, colour=BLACK, dashed=False):
+    """An arrow with corners."""
+    if len(points) > 2:
+        axes.plot(*zip(*points[:-1]), color=colour, linewidth=1.3, linestyle="--" if dashed else "-", solid_joinstyle="miter")
+    arrow(axes, points[-2], points[-1], colour=colour, dashed=dashed)
+
+
+def box(axes, left, bottom, width, height, title, text="", fill=PALE_BLUE, edge=BLUE):
+    axes.add_patch(
+        FancyBboxPatch((left, bottom), width, height, boxstyle="round,pad=0,rounding_size=5", fc=fill, ec=edge, lw=1.2)
+    )
+    middle = left + width / 2
+    if text:
+        axes.text(middle, bottom + height - 9, title, ha="center", va="top", weight="bold", fontsize=11)
+        axes.text(middle, bottom + 8, text, ha="center", va="bottom", fontsize=9, linespacing=1.25)
+    else:
+        axes.text(middle, bottom + height / 2, title, ha="center", va="center", weight="bold", fontsize=11)
+
+
+def note(axes, x, y, text, ha="left", va="center", colour=BLACK, size=9, **options):
+    axes.text(x, y, text, ha=ha, va=va, color=colour, fontsize=size, linespacing=1.25, **options)
+
+
+# --- path.svg ---------------------------------------------------------------------------------------------------------
+
+
+def normals(points):
+    """Unit vectors to the left of a curve."""
+    tangents = np.gradient(points, axis=0)
+    tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
+    return np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
+
+
+def tube(axes, points, radius, **options):
+    sides = normals(points) * radius[:, None]
+    axes.add_patch(Polygon(np.concatenate([points + sides, (points - sides)[::-1]]), **options))
+
+
+def draw_path(folder):
+    figure, axes = sheet(680, 285)
+    m = np.linspace(0, 1, 121)
+    path = np.array([75, 85]) + m[:, None] * [500, 210] + m[:, None] ** 2 * [0, -150]
+    deviation = 8 + 34 * m
+    radius = 26
+    tube(axes, path, deviation + radius, fc="none", ec=BLUE, ls="--", lw=1.2)
+    for end in (0, -1):
+        axes.add_patch(Circle(path[end], deviation[end] + radius, fc="white", ec=BLUE, ls="--", lw=1.2))
+    tube(axes, path, deviation + radius - 0.7, fc="white", ec="none")
+    tube(axes, path, deviation, fc=PALE_BLUE, ec="none")
+    for end in (0, -1):
+        axes.add_patch(Circle(path[end], deviation[end], fc=PALE_BLUE, ec="none"))
+    axes.plot(*path.T, color=BLUE, lw=2)
+    true = path + normals(path) * (0.72 * deviation * np.sin(7.2 * m) * (0.4 + 0.6 * m))[:, None]
+    ticks = np.arange(0, 121, 12)
+    axes.plot(*true.T, color=ORANGE, lw=2)
+    axes.plot(*true[ticks].T, color=ORANGE, marker="o", ms=4.5, ls="")
+    now = 66
+    axes.add_patch(Circle(true[now], radius, fc="none", ec=ORANGE, lw=1.6))
+    edge = true[now] + radius * np.array([0.5, -0.866])
+    axes.plot(*np.array([true[now], edge]).T, color=ORANGE, lw=1)
+    note(axes, *(edge + [-14, 10]), "$r$", size=11, colour="#9a6a00")
+    where = 98
+    arrow(axes, path[where], path[where] + normals(path)[where] * deviation[where], "<|-|>")
+    note(axes, *(path[where] + normals(path)[where] * deviation[where] * 0.5 + [6, 2]), "$R(t)$", size=11)
+    note(axes, *(path[0] + [-1, -46]), "$t_{init}$", ha="center", size=11)
+    note(axes, *(path[-1] + [0, -80]), "$t_{final}$", ha="center", size=11)
+    note(axes, 30, 262, "predicted path $s(t)$ of the object's centre", colour=BLUE, size=10)
+    note(axes, 30, 243, "true path, a dot per tick", colour="#9a6a00", size=10)
+    note(axes, 30, 224, "shaded: deviation, at most $R(t)$ from $s(t)$", size=10)
+    note(axes, 30, 205, "dashed: envelope $S'(t)$, with the object's radius $r$", size=10)
+    save(figure, folder, "path.svg")
+
+
+# --- proximity.svg ----------------------------------------------------------------------------------------------------
+
+
+def draw_proximity(folder):
+    figure = plt.figure(figsize=(680 / INCH, 320 / INCH))
+    axes = figure.add_axes([0.055, 0.12, 0.93, 0.85])
+    t = np.linspace(0, 100, 201)
+    lower, upper = 8 + 0.32 * t - 0.0008 * t**2, 72 - 0.12 * t - 0.0009 * t**2
+    reach, growth = 6.5, 0.115
+    tops, bottoms = lower + reach + growth * t, upper - reach - growth * t
+    near = t[np.argmax(tops >= bottoms)]
+    wave = 2.6 * np.sin(t / 13) * (0.3 + t / 130)
+    for centre, colour, pale in ((lower, BLUE, PALE_BLUE), (upper, GREY, PALE_GREY)):
+        axes.fill_between(t, centre - reach - growth * t, centre + reach + growth * t, color=pale, lw=0)
+        axes.plot(t, centre, color=colour, lw=2)
+        for side in (-1, 1):
+            axes.plot(t, centre + side * (reach + growth * t), color=colour, lw=1.2, ls="--")
+    axes.plot(t[t <= near], (lower - wave)[t <= near], color=ORANGE, lw=1.8)
+    axes.plot(t[t <= near], (upper + 0.8 * wave)[t <= near], color=ORANGE, lw=1.8)
+    height = np.interp(near, t, tops)
+    axes.plot([near, near], [-9, height], color=BLACK, lw=1, ls=":")
+    axes.plot(near, height, marker="o", color=RED, ms=8)
+    axes.annotate(
+        "time of proximity:\nthe envelopes touch",
+        (near, height),
+        (36, 43),
+        color=RED,
+        fontsize=10,
+        arrowprops={"arrowstyle": "-", "color": RED, "shrinkB": 5, "lw": 1},
+        va="center",
+        ha="center",
+    )
+    axes.annotate("", (0, -5), (near, -5), arrowprops={"arrowstyle": "<|-|>", "color": BLACK, "lw": 1.2, "shrinkA": 0, "shrinkB": 0})
+    axes.text(near / 2, -7.5, "proven apart: the pair costs nothing", ha="center", va="top", fontsize=10)
+    axes.annotate("", (near, -5), (100, -5), arrowprops={"arrowstyle": "<|-", "color": BLACK, "lw": 1.2, "shrinkA": 0, "shrinkB": 0})
+    axes.text((near + 100) / 2, -7.5, "in the near set:\ntested at each tick", ha="center", va="top", fontsize=10)
+    axes.text(2.5, 85.5, "envelope of object 2", color="#555555", fontsize=10)
+    axes.text(2.5, 25, "envelope of object 1", color=BLUE, fontsize=10)
+    axes.text(9, 66.2, "true motion", color="#9a6a00", fontsize=10, ha="left")
+    axes.text(99.3, 89, "$t_{final}$", ha="right", fontsize=11)
+    axes.axvline(100, color=BLACK, lw=1, ls=":")
+    axes.set(xlim=(0, 100.4), ylim=(-20, 95), yticks=[], ylabel="place along a line")
+    axes.set_xlabel("ticks from the prediction on", labelpad=2)
+    axes.set_xticks([0, 20, 40, 60, 80, 100])
+    save(figure, folder, "proximity.svg")
+
+
+# --- gap.svg ----------------------------------------------------------------------------------------------------------
+
+
+def draw_gap(folder):
+    figure, axes = sheet(590, 315)
+    direction = np.radians(8)
+    n = np.array([np.cos(direction), np.sin(direction)])
+    across = np.array([-n[1], n[0]])
+    first, second = np.array([140, 170.0]), np.array([460, 225.0])
+    turn = np.radians(28)
+    sides = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+    half = np.array([82, 48])
+    corners = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) * half @ sides + first
+    axes.add_patch(Polygon(corners, fc=PALE_BLUE, ec=BLUE, lw=1.8))
+    lean = np.radians(118)
+    rod, radius = 52 * np.array([np.cos(lean), np.sin(lean)]), 34
+    rim = np.radians(np.linspace(-90, 90, 40)) + lean
+    cap = radius * np.stack([np.cos(rim), np.sin(rim)], axis=1)
+    axes.add_patch(Polygon(np.concatenate([second + rod + cap, second - rod - cap]), fc=PALE_ORANGE, ec=ORANGE, lw=1.8))
+    h1 = np.max((corners - first) @ n)
+    h2 = abs(rod @ n) + radius
+    distance = n @ (second - first)
+    ends = [first, first + n * h1, first + n * (distance - h2), first + n * distance]
+    base = -118  # where the dimensions are, across n
+    low = [end + across * (base - (end - first) @ across) for end in ends]
+    to_second = 118 + (second - first) @ across
+    reach = ((BLUE, 32, 118), (BLUE, 6, 215), (ORANGE, 6, 215), (ORANGE, 32, to_second))
+    for end, (colour, down, up) in zip(low, reach):
+        axes.plot(*np.array([end - across * down, end + across * up]).T, color=colour, lw=1, ls="--")
+    for start, end, text, colour in (
+        (low[0], low[1], "$h_1(n)$", BLUE),
+        (low[1], low[2], "gap $g$", RED),
+        (low[2], low[3], "$h_2(-n)$", "#9a6a00"),
+    ):
+        arrow(axes, start, end, "<|-|>", colour)
+        axes.text(*((start + end) / 2 + across * 10), text, ha="center", va="center", color=colour, fontsize=11,
+                  bbox={"fc": "white", "ec": "none", "pad": 1.5}, zorder=4)
+    arrow(axes, low[0] - across * 26, low[3] - across * 26, "<|-|>")
+    axes.text(*((low[0] + low[3]) / 2 - across * 26), "$n \\cdot (c_2 - c_1)$", ha="center", va="center", fontsize=11,
+              bbox={"fc": "white", "ec": "none", "pad": 2}, zorder=4)
+    for centre, name in ((first, "$c_1$"), (second, "$c_2$")):
+        axes.plot(*centre, color=BLACK, marker="o", ms=5)
+        axes.text(*(centre + [-9, 7]), name, ha="right", va="bottom", fontsize=12)
+    start = (ends[1] + ends[2]) / 2 + across * 70 - n * 25
+    arrow(axes, start, start + n * 62)
+    axes.text(*(start + n * 70), "$n$", ha="left", va="center", fontsize=12)
+    save(figure, folder, "gap.svg")
+
+
+# --- tick.svg ---------------------------------------------------------------------------------------------------------
+
+
+def draw_tick(folder):
+    figure, axes = sheet(700, 430)
+    width, height = 150, 56
+    left, top = 250, 360
+    names = {
+        "verify": (left, 318, "verify", "is the object inside\nits envelope?"),
+        "predict": (left, 218, "predict", "path, deviation,\nenvelope, horizon"),
+        "index": (left, 118, "find pairs", "whose swept boxes\noverlap"),
+        "schedule": (left, 18, "schedule", "time of proximity\nof each pair"),
+        "wheel": (left + 260, 18, "event wheel", "pairs that can meet\nlater; ends of horizons"),
+        "near": (left + 260, 168, "near set", "pairs that may be\nnear now"),
+        "report": (left + 260, 318, "report", "exact test of the boxes\n(or shapes) of now"),
+    }
+    for x, y, title, text in names.values():
+        state = title in ("event wheel", "near set")
+        box(axes, x, y, width, 62, title, text, PALE_GREY if state else PALE_BLUE, GREY if state else BLUE)
+    box(axes, 20, 318, 130, 62, "ODE", "reports each\nobject that moved", PALE_ORANGE, ORANGE)
+    middle = left + width / 2
+    right = left + 260 + width / 2
+    arrow(axes, (150, 349), (left, 349))
+    note(axes, 200, 357, "moved and\nin doubt", ha="center", va="bottom")
+    arrow(axes, (85, 318), (85, 268))
+    note(axes, 85, 262, "on its path:\nno further work", ha="center", va="top", colour=GREY)
+    route(axes, (left, 330), (205, 330), (205, 268), colour=BLACK)
+    note(axes, 205, 262, "inside: no\nfurther work", ha="center", va="top", colour=GREY)
+    arrow(axes, (middle, 318), (middle, 280))
+    note(axes, middle + 7, 299, "outside")
+    arrow(axes, (middle, 218), (middle, 180))
+    note(axes, middle + 7, 199, "batch of new envelopes")
+    arrow(axes, (middle, 118), (middle, 80))
+    note(axes, middle + 7, 99, "candidates, each once")
+    arrow(axes, (left + width, 40), (left + 260, 40))
+    note(axes, left + 205, 46, "later", ha="center", va="bottom")
+    route(axes, (left + width, 65), (left + 205, 65), (left + 205, 185), (left + 260, 185))
+    note(axes, left + 211, 140, "now")
+    arrow(axes, (left, 49), (165, 49))
+    note(axes, 160, 49, "not before a horizon ends:\ndropped", ha="right", colour=GREY)
+    arrow(axes, (right, 80), (right, 168))
+    note(axes, right - 7, 124, "wake: due\nat this tick", ha="right")
+    arrow(axes, (right, 230), (right, 318))
+    note(axes, right - 7, 272, "pairs to test", ha="right")
+    arrow(axes, (right, 380), (right, 408))
+    note(axes, right, 413, "ODE's filters, near callback", ha="center", va="bottom")
+    route(axes, (right + 40, 80), (right + 40, 124), (left + 260 + width + 12, 124), (left + 260 + width + 12, 295),
+          (middle + 55, 295), (middle + 55, 280))
+    note(axes, left + 205, 300, "horizons that end", ha="center", va="bottom")
+    save(figure, folder, "tick.svg")
+
+
+# --- servo.svg --------------------------------------------------------------------------------------------------------
+
+
+def draw_servo(folder):
+    figure, axes = sheet(700, 350)
+    for x, width, title, colour in ((15, 190, "scene's thread, at physics_rate", GREY), (495, 190, "servo's thread, at rate", BLUE)):
+        axes.add_patch(FancyBboxPatch((x, 72), width, 250, boxstyle="round,pad=0,rounding_size=8", fc="none", ec=colour, lw=1, ls="--"))
+        note(axes, x + width / 2, 333, title, ha="center", colour=colour, size=10, weight="bold")
+    scene = [("pose the probe", 276), ("collide", 214), ("push the bodies", 152), ("step the world, sleep", 90)]
+    servo = [("read the device", 276), ("proxy and touches", 214), ("law, safety, write", 152), ("sleep", 90)]
+    for steps, x, fill, edge in ((scene, 30, PALE_GREY, GREY), (servo, 510, PALE_BLUE, BLUE)):
+        for text, y in steps:
+            box(axes, x, y, 160, 34, text, "", fill, edge)
+        for (_, y), (_, below) in zip(steps, steps[1:]):
+            arrow(axes, (x + 80, y), (x + 80, below + 34))
+    between = ((293, "tool, proxy, what was felt", "triple buffer: the latest", False), (231, "geoms around the probe, planes", "triple buffer: the latest", True),
+               (169, "impulses: object, point, N s", "ring: all of them", False))
+    for y, what, how, to_the_right in between:
+        ends = ((190, y), (510, y))
+        arrow(axes, *(ends if to_the_right else ends[::-1]))
+        note(axes, 350, y + 5, what, ha="center", va="bottom", size=10)
+        note(axes, 350, y - 5, how, ha="center", va="top", colour=GREY)
+    box(axes, 270, 14, 160, 44, "guard's thread, 1 kHz", "", PALE_ORANGE, ORANGE)
+    route(axes, (430, 36), (590, 36), (590, 72), colour=ORANGE)
+    note(axes, 600, 36, "no tick in time:\nzero force", size=9)
+    save(figure, folder, "servo.svg")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument(
+        "--output",
+        type=pathlib.Path,
+        default=pathlib.Path(__file__).resolve().parent,
+        metavar="FOLDER",
+        help="where to write the drawings (default: beside this script)",
+    )
+    folder = parser.parse_args().output
+    folder.mkdir(parents=True, exist_ok=True)
+    with plt.rc_context(STYLE):
+        for draw in (draw_path, draw_proximity, draw_gap, draw_tick, draw_servo):
+            draw(folder)
+
+
+if __name__ == "__main__":
+    main()

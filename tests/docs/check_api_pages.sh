@@ -1,0 +1,39 @@
+#!/bin/sh
+# The pages of the public headers are made without a warning, have what the headers say, and a warning makes them fail.
+# Usage: check_api_pages.sh SOURCE_DIR
+set -eu
+
+work=$(mktemp --directory)
+trap 'rm -rf "$work"' EXIT
+
+fail() {
+    printf '%s\n' "$*" >&2
+    exit 1
+}
+
+"$1/docs/doxygen/make" "$work/pages"
+
+# has PAGE PATTERN: in its text, without marks, line ends and double spaces.
+has() {
+    sed 's/<[^>]*>//g; s/&#160;/ /g; s/&gt;/>/g; s/&lt;/</g' "$work/pages/html/$1" | tr -s '\n ' '  ' | grep --quiet -e "$2" ||
+        fail "$1 does not have: $2"
+}
+
+has index.html 'predicts when two geoms can come near each other'
+has group__predictive__space.html 'dPredictiveSpaceCreate (dSpaceID parent) Create a predictive space'
+has group__predictive__space.html 'parent *the space that will contain it, or 0'
+has group__predictive__space.html 'Returns *the space, to be destroyed with dSpaceDestroy()'
+has group__predictive__space.html 'dPredictiveProximityShape *when the shapes of spheres, boxes'
+has structdPredictiveSpaceStats.html 'pairs now in the near set'
+has classdPredictiveSpace.html 'See dPredictiveSpaceSetHorizon()'
+has namespaceode__predictive__space_1_1haptics.html 'make_device'
+
+# A function without a comment, in a copy.
+cp -r "$1/include" "$work/include"
+mkdir -p "$work/docs"
+cp -r "$1/docs/doxygen" "$work/docs/"
+sed -i 's/^\/\*\* Read the statistics. \*\/$//' "$work/include/ode_predictive_space/predictive_space.h"
+if "$work/docs/doxygen/make" "$work/broken" >"$work/said" 2>&1; then
+    fail "A function without a comment is not an error"
+fi
+grep --quiet 'dPredictiveSpaceGetStats.*is not documented' "$work/said" || fail "$(cat "$work/said")"
