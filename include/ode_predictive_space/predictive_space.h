@@ -53,7 +53,7 @@ enum
                 never a contact less, fewer useless calls */
     dPredictiveProximityShape =
         2 /**< when the shapes of spheres, boxes, capsules, cylinders, planes, convexes and meshes may touch, of the last two
-               their convex hulls; of other classes, and of a few pairs of these (docs/method.md lists them), when the boxes
+               their convex hulls; of other classes, and of a few pairs of these (docs/shapes.md lists them), when the boxes
                overlap. Never a contact less than dCollide() finds with ODE's own colliders, hardly a useless call. For
                dSpaceCollide() and for the times of dPredictiveSpaceGetTimeOfProximity() and dPredictiveSpaceGetEncounters();
                dSpaceCollide2() goes by boxes. Not for programs that replace colliders with dSetColliderOverride().
