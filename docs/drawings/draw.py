@@ -75,7 +75,8 @@ def arrow(axes, start, end, style="-|>", colour=BLACK, dashed=False):
 def route(axes, *points, colour=BLACK, dashed=False):
     """An arrow with corners."""
     if len(points) > 2:
-        axes.plot(*zip(*points[:-1]), color=colour, linewidth=1.3, linestyle="--" if dashed else "-", solid_joinstyle="miter")
+        line = "--" if dashed else "-"
+        axes.plot(*zip(*points[:-1]), color=colour, linewidth=1.3, linestyle=line, solid_joinstyle="miter")
     arrow(axes, points[-2], points[-1], colour=colour, dashed=dashed)
 
 
@@ -177,9 +178,9 @@ def draw_proximity(folder):
         va="center",
         ha="center",
     )
-    axes.annotate("", (0, -5), (near, -5), arrowprops={"arrowstyle": "<|-|>", "color": BLACK, "lw": 1.2, "shrinkA": 0, "shrinkB": 0})
+    arrow(axes, (near, -5), (0, -5), "<|-|>")
     axes.text(near / 2, -7.5, "proven apart: the pair costs nothing", ha="center", va="top", fontsize=10)
-    axes.annotate("", (near, -5), (100, -5), arrowprops={"arrowstyle": "<|-", "color": BLACK, "lw": 1.2, "shrinkA": 0, "shrinkB": 0})
+    arrow(axes, (near, -5), (100, -5))
     axes.text((near + 100) / 2, -7.5, "in the near set:\ntested at each tick", ha="center", va="top", fontsize=10)
     axes.text(2.5, 85.5, "envelope of object 2", color="#555555", fontsize=10)
     axes.text(2.5, 25, "envelope of object 1", color=BLUE, fontsize=10)
@@ -298,9 +299,10 @@ def draw_tick(folder):
 
 def draw_servo(folder):
     figure, axes = sheet(700, 350)
-    for x, width, title, colour in ((15, 190, "scene's thread, at physics_rate", GREY), (495, 190, "servo's thread, at rate", BLUE)):
-        axes.add_patch(FancyBboxPatch((x, 72), width, 250, boxstyle="round,pad=0,rounding_size=8", fc="none", ec=colour, lw=1, ls="--"))
-        note(axes, x + width / 2, 333, title, ha="center", colour=colour, size=10, weight="bold")
+    for x, title, colour in ((15, "scene's thread, at physics_rate", GREY), (495, "servo's thread, at rate", BLUE)):
+        round_corners = "round,pad=0,rounding_size=8"
+        axes.add_patch(FancyBboxPatch((x, 72), 190, 250, boxstyle=round_corners, fc="none", ec=colour, lw=1, ls="--"))
+        note(axes, x + 95, 333, title, ha="center", colour=colour, size=10, weight="bold")
     scene = [("pose the probe", 276), ("collide", 214), ("push the bodies", 152), ("step the world, sleep", 90)]
     servo = [("read the device", 276), ("proxy and touches", 214), ("law, safety, write", 152), ("sleep", 90)]
     for steps, x, fill, edge in ((scene, 30, PALE_GREY, GREY), (servo, 510, PALE_BLUE, BLUE)):
@@ -308,8 +310,11 @@ def draw_servo(folder):
             box(axes, x, y, 160, 34, text, "", fill, edge)
         for (_, y), (_, below) in zip(steps, steps[1:]):
             arrow(axes, (x + 80, y), (x + 80, below + 34))
-    between = ((293, "tool, proxy, what was felt", "triple buffer: the latest", False), (231, "geoms around the probe, planes", "triple buffer: the latest", True),
-               (169, "impulses: object, point, N s", "ring: all of them", False))
+    between = (
+        (293, "tool, proxy, what was felt", "triple buffer: the latest", False),
+        (231, "geoms around the probe, planes", "triple buffer: the latest", True),
+        (169, "impulses: object, point, N s", "ring: all of them", False),
+    )
     for y, what, how, to_the_right in between:
         ends = ((190, y), (510, y))
         arrow(axes, *(ends if to_the_right else ends[::-1]))

@@ -1,4 +1,4 @@
-"""The drawings in docs/drawings are those that draw.py makes: the same texts in the same order, and the same lines within a point."""
+"""The drawings in docs/drawings are those that draw.py makes: the same texts, and the same lines within a point."""
 
 import pathlib
 import re
@@ -12,7 +12,8 @@ TOLERANCE = 1.0  # points: another version of matplotlib may place a label a lit
 
 
 def draw(folder):
-    done = subprocess.run([sys.executable, FOLDER / "draw.py", "--output", folder], check=False, capture_output=True, text=True)
+    command = [sys.executable, FOLDER / "draw.py", "--output", folder]
+    done = subprocess.run(command, check=False, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return {path.name: path.read_text(encoding="utf-8") for path in pathlib.Path(folder).glob("*.svg")}
 
