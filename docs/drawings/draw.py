@@ -5,6 +5,7 @@
 
 path.svg       a predicted path, its deviation and envelope, and the true path (docs/method.md)
 proximity.svg  two envelopes and their time of proximity (docs/method.md)
+chord.svg      an encounter that the paper's error of a chord misses (docs/method.md)
 gap.svg        the gap between two shapes along an axis (docs/shapes.md)
 tick.svg       the stages of a tick (docs/architecture.md)
 servo.svg      the two threads of the servo (docs/haptics/method.md)
@@ -193,6 +194,31 @@ def draw_proximity(folder):
     save(figure, folder, "proximity.svg")
 
 
+# --- chord.svg --------------------------------------------------------------------------------------------------------
+
+
+def draw_chord(folder):
+    figure = plt.figure(figsize=(680 / INCH, 250 / INCH))
+    axes = figure.add_axes([0.06, 0.17, 0.92, 0.8])
+    end, ball = 80, 20
+    t = np.linspace(0, end, 161)
+    path = t - t**2 / 100
+    first = 50 - np.sqrt(50**2 - 100 * ball)
+    axes.axhline(ball, color=GREY, lw=1.2, ls="--")
+    axes.text(0.6, ball + 0.6, "here it touches a ball", color="#555555", fontsize=10)
+    axes.plot(t, t / end * path[-1], color=ORANGE, lw=2)
+    axes.text(48, 48 / end * path[-1] - 1.2, "chord: never gets as far as the ball", color="#9a6a00", fontsize=10, va="top")
+    axes.plot(t, path, color=BLUE, lw=2)
+    axes.text(63, 24.4, "path: $t - t^2/100$", color=BLUE, fontsize=10)
+    axes.plot(first, ball, color=RED, marker="o", ms=8)
+    axes.text(first + 1.6, ball - 0.8, f"first contact,\n$t = {first:.1f}$", color=RED, fontsize=10, va="top")
+    arrow(axes, (end / 2, path[-1] / 2), (end / 2, path[80]), "<|-|>")
+    axes.text(end / 2 + 0.8, 13.5, r"error of the chord, at most $\frac{1}{8} |a| T^2$", fontsize=10, va="center")
+    axes.set(xlim=(0, end + 0.4), ylim=(0, 27), xlabel="ticks", ylabel="distance")
+    axes.set_yticks([0, ball, 25])
+    save(figure, folder, "chord.svg")
+
+
 # --- gap.svg ----------------------------------------------------------------------------------------------------------
 
 
@@ -338,7 +364,7 @@ def main():
     folder = parser.parse_args().output
     folder.mkdir(parents=True, exist_ok=True)
     with plt.rc_context(STYLE):
-        for draw in (draw_path, draw_proximity, draw_gap, draw_tick, draw_servo):
+        for draw in (draw_path, draw_proximity, draw_chord, draw_gap, draw_tick, draw_servo):
             draw(folder)
 
 
