@@ -42,6 +42,7 @@ COLUMNS = {
     },
     "contact.json": {
         "best ODE": "best ODE space",
+        "with dCollide": "best ODE / by box",
         "collide + dCollide": "best ODE / by box",
         "collide + dCollide, by box": "best ODE / by box",
         "collide + dCollide, by shape": "best ODE / by shape",
