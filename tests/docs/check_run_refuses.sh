@@ -57,6 +57,9 @@ refuses test --preset
 refuses bench --ode
 refuses bench --ode newest
 refuses fuzz never
+refuses coverage all
+refuses variants msvc
+refuses package everything
 refuses plots
 refuses drawings path
 refuses docs latex
