@@ -17,7 +17,7 @@ import tempfile
 from PIL import Image
 
 SCENE = ["--scene", "mix", "--objects", "200", "--seed", "2", "--fast", "--device", "virtual"]
-BEGIN, END = 1.9, 2.5  # simulated s
+BEGIN, END = 2.12, 2.48  # simulated s; the hand feels a force all the while
 WIDTH, COLOURS, FRAME_MS = 640, 64, 100
 LARGEST = 1_000_000  # bytes
 
