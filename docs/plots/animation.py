@@ -17,7 +17,7 @@ import tempfile
 from PIL import Image
 
 SCENE = ["--scene", "mix", "--objects", "200", "--seed", "2", "--fast", "--device", "virtual"]
-BEGIN, END = 1.9, 2.5  # simulated s
+BEGIN, END = 2.12, 2.48  # simulated s; the hand feels a force all the while
 WIDTH, COLOURS, FRAME_MS = 640, 64, 100
 LARGEST = 1_000_000  # bytes
 
@@ -49,7 +49,17 @@ def take_frame(demo, display, time, file):
     subprocess.run([demo, *SCENE, "--screenshot", file, "--at", f"{time:.3f}"], check=True, stdout=subprocess.DEVNULL,
                    env={**os.environ, "DISPLAY": display})
     picture = Image.open(file).convert("RGB")
-    return picture.resize((WIDTH, picture.height * WIDTH // picture.width), Image.LANCZOS).quantize(COLOURS)
+    return picture.resize((WIDTH, picture.height * WIDTH // picture.width), Image.LANCZOS)
+
+
+def with_common_colours(pictures):
+    """Colours that cover little, as that of the probe, are kept."""
+    width, height = pictures[0].size
+    all_of_them = Image.new("RGB", (width, height * len(pictures)))
+    for i, picture in enumerate(pictures):
+        all_of_them.paste(picture, (0, i * height))
+    palette = all_of_them.quantize(COLOURS, Image.Quantize.MAXCOVERAGE)
+    return [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
 
 
 def main():
@@ -58,7 +68,8 @@ def main():
     try:
         with tempfile.TemporaryDirectory() as folder:
             times = [BEGIN + (END - BEGIN) * i / (options.frames - 1) for i in range(options.frames)]
-            frames = [take_frame(options.demo, display, time, f"{folder}/frame.png") for time in times]
+            frames = with_common_colours(
+                [take_frame(options.demo, display, time, f"{folder}/frame.png") for time in times])
     finally:
         server.terminate()
         server.wait()
