@@ -1,30 +1,34 @@
 #!/usr/bin/env bash
-# Can programs that were built with the library as it was go on with the one that is built now? Compares its binary interface,
-# as far as the public headers declare it, with the one in the file. What is new does no harm; anything else fails.
-# With --renew, writes the file.
-# Usage: compare_interface.sh [--renew] ABIDW ABIDIFF LIBRARY HEADERS FILE
+# Can programs that were built with the library as it was go on with the one that is built now? Compares its symbols and the types
+# of its public headers with those in BASELINE.symbols and BASELINE.abi.gz. What is new does no harm; anything else fails. A function
+# that now returns another type is not noticed, unless it is one of the space's.
+# With --renew, writes the two files.
+# Usage: compare_interface.sh ABIDW ABIDIFF LIBRARY LIBRARY_WITH_TYPES HEADERS BASELINE [--renew]
 
 set -euo pipefail
 
-renew=
-if [[ $1 == --renew ]]; then
-    renew=yes
-    shift
-fi
-abidw=$1 abidiff=$2 library=$3 headers=$4 file=$5
+abidw=$1 abidiff=$2 library=$3 types=$4 headers=$5 baseline=$6
+work=$(mktemp --directory)
+trap 'rm -rf "$work"' EXIT
 
-now=$(mktemp --suffix=.abi)
-trap 'rm -f "$now"' EXIT
-# Without paths and lines, and without the types that are not in the headers.
-"$abidw" --headers-dir "$headers" --drop-private-types --no-show-locs --no-comp-dir-path --no-corpus-path --out-file "$now" \
-    "$library"
-if [[ -n $renew ]]; then
-    cp "$now" "$file"
+nm --dynamic --defined-only --format=posix "$library" | awk '$2 != "A" { print $1 }' | LC_ALL=C sort >"$work/symbols"
+# Without paths and lines, and without types that are not in the headers.
+"$abidw" --headers-dir "$headers" --drop-private-types --no-show-locs --no-comp-dir-path --no-corpus-path \
+    --out-file "$work/abi" "$types"
+
+if [[ ${7:-} == --renew ]]; then
+    cp "$work/symbols" "$baseline.symbols"
+    gzip -9 --no-name --stdout "$work/abi" >"$baseline.abi.gz"
     exit
 fi
-if ! "$abidiff" --no-added-syms "$file" "$now"; then
+changed=0
+LC_ALL=C comm -23 "$baseline.symbols" "$work/symbols" | sed 's/@@.*//' | c++filt | sed 's/^/gone: /' | tee "$work/gone"
+[[ ! -s $work/gone ]] || changed=1
+gunzip --stdout "$baseline.abi.gz" >"$work/before.abi"
+"$abidiff" --no-added-syms "$work/before.abi" "$work/abi" || changed=1
+if ((changed)); then
     printf '%s\n' "Programs that were built with the library as it was may not run with this one. If that has to be, renew" \
-        "$(basename "$file") by building the target renew_abi, and say why in the commit." >&2
+        "the files by building the target renew_abi, and say why in the commit." >&2
     exit 1
 fi
-grep -c '<elf-symbol ' "$now" | sed 's/$/ symbols as before/'
+printf '%s symbols, no fewer than before\n' "$(wc -l <"$work/symbols")"
