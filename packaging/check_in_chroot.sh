@@ -36,6 +36,26 @@ build_with() {
     inside cmake --install "/tmp/$1" --prefix "/tmp/$1/prefix" >/dev/null
 }
 
+# The packages on which a package of a program would depend, as dpkg-shlibdeps says.
+list_dependencies() {
+    say 'What a package with the programs would depend on'
+    mkdir -p "$chroot/tmp/program/debian"
+    printf 'Source: program\n\nPackage: program\nArchitecture: any\n' >"$chroot/tmp/program/debian/control"
+    inside sh -c 'cd /tmp/program && dpkg-shlibdeps -O -e/tmp/consumer/consumer_c -e/tmp/consumer/consumer_haptics' |
+        tee "$chroot/tmp/depends"
+    grep -q 'libode-predictive-space0 (>= 0\.1\.0)' "$chroot/tmp/depends"
+    grep -q 'libode-predictive-space-haptics0 (>= 0\.1\.0)' "$chroot/tmp/depends"
+}
+
+# The copyright of each package names the licence that is in the sources.
+check_licences() {
+    local package
+    # shellcheck disable=SC2016 # dpkg fills it in
+    for package in $(inside dpkg-query --show --showformat '${Package}\n' 'libode-predictive-space*'); do
+        grep -q '^License: BSD-3-Clause' "$chroot/usr/share/doc/$package/copyright"
+    done
+}
+
 build_programs() {
     say 'Programs, built with the packages by CMake and by pkg-config'
     inside cmake -S /tmp/sources/tests/install/consumer -B /tmp/consumer -G Ninja >/dev/null
@@ -60,7 +80,7 @@ mkdir -p "$chroot/tmp/sources" "$chroot/tmp/packages"
 git -C "$sources" ls-files -z | tar -C "$sources" --null --files-from=- --create | tar -C "$chroot/tmp/sources" --extract
 cp "$packages"/*.deb "$chroot/tmp/packages"
 inside apt-get -q update >/dev/null
-install_in_chroot g++ clang cmake ninja-build pkg-config libode-dev libeigen3-dev
+install_in_chroot g++ dpkg-dev clang cmake ninja-build pkg-config libode-dev libeigen3-dev
 list_files >"$3/before"
 
 build_with gcc gcc g++
@@ -68,7 +88,9 @@ build_with clang clang clang++
 say 'Installing'
 inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/packages/*.deb' >/dev/null
 list_files | comm -13 "$3/before" - >"$3/installed"
+check_licences
 build_programs
+list_dependencies
 run_launcher
 say 'Removing'
 inside sh -c "apt-get -q purge --yes --auto-remove '^libode-predictive-space.*'" >/dev/null

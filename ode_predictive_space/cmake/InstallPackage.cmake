@@ -13,6 +13,12 @@ install(
     TARGETS ode_predictive_space_haptics
     EXPORT ode_predictive_space-targets
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT haptics NAMELINK_COMPONENT development)
+if(ODE_PREDICTIVE_SPACE_STATIC)
+    install(
+        TARGETS ode_predictive_space_static ode_predictive_space_haptics_static
+        EXPORT ode_predictive_space-targets
+        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
+endif()
 install(
     DIRECTORY "${PROJECT_SOURCE_DIR}/include/ode_predictive_space"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
@@ -41,6 +47,13 @@ install(
 
 # From the folder of the pkg-config files to the prefix.
 file(RELATIVE_PATH prefix_from_pkg_config "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+# For `pkg-config --static`: what the archives have to be linked with.
+get_target_property(has_spnav ode_predictive_space_haptics HAS_SPNAV)
+set(private_libraries "-lstdc++ -lm -ldl")
+set(private_haptics_libraries "-pthread")
+if(has_spnav)
+    string(APPEND private_haptics_libraries " -lspnav")
+endif()
 foreach(package ode_predictive_space ode_predictive_space_haptics)
     configure_file("${CMAKE_CURRENT_LIST_DIR}/${package}.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/${package}.pc" @ONLY)
     install(

@@ -1,6 +1,6 @@
 # The installed ODE, and the source of the very same version, where it is at hand.
 #
-# Defines ODE::ODE and ODE_SOURCE_FOUND. The libraries need no source. The demo's window and ODE's demos are built from it, and
+# Defines ODE::ODE, ODE_SOURCE_FOUND and ODE_PATCHES_FIT, which is for ODE's releases 0.16 to 0.16.6. The libraries need no source. The demo's window and ODE's demos are built from it, and
 # tests compare the layout of ODE's classes with it. ODE_SOURCE_DIR (a CMake variable or an environment variable) says where
 # it is, and is empty to go without; `./run` puts the source where it is looked for by default.
 
@@ -17,6 +17,7 @@ set(ODE_SOURCE_DIR
     CACHE PATH "Top folder of ODE's source, in the version of the installed ODE; empty to go without")
 
 set(ODE_SOURCE_FOUND FALSE)
+set(ODE_PATCHES_FIT FALSE)
 if(NOT ODE_SOURCE_DIR)
     message(STATUS "Without ODE's source (ODE_SOURCE_DIR): no window for the demo, and no tests that need the source")
     return()
@@ -33,3 +34,6 @@ if(NOT ODE_SOURCE_VERSION VERSION_EQUAL ODE_VERSION)
                         "the installed headers (${ODE_INCLUDE_DIR}/ode) are version ${ODE_VERSION}.")
 endif()
 set(ODE_SOURCE_FOUND TRUE)
+if(ODE_VERSION MATCHES "^0\\.16(\\.[1-6])?$")
+    set(ODE_PATCHES_FIT TRUE)
+endif()

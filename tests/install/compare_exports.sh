@@ -1,10 +1,11 @@
 #!/bin/sh
-# Fails when the library exports other names than the header declares.
+# Fails when the library exports other names than the header declares, or one without a version.
 # Usage: compare_exports.sh <library> <header>
 set -eu
 
-exported=$(nm --dynamic --defined-only "$1" | awk '$3 !~ /^__/ { print $3 }' | sort)
-declared=$(sed -nE 's/^ODE_PREDICTIVE_API .*[ *](d[A-Za-z]+)\(.*/\1/p' "$2" | sort)
+exported=$(nm --dynamic --defined-only "$1" |
+    awk '$2 != "A" && $3 !~ /^__/ { sub(/@@ODE_PREDICTIVE_SPACE_[0-9.]+$/, " versioned", $3); print $3 }' | sort)
+declared=$(sed -nE 's/^ODE_PREDICTIVE_API .*[ *](d[A-Za-z]+)\(.*/\1 versioned/p' "$2" | sort)
 
 if [ "$exported" != "$declared" ]; then
     printf 'exported:\n%s\n\ndeclared:\n%s\n' "$exported" "$declared"

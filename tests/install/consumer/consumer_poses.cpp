@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include <ode/ode.h>
 #include <ode_predictive_space/haptics/device_motion.h>
 #include <ode_predictive_space/haptics/recording.h>
 #include <ode_predictive_space/haptics/touch_sensor.h>

@@ -1,0 +1,23 @@
+#!/bin/sh
+# Do the headers in the prefix warn in programs that ask for more warnings than the library's own build? In C++17, 20 and 23, and
+# the C header in C89, too. What is wrong in the headers of others is not looked at.
+# Usage: check_warnings.sh <libdir of the prefix> <includedir of the prefix> <C compiler> <C++ compiler>
+set -eu
+
+PKG_CONFIG_PATH=$1/pkgconfig${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
+export PKG_CONFIG_PATH
+includedir=$2
+c=$3
+cxx=$4
+
+others=$(pkg-config --cflags eigen3 ode | sed 's/-I/-isystem /g')
+flags="$others -I$includedir -fsyntax-only -pedantic -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Werror"
+headers=$(cd "$includedir" && find ode_predictive_space -name '*.h' -o -name '*.hpp' | sort)
+lines=$(printf '#include <%s>\n' $headers)
+for standard in c++17 c++20 c++2b; do
+    printf '%s\n' "$lines" | "$cxx" -std=$standard -Wold-style-cast $flags -x c++ -
+done
+for standard in c89 c99 c11; do
+    echo '#include <ode_predictive_space/predictive_space.h>' | "$c" -std=$standard -Wstrict-prototypes $flags -x c -
+done
+printf '%s headers\n' "$(printf '%s\n' "$lines" | wc -l)"
