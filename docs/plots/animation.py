@@ -18,7 +18,9 @@ from PIL import Image
 
 SCENE = ["--scene", "mix", "--objects", "200", "--seed", "2", "--fast", "--device", "virtual"]
 BEGIN, END = 2.12, 2.48  # simulated s; the hand feels a force all the while
-WIDTH, COLOURS, FRAME_MS = 640, 64, 100
+WIDTH, FRAME_MS = 640, 100
+COLOURS, VIVID_COLOURS = 256, 80
+LEAST_VIVID = 75  # of 255: between the largest and the smallest of red, green and blue
 LARGEST = 1_000_000  # bytes
 
 
@@ -52,13 +54,18 @@ def take_frame(demo, display, time, file):
     return picture.resize((WIDTH, picture.height * WIDTH // picture.width), Image.LANCZOS)
 
 
+def colours_of(pixels, number):
+    strip = Image.new("RGB", (len(pixels), 1))
+    strip.putdata(pixels)
+    return strip.quantize(number, Image.Quantize.MEDIANCUT).getpalette()[:3 * number]
+
+
 def with_common_colours(pictures):
-    """Colours that cover little, as that of the probe, are kept."""
-    width, height = pictures[0].size
-    all_of_them = Image.new("RGB", (width, height * len(pictures)))
-    for i, picture in enumerate(pictures):
-        all_of_them.paste(picture, (0, i * height))
-    palette = all_of_them.quantize(COLOURS, Image.Quantize.MAXCOVERAGE)
+    """In the colours of all pictures together. Vivid ones, as that of the probe, cover little: some are kept for them."""
+    pixels = [pixel for picture in pictures for pixel in picture.getdata()]
+    vivid = [pixel for pixel in pixels if max(pixel) - min(pixel) > LEAST_VIVID]
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(colours_of(pixels, COLOURS - VIVID_COLOURS) + colours_of(vivid, VIVID_COLOURS))
     return [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
 
 
