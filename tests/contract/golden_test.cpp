@@ -1,4 +1,5 @@
 // The order of callbacks is the same in every run, with every allocator, compiler and build type: a golden hash of each scene.
+// With ODE in single precision it is another one, as the envelopes of predictions have the rounding of its boxes in them.
 //
 // Places, sizes and velocities are multiples of 1/1024, and nothing turns, so bounding boxes have no rounding; positions are set
 // by the scene, not computed by ODE; no function of the mathematical library is called.
@@ -177,7 +178,9 @@ struct Scene
     int objects;
     int proximity;
     Event before_tick;
-    std::uint64_t hash;
+    std::uint64_t hash, hash_in_single_precision;
+
+    std::uint64_t expected_hash() const { return sizeof(dReal) == sizeof(double) ? hash : hash_in_single_precision; }
 };
 
 void fly(Flock &flock, int)
@@ -215,13 +218,13 @@ std::ostream &operator<<(std::ostream &out, const Scene &scene)
 
 // Replaced only with a reason in the message of the commit: programs that record runs rely on them.
 constexpr Scene scenes[] = {
-    {"few", 80, dPredictiveProximityBox, fly, 10013801636489539671u},
-    {"calm", 400, dPredictiveProximityBox, fly, 15682076012431303217u},
-    {"resting", 400, dPredictiveProximityBox, fly_and_rest, 3673089031810308599u},
-    {"teleports", 400, dPredictiveProximityBox, teleport, 4679123595683022244u},
-    {"churn", 300, dPredictiveProximityBox, come_and_go, 5554845175376287132u},
-    {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 12189448932214939159u},
-    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 3821319951906683825u},
+    {"few", 80, dPredictiveProximityBox, fly, 10013801636489539671u, 15746282411850382775u},
+    {"calm", 400, dPredictiveProximityBox, fly, 15682076012431303217u, 16098335788330094077u},
+    {"resting", 400, dPredictiveProximityBox, fly_and_rest, 3673089031810308599u, 2036046139502518723u},
+    {"teleports", 400, dPredictiveProximityBox, teleport, 4679123595683022244u, 4679123595683022244u},
+    {"churn", 300, dPredictiveProximityBox, come_and_go, 5554845175376287132u, 2844471141823363916u},
+    {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 12189448932214939159u, 8364689903345459163u},
+    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 3821319951906683825u, 3599652644335232007u},
 };
 
 class GoldenScene : public OdeTest, public testing::WithParamInterface<Scene>
@@ -258,7 +261,7 @@ TEST_P(GoldenScene, HasTheSameCallbacksInTheSameOrderEverywhere)
         pairs += report.size();
     }
     EXPECT_GT(pairs, 1000u);
-    EXPECT_EQ(hash.value(), GetParam().hash);
+    EXPECT_EQ(hash.value(), GetParam().expected_hash());
 }
 
 // So that no hash of wrong pairs is ever taken down.

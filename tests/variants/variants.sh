@@ -66,7 +66,7 @@ run_variant() {
         test_variant ode-release "$promised" -DCMAKE_PREFIX_PATH="$ode"
         ;;
     ode-single)
-        build_ode "$ode" --disable-double-precision
+        build_ode "$ode" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O2 -DODE_DOUBLE_PRECISION=OFF
         test_variant ode-single "$promised" -DCMAKE_PREFIX_PATH="$ode"
         ;;
     arm64) test_on_arm64 ;;
