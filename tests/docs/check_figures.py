@@ -48,6 +48,11 @@ COLUMNS = {
         "collide + dCollide, by shape": "best ODE / by shape",
         "pairs with contacts": "touching",
     },
+    "instructions_without_hardening.json": {
+        "without": "sum before",
+        "with": "sum now",
+        "with / without": "now / before",
+    },
 }
 # By which columns a row of a CSV file is named.
 KEYS = {
@@ -117,7 +122,7 @@ class Data:
                 if "limit" in record:
                     yield key_of(record["what"]), {"measured": record["value"], "asked": record["limit"]}
         else:
-            rows = self.tables.instructions(records, self.json("instructions_before.json"))
+            rows = self.tables.instructions(self.json("instructions.json"), records)
         for row in rows:
             yield key_of(f"{row.pop('scene')} {row.pop('objects')}"), row
 
