@@ -1,8 +1,9 @@
 # The installed ODE, and the source of the very same version, where it is at hand.
 #
-# Defines ODE::ODE, ODE_SOURCE_FOUND and ODE_PATCHES_FIT, which is for ODE's releases 0.16 to 0.16.6. The libraries need no source. The demo's window and ODE's demos are built from it, and
-# tests compare the layout of ODE's classes with it. ODE_SOURCE_DIR (a CMake variable or an environment variable) says where
-# it is, and is empty to go without; `./run` puts the source where it is looked for by default.
+# Defines ODE::ODE, ODE_SOURCE_FOUND and ODE_PATCHES_FIT, which is for ODE's releases 0.16 to 0.16.6. The libraries need no
+# source. The demo's window and ODE's demos are built from it, and tests compare the layout of ODE's classes with it.
+# ODE_SOURCE_DIR (a CMake variable or an environment variable) says where it is, and is empty to go without; `./run` puts the
+# source where it is looked for by default.
 
 find_package(ODE 0.15 REQUIRED GLOBAL)
 
@@ -19,7 +20,9 @@ set(ODE_SOURCE_DIR
 set(ODE_SOURCE_FOUND FALSE)
 set(ODE_PATCHES_FIT FALSE)
 if(NOT ODE_SOURCE_DIR)
-    message(STATUS "Without ODE's source (ODE_SOURCE_DIR): no window for the demo, and no tests that need the source")
+    if(PROJECT_IS_TOP_LEVEL)
+        message(STATUS "Without ODE's source (ODE_SOURCE_DIR): no window for the demo, and no tests that need the source")
+    endif()
     return()
 endif()
 

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # `./run` refuses command lines that it does not understand: exit code 2, one line, and nothing is installed or built for them.
-# So it does with the demo's options, and `./run demo --help` needs no build either.
-# Usage: check_run_refuses.sh SOURCE_DIR DEMO; DEMO is the built demo, or empty
+# So it does with the demo's options, and no command's --help needs a build either.
+# Usage: check_run_refuses.sh SOURCE_DIR DEMO BENCHMARK; the last two are built programs, or empty
 
 set -uo pipefail
 
 source=$1
 demo=${2:-}
+bench=${3:-}
 wrong=0
 
 # shellcheck source=run_without_doing.sh
@@ -99,11 +100,28 @@ demo_accepts --space predictive,hash sap --json results.json
 demo_accepts --device replay:a.txt --fast
 demo_accepts --screenshot picture.png --seconds 2 --at 1.5
 
-help=$("$copy/run" demo --help) || complain "run demo --help fails"
-[[ $help == "$(<"$source/demos/haptic/help.txt")" ]] || complain "run demo --help does not print demos/haptic/help.txt"
-[[ ! -s $calls ]] || complain "run demo --help called: $(<"$calls")"
-if [[ -n $demo ]]; then
-    "$demo" --help | sed 's|^Usage: .*|Usage: ./run demo [OPTIONS]|' | diff "$source/demos/haptic/help.txt" - >&2 ||
-        complain "demos/haptic/help.txt is not the demo's help; its first line says how to write it anew"
-fi
+# explains <command>: its help is there without anything that is installed or built.
+explains() {
+    local help
+    help=$("$copy/run" "$1" --help 2>&1) || complain "run $1 --help fails: $help"
+    [[ -n $help ]] || complain "run $1 --help says nothing"
+    if [[ -s $calls ]]; then
+        complain "run $1 --help called: $(<"$calls")"
+        : >"$calls"
+    fi
+}
+
+# has_help_of <command> <file> <program>: the file is what the program says, which `./run` prints without it.
+has_help_of() {
+    [[ $("$copy/run" "$1" --help) == "$(<"$2")" ]] || complain "run $1 --help does not print $2"
+    if [[ -n $3 ]]; then
+        "$3" --help | sed "s|^Usage: [^ ]*|Usage: ./run $1|" | diff "$2" - >&2 || complain "$2 is not what $3 --help prints"
+    fi
+}
+
+while read -r command; do
+    explains "$command"
+done < <("$copy/run" help | awk '/^$/ { ++part } part == 1 && /^  [a-z]/ { print $1 }')
+has_help_of demo "$source/demos/haptic/help.txt" "$demo"
+has_help_of bench "$source/tests/benchmarks/help.txt" "$bench"
 exit $wrong
