@@ -210,7 +210,8 @@ const window::View &WindowedRun::view()
     }
     read_run();
     const std::lock_guard<std::mutex> lock(notice_mutex_);
-    view_.notice = scenes::seconds_between(notice_time_, scenes::Clock::now()) < notice_seconds ? last_notice_ : "";
+    const bool recent = scenes::seconds_between(notice_time_, scenes::Clock::now()) < notice_seconds;
+    view_.notice = recent && !options_.fast ? last_notice_ : ""; // simulated time would be over before it is read
     return view_;
 }
 
@@ -223,9 +224,12 @@ void WindowedRun::read_run()
     {
         return;
     }
-    view_.nominal_period = 1e3 / run_->servo_rate();
+    view_.nominal_period = options_.fast ? 0 : 1e3 / run_->servo_rate();
     view_.readings.clear();
-    read_loop(run_->report());
+    if (!options_.fast) // simulated time has no periods
+    {
+        read_loop(run_->report());
+    }
     read_probe();
     read_chart(run_->servo_log().chart());
 }

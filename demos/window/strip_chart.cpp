@@ -107,6 +107,32 @@ void draw_legend(Canvas &canvas, const Strip &strip, double right, const char *t
 {
     canvas.text(right, strip.area.top - 6, text, colour, text_size, Align::right);
 }
+
+void draw_force(Canvas &canvas, const View &view, const Rectangle &area)
+{
+    const Strip strip{
+        area, round_up(std::max(1.0, std::max(1.05 * largest(view.chart, &ChartColumn::force), view.probe.max_force))),
+        "N"};
+    draw_level(canvas, strip, 0);
+    draw_level(canvas, strip, strip.top);
+    draw_curve(canvas, strip, view.chart, &ChartColumn::force, palette::force, true);
+    canvas.text(area.left, area.top - 6, "last " + number_with_unit(area.width * view.chart_seconds, "s"),
+                palette::faint_text, text_size);
+    draw_legend(canvas, strip, area.left + area.width, "force", palette::force);
+}
+
+void draw_times(Canvas &canvas, const View &view, const Rectangle &area)
+{
+    const Strip strip{area, 2 * view.nominal_period, "ms"};
+    const double right = area.left + area.width;
+    draw_level(canvas, strip, 0);
+    draw_level(canvas, strip, view.nominal_period);
+    draw_level(canvas, strip, strip.top);
+    draw_curve(canvas, strip, view.chart, &ChartColumn::compute, palette::compute, true);
+    draw_curve(canvas, strip, view.chart, &ChartColumn::period, palette::period, false);
+    draw_legend(canvas, strip, right, "longest period", palette::period);
+    draw_legend(canvas, strip, right - 100, "longest computation", palette::compute);
+}
 } // namespace
 
 int chart_columns(const Rectangle &area)
@@ -119,27 +145,12 @@ void draw_strip_chart(Canvas &canvas, const View &view, const Rectangle &area)
     canvas.panel(area);
     const double left = area.left + margin + axis_width;
     const double width = chart_columns(area);
-    const double height = (area.height - 2 * title_height - 1.5 * margin) / 2;
-    const double right = left + width;
-
-    const Strip force{
-        {left, area.top + title_height, width, height},
-        round_up(std::max(1.0, std::max(1.05 * largest(view.chart, &ChartColumn::force), view.probe.max_force))),
-        "N"};
-    draw_level(canvas, force, 0);
-    draw_level(canvas, force, force.top);
-    draw_curve(canvas, force, view.chart, &ChartColumn::force, palette::force, true);
-    canvas.text(left, force.area.top - 6, "last " + number_with_unit(width * view.chart_seconds, "s"),
-                palette::faint_text, text_size);
-    draw_legend(canvas, force, right, "force", palette::force);
-
-    const Strip times{{left, area.top + 2 * title_height + height, width, height}, 2 * view.nominal_period, "ms"};
-    draw_level(canvas, times, 0);
-    draw_level(canvas, times, view.nominal_period);
-    draw_level(canvas, times, times.top);
-    draw_curve(canvas, times, view.chart, &ChartColumn::compute, palette::compute, true);
-    draw_curve(canvas, times, view.chart, &ChartColumn::period, palette::period, false);
-    draw_legend(canvas, times, right, "longest period", palette::period);
-    draw_legend(canvas, times, right - 100, "longest computation", palette::compute);
+    const int strips = view.nominal_period > 0 ? 2 : 1;
+    const double height = (area.height - strips * title_height - 1.5 * margin) / strips;
+    draw_force(canvas, view, {left, area.top + title_height, width, height});
+    if (view.nominal_period > 0)
+    {
+        draw_times(canvas, view, {left, area.top + 2 * title_height + height, width, height});
+    }
 }
 } // namespace ode_predictive_space::window

@@ -123,7 +123,7 @@ struct View : SceneView
 {
     std::vector<ChartColumn> chart; ///< the latest last
     double chart_seconds = 0;       ///< in one column
-    double nominal_period = 0;      ///< ms
+    double nominal_period = 0;      ///< ms; 0 when time is simulated, and no periods are shown
     std::vector<Reading> readings;
     std::string heading;
     std::string notice; ///< the last event that the person should know
