@@ -39,7 +39,7 @@ std::string what_a_window_lacks()
 #ifdef HAPTIC_DEMO_HAS_WINDOW
     return window::has_display() ? "" : "there is no display with OpenGL";
 #else
-    return "this build has none; what it lacked, CMake said";
+    return "this build has none; CMake said what was missing";
 #endif
 }
 
@@ -85,7 +85,8 @@ void run_probe(Options options, bool in_window)
     }
     if (!options.report_folder.empty())
     {
-        report::write_page(options.report_folder, demo::page_of_run(options, result));
+        std::cerr << "report: " << report::write_page(options.report_folder, demo::page_of_run(options, result))
+                  << std::endl;
     }
 }
 
@@ -118,8 +119,8 @@ ExitStatus run_demo(const Options &options)
     {
         if (!lack.empty() && !options.compare)
         {
-            std::cout << "No window: " << lack << ". The spaces are compared instead; with --device virtual the probe "
-                      << "runs all the same.\n\n";
+            std::cout << "No window: " << lack << ". The spaces are compared instead. With --device virtual the probe "
+                      << "runs without a window.\n\n";
         }
         return demo::compare_spaces(options) ? exit_well : exit_different_pairs;
     }
@@ -131,11 +132,10 @@ int run_as_asked(int argc, char **argv)
 {
     Options options;
     CLI::App app(
-        "A probe among still and moving objects, which feels and pushes what it touches: in a window where there is "
-        "a display.\nWithout a window, and without an option that is about the probe, or with --compare, or with "
-        "several spaces: the predictive space beside ODE's own spaces.\n"
-        "Exit status: 0, or 1 when spaces that are compared did not report the same pairs, or 2 when something "
-        "failed.");
+        "Runs a probe among still and moving objects, which feels and pushes what it touches, in a window if there is "
+        "a display.\nWith --compare, with several spaces, or without a window and without any option for the probe it "
+        "compares the predictive space with ODE's own spaces.\n"
+        "Exit status: 0; 1 when compared spaces did not report the same pairs; 2 after another failure.");
     demo::declare_options(app, options);
     try
     {

@@ -85,7 +85,9 @@ bool compare_spaces(const Options &options)
     }
     if (!options.report_folder.empty())
     {
-        report::write_page(options.report_folder, page_of_comparison(runs, factory.tick_seconds()));
+        std::cerr << "report: "
+                  << report::write_page(options.report_folder, page_of_comparison(runs, factory.tick_seconds()))
+                  << std::endl;
     }
     return first_difference(runs) < 0 && first_difference_of_contacts(runs) < 0;
 }

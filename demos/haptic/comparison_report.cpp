@@ -125,8 +125,8 @@ void print_probe(std::ostream &out, const SceneRun &run)
         out << "The probe touched nothing.\n";
         return;
     }
-    out << "The probe touched " << log.touched.size() << " objects, in " << grouped(log.ticks_in_touch) << " of "
-        << grouped(run.ticks()) << " ticks";
+    out << "The probe touched " << log.touched.size() << (log.touched.size() == 1 ? " object" : " objects") << ", in "
+        << grouped(log.ticks_in_touch) << " of " << grouped(run.ticks()) << " ticks";
     if (log.ticks_in_touch > 0)
     {
         out << "; it felt " << fixed(log.force_sum / static_cast<double>(log.ticks_in_touch), 1) << " N on average, "
@@ -174,8 +174,8 @@ void print_agreement(std::ostream &out, const SceneRuns &runs)
     }
     if (exact.size() > 1)
     {
-        out << "All " << exact.size() << " spaces reported the same pairs in each of the " << grouped(first.ticks())
-            << " ticks: ";
+        out << "All " << exact.size() << (exact.size() == runs.size() ? " spaces" : " spaces that compare boxes")
+            << " reported the same pairs in each of the " << grouped(first.ticks()) << " ticks: ";
     }
     else
     {
@@ -214,8 +214,8 @@ double gain_percent(double ours, double other)
 void print_introduction(std::ostream &out, const SceneSpec &spec, int ticks, std::size_t spaces)
 {
     out << grouped(static_cast<std::uint64_t>(spec.objects))
-        << " objects in a room: spheres, boxes, capsules and triangle meshes; half of them still, half floating "
-           "about.\n"
+        << " objects in a room: spheres, boxes, capsules and triangle meshes; half of them still, half "
+           "floating.\n"
            "A simulated hand moves a probe among them, which feels and pushes what it touches.\n"
         << grouped(static_cast<std::uint64_t>(ticks)) << " ticks of 1 ms, stepped by dWorldQuickStep(), seed "
         << spec.seed;

@@ -27,8 +27,19 @@ HapticRun::HapticRun(const Options &options, const scenes::SceneFactory &factory
       space_(scenes::make_space(scenes::space_named(options.spaces.front()), factory)),
       scene_(factory.make(space_.get())), room_(scenes::room_inside_walls(*scene_, factory.bounds()))
 {
-    make_probe(notice);
-    make_loop(notice);
+    make_probe(counted(notice));
+    make_loop(counted(notice));
+}
+
+haptics::NoticeSink HapticRun::counted(const haptics::NoticeSink &notice)
+{
+    return [this, notice](const haptics::Notice &told) {
+        if (told.kind == haptics::NoticeKind::guard || told.kind == haptics::NoticeKind::watchdog)
+        {
+            safety_notices_.fetch_add(1, std::memory_order_relaxed);
+        }
+        notice(told);
+    };
 }
 
 haptics::WorkspacePlacement HapticRun::placement() const
@@ -218,6 +229,7 @@ RunResult HapticRun::run(const std::function<void()> &after_step)
     result.stiffness = probe_->renderer().rendered(law_->material()).stiffness * scale_;
     result.scale = scale_;
     result.lost_in_recording = servo_log_->lost_in_recording();
+    result.safety_notices = safety_notices_.load();
     if (dSpaceIsPredictive(space_.get()) != 0)
     {
         dPredictiveSpaceGetStats(space_.get(), &result.space_stats.emplace());

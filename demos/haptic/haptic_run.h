@@ -47,6 +47,7 @@ struct RunResult
     double stiffness = 0;                             ///< N/m, at the hand; at the end
     double scale = 1;                                 ///< metres of the scene per metre of the hand
     std::size_t lost_in_recording = 0;                ///< ticks
+    std::uint64_t safety_notices = 0;                 ///< of the guard and the watchdog
 };
 
 /// Inputs of the person, from any thread.
@@ -95,6 +96,7 @@ public:
     bool decoupled() const { return decoupled_; }
 
 private:
+    haptics::NoticeSink counted(const haptics::NoticeSink &notice);
     void make_probe(const haptics::NoticeSink &notice);
     void make_loop(const haptics::NoticeSink &notice);
     haptics::WorkspacePlacement placement() const;
@@ -116,7 +118,8 @@ private:
     bool decoupled_;
     double servo_rate_;
     double max_stiffness_ = 0;
-    double scale_ = 1; ///< metres of the scene per metre of the device
+    double scale_ = 1;                             ///< metres of the scene per metre of the device
+    std::atomic<std::uint64_t> safety_notices_{0}; ///< added to by the guard's thread and the servo's
     scenes::OwnedSpace space_;
     std::unique_ptr<scenes::Scene> scene_;
     Eigen::AlignedBox3d room_;

@@ -34,7 +34,7 @@ std::string joined(const std::vector<std::string> &words)
 
 void declare_scene_options(CLI::App &app, Options &options)
 {
-    app.add_option("--scene", options.scene, "What is around the probe")
+    app.add_option("--scene", options.scene, "The scene around the probe")
         ->check(CLI::IsMember(scenes_for_probes()))
         ->capture_default_str();
     app.add_option("--space", options.spaces,
@@ -48,7 +48,7 @@ void declare_scene_options(CLI::App &app, Options &options)
                    "How long to run, in simulated seconds (default: until the window is closed; 5 without a window; 2 "
                    "in a comparison)")
         ->check(CLI::Range(0.01, 3600.0));
-    app.add_option("--seed", options.seed, "Of the places, the motions and the hand; the same seed gives the same run")
+    app.add_option("--seed", options.seed, "Seed of positions, motions and the hand; the same seed gives the same run")
         ->capture_default_str();
 }
 
@@ -60,40 +60,40 @@ void declare_probe_options(CLI::App &app, Options &options)
     app.add_option("--law", options.law, "How a touch becomes a force: penalty (F = k d n) or proxy (god object)")
         ->check(CLI::IsMember({"penalty", "proxy"}))
         ->capture_default_str();
-    app.add_option("--stiffness", options.stiffness, "Of what is touched, as the hand feels it, in N/m")
+    app.add_option("--stiffness", options.stiffness, "Stiffness of touched objects, as felt by the hand, in N/m")
         ->check(CLI::Range(0.0, 1e6))
         ->capture_default_str();
-    app.add_option("--damping", options.damping, "Of what is touched, as the hand feels it, in N s/m")
+    app.add_option("--damping", options.damping, "Damping of touched objects, as felt by the hand, in N s/m")
         ->check(CLI::Range(0.0, 1e4))
         ->capture_default_str();
     app.add_option("--friction", options.friction, "Coulomb's coefficient between the probe and what it touches")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
     app.add_flag("--decoupled", options.decoupled,
-                 "Give the servo a thread of its own; scenes with steps longer than 1 ms have that anyway");
+                 "Run the servo in a thread of its own; always so in scenes with steps longer than 1 ms");
     app.add_flag(
         "--fast", options.fast,
         "Do not wait for the clock: time is simulated, and the same options give the same forces to the last bit");
-    app.add_option("--rate", options.rate, "Of a servo with a thread of its own, in Hz (default: 1000)")
+    app.add_option("--rate", options.rate, "Rate of a servo with a thread of its own, in Hz (default: 1000)")
         ->check(CLI::Range(100.0, 10000.0));
 }
 
 void declare_output_options(CLI::App &app, Options &options)
 {
-    app.add_option("--record", options.record_file, "Write what the device does and feels to this file")
+    app.add_option("--record", options.record_file, "Write the motion and the forces of the device to this file")
         ->type_name("FILE");
     app.add_option("--replay", options.replay_file, "The same as --device replay:FILE, and compare the forces")
         ->type_name("FILE");
-    app.add_option("--json", options.json_file, "Write the results to this file, too")->type_name("FILE");
+    app.add_option("--json", options.json_file, "Also write the results to this file")->type_name("FILE");
     app.add_option("--report", options.report_folder, "Write a page with plots of the run, index.html, to this folder")
         ->type_name("DIR");
     app.add_flag("--headless", options.headless, "Open no window");
     app.add_flag("--compare", options.compare,
                  "Run the scene mix in several spaces, alternating, and compare their cost");
     app.add_option("--screenshot", options.screenshot_file,
-                   "Write a picture of the window to this file, as PNG, and end, unless --seconds says when")
+                   "Write a picture of the window to this file, as PNG, and end, unless --seconds is given")
         ->type_name("FILE");
-    app.add_option("--at", options.screenshot_time, "When to take it, in simulated seconds")
+    app.add_option("--at", options.screenshot_time, "When to take the picture, in simulated seconds")
         ->check(CLI::Range(0.0, 3600.0))
         ->capture_default_str();
 }

@@ -48,9 +48,9 @@ Plot period_plot(const RunResult &result)
 
 Plot contacts_plot(const RunResult &result)
 {
-    Curve warnings{"listed before the contact for so long", {}, Curve::Style::dots};
+    Curve warnings{"lead time: listed so long before the contact", {}, Curve::Style::dots};
     Curve delays{"contact after its predicted time of proximity", {}, Curve::Style::dots};
-    Curve surprises{"contact that was not foretold", {}, Curve::Style::dots};
+    Curve surprises{"contact that was not predicted", {}, Curve::Style::dots};
     for (const haptics::LoggedContact &contact : result.contacts)
     {
         if (contact.foretold)
@@ -63,7 +63,7 @@ Plot contacts_plot(const RunResult &result)
             surprises.points.push_back({contact.time, 0});
         }
     }
-    return {"Foretold and actual contacts", "time of the contact (s)", "milliseconds", {warnings, delays, surprises}};
+    return {"Predicted and actual contacts", "time of the contact (s)", "milliseconds", {warnings, delays, surprises}};
 }
 
 Plot comparison_plot(const char *title, const scenes::SceneRuns &runs, double tick_seconds,

@@ -36,7 +36,7 @@ void print_loop(std::ostream &out, const Options &options, const haptics::LoopRe
     }
     if (options.fast)
     {
-        out << "; time was simulated: no periods to tell\n";
+        out << "; time was simulated: it has no periods\n";
         return;
     }
     out << "; real-time factor " << fixed(loop.real_time_factor, 3) << '\n';
@@ -78,7 +78,7 @@ void print_force(std::ostream &out, const RunResult &result)
             << " N on average, " << fixed(servo.max_force, 2) << " N at most";
         if (result.loop.saturated > 0)
         {
-            out << "; more than the device can in "
+            out << "; more than the device can render in "
                 << percent(static_cast<double>(result.loop.saturated), static_cast<double>(servo.ticks));
         }
     }
@@ -86,6 +86,15 @@ void print_force(std::ostream &out, const RunResult &result)
     line(out, "Stiffness") << fixed(result.stiffness, 0) << " N/m at the hand, "
                            << fixed(result.stiffness / result.scale, 1) << " N/m in the scene, which is "
                            << fixed(result.scale, 1) << " times as large as the workspace\n";
+}
+
+void print_safety(std::ostream &out, const RunResult &result)
+{
+    if (result.safety_notices > 0)
+    {
+        line(out, "Safety") << grouped(result.safety_notices) << (result.safety_notices == 1 ? " notice" : " notices")
+                            << " that the loop hung or did not keep up; the force was reduced or taken away\n";
+    }
 }
 
 void print_encounters(std::ostream &out, const RunResult &result)
@@ -187,6 +196,7 @@ void print_summary(std::ostream &out, const Options &options, const RunResult &r
     print_loop(out, options, result.loop);
     print_collisions(out, result);
     print_force(out, result);
+    print_safety(out, result);
     print_encounters(out, result);
     print_recordings(out, options, result);
 }
@@ -208,6 +218,7 @@ nlohmann::json json_summary(const Options &options, const RunResult &result)
                              {"ticks_with_force", result.servo.ticks_with_force},
                              {"sum_n", result.servo.force_sum},
                              {"max_n", result.servo.max_force},
+                             {"safety_notices", result.safety_notices},
                              {"stiffness_n_per_m", result.stiffness},
                              {"scale", result.scale}}}};
     if (result.replay_error)

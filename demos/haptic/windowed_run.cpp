@@ -327,10 +327,10 @@ bool WindowedRun::key(char key)
 
 std::vector<window::KeyHelp> WindowedRun::keys() const
 {
-    return {{"space", "the scene stands still", control_.paused.load()},
+    return {{"space", "pause", control_.paused.load()},
             {"+ -", "stiffness"},
             {"c", "clutch", device_.clutch_held()},
-            {"r", "begin anew"}};
+            {"r", "restart"}};
 }
 
 bool WindowedRun::pointer(const window::Pointer &pointer)

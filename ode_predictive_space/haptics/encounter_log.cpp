@@ -130,7 +130,7 @@ std::string EncounterSummary::text() const
     {
         return "No contact began.";
     }
-    out << "Of " << contacts << " first contacts, " << foretold << " were foretold";
+    out << "Of " << contacts << " first contacts, " << foretold << " were predicted";
     if (foretold > 0)
     {
         out << ", " << 1000 * mean_warning << " ms ahead on average";

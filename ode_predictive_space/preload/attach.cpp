@@ -78,7 +78,7 @@ extern "C" __attribute__((visibility("default"))) const Hooks *ode_predictive_sp
 {
     if (const char *mismatch = ode_mismatch())
     {
-        say("the ODE of this program cannot be served: %s; the program keeps its own spaces", mismatch);
+        say("the ODE of this program cannot be used: %s; the program keeps its own spaces", mismatch);
         return nullptr;
     }
     std::vector<std::string> complaints;

@@ -177,7 +177,7 @@ const Ode *ode_seen_by(const char *function, const link_map *map)
 // As the dynamic linker ends a program when a function that it calls is nowhere.
 [[noreturn]] void end_for_lack_of(const char *function)
 {
-    say("%s() was called, and there is no ODE, or several and nothing tells which is meant", function);
+    say("%s() was called, but the process has no ODE, or several, and it is unclear which is meant", function);
     std::exit(127);
 }
 
@@ -249,7 +249,7 @@ __attribute__((destructor)) void tell_when_nothing_was_caught()
 {
     if (!callers && (is_asked_for("ODE_PREDICTIVE_STATS") || is_asked_for("ODE_PREDICTIVE_COMPARE")) &&
         find_loaded(ODE_SONAME).map)
-        say("%s has %s, but made no space in a way that can be seen (what a program looks up by dlsym() cannot)",
+        say("%s has %s, but made no space that can be seen (functions looked up by dlsym() are not seen)",
             program_invocation_short_name, ODE_SONAME);
 }
 } // namespace

@@ -75,6 +75,13 @@ void report_the_rest(CountsFile &file, const Settings &settings)
     }
 }
 
+// Otherwise a question about a program without ODE would get no answer.
+void tell_when_nothing_was_counted(CountsFile &counts)
+{
+    if (counts.pages().empty())
+        say("no process with a space of ODE was seen");
+}
+
 int run(const RunOptions &options, CountsFile &counts)
 {
     if (!options.watch)
@@ -89,8 +96,9 @@ void write_plots(const RunOptions &options, CountsFile &counts, const Settings &
 {
     try
     {
-        ode_predictive_space::report::write_page(options.report_folder,
-                                                 page_of(options.command[0], counts.pages(), settings));
+        const std::string page = ode_predictive_space::report::write_page(
+            options.report_folder, page_of(options.command[0], counts.pages(), settings));
+        say("report: %s", page.c_str());
     }
     catch (const std::exception &failure)
     {
@@ -115,6 +123,7 @@ int main(int argc, char **argv)
     setenv(counts_variable, counts->name().c_str(), 1);
     const int status = run(options, *counts);
     report_the_rest(*counts, settings);
+    tell_when_nothing_was_counted(*counts);
     if (!options.report_folder.empty())
         write_plots(options, *counts, settings);
     end_like(status);

@@ -24,7 +24,8 @@ constexpr char help[] = R"(Usage: ode-predictive-run [options] PROGRAM [ARGUMENT
 Runs a program that uses the Open Dynamics Engine (ODE) with predictive
 collision spaces in place of the spaces that it makes. The program is not
 changed and does not notice: its spaces have the class that it asked for, and
-its near callback gets the same pairs.
+its near callback gets the pairs that dSimpleSpace would report, in another
+order.
 
   --space LIST       which spaces are replaced: hash, quadtree, sap, simple,
                      separated by commas; all; none (default:
@@ -36,10 +37,11 @@ its near callback gets the same pairs.
                      overlap; no contact is lost
                      shape: leave out those whose shapes cannot touch; no
                      contact is lost that ODE's own colliders find
-  --stats[=FILE]     at the end, say on standard error, or at the end of FILE,
+  --stats[=FILE]     at the end, write to standard error, or append to FILE,
                      what each space did and the time it took
   --watch            show live counters on standard error, twice a second
-  --report DIR       at the end, write a page with plots, DIR/index.html
+  --report DIR       at the end, write a page with plots, DIR/index.html; the
+                     folder is made unless it exists
   --compare          check each collide against all pairs, and report
                      differences on standard error; slow
   --trace=FILE       add a line to FILE for each collide: how many pairs, and a
@@ -57,15 +59,15 @@ ODE_PREDICTIVE_TRACE=FILE; and LD_PRELOAD, the path of
 libode_predictive_space_preload.so.
 
 With --stats, --compare, --watch or --report the launcher stays until PROGRAM
-has ended, passes signals on to it, and tells what a program that ended by a
-signal, a crash or _exit() could not tell. Otherwise PROGRAM takes its place.
+has ended, passes signals on to it, and also reports on a program that ended by
+a signal, a crash or _exit(). Otherwise PROGRAM takes its place.
 
 The program must use the shared library of ODE that this was built for. Others
 keep their own spaces, and a line on standard error says why: an ODE of another
 precision or layout, a second copy in the process, an ODE built into the
-program. Not seen and therefore not replaced are functions that a program looks
-up by dlsym(), and an ODE inside a program without symbols. LD_PRELOAD has no
-power over programs with set-user-ID and over those that are linked statically.
+program. Functions that a program looks up by dlsym(), and an ODE inside a
+program without symbols, are not seen and not replaced. LD_PRELOAD has no effect
+on set-user-ID programs and on statically linked ones.
 
 Exit status: the program's, also when a signal ended it; 2 for a wrong option or
 a file that cannot be written; 126 or 127 when the program cannot be started.
@@ -204,7 +206,7 @@ RunOptions take_options(int argc, char **argv)
         take_option(option, option_text, chosen);
     }
     if (!argv[optind])
-        fail("which program? --help explains");
+        fail("no program is named; --help explains");
     chosen.command = argv + optind;
     return chosen;
 }

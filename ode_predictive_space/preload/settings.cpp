@@ -91,7 +91,7 @@ public:
 private:
     void complain(const char *name, const std::string &word, const char *known, const char *instead)
     {
-        complaints_.push_back(std::string(name) + ": '" + word + "' is not " + known + "; taking " + instead);
+        complaints_.push_back(std::string(name) + ": '" + word + "' is not " + known + "; using " + instead);
     }
 
     const std::function<const char *(const char *)> &variable_;

@@ -38,6 +38,10 @@ std::string html(const Page &page)
 void prepare_folder(const std::string &folder)
 {
     std::error_code failure;
+    if (std::filesystem::exists(folder, failure) && !std::filesystem::is_directory(folder, failure))
+    {
+        throw std::runtime_error(folder + " is not a folder");
+    }
     std::filesystem::create_directories(folder, failure);
     if (failure || !std::ofstream(path_of_page(folder), std::ios::app))
     {
@@ -45,14 +49,16 @@ void prepare_folder(const std::string &folder)
     }
 }
 
-void write_page(const std::string &folder, const Page &page)
+std::string write_page(const std::string &folder, const Page &page)
 {
-    std::ofstream out(path_of_page(folder));
+    const std::string path = path_of_page(folder);
+    std::ofstream out(path);
     out << html(page);
     out.close();
     if (!out)
     {
-        throw std::runtime_error("cannot write " + path_of_page(folder));
+        throw std::runtime_error("cannot write " + path);
     }
+    return path;
 }
 } // namespace ode_predictive_space::report

@@ -54,8 +54,9 @@ void prepare_folder(const std::string &folder);
 
 /// Writes `index.html` into the folder.
 ///
+/// @return the file's path.
 /// @throws std::runtime_error when it cannot.
-void write_page(const std::string &folder, const Page &page);
+std::string write_page(const std::string &folder, const Page &page);
 } // namespace ode_predictive_space::report
 
 #endif

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "demos/haptic/options.h"
+#include "demos/haptic/run_summary.h"
 #include "demos/scenes/narrow_output.h"
 #include "tests/support/program.h"
 
@@ -104,6 +105,29 @@ TEST_F(ProbeRun, PrintsWithinEightyColumnsAndNothingEmpty)
             EXPECT_FALSE(contains(line, "Of 0 ") || contains(line, "touched 0") || contains(line, "in 0.00 %")) << line;
         }
     }
+}
+
+// A stop by the guard was seen on standard error alone.
+TEST(Summary, TellsOfSafetyNotices)
+{
+    for (const std::uint64_t notices : {0, 1, 2})
+    {
+        RunResult result;
+        result.safety_notices = notices;
+        std::ostringstream out;
+        print_summary(out, Options(), result);
+        const std::string expected = std::to_string(notices) + (notices == 1 ? " notice that" : " notices that");
+        EXPECT_EQ(contains(out.str(), "Safety"), notices > 0) << out.str();
+        EXPECT_EQ(contains(out.str(), expected), notices > 0) << out.str();
+    }
+}
+
+TEST_F(ProbeRun, SaysWhereTheReportIs)
+{
+    const Outcome outcome = run(
+        HAPTIC_DEMO, "--headless --device virtual --objects 1 --seconds 0.01 --fast --report '" + file("page") + "'");
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "report: " + file("page/index.html") + "\n")) << outcome.output;
 }
 
 TEST_F(ProbeRun, NoticesAnUnwritableFileBeforeTheRun)

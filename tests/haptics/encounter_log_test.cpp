@@ -44,14 +44,14 @@ TEST_F(EncounterLogTest, ComparesTheForecastWithTheContact)
     EXPECT_EQ(summary.late, 0U);
     EXPECT_EQ(summary.missed, 0U);
     EXPECT_EQ(summary.mean_early, 1);
-    EXPECT_NE(summary.text().find("Of 1 first contacts, 1 were foretold"), std::string::npos) << summary.text();
+    EXPECT_NE(summary.text().find("Of 1 first contacts, 1 were predicted"), std::string::npos) << summary.text();
 }
 
 TEST_F(EncounterLogTest, SaysNothingOfWhatDidNotHappen)
 {
     EXPECT_EQ(log_.summary().text(), "No contact began.");
     log_.add(1.0, {}, touching());
-    EXPECT_EQ(log_.summary().text(), "Of 1 first contacts, 0 were foretold; 1 were missed.");
+    EXPECT_EQ(log_.summary().text(), "Of 1 first contacts, 0 were predicted; 1 were missed.");
 }
 
 TEST_F(EncounterLogTest, AGapBeginsANewWarning)
@@ -124,7 +124,7 @@ EncounterSummary meet_some(int proximity, int &near)
     return log.summary();
 }
 
-TEST_F(EncounterLogTest, InASceneNothingIsMissedAndMostIsForetold)
+TEST_F(EncounterLogTest, InASceneNothingIsMissedAndMostIsPredicted)
 {
     for (const int proximity : {dPredictiveProximityBox, dPredictiveProximityShape})
     {

@@ -31,6 +31,40 @@ TEST(Launcher, RefusesWrongOptions)
     }
 }
 
+// The message named an index.html inside the file.
+TEST(Launcher, RefusesAFileAsTheFolderOfAReport)
+{
+    const ScratchFile file;
+    const Outcome outcome = launch("--report " + file.path() + " true");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.output, "ode-predictive-run: --report: " + file.path() + " is not a folder\n");
+}
+
+// It was written without a word.
+TEST(Launcher, SaysWhereTheReportIs)
+{
+    const ScratchFile place;
+    const std::string folder = place.path() + ".report";
+    const Outcome outcome = launch("--report " + folder + " " LINKED);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(count_of("ode_predictive_space: report: " + folder + "/index.html\n", outcome.output), 1)
+        << outcome.output;
+    EXPECT_FALSE(contains(outcome.output, "no process")) << outcome.output;
+    unlink((folder + "/index.html").c_str());
+    rmdir(folder.c_str());
+}
+
+// `--stats ls` printed no more than `ls`.
+TEST(Launcher, SaysThatNothingWasCounted)
+{
+    for (const char *option : {"--stats", "--compare", "--watch"})
+    {
+        const std::string output = launch(std::string(option) + " true").output;
+        EXPECT_EQ(count_of("ode_predictive_space: no process with a space of ODE was seen\n", output), 1) << output;
+    }
+    EXPECT_EQ(launch("true").output, "");
+}
+
 TEST(Launcher, LeavesFilesToThePrograms)
 {
     const ScratchFile place;

@@ -237,7 +237,7 @@ TEST(Preload, OdeRefusesWhatItRefusesWithout)
 TEST(Preload, IsNotNoticedWithoutOde)
 {
     const Outcome outcome = launch("--stats --compare sh -c 'echo hello; exit 5'");
-    EXPECT_EQ(outcome.output, "hello\n");
+    EXPECT_EQ(outcome.output, "hello\node_predictive_space: no process with a space of ODE was seen\n");
     EXPECT_EQ(outcome.status, 5);
 }
 

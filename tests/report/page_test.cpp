@@ -62,7 +62,8 @@ TEST(Page, IsWrittenIntoAFolder)
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("page_test_" + std::to_string(getpid())) / "a" / "b";
     prepare_folder(folder);
-    write_page(folder, {"title", "text", {}});
+    EXPECT_EQ(write_page(folder, {"title", "text", {}}), folder / "index.html");
+    EXPECT_THROW(prepare_folder(folder / "index.html"), std::runtime_error) << "a file is not a folder";
     std::string first;
     std::getline(std::ifstream(folder / "index.html"), first);
     EXPECT_EQ(first, "<!DOCTYPE html>");

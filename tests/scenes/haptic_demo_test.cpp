@@ -18,7 +18,8 @@ TEST(HapticDemo, EndsWellAndSaysThatAllSpacesAgree)
 {
     const Outcome outcome = run(HAPTIC_DEMO, "--compare --objects 40 --seconds 0.4");
     EXPECT_EQ(outcome.status, 0) << outcome.output;
-    EXPECT_TRUE(contains(outcome.output, "All 5 spaces reported the same pairs in each of the 400 ticks"))
+    EXPECT_TRUE(contains(outcome.output, "of 6 spaces, alternating")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "All 5 spaces that compare boxes reported the same pairs in each of the 400"))
         << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "The predictive-shape space left out ")) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, " of them, none of which had contacts.")) << outcome.output;
