@@ -74,3 +74,11 @@ function(ode_predictive_space_precompile target)
         target_compile_options(${target} PRIVATE -fpch-preprocess) # ccache asks for it
     endif()
 endfunction()
+
+# Those of another target that is compiled with the same options.
+function(ode_predictive_space_reuse_precompiled target from)
+    target_precompile_headers(${target} REUSE_FROM ${from})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        target_compile_options(${target} PRIVATE -fpch-preprocess)
+    endif()
+endfunction()
