@@ -10,6 +10,7 @@
 
 #include "demos/scenes/table.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <iostream>

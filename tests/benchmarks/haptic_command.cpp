@@ -4,6 +4,7 @@
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/haptic_measurement.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 

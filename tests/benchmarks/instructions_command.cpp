@@ -8,6 +8,7 @@
 
 #include "demos/scenes/table.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <dlfcn.h>
 #include <fstream>

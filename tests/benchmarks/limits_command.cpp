@@ -5,6 +5,7 @@
 #include "tests/benchmarks/limits/limit_costs.h"
 #include "tests/benchmarks/scene_choice.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
 

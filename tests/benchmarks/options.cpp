@@ -2,6 +2,8 @@
 
 #include "tests/benchmarks/contenders/contenders.h"
 
+#include <CLI/CLI.hpp>
+
 namespace ode_predictive_space::benchmarks
 {
 namespace

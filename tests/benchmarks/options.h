@@ -3,11 +3,15 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_OPTIONS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_OPTIONS_H
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI
+{
+class App;
+}
 
 namespace ode_predictive_space::benchmarks
 {

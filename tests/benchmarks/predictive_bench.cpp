@@ -8,6 +8,7 @@
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/which_ode.h"
 
+#include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
 

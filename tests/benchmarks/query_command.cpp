@@ -6,6 +6,7 @@
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/query_measurement.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 

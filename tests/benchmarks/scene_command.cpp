@@ -3,6 +3,7 @@
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/comparison.h"
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 namespace ode_predictive_space::benchmarks

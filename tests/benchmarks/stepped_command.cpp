@@ -9,6 +9,7 @@
 #include "demos/scenes/pile_scene.h"
 #include "demos/scenes/table.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
 
