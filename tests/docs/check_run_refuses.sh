@@ -111,11 +111,12 @@ explains() {
     fi
 }
 
-# has_help_of <command> <file> <program>: the file is what the program says, which `./run` prints without it.
+# has_help_of <command> <file> <program>: the file is what the program says, which `./run` prints without it. The program is called
+# by a short name, as its help wraps lines.
 has_help_of() {
     [[ $("$copy/run" "$1" --help) == "$(<"$2")" ]] || complain "run $1 --help does not print $2"
     if [[ -n $3 ]]; then
-        "$3" --help | sed "s|^Usage: [^ ]*|Usage: ./run $1|" | diff "$2" - >&2 || complain "$2 is not what $3 --help prints"
+        (cd "$(dirname "$3")" && "./$(basename "$3")" --help) | sed "s|^Usage: [^ ]*|Usage: ./run $1|" | diff "$2" - >&2 || complain "$2 is not what $3 --help prints"
     fi
 }
 
