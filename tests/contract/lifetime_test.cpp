@@ -282,12 +282,15 @@ TEST_F(Contract, 10_GeomsAreEnumeratedEachOnce)
 
 TEST_F(Contract, 10_AnIndexOutOfRangeIsRefused)
 {
-    if (!ode_has_assertions())
-        GTEST_SKIP() << "this ODE refuses nothing";
     dSpaceID space = dPredictiveSpaceCreate(nullptr);
     dCreateSphere(space, 1);
-    EXPECT_NE(ode_complaint([=] { dSpaceGetGeom(space, 1); }), "");
-    EXPECT_NE(ode_complaint([=] { dSpaceGetGeom(space, -1); }), "");
+    if (ode_has_assertions())
+    {
+        EXPECT_NE(ode_complaint([=] { dSpaceGetGeom(space, 1); }), "");
+        EXPECT_NE(ode_complaint([=] { dSpaceGetGeom(space, -1); }), "");
+    }
+    else // ODE itself then answers with null, past the last geom
+        EXPECT_EQ(dSpaceGetGeom(space, 1), nullptr);
     dSpaceDestroy(space);
 }
 

@@ -26,7 +26,7 @@ test_with_clang() {
 # Sets arm64_root to a folder with the packages for arm64 that the tests are linked with, as libode-dev cannot be installed
 # beside that of another processor.
 fetch_arm64_root() {
-    local work=$top/build/arm64-root package
+    local work=$top/build/arm64-root package list
     arm64_root=$work/root
     if [[ -d $arm64_root ]]; then
         return
@@ -34,7 +34,9 @@ fetch_arm64_root() {
     say "Fetching libraries for arm64"
     rm -rf "$work"
     mkdir -p "$work"/{entries,lists/partial,packages,unpacked}
-    cp /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources "$work/entries" 2>/dev/null || true
+    for list in /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources; do
+        [[ ! -f $list ]] || cp "$list" "$work/entries"
+    done
     write_apt_settings "$work"
     printf '%s\n' 'APT::Architecture "arm64";' 'APT::Architectures { "arm64"; };' 'Dir::State::status "/dev/null";' \
         >>"$work/apt.conf"
