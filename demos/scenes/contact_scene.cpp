@@ -8,8 +8,6 @@ namespace
 {
 // Walls touch one another at the edges of the room; these pairs do not count.
 constexpr unsigned long wall_category = 2;
-
-constexpr int max_contacts = 8; // of one pair
 } // namespace
 
 ContactScene::ContactScene(dSpaceID space, double step_seconds, std::uint64_t seed)

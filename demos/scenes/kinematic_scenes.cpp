@@ -10,7 +10,6 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double tick_seconds = 0.001;
 constexpr double calm_speed = 0.01 * object_radius; // metres per tick
 constexpr double game_speed = 0.1 * object_radius;  // metres per tick
 constexpr double fastest_spin = 0.005;              // radians per tick
@@ -106,10 +105,10 @@ protected:
         Mover mover;
         mover.state.position = position;
         mover.state.orientation = orientation;
-        mover.state.velocity = random_.uniform(0, settings_.max_speed) / tick_seconds * random_.direction();
+        mover.state.velocity = random_.uniform(0, settings_.max_speed) / usual_tick * random_.direction();
         const Vector3 axis = random_.direction();
         const double spin = random_.uniform(0, fastest_spin);
-        mover.state.angular_velocity = spin / tick_seconds * axis;
+        mover.state.angular_velocity = spin / usual_tick * axis;
         mover.turn = Quaternion(Eigen::AngleAxisd(spin, axis));
         mover.object = objects_.add_moving(shape, mover.state, 1000);
         movers_.push_back(mover);
@@ -128,7 +127,7 @@ private:
     void fly(Mover &mover)
     {
         BodyState &state = mover.state;
-        state.position += tick_seconds * state.velocity;
+        state.position += usual_tick * state.velocity;
         state.orientation = (mover.turn * state.orientation).normalized();
         set_position(mover.object.body, state.position);
         set_orientation(mover.object.body, state.orientation);
@@ -171,7 +170,7 @@ public:
     void advance() override
     {
         ++tick_;
-        report_.position = hand_.position(tick_ * tick_seconds);
+        report_.position = hand_.position(tick_ * usual_tick);
         set_position(probe_, report_.position);
     }
 
@@ -250,7 +249,7 @@ private:
         for (Mover &mover : movers_)
         {
             const Vector3 outwards = (mover.state.position - centre).normalized();
-            mover.state.velocity = random_.uniform(0, settings_.max_speed) / tick_seconds * outwards;
+            mover.state.velocity = random_.uniform(0, settings_.max_speed) / usual_tick * outwards;
             set_state(mover.object.body, mover.state);
         }
     }

@@ -7,7 +7,6 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double tick_seconds = 0.001;
 constexpr double volume_fraction = 0.04;
 constexpr double density = 100;          // kg/m^3: an object weighs up to 0.4 kg
 constexpr double slowest = 0.2;          // m/s
@@ -52,14 +51,14 @@ double mix_half_room(int objects)
 }
 
 MixScene::MixScene(const SceneSpec &spec, dSpaceID space)
-    : ContactScene(space, tick_seconds, spec.seed), hand_(hand_settings(spec.objects), spec.seed),
+    : ContactScene(space, usual_tick, spec.seed), hand_(hand_settings(spec.objects), spec.seed),
       probe_(spec.own_probe ? objects_.add_geom(dCreateSphere(space, probe_radius)) : nullptr)
 {
     surface_.mode = dContactApprox1 | dContactBounce;
     surface_.mu = 0.2;
     surface_.bounce = 0.9;
     surface_.bounce_vel = 0.01;
-    add_walls(Vector3::Constant(mix_half_room(spec.objects)), mix_wall_thickness, true);
+    add_walls(Vector3::Constant(mix_half_room(spec.objects)), wall_thickness, true);
     haptics::Random random(spec.seed);
     fill(spec.objects, random);
 }
@@ -105,7 +104,7 @@ void MixScene::advance()
         return;
     }
     ++tick_;
-    report_.position = hand_.position(tick_ * tick_seconds);
+    report_.position = hand_.position(tick_ * usual_tick);
     set_position(probe_, report_.position);
 }
 

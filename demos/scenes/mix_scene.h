@@ -9,8 +9,6 @@
 
 namespace ode_predictive_space::scenes
 {
-constexpr double mix_wall_thickness = 0.5; ///< metres
-
 /// Half the side of the room inside its walls, in metres.
 double mix_half_room(int objects);
 

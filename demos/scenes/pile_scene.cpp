@@ -7,7 +7,6 @@ namespace ode_predictive_space::scenes
 namespace
 {
 constexpr double spacing = 2.05 * object_radius;
-constexpr double wall_thickness = 0.5;
 constexpr int ticks_to_settle = 400;
 
 /// Objects along one side of the pit; a pile is as high as it is wide.

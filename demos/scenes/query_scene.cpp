@@ -6,7 +6,6 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double tick_seconds = 0.001;
 constexpr double ray_length = 4;       // metres
 constexpr double ray_turn = 1;         // rad/s
 constexpr double smallest_probe = 0.1; // metres
@@ -74,7 +73,7 @@ void QueryScene::advance()
 void QueryScene::place(std::size_t number)
 {
     Hand &hand = hands_[number];
-    const double time = tick_ * tick_seconds;
+    const double time = tick_ * usual_tick;
     const Vector3 position = hand.path.position(time);
     const Vector3 direction = Eigen::AngleAxisd(ray_turn * time, hand.axis) * hand.direction;
     set_position(queries_[number], position);

@@ -123,7 +123,7 @@ SceneBounds SceneFactory::bounds() const
     {
         return terrain_bounds(spec_.objects);
     }
-    const double half = spec_.name == "mix" ? mix_half_room(spec_.objects) + mix_wall_thickness
+    const double half = spec_.name == "mix" ? mix_half_room(spec_.objects) + wall_thickness
                                             : kinematic_half_room(spec_.name, spec_.objects);
     return {Vector3::Zero(), Vector3::Constant(half)};
 }
@@ -134,6 +134,6 @@ double SceneFactory::tick_seconds() const
     {
         return PileScene::step_seconds;
     }
-    return spec_.name == "stack" ? StackScene::step_seconds : 0.001;
+    return spec_.name == "stack" ? StackScene::step_seconds : usual_tick;
 }
 } // namespace ode_predictive_space::scenes

@@ -31,6 +31,15 @@ namespace ode_predictive_space::scenes
 /// Radius of the sphere around each object of a scene, metres.
 constexpr double object_radius = 0.1;
 
+/// Of the walls around a scene, metres.
+constexpr double wall_thickness = 0.5;
+
+/// Of scenes that do not step at a rate of their own, seconds.
+constexpr double usual_tick = 0.001;
+
+/// How many are asked for of one pair.
+constexpr int max_contacts = 8;
+
 /// Which scene.
 struct SceneSpec
 {

@@ -11,7 +11,6 @@ namespace
 {
 constexpr int ticks_per_turn = 100;
 constexpr double microseconds = 1e6;
-constexpr int max_contacts = 8; // of one pair
 
 using TickHashes = const std::vector<std::uint64_t> &(SceneRun::*)() const;
 

@@ -9,12 +9,11 @@ namespace
 {
 constexpr double gravity = 9.81; // m/s^2
 constexpr int boxes_per_structure = 48;
-constexpr int wall_width = 8;     // boxes; a wall is 6 boxes high
-constexpr int tower_width = 2;    // boxes, in both directions; a tower is 12 boxes high
-constexpr double cell = 1.8;      // metres; one structure stands in each
-constexpr double corridor = 1;    // metres around the structures: the ball starts there
-constexpr double half_height = 2; // of the room, metres
-constexpr double wall_thickness = 0.5;
+constexpr int wall_width = 8;         // boxes; a wall is 6 boxes high
+constexpr int tower_width = 2;        // boxes, in both directions; a tower is 12 boxes high
+constexpr double cell = 1.8;          // metres; one structure stands in each
+constexpr double corridor = 1;        // metres around the structures: the ball starts there
+constexpr double half_height = 2;     // of the room, metres
 constexpr double gap = 0.002;         // between neighbours in a row, metres
 constexpr double jitter = 0.001;      // metres
 constexpr double ball_radius = 0.25;  // metres

@@ -13,7 +13,7 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr std::size_t gap = 2;
+constexpr std::size_t column_gap = 2;
 constexpr std::size_t narrowest_label = 26; // of a first column that is too wide for the others
 
 std::string with_groups(std::string digits)
@@ -64,16 +64,16 @@ std::vector<std::size_t> Table::column_widths() const
 void Table::print(std::ostream &out) const
 {
     std::vector<std::size_t> widths = column_widths();
-    const std::size_t others = std::accumulate(widths.begin() + 1, widths.end(), gap * (widths.size() - 1));
+    const std::size_t others = std::accumulate(widths.begin() + 1, widths.end(), column_gap * (widths.size() - 1));
     const std::size_t room = output_width - std::min(others, output_width - narrowest_label);
     widths[0] = std::min(widths[0], room);
     for (std::size_t begin = 1; begin < widths.size();)
     {
         std::size_t total = widths[0];
         std::size_t end = begin;
-        while (end < widths.size() && (end == begin || total + gap + widths[end] <= output_width))
+        while (end < widths.size() && (end == begin || total + column_gap + widths[end] <= output_width))
         {
-            total += gap + widths[end++];
+            total += column_gap + widths[end++];
         }
         out << (begin > 1 ? "\n" : "");
         print_columns(out, widths, begin, end);
@@ -87,7 +87,7 @@ void Table::print_columns(std::ostream &out, const std::vector<std::size_t> &wid
     const auto first = widths.begin();
     const std::size_t total =
         std::accumulate(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end),
-                        widths[0] + gap * (end - begin));
+                        widths[0] + column_gap * (end - begin));
     for (std::size_t i = 0; i < rows_.size(); ++i)
     {
         const Row &row = rows_[i];
@@ -95,7 +95,7 @@ void Table::print_columns(std::ostream &out, const std::vector<std::size_t> &wid
         out << row[0] << (too_long ? "\n" : "") << std::string(widths[0] - (too_long ? 0 : width(row[0])), ' ');
         for (std::size_t column = begin; column < std::min(end, row.size()); ++column)
         {
-            out << std::string(gap + widths[column] - width(row[column]), ' ') << row[column];
+            out << std::string(column_gap + widths[column] - width(row[column]), ' ') << row[column];
         }
         out << '\n';
         if (i == 0)

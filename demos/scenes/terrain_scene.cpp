@@ -7,9 +7,8 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double tick_seconds = 0.001;
-constexpr double fastest = 5;         // m/s
-constexpr double fastest_spin = 5;    // rad/s
+constexpr double fastest_mover = 5;   // m/s
+constexpr double fastest_turn = 5;    // rad/s
 constexpr double sunk = 0.001;        // metres that a rolling object is in the ground: a contact in spite of rounding
 constexpr double lowest_flight = 1.5; // metres
 constexpr double highest_flight = 5;  // metres
@@ -85,7 +84,7 @@ void TerrainScene::add_huge_mover(const HugeBox &box, dGeomID geom)
     mover.state.position = box.position;
     mover.state.velocity = box.velocity;
     mover.state.angular_velocity = {0, 0, box.spin};
-    mover.turn = Quaternion(Eigen::AngleAxisd(box.spin * tick_seconds, Vector3::UnitZ()));
+    mover.turn = Quaternion(Eigen::AngleAxisd(box.spin * usual_tick, Vector3::UnitZ()));
     dGeomSetBody(geom, mover.body);
     set_state(mover.body, mover.state);
     movers_.push_back(mover);
@@ -99,8 +98,8 @@ void TerrainScene::add_mover(int number, haptics::Random &random)
     mover.rest_height = rest_height_of(shape);
     mover.state.position = random.in_box({half_side_, half_side_, 0});
     const double angle = random.uniform(0, 2 * pi);
-    mover.state.velocity = random.uniform(0, fastest) * Vector3(std::cos(angle), std::sin(angle), 0);
-    const double spin = random.uniform(0, fastest_spin);
+    mover.state.velocity = random.uniform(0, fastest_mover) * Vector3(std::cos(angle), std::sin(angle), 0);
+    const double spin = random.uniform(0, fastest_turn);
     const Vector3 axis = mover.rolls ? Vector3::UnitZ() : random.direction();
     if (mover.rolls)
     {
@@ -113,7 +112,7 @@ void TerrainScene::add_mover(int number, haptics::Random &random)
         mover.state.orientation = random.orientation();
     }
     mover.state.angular_velocity = spin * axis;
-    mover.turn = Quaternion(Eigen::AngleAxisd(spin * tick_seconds, axis));
+    mover.turn = Quaternion(Eigen::AngleAxisd(spin * usual_tick, axis));
     mover.body = objects_.add_moving(shape, mover.state, 1000).body;
     movers_.push_back(mover);
 }
@@ -129,7 +128,7 @@ void TerrainScene::advance()
 void TerrainScene::advance_mover(Mover &mover) const
 {
     BodyState &state = mover.state;
-    state.position += tick_seconds * state.velocity;
+    state.position += usual_tick * state.velocity;
     state.orientation = (mover.turn * state.orientation).normalized();
     turn_back(state);
     if (mover.rolls)
@@ -142,9 +141,9 @@ void TerrainScene::advance_mover(Mover &mover) const
 void TerrainScene::roll(Mover &mover) const
 {
     BodyState &state = mover.state;
-    const double before = state.position.z() - tick_seconds * state.velocity.z();
+    const double before = state.position.z() - usual_tick * state.velocity.z();
     state.position.z() = ground_.height(state.position.x(), state.position.y()) + mover.rest_height;
-    state.velocity.z() = (state.position.z() - before) / tick_seconds;
+    state.velocity.z() = (state.position.z() - before) / usual_tick;
 }
 
 void TerrainScene::turn_back(BodyState &state) const

@@ -11,7 +11,7 @@ namespace
 constexpr double margin = 12;       // pixels
 constexpr double axis_width = 46;   // pixels; for the numbers on the left
 constexpr double title_height = 20; // pixels
-constexpr double text_size = 11;
+constexpr double label_size = 11;
 
 using Measure = float ChartColumn::*;
 
@@ -68,7 +68,7 @@ void draw_level(Canvas &canvas, const Strip &strip, double value)
     cairo_move_to(canvas.context(), strip.area.left, y);
     cairo_line_to(canvas.context(), strip.area.left + strip.area.width, y);
     cairo_stroke(canvas.context());
-    canvas.text(strip.area.left - 6, y + 4, number_with_unit(value, strip.unit), palette::faint_text, text_size,
+    canvas.text(strip.area.left - 6, y + 4, number_with_unit(value, strip.unit), palette::faint_text, label_size,
                 Align::right);
 }
 
@@ -105,7 +105,7 @@ void draw_curve(Canvas &canvas, const Strip &strip, const std::vector<ChartColum
 
 void draw_legend(Canvas &canvas, const Strip &strip, double right, const char *text, const Colour &colour)
 {
-    canvas.text(right, strip.area.top - 6, text, colour, text_size, Align::right);
+    canvas.text(right, strip.area.top - 6, text, colour, label_size, Align::right);
 }
 
 void draw_force(Canvas &canvas, const View &view, const Rectangle &area)
@@ -117,7 +117,7 @@ void draw_force(Canvas &canvas, const View &view, const Rectangle &area)
     draw_level(canvas, strip, strip.top);
     draw_curve(canvas, strip, view.chart, &ChartColumn::force, palette::force, true);
     canvas.text(area.left, area.top - 6, "last " + number_with_unit(area.width * view.chart_seconds, "s"),
-                palette::faint_text, text_size);
+                palette::faint_text, label_size);
     draw_legend(canvas, strip, area.left + area.width, "force", palette::force);
 }
 

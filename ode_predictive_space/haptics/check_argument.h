@@ -15,9 +15,14 @@ namespace ode_predictive_space::haptics
     throw std::invalid_argument(std::string(what) + " must be " + range + ", not " + std::to_string(value));
 }
 
+inline bool is_amount(double value)
+{
+    return std::isfinite(value) && value >= 0;
+}
+
 inline void check_not_negative(double value, const char *what)
 {
-    if (!std::isfinite(value) || value < 0)
+    if (!is_amount(value))
         refuse(value, what, "finite and not negative");
 }
 

@@ -62,7 +62,7 @@ public:
         {
             tracker_.emplace(parts.probe.sensor()->radius());
         }
-        touches_.reserve(usual_touches);
+        touches_.reserve(reserved_touches);
         held_.reserve(2 * ContactModel::capacity);
     }
 
@@ -87,7 +87,7 @@ private:
     ContactModel::Shift shift_of(std::uintptr_t object, const ContactModel &planes) const;
     void end();
 
-    static constexpr std::size_t usual_touches = 256; ///< before the deepest are chosen
+    static constexpr std::size_t reserved_touches = 256; ///< before the deepest are chosen
 
     LoopParts &parts_;
     Renderer &renderer_;

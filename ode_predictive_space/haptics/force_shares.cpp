@@ -1,12 +1,13 @@
 #include "ode_predictive_space/haptics/force_shares.h"
 
+#include "ode_predictive_space/haptics/usual_touches.h"
+
 #include <algorithm>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr std::size_t usual_touches = 64;
 constexpr double parallel = 1e-9; ///< square of the sine between vectors below which they count as parallel
 
 struct Mix

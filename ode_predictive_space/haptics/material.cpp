@@ -10,11 +10,6 @@ namespace
 {
 constexpr double blend_time = 0.02; // s
 
-bool is_amount(double value)
-{
-    return std::isfinite(value) && value >= 0;
-}
-
 double blended(double from, double to, double dt)
 {
     const double most = std::max(from, to) * dt / blend_time;

@@ -7,8 +7,8 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double nanoseconds_per_second = 1e9;
-constexpr double longest = 1e4; // seconds
+constexpr double nanoseconds = 1e9; // per second
+constexpr double longest = 1e4;     // seconds
 
 // There is one writer: no read-modify-write is needed.
 template <typename Number> void increase(std::atomic<Number> &number, Number by)
@@ -35,8 +35,8 @@ double TimeHistogram::upper_end(std::size_t bucket)
 
 void TimeHistogram::add(double seconds)
 {
-    const double time = std::clamp(seconds, 1 / nanoseconds_per_second, longest);
-    increase(buckets_[bucket_of(std::max(1.0, time * nanoseconds_per_second))], std::uint64_t{1});
+    const double time = std::clamp(seconds, 1 / nanoseconds, longest);
+    increase(buckets_[bucket_of(std::max(1.0, time * nanoseconds))], std::uint64_t{1});
     increase(sum_, time);
     max_.store(std::max(max_.load(std::memory_order_relaxed), time), std::memory_order_relaxed);
     increase(count_, std::uint64_t{1});
@@ -51,7 +51,7 @@ double TimeHistogram::quantile(double share) const
         seen += buckets_[bucket].load(std::memory_order_relaxed);
         if (seen >= wanted)
         {
-            return std::min(upper_end(bucket) / nanoseconds_per_second, max_.load(std::memory_order_relaxed));
+            return std::min(upper_end(bucket) / nanoseconds, max_.load(std::memory_order_relaxed));
         }
     }
     return 0;

@@ -9,7 +9,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double rounding = 1e-9; // of a plane that lies in the one that carries
+constexpr double rounding_of_planes = 1e-9; // of a plane that lies in the one that carries
 } // namespace
 
 ProxyLaw::ProxyLaw(const Material &material) : material_(material)
@@ -126,7 +126,7 @@ Vector3 ProxyLaw::friction(const Vector3 &tool, const Vector3 &lifted, double ca
     {
         const double into = -plane.normal.dot(along);
         const double room = std::max(0.0, plane.normal.dot(lifted - tool) - plane.depth);
-        if (plane.share == 0 && into > rounding * along.norm())
+        if (plane.share == 0 && into > rounding_of_planes * along.norm())
             part = std::min(part, room / into);
     }
     return part * along;

@@ -1,5 +1,8 @@
 #include "ode_predictive_space/haptics/push_response.h"
 
+#include "ode_predictive_space/haptics/ode_vector.h"
+#include "ode_predictive_space/haptics/usual_touches.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,12 +12,6 @@ namespace
 {
 constexpr double memory = 0.01; // s
 constexpr double noise = 0.01;  // of the mean square: pushes that vary less tell nothing new
-constexpr std::size_t usual_touches = 32;
-
-Vector3 from_ode(const dReal *v)
-{
-    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
 
 Vector3 gravity_on(dBodyID body)
 {

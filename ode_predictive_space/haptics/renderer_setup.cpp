@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/open_gates.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/renderer.h"
+#include "ode_predictive_space/haptics/usual_touches.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,7 +16,6 @@ namespace
 constexpr double never = -std::numeric_limits<double>::infinity();
 constexpr double usual_stiffness = 500; // N/m
 constexpr double usual_rate = 1000;     // Hz
-constexpr std::size_t usual_touches = 64;
 
 /// As stiff in the hand, whatever the scale.
 std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const WorkspaceMapping &mapping)

@@ -1,5 +1,7 @@
 #include "ode_predictive_space/haptics/stability.h"
 
+#include "ode_predictive_space/haptics/check_argument.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,11 +27,6 @@ template <typename... Parts> std::string sentence(const Parts &...parts)
     text.imbue(std::locale::classic());
     (text << ... << parts);
     return text.str();
-}
-
-bool is_amount(double value)
-{
-    return std::isfinite(value) && value >= 0;
 }
 
 /// What is wrong with the question; empty when nothing is.

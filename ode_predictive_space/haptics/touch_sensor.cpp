@@ -2,6 +2,8 @@
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "ode_predictive_space/haptics/geom_watch.h"
+#include "ode_predictive_space/haptics/ode_vector.h"
+#include "ode_predictive_space/haptics/usual_touches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +16,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr std::size_t usual_touches = 32;
-
-Vector3 from_ode(const dReal *v)
-{
-    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
 dGeomID make_sphere(dSpaceID space, double radius)
 {
     if (space == nullptr || !(radius > 0) || !std::isfinite(radius))

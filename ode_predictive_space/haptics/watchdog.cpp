@@ -9,7 +9,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double never = -std::numeric_limits<double>::infinity();
+constexpr double no_time_yet = -std::numeric_limits<double>::infinity();
 constexpr double longest_decay = 0.01; // s
 } // namespace
 
@@ -45,7 +45,7 @@ WatchdogLimits WatchdogLimits::of(double servo_rate, double physics_rate)
     return limits;
 }
 
-Watchdog::Watchdog(const WatchdogLimits &limits) : limits_(limits), physics_time_(never)
+Watchdog::Watchdog(const WatchdogLimits &limits) : limits_(limits), physics_time_(no_time_yet)
 {
     check_positive(limits.stale_after, "time after which physics is stale");
     check_positive(limits.late_after, "time after which a servo loop is late");
@@ -100,7 +100,7 @@ bool Watchdog::missed_too_many(double elapsed)
 
 void Watchdog::reset()
 {
-    physics_time_.store(never, std::memory_order_relaxed);
+    physics_time_.store(no_time_yet, std::memory_order_relaxed);
     stop_requested_.store(false, std::memory_order_relaxed);
     device_answers_ = false;
     has_ticked_ = false;

@@ -6,46 +6,6 @@
 
 namespace ode_predictive_space
 {
-namespace
-{
-/// A leaf while it is sorted: its centre, times two, and its place in the list of leaves.
-struct Centre
-{
-    float place[3];
-    std::uint32_t leaf;
-};
-static_assert(sizeof(Centre) == 16, "moved as a whole");
-
-/// What the centres spread over.
-struct Spread
-{
-    float low[4], high[4]; // the fourth means nothing
-
-    Spread(const Centre *begin, const Centre *end)
-    {
-        Float4 least = Float4::load(begin->place), most = least;
-        for (const Centre *centre = begin + 1; centre < end; ++centre)
-        {
-            const Float4 place = Float4::load(centre->place);
-            least = min(least, place);
-            most = max(most, place);
-        }
-        least.store(low);
-        most.store(high);
-    }
-
-    float width(int axis) const { return high[axis] - low[axis]; }
-
-    int widest() const
-    {
-        const int wider = width(1) > width(0) ? 1 : 0;
-        return width(2) > width(wider) ? 2 : wider;
-    }
-
-    float middle(int axis) const { return 0.5f * low[axis] + 0.5f * high[axis]; }
-};
-} // namespace
-
 class EnvelopeTree::Builder
 {
 public:
@@ -64,6 +24,43 @@ public:
     void build(Index root) { build(root, centres_.data(), centres_.data() + centres_.size()); }
 
 private:
+    /// A leaf while it is sorted: its centre, times two, and its place in the list of leaves.
+    struct Centre
+    {
+        float place[3];
+        std::uint32_t leaf;
+    };
+    static_assert(sizeof(Centre) == 16, "moved as a whole");
+
+    /// What the centres spread over.
+    struct Spread
+    {
+        float low[4], high[4]; // the fourth means nothing
+
+        Spread(const Centre *begin, const Centre *end)
+        {
+            Float4 least = Float4::load(begin->place), most = least;
+            for (const Centre *centre = begin + 1; centre < end; ++centre)
+            {
+                const Float4 place = Float4::load(centre->place);
+                least = min(least, place);
+                most = max(most, place);
+            }
+            least.store(low);
+            most.store(high);
+        }
+
+        float width(int axis) const { return high[axis] - low[axis]; }
+
+        int widest() const
+        {
+            const int wider = width(1) > width(0) ? 1 : 0;
+            return width(2) > width(wider) ? 2 : wider;
+        }
+
+        float middle(int axis) const { return 0.5f * low[axis] + 0.5f * high[axis]; }
+    };
+
     void build(Index index, Centre *begin, Centre *end)
     {
         if (end - begin == 1)

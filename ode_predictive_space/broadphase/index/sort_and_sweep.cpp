@@ -46,17 +46,17 @@ struct Moments
 };
 
 // Where the centres lie.
-struct Spread
+struct AxisSpread
 {
     int axis;
     Moments centres;
 
-    Spread(const std::vector<SweptProxy> &items, int along)
+    AxisSpread(const std::vector<SweptProxy> &items, int along)
         : axis(along),
           centres(items, [along](const FloatBox &box) { return 0.5f * (box.low[along] + box.high[along]); })
     {}
 
-    bool operator>(const Spread &other) const { return centres.variance > other.centres.variance; }
+    bool operator>(const AxisSpread &other) const { return centres.variance > other.centres.variance; }
 };
 
 // Least significant digit first, of the upper halves. A digit that is the same in all is passed over.
@@ -86,9 +86,9 @@ template <int bits> void radix_sort(std::vector<std::uint64_t> &order, std::vect
 
 SortAndSweep::Layout SortAndSweep::Layout::fit_for(const Items &items)
 {
-    std::array<Spread, 3> spreads = {Spread(items, 0), Spread(items, 1), Spread(items, 2)};
+    std::array<AxisSpread, 3> spreads = {AxisSpread(items, 0), AxisSpread(items, 1), AxisSpread(items, 2)};
     std::sort(spreads.begin(), spreads.end(), std::greater<>());
-    const auto cut = [](const Spread &spread, float places) {
+    const auto cut = [](const AxisSpread &spread, float places) {
         const auto half = static_cast<float>(tuning::deviations_per_half * std::sqrt(spread.centres.variance));
         return Scale{spread.axis, static_cast<float>(spread.centres.mean) - half, half > 0 ? places / (2 * half) : 0};
     };

@@ -23,7 +23,7 @@ double reach_by_turning(const PredictedShape &object, const PredictedShape &othe
 }
 
 // Of c + b t + a t^2, with c > 0: the first time at which it is not positive.
-double first_root(double c, double b, double a)
+double time_of_closing(double c, double b, double a)
 {
     const double half = -0.5 * b, discriminant = half * half - a * c;
     if (discriminant < 0)
@@ -46,8 +46,8 @@ std::optional<double> time_of_contact(const PredictedShape &first, const Predict
                         reach_by_turning(second, first, -gap.axis) - 2 * deviation.a;
     if (!(left > 0))
         return next_tick;
-    const double time = rounds_down * first_root(left, gap.axis.dot(way.velocity) - deviation.b,
-                                                 0.5 * gap.axis.dot(way.acceleration) - deviation.c);
+    const double time = rounds_down * time_of_closing(left, gap.axis.dot(way.velocity) - deviation.b,
+                                                      0.5 * gap.axis.dot(way.acceleration) - deviation.c);
     return time <= duration ? std::optional<double>(std::max(next_tick, time)) : std::nullopt;
 }
 } // namespace ode_predictive_space

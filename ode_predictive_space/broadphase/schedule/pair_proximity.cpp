@@ -7,7 +7,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float float_infinity = std::numeric_limits<float>::infinity();
 
 // What is computed here may be off by this part of the sum of all terms: by rounding here, in the check of a position
 // against its path, and in the path itself.
@@ -34,7 +34,7 @@ Float4 last_not_above(Float4 begin, Float4 end)
 
 float finite_or_zero(float radius)
 {
-    return radius < infinity ? radius : 0;
+    return radius < float_infinity ? radius : 0;
 }
 
 // Verification keeps each coordinate within the deviation; a sphere needs the distance.
@@ -58,7 +58,7 @@ struct PairProximity::Gaps
     bool known() const
     {
         const Float4 sum = above_begin + above_end + below_begin + below_end;
-        return ((sum < Float4::all(infinity)).bits() & three_lanes) == three_lanes;
+        return ((sum < Float4::all(float_infinity)).bits() & three_lanes) == three_lanes;
     }
 
     bool stay_apart() const

@@ -1,5 +1,6 @@
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
 
+#include "ode_predictive_space/haptics/ode_vector.h"
 #include "ode_predictive_space/haptics/touch_sensor.h"
 
 #include <algorithm>
@@ -11,12 +12,7 @@ namespace
 {
 constexpr std::size_t most_entries = 256; // the oldest one goes then
 constexpr int compared_at_once = 8;
-constexpr double rounding = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5; // m, and of the coordinates
-
-Vector3 from_ode(const dReal *v)
-{
-    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
+constexpr double rounding_of_corners = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5; // m, and of the coordinates
 
 TriangleCorners triangle_of(dGeomID geom, int index)
 {
@@ -78,7 +74,7 @@ bool is_same(dGeomID geom, const MeshTree &tree, std::size_t triangle)
         dVector3 expected;
         dGeomGetRelPointPos(geom, static_cast<dReal>(in_tree[i].x()), static_cast<dReal>(in_tree[i].y()),
                             static_cast<dReal>(in_tree[i].z()), expected);
-        const double allowed = rounding * (1 + in_scene[i].norm() + in_tree[i].norm());
+        const double allowed = rounding_of_corners * (1 + in_scene[i].norm() + in_tree[i].norm());
         const bool is_far = !((from_ode(expected) - in_scene[i]).norm() <= allowed);
         if (is_far && (in_scene[i].allFinite() || in_tree[i].allFinite()))
         {

@@ -1,16 +1,12 @@
 #include "ode_predictive_space/haptics/contact/nearby_geom.h"
 
+#include "ode_predictive_space/haptics/ode_vector.h"
 #include "ode_predictive_space/haptics/touch_sensor.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-Vector3 from_ode(const dReal *v)
-{
-    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
 /// Of geoms that cannot be placed, too.
 Vector3 to_scene_by_ode(dGeomID geom, const Vector3 &point)
 {

@@ -7,7 +7,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double smallest_squared_sine = 1e-20; // below, a triangle is its edges
+constexpr double flattest_squared_sine = 1e-20; // below, a triangle is its edges
 
 NearestOnTriangle nearest_on_edge(const Vector3 &point, const TriangleCorners &corners, int edge)
 {
@@ -38,7 +38,7 @@ NearestOnTriangle nearest_on_triangle(const Vector3 &point, const TriangleCorner
     const Vector3 second = corners[2] - corners[0];
     const Vector3 normal = first.cross(second);
     const double square = normal.squaredNorm();
-    const bool has_face = square > smallest_squared_sine * first.squaredNorm() * second.squaredNorm();
+    const bool has_face = square > flattest_squared_sine * first.squaredNorm() * second.squaredNorm();
 
     // Of a face, only an edge that the point is beyond can be nearest.
     NearestOnTriangle nearest;

@@ -20,27 +20,6 @@ std::uint32_t frames_in(double seconds, double rate)
 {
     return static_cast<std::uint32_t>(std::fmax(1, std::ceil(seconds * rate)));
 }
-
-/// The library has one scheduler, and stopping it for one device would stop it for all.
-class OnlyOne
-{
-public:
-    OnlyOne()
-    {
-        if (is_taken.exchange(true))
-        {
-            throw DeviceError(
-                DeviceFault::permission_denied,
-                "OpenHaptics: another device is open in this program, and the library has but one scheduler");
-        }
-    }
-    ~OnlyOne() { is_taken.store(false); }
-    OnlyOne(const OnlyOne &) = delete;
-    OnlyOne &operator=(const OnlyOne &) = delete;
-
-private:
-    static inline std::atomic<bool> is_taken{false};
-};
 } // namespace
 
 /// From open() to close(). The order of the members is the order of the steps; at the end, and when a step fails, those
@@ -98,6 +77,27 @@ public:
     }
 
 private:
+    /// The library has one scheduler, and stopping it for one device would stop it for all.
+    class OnlyOne
+    {
+    public:
+        OnlyOne()
+        {
+            if (is_taken.exchange(true))
+            {
+                throw DeviceError(
+                    DeviceFault::permission_denied,
+                    "OpenHaptics: another device is open in this program, and the library has but one scheduler");
+            }
+        }
+        ~OnlyOne() { is_taken.store(false); }
+        OnlyOne(const OnlyOne &) = delete;
+        OnlyOne &operator=(const OnlyOne &) = delete;
+
+    private:
+        static inline std::atomic<bool> is_taken{false};
+    };
+
     static constexpr const char *silence = "the servo thread runs no more";
 
     void note_silence(std::uint64_t frame, double time)

@@ -9,7 +9,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double longest_step = 0.0002; // s; for which the target is taken as straight
+constexpr double longest_straight_step = 0.0002; // s; for which the target is taken as straight
 
 Capabilities preset(const char *name, double force, double stiffness, double damping, double radius)
 {
@@ -146,7 +146,7 @@ void VirtualDevice::move_hand(double seconds)
         return;
     }
     const double start = seconds_;
-    const int steps = static_cast<int>(std::ceil(duration / longest_step - 1e-6));
+    const int steps = static_cast<int>(std::ceil(duration / longest_straight_step - 1e-6));
     const Transition change = transition(settings_.hand, duration / steps);
     for (int step = 1; step <= steps; ++step)
     {
