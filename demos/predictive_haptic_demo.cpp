@@ -4,7 +4,7 @@
 #include "demos/haptic/haptic_run.h"
 #include "demos/haptic/run_page.h"
 #include "demos/haptic/run_summary.h"
-#include "demos/scenes/command_line.h"
+#include "demos/scenes/check_writable.h"
 #include "demos/scenes/narrow_output.h"
 #include "demos/scenes/result_records.h"
 #include "ode_predictive_space/haptics/device_factory.h"
@@ -14,9 +14,9 @@
 #include "demos/window/window.h"
 #endif
 
-#include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
 namespace
@@ -131,21 +131,8 @@ ExitStatus run_demo(const Options &options)
 int run_as_asked(int argc, char **argv)
 {
     Options options;
-    CLI::App app(
-        "Runs a probe among still and moving objects, which feels and pushes what it touches, in a window if there is "
-        "a display.\nWith --compare, with several spaces, or without a window and without any option for the probe it "
-        "compares the predictive space with ODE's own spaces.\n"
-        "Exit status: 0; 1 when compared spaces did not report the same pairs; 2 after another failure.");
-    demo::declare_options(app, options);
-    try
-    {
-        app.parse(argc, argv);
-    }
-    catch (const CLI::ParseError &end)
-    {
-        return scenes::end_of_parsing(app, end);
-    }
-    demo::complete(options, app);
+    if (const std::optional<int> status = demo::parse_command_line(argc, argv, options))
+        return *status;
     return run_demo(options);
 }
 } // namespace

@@ -1,5 +1,6 @@
 #include "demos/haptic/options.h"
 
+#include "demos/scenes/command_line.h"
 #include "demos/scenes/scene.h"
 #include "demos/scenes/spaces.h"
 #include "ode_predictive_space/haptics/device_factory.h"
@@ -97,15 +98,6 @@ void declare_output_options(CLI::App &app, Options &options)
         ->check(CLI::Range(0.0, 3600.0))
         ->capture_default_str();
 }
-} // namespace
-
-const std::vector<std::string> &scenes_for_probes()
-{
-    // Not the scenes with a probe or queries of their own, of kilometres, or with objects too fast to touch.
-    static const std::vector<std::string> names = {"mix",  "pile",  "stack", "gas",
-                                                   "game", "still", "churn", "explosion"};
-    return names;
-}
 
 void declare_options(CLI::App &app, Options &options)
 {
@@ -114,6 +106,7 @@ void declare_options(CLI::App &app, Options &options)
     declare_output_options(app, options);
 }
 
+/// Checks that options do not contradict each other.
 void complete(Options &options, const CLI::App &app)
 {
     const auto given = [&app](const char *name) { return app.count(name) > 0; };
@@ -147,5 +140,34 @@ void complete(Options &options, const CLI::App &app)
     {
         throw std::invalid_argument("the run ends before the time of the screenshot");
     }
+}
+} // namespace
+
+const std::vector<std::string> &scenes_for_probes()
+{
+    // Not the scenes with a probe or queries of their own, of kilometres, or with objects too fast to touch.
+    static const std::vector<std::string> names = {"mix",  "pile",  "stack", "gas",
+                                                   "game", "still", "churn", "explosion"};
+    return names;
+}
+
+std::optional<int> parse_command_line(int argc, char **argv, Options &options)
+{
+    CLI::App app(
+        "Runs a probe among still and moving objects, which feels and pushes what it touches, in a window if there is "
+        "a display.\nWith --compare, with several spaces, or without a window and without any option for the probe it "
+        "compares the predictive space with ODE's own spaces.\n"
+        "Exit status: 0; 1 when compared spaces did not report the same pairs; 2 after another failure.");
+    declare_options(app, options);
+    try
+    {
+        app.parse(argc, argv);
+    }
+    catch (const CLI::ParseError &end)
+    {
+        return scenes::end_of_parsing(app, end);
+    }
+    complete(options, app);
+    return std::nullopt;
 }
 } // namespace ode_predictive_space::demo

@@ -4,13 +4,9 @@
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_OPTIONS_H
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
-
-namespace CLI
-{
-class App; // its header takes seconds to compile
-}
 
 namespace ode_predictive_space::demo
 {
@@ -43,13 +39,11 @@ struct Options
 /// The scenes that are fit for a probe.
 const std::vector<std::string> &scenes_for_probes();
 
-/// Declare all options; `options` must outlive the parsing.
-void declare_options(CLI::App &app, Options &options);
-
-/// Checks that options do not contradict each other.
+/// Reads the command line of the program.
 ///
-/// @throws std::invalid_argument
-void complete(Options &options, const CLI::App &app);
+/// @return the exit status when the program has to end without a run: it has printed its help, or what is wrong.
+/// @throws std::invalid_argument when options contradict each other.
+std::optional<int> parse_command_line(int argc, char **argv, Options &options);
 } // namespace ode_predictive_space::demo
 
 #endif

@@ -1,5 +1,6 @@
 // Benchmarks of the predictive space beside ODE's own. Every claim is a ratio measured in one run, with the same motion.
 
+#include "demos/scenes/check_writable.h"
 #include "demos/scenes/command_line.h"
 #include "demos/scenes/narrow_output.h"
 #include "demos/scenes/result_records.h"
