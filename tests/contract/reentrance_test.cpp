@@ -63,26 +63,27 @@ TEST_F(Contract, 07_TheSpaceIsLockedWhileItReports)
     EXPECT_EQ(calls, 45 + 10);
 }
 
-TEST_F(Contract, 07_AddAndRemoveAreRefusedWhileLocked)
+TEST_F(Contract, 07_ChangesAreRefusedWhileLocked)
 {
-    if (!ode_has_assertions())
-        GTEST_SKIP()
-            << "without assertions neither ODE nor the space refuses it: it breaks lists, and nothing can be expected";
     Heap heap;
     dSpaceID space = heap.scene.space();
     dGeomID outside = dCreateSphere(nullptr, 1);
     std::set<std::string> complaints;
     collide_with(space, [&](dGeomID first, dGeomID) {
+        complaints.insert(ode_complaint([&] { dGeomSetPosition(first, 0, 0, 0); }));
+        // Without assertions neither ODE nor the space refuses it, and its lists break.
+        if (!ode_has_assertions())
+            return;
         complaints.insert(ode_complaint([&] { dSpaceAdd(space, outside); }));
         complaints.insert(ode_complaint([&] { dSpaceRemove(space, first); }));
         // Past ODE's own check, at that of the space.
         complaints.insert(ode_complaint([&] { space->add(outside); }));
         complaints.insert(ode_complaint([&] { space->remove(first); }));
-        complaints.insert(ode_complaint([&] { dGeomSetPosition(first, 0, 0, 0); }));
     });
     ASSERT_FALSE(complaints.empty());
     for (const std::string &complaint : complaints)
-        EXPECT_NE(complaint.find("Invalid operation for locked space"), std::string::npos) << complaint;
+        EXPECT_EQ(complaint.find("Invalid operation for locked space") != std::string::npos, ode_has_assertions())
+            << complaint;
     EXPECT_EQ(dSpaceGetNumGeoms(space), 10);
     EXPECT_EQ(collide(space).size(), 45u);
     dGeomDestroy(outside);

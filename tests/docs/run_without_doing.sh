@@ -9,8 +9,9 @@ run_without_doing() {
     trap 'rm -rf "$work"' EXIT
     copy=$work/copy
     calls=$work/calls
-    mkdir -p "$copy/demos/haptic" "$copy/tests" "$work/tools"
+    mkdir -p "$copy/demos/haptic" "$copy/ode_predictive_space/cmake" "$copy/tests" "$work/tools"
     cp "$source/run" "$copy/"
+    cp "$source/ode_predictive_space/cmake/ode_source.sh" "$copy/ode_predictive_space/cmake/"
     cp -r "$source"/tests/{benchmarks,clients,mutations,patched_ode,variants} "$copy/tests/"
     cp "$source"/demos/haptic/{check_arguments.awk,help.txt} "$copy/demos/haptic/"
     for tool in apt-get cmake ctest cpack sudo c++ ninja dpkg-query pkg-config; do
