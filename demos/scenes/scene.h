@@ -37,7 +37,7 @@ constexpr double wall_thickness = 0.5;
 /// Of scenes that do not step at a rate of their own, seconds.
 constexpr double usual_tick = 0.001;
 
-/// How many are asked for of one pair.
+/// How many contacts are asked for of one pair.
 constexpr int max_contacts = 8;
 
 /// Which scene.
