@@ -1,6 +1,7 @@
 #include "ode_predictive_space/preload/counts_file.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 
@@ -9,12 +10,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "ode_predictive_space/preload/output_file.h"
+
 namespace ode_predictive_space::preload
 {
 namespace
 {
 constexpr std::uint32_t page_count = 4095;
-constexpr char expected_magic[16] = "ode_counts 0.2";
+constexpr char expected_magic[16] = "ode_counts 0.3";
 constexpr int fixed_size = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
 } // namespace
 
@@ -27,7 +30,8 @@ struct CountsFile::Layout
 
     char magic[16];
     std::atomic<std::uint32_t> processes;
-    std::atomic<std::uint32_t> taken; // may exceed the number of pages
+    std::atomic<std::uint32_t> taken;       // may exceed the number of pages
+    std::atomic<std::uint32_t> lost_output; // not 0: yes
     Page pages[page_count];
 };
 
@@ -63,6 +67,7 @@ int open_entry(const char *name)
 
 std::unique_ptr<CountsFile> CountsFile::create()
 {
+    const NoSignalOfWriting quiet; // a limit for sizes of files holds for this one too
     const int file = memfd_create("ode_predictive_counts", MFD_CLOEXEC | MFD_ALLOW_SEALING);
     if (file < 0)
         return nullptr;
@@ -71,7 +76,9 @@ std::unique_ptr<CountsFile> CountsFile::create()
         memory = map(file, sizeof(Layout));
     if (!memory)
     {
+        const int reason = errno;
         close(file);
+        errno = reason;
         return nullptr;
     }
     auto *layout = static_cast<Layout *>(memory);
@@ -116,6 +123,16 @@ SpaceCounts *CountsFile::take_page()
     while (number < page_count && !layout_->taken.compare_exchange_weak(number, number + 1))
         continue;
     return number < page_count ? &layout_->pages[number].counts : nullptr;
+}
+
+void CountsFile::note_lost_output()
+{
+    layout_->lost_output = 1;
+}
+
+bool CountsFile::has_lost_output() const
+{
+    return layout_->lost_output != 0;
 }
 
 std::vector<SpaceCounts *> CountsFile::pages()

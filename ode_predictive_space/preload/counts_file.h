@@ -43,6 +43,10 @@ public:
     /// A page of zeros that nobody else has; 0 when all are in use. Valid as long as this object.
     SpaceCounts *take_page();
 
+    /// Some output of a process could not be written.
+    void note_lost_output();
+    bool has_lost_output() const;
+
     /// All that were taken, in this order.
     std::vector<SpaceCounts *> pages();
 

@@ -73,6 +73,12 @@ void Ledger::begin_in_child()
     mutex_.unlock();
 }
 
+void Ledger::note_lost_output()
+{
+    if (file_)
+        file_->note_lost_output();
+}
+
 std::vector<SpaceCounts *> Ledger::all()
 {
     const std::lock_guard<std::mutex> guard(mutex_);

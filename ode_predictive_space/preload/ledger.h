@@ -46,6 +46,9 @@ public:
     /// This process was forked, with the lock: it begins to count, and leaves to its parent what was counted before.
     void begin_in_child();
 
+    /// Tells the launcher, if there is one, that some output of this process could not be written.
+    void note_lost_output();
+
     /// The counts of this process's spaces, in the order in which they began.
     std::vector<SpaceCounts *> all();
 

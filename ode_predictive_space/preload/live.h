@@ -48,8 +48,12 @@ private:
     Totals before_;
 };
 
-/// The statistics of all processes, and the time per dSpaceCollide() in the spaces that were collided most often.
-report::Page page_of(const std::string &program, const std::vector<SpaceCounts *> &pages, const Settings &settings);
+/// The statistics of all processes, the time per dSpaceCollide() in the spaces that were collided most often, and what the run
+/// does not tell.
+///
+/// @param still_running the processes that outlive the program; empty: none does.
+report::Page page_of(const std::string &program, const std::vector<SpaceCounts *> &pages, const Settings &settings,
+                     const std::string &still_running);
 } // namespace ode_predictive_space::preload
 
 #endif

@@ -1,10 +1,10 @@
 // The launcher: runs a program with the preload, and tells what the program counted when the program itself cannot.
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <string>
@@ -17,6 +17,7 @@
 #include "ode_predictive_space/preload/run_options.h"
 #include "ode_predictive_space/preload/say.h"
 #include "ode_predictive_space/preload/supervise.h"
+#include "ode_predictive_space/preload/survivors.h"
 
 using namespace ode_predictive_space::preload;
 
@@ -50,36 +51,39 @@ Settings wanted()
     return read_settings([](const char *name) { return std::getenv(name); }, complaints);
 }
 
-bool is_alive(int process)
+// Not `counted`: that is the question of a launcher around this one.
+bool asks_for_counts(const RunOptions &options, const Settings &settings)
 {
-    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-    std::string text;
-    std::getline(file, text);
-    const std::size_t name_end = text.rfind(") ");
-    return name_end != std::string::npos && std::strchr("ZX", text[name_end + 2]) == nullptr;
+    return settings.stats || settings.compare || !settings.trace_file.empty() || options.watch ||
+           !options.report_folder.empty();
 }
 
 // Of each process that is gone what it has not said itself. One that lives on will say it when it ends.
-void report_the_rest(CountsFile &file, const Settings &settings)
+bool report_the_rest(CountsFile &file, const Settings &settings)
 {
     std::map<std::uint32_t, std::vector<SpaceCounts *>> processes;
     for (SpaceCounts *counts : file.pages())
         if (counts->state == PageState::counting)
             processes[counts->process].push_back(counts);
+    bool all_written = true;
     for (const auto &[number, spaces] : processes)
     {
         const SpaceCounts &first = *spaces.front();
         const std::string program(first.program, strnlen(first.program, sizeof first.program));
-        if (!is_alive(first.process_id))
-            write_report(settings, report_text(settings, program.c_str(), first.process_id, spaces), spaces);
+        if (!is_alive(first.process_id) &&
+            !write_report(settings, report_text(settings, program.c_str(), first.process_id, spaces), spaces))
+            all_written = false;
     }
+    return all_written;
 }
 
-// Otherwise a question about a program without ODE would get no answer.
-void tell_when_nothing_was_counted(CountsFile &counts)
+// Otherwise a question about a program without ODE, or about one that a script has left behind, would get no answer.
+void tell_what_was_not_counted(CountsFile &counts, const std::vector<std::string> &left)
 {
     if (counts.pages().empty())
         say("no process with a space of ODE was seen");
+    if (!left.empty())
+        say("not waited for, still running: %s", list_of(left).c_str());
 }
 
 int run(const RunOptions &options, CountsFile &counts)
@@ -92,18 +96,33 @@ int run(const RunOptions &options, CountsFile &counts)
     return status;
 }
 
-void write_plots(const RunOptions &options, CountsFile &counts, const Settings &settings)
+bool write_plots(const RunOptions &options, CountsFile &counts, const Settings &settings,
+                 const std::vector<std::string> &left)
 {
+    if (options.report_folder.empty())
+        return true;
     try
     {
         const std::string page = ode_predictive_space::report::write_page(
-            options.report_folder, page_of(options.command[0], counts.pages(), settings));
+            options.report_folder, page_of(options.command[0], counts.pages(), settings, list_of(left)));
         say("report: %s", page.c_str());
+        return true;
     }
     catch (const std::exception &failure)
     {
         say("%s", failure.what());
+        return false;
     }
+}
+
+// Without counts, programs that end in a regular way say themselves what they did.
+[[noreturn]] void run_without_counts(const RunOptions &options)
+{
+    const char *const reason = std::strerror(errno);
+    if (!options.report_folder.empty())
+        fail("--report: no memory for counts that outlive the program: %s", reason);
+    say("no memory for counts that outlive the program: %s", reason);
+    become(options.command);
 }
 } // namespace
 
@@ -112,19 +131,16 @@ int main(int argc, char **argv)
     const RunOptions options = take_options(argc, argv);
     preload();
     const Settings settings = wanted();
-    if (!settings.stats && !settings.compare && !options.watch && options.report_folder.empty())
+    if (!asks_for_counts(options, settings))
         become(options.command);
     const std::unique_ptr<CountsFile> counts = CountsFile::create();
     if (!counts)
-    {
-        say("no memory for counts that outlive the program: %s", std::strerror(errno));
-        become(options.command);
-    }
+        run_without_counts(options);
     setenv(counts_variable, counts->name().c_str(), 1);
     const int status = run(options, *counts);
-    report_the_rest(*counts, settings);
-    tell_when_nothing_was_counted(*counts);
-    if (!options.report_folder.empty())
-        write_plots(options, *counts, settings);
-    end_like(status);
+    const std::vector<std::string> left = survivors(*counts);
+    bool all_written = report_the_rest(*counts, settings);
+    tell_what_was_not_counted(*counts, left);
+    all_written = write_plots(options, *counts, settings, left) && all_written;
+    end_like(status, all_written && !counts->has_lost_output() && !std::ferror(stderr));
 }

@@ -1,9 +1,8 @@
 #include "ode_predictive_space/preload/report.h"
 
-#include <cerrno>
-#include <cstring>
+#include <cstdio>
 
-#include "ode_predictive_space/preload/say.h"
+#include "ode_predictive_space/preload/output_file.h"
 
 namespace ode_predictive_space::preload
 {
@@ -69,6 +68,19 @@ std::string comparison(const std::vector<SpaceCounts *> &spaces)
     }
     return formatted("  compared with all pairs: %lu collides, %lu differences\n", compared, differences);
 }
+
+bool written_to_file(const std::string &path, const std::string &text)
+{
+    OutputFile file(path);
+    const bool written = file.write(text);
+    return file.close() && written;
+}
+
+bool written_to_standard_error(const std::string &text)
+{
+    const NoSignalOfWriting quiet;
+    return std::fputs(text.c_str(), stderr) >= 0 && std::fflush(stderr) == 0;
+}
 } // namespace
 
 std::string report_text(const Settings &settings, const char *program, int process_id,
@@ -84,25 +96,17 @@ std::string report_text(const Settings &settings, const char *program, int proce
     return formatted("ode_predictive_space: %s (process %d)\n", program, process_id) + text;
 }
 
-void write_report(const Settings &settings, const std::string &text, const std::vector<SpaceCounts *> &spaces)
+bool write_report(const Settings &settings, const std::string &text, const std::vector<SpaceCounts *> &spaces)
 {
     if (text.empty())
-        return;
-    std::FILE *file = settings.stats_file.empty() ? nullptr : appended(settings.stats_file);
-    std::fputs(text.c_str(), file ? file : stderr);
-    if (file)
-        std::fclose(file);
-    for (SpaceCounts *counts : spaces)
-        counts->state = PageState::reported;
-}
-
-std::FILE *appended(const std::string &path)
-{
-    std::FILE *file = std::fopen(path.c_str(), "ae");
-    if (file)
-        std::setvbuf(file, nullptr, _IONBF, 0);
-    else
-        say("%s cannot be written: %s", path.c_str(), std::strerror(errno));
-    return file;
+        return true;
+    bool written = false;
+    if (!settings.stats_file.empty())
+        written = written_to_file(settings.stats_file, text);
+    const bool told = written || written_to_standard_error(text);
+    if (told)
+        for (SpaceCounts *counts : spaces)
+            counts->state = PageState::reported;
+    return settings.stats_file.empty() ? told : written;
 }
 } // namespace ode_predictive_space::preload

@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_REPORT_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_REPORT_H
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -17,13 +16,10 @@ namespace ode_predictive_space::preload
 std::string report_text(const Settings &settings, const char *program, int process_id,
                         const std::vector<SpaceCounts *> &spaces);
 
-/// Writes a report to where the settings want it, and marks its pages as reported.
-void write_report(const Settings &settings, const std::string &text, const std::vector<SpaceCounts *> &spaces);
-
-/// A file to append to; 0, after a line on standard error, when it cannot be written. Without a buffer: each text is written at
-/// once and in one piece, also when other processes write to the same file, and when this one forks there is nothing left that
-/// its child would write again.
-std::FILE *appended(const std::string &path);
+/// Writes a report to where the settings want it, or else to standard error, and marks its pages as reported.
+///
+/// @return whether it is where it is wanted.
+bool write_report(const Settings &settings, const std::string &text, const std::vector<SpaceCounts *> &spaces);
 } // namespace ode_predictive_space::preload
 
 #endif

@@ -1,9 +1,11 @@
 #include "ode_predictive_space/preload/run_options.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -58,9 +60,11 @@ ODE_PREDICTIVE_STATS=1 or FILE, ODE_PREDICTIVE_COMPARE=1,
 ODE_PREDICTIVE_TRACE=FILE; and LD_PRELOAD, the path of
 libode_predictive_space_preload.so.
 
-With --stats, --compare, --watch or --report the launcher stays until PROGRAM
-has ended, passes signals on to it, and also reports on a program that ended by
-a signal, a crash or _exit(). Otherwise PROGRAM takes its place.
+With --stats, --compare, --watch, --report or --trace the launcher stays until
+PROGRAM has ended, passes signals on to it, and also reports on a program that
+ended by a signal, a crash or _exit(). Programs that outlive PROGRAM are named,
+not waited for; their statistics are written when they exit. Without these
+options, PROGRAM takes the launcher's place.
 
 The program must use the shared library of ODE that this was built for. Others
 keep their own spaces, and a line on standard error says why: an ODE of another
@@ -69,8 +73,10 @@ program. Functions that a program looks up by dlsym(), and an ODE inside a
 program without symbols, are not seen and not replaced. LD_PRELOAD has no effect
 on set-user-ID programs and on statically linked ones.
 
-Exit status: the program's, also when a signal ended it; 2 for a wrong option or
-a file that cannot be written; 126 or 127 when the program cannot be started.
+Exit status: the program's, also when a signal ended it; 2 for a wrong option,
+and instead of 0 when some output of these options could not be written, which a
+line on standard error says; 126 or 127 when the program cannot be started.
+Statistics that FILE does not take go to standard error.
 )";
 
 bool is_one_of(const std::string &word, std::initializer_list<const char *> known)
@@ -138,8 +144,9 @@ std::string report_folder(const char *folder)
 
 [[noreturn]] void show(const char *text)
 {
-    std::fputs(text, stdout);
-    std::exit(std::fflush(stdout) == 0 ? 0 : 1);
+    if (std::fputs(text, stdout) < 0 || std::fclose(stdout) != 0)
+        fail("standard output cannot be written: %s", std::strerror(errno));
+    std::exit(0);
 }
 
 void take_option(int option, const char *option_text, RunOptions &options)

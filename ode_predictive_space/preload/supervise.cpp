@@ -135,10 +135,10 @@ int run_and_wait(char **command, int file, const std::function<void()> &twice_a_
     return wait_for(program, twice_a_second);
 }
 
-void end_like(int status)
+void end_like(int status, bool all_written)
 {
     if (!WIFSIGNALED(status))
-        std::exit(WEXITSTATUS(status));
+        std::exit(WEXITSTATUS(status) == 0 && !all_written ? 2 : WEXITSTATUS(status));
     const int signal = WTERMSIG(status);
     sigset_t its;
     sigemptyset(&its);

@@ -20,8 +20,9 @@ namespace ode_predictive_space::preload
 /// @return its status, as from waitpid().
 int run_and_wait(char **command, int file, const std::function<void()> &twice_a_second);
 
-/// Ends this process as the other one ended: with its exit status, or by its signal, but without a second core file.
-[[noreturn]] void end_like(int status);
+/// Ends this process as the other one ended: with its exit status, or by its signal, but without a second core file. Exit status 0
+/// becomes 2 unless all output was written.
+[[noreturn]] void end_like(int status, bool all_written);
 } // namespace ode_predictive_space::preload
 
 #endif

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cinttypes>
+#include <cstdio>
 #include <optional>
 
 #include <cerrno>
@@ -80,7 +81,7 @@ Watch::Watch(const Settings &settings, const OdeCalls &calls) : settings_(settin
 {
     cost_of_clock();
     if (!settings.trace_file.empty())
-        trace_file_ = appended(settings.trace_file);
+        trace_file_ = std::make_unique<OutputFile>(settings.trace_file);
 }
 
 // ODE itself refuses bad arguments, as it does without the watch.
@@ -183,8 +184,11 @@ void Watch::trace(Call &call)
 {
     const std::uint64_t hash = put_in_order(call.kept);
     const int number = ledger_.with(call.space, [](const KnownSpace &known) { return known.number; });
-    std::fprintf(trace_file_, "%s space %d geoms %d pairs %zu hash %016" PRIx64 "\n", call.function, number,
-                 dSpaceGetNumGeoms(call.space), call.kept.size(), hash);
+    char line[160];
+    std::snprintf(line, sizeof line, "%s space %d geoms %d pairs %zu hash %016" PRIx64 "\n", call.function, number,
+                  dSpaceGetNumGeoms(call.space), call.kept.size(), hash);
+    if (!trace_file_->write(line))
+        ledger_.note_lost_output();
     const double start = now();
     for (const Pair &pair : call.kept)
         call.callback(call.data, pair.first, pair.second);
@@ -194,6 +198,9 @@ void Watch::trace(Call &call)
 void Watch::report()
 {
     const std::vector<SpaceCounts *> spaces = ledger_.all();
-    write_report(settings_, report_text(settings_, program_invocation_short_name, getpid(), spaces), spaces);
+    const bool written =
+        write_report(settings_, report_text(settings_, program_invocation_short_name, getpid(), spaces), spaces);
+    if (!written)
+        ledger_.note_lost_output();
 }
 } // namespace ode_predictive_space::preload

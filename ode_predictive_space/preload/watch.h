@@ -1,11 +1,11 @@
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_WATCH_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_WATCH_H
 
-#include <cstdio>
 #include <functional>
-#include <string>
+#include <memory>
 
 #include "ode_predictive_space/preload/ledger.h"
+#include "ode_predictive_space/preload/output_file.h"
 #include "ode_predictive_space/preload/settings.h"
 #include "ode_predictive_space/preload/substitute.h"
 
@@ -34,7 +34,7 @@ private:
     Settings settings_;
     OdeCalls ode_;
     Ledger ledger_;
-    std::FILE *trace_file_ = nullptr;
+    std::unique_ptr<OutputFile> trace_file_; // 0: there is no trace
     unsigned long complaints_ = 0;
 };
 } // namespace ode_predictive_space::preload

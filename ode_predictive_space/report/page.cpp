@@ -21,6 +21,11 @@ std::string path_of_page(const std::string &folder)
 {
     return (std::filesystem::path(folder) / "index.html").string();
 }
+
+std::string unfinished_page(const std::string &folder)
+{
+    return path_of_page(folder) + ".unfinished";
+}
 } // namespace
 
 std::string html(const Page &page)
@@ -43,7 +48,8 @@ void prepare_folder(const std::string &folder)
         throw std::runtime_error(folder + " is not a folder");
     }
     std::filesystem::create_directories(folder, failure);
-    if (failure || !std::ofstream(path_of_page(folder), std::ios::app))
+    if (failure || std::filesystem::is_directory(path_of_page(folder), failure) ||
+        !std::ofstream(unfinished_page(folder)) || !std::filesystem::remove(unfinished_page(folder), failure))
     {
         throw std::runtime_error("cannot write " + path_of_page(folder));
     }
@@ -52,11 +58,18 @@ void prepare_folder(const std::string &folder)
 std::string write_page(const std::string &folder, const Page &page)
 {
     const std::string path = path_of_page(folder);
-    std::ofstream out(path);
+    const std::string unfinished = unfinished_page(folder);
+    std::ofstream out(unfinished);
     out << html(page);
     out.close();
-    if (!out)
+    std::error_code failure;
+    if (out)
     {
+        std::filesystem::rename(unfinished, path, failure);
+    }
+    if (!out || failure)
+    {
+        std::filesystem::remove(unfinished, failure);
         throw std::runtime_error("cannot write " + path);
     }
     return path;

@@ -52,7 +52,7 @@ std::string html(const Page &page);
 /// @throws std::runtime_error when it cannot.
 void prepare_folder(const std::string &folder);
 
-/// Writes `index.html` into the folder.
+/// Writes `index.html` into the folder. A page that cannot be written to its end is removed, and an earlier one remains.
 ///
 /// @return the file's path.
 /// @throws std::runtime_error when it cannot.

@@ -1,6 +1,7 @@
 // What was counted remains, however a program ends, and its end is passed on.
 
 #include <csignal>
+#include <utility>
 #include <vector>
 
 #include <pty.h>
@@ -202,6 +203,42 @@ TEST(EndOfAChild, ThatOutlivesItsParentIsToldByItself)
     EXPECT_EQ(outcome.output, "1\n");
     EXPECT_EQ(count_of("(process ", statistics.text()), 2) << statistics.text();
     EXPECT_EQ(count_of("dSpaceCollide 1 calls", statistics.text()), 1) << statistics.text();
+}
+
+// The launcher went away without a word about it, or said that it had seen no process with a space.
+TEST(ProgramThatOutlivesItsScript, IsNamedAsNotWaitedFor)
+{
+    const Fifo fifo;
+    const std::string orphan = ENDING " orphan " + fifo.path();
+    const std::string without_ode = "sh -c 'read word <" + fifo.path() + " >/dev/null 2>&1 &'";
+    for (const auto &[command, name] : {std::pair(orphan, "preload_ending"), std::pair(without_ode, "sh")})
+    {
+        const std::string output = launch("--stats=/dev/null " + command + " 2>&1; echo > " + fifo.path()).output;
+        EXPECT_EQ(count_of("ode_predictive_space: not waited for, still running: " + std::string(name) + " (process ",
+                           output),
+                  1)
+            << output;
+    }
+}
+
+TEST(ProgramThatOutlivesItsScript, IsOnThePage)
+{
+    const ScratchFile place;
+    const Fifo fifo;
+    const std::string folder = place.path() + ".report";
+    launch("--report " + folder + " " ENDING " orphan " + fifo.path() + "; echo > " + fifo.path());
+    std::ostringstream page;
+    page << std::ifstream(folder + "/index.html").rdbuf();
+    EXPECT_EQ(count_of("counted up to then: preload_ending (process ", page.str()), 1) << page.str();
+    EXPECT_EQ(count_of("dSpaceCollide 1 calls", page.str()), 1) << page.str();
+    unlink((folder + "/index.html").c_str());
+    rmdir(folder.c_str());
+}
+
+TEST(ProgramThatOutlivesItsScript, IsNotMissedWhenItsScriptWaits)
+{
+    const Outcome outcome = launch("--stats=/dev/null sh -c '" ENDING " & wait'");
+    EXPECT_EQ(outcome.output, "");
 }
 
 TEST(LauncherThatWaits, PassesASignalOn)

@@ -51,12 +51,39 @@ TEST(LauncherPage, DrawsTheSpacesThatWereCollidedMostOften)
         pages.push_back(&counts.emplace_back());
         count(counts.back(), i, i);
     }
-    const report::Page page = page_of("game", pages, {});
+    const report::Page page = page_of("game", pages, {}, "");
     ASSERT_EQ(page.plots.size(), 1u);
     ASSERT_EQ(page.plots[0].curves.size(), 7u);
     EXPECT_EQ(page.plots[0].curves[0].points.size(), 9u);
     EXPECT_NE(page.plots[0].curves[0].name.find("space 9"), std::string::npos);
     EXPECT_NE(page.text.find("space 1"), std::string::npos) << "all are in the text";
+}
+
+// A reader took the page for an answer to what the program would gain.
+TEST(LauncherPage, SaysWhatIsNotKnownAndHowToFindOut)
+{
+    SpaceCounts predictive{}, own{}, unused{};
+    count(predictive, 1, 4);
+    count(own, 2, 4);
+    own.predictive = 0;
+    count(unused, 3, 0);
+    const auto text = [](const std::vector<SpaceCounts *> &pages) { return page_of("game", pages, {}, "").text; };
+    EXPECT_NE(text({&predictive}).find("what the program's own spaces would have cost"), std::string::npos);
+    EXPECT_NE(text({&predictive, &own}).find("run the program again with --space none"), std::string::npos);
+    EXPECT_NE(text({&own, &unused})
+                  .find("what predictive spaces would have cost. To find out, run the program again "
+                        "with --space all"),
+              std::string::npos);
+    EXPECT_EQ(text({&unused}).find("Not known"), std::string::npos) << "nothing was measured";
+}
+
+TEST(LauncherPage, NamesTheProgramsThatStillRun)
+{
+    SpaceCounts counts{};
+    count(counts, 1, 4);
+    EXPECT_NE(page_of("game", {&counts}, {}, "game (process 7)").text.find("up to then: game (process 7)\n"),
+              std::string::npos);
+    EXPECT_EQ(page_of("game", {&counts}, {}, "").text.find("Still running"), std::string::npos);
 }
 
 // A program that goes astray may leave anything in its page; the launcher must get on with it.
@@ -67,7 +94,7 @@ TEST(LauncherPage, IsMadeOfAnyBytes)
         alignas(SpaceCounts) unsigned char bytes[sizeof(SpaceCounts)];
         std::fill(std::begin(bytes), std::end(bytes), static_cast<unsigned char>(byte));
         auto *counts = reinterpret_cast<SpaceCounts *>(bytes);
-        const std::string html = report::html(page_of("game", {counts, counts}, {}));
+        const std::string html = report::html(page_of("game", {counts, counts}, {}, ""));
         EXPECT_NE(html.find("</html>"), std::string::npos);
         EXPECT_LT(live_line({}, totals_of({counts}), 0.5).size(), 80u);
     }

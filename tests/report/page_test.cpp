@@ -2,10 +2,13 @@
 
 #include "ode_predictive_space/report/curves.h"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
+#include <sstream>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace ode_predictive_space::report
@@ -21,6 +24,29 @@ std::size_t count_of(const std::string &part, const std::string &text)
     }
     return count;
 }
+
+/// While it lives, this process writes no file of more bytes.
+class SmallFiles
+{
+public:
+    explicit SmallFiles(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN))
+    {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit small{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~SmallFiles()
+    {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    SmallFiles(const SmallFiles &) = delete;
+    SmallFiles &operator=(const SmallFiles &) = delete;
+
+private:
+    void (*handler_)(int);
+    rlimit before_;
+};
 
 TEST(Page, DrawsLinesAndDots)
 {
@@ -70,6 +96,25 @@ TEST(Page, IsWrittenIntoAFolder)
     std::filesystem::remove_all(folder.parent_path().parent_path());
     EXPECT_THROW(prepare_folder("/proc/no_folder"), std::runtime_error);
     EXPECT_THROW(write_page("/proc/no_folder", {}), std::runtime_error);
+}
+
+// An empty page was left, in place of an earlier one.
+TEST(Page, ThatIsTooLargeForAFileLeavesAnEarlierOne)
+{
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("page_test_full_" + std::to_string(getpid()));
+    prepare_folder(folder);
+    EXPECT_TRUE(std::filesystem::is_empty(folder)) << "a page is there when it is written";
+    write_page(folder, {"earlier", "", {}});
+    {
+        const SmallFiles limit(100);
+        EXPECT_THROW(write_page(folder, {"later", std::string(100000, 'x'), {}}), std::runtime_error);
+    }
+    std::ostringstream page;
+    page << std::ifstream(folder / "index.html").rdbuf();
+    EXPECT_EQ(count_of("<h1>earlier</h1>", page.str()), 1u) << page.str();
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1) << "nothing else is left";
+    std::filesystem::remove_all(folder);
 }
 
 TEST(Page, CurvesOfASeriesHaveTheirPointsInTheMiddleOfColumns)

@@ -1,0 +1,86 @@
+#include "ode_predictive_space/preload/output_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "ode_predictive_space/preload/say.h"
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+constexpr int signals_of_writing[] = {SIGPIPE, SIGXFSZ};
+}
+
+NoSignalOfWriting::NoSignalOfWriting()
+{
+    sigset_t held;
+    sigemptyset(&held);
+    for (int signal : signals_of_writing)
+        sigaddset(&held, signal);
+    sigpending(&pending_);
+    pthread_sigmask(SIG_BLOCK, &held, &mask_);
+}
+
+// A signal that was pending before is the program's.
+NoSignalOfWriting::~NoSignalOfWriting()
+{
+    const int error = errno;
+    for (int signal : signals_of_writing)
+    {
+        sigset_t one;
+        sigemptyset(&one);
+        sigaddset(&one, signal);
+        const timespec at_once = {0, 0};
+        if (!sigismember(&pending_, signal))
+            sigtimedwait(&one, nullptr, &at_once);
+    }
+    pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
+    errno = error;
+}
+
+OutputFile::OutputFile(const std::string &path)
+    : path_(path), file_(open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666))
+{
+    if (file_ < 0)
+        fail();
+}
+
+OutputFile::~OutputFile()
+{
+    close();
+}
+
+bool OutputFile::write(const std::string &text)
+{
+    const NoSignalOfWriting quiet;
+    for (std::size_t done = 0; done < text.size() && !failed_;)
+    {
+        const ssize_t written = ::write(file_, text.data() + done, text.size() - done);
+        if (written >= 0)
+            done += static_cast<std::size_t>(written);
+        else if (errno != EINTR)
+            fail();
+    }
+    return !failed_;
+}
+
+bool OutputFile::close()
+{
+    const int file = file_;
+    file_ = -1;
+    if (file >= 0 && ::close(file) != 0)
+        fail();
+    return !failed_;
+}
+
+void OutputFile::fail()
+{
+    if (!failed_.exchange(true))
+        say("%s cannot be written: %s", path_.c_str(), std::strerror(errno));
+}
+} // namespace ode_predictive_space::preload

@@ -1,0 +1,131 @@
+// Output that cannot be written is never lost without a message and, under the launcher, an exit status.
+
+#include "tests/preload/preload_programs.h"
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+constexpr const char *full = "/dev/full cannot be written: No space left on device\n";
+constexpr const char *too_large = " cannot be written: File too large\n";
+constexpr const char *preloaded = "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" PRELOAD " ";
+
+/// A file without contents that ends a few bytes before the limit for sizes of files.
+class FileAtItsLimit
+{
+public:
+    FileAtItsLimit() { EXPECT_EQ(truncate(path().c_str(), limit - 10), 0); }
+
+    const std::string &path() const { return file_.path(); }
+
+    /// A command of which all programs have that limit.
+    static std::string limited(const std::string &command)
+    {
+        return "-c 'ulimit -f " + std::to_string(limit / 512) + "; exec " + command + "'";
+    }
+
+private:
+    static constexpr long limit = 1L << 27; // the counts, which are a file too, are smaller
+    ScratchFile file_;
+};
+
+// Both ended with status 0 and without a word.
+TEST(LostOutput, OfStatisticsGoesToStandardErrorWithStatus2)
+{
+    const Outcome outcome = launch("--stats=/dev/full " ENDING " return");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(count_of(full, outcome.output), 1) << outcome.output;
+    EXPECT_EQ(count_of("dSpaceCollide 3 calls", outcome.output), 1) << outcome.output;
+}
+
+TEST(LostOutput, OfATraceIsSaidOnceWithStatus2)
+{
+    const Outcome outcome = launch("--trace=/dev/full " ENDING " return");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.output, std::string("ode_predictive_space: ") + full);
+}
+
+TEST(LostOutput, LeavesAProgramThatFailedItsStatus)
+{
+    for (const char *options : {"--stats=/dev/full ", "--trace=/dev/full "})
+    {
+        const Outcome outcome = launch(std::string(options) + ENDING " _exit");
+        EXPECT_EQ(outcome.status, 5);
+        EXPECT_EQ(count_of(full, outcome.output), 1) << outcome.output;
+    }
+}
+
+TEST(LostOutput, OfAChildOfTheProgramCountsToo)
+{
+    EXPECT_EQ(launch("--stats=/dev/full sh -c '" ENDING " return; true'").status, 2);
+}
+
+// SIGXFSZ ended the program.
+TEST(LostOutput, AtTheLimitForSizesOfFilesDoesNotEndTheProgram)
+{
+    allow_preload();
+    for (const std::string option : {"--stats=", "--trace="})
+    {
+        const FileAtItsLimit file;
+        const Outcome outcome =
+            run("sh", FileAtItsLimit::limited(LAUNCHER " " + option + file.path() + " " ENDING " return"));
+        EXPECT_EQ(outcome.status, 2) << option;
+        EXPECT_EQ(count_of(file.path() + too_large, outcome.output), 1) << outcome.output;
+    }
+}
+
+// SIGXFSZ ended the launcher: the counts are a file.
+TEST(LostOutput, TheLauncherNeedsNoCountsForStatistics)
+{
+    allow_preload();
+    const Outcome outcome = run("sh", "-c 'ulimit -f 10; exec " LAUNCHER " --stats " ENDING " return'");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(count_of("no memory for counts that outlive the program: File too large", outcome.output), 1)
+        << outcome.output;
+    EXPECT_EQ(count_of("dSpaceCollide 3 calls", outcome.output), 1) << outcome.output;
+    const Outcome report = run("sh", "-c 'ulimit -f 10; exec " LAUNCHER " --report " + testing::TempDir() +
+                                         "no_counts " ENDING " return'");
+    EXPECT_EQ(report.status, 2) << "there can be no page";
+    rmdir((testing::TempDir() + "no_counts").c_str());
+}
+
+TEST(LostOutput, OnStandardErrorIsToldByTheStatus)
+{
+    allow_preload();
+    for (const char *options : {"--stats", "--watch", "--compare"})
+        EXPECT_EQ(run("sh", "-c '" LAUNCHER " " + std::string(options) + " " ENDING " return 2>/dev/full'").status, 2)
+            << options;
+}
+
+// It said so, and returned 0.
+TEST(LostOutput, OfAReportHasStatus2)
+{
+    const std::string folder = testing::TempDir() + "lost_report";
+    const Outcome outcome = launch("--report " + folder + " sh -c '" ENDING " return; rm -r " + folder + "'");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(count_of("cannot write " + folder + "/index.html", outcome.output), 1) << outcome.output;
+}
+
+TEST(LostOutput, OfTheLaunchersHelpHasStatus2)
+{
+    EXPECT_EQ(run("sh", "-c '" LAUNCHER " --help >/dev/full'").status, 2);
+}
+
+TEST(LostOutput, WithoutALauncherIsSaidAndChangesNothing)
+{
+    const Outcome outcome =
+        run("env", std::string(preloaded) + "ODE_PREDICTIVE_STATS=/dev/full ODE_PREDICTIVE_TRACE=/dev/full " ENDING);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(count_of(full, outcome.output), 2) << outcome.output;
+    EXPECT_EQ(count_of("dSpaceCollide 3 calls", outcome.output), 1) << outcome.output;
+}
+
+// SIGPIPE ended it while it was ending.
+TEST(LostOutput, InAPipeWithoutReaderDoesNotEndTheProgram)
+{
+    const Outcome outcome = run("bash", "-c 'exec 3> >(true); wait $!; env " + std::string(preloaded) +
+                                            "ODE_PREDICTIVE_STATS=/dev/fd/3 " ENDING "; echo status $?'");
+    EXPECT_EQ(count_of("status 0\n", outcome.output), 1) << outcome.output;
+}
+} // namespace
+} // namespace ode_predictive_space::preload
