@@ -130,16 +130,20 @@ ExitStatus run_demo(const Options &options)
 
 int run_as_asked(int argc, char **argv)
 {
+    scenes::NarrowOutput results(std::cout);
     Options options;
-    if (const std::optional<int> status = demo::parse_command_line(argc, argv, options))
-        return *status;
-    return run_demo(options);
+    const std::optional<int> parsed = demo::parse_command_line(argc, argv, options);
+    const int status = parsed ? *parsed : run_demo(options);
+    if (!results.finish())
+    {
+        throw std::runtime_error("standard output cannot be written");
+    }
+    return status;
 }
 } // namespace
 
 int main(int argc, char **argv)
 {
-    const scenes::NarrowOutput results(std::cout);
     const scenes::NarrowOutput messages(std::cerr);
     try
     {

@@ -7,11 +7,17 @@
 
 #include <iosfwd>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace ode_predictive_space::scenes
 {
 /// The gain in the sense of Vogiannou et al.: (T_other - T_ours) / T_other, in percent.
 double gain_percent(double ours, double other);
+
+/// Where a variant of the predictive space is faster than the first one in the table, by how much and how to choose it; otherwise
+/// empty. The times are medians of whole ticks.
+std::string faster_variant_text(const std::string &variant, double variant_time, const std::string &first,
+                                double first_time);
 
 /// The run to come.
 void print_introduction(std::ostream &out, const SceneSpec &spec, int ticks, std::size_t spaces);

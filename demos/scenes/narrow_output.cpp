@@ -60,9 +60,20 @@ std::string folded(const std::string &line)
 
 NarrowOutput::~NarrowOutput()
 {
+    finish();
+    stream_.rdbuf(out_); // and a good state
+}
+
+bool NarrowOutput::finish()
+{
     const std::string last = folded(line_);
-    out_->sputn(last.data(), static_cast<std::streamsize>(last.size()));
-    stream_.rdbuf(out_);
+    line_.clear();
+    const auto size = static_cast<std::streamsize>(last.size());
+    if (out_->sputn(last.data(), size) != size)
+    {
+        stream_.setstate(std::ios::badbit);
+    }
+    return stream_.flush().good();
 }
 
 NarrowOutput::int_type NarrowOutput::overflow(int_type letter)

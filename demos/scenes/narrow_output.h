@@ -29,6 +29,11 @@ public:
     NarrowOutput(const NarrowOutput &) = delete;
     NarrowOutput &operator=(const NarrowOutput &) = delete;
 
+    /// Writes what is left.
+    ///
+    /// @return whether all that the stream was given since the beginning could be written.
+    bool finish();
+
 private:
     int_type overflow(int_type letter) override;
     int sync() override { return out_->pubsync(); }

@@ -42,11 +42,9 @@ ExitStatus run(Command &command, const Options &options)
     }
     return findings.status();
 }
-} // namespace
 
-int main(int argc, char **argv)
+int run_as_asked(int argc, char **argv)
 {
-    const ode_predictive_space::scenes::NarrowOutput narrow;
     CLI::App app("What the predictive space, ODE's own spaces and others cost, side by side, with the same motion.\n"
                  "Exit status: 0, or 1 when contenders did not report the same pairs, or 2 when something failed\n"
                  "or the command line is wrong.");
@@ -76,4 +74,17 @@ int main(int argc, char **argv)
         }
     }
     return exit_failed;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+    ode_predictive_space::scenes::NarrowOutput results;
+    const int status = run_as_asked(argc, argv);
+    if (!results.finish())
+    {
+        std::cerr << "predictive_bench: standard output cannot be written\n";
+        return exit_failed;
+    }
+    return status;
 }

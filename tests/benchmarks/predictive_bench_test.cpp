@@ -25,6 +25,16 @@ nlohmann::json results_of(const std::string &arguments)
     return results;
 }
 
+// With standard output it ended with status 0.
+TEST(PredictiveBench, FailsWhenItsOutputCannotBeWritten)
+{
+    const std::string command = PREDICTIVE_BENCH " scene gas --n 10 --ticks 10";
+    const Outcome outcome = run("sh", "-c '" + command + " 2>&1 >/dev/full'");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.output, "predictive_bench: standard output cannot be written\n");
+    EXPECT_EQ(run("sh", "-c '" + command + " --json /dev/full'").status, 2);
+}
+
 TEST(PredictiveBench, WritesARecordPerContender)
 {
     const nlohmann::json records = results_of("scene gas --n 40 --ticks 128 --seed 5 --spaces predictive,hash,sweep");

@@ -74,7 +74,47 @@ TEST(HapticDemo, WritesItsResultsForOtherPrograms)
     EXPECT_LE(hash.at("p99_us").get<double>(), hash.at("max_us").get<double>());
     EXPECT_FALSE(predictive.contains("gain_percent"));
     EXPECT_DOUBLE_EQ(hash.at("gain_percent").get<double>(),
-                     gain_percent(predictive.at("mean_us").get<double>(), hash.at("mean_us").get<double>()));
+                     gain_percent(predictive.at("median_us").get<double>(), hash.at("median_us").get<double>()));
+    EXPECT_DOUBLE_EQ(hash.at("whole_tick_gain_percent").get<double>(),
+                     gain_percent(predictive.at("whole_tick_median_us").get<double>(),
+                                  hash.at("whole_tick_median_us").get<double>()));
+}
+
+// A negative gain stood in the table without a word.
+TEST(HapticDemo, SaysWhatToDoWhereAVariantIsFasterThanTheFirst)
+{
+    EXPECT_EQ(
+        faster_variant_text("predictive-shape", 90, "predictive-box", 120),
+        "By the medians, a whole tick takes 25.0 % less time in predictive-shape than in predictive-box: there are "
+        "fewer calls of dCollide(). dPredictiveSpaceSetProximity(space, dPredictiveProximityShape) sets it; "
+        "docs/tuning.md says when it pays.\n");
+    EXPECT_TRUE(
+        contains(faster_variant_text("predictive-sphere", 1, "predictive-box", 2), "dPredictiveProximitySphere"));
+    EXPECT_EQ(faster_variant_text("predictive-shape", 120, "predictive-box", 120), "");
+    EXPECT_EQ(faster_variant_text("predictive-shape", 150, "predictive-box", 120), "");
+}
+
+// It ended with status 0, or 1 for the help.
+TEST(HapticDemo, FailsWhenItsOutputCannotBeWritten)
+{
+    for (const char *arguments :
+         {"--help", "--compare --objects 5 --seconds 0.02", "--headless --fast --objects 5 --seconds 0.02"})
+    {
+        const Outcome outcome = run("sh", "-c '" HAPTIC_DEMO " " + std::string(arguments) + " 2>&1 >/dev/full'");
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_TRUE(contains(outcome.output, "standard output cannot be written")) << outcome.output;
+    }
+}
+
+TEST(HapticDemo, FailsWhenAFileOfResultsIsFull)
+{
+    const std::string shortly = " --objects 5 --seconds 0.02";
+    for (const char *option : {"--compare --json", "--headless --fast --json", "--headless --fast --record"})
+    {
+        const Outcome outcome = run(HAPTIC_DEMO, std::string(option) + " /dev/full" + shortly);
+        EXPECT_EQ(outcome.status, 2) << option;
+        EXPECT_TRUE(contains(outcome.output, "/dev/full")) << outcome.output;
+    }
 }
 
 TEST(HapticDemo, RunsInOneSpaceAlone)

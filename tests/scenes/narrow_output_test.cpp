@@ -49,5 +49,31 @@ TEST(NarrowOutput, FoldsAStreamUntilItGoes)
     out << " and " << words_of_70 + words_of_70;
     EXPECT_EQ(out.str(), words_of_70 + "\n1234567890\nshort\nlast and " + words_of_70 + words_of_70);
 }
+/// A buffer that takes some bytes, and at last some lines of them.
+class SmallBuffer : public std::stringbuf
+{
+    std::streamsize xsputn(const char *text, std::streamsize size) override
+    {
+        room_ -= size;
+        return room_ >= 0 ? std::stringbuf::xsputn(text, size) : 0;
+    }
+
+    std::streamsize room_ = 10;
+};
+
+// The state of the stream went with the folding.
+TEST(NarrowOutput, TellsWhetherAllIsWritten)
+{
+    for (const auto &[text, fits] :
+         {std::pair("123456789\n", true), std::pair("1234567890\n", false), std::pair("12345\n6789", true),
+          std::pair("12345\n67890", false), std::pair("12345678901\n1\n", false)})
+    {
+        SmallBuffer buffer;
+        std::ostream out(&buffer);
+        NarrowOutput narrow(out);
+        out << text;
+        EXPECT_EQ(narrow.finish(), fits) << text;
+    }
+}
 } // namespace
 } // namespace ode_predictive_space::scenes
