@@ -128,5 +128,63 @@ TEST_F(Contract, 01_DisablingDropsThePairs)
     EXPECT_EQ(stats_of(scene).near, 45u);
     EXPECT_EQ(dPredictiveSpaceValidate(scene.space()), 1);
 }
+struct Disabling
+{
+    bool second; // of the two geoms of the first callback; otherwise the first
+    dGeomID disabled = nullptr;
+    int pairs_afterwards = 0;
+};
+
+void disable_in_first_callback(void *data, dGeomID first, dGeomID second)
+{
+    auto &disabling = *static_cast<Disabling *>(data);
+    disabling.pairs_afterwards += first == disabling.disabled || second == disabling.disabled;
+    if (!disabling.disabled)
+    {
+        disabling.disabled = disabling.second ? second : first;
+        dGeomDisable(disabling.disabled);
+    }
+}
+
+// Of ten spheres in one place.
+int pairs_of_a_geom_after_a_callback_disabled_it(dSpaceID space, bool second)
+{
+    for (int i = 0; i < 10; ++i)
+        dCreateSphere(space, 1);
+    Disabling disabling{second};
+    dSpaceCollide(space, &disabling, &disable_in_first_callback);
+    EXPECT_NE(disabling.disabled, nullptr);
+    disabling.pairs_afterwards = 0;
+    dSpaceCollide(space, &disabling, &disable_in_first_callback);
+    EXPECT_EQ(disabling.pairs_afterwards, 0) << "in the next collide it has none in any space";
+    dGeomEnable(disabling.disabled);
+    disabling.disabled = nullptr;
+    disabling.pairs_afterwards = 0;
+    dSpaceCollide(space, &disabling, &disable_in_first_callback);
+    dSpaceDestroy(space);
+    return disabling.pairs_afterwards;
+}
+
+TEST_F(Contract, 01_AGeomThatACallbackDisablesHasNoFurtherPair)
+{
+    for (bool second : {false, true})
+        EXPECT_EQ(pairs_of_a_geom_after_a_callback_disabled_it(dPredictiveSpaceCreate(nullptr), second), 0);
+}
+
+// What the header and the FAQ say of ODE's own spaces.
+TEST_F(Contract, 01_OdesSpacesDifferAboutAGeomThatACallbackDisables)
+{
+    const dVector3 centre = {0, 0, 0}, extents = {10, 10, 10};
+    const auto pairs = [&](bool second) {
+        return std::vector<bool>{
+            pairs_of_a_geom_after_a_callback_disabled_it(dSimpleSpaceCreate(nullptr), second) > 0,
+            pairs_of_a_geom_after_a_callback_disabled_it(dQuadTreeSpaceCreate(nullptr, centre, extents, 3), second) > 0,
+            pairs_of_a_geom_after_a_callback_disabled_it(dHashSpaceCreate(nullptr), second) > 0,
+            pairs_of_a_geom_after_a_callback_disabled_it(dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ), second) >
+                0};
+    };
+    EXPECT_EQ(pairs(false), (std::vector<bool>{true, true, true, true}));
+    EXPECT_EQ(pairs(true), (std::vector<bool>{false, false, true, true}));
+}
 } // namespace
 } // namespace ode_predictive_space
