@@ -29,6 +29,10 @@ extern "C" {
  * dSpaceCollide2(), dSpaceDestroy(). It calls the near callback for exactly the pairs for which a simple space would call
  * it. The functions below tune or query it; no program needs them.
  *
+ * dHashSpaceSetLevels() and dHashSpaceGetLevels() do what they do on a hash space, without an effect on the pairs: a program whose
+ * hash space is replaced may go on to call them. For this, dSpaceGetClass() of the plugin's space is dHashSpaceClass; inside ODE
+ * it is dPredictiveSpaceClass. dSpaceIsPredictive() tells such a space from others.
+ *
  * A geom that a near callback disables has no further pair in that dSpaceCollide(), nor in later ones until it is enabled. ODE's
  * own spaces differ here from one another: if it is the callback's first geom, all of them report its other pairs; if it is the
  * second, a hash and a sweep-and-prune space do, a simple and a quadtree space do not.

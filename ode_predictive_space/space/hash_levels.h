@@ -5,8 +5,8 @@
 
 #include "ode_predictive_space/space/ode_internals.h"
 
-/// A space that carries dHashSpaceClass is asked for its levels by dHashSpaceGetLevels() and dHashSpaceSetLevels(), which expect
-/// these two members right behind those of dxSpace. Nothing else reads them.
+/// dHashSpaceGetLevels() and dHashSpaceSetLevels() expect these two members right behind those of dxSpace, with the values that a
+/// new hash space has. Nothing else reads them.
 struct dxSpaceWithHashLevels : public dxSpace
 {
     int global_minlevel = -3;

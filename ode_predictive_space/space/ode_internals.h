@@ -32,8 +32,9 @@ namespace ode_predictive_space
 #ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
 constexpr int class_of_predictive_space = dPredictiveSpaceClass;
 #else
-// A class number for which no function of ODE has a cast.
-constexpr int class_of_predictive_space = dSimpleSpaceClass;
+// The only functions of ODE with a cast for this number are dHashSpaceSetLevels() and dHashSpaceGetLevels(), which find what they
+// expect (hash_levels.h): a program whose hash space is replaced may go on to call them. Colliders are the same for all spaces.
+constexpr int class_of_predictive_space = dHashSpaceClass;
 #endif
 } // namespace ode_predictive_space
 

@@ -1,6 +1,7 @@
 // Contract 17 and 18: what the space says it is; the tiny scenes that many programs have.
 
 #include <random>
+#include <utility>
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -24,21 +25,71 @@ TEST(InsideOde, TheConfigurationTellsThatItIsThere)
     EXPECT_EQ(dCheckConfiguration("ODE_EXT_predictive_space"), 1);
 }
 #else
-constexpr int expected_class = dSimpleSpaceClass;
+constexpr int expected_class = dHashSpaceClass;
 #endif
 
-TEST_F(Contract, 17_TheClassIsThatOfASimpleSpaceOrItsOwn)
+TEST_F(Contract, 17_TheClassIsThatOfAHashSpaceOrItsOwn)
 {
     dSpaceID space = dPredictiveSpaceCreate(nullptr);
     EXPECT_EQ(dSpaceGetClass(space), expected_class);
     EXPECT_EQ(dGeomGetClass(as_geom(space)), expected_class);
     EXPECT_EQ(dGeomIsSpace(as_geom(space)), 1);
-    // No setter of another class of space may take it for its own.
+    dSpaceDestroy(space);
+}
+
+using Levels = std::pair<int, int>;
+
+Levels levels_of(dSpaceID space)
+{
+    Levels levels;
+    dHashSpaceGetLevels(space, &levels.first, &levels.second);
+    return levels;
+}
+
+// ODE's assertion ended a program whose hash space was replaced in one line.
+TEST_F(Contract, 17_LevelsAreKeptAsInAHashSpace)
+{
+    dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    dSpaceID hash = dHashSpaceCreate(nullptr);
+    EXPECT_EQ(levels_of(space), levels_of(hash));
+    dHashSpaceSetLevels(space, -7, 4);
+    EXPECT_EQ(levels_of(space), Levels(-7, 4));
+    dHashSpaceSetLevels(space, 3, 3);
+    EXPECT_EQ(levels_of(space), Levels(3, 3));
+    dHashSpaceGetLevels(space, nullptr, nullptr);
     if (ode_has_assertions())
     {
-        EXPECT_NE(ode_complaint([=] { dHashSpaceSetLevels(space, -2, 2); }), "");
+        EXPECT_EQ(ode_complaint([=] { dHashSpaceSetLevels(space, 2, -2); }),
+                  ode_complaint([=] { dHashSpaceSetLevels(hash, 2, -2); }));
     }
+    dSpaceDestroy(hash);
     dSpaceDestroy(space);
+}
+
+TEST_F(Contract, 17_LevelsChangeNoPair)
+{
+    expect_as_simple([](Scenario &scene) {
+        dGeomID mover = scene.sphere(1, 0, 0, 0);
+        for (int i = 0; i < 30; ++i)
+            scene.sphere(0.6, i, 0, 0);
+        for (int tick = 0; tick < 100; ++tick)
+        {
+            if (scene.kind() == SpaceKind::predictive)
+                dHashSpaceSetLevels(scene.space(), -tick, tick);
+            dGeomSetPosition(mover, 0.3 * tick, 0, 0);
+            scene.tick();
+        }
+    });
+}
+
+TEST_F(Contract, 17_TheFunctionsForLevelsRefuseOtherSpaces)
+{
+    dSpaceID simple = dSimpleSpaceCreate(nullptr);
+    if (ode_has_assertions())
+    {
+        EXPECT_NE(ode_complaint([=] { dHashSpaceSetLevels(simple, -2, 2); }), "");
+    }
+    dSpaceDestroy(simple);
 }
 
 TEST_F(Contract, 17_OnlyPredictiveSpacesArePredictive)
