@@ -59,10 +59,9 @@ install(
 # From the folder of the pkg-config files to the prefix.
 file(RELATIVE_PATH prefix_from_pkg_config "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
 # For `pkg-config --static`: what the archives have to be linked with.
-get_target_property(has_spnav ode_predictive_space_haptics HAS_SPNAV)
 set(private_libraries "-lstdc++ -lm -ldl")
 set(private_haptics_libraries "-pthread")
-if(has_spnav)
+if(ODE_PREDICTIVE_SPACE_HAS_SPNAV IN_LIST haptics_definitions)
     string(APPEND private_haptics_libraries " -lspnav")
 endif()
 # install_pkg_config(<package> <component>)
