@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Tries the packages as a stranger would: in a new Debian with ODE's own packages alone, builds the sources with GCC and with
-# Clang; installs the packages, builds programs with them, runs the launcher; removes the packages and looks for what they left.
-# Root is needed, and mmdebstrap; /proc has to be as in a usual system.
+# Tries the packages as a stranger would, in a new Debian: installs them, builds programs with them, runs the launcher; removes the
+# packages and looks for what they left.
 # Usage: check_in_chroot.sh <folder of the packages> <folder of the sources> <scratch folder>
 
 set -euo pipefail
@@ -10,30 +9,13 @@ packages=$1
 sources=$2
 chroot=$3/root
 
-say() { printf '==> %s\n' "$*"; }
-
-# Of Debian's packages, as the system gets them.
-entries() {
-    # shellcheck disable=SC2016 # apt fills them in
-    apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' | sort -u
-}
-
-inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
-
-install_in_chroot() { inside apt-get -q install --yes --no-install-recommends "$@" >/dev/null; }
+# shellcheck source=chroot.sh
+. "$(dirname "${BASH_SOURCE[0]}")/chroot.sh"
 
 # Every file that packages bring or make, without what apt itself keeps.
 list_files() {
     (cd "$chroot" && find . -xdev \( -path ./tmp -o -path ./proc -o -path ./sys -o -path ./dev -o -path ./var/cache -o \
         -path ./var/log -o -path ./var/lib/apt \) -prune -o -print | sort)
-}
-
-build_with() {
-    say "The sources, built by $1 with libode-dev alone"
-    inside cmake -S /tmp/sources -B "/tmp/$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DODE_PREDICTIVE_SPACE_BUILD_TESTS=OFF \
-        -DODE_PREDICTIVE_SPACE_BUILD_DEMOS=OFF -DCMAKE_C_COMPILER="$2" -DCMAKE_CXX_COMPILER="$3" >/dev/null
-    inside ninja -C "/tmp/$1" | tail -n 1
-    inside cmake --install "/tmp/$1" --prefix "/tmp/$1/prefix" >/dev/null
 }
 
 # The packages on which a package of a program would depend, as dpkg-shlibdeps says.
@@ -58,9 +40,7 @@ check_licences() {
 
 build_programs() {
     say 'Programs, built with the packages by CMake and by pkg-config'
-    inside cmake -S /tmp/sources/tests/install/consumer -B /tmp/consumer -G Ninja >/dev/null
-    inside ninja -C /tmp/consumer | tail -n 1
-    inside ctest --test-dir /tmp/consumer --output-on-failure
+    build_consumers consumer
     inside sh -c 'c++ -std=c++17 -O2 /tmp/sources/demos/beside_ode.cpp -o /tmp/beside_ode $(pkg-config --cflags --libs \
         ode_predictive_space)'
 }
@@ -71,20 +51,13 @@ run_launcher() {
     grep 'hash, predictive by boxes' "$chroot/tmp/launcher"
 }
 
-rm -rf "$chroot"
-mkdir -p "$3"
-say 'A new Debian'
-entries | mmdebstrap --quiet --variant=apt --include=ca-certificates "$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")" \
-    "$chroot" -
-mkdir -p "$chroot/tmp/sources" "$chroot/tmp/packages"
-git -C "$sources" ls-files -z | tar -C "$sources" --null --files-from=- --create | tar -C "$chroot/tmp/sources" --extract
+make_chroot "$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")"
+copy_sources "$sources"
+mkdir -p "$chroot/tmp/packages"
 cp "$packages"/*.deb "$chroot/tmp/packages"
-inside apt-get -q update >/dev/null
-install_in_chroot g++ dpkg-dev clang cmake ninja-build pkg-config libode-dev libeigen3-dev
+install_in_chroot g++ dpkg-dev cmake ninja-build pkg-config libode-dev libeigen3-dev
 list_files >"$3/before"
 
-build_with gcc gcc g++
-build_with clang clang clang++
 say 'Installing'
 inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/packages/*.deb' >/dev/null
 list_files | comm -13 "$3/before" - >"$3/installed"

@@ -5,33 +5,44 @@ include(CMakePackageConfigHelpers)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ode_predictive_space")
 
-install(
-    TARGETS ode_predictive_space
-    EXPORT ode_predictive_space-targets
-    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT runtime NAMELINK_COMPONENT development)
-install(
-    TARGETS ode_predictive_space_haptics
-    EXPORT ode_predictive_space-targets
-    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT haptics NAMELINK_COMPONENT development)
-if(ODE_PREDICTIVE_SPACE_STATIC)
+# install_part(<target> <component> <component of its development files> <export>): the libraries of one part, shared and static.
+function(install_part target component development export)
+    if(ODE_IS_SHARED)
+        install(
+            TARGETS ${target}
+            EXPORT ${export}
+            LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${component} NAMELINK_COMPONENT ${development})
+    endif()
+    if(ODE_PREDICTIVE_SPACE_STATIC)
+        install(
+            TARGETS ${target}_static
+            EXPORT ${export}
+            ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${development})
+    endif()
     install(
-        TARGETS ode_predictive_space_static ode_predictive_space_haptics_static
-        EXPORT ode_predictive_space-targets
-        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
-endif()
+        EXPORT ${export}
+        NAMESPACE ode_predictive_space::
+        DESTINATION "${package_dir}"
+        COMPONENT ${development})
+endfunction()
+
+# A program that uses the space alone needs nothing of the haptics part: neither its headers nor Eigen, which they include.
+install_part(ode_predictive_space runtime development ode_predictive_space-targets)
+install_part(ode_predictive_space_haptics haptics haptics_development ode_predictive_space-haptics-targets)
 install(
     DIRECTORY "${PROJECT_SOURCE_DIR}/include/ode_predictive_space"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
     COMPONENT development
     FILES_MATCHING
-    PATTERN "*.h"
-    PATTERN "*.hpp")
-
+    PATTERN "predictive_space.h"
+    PATTERN "predictive_space.hpp"
+    PATTERN "haptics" EXCLUDE)
 install(
-    EXPORT ode_predictive_space-targets
-    NAMESPACE ode_predictive_space::
-    DESTINATION "${package_dir}"
-    COMPONENT development)
+    DIRECTORY "${PROJECT_SOURCE_DIR}/include/ode_predictive_space/haptics"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/ode_predictive_space"
+    COMPONENT haptics_development
+    FILES_MATCHING
+    PATTERN "*.h")
 configure_package_config_file(
     "${CMAKE_CURRENT_LIST_DIR}/ode_predictive_space-config.cmake.in"
     "${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space-config.cmake"
@@ -48,18 +59,20 @@ install(
 # From the folder of the pkg-config files to the prefix.
 file(RELATIVE_PATH prefix_from_pkg_config "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
 # For `pkg-config --static`: what the archives have to be linked with.
-get_target_property(has_spnav ode_predictive_space_haptics HAS_SPNAV)
 set(private_libraries "-lstdc++ -lm -ldl")
 set(private_haptics_libraries "-pthread")
-if(has_spnav)
+if(ODE_PREDICTIVE_SPACE_HAS_SPNAV IN_LIST haptics_definitions)
     string(APPEND private_haptics_libraries " -lspnav")
 endif()
-foreach(package ode_predictive_space ode_predictive_space_haptics)
-    configure_file("${CMAKE_CURRENT_LIST_DIR}/${package}.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/${package}.pc" @ONLY)
+# install_pkg_config(<package> <component>)
+function(install_pkg_config package component)
+    configure_file("${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${package}.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/${package}.pc" @ONLY)
     install(
         FILES "${CMAKE_CURRENT_BINARY_DIR}/${package}.pc"
         DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
-        COMPONENT development)
-endforeach()
+        COMPONENT ${component})
+endfunction()
+install_pkg_config(ode_predictive_space development)
+install_pkg_config(ode_predictive_space_haptics haptics_development)
 
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT license)

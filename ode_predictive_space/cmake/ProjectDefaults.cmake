@@ -37,6 +37,30 @@ if(ODE_PREDICTIVE_SPACE_SANITIZERS)
     add_link_options(-fsanitize=${ODE_PREDICTIVE_SPACE_SANITIZERS})
 endif()
 
+# A tick of a small scene is some hundred instructions. Where they happen to lie makes up to 15 % of it, which changes with any
+# line of the source, unless functions begin with cache lines; what files call of each other makes another 2 to 6 %. Both are for
+# release builds. Switch them off where a package brings its own flags.
+option(ODE_PREDICTIVE_SPACE_ALIGN_FUNCTIONS "Begin functions of the space with cache lines" ON)
+function(ode_predictive_space_align)
+    if(NOT ODE_PREDICTIVE_SPACE_ALIGN_FUNCTIONS)
+        return()
+    endif()
+    foreach(target ${ARGN})
+        target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:-falign-functions=64>")
+        target_link_options(${target} PRIVATE "$<$<CONFIG:Release>:-falign-functions=64>")
+    endforeach()
+endfunction()
+
+option(ODE_PREDICTIVE_SPACE_LTO "Optimise the space across files" ON)
+function(ode_predictive_space_optimize_across_files)
+    if(NOT ODE_PREDICTIVE_SPACE_LTO)
+        return()
+    endif()
+    include(CheckIPOSupported)
+    check_ipo_supported(RESULT is_supported LANGUAGES CXX)
+    set_target_properties(${ARGN} PROPERTIES INTERPROCEDURAL_OPTIMIZATION_RELEASE ${is_supported})
+endfunction()
+
 # What makes a mistake in the libraries harder to exploit; in release builds, and not with a sanitizer, which has its own.
 # docs/reliability.md says what it costs, and a test looks at the libraries. Switch it off where a package brings its own flags.
 option(ODE_PREDICTIVE_SPACE_HARDENING "Harden the libraries of a release build" ON)
@@ -54,9 +78,12 @@ function(ode_predictive_space_harden)
     endforeach()
 endfunction()
 
-find_program(CCACHE_PROGRAM ccache)
-mark_as_advanced(CCACHE_PROGRAM)
-if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+# Another project decides by itself how its compilers are called.
+if(PROJECT_IS_TOP_LEVEL)
+    find_program(CCACHE_PROGRAM ccache)
+    mark_as_advanced(CCACHE_PROGRAM)
+endif()
+if(PROJECT_IS_TOP_LEVEL AND CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     # What ccache has to overlook to keep files that are compiled with precompiled headers, and to serve other clones.
     set(launcher
         "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}"

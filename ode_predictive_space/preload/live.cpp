@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <map>
+#include <tuple>
 
 #include <unistd.h>
 
@@ -23,8 +24,9 @@ std::string program_of(const SpaceCounts &counts)
 
 report::Plot plot_of(std::vector<SpaceCounts *> pages)
 {
-    std::stable_sort(pages.begin(), pages.end(),
-                     [](const SpaceCounts *a, const SpaceCounts *b) { return a->collide.calls > b->collide.calls; });
+    std::sort(pages.begin(), pages.end(), [](const SpaceCounts *a, const SpaceCounts *b) {
+        return std::tie(b->collide.calls, a->process_id, a->number) < std::tie(a->collide.calls, b->process_id, b->number);
+    });
     pages.resize(std::min(pages.size(), most_curves));
     report::Plot plot{"Time per dSpaceCollide()", "number of the call", "microseconds", {}, true};
     for (const SpaceCounts *counts : pages)

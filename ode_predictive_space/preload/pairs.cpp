@@ -144,8 +144,8 @@ std::uint64_t fingerprint(dGeomID geom)
 std::uint64_t put_in_order(std::vector<Pair> &pairs)
 {
     using Key = std::pair<std::uint64_t, std::uint64_t>;
-    std::vector<std::pair<Key, Pair>> keyed;
-    for (Pair pair : pairs)
+    std::vector<std::pair<Key, std::size_t>> keyed;
+    for (Pair &pair : pairs)
     {
         Key key(fingerprint(pair.first), fingerprint(pair.second));
         if (key.second < key.first)
@@ -153,13 +153,14 @@ std::uint64_t put_in_order(std::vector<Pair> &pairs)
             std::swap(key.first, key.second);
             std::swap(pair.first, pair.second);
         }
-        keyed.emplace_back(key, pair);
+        keyed.emplace_back(key, keyed.size());
     }
-    std::stable_sort(keyed.begin(), keyed.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
+    std::sort(keyed.begin(), keyed.end()); // alike pairs stay in their order
+    const std::vector<Pair> unordered = pairs;
     std::uint64_t hash = 0;
     for (std::size_t i = 0; i < keyed.size(); ++i)
     {
-        pairs[i] = keyed[i].second;
+        pairs[i] = unordered[keyed[i].second];
         hash = mix(mix(hash, keyed[i].first.first), keyed[i].first.second);
     }
     return hash;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "ode_predictive_space/space/predictive_space.h"
 
@@ -60,14 +61,17 @@ std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *
             candidates.push_back(other);
     });
     follow_shapes(candidates, now);
-    std::vector<Encounter> met;
+    std::vector<std::pair<double, ProxyId>> times;
     for (std::size_t i = 1; i < candidates.size(); ++i)
     {
         double apart_until;
         if (const auto time = time_of_proximity(self, candidates[i], now, &apart_until))
-            met.push_back({geoms_[candidates[i]], *time});
+            times.emplace_back(*time, candidates[i]);
     }
-    std::stable_sort(met.begin(), met.end(), [](const Encounter &a, const Encounter &b) { return a.ticks < b.ticks; });
+    std::sort(times.begin(), times.end()); // at one time by number: never by address
+    std::vector<Encounter> met;
+    for (const auto &[time, id] : times)
+        met.push_back({geoms_[id], time});
     return met;
 }
 

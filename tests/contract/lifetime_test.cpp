@@ -232,6 +232,33 @@ TEST_F(Contract, 06_AddCleanGeomWhileOthersAreDirty)
     dSpaceDestroy(space);
 }
 
+// A geom that is taken out and put back, as a program does that changes the groups of its objects.
+std::size_t pairs_after_putting_back(dSpaceID space)
+{
+    dGeomID put_back = dCreateSphere(space, 1), other = dCreateSphere(space, 1);
+    collide(space);
+    dSpaceRemove(space, put_back);
+    dGeomSetPosition(other, 0.5, 0, 0);
+    dSpaceAdd(space, put_back);
+    const std::size_t pairs = collide(space).size();
+    dSpaceDestroy(space);
+    return pairs;
+}
+
+TEST_F(Contract, 06_AGeomThatIsPutBackEndsOdesSpacesAndNotThisOne)
+{
+    EXPECT_EQ(pairs_after_putting_back(dPredictiveSpaceCreate(nullptr)), 1u);
+    if (!ode_has_assertions())
+        return;
+    for (dSpaceID (*make)(dSpaceID) : {dSimpleSpaceCreate, dHashSpaceCreate})
+        EXPECT_DEATH(
+            {
+                dSetDebugHandler(nullptr);
+                pairs_after_putting_back(make(nullptr));
+            },
+            "GEOM_AABB_BAD\\)\\s*==\\s*0");
+}
+
 TEST_F(Contract, 06_AddGeomMadeCleanByAnotherSpace)
 {
     for (dSpaceID (*make)(dSpaceID) : {dSimpleSpaceCreate, dHashSpaceCreate, dPredictiveSpaceCreate})

@@ -62,7 +62,8 @@ has 'cmake .*TEST_CLIENTS=ON'
 calls_of package
 has 'apt-get install .*libode-dev'
 lacks "libgtest|libcli11|lintian|mmdebstrap|$games"
-has 'cpack --preset package'
+has 'apt-get install .*debhelper'
+has 'make_debian_packages\.sh'
 
 # What asks for certain tests gets them, in one go.
 calls_of test --preset asan --long -R Contract

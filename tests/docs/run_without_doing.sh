@@ -14,7 +14,10 @@ run_without_doing() {
     cp "$source/ode_predictive_space/cmake/ode_source.sh" "$copy/ode_predictive_space/cmake/"
     cp -r "$source"/tests/{benchmarks,clients,mutations,patched_ode,variants} "$copy/tests/"
     cp "$source"/demos/haptic/{check_arguments.awk,help.txt} "$copy/demos/haptic/"
-    for tool in apt-get cmake ctest cpack sudo c++ ninja dpkg-query pkg-config; do
+    mkdir "$copy/packaging"
+    printf '#!/bin/sh\necho "$0 $*" >>"%s"\n' "$calls" >"$copy/packaging/make_debian_packages.sh"
+    chmod +x "$copy/packaging/make_debian_packages.sh"
+    for tool in apt-get cmake ctest sudo c++ ninja dpkg-query pkg-config; do
         cat >"$work/tools/$tool" <<TOOL
 #!/bin/sh
 case $tool in

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Does the project build in a new Debian of some release, with its GCC, its newest Clang, its ODE and its Eigen, and do programs
+# and the tests of the contract run there?
+# Usage: check_system.sh <suite> <folder of the sources> <scratch folder>
+
+set -euo pipefail
+
+suite=$1
+chroot=$3/$suite
+# shellcheck source=chroot.sh
+. "$(dirname "${BASH_SOURCE[0]}")/chroot.sh"
+
+newest_clang() { inside apt-cache pkgnames clang- | sed -nE 's/^clang-([0-9]+)$/\1/p' | sort -n | tail -n 1; }
+
+make_chroot "$suite"
+copy_sources "$2"
+clang=$(newest_clang)
+install_in_chroot g++ "clang-$clang" cmake ninja-build pkg-config libode-dev libeigen3-dev libgtest-dev libbenchmark-dev \
+    libcli11-dev nlohmann-json3-dev
+for package in g++ "clang-$clang" cmake libode-dev libeigen3-dev; do
+    inside dpkg-query --show "$package"
+done
+
+build_with gcc gcc g++
+build_consumers consumer_gcc -DCMAKE_PREFIX_PATH=/tmp/gcc/prefix
+build_with clang "clang-$clang" "clang++-$clang"
+build_consumers consumer_clang -DCMAKE_PREFIX_PATH=/tmp/clang/prefix -DCMAKE_C_COMPILER="clang-$clang" \
+    -DCMAKE_CXX_COMPILER="clang++-$clang"
+
+say 'The tests of the contract'
+inside cmake -S /tmp/sources -B /tmp/tests -G Ninja -DCMAKE_BUILD_TYPE=Release -DODE_PREDICTIVE_SPACE_BUILD_DEMOS=OFF \
+    -DODE_PREDICTIVE_SPACE_BUILD_TESTS=ON >/dev/null
+inside ninja -C /tmp/tests tests_of_contract | tail -n 1
+inside ctest --test-dir /tmp/tests --label-regex '^contract$' --parallel "$(nproc)" --output-on-failure | tail -n 5
+rm -rf "$chroot"

@@ -1,0 +1,56 @@
+# A new Debian in a folder, to try the project in as a stranger would. Root is needed, and mmdebstrap; /proc has to be as in a usual
+# system.
+# Usage, in a script: chroot=FOLDER; . chroot.sh; make_chroot SUITE; copy_sources FOLDER; install_in_chroot PACKAGE...; inside COMMAND
+# shellcheck shell=bash disable=SC2154 # chroot is the caller's
+
+say() { printf '==> %s\n' "$*"; }
+
+# The system's own sources of Debian's packages, for another release than the running one its main archive alone.
+entries() {
+    local suite=$1 own
+    own=$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")
+    # shellcheck disable=SC2016 # apt fills them in
+    if [[ $suite == "$own" ]]; then
+        apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' | sort -u
+    else
+        apt-get indextargets --format 'deb $(REPO_URI) '"$suite"' main' 'Created-By: Packages' 'Origin: Debian' \
+            "Codename: $own" | sort -u | head -n 1
+    fi
+}
+
+inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
+
+install_in_chroot() { inside apt-get -q install --yes --no-install-recommends "$@" >/dev/null; }
+
+make_chroot() {
+    say "A new Debian: $1"
+    rm -rf "$chroot"
+    mkdir -p "$(dirname "$chroot")"
+    entries "$1" | mmdebstrap --quiet --variant=apt --include=ca-certificates "$1" "$chroot" -
+    inside apt-get -q update >/dev/null
+}
+
+# The files that git tracks in the folder $1, into /tmp/sources.
+copy_sources() {
+    mkdir -p "$chroot/tmp/sources"
+    git -C "$1" ls-files -z | tar -C "$1" --null --files-from=- --create | tar -C "$chroot/tmp/sources" --extract
+}
+
+# build_with <folder in /tmp> <C compiler> <C++ compiler> [options of cmake]: the libraries and the launcher, installed into a prefix
+# beside them. Warnings are errors, and many files are compiled as one for the sake of time.
+build_with() {
+    say "The sources, built by $3 with libode-dev alone"
+    inside cmake -S /tmp/sources -B "/tmp/$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER="$2" \
+        -DCMAKE_CXX_COMPILER="$3" -DODE_PREDICTIVE_SPACE_BUILD_TESTS=OFF -DODE_PREDICTIVE_SPACE_BUILD_DEMOS=OFF \
+        -DODE_PREDICTIVE_SPACE_WARNINGS_AS_ERRORS=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_UNITY_BUILD=ON \
+        -DCMAKE_UNITY_BUILD_BATCH_SIZE=20 "${@:4}" >/dev/null
+    inside ninja -C "/tmp/$1" | tail -n 1
+    inside cmake --install "/tmp/$1" --prefix "/tmp/$1/prefix" >/dev/null
+}
+
+# build_consumers <folder in /tmp> [options of cmake]: someone else's programs, by the CMake package.
+build_consumers() {
+    inside cmake -S /tmp/sources/tests/install/consumer -B "/tmp/$1" -G Ninja "${@:2}" >/dev/null
+    inside ninja -C "/tmp/$1" | tail -n 1
+    inside ctest --test-dir "/tmp/$1" --output-on-failure
+}
