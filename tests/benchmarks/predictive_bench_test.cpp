@@ -69,7 +69,7 @@ TEST(PredictiveBench, WritesARecordPerSpaceAtALimit)
         EXPECT_EQ(record.at("table"), "limits");
         for (const char *name : {"fill_ms", "first_ms", "collide_ms", "empty_ms", "sap_ratio_collide"})
         {
-            EXPECT_GT(record.at(name).get<double>(), 0) << name;
+            EXPECT_GE(record.at(name).get<double>(), 0) << name;
         }
     }
     EXPECT_EQ(records[0].at("n"), 20);
@@ -183,8 +183,9 @@ TEST(PredictiveBench, FindsTheSameContactsInEverySpace)
             EXPECT_EQ(record.at("touching_hash"), spaces[0].at("touching_hash")) << record;
             EXPECT_EQ(record.at("touching_per_tick"), spaces[0].at("touching_per_tick")) << record;
             EXPECT_GE(record.at("calls_per_tick"), record.at("touching_per_tick")) << record;
-            EXPECT_DOUBLE_EQ(record.at("collide_us").get<double>() + record.at("dcollide_us").get<double>(),
-                             record.at("sum_us"));
+            const double sum = record.at("sum_us"); // a mean of sums beside a sum of means: rounded in other places
+            EXPECT_NEAR(record.at("collide_us").get<double>() + record.at("dcollide_us").get<double>(), sum,
+                        1e-9 * sum);
             EXPECT_GE(record.at("whole_us"), 0);
         }
         EXPECT_EQ(spaces[0].at("space"), "predictive-box");

@@ -7,14 +7,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/random.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr FloatBox everywhere = {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+constexpr FloatBox everywhere = {{-float_infinity, -float_infinity, -float_infinity},
+                                 {float_infinity, float_infinity, float_infinity}};
 
 // A list beside what it should hold.
 struct BoxListTest : testing::Test
@@ -30,9 +31,9 @@ struct BoxListTest : testing::Test
             if (random.chance(0.2))
                 box.low[axis] = std::floor(box.low[axis]);
             if (random.chance(0.02))
-                box.low[axis] = -infinity;
+                box.low[axis] = -float_infinity;
             if (random.chance(0.02))
-                box.high[axis] = infinity;
+                box.high[axis] = float_infinity;
         }
         return box;
     }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/random.h"
 #include "tests/broadphase/support/world.h"
 
@@ -9,9 +10,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 struct Kind
 {
     const char *name;

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/random.h"
 #include "tests/broadphase/support/tracked.h"
 
@@ -15,8 +16,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr double step = 0.001;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double tick_length = 0.001;
 
 // A rod that is carried by a body and tumbles about a point that is not its middle. Of its class no sphere is known.
 struct TumblingRod
@@ -28,8 +28,8 @@ struct TumblingRod
 
     Observation next()
     {
-        position += step * velocity;
-        angle += step * spin;
+        position += tick_length * velocity;
+        angle += tick_length * spin;
         return seen();
     }
 
@@ -176,7 +176,7 @@ protected:
             velocity_ = 0.5 * random_.vector(1).normalized();
             for (std::size_t ticks = 50 + random_.index(300); ticks > 0; --ticks)
             {
-                centre_ += step * velocity_;
+                centre_ += tick_length * velocity_;
                 tracked.see(seen_ball(centre_, radius, velocity_));
                 widest = std::max(widest, growth());
             }

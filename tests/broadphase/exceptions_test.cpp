@@ -73,7 +73,7 @@ private:
     int calls_left_;
 };
 
-enum class Kind
+enum class Moment
 {
     first_predicted,
     first_swept,
@@ -82,14 +82,14 @@ enum class Kind
     sweeping
 };
 
-class Exceptions : public testing::TestWithParam<Kind>
+class Exceptions : public testing::TestWithParam<Moment>
 {
 protected:
     static constexpr std::size_t count = 300;
 
     Exceptions() : random_(static_cast<std::uint64_t>(GetParam()) + 1)
     {
-        if (GetParam() != Kind::first_predicted && GetParam() != Kind::predicting)
+        if (GetParam() != Moment::first_predicted && GetParam() != Moment::predicting)
             world_.broadphase = Broadphase();
         for (std::size_t i = 0; i < count; ++i)
             world_.add(random_object());
@@ -148,14 +148,14 @@ private:
     {
         switch (GetParam())
         {
-        case Kind::first_predicted:
-        case Kind::first_swept:
+        case Moment::first_predicted:
+        case Moment::first_swept:
             return true;
-        case Kind::predicting:
+        case Moment::predicting:
             return world_.broadphase.counters().repredictions > 2 * count && mode() == Mode::predicting;
-        case Kind::filling:
+        case Moment::filling:
             return mode() == Mode::filling;
-        case Kind::sweeping:
+        case Moment::sweeping:
             break;
         }
         return mode() == Mode::sweeping;
@@ -223,16 +223,16 @@ private:
     World world_;
 };
 
-std::string name_of(const testing::TestParamInfo<Kind> &info)
+std::string name_of_moment(const testing::TestParamInfo<Moment> &info)
 {
     const char *const names[] = {"first_predicted", "first_swept", "predicting", "filling", "sweeping"};
     return names[static_cast<int>(info.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(InTicks, Exceptions,
-                         testing::Values(Kind::first_predicted, Kind::first_swept, Kind::predicting, Kind::filling,
-                                         Kind::sweeping),
-                         name_of);
+                         testing::Values(Moment::first_predicted, Moment::first_swept, Moment::predicting,
+                                         Moment::filling, Moment::sweeping),
+                         name_of_moment);
 
 TEST_P(Exceptions, InATickLoseNoPair)
 {

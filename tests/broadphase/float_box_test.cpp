@@ -4,19 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/random.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
-constexpr float float_infinity = std::numeric_limits<float>::infinity();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr float largest = std::numeric_limits<float>::max();
-
 // Any pattern of bits is a double: all magnitudes are equally frequent, denormal numbers, infinities and NaN among them.
-double any_double(Random &random)
+double any_bits(Random &random)
 {
     const std::uint64_t bits = random.bits();
     double value;
@@ -60,13 +56,13 @@ void expect_rounded_outwards(double value)
     }
     EXPECT_LE(down, value);
     EXPECT_GE(up, value);
-    if (std::isfinite(value) && down > -largest)
+    if (std::isfinite(value) && down > -largest_float)
     {
-        EXPECT_GE(down, std::min(value - allowed_error(value), double{largest})) << "much too low for " << value;
+        EXPECT_GE(down, std::min(value - allowed_error(value), double{largest_float})) << "much too low for " << value;
     }
-    if (std::isfinite(value) && up < largest)
+    if (std::isfinite(value) && up < largest_float)
     {
-        EXPECT_LE(up, std::max(value + allowed_error(value), -double{largest})) << "much too high for " << value;
+        EXPECT_LE(up, std::max(value + allowed_error(value), -double{largest_float})) << "much too high for " << value;
     }
     if (static_cast<double>(static_cast<float>(value)) == value)
     {
@@ -85,7 +81,7 @@ TEST(Rounding, IsOutwardsAndTightForAllKindsOfDoubles)
     Random random(2);
     for (int i = 0; i < 500000 && !testing::Test::HasFailure(); ++i)
     {
-        expect_rounded_outwards(any_double(random));
+        expect_rounded_outwards(any_bits(random));
         expect_rounded_outwards(near_a_float(random));
         expect_rounded_outwards(random.uniform(-100, 100));
     }
@@ -95,9 +91,9 @@ TEST(Rounding, IsOutwardsAtTheEdgesOfTheRange)
 {
     const double tiniest = std::numeric_limits<double>::denorm_min();
     const double tiny = std::numeric_limits<float>::denorm_min();
-    for (double value :
-         {0.0, tiniest, tiny, 0.5 * tiny, 1.5 * tiny, double{std::numeric_limits<float>::min()}, double{largest},
-          std::nextafter(double{largest}, infinity), 1e39, 1e300, std::numeric_limits<double>::max(), infinity, nan})
+    for (double value : {0.0, tiniest, tiny, 0.5 * tiny, 1.5 * tiny, double{std::numeric_limits<float>::min()},
+                         double{largest_float}, std::nextafter(double{largest_float}, infinity), 1e39, 1e300,
+                         std::numeric_limits<double>::max(), infinity, nan})
     {
         expect_rounded_outwards(value);
         expect_rounded_outwards(-value);
@@ -108,10 +104,10 @@ TEST(Rounding, KeepsInfinitiesAndWhatIsBeyondFloats)
 {
     EXPECT_EQ(round_down(infinity), float_infinity);
     EXPECT_EQ(round_up(-infinity), -float_infinity);
-    EXPECT_EQ(round_down(1e39), largest);
+    EXPECT_EQ(round_down(1e39), largest_float);
     EXPECT_EQ(round_up(1e39), float_infinity);
     EXPECT_EQ(round_down(-1e39), -float_infinity);
-    EXPECT_EQ(round_up(-1e39), -largest);
+    EXPECT_EQ(round_up(-1e39), -largest_float);
     EXPECT_LT(round_down(-1e-320), 0);
     EXPECT_GT(round_up(1e-320), 0);
 }
@@ -138,7 +134,7 @@ TEST(FloatBox, RoundsEachSideAsRoundingDoes)
     for (int i = 0; i < 200000; ++i)
     {
         const bool tame = random.chance(0.5); // so that all six are finite as floats
-        const auto any_side = [&] { return tame ? random.uniform(-1e6, 1e6) : any_double(random); };
+        const auto any_side = [&] { return tame ? random.uniform(-1e6, 1e6) : any_bits(random); };
         const Vector3 low(any_side(), any_side(), any_side()), high(any_side(), any_side(), any_side());
         const FloatBox box = FloatBox::around(Box(low, high));
         for (int axis = 0; axis < 3; ++axis)
@@ -194,7 +190,7 @@ TEST(FloatBox, OverlapIsThatOfEachAxis)
 
 TEST(BoxProbe, AnswersAsTheBoxDoesAtInfinityAndInTouch)
 {
-    const float sides[] = {-float_infinity, -largest, -1, -0.0f, 0, 1, largest, float_infinity};
+    const float sides[] = {-float_infinity, -largest_float, -1, -0.0f, 0, 1, largest_float, float_infinity};
     Random random(6);
     auto any_box = [&] {
         FloatBox box;

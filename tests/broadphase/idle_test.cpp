@@ -111,13 +111,13 @@ protected:
     CountingWorld world;
 };
 
-std::string name_of(const testing::TestParamInfo<Mode> &info)
+std::string name_of_mode(const testing::TestParamInfo<Mode> &info)
 {
     const char *const names[] = {"predicting", "filling", "sweeping"};
     return names[static_cast<int>(info.param)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, Idle, testing::Values(Mode::predicting, Mode::filling, Mode::sweeping), name_of);
+INSTANTIATE_TEST_SUITE_P(Modes, Idle, testing::Values(Mode::predicting, Mode::filling, Mode::sweeping), name_of_mode);
 
 TEST_P(Idle, ObjectsOnOneSpotFormNoPairs)
 {

@@ -4,15 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/random.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 // As ODE compares: what is not a number overlaps.
 bool overlap(const Box &one, const Box &other)
 {
@@ -35,7 +33,7 @@ bool decides(const Box &one, const Box &other)
     return !forth.unsure();
 }
 
-Box cube(double low, double high)
+Box cube_between(double low, double high)
 {
     return Box(Vector3::Constant(low), Vector3::Constant(high));
 }
@@ -64,7 +62,8 @@ TEST(MeasuredBox, IsUnsureOfWhatTouches)
         for (double gap : {0.0, 1e-12, -1e-12})
         {
             const double edge = place + 1;
-            EXPECT_FALSE(decides(cube(place, edge), cube(edge + gap * std::abs(edge), place + 2 + std::abs(place))));
+            EXPECT_FALSE(decides(cube_between(place, edge),
+                                 cube_between(edge + gap * std::abs(edge), place + 2 + std::abs(place))));
         }
 }
 
@@ -74,12 +73,13 @@ TEST(MeasuredBox, IsUnsureOfWhatIsNotFinite)
     for (double bad : {nan, -infinity, 1e300, -1e300})
         for (int axis = 0; axis < 3; ++axis)
         {
-            Box box = cube(-1, 1);
+            Box box = cube_between(-1, 1);
             box.max()[axis] = bad;
-            EXPECT_FALSE(decides(box, cube(-1, 1)));
-            EXPECT_FALSE(decides(box, cube(5, 6)));
+            EXPECT_FALSE(decides(box, cube_between(-1, 1)));
+            EXPECT_FALSE(decides(box, cube_between(5, 6)));
             EXPECT_FALSE(decides(box, box));
-            EXPECT_TRUE(MeasuredBox(box).outer().overlaps(FloatBox::around(cube(1e6, 1e7)))) << "it may be anywhere";
+            EXPECT_TRUE(MeasuredBox(box).outer().overlaps(FloatBox::around(cube_between(1e6, 1e7))))
+                << "it may be anywhere";
         }
 }
 
@@ -88,14 +88,14 @@ TEST(MeasuredBox, KnowsSidesThatLieAtInfinity)
 {
     for (int axis = 0; axis < 3; ++axis)
     {
-        Box ground = cube(-infinity, infinity);
+        Box ground = cube_between(-infinity, infinity);
         ground.max()[axis] = 0;
-        EXPECT_TRUE(compare(MeasuredBox(ground), MeasuredBox(cube(-1, 1))).overlap());
-        EXPECT_TRUE(compare(MeasuredBox(ground), MeasuredBox(cube(0.1, 1))).apart());
+        EXPECT_TRUE(compare(MeasuredBox(ground), MeasuredBox(cube_between(-1, 1))).overlap());
+        EXPECT_TRUE(compare(MeasuredBox(ground), MeasuredBox(cube_between(0.1, 1))).apart());
         EXPECT_TRUE(compare(MeasuredBox(ground), MeasuredBox(ground)).overlap());
-        EXPECT_FALSE(decides(ground, cube(0, 1))) << "it touches";
-        EXPECT_TRUE(MeasuredBox(ground).outer().overlaps(FloatBox::around(cube(-1e30, -1e29))));
-        EXPECT_FALSE(MeasuredBox(ground).outer().overlaps(FloatBox::around(cube(0.1, 1))));
+        EXPECT_FALSE(decides(ground, cube_between(0, 1))) << "it touches";
+        EXPECT_TRUE(MeasuredBox(ground).outer().overlaps(FloatBox::around(cube_between(-1e30, -1e29))));
+        EXPECT_FALSE(MeasuredBox(ground).outer().overlaps(FloatBox::around(cube_between(0.1, 1))));
     }
 }
 
@@ -138,7 +138,7 @@ TEST(MeasuredBox, OfASceneInSinglePrecisionIsNoWorse)
 
 TEST(MeasuredBox, IsUnknownUntilItIsMeasured)
 {
-    EXPECT_TRUE(MeasuredBox().outer().overlaps(FloatBox::around(cube(1e6, 1e7))));
+    EXPECT_TRUE(MeasuredBox().outer().overlaps(FloatBox::around(cube_between(1e6, 1e7))));
 }
 
 Float4 lanes(const Vector3 &axes)
@@ -148,7 +148,7 @@ Float4 lanes(const Vector3 &axes)
 
 TEST(MeasuredBox, IsInsideOnlyWhereThatIsCertain)
 {
-    const MeasuredBox box(cube(-1, 1));
+    const MeasuredBox box(cube_between(-1, 1));
     EXPECT_TRUE(box.inside(lanes(Vector3::Constant(-1.001)), lanes(Vector3::Constant(1.001))));
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -161,7 +161,7 @@ TEST(MeasuredBox, IsInsideOnlyWhereThatIsCertain)
         high[axis] = nan;
         EXPECT_FALSE(box.inside(lanes(low), lanes(high)));
     }
-    EXPECT_FALSE(MeasuredBox(cube(nan, nan)).inside(lanes(Vector3::Constant(-2)), lanes(Vector3::Constant(2))));
+    EXPECT_FALSE(MeasuredBox(cube_between(nan, nan)).inside(lanes(Vector3::Constant(-2)), lanes(Vector3::Constant(2))));
 }
 } // namespace
 } // namespace ode_predictive_space

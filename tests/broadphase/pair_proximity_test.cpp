@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ode_predictive_space/broadphase/verify/checks.h"
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/proxies.h"
 #include "tests/prediction/box_proximity.h"
 
@@ -10,9 +11,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
 struct Found
 {
     int near = 0;
@@ -210,7 +208,7 @@ TEST(PairProximity, WhatIsNotANumberIsNear)
         else if (what == 4)
             path.position[0] = 1e300;
         else
-            (what == 1 ? path.velocity : what == 2 ? bounds.low : &path.deviation_base)[0] = nan;
+            (what == 1 ? path.velocity : what == 2 ? bounds.low : &path.deviation_base)[0] = float_nan;
         for (ProxyId id : {0u, 1u})
         {
             const auto interval = PairProximity(store, id, 10, ProximityTest::box).to(1 - id);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/tracked.h"
 
 namespace ode_predictive_space
@@ -14,8 +15,6 @@ namespace
 {
 constexpr double step = 0.001;
 constexpr double radius = 0.1;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // A ball that a body carries, moved as ODE moves it: with the velocity that it has at the end of the step.
 struct MovingBall

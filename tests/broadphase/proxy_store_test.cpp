@@ -8,7 +8,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-bool holds(const FloatBox &outer, const Box &inner)
+bool encloses(const FloatBox &outer, const Box &inner)
 {
     for (int axis = 0; axis < 3; ++axis)
         if (!(outer.low[axis] <= inner.min()[axis] && inner.max()[axis] <= outer.high[axis]))
@@ -66,8 +66,8 @@ TEST(ProxyStore, TheSweptBoxHoldsTheEnvelopeUntilItsEnd)
         const FloatBox swept = store.swept_box(id, now);
         for (std::int32_t t = 0; t <= store.remaining(id, now); ++t)
         {
-            ASSERT_TRUE(holds(swept, store.envelope(id, now).at(t)));
-            ASSERT_TRUE(holds(swept, store.envelope(id, now + static_cast<Tick>(t)).at(0)));
+            ASSERT_TRUE(encloses(swept, store.envelope(id, now).at(t)));
+            ASSERT_TRUE(encloses(swept, store.envelope(id, now + static_cast<Tick>(t)).at(0)));
         }
     }
 }
@@ -111,7 +111,7 @@ TEST(ProxyStore, TheOuterEnvelopeHoldsWhatASceneInSinglePrecisionComputes)
             computed.min()[axis] = lowest - radius;
             computed.max()[axis] = highest + radius;
         }
-        ASSERT_TRUE(holds(FloatBox::around(store.outer_envelope(id, 0).at(0)), computed)) << i;
+        ASSERT_TRUE(encloses(FloatBox::around(store.outer_envelope(id, 0).at(0)), computed)) << i;
     }
     EXPECT_EQ(ProxyStore().scene_rounding(), 0);
     EXPECT_EQ(ProxyStore(epsilon).scene_rounding(), 8 * double{epsilon});

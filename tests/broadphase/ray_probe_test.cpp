@@ -5,14 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "ode_predictive_space/broadphase/index/envelope_tree.h"
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/random.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 // By clipping the line to the three slabs of the box, grown by `margin`.
 bool line_meets(const Vector3 &start, const Vector3 &end, const FloatBox &box, long double margin)
 {
@@ -105,8 +104,10 @@ TEST(RayProbe, WhatIsInfiniteOrNotANumberIsMet)
 {
     const RayProbe line({0, 0, 0}, {1, 2, 3});
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_TRUE(line.overlaps({{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}));
-    EXPECT_TRUE(line.overlaps({{-infinity, -infinity, -infinity}, {infinity, infinity, 1}}));
+    EXPECT_TRUE(line.overlaps(
+        {{-float_infinity, -float_infinity, -float_infinity}, {float_infinity, float_infinity, float_infinity}}));
+    EXPECT_TRUE(
+        line.overlaps({{-float_infinity, -float_infinity, -float_infinity}, {float_infinity, float_infinity, 1}}));
     EXPECT_TRUE(line.overlaps({{nan, nan, nan}, {nan, nan, nan}}));
 }
 

@@ -4,14 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/verification.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 // An object at the moment at which its move is reported.
 struct JustMoved
 {

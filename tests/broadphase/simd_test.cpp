@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "ode_predictive_space/broadphase/base/rounding.h"
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/random.h"
 
 namespace ode_predictive_space
@@ -22,13 +23,22 @@ using Four = std::array<float, 4>;
 using Three = std::array<double, 3>;
 using Eight = std::array<std::int16_t, 8>;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float tiniest = std::numeric_limits<float>::denorm_min();
 constexpr float smallest = std::numeric_limits<float>::min();
-constexpr float largest = std::numeric_limits<float>::max();
-constexpr float edges[] = {0,         -0.0f,   1,        -1,       tiniest,   -tiniest, smallest,
-                           -smallest, largest, -largest, infinity, -infinity, nan,      0.1f};
+constexpr float edges[] = {0,
+                           -0.0f,
+                           1,
+                           -1,
+                           tiniest,
+                           -tiniest,
+                           smallest,
+                           -smallest,
+                           largest_float,
+                           -largest_float,
+                           float_infinity,
+                           -float_infinity,
+                           float_nan,
+                           0.1f};
 constexpr int rounds = 100000;
 
 template <typename Value, typename Bits> Value from_bits(std::uint64_t bits)
@@ -201,7 +211,7 @@ TEST(Float4, SumsUpAndOrdersThreeLanes)
     for (int i = 0; i < rounds; ++i)
     {
         Four a = four(random, any_number);
-        a[3] = nan; // does not count
+        a[3] = float_nan; // does not count
         const Float4 vector = vector_of(a);
         EXPECT_TRUE(same(vector.sum_of_three(), (a[0] + a[1]) + a[2]));
         EXPECT_EQ(vector.largest_of_three(), std::max({a[0], a[1], a[2]}));

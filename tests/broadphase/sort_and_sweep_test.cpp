@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/pairs.h"
 #include "tests/broadphase/support/random.h"
 
@@ -12,8 +13,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 using Items = std::vector<SweptProxy>;
 
 void expect_all_pairs(SortAndSweep &sweep, const Items &items)
@@ -245,15 +244,21 @@ TEST(SortAndSweep, InfiniteBoxesMeetAllThatIsInTheirReach)
             for (int axis = 0; axis < 3; ++axis)
             {
                 if (random.chance(0.5))
-                    half_space.low[axis] = -infinity;
+                    half_space.low[axis] = -float_infinity;
                 if (random.chance(0.5))
-                    half_space.high[axis] = infinity;
+                    half_space.high[axis] = float_infinity;
             }
             items.push_back({static_cast<ProxyId>(10000 + i), half_space});
         }
-        items.push_back({20000, {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}});
-        items.push_back({20001, {{infinity, infinity, infinity}, {infinity, infinity, infinity}}});
-        items.push_back({20002, {{-infinity, -infinity, -infinity}, {-infinity, -infinity, -infinity}}});
+        items.push_back(
+            {20000,
+             {{-float_infinity, -float_infinity, -float_infinity}, {float_infinity, float_infinity, float_infinity}}});
+        items.push_back(
+            {20001,
+             {{float_infinity, float_infinity, float_infinity}, {float_infinity, float_infinity, float_infinity}}});
+        items.push_back({20002,
+                         {{-float_infinity, -float_infinity, -float_infinity},
+                          {-float_infinity, -float_infinity, -float_infinity}}});
         expect_all_pairs(sweep, items);
     }
 }
@@ -287,7 +292,6 @@ TEST(SortAndSweep, SortsAlongTheAxisOfTheWidestSpread)
 
 TEST(SortAndSweep, SortsWhatIsNotFiniteSomewhere)
 {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     Random random(7);
     SortAndSweep sweep;
     for (std::size_t finite : {0, 5, 3000})
@@ -295,9 +299,9 @@ TEST(SortAndSweep, SortsWhatIsNotFiniteSomewhere)
         Items items = random_items(random, finite, 2, 0.1);
         for (ProxyId i = 0; i < 100; ++i)
         {
-            const float bad = i % 3 == 0 ? nan : i % 3 == 1 ? infinity : -infinity;
+            const float bad = i % 3 == 0 ? nan : i % 3 == 1 ? float_infinity : -float_infinity;
             items.insert(items.begin() + static_cast<std::ptrdiff_t>(random.index(items.size() + 1)),
-                         {1000000 + i, {{bad, -infinity, bad}, {infinity, bad, bad}}});
+                         {1000000 + i, {{bad, -float_infinity, bad}, {float_infinity, bad, bad}}});
         }
         std::vector<ProxyId> order;
         sweep.sort_along_widest(items, order);

@@ -68,13 +68,14 @@ protected:
     World world;
 };
 
-std::string name_of(const testing::TestParamInfo<Order> &info)
+std::string name_of_order(const testing::TestParamInfo<Order> &info)
 {
     const char *const names[] = {"ascending", "descending", "shuffled"};
     return names[static_cast<int>(info.param)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Removed, Trim, testing::Values(Order::ascending, Order::descending, Order::shuffled), name_of);
+INSTANTIATE_TEST_SUITE_P(Removed, Trim, testing::Values(Order::ascending, Order::descending, Order::shuffled),
+                         name_of_order);
 
 TEST_P(Trim, TheMemoryOfAllObjectsIsGivenBack)
 {

@@ -5,15 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/verification.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 TEST(Verifier, TheCentreMayBeAsFarFromThePathAsTheDeviation)
 {
     ProxyStore store;

@@ -178,7 +178,7 @@ std::vector<dBodyID> add_rows(Scenario &scene, int count)
     return movers;
 }
 
-dPredictiveSpaceStats stats_of(const Scenario &scene)
+dPredictiveSpaceStats statistics_of(const Scenario &scene)
 {
     dPredictiveSpaceStats stats;
     dPredictiveSpaceGetStats(scene.space(), &stats);
@@ -196,9 +196,9 @@ TEST_F(Contract, 09_OnlyTheFirstOfManyQueriesLooksAtWhatMoved)
     }
     dGeomID probe = dCreateSphere(nullptr, 0.5);
     scene.step(0.01);
-    const dPredictiveSpaceStats before = stats_of(scene);
+    const dPredictiveSpaceStats before = statistics_of(scene);
     collide2(probe, as_geom(scene.space()));
-    const dPredictiveSpaceStats first = stats_of(scene);
+    const dPredictiveSpaceStats first = statistics_of(scene);
     EXPECT_EQ(first.moved, before.moved + movers);
     EXPECT_GE(first.verified, before.verified + movers);
     for (int query = 0; query < 20; ++query)
@@ -207,7 +207,7 @@ TEST_F(Contract, 09_OnlyTheFirstOfManyQueriesLooksAtWhatMoved)
         EXPECT_FALSE(collide2(probe, as_geom(scene.space())).empty());
     }
     scene.tick();
-    const dPredictiveSpaceStats after = stats_of(scene);
+    const dPredictiveSpaceStats after = statistics_of(scene);
     EXPECT_EQ(after.moved, first.moved) << "neither other queries nor the tick count them again";
     EXPECT_EQ(after.verified, first.verified);
     dGeomDestroy(probe);
@@ -257,12 +257,12 @@ TEST_F(Contract, 09_AStillSpaceThatIsOnlyAskedGetsAnIndex)
         }
     };
     ask(10);
-    EXPECT_EQ(stats_of(scene).repredictions, 0u) << "a few questions are not worth it";
+    EXPECT_EQ(statistics_of(scene).repredictions, 0u) << "a few questions are not worth it";
     ask(90);
-    EXPECT_EQ(stats_of(scene).repredictions, count);
+    EXPECT_EQ(statistics_of(scene).repredictions, count);
     ask(100);
-    EXPECT_EQ(stats_of(scene).repredictions, count);
-    EXPECT_EQ(stats_of(scene).scans, 1u);
+    EXPECT_EQ(statistics_of(scene).repredictions, count);
+    EXPECT_EQ(statistics_of(scene).scans, 1u);
     dGeomDestroy(probe);
 }
 

@@ -43,7 +43,7 @@ count 1 'cmake --build'
 calls_of test
 lacks "$games"
 count 1 'apt-get update'
-has 'cmake .*TEST_CLIENTS=OFF'
+has 'cmake .*TEST_CLIENTS=OFF .*TEST_LONG=OFF'
 done_by=$(sed '/^ctest/q' "$calls") # up to the first test
 has 'cmake --build --preset release --target tests_of_contract'
 has 'ctest .*--label-regex \^contract\$'
@@ -69,5 +69,6 @@ has 'make_debian_packages\.sh'
 calls_of test --preset asan --long -R Contract
 count 1 '^ctest'
 has 'ctest --preset asan .* -R Contract'
+has 'cmake .*TEST_LONG=ON'
 lacks 'label-exclude'
 exit $wrong

@@ -43,7 +43,7 @@ public:
         socket_ = socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
         pollfd answer{socket_, POLLIN, 0};
         if (socket_ < 0 || connect(socket_, reinterpret_cast<sockaddr *>(&server), sizeof server) != 0 ||
-            !send_force(haptics::Vector3::Zero()) || poll(&answer, 1, 200) != 1 || !take_news(0))
+            !send_force(haptics::Vector3::Zero()) || poll(&answer, 1, 5000) != 1 || !take_news(0))
         {
             close();
             throw haptics::DeviceError(haptics::DeviceFault::not_found,

@@ -23,7 +23,7 @@ std::ostream &operator<<(std::ostream &out, const Call &call)
     return out << call.name;
 }
 
-void tick(Gas &gas)
+void collide_once(Gas &gas)
 {
     collide(gas.space());
 }
@@ -41,29 +41,29 @@ void explode(Gas &gas)
 }
 
 const Call calls[] = {
-    {"first_tick", 60, [](Gas &) {}, tick},
-    {"first_tick_of_many", 200, [](Gas &) {}, tick},
-    {"calm", 60, stay_calm, tick},
-    {"calm_of_many", 200, stay_calm, tick},
-    {"explosion", 60, explode, tick},
-    {"explosion_of_many", 200, explode, tick},
+    {"first_tick", 60, [](Gas &) {}, collide_once},
+    {"first_tick_of_many", 200, [](Gas &) {}, collide_once},
+    {"calm", 60, stay_calm, collide_once},
+    {"calm_of_many", 200, stay_calm, collide_once},
+    {"explosion", 60, explode, collide_once},
+    {"explosion_of_many", 200, explode, collide_once},
     {"filling", 200,
      [](Gas &gas) {
          explode(gas);
-         tick(gas);
+         collide_once(gas);
          gas.move();
      },
-     tick},
+     collide_once},
     {"sweeping", 200,
      [](Gas &gas) {
          for (int i = 0; i < 6; ++i)
          {
              gas.explode();
-             tick(gas);
+             collide_once(gas);
          }
          gas.explode();
      },
-     tick},
+     collide_once},
     {"query", 60, stay_calm, [](Gas &gas) { collide2(gas.geom(1), as_geom(gas.space())); }},
     {"query_of_new_objects", 60, [](Gas &) {}, [](Gas &gas) { collide2(gas.geom(1), as_geom(gas.space())); }},
     {"encounters", 60, stay_calm,

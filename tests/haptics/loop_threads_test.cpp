@@ -6,6 +6,7 @@
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/ridges.h"
 #include "tests/haptics/scripted_device.h"
+#include "tests/support/eventually.h"
 
 #include <algorithm>
 #include <atomic>
@@ -41,6 +42,9 @@ public:
     std::atomic<double> force{0}; ///< N
 };
 
+/// Simulated seconds after which a loop ends that waits for what never comes. On a busy machine the probe touches again and again.
+constexpr double long_enough = 60;
+
 /// Forces at once, so that a test need not wait.
 RenderSettings without_ramp()
 {
@@ -65,6 +69,7 @@ protected:
         LoopSettings settings;
         settings.decoupled = decoupled;
         settings.rate = decoupled ? 2000 : 1000;
+        settings.duration = long_enough;
         settings.notice = [this](const Notice &notice) {
             const std::lock_guard<std::mutex> lock(mutex_);
             notices_.sink()(notice);
@@ -95,15 +100,15 @@ TEST_F(LoopThreadsTest, BothKindsRunAndAreWatchedFromAThirdThread)
         dCreatePlane(world.space, 0, 0, 1, 0);
         world.add_moving_box({0.05, 0.05, 0.05}, {0, 0.01, -0.025}, 10);
         HapticProbe probe(device_, world.space, radius, without_ramp());
-        LoopSettings settings = this->settings(decoupled);
-        settings.duration = 0.3;
-        HapticLoop loop(probe, settings);
+        HapticLoop loop(probe, settings(decoupled));
         std::atomic<bool> over{false};
+        std::atomic<int> looks{0};
         std::thread watcher([&] {
             while (!over)
             {
                 const LoopReport report = loop.report();
                 EXPECT_LE(report.period.p50, report.period.max);
+                ++looks;
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
             }
         });
@@ -112,11 +117,16 @@ TEST_F(LoopThreadsTest, BothKindsRunAndAreWatchedFromAThirdThread)
                                             [&](double dt) {
                                                 felt = std::max(felt, loop.latest().wished.norm());
                                                 world.step(dt);
+                                                if (felt > 0 && looks > 10 && loop.report().ticks > 100)
+                                                {
+                                                    loop.stop();
+                                                }
                                             }});
         over = true;
         watcher.join();
-        EXPECT_EQ(report.steps, 300U);
-        EXPECT_GT(report.ticks, 10U);
+        EXPECT_GT(looks, 10);
+        EXPECT_GT(report.ticks, 100U);
+        EXPECT_GT(report.steps, 0U);
         EXPECT_GT(felt, 0);
         EXPECT_FALSE(report.scheduling.empty());
         EXPECT_EQ(device_.force, 0);
@@ -131,6 +141,7 @@ TEST_F(LoopThreadsTest, AHangingSceneHasNoForceWhileItHangs)
         dCreatePlane(world.space, 0, 0, 1, 0);
         HapticProbe probe(device_, world.space, radius, without_ramp());
         HapticLoop loop(probe, settings(decoupled));
+        bool hung = false;
         const int before = count(NoticeKind::guard) + count(NoticeKind::watchdog);
         // Where the machine itself delays the loop, the force may have gone before: then it is pressed on.
         loop.run({[&] { world.collide(probe); },
@@ -140,16 +151,13 @@ TEST_F(LoopThreadsTest, AHangingSceneHasNoForceWhileItHangs)
                       {
                           return;
                       }
-                      const auto hang_until = [&](auto condition) {
-                          while (!condition())
-                          {
-                              std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                          }
-                      };
-                      hang_until([&] { return device_.force == 0; });
-                      hang_until([&] { return count(NoticeKind::guard) + count(NoticeKind::watchdog) > before; });
+                      hung = true;
+                      EXPECT_TRUE(eventually([&] { return device_.force == 0; }));
+                      EXPECT_TRUE(
+                          eventually([&] { return count(NoticeKind::guard) + count(NoticeKind::watchdog) > before; }));
                       loop.stop();
                   }});
+        EXPECT_TRUE(hung);
         EXPECT_EQ(device_.force, 0);
     }
 }
@@ -191,7 +199,6 @@ TEST_F(LoopThreadsTest, MeshesMayChangeWhileTheServoFeelsThem)
     HapticProbe probe(device, world_.space, radius, without_ramp());
     LoopSettings settings = this->settings(true);
     settings.physics_rate = 500;
-    settings.duration = 0.5;
     HapticLoop loop(probe, settings);
     int steps = 0;
     int felt = 0;
@@ -215,6 +222,10 @@ TEST_F(LoopThreadsTest, MeshesMayChangeWhileTheServoFeelsThem)
                       break;
                   default:
                       break;
+                  }
+                  if (steps >= 250 && felt > 10)
+                  {
+                      loop.stop();
                   }
               }});
     dGeomDestroy(geom);

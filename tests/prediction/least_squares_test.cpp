@@ -11,7 +11,7 @@ using namespace ode_predictive_space;
 namespace
 {
 // Its time 0 is that of the newest sample.
-const Path known = {Vector3(1, -2, 3), Vector3(0.5, 0.25, -0.125), Vector3(-0.02, 0.01, 0.04)};
+const Path known_path = {Vector3(1, -2, 3), Vector3(0.5, 0.25, -0.125), Vector3(-0.02, 0.01, 0.04)};
 
 std::vector<Sample> samples_of(const Path &path, const std::vector<double> &ages, double newest_time = 0)
 {
@@ -44,8 +44,9 @@ double mean_error_with_noise(int count, double noise)
     {
         std::vector<Sample> samples;
         for (int age = count - 1; age >= 0; --age)
-            samples.push_back({-double(age), known.at(-age) + Vector3(shake(engine), shake(engine), shake(engine))});
-        sum += (fit(samples).path.position - known.position).norm();
+            samples.push_back(
+                {-double(age), known_path.at(-age) + Vector3(shake(engine), shake(engine), shake(engine))});
+        sum += (fit(samples).path.position - known_path.position).norm();
     }
     return sum / trials;
 }
@@ -53,8 +54,8 @@ double mean_error_with_noise(int count, double noise)
 
 TEST(LeastSquares, recovers_a_path_of_second_degree)
 {
-    const FittedPath fitted = fit(samples_of(known, {7, 6, 5, 4, 3, 2, 1, 0}));
-    expect_same(fitted.path, known, 1e-13);
+    const FittedPath fitted = fit(samples_of(known_path, {7, 6, 5, 4, 3, 2, 1, 0}));
+    expect_same(fitted.path, known_path, 1e-13);
     EXPECT_LT(fitted.residual, 1e-13);
 }
 
@@ -63,31 +64,31 @@ TEST(LeastSquares, takes_up_to_max_samples)
     std::vector<double> ages;
     for (int age = max_samples - 1; age >= 0; --age)
         ages.push_back(age);
-    expect_same(fit(samples_of(known, ages)).path, known, 1e-13);
+    expect_same(fit(samples_of(known_path, ages)).path, known_path, 1e-13);
 }
 
 TEST(LeastSquares, three_samples_are_met_exactly)
 {
-    const FittedPath fitted = fit(samples_of(known, {2, 1, 0}));
-    expect_same(fitted.path, known, 1e-13);
+    const FittedPath fitted = fit(samples_of(known_path, {2, 1, 0}));
+    expect_same(fitted.path, known_path, 1e-13);
     EXPECT_LT(fitted.residual, 1e-14);
 }
 
 TEST(LeastSquares, irregular_times)
 {
-    expect_same(fit(samples_of(known, {100, 41, 40, 3.5, 0.25, 0})).path, known, 1e-11);
-    expect_same(fit(samples_of(known, {1e4, 1, 0})).path, known, 1e-7);
+    expect_same(fit(samples_of(known_path, {100, 41, 40, 3.5, 0.25, 0})).path, known_path, 1e-11);
+    expect_same(fit(samples_of(known_path, {1e4, 1, 0})).path, known_path, 1e-7);
 }
 
 TEST(LeastSquares, times_far_from_zero)
 {
-    expect_same(fit(samples_of(known, {5, 4, 2, 1, 0}, 4e9)).path, known, 1e-12);
-    expect_same(fit(samples_of(known, {5, 4, 2, 1, 0}, -4e9)).path, known, 1e-12);
+    expect_same(fit(samples_of(known_path, {5, 4, 2, 1, 0}, 4e9)).path, known_path, 1e-12);
+    expect_same(fit(samples_of(known_path, {5, 4, 2, 1, 0}, -4e9)).path, known_path, 1e-12);
 }
 
 TEST(LeastSquares, far_from_the_origin)
 {
-    Path far = known;
+    Path far = known_path;
     far.position += Vector3(1e6, -1e6, 1e6);
     expect_same(fit(samples_of(far, {5, 4, 3, 2, 1, 0})).path, far, 1e-8);
 }

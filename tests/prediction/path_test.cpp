@@ -8,31 +8,31 @@ using namespace ode_predictive_space;
 
 namespace
 {
-const Path example = {Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(2, 0, -2)};
+const Path example_path = {Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(2, 0, -2)};
 } // namespace
 
 TEST(Path, is_of_second_degree)
 {
-    EXPECT_EQ(example.at(0), Vector3(1, 2, 3));
-    EXPECT_EQ(example.at(2), Vector3(13, 12, 11));
-    EXPECT_EQ(example.at(-1), Vector3(-2, -3, -4));
+    EXPECT_EQ(example_path.at(0), Vector3(1, 2, 3));
+    EXPECT_EQ(example_path.at(2), Vector3(13, 12, 11));
+    EXPECT_EQ(example_path.at(-1), Vector3(-2, -3, -4));
 }
 
 TEST(Path, advanced_is_the_same_curve)
 {
-    const Path later = example.advanced(3);
-    EXPECT_EQ(later.at(0), example.at(3));
-    EXPECT_EQ(later.at(2), example.at(5));
-    EXPECT_EQ(later.at(-3), example.at(0));
+    const Path later = example_path.advanced(3);
+    EXPECT_EQ(later.at(0), example_path.at(3));
+    EXPECT_EQ(later.at(2), example_path.at(5));
+    EXPECT_EQ(later.at(-3), example_path.at(0));
     EXPECT_EQ(later.velocity, Vector3(10, 5, 0));
 }
 
 TEST(Path, relative_path_is_seen_from_the_first)
 {
     const Path other = {Vector3(10, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 4)};
-    const Path relative = relative_path(example, other);
+    const Path relative = relative_path(example_path, other);
     for (const double t : {0.0, 1.0, 2.5})
-        EXPECT_EQ(relative.at(t), other.at(t) - example.at(t));
+        EXPECT_EQ(relative.at(t), other.at(t) - example_path.at(t));
 }
 
 TEST(Path, chord_error_is_the_largest_distance_from_the_chord_at_equal_times)

@@ -15,7 +15,7 @@ using namespace ode_predictive_space;
 
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 Envelope ball(const Path &path, double radius, const Deviation &deviation = {})
@@ -114,7 +114,7 @@ TEST(FirstRoot, nothing_is_apart_that_is_not_a_number)
     EXPECT_EQ(first_root(not_a_number, 1, 1), 0.0);
     EXPECT_EQ(first_root(1, not_a_number, 1), 0.0);
     EXPECT_EQ(first_root(1, 1, not_a_number), 0.0);
-    EXPECT_EQ(first_root(-infinity, 1, infinity), 0.0);
+    EXPECT_EQ(first_root(-unbounded, 1, unbounded), 0.0);
     EXPECT_EQ(first_root(1e300, -1e300, 1e300), 0.0) << "the discriminant overflows";
 }
 
@@ -166,7 +166,7 @@ TEST(TimeOfProximity, no_duration)
 TEST(TimeOfProximity, infinite_bounds)
 {
     // A floor: the half space z <= 0. It has no sphere.
-    Envelope floor = ball(resting_at(Vector3::Zero()), infinity);
+    Envelope floor = ball(resting_at(Vector3::Zero()), unbounded);
     floor.high.z() = 0;
     const Envelope falling = ball({Vector3(1e6, 0, 5), Vector3(0, 0, -1), Vector3::Zero()}, 1);
     const Envelope hovering = ball({Vector3(1e6, 0, 5), Vector3(3, 0, 0), Vector3::Zero()}, 1);
@@ -177,10 +177,10 @@ TEST(TimeOfProximity, infinite_bounds)
     EXPECT_EQ(sphere_time_of_proximity(floor, hovering, 10), 0.0);
     EXPECT_EQ(box_time_of_proximity(floor, floor, 10), 0.0);
 
-    Envelope ceiling = ball(resting_at(Vector3(0, 0, 20)), infinity);
+    Envelope ceiling = ball(resting_at(Vector3(0, 0, 20)), unbounded);
     ceiling.low.z() = 0;
     EXPECT_FALSE(box_time_of_proximity(floor, ceiling, 10));
-    const Envelope everywhere = ball(resting_at(Vector3::Zero()), infinity);
+    const Envelope everywhere = ball(resting_at(Vector3::Zero()), unbounded);
     EXPECT_EQ(box_time_of_proximity(everywhere, hovering, 10), 0.0);
 }
 
@@ -208,7 +208,7 @@ TEST(TimeOfProximity, nothing_is_apart_that_is_not_a_number)
 TEST(TimeOfProximity, infinite_and_huge_positions_are_not_apart_by_mistake)
 {
     const Envelope first = ball(resting_at(Vector3::Zero()), 1);
-    const Envelope lost = ball(resting_at(Vector3(infinity, 0, 0)), 1);
+    const Envelope lost = ball(resting_at(Vector3(unbounded, 0, 0)), 1);
     EXPECT_EQ(box_time_of_proximity(first, lost, 10), 0.0);
     EXPECT_EQ(sphere_time_of_proximity(first, lost, 10), 0.0);
     EXPECT_EQ(box_time_of_proximity(lost, lost, 10), 0.0);

@@ -33,7 +33,7 @@ public:
 
     explicit Waiting(const std::string &statistics, Output output = Output::pipe)
     {
-        alarm(60);
+        alarm(300);
         allow_preload();
         launcher_ = output == Output::terminal ? forkpty(&output_, nullptr, nullptr, nullptr) : fork_with_pipe();
         if (launcher_ == 0)
@@ -152,7 +152,7 @@ TEST_P(EndOfAProgram, LeavesAPageWithPlots)
 
 TEST(LiveCounters, AreShownWhileTheProgramRunsAndAtItsEnd)
 {
-    alarm(60); // a test that does not end is ended
+    alarm(300); // a test that does not end is ended
     allow_preload();
     FILE *pipe = popen("exec " LAUNCHER " --watch " ENDING " wait 2>&1", "r");
     ASSERT_NE(pipe, nullptr);

@@ -1,4 +1,5 @@
 #include "tests/broadphase/support/world.h"
+#include "tests/broadphase/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Closed; what is not a number overlaps, as it does for ODE.
 bool boxes_overlap(const Box &one, const Box &other)
 {

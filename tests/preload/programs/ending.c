@@ -1,6 +1,6 @@
 /* A program that collides three times and ends in the way it is told to.
  * Usage: ending WAY: return, exit, _exit, abort, crash, a signal's number; many: after it has made 1099 spaces more; or wait: it says its process id, then waits for
- * signals. SIGINT and SIGUSR1 are counted, SIGCONT is said, and SIGTERM ends it with their number as status. After 20 seconds it
+ * signals. SIGINT and SIGUSR1 are counted, SIGCONT is said, and SIGTERM ends it with their number as status. After two minutes it
  * says so and ends.
  * Usage: ending child WAY: a child process collides once and ends so; its parent ends by return.
  * Usage: ending orphan FILE: a child process collides once; when its parent has ended, it reads FILE and ends by exit. */
@@ -46,7 +46,7 @@ static void wait_for_signals(void)
     signal(SIGCONT, &on_signal);
     signal(SIGTERM, &on_signal);
     signal(SIGALRM, &on_signal);
-    alarm(20);
+    alarm(120);
     printf("%d\n", (int)getpid());
     fflush(stdout);
     for (;;)
@@ -109,7 +109,7 @@ static void run_orphan(dSpaceID space, const char *file)
     if (fork() == 0)
     {
         dSpaceCollide(space, 0, &ignore);
-        alarm(20);
+        alarm(120);
         close(ready[1]);
         close(ready[0]);
         fclose(fopen(file, "r")); /* waits for a writer */

@@ -46,7 +46,7 @@ static int run_child(dSpaceID space)
     const pid_t child = fork();
     if (child == 0)
     {
-        alarm(20);
+        alarm(120);
         collide(space);
         exit(0);
     }
