@@ -32,10 +32,10 @@ struct ProgramEnd
     bool says(const std::string &part) const { return messages.find(part) != std::string::npos; }
 };
 
-/// A child that hangs is killed after 20 s.
+/// A child that hangs is killed after a minute.
 inline void wait_for(pid_t child, ProgramEnd &end)
 {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     while (waitpid(child, &end.status, WNOHANG) == 0)
     {
         if (std::chrono::steady_clock::now() > deadline)
