@@ -1,6 +1,6 @@
 #include "ode_predictive_space/haptics/active_run.h"
 
-#include "ode_predictive_space/haptics/open_gates.h"
+#include "ode_predictive_space/haptics/program_end.h"
 
 #include <chrono>
 #include <cstdio>
@@ -14,7 +14,7 @@ constexpr std::chrono::seconds longest_wait(5);
 
 [[noreturn]] void terminate_with(const char *what) noexcept
 {
-    open_gates::shut_all();
+    end_all_forces();
     std::fprintf(stderr, "ode_predictive_space: %s was destroyed while its loop was running\n", what);
     std::abort();
 }
@@ -30,14 +30,16 @@ void ActiveRun::end() noexcept
 void ActiveRun::end_and_wait(const char *what) noexcept
 {
     stop_.store(true, std::memory_order_relaxed);
-    std::unique_lock<std::mutex> lock(mutex_);
-    if (ended_)
-    {
-        return;
-    }
-    if (std::this_thread::get_id() == thread_ || !changed_.wait_for(lock, longest_wait, [this] { return ended_; }))
+    if (!ends_soon())
     {
         terminate_with(what);
     }
+}
+
+bool ActiveRun::ends_soon() noexcept
+{
+    std::unique_lock<std::mutex> lock(mutex_);
+    const auto patience = std::this_thread::get_id() == thread_ ? std::chrono::seconds(0) : longest_wait;
+    return changed_.wait_for(lock, patience, [this] { return ended_; });
 }
 } // namespace ode_predictive_space::haptics

@@ -27,6 +27,8 @@ public:
     void end_and_wait(const char *what) noexcept;
 
 private:
+    bool ends_soon() noexcept;
+
     const std::thread::id thread_ = std::this_thread::get_id();
     std::atomic<bool> stop_{false};
     std::mutex mutex_;

@@ -9,16 +9,25 @@ namespace
 {
 constexpr int most_attempts = 200;
 constexpr std::chrono::microseconds between_attempts(100);
+
+thread_local const DeviceGate *visited = nullptr; ///< by this thread, which is in its device
 } // namespace
 
 class DeviceGate::Visit
 {
 public:
-    Visit(DeviceGate &gate, User user) : gate_(gate), entered_(gate.enter(user)) {}
+    Visit(DeviceGate &gate, User user) : gate_(gate), entered_(gate.enter(user)), visited_before_(visited)
+    {
+        if (entered_)
+        {
+            visited = &gate;
+        }
+    }
     ~Visit()
     {
         if (entered_)
         {
+            visited = visited_before_;
             gate_.leave();
         }
     }
@@ -30,12 +39,27 @@ public:
 private:
     DeviceGate &gate_;
     bool entered_;
+    const DeviceGate *visited_before_;
 };
 
 bool DeviceGate::enter(User user)
 {
     User nobody = User::none;
     return user_.compare_exchange_strong(nobody, user, std::memory_order_acquire, std::memory_order_relaxed);
+}
+
+/// Waits for another thread, but not for this one, which may be in the device itself.
+bool DeviceGate::enter_soon()
+{
+    for (int attempt = 0; attempt < most_attempts && visited != this; ++attempt)
+    {
+        if (enter(User::guard))
+        {
+            return true;
+        }
+        std::this_thread::sleep_for(between_attempts);
+    }
+    return false;
 }
 
 bool DeviceGate::read(double time, DeviceState &state)
@@ -60,6 +84,10 @@ bool DeviceGate::write(const Wrench &wrench)
         return false;
     }
     device_.write(wrench);
+    if (shut_.load(std::memory_order_relaxed)) // meanwhile, without waiting for this any longer
+    {
+        device_.write(Wrench());
+    }
     return true;
 }
 
@@ -80,23 +108,18 @@ bool DeviceGate::notice_closing()
 void DeviceGate::shut() noexcept
 {
     shut_.store(true, std::memory_order_relaxed);
-    for (int attempt = 0; attempt < most_attempts; ++attempt)
+    const bool entered = enter_soon();
+    try
     {
-        const Visit visit(*this, User::guard);
-        if (!visit.entered())
-        {
-            std::this_thread::sleep_for(between_attempts);
-            continue;
-        }
-        try
-        {
-            device_.write(Wrench());
-        }
-        catch (...)
-        {
-            device_.close();
-        }
-        return;
+        device_.write(Wrench());
+    }
+    catch (...)
+    {
+        device_.close();
+    }
+    if (entered)
+    {
+        leave();
     }
 }
 

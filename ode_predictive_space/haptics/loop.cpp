@@ -1,5 +1,6 @@
 #include "ode_predictive_space/haptics/loop.h"
 
+#include "ode_predictive_space/haptics/body_check.h"
 #include "ode_predictive_space/haptics/loop_parts.h"
 #include "ode_predictive_space/haptics/safe_collide.h"
 #include "ode_predictive_space/haptics/stop_request.h"
@@ -243,9 +244,25 @@ LoopReport LoopParts::run(const SceneWork &work)
     return report();
 }
 
+// Before ODE does anything with them, and before the world is stepped.
+void LoopParts::check_bodies()
+{
+    const dBodyID tool = probe.tool_body();
+    std::string broken = broken_state_of(tool);
+    if (broken.empty())
+    {
+        broken = broken_state_around(tool != nullptr ? dBodyGetFirstGeom(tool) : probe.geom());
+    }
+    if (!broken.empty())
+    {
+        throw std::runtime_error(broken);
+    }
+}
+
 /// An exception that comes through ODE's own dSpaceCollide() leaves the space locked: then nothing in it may be moved or destroyed.
 void LoopParts::collide(const SceneWork &work)
 {
+    check_bodies();
     try
     {
         work.collide();
@@ -258,6 +275,7 @@ void LoopParts::collide(const SceneWork &work)
         }
         throw;
     }
+    check_bodies();
 }
 
 void LoopParts::run_watched(const SceneWork &work)

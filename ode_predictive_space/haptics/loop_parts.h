@@ -64,7 +64,8 @@ public:
     LoopReport run(const SceneWork &work);
     LoopReport report() const;
 
-    /// The program's part of a tick.
+    /// The program's part of a tick. @throws std::runtime_error when the scene has a body that must not be stepped, before or after
+    /// that; what the program throws.
     void collide(const SceneWork &work);
 
     /// Whether the loop was asked to end. From any thread.
@@ -102,6 +103,7 @@ private:
     class Watch;
     class Turn;
 
+    void check_bodies();
     void run_watched(const SceneWork &work);
     void run_coupled(const SceneWork &work);   ///< in one thread
     void run_decoupled(const SceneWork &work); ///< in two

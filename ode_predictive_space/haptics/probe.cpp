@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/probe.h"
 
 #include "ode_predictive_space/haptics/active_run.h"
+#include "ode_predictive_space/haptics/with_lock.h"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +47,14 @@ HapticProbe::~HapticProbe()
     {
         run->end_and_wait("a haptic probe");
     }
-    tell_if_gone();
+    try
+    {
+        tell_if_gone();
+    }
+    catch (...)
+    {
+        // a notice is not worth the program's end
+    }
 }
 
 void HapticProbe::tell_if_gone()
@@ -64,12 +72,13 @@ void HapticProbe::tell_if_gone()
 
 void HapticProbe::take(std::shared_ptr<ActiveRun> run)
 {
-    const std::lock_guard<std::mutex> lock(run_mutex_);
-    if (run_)
-    {
-        throw std::logic_error("Another haptic loop runs the probe");
-    }
-    run_ = std::move(run);
+    with_lock(run_mutex_, [&] {
+        if (run_)
+        {
+            throw std::logic_error("Another haptic loop runs the probe");
+        }
+        run_ = std::move(run);
+    });
 }
 
 void HapticProbe::give_back() noexcept

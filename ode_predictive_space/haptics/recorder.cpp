@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/file_error.h"
 #include "ode_predictive_space/haptics/recording.h"
 #include "ode_predictive_space/haptics/recording_format.h"
+#include "ode_predictive_space/haptics/with_lock.h"
 
 #include <algorithm>
 #include <array>
@@ -82,7 +83,7 @@ Recorder::~Recorder()
     {
         close();
     }
-    catch (const DeviceError &)
+    catch (...)
     {
         // close() tells the caller.
     }
@@ -109,17 +110,22 @@ bool Recorder::add(double time, const DeviceState &state, const Vector3 &force) 
 
 void Recorder::flush()
 {
-    const std::lock_guard<std::mutex> lock(file_mutex_);
-    if (file_)
-    {
-        write_entries();
-    }
+    with_lock(file_mutex_, [this] {
+        if (file_)
+        {
+            write_entries();
+        }
+    });
 }
 
 void Recorder::close()
 {
     stop_thread();
-    const std::lock_guard<std::mutex> lock(file_mutex_);
+    with_lock(file_mutex_, [this] { close_file(); });
+}
+
+void Recorder::close_file()
+{
     if (!file_)
     {
         return;
@@ -208,18 +214,23 @@ void Recorder::fail()
 
 void Recorder::flush_often()
 {
-    std::unique_lock<std::mutex> lock(thread_mutex_);
-    while (!stop_.wait_for(lock, flush_period, [this] { return stopping_; }))
+    while (!stops_within(flush_period))
     {
         try
         {
             flush();
         }
-        catch (const DeviceError &)
+        catch (...)
         {
             return; // close() will say so
         }
     }
+}
+
+bool Recorder::stops_within(std::chrono::milliseconds time)
+{
+    std::unique_lock<std::mutex> lock(thread_mutex_);
+    return stop_.wait_for(lock, time, [this] { return stopping_; });
 }
 
 void Recorder::stop_thread()

@@ -19,6 +19,7 @@ constexpr double tell_again_after = 1; // s
 constexpr double longest_gap = 0.5;    // s; after that, a device that answers again can be anywhere
 constexpr double longest_doubt = 0.01; // s; after that, a device that tells nonsense is one that does not answer
 constexpr double jump = 10;            // times the maximum of speed
+constexpr const char *unknown_exception = "The device has thrown something that is no std::exception.";
 
 bool is_finite(const DeviceState &state)
 {
@@ -127,6 +128,11 @@ bool Renderer::read_device(double time)
     catch (const std::exception &error)
     {
         fail(error.what());
+        return false;
+    }
+    catch (...)
+    {
+        fail(unknown_exception);
         return false;
     }
 }
@@ -338,6 +344,10 @@ Wrench Renderer::delivered(const Wrench &safe)
     catch (const std::exception &error)
     {
         fail(error.what());
+    }
+    catch (...)
+    {
+        fail(unknown_exception);
     }
     return {};
 }

@@ -1,5 +1,7 @@
 #include "ode_predictive_space/haptics/stop_request.h"
 
+#include "ode_predictive_space/haptics/with_lock.h"
+
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -56,13 +58,14 @@ void install()
 
 StopRequest::StopRequest()
 {
-    const std::lock_guard<std::mutex> lock(users_mutex);
-    if (users == 0)
-    {
-        request_from.store(nothing, std::memory_order_relaxed);
-        install();
-    }
-    ++users;
+    with_lock(users_mutex, [] {
+        if (users == 0)
+        {
+            request_from.store(nothing, std::memory_order_relaxed);
+            install();
+        }
+        ++users;
+    });
 }
 
 StopRequest::~StopRequest()

@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "ode_predictive_space/haptics/geom_watch.h"
 #include "ode_predictive_space/haptics/ode_vector.h"
+#include "ode_predictive_space/haptics/scene_geoms.h"
 #include "ode_predictive_space/haptics/usual_touches.h"
 
 #include <algorithm>
@@ -140,38 +141,16 @@ void TouchSensor::prepare(dGeomID mesh)
 
 void TouchSensor::prepare_all()
 {
-    dSpaceID outermost = nullptr;
-    for (dSpaceID space = is_gone() ? nullptr : dGeomGetSpace(geom_); space != nullptr;
-         space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
+    const dSpaceID scene = outermost_space_of(geom());
+    if (own_ && scene != nullptr)
     {
-        outermost = space;
-    }
-    if (own_ && outermost != nullptr)
-    {
-        prepare_space(outermost);
+        prepare_space(scene);
     }
 }
 
-// ODE's quadtree cannot list its geoms and aborts: meshes in one are read when they are first touched.
 void TouchSensor::prepare_space(dSpaceID space)
 {
-    if (dGeomGetClass(reinterpret_cast<dGeomID>(space)) == dQuadTreeSpaceClass)
-    {
-        return;
-    }
-    const int count = dSpaceGetNumGeoms(space);
-    for (int i = 0; i < count; ++i)
-    {
-        const dGeomID geom = dSpaceGetGeom(space, i);
-        if (dGeomIsSpace(geom) != 0)
-        {
-            prepare_space(reinterpret_cast<dSpaceID>(geom));
-        }
-        else
-        {
-            prepare(geom);
-        }
-    }
+    for_each_geom(space, [this](dGeomID geom) { prepare(geom); });
 }
 
 void TouchSensor::forget_mesh(dTriMeshDataID data)

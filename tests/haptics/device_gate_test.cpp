@@ -6,6 +6,7 @@
 #include <atomic>
 #include <gtest/gtest.h>
 #include <thread>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -130,6 +131,55 @@ TEST_F(DeviceGateTest, ADeviceThatTakesNoZeroIsLetGoOf)
     EXPECT_TRUE(device.last_wrench().force.isZero(0));
     device.break_now(Breakage::none);
     EXPECT_FALSE(gate.write(push(2))) << "closed all the same";
+}
+
+TEST_F(DeviceGateTest, ShutInTheThreadThatIsInsideItWritesZeroAtOnce)
+{
+    NosyDevice device;
+    device.open();
+    DeviceGate gate(device);
+    double force_after_shut = 1;
+    device.inside = [&, first = true]() mutable {
+        if (std::exchange(first, false))
+        {
+            gate.shut();
+            force_after_shut = device.last_wrench().force.z();
+        }
+    };
+    EXPECT_TRUE(gate.write(push(1)));
+    EXPECT_EQ(force_after_shut, 0) << "this call may never return";
+    EXPECT_FALSE(gate.write(push(2)));
+}
+
+/// Another thread shuts its gate before a write takes effect.
+TEST_F(DeviceGateTest, WhatIsWrittenAfterItWasShutGoesAtOnce)
+{
+    class SlowDevice : public NosyDevice
+    {
+    public:
+        void write(const Wrench &wrench) override
+        {
+            if (before)
+            {
+                std::exchange(before, {})();
+            }
+            NosyDevice::write(wrench);
+        }
+
+        std::function<void()> before;
+    };
+    SlowDevice device;
+    device.open();
+    DeviceGate gate(device);
+    double force_after_shut = 1;
+    gate.write(push(1));
+    device.before = [&] {
+        std::thread([&] { gate.shut(); }).join();
+        force_after_shut = device.last_wrench().force.z();
+    };
+    gate.write(push(2));
+    EXPECT_EQ(force_after_shut, 0) << "though the device was taken";
+    EXPECT_EQ(device.last_wrench().force.z(), 0);
 }
 
 TEST_F(DeviceGateTest, TwoThreadsAreNeverInsideAtOnce)

@@ -1,172 +1,338 @@
 // Ends of a program that no destructor sees: there must be no force after them. Each is tried in a process of its own.
 
 #include "ode_predictive_space/haptics/loop.h"
+#include "ode_predictive_space/haptics/penalty_law.h"
 
 #include "tests/haptics/probe_world.h"
-#include "tests/haptics/scripted_device.h"
+#include "tests/haptics/program_end_fixture.h"
 
-#include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <functional>
 #include <gtest/gtest.h>
+#include <memory>
 #include <stdexcept>
-#include <sys/mman.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// What the device of another process renders.
-struct SharedForce
+/// How the probe is run.
+enum class RunKind
 {
-    std::atomic<double> now{0};  ///< N
-    std::atomic<double> most{0}; ///< N
+    by_hand,
+    one_thread,
+    two_threads
 };
 
-class SharedDevice : public ScriptedDevice
+/// Where the program ends.
+enum class Place
+{
+    near,
+    advance,
+    notice,
+    law,
+    material,
+    recorder,
+    read,
+    write,
+    clock
+};
+
+/// How.
+enum class Way
+{
+    exit,
+    quick_exit,
+    terminate,
+    exception,
+    abort
+};
+
+constexpr RunKind all_runs[] = {RunKind::by_hand, RunKind::one_thread, RunKind::two_threads};
+constexpr Place all_places[] = {Place::near,     Place::advance, Place::notice, Place::law,  Place::material,
+                                Place::recorder, Place::read,    Place::write,  Place::clock};
+constexpr Way all_ways[] = {Way::exit, Way::quick_exit, Way::terminate, Way::exception, Way::abort};
+
+const char *name_of(RunKind run)
+{
+    constexpr const char *names[] = {"ByHand", "OneThread", "TwoThreads"};
+    return names[static_cast<std::size_t>(run)];
+}
+
+const char *name_of(Place place)
+{
+    constexpr const char *names[] = {"Near",     "Advance", "Notice", "Law",  "Material",
+                                     "Recorder", "Read",    "Write",  "Clock"};
+    return names[static_cast<std::size_t>(place)];
+}
+
+const char *name_of(Way way)
+{
+    constexpr const char *names[] = {"Exit", "QuickExit", "Terminate", "Exception", "Abort"};
+    return names[static_cast<std::size_t>(way)];
+}
+
+/// No exception of the standard library: what a device or a callback throws may be anything.
+struct Trouble
+{};
+
+void end_by(Way way)
+{
+    switch (way)
+    {
+    case Way::exit:
+        std::exit(3);
+    case Way::quick_exit:
+        std::quick_exit(3);
+    case Way::terminate:
+        std::terminate();
+    case Way::exception:
+        throw Trouble();
+    case Way::abort:
+        std::abort();
+    }
+}
+
+/// The machine's clock, with the program's own code in it.
+class OwnClock : public MonotonicClock
 {
 public:
-    explicit SharedDevice(SharedForce &force)
-        : ScriptedDevice([](double seconds) -> Vector3 {
-              return {0, 0,
-                      0.009 + 0.003 * std::cos(20 * seconds)}; // in and out: a stall of the machine costs one touch
-          }),
-          force_(force)
-    {}
+    explicit OwnClock(std::function<void()> at_now) : at_now_(std::move(at_now)) {}
 
-    void close() noexcept override
+    double now() const override
     {
-        ScriptedDevice::close();
-        force_.now = 0;
-    }
-
-    void write(const Wrench &wrench) override
-    {
-        ScriptedDevice::write(wrench);
-        force_.now = wrench.force.norm();
-        force_.most = std::max(force_.most.load(), wrench.force.norm());
+        at_now_();
+        return MonotonicClock::now();
     }
 
 private:
-    SharedForce &force_;
+    std::function<void()> at_now_;
 };
 
-/// The parameter: whether the loop has two threads.
-class ProgramEndTest : public testing::TestWithParam<bool>
+/// The usual law, with the program's own code in it, which says by how much too strong its forces are.
+class OwnLaw : public ForceLaw
 {
-protected:
-    ProgramEndTest()
-        : memory_(mmap(nullptr, sizeof(SharedForce), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)),
-          force_(*new (memory_) SharedForce)
-    {}
-    ~ProgramEndTest() override { munmap(memory_, sizeof(SharedForce)); }
+public:
+    explicit OwnLaw(std::function<double()> factor) : factor_(std::move(factor)) {}
 
-    /// A program leans on a plane; with the force there, it ends. @return its exit status.
-    int status_after(const std::function<void()> &end)
+    void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override
     {
-        const pid_t child = fork();
-        if (child == 0)
+        law_.forces(tool, touches, dt, forces);
+        const double factor = factor_();
+        for (Vector3 &force : forces)
         {
-            const rlimit no_core = {0, 0};
-            setrlimit(RLIMIT_CORE, &no_core);
-            lean_until([&] { end(); });
-            std::_Exit(99);
+            force *= factor;
         }
-        int status = 0;
-        waitpid(child, &status, 0);
-        return status;
     }
 
-    void expect_zero()
+    void reset() override { law_.reset(); }
+    Material material() const override { return law_.material(); }
+
+private:
+    PenaltyLaw law_;
+    std::function<double()> factor_;
+};
+
+/// A program that leans on a plane, and whose callbacks call back.
+class LeaningProgram
+{
+public:
+    using Callback = std::function<void(Place)>; ///< called in each place, from then on when the force is there
+
+    LeaningProgram(SharedForce &force, Callback callback)
+        : force_(force), callback_(std::move(callback)), device_(force), clock_([this] { at(Place::clock); })
     {
-        EXPECT_GT(force_.most, 1) << "it was there";
-        EXPECT_EQ(force_.now, 0);
+        dCreatePlane(world_.space, 0, 0, 1, 0);
+        world_.on_pair = [this](dGeomID, dGeomID) { at(Place::near); };
+        device_.before_read = [this] { at(Place::read); };
+        device_.after_write = [this] { at(Place::write); };
+    }
+
+    Device &device() { return device_; }
+    ProbeWorld &world() { return world_; }
+
+    /// Half a second, or 20 by the machine's clock: a busy machine takes its time.
+    void run(RunKind run)
+    {
+        HapticProbe probe(device_, world_.space, 0.01, rendering());
+        probe.set_materials([this](dGeomID) {
+            at(Place::material);
+            return std::nullopt;
+        });
+        probe.set_recorder([this](const RenderedTick &) { at(Place::recorder); });
+        run == RunKind::by_hand ? run_by_hand(probe) : run_loop(probe, run == RunKind::two_threads);
     }
 
 private:
-    void lean_until(const std::function<void()> &end)
+    void at(Place place)
     {
-        dInitODE2(0);
-        ProbeWorld world;
-        dCreatePlane(world.space, 0, 0, 1, 0);
-        SharedDevice device(force_);
-        SafetyLimits limits = SafetyLimits::of(desktop_capabilities());
-        limits.ramp_time = 0;
-        RenderSettings rendering;
-        rendering.safety = limits;
-        HapticProbe probe(device, world.space, 0.01, rendering);
+        if (force_.now > felt)
+        {
+            callback_(place);
+        }
+    }
+
+    RenderSettings rendering()
+    {
+        RenderSettings settings;
+        settings.safety = SafetyLimits::of(desktop_capabilities());
+        settings.safety->ramp_time = 0;
+        settings.notice = [this](const Notice &) { at(Place::notice); };
+        settings.law = std::make_shared<OwnLaw>([this] {
+            at(Place::law);
+            return force_.now > felt ? 1e6 : 1; // more than the device can render: worth a notice
+        });
+        return settings;
+    }
+
+    void run_by_hand(HapticProbe &probe)
+    {
+        for (int tick = 0; tick < 500; ++tick)
+        {
+            world_.run(probe, 1);
+            at(Place::advance);
+        }
+    }
+
+    void run_loop(HapticProbe &probe, bool decoupled)
+    {
         LoopSettings settings;
-        settings.decoupled = GetParam();
+        settings.decoupled = decoupled;
         settings.ask_for_priority = false;
         settings.duration = 20;
+        settings.clock = &clock_;
         HapticLoop loop(probe, settings);
-        loop.run({[&] { world.collide(probe); },
+        loop.run({[&] { world_.collide(probe); },
                   [&](double dt) {
-                      world.step(dt);
-                      if (force_.now > 1.2)
-                      {
-                          end();
-                      }
+                      world_.step(dt);
+                      at(Place::advance);
                   }});
     }
 
-    void *memory_;
-
-protected:
     SharedForce &force_;
+    Callback callback_;
+    const OdeUse ode_;
+    ProbeWorld world_;
+    SharedDevice device_;
+    OwnClock clock_;
 };
 
-TEST_P(ProgramEndTest, ExitInACallbackLeavesNoForce)
+/// A program leans on a plane; with the force there, it ends in a place.
+class LeaningProgramEnds : public ProgramEnds
 {
-    const int status = status_after([] { std::exit(3); });
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 3);
+protected:
+    ProgramEnd end_in(RunKind run, Place place, const std::function<void()> &end)
+    {
+        return end_of_pressing([&] {
+            LeaningProgram program(force_, [&](Place here) {
+                if (here == place)
+                {
+                    end();
+                }
+            });
+            program.run(run);
+        });
+    }
+};
+
+using EndPlace = std::tuple<RunKind, Place>;
+
+class ProgramEndTest : public LeaningProgramEnds, public testing::WithParamInterface<EndPlace>
+{};
+
+TEST_P(ProgramEndTest, LeavesNoForceAndAMessage)
+{
+    const auto [run, place] = GetParam();
+    const bool in_device = place == Place::read || place == Place::write;
+    for (const Way way : all_ways)
+    {
+        if (in_device && way == Way::exception)
+        {
+            continue; // no end of a program: see WhatADeviceThrowsIsADevicesFaultWhateverItIs
+        }
+        SCOPED_TRACE(name_of(way));
+        const ProgramEnd end = end_in(run, place, [way] { end_by(way); });
+        if (way == Way::exit || way == Way::quick_exit)
+        {
+            EXPECT_TRUE(end.exited_with(3)) << end.status << (end.hung ? " hung" : "");
+        }
+        else
+        {
+            expect_abort(end);
+        }
+        expect_zero();
+    }
+}
+
+/// Without a loop there is no clock.
+std::vector<EndPlace> all_end_places()
+{
+    std::vector<EndPlace> places;
+    for (const RunKind run : all_runs)
+    {
+        for (const Place place : all_places)
+        {
+            if (run != RunKind::by_hand || place != Place::clock)
+            {
+                places.emplace_back(run, place);
+            }
+        }
+    }
+    return places;
+}
+
+INSTANTIATE_TEST_SUITE_P(Places, ProgramEndTest, testing::ValuesIn(all_end_places()), [](const auto &info) {
+    return std::string(name_of(std::get<0>(info.param))) + name_of(std::get<1>(info.param));
+});
+
+/// The parameter: how the probe is run.
+class ProgramEndRunTest : public LeaningProgramEnds, public testing::WithParamInterface<RunKind>
+{};
+
+INSTANTIATE_TEST_SUITE_P(Runs, ProgramEndRunTest, testing::ValuesIn(all_runs),
+                         [](const auto &info) { return name_of(info.param); });
+
+TEST_P(ProgramEndRunTest, ExitInAnotherThreadLeavesNoForce)
+{
+    const ProgramEnd end = end_in(GetParam(), Place::advance, [] { std::thread([] { std::exit(3); }).join(); });
+    EXPECT_TRUE(end.exited_with(3));
     expect_zero();
 }
 
-TEST_P(ProgramEndTest, ExitInAnotherThreadLeavesNoForce)
+TEST_P(ProgramEndRunTest, AnExceptionThatAThreadDoesNotCatchLeavesNoForce)
 {
-    const int status = status_after([] { std::thread([] { std::exit(3); }).join(); });
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 3);
+    const ProgramEnd end =
+        end_in(GetParam(), Place::advance, [] { std::thread([] { throw std::runtime_error("not caught"); }).join(); });
+    expect_abort(end);
+    EXPECT_TRUE(end.says("not caught"));
     expect_zero();
 }
 
-TEST_P(ProgramEndTest, QuickExitLeavesNoForce)
+TEST_F(LeaningProgramEnds, SigquitEndsALoopAndLeavesNoForce)
 {
-    const int status = status_after([] { std::quick_exit(4); });
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 4);
-    expect_zero();
+    for (const RunKind run : {RunKind::one_thread, RunKind::two_threads})
+    {
+        EXPECT_TRUE(end_in(run, Place::advance, [] { std::raise(SIGQUIT); }).exited_with(returned));
+        expect_zero();
+    }
 }
 
-TEST_P(ProgramEndTest, TerminateLeavesNoForce)
+TEST_P(ProgramEndRunTest, WhatADeviceThrowsIsADevicesFaultWhateverItIs)
 {
-    const int status = status_after([] { std::terminate(); });
-    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT);
-    expect_zero();
+    for (const Place place : {Place::read, Place::write})
+    {
+        const ProgramEnd end = end_in(GetParam(), place, [ended = false]() mutable {
+            if (!std::exchange(ended, true))
+            {
+                throw Trouble();
+            }
+            std::exit(3); // with the force there again
+        });
+        EXPECT_TRUE(end.exited_with(3)) << end.messages;
+        expect_zero();
+    }
 }
-
-TEST_P(ProgramEndTest, AnExceptionThatAThreadDoesNotCatchLeavesNoForce)
-{
-    const int status = status_after([] { std::thread([] { throw std::runtime_error("not caught"); }).join(); });
-    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT);
-    expect_zero();
-}
-
-TEST_P(ProgramEndTest, SigquitEndsTheLoopAndLeavesNoForce)
-{
-    const int status = status_after([] { std::raise(SIGQUIT); });
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 99) << "run() returned";
-    expect_zero();
-}
-
-INSTANTIATE_TEST_SUITE_P(Loops, ProgramEndTest, testing::Bool(),
-                         [](const auto &parameters) { return parameters.param ? "TwoThreads" : "OneThread"; });
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -1,9 +1,11 @@
 #include "ode_predictive_space/haptics/random.h"
 #include "ode_predictive_space/haptics/recording.h"
 #include "tests/haptics/allocation_count.h"
+#include "tests/haptics/child_program.h"
 #include "tests/haptics/temporary_file.h"
 
 #include <cmath>
+#include <exception>
 #include <thread>
 
 namespace ode_predictive_space::haptics
@@ -246,6 +248,29 @@ TEST(Recorder, SaysWhenTheDiskIsFull)
         }
         EXPECT_NO_THROW(recorder.close());
     }
+}
+
+Recorder *recorder_of_handler = nullptr;
+
+TEST(Recorder, ATerminateHandlerMayUseTheOneThatHasThrown)
+{
+    const ProgramEnd end = end_of([] {
+        Recorder recorder("/dev/full", any_device(), Flush::by_caller);
+        recorder_of_handler = &recorder;
+        std::set_terminate([] {
+            try
+            {
+                recorder_of_handler->flush();
+            }
+            catch (const DeviceError &)
+            {
+                std::_Exit(3);
+            }
+        });
+        add(recorder, 1);
+        recorder.flush();
+    });
+    EXPECT_TRUE(end.exited_with(3)) << (end.hung ? "hung" : "");
 }
 
 TEST(Recorder, SaysWhyItCannotMakeTheFile)

@@ -92,6 +92,10 @@ struct DeviceStatus
 /// Call order: open(); then read() and write() in each tick, from the servo loop's thread; close(). When that thread hangs
 /// elsewhere, another one may write() zero, or close(): never two at once (see DeviceGate). A force that was written stays
 /// until the next write() or close().
+///
+/// When the program ends, by exit(), an exception that is not caught or abort(), zero is written from there: within a call of the
+/// device where the program ends in one, and beside a call of another thread that does not return within 20 ms. A device that
+/// waits for a lock of its own then is given up after a second, and the program is killed.
 class Device
 {
 public:

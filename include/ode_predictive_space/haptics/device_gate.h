@@ -51,8 +51,8 @@ public:
     /// @param now s; on any clock.
     Outcome close_with_zero(double now);
 
-    /// When the program ends: no force, and none ever again. From any thread; it waits for one that is in the device, 20 ms
-    /// at most.
+    /// When the program ends: no force, and none ever again. From any thread. Another thread that is in the device is waited for,
+    /// 20 ms at most; then zero is written all the same, and at once where this thread itself is in the device.
     void shut() noexcept;
 
     /// Whether a guard looks after this device.
@@ -78,6 +78,7 @@ private:
     };
 
     bool enter(User user);
+    bool enter_soon();
     void leave() { user_.store(User::none, std::memory_order_release); }
 
     /// Leaves on every way out of a call.

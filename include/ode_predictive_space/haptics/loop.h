@@ -68,6 +68,10 @@ class LoopParts;
 /// is near the probe, not on the size of the scene. What it gave to the hand comes back to the scene as impulses, none lost
 /// and none twice. The probe's tool must not be a body then.
 ///
+/// A body whose position, rotation, velocity, spin, force or torque is not finite ends the loop before the scene is collided or
+/// stepped with it, with a std::runtime_error that names the body. This is looked at for all bodies with a geom in the spaces around
+/// the probe's, except in ODE's quadtrees, before and after collide().
+///
 /// However the loop ends, it ends with zero force: the duration is over, stop() or a StopRequest (within 1 ms, even while the
 /// program's part of a tick runs), an exception of the program (which run() rethrows), a lost device. Scene and servo that hang are
 /// noticed:
@@ -94,8 +98,9 @@ public:
     /// SIGQUIT do as long as it runs: such a signal ends the loop and not the program (see StopRequest::signal()). Once.
     ///
     /// @return the report at the end.
-    /// @throws std::logic_error when it has run, or another loop runs the probe; what the program's callbacks throw, the
-    ///        sink of notices among them, or the force law, after the force has been taken away.
+    /// @throws std::logic_error when it has run, or another loop runs the probe; std::runtime_error for a body that is not finite;
+    ///        what the program's callbacks throw, the sink of notices among them, or the force law: after the force has been
+    ///        taken away.
     LoopReport run(const SceneWork &work);
 
     /// From any thread.

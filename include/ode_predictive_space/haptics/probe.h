@@ -123,6 +123,9 @@ public:
     /// The same.
     TouchSensor *sensor() { return sensor_.get(); }
 
+    /// For the same: 0 without a tool body, and when that was destroyed.
+    dBodyID tool_body() const { return tool_body_ != nullptr && tool_watch_.has(tool_body_) ? tool_body_ : nullptr; }
+
     /// For the same: a loop takes the probe, and gives it back. From any thread.
     ///
     /// @throws std::logic_error when another loop runs it.

@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/device.h"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdio>
 #include <memory>
@@ -121,7 +122,9 @@ private:
     void append_loss(std::size_t lost);
     void write_text();
     [[noreturn]] void fail();
+    void close_file();
     void flush_often();
+    bool stops_within(std::chrono::milliseconds time);
     void stop_thread();
 
     std::string name_;
