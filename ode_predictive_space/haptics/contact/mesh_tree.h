@@ -33,8 +33,8 @@ public:
     double distance(const Vector3 &point, double most) const;
 
     /// How often the mesh winds around a point: 1 inside of a closed mesh whose triangles face outwards, -1 where they face
-    /// inwards, 0 outside. Holes and far triangles make it inexact by some hundredths. [Jacobson, Kavan and Sorkine-Hornung
-    /// 2013; Barill and others 2018]
+    /// inwards, 0 outside. Holes and far triangles make it inexact by some hundredths. (Jacobson, Kavan and Sorkine-Hornung,
+    /// 2013; Barill and others, 2018.)
     double winding_number(const Vector3 &point) const;
 
     /// The place of one triangle that is nearest to a point.
