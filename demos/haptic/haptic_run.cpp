@@ -1,5 +1,6 @@
 #include "demos/haptic/haptic_run.h"
 
+#include "demos/scenes/free_place.h"
 #include "demos/scenes/room.h"
 #include "demos/scenes/scene_run.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
@@ -42,14 +43,39 @@ haptics::NoticeSink HapticRun::counted(const haptics::NoticeSink &notice)
     };
 }
 
-haptics::WorkspacePlacement HapticRun::placement() const
+/// With some room around it; where the scene is too small for that, with none, and beyond the room if there is no wall.
+Vector3 HapticRun::free_start(const Vector3 &wish, const Eigen::AlignedBox3d &room) const
+{
+    constexpr double roomy = 1.5 * probe_radius;
+    if (const auto place = scenes::free_place(*scene_, wish, roomy, probe_radius, room))
+    {
+        return *place;
+    }
+    const Vector3 beyond = Vector3::Constant(2 * probe_radius);
+    return scenes::free_place(*scene_, wish, probe_radius, probe_radius / 4, {room.min() - beyond, room.max() + beyond})
+        .value_or(wish);
+}
+
+/// The device's position now is a place where the probe is in nothing; all of the room is within reach, and some more.
+haptics::WorkspacePlacement HapticRun::placement()
 {
     const Vector3 reach = (room_.sizes() / 2 - Vector3::Constant(probe_radius)).cwiseMax(probe_radius);
     // The person looks along the scene's -x, as the window does: x, to the right, is the scene's y; y, upwards, its z; and z,
     // towards the person, its x.
     const haptics::Quaternion axes(0.5, 0.5, 0.5, 0.5);
-    return haptics::WorkspacePlacement::covering({room_.center() - reach, room_.center() + reach},
-                                                 device_.capabilities().workspace, axes);
+    const Eigen::AlignedBox3d room(room_.center() - reach, room_.center() + reach);
+    const Eigen::AlignedBox3d workspace = device_.capabilities().workspace;
+    haptics::WorkspacePlacement placement = haptics::WorkspacePlacement::covering(room, workspace, axes);
+    const Vector3 at_device = device_.read(0).position;
+    const Vector3 wish = placement.offset + placement.scale * (axes * at_device);
+    start_ = free_start(wish, room);
+    if (start_ != wish)
+    {
+        const Vector3 moved = (start_ - wish).cwiseAbs();
+        placement = haptics::WorkspacePlacement::covering({room.min() - moved, room.max() + moved}, workspace, axes);
+        placement.offset = start_ - placement.scale * (axes * at_device);
+    }
+    return placement;
 }
 
 // A newton in the scene is one at the hand, but the probe moves farther than the hand, by the scale of the workspace.

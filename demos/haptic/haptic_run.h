@@ -83,6 +83,7 @@ public:
 
     double time() const { return time_; } ///< s; simulated
     const scenes::Scene &scene() const { return *scene_; }
+    const Vector3 &start() const { return start_; } ///< m; where the probe begins: in free space
     dGeomID probe_geom() const { return probe_->geom(); }
     const haptics::RenderedTick &rendered() const { return loop_->latest(); }
     const scenes::PairList &pairs() const { return pairs_; }         ///< of the last step, without the probe's
@@ -99,7 +100,8 @@ private:
     haptics::NoticeSink counted(const haptics::NoticeSink &notice);
     void make_probe(const haptics::NoticeSink &notice);
     void make_loop(const haptics::NoticeSink &notice);
-    haptics::WorkspacePlacement placement() const;
+    haptics::WorkspacePlacement placement();
+    Vector3 free_start(const Vector3 &wish, const Eigen::AlignedBox3d &room) const;
     std::shared_ptr<AdjustableLaw> make_law() const;
     double stiffest() const;
     void collide();
@@ -123,6 +125,7 @@ private:
     scenes::OwnedSpace space_;
     std::unique_ptr<scenes::Scene> scene_;
     Eigen::AlignedBox3d room_;
+    Vector3 start_ = Vector3::Zero(); ///< m
     std::shared_ptr<AdjustableLaw> law_;
     std::optional<ServoLog> servo_log_;
     haptics::SimulatedClock simulated_clock_;

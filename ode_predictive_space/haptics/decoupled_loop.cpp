@@ -39,6 +39,7 @@ struct Surroundings
 {
     ContactModel planes; ///< of what only dCollide() knows
     NearbyGeoms geoms;   ///< all others
+    int tool_jumps = 0;  ///< as RenderedTick has it: with more of them, the tool is somewhere else by now
 };
 
 /// Impulses that can be on their way before the watchdog has taken the force away from a scene that does not fetch them.
@@ -149,7 +150,14 @@ void Servo::render(double due)
 /// @return whether the touches are all there are.
 bool Servo::feel(const Surroundings &scene, double due)
 {
-    scene.planes.evaluate(renderer_.tool().position, due, pending_.shifts(), touches_);
+    if (scene.tool_jumps != renderer_.last_tick().tool_jumps)
+    {
+        touches_.clear();
+    }
+    else
+    {
+        scene.planes.evaluate(renderer_.tool().position, due, pending_.shifts(), touches_);
+    }
     const bool all_known = !tracker_ || feel_geoms(scene, due);
     if (touches_.size() > ContactModel::capacity)
     {
@@ -183,7 +191,8 @@ bool Servo::feel_geoms(const Surroundings &scene, double due)
         tracker_->forget();
     }
     tracker_->aim(renderer_.tool().position);
-    for (std::size_t i = 0; i < nearby.count; ++i)
+    const std::size_t count = scene.tool_jumps == tool_jumps_ ? nearby.count : 0;
+    for (std::size_t i = 0; i < count; ++i)
     {
         NearbyGeom geom = nearby.geoms[i].later(due - nearby.time);
         const ContactModel::Shift shift = shift_of(geom.object(), scene.planes);
@@ -249,7 +258,7 @@ public:
 
 private:
     void step(double due);
-    void publish(const Vector3 &tool, double due);
+    void publish(const RenderedTick &tick, double due);
 
     LoopParts &parts_;
     Servo &servo_;
@@ -283,7 +292,6 @@ void SceneLoop::step(double due)
 {
     parts_.rendered.take();
     const RenderedTick &tick = parts_.rendered.latest();
-    const ToolState &tool = tick.tool;
     sensor_.clear();
     if (sensor_.tracker() != nullptr)
     {
@@ -292,18 +300,19 @@ void SceneLoop::step(double due)
     }
     parts_.probe.place(tick);
     parts_.collide(work_);
-    publish(tool.position, due);
+    publish(tick, due);
     parts_.probe.renderer().physics_fresh(parts_.clock.now());
     push();
     pushed_at_ = due;
     work_.advance(dt_);
 }
 
-void SceneLoop::publish(const Vector3 &tool, double due)
+void SceneLoop::publish(const RenderedTick &tick, double due)
 {
     Surroundings &surroundings = servo_.surroundings().draft();
+    surroundings.tool_jumps = tick.tool_jumps;
     ContactModel &model = surroundings.planes;
-    model.set(sensor_.touches(), !sensor_.saw_nonsense(), tool, due);
+    model.set(sensor_.touches(), !sensor_.saw_nonsense(), tick.tool.position, due);
     model.set_included(received_, pushed_at_);
     response_.begin();
     for (std::size_t i = 0; i < model.count(); ++i)

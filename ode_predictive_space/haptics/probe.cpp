@@ -112,6 +112,7 @@ void HapticProbe::place(const RenderedTick &tick)
         tool_jumps_ = tick.tool_jumps;
         sensor_->forget_sides();
     }
+    sensor_->set_tick_length(tick_length_);
     sensor_->pose(tick.tool);
 }
 

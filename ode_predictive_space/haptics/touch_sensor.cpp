@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/touch_sensor.h"
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
+#include "ode_predictive_space/haptics/contact/excluded_geoms.h"
 #include "ode_predictive_space/haptics/geom_watch.h"
 #include "ode_predictive_space/haptics/ode_vector.h"
 #include "ode_predictive_space/haptics/scene_geoms.h"
@@ -55,13 +56,15 @@ bool is_shallower(const dContactGeom &a, const dContactGeom &b)
 TouchSensor::TouchSensor(dSpaceID space, double radius)
     : geom_(make_sphere(space, radius)), tool_(dCreateSphere(nullptr, static_cast<dReal>(radius))), own_(true),
       turns_(false), radius_(radius), tracker_(std::make_unique<ContactTracker>(radius)),
-      watch_(std::make_unique<GeomWatch>(geom_)), meshes_(std::make_unique<MeshStore>()), contacts_(most_contacts)
+      excluded_(std::make_unique<ExcludedGeoms>()), watch_(std::make_unique<GeomWatch>(geom_)),
+      meshes_(std::make_unique<MeshStore>()), contacts_(most_contacts)
 {
     become_interactive();
 }
 
 TouchSensor::TouchSensor(dGeomID geom)
-    : geom_(checked(geom)), own_(false), turns_(dGeomGetClass(geom) != dSphereClass), contacts_(most_contacts)
+    : geom_(checked(geom)), own_(false), turns_(dGeomGetClass(geom) != dSphereClass),
+      excluded_(std::make_unique<ExcludedGeoms>()), contacts_(most_contacts)
 {
     become_interactive();
     if (const dSpaceID space = dGeomGetSpace(geom))
@@ -179,6 +182,7 @@ void TouchSensor::forget_samples(dHeightfieldDataID data)
 
 void TouchSensor::forget_sides()
 {
+    begins_ = true;
     if (own_)
     {
         tracker_->forget();
@@ -190,6 +194,7 @@ void TouchSensor::clear()
     touches_.clear();
     collided_.clear();
     bodies_.age();
+    excluded_->begin();
     nonsense_ = false;
     if (own_)
     {
@@ -280,6 +285,10 @@ bool TouchSensor::hold(dGeomID other)
         nonsense_ = true;
         return true;
     }
+    if (excluded_->excludes(*nearby, probe()))
+    {
+        return true;
+    }
     if (const dBodyID body = dGeomGetBody(other))
     {
         bodies_.keep(body);
@@ -287,6 +296,16 @@ bool TouchSensor::hold(dGeomID other)
     nearby->set_material(material_of(other));
     tracker_->add_if_near(std::move(*nearby));
     return true;
+}
+
+ProbePlace TouchSensor::probe() const
+{
+    ProbePlace probe;
+    probe.centre = tracker_ ? tracker_->start() : position_;
+    probe.radius = radius_;
+    probe.begins = begins_;
+    probe.tick = tick_length_;
+    return probe;
 }
 
 void TouchSensor::collide(dGeomID other)
@@ -329,6 +348,7 @@ void TouchSensor::resolve()
 const std::vector<Touch> &TouchSensor::touches()
 {
     resolve();
+    begins_ = false;
     return touches_;
 }
 
@@ -346,6 +366,10 @@ void TouchSensor::add(const dContactGeom &contact, dGeomID other)
     touch.point = from_ode(contact.pos);
     touch.normal = from_ode(contact.normal);
     touch.depth = static_cast<double>(contact.depth) - margin_;
+    if (excluded_->excludes(other, touch.depth, probe()))
+    {
+        return;
+    }
     touch.object = object_of(other);
     touch.material = material_of(other);
     if (body != nullptr)

@@ -201,6 +201,46 @@ TEST(ContactTracker, LooksWhereverTheServoHoldsSomething)
     }
 }
 
+/// m; the largest region while the tool goes 1 m away from a sphere that plates hold: their gap goes from one to another.
+double largest_region(bool as_mesh, double first_gap, double last_gap)
+{
+    ProbeWorld world;
+    MeshStore meshes;
+    ContactTracker tracker(r);
+    const Plate below(world, as_mesh), above(world, as_mesh);
+    const dQuaternion turned = {0, 1, 0, 0}; // its top looks down
+    dBodySetQuaternion(above.body, turned);
+    const dGeomID other = world.add_box({0.01, 0.01, 0.01}, {0.03, 0, 0});
+    double largest = 0;
+    constexpr int ticks = 1000;
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+        const double gap = first_gap + (last_gap - first_gap) * tick / ticks;
+        dBodySetPosition(below.body, 0, 0, -gap / 2);
+        dBodySetPosition(above.body, 0, 0, gap / 2);
+        tracker.begin();
+        tracker.aim({0.001 * tick, 0, 0.001 * tick});
+        largest = std::max(largest, tracker.region().radius);
+        for (const dGeomID geom : {below.geom, above.geom, other})
+        {
+            tracker.add(*NearbyGeom::read(geom, meshes, {}));
+        }
+        tracker.follow();
+    }
+    return largest;
+}
+
+// Before, geoms that did not hold the sphere had a place of their own, which went to the tool: 1.4 m.
+TEST(ContactTracker, LooksNoFartherThanTheSphereCanBeWhereverTheToolIs)
+{
+    const OdeUse ode;
+    for (const bool as_mesh : {false, true})
+    {
+        EXPECT_LT(largest_region(as_mesh, 1.5 * r, 1.5 * r), 5.1 * r) << as_mesh;
+        EXPECT_LT(largest_region(as_mesh, 1.5 * r, -0.5), 5.5 * r) << as_mesh << ", plates that pass each other";
+    }
+}
+
 TEST(ContactTracker, AllocatesNothingFromItsFirstTickOn)
 {
     const OdeUse ode;

@@ -174,8 +174,9 @@ TEST(HeightfieldContact, WithoutSamplesItIsWhatOdeSays)
     ProbeWorld world;
     const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
     field.add_upright(world.space);
-    ScriptedDevice device([](double) { return Vector3(0.003, 0.001, 0.006); });
+    ScriptedDevice device([](double seconds) { return Vector3(0.003, 0.001, seconds > 0 ? 0.006 : 0.011); });
     HapticProbe probe(device, world.space, r, RenderSettings());
+    world.run(probe, 1); // outside of it
     const auto is_held = [&] {
         world.run(probe, 1);
         return !probe.touches().empty() && probe.touches().front().from_entry_side;

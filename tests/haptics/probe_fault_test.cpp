@@ -105,7 +105,7 @@ TEST_F(ProbeFaultTest, AVelocityThatIsNotANumberEndsWithZeroForceAndANotice)
     world.run(probe, reach_ticks);
     ASSERT_GT(device_.last_wrench().force.z(), 1);
     dBodySetLinearVel(body, std::numeric_limits<dReal>::quiet_NaN(), 0, 0);
-    probe.begin(3);
+    probe.begin(reach_ticks * tick_length);
     world.collide(probe);
     probe.render(tick_length);
     EXPECT_TRUE(device_.last_wrench().force.isZero(0));

@@ -74,6 +74,32 @@ TEST(MeshTree, FindsTheDistanceThatAllTrianglesGive)
     }
 }
 
+TEST(MeshTree, WindsOnceAroundWhatIsInsideOfIt)
+{
+    const MeshShape shape = sphere_mesh(1, 64);
+    std::vector<TriangleCorners> outwards, inwards;
+    for (const auto &triangle : shape.triangles)
+    {
+        const Vector3 &a = shape.vertices[triangle[0]], &b = shape.vertices[triangle[1]],
+                      &c = shape.vertices[triangle[2]];
+        outwards.push_back({a, b, c});
+        inwards.push_back({a, c, b});
+    }
+    const MeshTree body(outwards), room(inwards);
+    RandomNumbers random(1);
+    for (int i = 0; i < 1000; ++i)
+    {
+        const Vector3 point = random.in_cube(1.5);
+        if (std::abs(point.norm() - 1) > 0.01)
+        {
+            const double truth = point.norm() < 1 ? 1 : 0;
+            ASSERT_NEAR(body.winding_number(point), truth, 0.1) << point.transpose();
+            ASSERT_NEAR(room.winding_number(point), -truth, 0.1) << point.transpose();
+        }
+    }
+    EXPECT_EQ(MeshTree({}).winding_number({0, 0, 0}), 0);
+}
+
 TEST(MeshTree, AFlatFloorIsOneFeatureHoweverManyTrianglesItHas)
 {
     const MeshShape sheet = sheet_mesh(0.1, 50);

@@ -16,8 +16,10 @@
 namespace ode_predictive_space::haptics
 {
 class ContactTracker;
+class ExcludedGeoms;
 class GeomWatch;
 class MeshStore;
+struct ProbePlace;
 
 /// The heights of a heightfield, as it was built of them by dGeomHeightfieldDataBuildDouble() or the like. Its frame's y
 /// axis points up.
@@ -45,6 +47,9 @@ using MaterialOf = std::function<std::optional<Material>(dGeomID)>;
 /// object, fast the tool, or deep it is. What the near callback does not tell of any more (destroyed, disabled, filtered
 /// out) is released, and so is a mesh with other triangles. All else is touched as dCollide() says at the moment: convex
 /// geoms, other heightfields, transforms and classes of the program, and all things that a geom of the program touches.
+///
+/// What the sensor is in when it begins, or begins elsewhere, is not touched until the sensor has been outside of it once.
+/// The same holds for a solid that appears around the sphere and holds all of it, and for a mesh that holds its middle.
 ///
 /// Which geoms the probe cannot touch is set as everywhere in ODE, by dGeomSetCategoryBits() and dGeomSetCollideBits().
 class TouchSensor
@@ -121,6 +126,10 @@ public:
     /// there is nothing to do.
     void abandon_locked_space();
 
+    /// s; how much time passes from one dSpaceCollide() to the next, as far as it is known: what came by its own motion is told
+    /// from what appeared by that.
+    void set_tick_length(double seconds) { tick_length_ = seconds; }
+
     /// Forget the touches.
     void clear();
 
@@ -157,6 +166,7 @@ private:
     void prepare_space(dSpaceID space);
     void look_around();
     bool hold(dGeomID other);
+    ProbePlace probe() const;
     void collide(dGeomID other);
     void add(const dContactGeom &contact, dGeomID other);
     void resolve();
@@ -178,13 +188,16 @@ private:
     bool posed_ = false;
     Vector3 position_ = Vector3::Zero();
     Quaternion orientation_ = Quaternion::Identity();
+    bool begins_ = false;    ///< by forget_sides(), until touches are asked for
+    double tick_length_ = 0; ///< s
     bool nonsense_ = false;
     bool resolved_ = true; ///< whether touches_ has all
     TouchView view_ = TouchView::each_object_alone;
     std::vector<Touch> touches_;
     std::vector<Touch> collided_;             ///< by dCollide()
     std::unique_ptr<ContactTracker> tracker_; ///< of the sphere that the sensor makes
-    std::unique_ptr<GeomWatch> watch_;        ///< of the sphere that the sensor makes or the sentinel
+    std::unique_ptr<ExcludedGeoms> excluded_;
+    std::unique_ptr<GeomWatch> watch_; ///< of the sphere that the sensor makes or the sentinel
     std::unique_ptr<MeshStore> meshes_;
     MaterialOf materials_;
     BodyWatch bodies_;

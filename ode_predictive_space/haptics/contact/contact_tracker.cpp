@@ -1,5 +1,7 @@
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 
+#include "ode_predictive_space/haptics/contact/excluded_geoms.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,13 +12,13 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr std::size_t usual_geoms = NearbyGeoms::capacity;
-constexpr double ahead = 1.5;           // times the tool's way: how far ahead surfaces are looked for
-constexpr double catching_up = 2;       // times the tool's way: how far the proxy may go in a tick, at least its radius
-constexpr double around = 1.5;          // times the proxy's way: the ball that holds all that it may reach, and more
-constexpr double steps_ahead = 2;       // times the tool's way: how far it may go until geoms come from another thread
-constexpr double farthest_carried = 10; // times the radius; a geom that moves more in a tick was put elsewhere
-constexpr double in_contact = 1e-6;     // of the radius
-constexpr double same_direction = 0.5;  // cosine; below, it is another plane of the object
+constexpr double ahead = 1.5;          // times the tool's way: how far ahead surfaces are looked for
+constexpr double catching_up = 2;      // times the tool's way: how far the proxy may go in a tick, at least its radius
+constexpr double around = 1.5;         // times the proxy's way: the ball that holds all that it may reach, and more
+constexpr double steps_ahead = 2;      // times the tool's way: how far it may go until geoms come from another thread
+constexpr double farthest_apart = 4;   // times the radius; geoms that squeeze the sphere more have passed each other
+constexpr double in_contact = 1e-6;    // of the radius
+constexpr double same_direction = 0.5; // cosine; below, it is another plane of the object
 } // namespace
 
 bool is_finite(const Touch &touch)
@@ -183,6 +185,7 @@ SphereSlide::Task ContactTracker::task() const
     SphereSlide::Task task;
     task.radius = radius_;
     task.goal = tool_;
+    task.start = start_;
     task.look = ahead * moved_;
     task.longest = longest_;
     task.margin = margin_;
@@ -226,6 +229,24 @@ void ContactTracker::settle(bool common)
         return (a.place.at - tool_).squaredNorm() < (b.place.at - tool_).squaredNorm();
     });
     proxy_ = common ? near_.front().place.at : farthest->place.at;
+    if (!common)
+    {
+        bring_together();
+    }
+}
+
+/// A place that is too far from the proxy to be that of the same sphere is given up: the region() holds all places.
+void ContactTracker::bring_together()
+{
+    for (Held &held : near_)
+    {
+        if ((held.place.at - proxy_).norm() > farthest_apart * radius_)
+        {
+            held.place.at = proxy_;
+            held.place.local = held.geom.to_local(proxy_);
+            held.place.drift = 0;
+        }
+    }
 }
 
 bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)

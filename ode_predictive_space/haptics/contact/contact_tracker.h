@@ -47,6 +47,9 @@ public:
 
     void aim(const Vector3 &tool);
 
+    /// m; in the scene's frame: the proxy before it follows.
+    const Vector3 &start() const { return start_; }
+
     /// Where to look for geoms.
     Region region() const;
 
@@ -100,6 +103,7 @@ private:
     SphereSlide::Task task() const;
     const ContactMemory::Place *known(const NearbyGeom &geom) const;
     void settle(bool common);
+    void bring_together();
     void tell_planes(std::vector<Touch> &touches);
     void tell_each_object(std::vector<Touch> &touches);
     void number(std::vector<Touch> &touches, std::size_t first);

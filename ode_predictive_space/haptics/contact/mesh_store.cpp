@@ -21,7 +21,7 @@ TriangleCorners triangle_of(dGeomID geom, int index)
     return {from_ode(corners[0]), from_ode(corners[1]), from_ode(corners[2])};
 }
 
-/// The cells' diagonals go from the one with the higher x to the one with the higher z, as in ODE.
+/// The cells' diagonals go from the one with the higher x to the one with the higher z, as in ODE. They face upwards.
 std::vector<TriangleCorners> triangles_of(const HeightfieldSamples &samples)
 {
     const int columns = samples.width_samples;
@@ -43,8 +43,8 @@ std::vector<TriangleCorners> triangles_of(const HeightfieldSamples &samples)
     {
         for (int x = 0; x + 1 < columns; ++x)
         {
-            triangles.push_back({at(x, z), at(x + 1, z), at(x, z + 1)});
-            triangles.push_back({at(x + 1, z + 1), at(x, z + 1), at(x + 1, z)});
+            triangles.push_back({at(x, z), at(x, z + 1), at(x + 1, z)});
+            triangles.push_back({at(x + 1, z + 1), at(x + 1, z), at(x, z + 1)});
         }
     }
     return triangles;

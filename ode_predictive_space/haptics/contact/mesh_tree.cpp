@@ -15,6 +15,8 @@ constexpr double nearer = 1 - 1e-12;    // square of a distance: so much of it c
 constexpr std::uint32_t large_fan = 12; // triangles at a corner
 constexpr int no_minimum = -2;          // instead of a triangle
 constexpr double same_place = 1e-7;     // of the distance
+constexpr double far = 2;               // times the radius of a node: from there, it is a dipole
+constexpr double pi = 3.14159265358979323846;
 
 struct PlaceHash
 {
@@ -58,6 +60,7 @@ MeshTree::MeshTree(const std::vector<TriangleCorners> &triangles)
     {
         nodes_.reserve(order_.size());
         build(0, static_cast<std::uint32_t>(order_.size()));
+        list_dipoles();
     }
 }
 
@@ -207,6 +210,88 @@ double MeshTree::distance(const Vector3 &point, double most) const
         most = squared < most * most ? std::sqrt(squared) : most;
     });
     return most;
+}
+
+void MeshTree::add_to(Dipole &dipole, const TriangleCorners &corners) const
+{
+    const Vector3 area = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const double size = area.norm();
+    dipole.area += area;
+    dipole.size += size;
+    dipole.centre += size / 3 * (corners[0] + corners[1] + corners[2]);
+}
+
+// Children have larger numbers than their parents.
+void MeshTree::list_dipoles()
+{
+    dipoles_.resize(nodes_.size());
+    for (std::size_t index = nodes_.size(); index-- > 0;)
+    {
+        const Node &node = nodes_[index];
+        Dipole dipole;
+        for (std::uint32_t i = 0; i < node.count; ++i)
+        {
+            add_to(dipole, corners(order_[node.first + i]));
+        }
+        if (node.count == 0)
+        {
+            for (const Dipole *child : {&dipoles_[index + 1], &dipoles_[node.first]})
+            {
+                dipole.area += child->area;
+                dipole.size += child->size;
+                dipole.centre += child->size * child->centre;
+            }
+        }
+        dipole.centre = dipole.size > 0 ? Vector3(dipole.centre / dipole.size) : Vector3((node.low + node.high) / 2);
+        dipole.radius = (node.low - dipole.centre).cwiseAbs().cwiseMax((node.high - dipole.centre).cwiseAbs()).norm();
+        dipoles_[index] = dipole;
+    }
+}
+
+double MeshTree::winding_number(const Vector3 &point) const
+{
+    std::array<std::uint32_t, deepest> waiting;
+    int count = 0;
+    if (!nodes_.empty())
+    {
+        waiting[count++] = 0;
+    }
+    double angle = 0;
+    while (count > 0)
+    {
+        const std::uint32_t index = waiting[--count];
+        const Node &node = nodes_[index];
+        const Vector3 way = dipoles_[index].centre - point;
+        const double distance = way.norm();
+        if (distance > far * dipoles_[index].radius)
+        {
+            angle += dipoles_[index].area.dot(way) / (distance * distance * distance);
+        }
+        else if (node.count > 0)
+        {
+            angle += solid_angle_of_leaf(node, point);
+        }
+        else
+        {
+            waiting[count++] = node.first;
+            waiting[count++] = index + 1;
+        }
+    }
+    return angle / (4 * pi);
+}
+
+/// By the formula of van Oosterom and Strackee (1983).
+double MeshTree::solid_angle_of_leaf(const Node &node, const Vector3 &point) const
+{
+    double angle = 0;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+    {
+        const TriangleCorners at = corners(order_[i]);
+        const Vector3 a = at[0] - point, b = at[1] - point, c = at[2] - point;
+        const double al = a.norm(), bl = b.norm(), cl = c.norm();
+        angle += 2 * std::atan2(a.dot(b.cross(c)), al * bl * cl + a.dot(b) * cl + b.dot(c) * al + c.dot(a) * bl);
+    }
+    return angle;
 }
 
 SurfaceFeature MeshTree::nearest_of(std::size_t triangle, const Vector3 &point) const

@@ -32,6 +32,11 @@ public:
     /// The distance from a point to the mesh, or `most` if that is less.
     double distance(const Vector3 &point, double most) const;
 
+    /// How often the mesh winds around a point: 1 inside of a closed mesh whose triangles face outwards, -1 where they face
+    /// inwards, 0 outside. Holes and far triangles make it inexact by some hundredths. (Jacobson, Kavan and Sorkine-Hornung,
+    /// 2013; Barill and others, 2018.)
+    double winding_number(const Vector3 &point) const;
+
     /// The place of one triangle that is nearest to a point.
     SurfaceFeature nearest_of(std::size_t triangle, const Vector3 &point) const;
 
@@ -45,6 +50,15 @@ private:
         std::uint32_t count; ///< of triangles; 0 when it is no leaf
     };
 
+    /// A node's triangles as seen from afar.
+    struct Dipole
+    {
+        Vector3 centre = Vector3::Zero(); ///< m
+        Vector3 area = Vector3::Zero();   ///< m^2; the sum of the triangles' normals, each as long as its area
+        double size = 0;                  ///< m^2; the sum of the areas
+        double radius = 0;                ///< m; about the centre, of a ball that holds the node's box
+    };
+
     using Triangle = std::array<std::uint32_t, 3>; ///< vertices
 
     template <typename Visit> void walk(const Vector3 &point, const double &radius, Visit visit) const;
@@ -52,6 +66,9 @@ private:
     void list_fans();
     void list_order();
     void build(std::uint32_t first, std::uint32_t count);
+    void list_dipoles();
+    void add_to(Dipole &dipole, const TriangleCorners &corners) const;
+    double solid_angle_of_leaf(const Node &node, const Vector3 &point) const;
     bool is_minimum(const NearestOnTriangle &nearest, std::uint32_t triangle, const Vector3 &point) const;
     std::uint32_t fan_size(std::uint32_t vertex) const { return fan_begin_[vertex + 1] - fan_begin_[vertex]; }
     bool has(std::uint32_t triangle, std::uint32_t vertex) const;
@@ -64,6 +81,7 @@ private:
     std::vector<std::uint32_t> fans_;
     std::vector<std::uint32_t> order_; ///< triangles as the leaves have them
     std::vector<Node> nodes_;
+    std::vector<Dipole> dipoles_; ///< by node; apart, since few questions need them
 };
 } // namespace ode_predictive_space::haptics
 

@@ -7,6 +7,9 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
+constexpr double least_winding = 0.5;           // inside of a mesh
+constexpr double least_winding_of_field = 0.25; // below a heightfield, which has no bottom
+
 /// Of geoms that cannot be placed, too.
 Vector3 to_scene_by_ode(dGeomID geom, const Vector3 &point)
 {
@@ -43,6 +46,7 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
     if (!nearby.is_solid() && nearby.is_finite())
     {
         nearby.mesh_ = meshes.tree_of(geom, touched);
+        nearby.is_field_ = dGeomGetClass(geom) == dHeightfieldClass;
     }
     if (const dBodyID body = dGeomGetBody(geom))
     {
@@ -108,6 +112,11 @@ double NearbyGeom::distance(const Vector3 &point, double most) const
 {
     const Vector3 local = to_local(point);
     return mesh_ ? mesh_->distance(local, most) : std::min(most, solid_.nearest(local).distance);
+}
+
+bool NearbyGeom::contains(const Vector3 &point) const
+{
+    return mesh_ && mesh_->winding_number(to_local(point)) > (is_field_ ? least_winding_of_field : least_winding);
 }
 
 SurfaceFeature NearbyGeom::nearest_of(const SurfaceFeature &feature, const Vector3 &point) const

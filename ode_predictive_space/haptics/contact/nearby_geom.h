@@ -69,6 +69,10 @@ public:
     /// The distance from a point to the surface, below 0 inside of a solid; `most` if that is less.
     double distance(const Vector3 &point, double most) const;
 
+    /// Whether a point is inside of a mesh whose triangles face outwards, holes or not, or below a heightfield. Never of a
+    /// solid: see distance().
+    bool contains(const Vector3 &point) const;
+
     /// The same face, edge or corner that a feature is of, or its neighbour in the same triangle, as seen from another
     /// point.
     SurfaceFeature nearest_of(const SurfaceFeature &feature, const Vector3 &point) const;
@@ -89,6 +93,7 @@ private:
     std::optional<Material> material_;
     Solid solid_;
     std::shared_ptr<const MeshTree> mesh_;
+    bool is_field_ = false; ///< the mesh is that of a heightfield
 };
 } // namespace ode_predictive_space::haptics
 

@@ -19,6 +19,7 @@ constexpr double smallest_step = 1e-6; // of the radius; away from a surface tha
 constexpr int most_sweeps = 200;
 constexpr std::size_t usual_planes = 256;
 constexpr double allowed_violation = 1e-6; // of the deepest plane
+constexpr double squeezed = 2;             // times the radius; how far apart geoms that squeeze it see the sphere
 
 /// Hildreth's method: slower than find_closest_point() and less exact, but never confused by normals that are nearly
 /// dependent.
@@ -218,17 +219,22 @@ void SphereSlide::refine_target(const Task &task, const std::vector<SlidePlace> 
     target_ = is_short_step(places) ? target_ : unrefined;
 }
 
-/// Where the sphere would go if there were this geom alone; if even that leaves no place, it stays.
+/// Where the sphere would go if there were this geom alone; if even that leaves no place, it stays. Not all the way to the
+/// goal: the other geoms hold the sphere.
 Vector3 SphereSlide::target_of(std::size_t place, const Task &task, const std::vector<SlidePlace> &places)
 {
+    const Vector3 way = task.goal - task.start;
+    const double part = std::min(1.0, squeezed * task.radius / way.norm());
+    const Vector3 goal = part < 1 ? Vector3(task.start + part * way) : task.goal;
     constraints_.clear();
     for (const SlidePlane &plane : planes_)
     {
         if (plane.place == place)
         {
             constraints_.push_back(constraint_of(plane));
+            constraints_.back().depth += plane.feature.normal.dot(task.goal - goal);
         }
     }
-    return find_place(constraints_) ? task.goal + lift_of(constraints_) : places[place].at;
+    return find_place(constraints_) ? goal + lift_of(constraints_) : places[place].at;
 }
 } // namespace ode_predictive_space::haptics

@@ -39,9 +39,10 @@ public:
     {
         double radius = 0; ///< m
         Vector3 goal = Vector3::Zero();
-        double look = 0;    ///< m; how far ahead surfaces are looked for at first
-        double longest = 0; ///< m; the longest way altogether
-        double margin = 0;  ///< m; planes() has what is so far from the sphere, too
+        Vector3 start = Vector3::Zero(); ///< m; where the centre is: each geom has a place around there
+        double look = 0;                 ///< m; how far ahead surfaces are looked for at first
+        double longest = 0;              ///< m; the longest way altogether
+        double margin = 0;               ///< m; planes() has what is so far from the sphere, too
     };
 
     /// Makes room for what a tick usually needs: up to that run() does not allocate.

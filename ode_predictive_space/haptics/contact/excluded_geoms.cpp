@@ -1,0 +1,79 @@
+#include "ode_predictive_space/haptics/contact/excluded_geoms.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr std::size_t usual_geoms = 64;
+constexpr double unnoticed = 0.01; // of the radius: a probe that begins no deeper is outside
+constexpr double shallow = 1e-4;   // m; the same for a probe without a radius
+
+/// Of a solid the whole probe, of a mesh its middle: then no part of it tells by which side it came.
+bool is_deep_in(const NearbyGeom &geom, const ProbePlace &probe)
+{
+    return geom.is_solid() ? geom.distance(probe.centre, 0) <= -probe.radius : geom.contains(probe.centre);
+}
+
+/// @param allowed m; how deep it may be and yet be outside.
+bool is_in(const NearbyGeom &geom, const ProbePlace &probe, double allowed)
+{
+    return geom.distance(probe.centre, probe.radius) < probe.radius - allowed || geom.contains(probe.centre);
+}
+} // namespace
+
+ExcludedGeoms::ExcludedGeoms()
+{
+    told_.reserve(usual_geoms);
+    before_.reserve(usual_geoms);
+}
+
+void ExcludedGeoms::begin()
+{
+    told_.swap(before_);
+    told_.clear();
+}
+
+const ExcludedGeoms::Told *ExcludedGeoms::before(const GeomIdentity &geom) const
+{
+    const auto found =
+        std::find_if(before_.begin(), before_.end(), [&](const Told &told) { return told.geom == geom; });
+    return found != before_.end() ? &*found : nullptr;
+}
+
+bool ExcludedGeoms::excludes(const NearbyGeom &geom, const ProbePlace &probe)
+{
+    const bool excluded = must_exclude(geom, probe);
+    told_.push_back({geom.identity(), probe.centre, geom.to_local(probe.centre), excluded});
+    return excluded;
+}
+
+bool ExcludedGeoms::must_exclude(const NearbyGeom &geom, const ProbePlace &probe) const
+{
+    if (geom.is_solid() && !is_in(geom, probe, 0))
+    {
+        return false; // as most are; no need to look for it
+    }
+    const Told *last = before(geom.identity());
+    if (probe.begins || (last != nullptr && last->excluded))
+    {
+        return is_in(geom, probe, probe.begins ? unnoticed * probe.radius : 0);
+    }
+    const bool was_there =
+        last != nullptr && (geom.to_scene(last->local) - last->centre).norm() <= farthest_carried * probe.radius;
+    return !was_there && is_deep_in(geom, probe) && is_deep_in(geom.later(-probe.tick), probe);
+}
+
+bool ExcludedGeoms::excludes(dGeomID geom, double depth, const ProbePlace &probe)
+{
+    Told told;
+    told.geom.id = geom;
+    const Told *last = before(told.geom);
+    const bool began_in = probe.begins && depth > std::max(shallow, unnoticed * probe.radius);
+    told.excluded = began_in || (last != nullptr && last->excluded && depth > 0);
+    told_.push_back(told);
+    return told.excluded;
+}
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,107 @@
+// Where the probe of the demo begins.
+
+#include "demos/haptic/haptic_run.h"
+#include "ode_predictive_space/haptics/device_factory.h"
+
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::demo
+{
+namespace
+{
+/// The deepest contact of a sphere with a geom of a scene, by ODE alone; m.
+double deepest_contact(const scenes::Scene &scene, const Vector3 &place, double radius)
+{
+    const dGeomID sphere = dCreateSphere(nullptr, radius);
+    dGeomSetPosition(sphere, place.x(), place.y(), place.z());
+    double deepest = 0;
+    for (const dGeomID geom : scene.geoms())
+    {
+        dContactGeom contacts[scenes::max_contacts];
+        const int count =
+            geom == nullptr ? 0 : dCollide(sphere, geom, scenes::max_contacts, contacts, sizeof(dContactGeom));
+        for (int i = 0; i < count; ++i)
+        {
+            deepest = std::max(deepest, static_cast<double>(contacts[i].depth));
+        }
+    }
+    dGeomDestroy(sphere);
+    return deepest;
+}
+
+struct Start
+{
+    Vector3 place; ///< m
+    double depth;  ///< m; of the deepest contact
+};
+
+/// Makes the run, and does not run it.
+Start start_of(const std::string &scene, int objects, std::uint64_t seed, const std::string &device_name)
+{
+    scenes::SceneSpec spec;
+    spec.name = scene;
+    spec.objects = objects;
+    spec.seed = seed;
+    spec.own_probe = false;
+    const scenes::SceneFactory factory(spec);
+    Options options;
+    options.spaces = {"predictive"};
+    DemoDevice device(haptics::make_device(device_name, seed));
+    RunControl control;
+    const HapticRun run(options, factory, device, control, [](const haptics::Notice &) {});
+    const Vector3 place = run.start();
+    return {place, deepest_contact(run.scene(), place, HapticRun::probe_radius)};
+}
+
+class FreeStart : public testing::Test
+{
+protected:
+    const scenes::OdeSession ode_;
+};
+
+// Before, the mouse began in an object with 30 of 100 seeds and 300 objects, the default one among them.
+TEST_F(FreeStart, WhateverTheSeed)
+{
+    for (const char *device : {"mouse", "virtual"})
+    {
+        for (const int objects : {1, 8, 27, 60, 125, 300, 343, 1000})
+        {
+            for (std::uint64_t seed = 1; seed <= 100; ++seed)
+            {
+                EXPECT_EQ(start_of("mix", objects, seed, device).depth, 0)
+                    << device << ", " << objects << " objects, seed " << seed;
+            }
+        }
+    }
+}
+
+TEST_F(FreeStart, WithManyObjectsToo)
+{
+    for (const std::uint64_t seed : {1, 2, 3})
+    {
+        EXPECT_EQ(start_of("mix", 9261, seed, "mouse").depth, 0) << seed; // 21 * 21 * 21: one is in the middle
+    }
+}
+
+TEST_F(FreeStart, InEverySceneForProbes)
+{
+    for (const std::string &scene : scenes_for_probes())
+    {
+        for (const int objects : {1, 30, 200})
+        {
+            EXPECT_EQ(start_of(scene, objects, 1, "mouse").depth, 0) << scene << ", " << objects << " objects";
+        }
+    }
+}
+
+TEST_F(FreeStart, IsTheMiddleOfTheRoomWhereThatIsFree)
+{
+    int in_the_middle = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    {
+        in_the_middle += start_of("mix", 8, seed, "mouse").place.isZero(1e-9) ? 1 : 0;
+    }
+    EXPECT_GE(in_the_middle, 3);
+}
+} // namespace
+} // namespace ode_predictive_space::demo
