@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -77,6 +78,34 @@ ContactWorld::Setting setting(std::uint8_t byte)
     return setting;
 }
 
+ContactAction action_of(std::uint8_t byte)
+{
+    return static_cast<ContactAction>(byte % (static_cast<int>(ContactAction::last) + 1));
+}
+
+const char *action_name(std::uint8_t byte)
+{
+    constexpr std::array names{"make",
+                               "destroy",
+                               "place",
+                               "place_beside",
+                               "creep",
+                               "spin",
+                               "grow",
+                               "wobble",
+                               "turn",
+                               "skew",
+                               "offset",
+                               "drive",
+                               "steps",
+                               "release",
+                               "resize",
+                               "change_in_place",
+                               "rebuild_in_place"};
+    static_assert(names.size() == static_cast<std::size_t>(ContactAction::last) + 1);
+    return names[static_cast<std::size_t>(action_of(byte))];
+}
+
 // One operation of eight bytes.
 class ContactStep
 {
@@ -107,10 +136,7 @@ public:
     }
 
 private:
-    ContactAction action() const
-    {
-        return static_cast<ContactAction>(bytes_[0] % (static_cast<int>(ContactAction::last) + 1));
-    }
+    ContactAction action() const { return action_of(bytes_[0]); }
 
     template <typename Act> std::string each_tick(Act act)
     {
@@ -202,7 +228,7 @@ private:
         case ContactAction::resize:
             return world_.resize(subject_, sides(bytes_ + 4));
         case ContactAction::change_in_place:
-            return world_.change_in_place(subject_, small(bytes_[4]) * heading());
+            return world_.change_in_place(subject_, Vector3d::Ones() + 0.9 * small(bytes_[4]) * heading());
         case ContactAction::rebuild_in_place:
             return world_.rebuild_in_place(subject_, bytes_[3] % 16, sides(bytes_ + 4));
         default:
@@ -227,5 +253,49 @@ std::string run_contact_history(const std::uint8_t *data, std::size_t size, Cont
             !wrong.empty())
             return "operation " + std::to_string(i) + ", " + wrong;
     return "";
+}
+
+namespace
+{
+using Bytes = std::vector<std::uint8_t>;
+
+std::string run(const Bytes &bytes)
+{
+    ContactTally tally;
+    return run_contact_history(bytes.data(), bytes.size(), tally);
+}
+
+Bytes shrunk(Bytes bytes)
+{
+    bytes.resize(1 + (bytes.size() - 1) / bytes_per_contact_operation * bytes_per_contact_operation);
+    for (std::size_t end = bytes.size(); end > 1; end -= bytes_per_contact_operation)
+    {
+        Bytes shorter = bytes;
+        const auto last = shorter.begin() + static_cast<std::ptrdiff_t>(end);
+        shorter.erase(last - bytes_per_contact_operation, last);
+        if (!run(shorter).empty())
+            bytes = shorter;
+    }
+    return bytes;
+}
+} // namespace
+
+std::string report_of_contact_history(const std::uint8_t *data, std::size_t size)
+{
+    Bytes bytes(data, data + size);
+    if (run(bytes).empty())
+        return "";
+    bytes = shrunk(bytes);
+    std::ostringstream text;
+    text << "settings " << int{bytes[0]} << "\n";
+    for (std::size_t at = 1; at < bytes.size(); at += bytes_per_contact_operation)
+    {
+        text << action_name(bytes[at]);
+        for (std::size_t i = 1; i < bytes_per_contact_operation; ++i)
+            text << " " << int{bytes[at + i]};
+        text << "\n";
+    }
+    text << run(bytes);
+    return text.str();
 }
 } // namespace ode_predictive_space

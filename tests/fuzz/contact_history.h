@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "tests/fuzz/contact_world.h"
 
@@ -41,6 +42,10 @@ constexpr std::size_t bytes_per_contact_operation = 8;
 ///
 /// @return what is wrong, and where; an empty text when nothing is.
 std::string run_contact_history(const std::uint8_t *data, std::size_t size, ContactTally &tally);
+
+/// Drops operations as long as something is wrong. @return the operations that are left, with what is wrong; an empty text when
+/// nothing is.
+std::string report_of_contact_history(const std::uint8_t *data, std::size_t size);
 } // namespace ode_predictive_space
 
 #endif

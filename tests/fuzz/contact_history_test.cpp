@@ -108,7 +108,9 @@ TEST_P(ContactHistories, EachContactHasACallback)
     for (unsigned seed = 1; seed <= histories; ++seed)
     {
         const Bytes bytes = HistoryMaker(GetParam(), seed).make();
-        ASSERT_EQ(run_contact_history(bytes.data(), bytes.size(), tally), "") << "seed " << seed;
+        ASSERT_EQ(run_contact_history(bytes.data(), bytes.size(), tally), "")
+            << "seed " << seed << ", shrunk:\n"
+            << report_of_contact_history(bytes.data(), bytes.size());
     }
     std::cout << tally.ticks << " ticks, " << tally.overlapping << " pairs, " << tally.contacts << " contacts, "
               << tally.left_out << " left out, " << tally.classes.size() << " pairs of classes\n";

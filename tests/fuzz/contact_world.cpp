@@ -69,7 +69,7 @@ bool has_body(int type)
 } // namespace
 
 ContactWorld::ContactWorld(const Setting &setting, ContactTally &tally)
-    : tally_(tally), asks_(setting.asks), world_(dWorldCreate()), space_(dPredictiveSpaceCreate(nullptr))
+    : tally_(tally), setting_(setting), world_(dWorldCreate()), space_(dPredictiveSpaceCreate(nullptr))
 {
     dRandSetSeed(0);
     dPredictiveSpaceSetProximity(space_, setting.proximity);
@@ -236,7 +236,11 @@ void ContactWorld::give_data(Slot &slot)
     if (slot.form.type == dConvexClass)
     {
         slot.convex = &convexes_.emplace_back(polyhedron_of(slot.form));
-        return slot.convex->give_to(slot.geom);
+        slot.convex->give_to(slot.geom);
+        // ODE does not say that its box has changed. By spheres, the box is all that is known of it.
+        if (setting_.proximity == dPredictiveProximitySphere)
+            dPredictiveSpaceGeomChanged(space_, slot.geom);
+        return;
     }
     slot.mesh = &meshes_.emplace_back(polyhedron_of(slot.form), slot.form.single);
     dGeomTriMeshSetData(slot.geom, slot.mesh->arrays.id());
@@ -270,15 +274,20 @@ void ContactWorld::resize(int slot, const Vector3d &sides)
     }
 }
 
-void ContactWorld::change_in_place(int slot, const Vector3d &by)
+void ContactWorld::change_in_place(int slot, const Vector3d &factors)
 {
-    const Slot *changed = find(slot);
+    Slot *changed = find(slot);
     if (!changed || !(changed->convex || changed->mesh))
         return;
+    const Vector3d before = changed->form.sides;
+    changed->form.sides = before.cwiseProduct(factors);
+    // An update of corners leaves the box of a mesh as it was. By spheres, the box is all that is known of it.
+    if (changed->mesh && setting_.proximity == dPredictiveProximitySphere)
+        return rebuild_in_place(slot, changed->form.polyhedron, changed->form.sides);
     if (changed->convex)
-        changed->convex->move_points(by);
+        changed->convex->change(polyhedron_of(changed->form));
     else
-        changed->mesh->arrays.move_corners(by);
+        changed->mesh->arrays.move_corners(0.5 * (changed->form.sides - before));
     dPredictiveSpaceGeomChanged(space_, changed->geom);
 }
 
@@ -348,20 +357,23 @@ void ContactWorld::foretell(int slot, int other)
     forecast_.other = std::max(slot, other);
     forecast_.within = dPredictiveSpaceGetTimeOfProximity(space_, one->geom, second->geom, &forecast_.ticks) == 0;
     forecast_.made = tally_.ticks;
+    forecast_.broken = broken_predictions();
+}
+
+unsigned long ContactWorld::broken_predictions() const
+{
     dPredictiveSpaceStats stats;
     dPredictiveSpaceGetStats(space_, &stats);
-    forecast_.predictions = stats.repredictions;
+    return stats.violations + stats.repredictions;
 }
 
 std::string ContactWorld::broken_forecast(const Slots &pair) const
 {
     if (pair != Slots(forecast_.slot, forecast_.other))
         return "";
-    dPredictiveSpaceStats stats;
-    dPredictiveSpaceGetStats(space_, &stats);
     const auto passed = static_cast<dReal>(tally_.ticks - forecast_.made);
     const bool too_early = forecast_.within ? passed <= forecast_.ticks : passed < forecast_.ticks;
-    if (stats.repredictions != forecast_.predictions || !too_early)
+    if (broken_predictions() != forecast_.broken || !too_early)
         return "";
     return describe(pair, "touch before the time that was foretold");
 }
@@ -412,7 +424,7 @@ std::string ContactWorld::check(const Slots &pair, bool was_reported)
 std::string ContactWorld::tick()
 {
     ++tally_.ticks;
-    if (asks_ && find(0))
+    if (setting_.asks && find(0))
         dPredictiveSpaceGetEncounters(space_, find(0)->geom, nullptr, 0);
     const std::set<Slots> reported = this->reported();
     for (int i = 0; i < slot_count; ++i)

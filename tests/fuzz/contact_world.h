@@ -73,7 +73,8 @@ public:
     void take_body(int slot);
     /// Of convexes and meshes, exchanges the data.
     void resize(int slot, const Eigen::Vector3d &sides);
-    void change_in_place(int slot, const Eigen::Vector3d &by);
+    /// The sides of a convex, by these factors. The corners of a mesh move on by half of what its sides would change.
+    void change_in_place(int slot, const Eigen::Vector3d &factors);
     void rebuild_in_place(int slot, int polyhedron, const Eigen::Vector3d &sides);
     void step(double seconds);
     /// Notes the time of proximity of two geoms. Later ticks compare it with their contacts.
@@ -105,7 +106,7 @@ private:
         dReal ticks = 0;     ///< no contact before that many ticks, ...
         bool within = false; ///< ... and none at that tick, either
         long made = 0;
-        unsigned long predictions = 0; ///< as long as there are no more
+        unsigned long broken = 0; ///< as long as no more predictions are broken or renewed
     };
     using Slots = std::pair<int, int>;
 
@@ -117,12 +118,13 @@ private:
     bool overlap(const Slot &one, const Slot &other) const;
     std::set<Slots> reported();
     std::string check(const Slots &pair, bool was_reported);
+    unsigned long broken_predictions() const;
     std::string broken_forecast(const Slots &pair) const;
     std::string describe(const Slots &pair, const char *what) const;
 
     ContactTally &tally_;
     OdeMessages messages_;
-    bool asks_;
+    Setting setting_;
     dWorldID world_;
     dSpaceID space_;
     std::array<Slot, slot_count> slots_;

@@ -14,10 +14,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     static const bool ready = dInitODE2(0) != 0 && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
     ContactTally tally;
-    const std::string wrong = ready ? run_contact_history(data, size, tally) : "ODE does not start";
-    if (!wrong.empty())
+    if (!ready || !run_contact_history(data, size, tally).empty())
     {
-        std::fprintf(stderr, "settings %d, %s\n", static_cast<int>(data[0]), wrong.c_str());
+        std::fprintf(stderr, "%s\n", ready ? report_of_contact_history(data, size).c_str() : "ODE does not start");
         std::abort();
     }
     return 0;
