@@ -85,23 +85,9 @@ ContactAction action_of(std::uint8_t byte)
 
 const char *action_name(std::uint8_t byte)
 {
-    constexpr std::array names{"make",
-                               "destroy",
-                               "place",
-                               "place_beside",
-                               "creep",
-                               "spin",
-                               "grow",
-                               "wobble",
-                               "turn",
-                               "skew",
-                               "offset",
-                               "drive",
-                               "steps",
-                               "release",
-                               "resize",
-                               "change_in_place",
-                               "rebuild_in_place"};
+    constexpr std::array names{
+        "make", "destroy", "place", "place_beside", "creep",   "spin",   "breathe",         "wobble",          "turn",
+        "skew", "offset",  "drive", "steps",        "release", "resize", "change_in_place", "rebuild_in_place"};
     static_assert(names.size() == static_cast<std::size_t>(ContactAction::last) + 1);
     return names[static_cast<std::size_t>(action_of(byte))];
 }
@@ -123,8 +109,8 @@ public:
             return creep();
         case ContactAction::spin:
             return spin();
-        case ContactAction::grow:
-            return grow();
+        case ContactAction::breathe:
+            return breathe();
         case ContactAction::wobble:
             return wobble();
         case ContactAction::steps:
@@ -163,16 +149,17 @@ private:
         return each_tick([&](int) { world_.turn(subject_, heading(), angle); });
     }
 
-    std::string grow()
+    std::string breathe()
     {
-        const double factor = 1 + small(bytes_[4]);
-        return each_tick([&](int) {
-            if (const double radius = world_.radius_of(subject_))
-                world_.resize(subject_, Vector3d::Constant(std::min(100.0, factor * radius)));
+        const double radius = world_.radius_of(subject_), depth = 0.9 * small(bytes_[4]);
+        return each_tick([&](int i) {
+            const double left = depth * (ticks_ - 1 - i) / ticks_;
+            if (radius > 0)
+                world_.resize(subject_, Vector3d::Constant((1 - left) * radius));
         });
     }
 
-    // Corners of a cube around the place: the farthest that a check of coordinates allows.
+    // Corners of a cube around the place: the farthest that a check of coordinates allows. The two go opposite ways.
     std::string wobble()
     {
         const double half = side(bytes_[4]);
@@ -182,6 +169,8 @@ private:
             const int corner = bytes_[5] * (i + 1) + bytes_[6] * i * i;
             const Vector3d to = half * Vector3d(corner & 4 ? 1 : -1, corner & 8 ? 1 : -1, corner & 16 ? 1 : -1);
             world_.move(subject_, to - off);
+            if (subject_ != object_)
+                world_.move(object_, off - to);
             off = to;
         });
     }
@@ -197,7 +186,7 @@ private:
         case ContactAction::place:
             return world_.place(subject_, place(bytes_ + 4));
         case ContactAction::place_beside:
-            return world_.place_beside(subject_, object_, heading(), bytes_[3] % 4 ? small(bytes_[4]) : 0);
+            return place_beside();
         case ContactAction::turn:
             return world_.turn(subject_, heading(), 4 * fraction(bytes_[4]));
         case ContactAction::skew:
@@ -205,6 +194,13 @@ private:
         default:
             change_more();
         }
+    }
+
+    void place_beside()
+    {
+        const bool with_contact = bytes_[3] % 2 != 0, exactly = bytes_[3] / 2 % 2 != 0;
+        const double part = exactly ? 0 : small(bytes_[7]);
+        world_.place_beside(subject_, object_, heading(), with_contact, with_contact ? -part : part);
     }
 
     // Of a length from a half to 2.

@@ -21,8 +21,8 @@ enum class ContactAction : std::uint8_t
     place_beside,
     creep,   ///< small moves, a tick each
     spin,    ///< small turns, a tick each
-    grow,    ///< a sphere, by a small part at each tick
-    wobble,  ///< about its place, with a forecast for the other geom before each tick
+    breathe, ///< a sphere: smaller, and then larger at each tick until it is as it was
+    wobble,  ///< both geoms about their places, with a forecast before each tick
     turn,    ///< to any rotation
     skew,    ///< to a quaternion of any length
     offset,  ///< from its body

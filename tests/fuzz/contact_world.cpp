@@ -169,7 +169,7 @@ void ContactWorld::place(int slot, const Vector3d &at)
                         real(plane[0] * at[0] + plane[1] * at[1] + plane[2] * at[2]));
 }
 
-void ContactWorld::place_beside(int slot, int other, const Vector3d &direction, double part)
+void ContactWorld::place_beside(int slot, int other, const Vector3d &direction, bool with_contact, double part)
 {
     Slot *placed = find(slot), *still = find(other);
     if (!placed || !still || placed == still || !collidable(*placed, *still))
@@ -184,7 +184,7 @@ void ContactWorld::place_beside(int slot, int other, const Vector3d &direction, 
         place(slot, from + middle * direction);
         (touch(*placed, *still) ? touching : apart) = middle;
     }
-    place(slot, from + (apart + part * size) * direction);
+    place(slot, from + ((with_contact ? touching : apart) + part * size) * direction);
 }
 
 void ContactWorld::move(int slot, const Vector3d &by)

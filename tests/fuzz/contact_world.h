@@ -62,8 +62,9 @@ public:
     void make(int slot, const Form &form);
     void destroy(int slot);
     void place(int slot, const Eigen::Vector3d &at);
-    /// Beside another geom, in this direction from it: where the two have just no contact, and then farther by a part of their size.
-    void place_beside(int slot, int other, const Eigen::Vector3d &direction, double part);
+    /// Where another geom is left in this direction: at the last place with a contact, or the first without, and then farther by
+    /// a part of their size.
+    void place_beside(int slot, int other, const Eigen::Vector3d &direction, bool with_contact, double part);
     void move(int slot, const Eigen::Vector3d &by);
     void turn(int slot, const Eigen::Vector3d &axis, double angle);
     /// To a quaternion of any length. On a geom without body, the matrix is then no rotation.
