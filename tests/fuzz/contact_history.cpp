@@ -42,11 +42,13 @@ double small(std::uint8_t byte)
     return std::pow(10, -9 + 9 * fraction(byte));
 }
 
-// Some along an axis.
+// Some along an axis, some along a diagonal.
 Vector3d direction(std::uint8_t height, std::uint8_t around)
 {
     if (around < 48)
         return (height % 2 ? 1 : -1) * Vector3d::Unit(around % 3);
+    if (around < 112)
+        return Vector3d(height & 1 ? 1 : -1, height & 2 ? 1 : -1, height & 4 ? 1 : -1).normalized();
     const double z = 2 * fraction(height) - 1, angle = 0.1 * around, across = std::sqrt(1 - z * z);
     return {across * std::cos(angle), across * std::sin(angle), z};
 }
@@ -199,7 +201,7 @@ private:
     void place_beside()
     {
         const bool with_contact = bytes_[3] % 2 != 0, exactly = bytes_[3] / 2 % 2 != 0;
-        const double part = exactly ? 0 : small(bytes_[7]);
+        const double part = exactly ? 0 : bytes_[3] / 4 % 2 ? small(bytes_[7]) : fraction(bytes_[7]);
         world_.place_beside(subject_, object_, heading(), with_contact, with_contact ? -part : part);
     }
 

@@ -369,13 +369,12 @@ unsigned long ContactWorld::broken_predictions() const
 
 std::string ContactWorld::broken_forecast(const Slots &pair) const
 {
-    if (pair != Slots(forecast_.slot, forecast_.other))
+    if (pair != Slots(forecast_.slot, forecast_.other) || broken_predictions() != forecast_.broken)
         return "";
+    ++tally_.forecasts;
     const auto passed = static_cast<dReal>(tally_.ticks - forecast_.made);
     const bool too_early = forecast_.within ? passed <= forecast_.ticks : passed < forecast_.ticks;
-    if (broken_predictions() != forecast_.broken || !too_early)
-        return "";
-    return describe(pair, "touch before the time that was foretold");
+    return too_early ? describe(pair, "touch before the time that was foretold") : "";
 }
 
 std::string ContactWorld::describe(const Slots &pair, const char *what) const
