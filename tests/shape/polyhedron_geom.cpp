@@ -1,5 +1,6 @@
 #include "tests/shape/polyhedron_geom.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -71,6 +72,13 @@ void ConvexArrays::give_to(dGeomID convex) const
 {
     dGeomSetConvex(convex, planes_.data(), static_cast<unsigned>(planes_.size() / 4), points_.data(),
                    static_cast<unsigned>(points_.size() / 3), polygons_.data());
+}
+
+void ConvexArrays::change(const Polyhedron &polyhedron)
+{
+    const ConvexArrays changed(polyhedron);
+    std::copy(changed.points_.begin(), changed.points_.end(), points_.begin());
+    std::copy(changed.planes_.begin(), changed.planes_.end(), planes_.begin());
 }
 
 MeshArrays::MeshArrays(const Polyhedron &polyhedron, bool single) : single_(single)

@@ -35,6 +35,8 @@ public:
     void give_to(dGeomID convex) const;
     /// Changes points in place; the planes stay.
     void move_points(const Eigen::Vector3d &by);
+    /// Changes points and planes in place, to those of a polyhedron with the same faces.
+    void change(const Polyhedron &polyhedron);
 
 private:
     std::vector<dReal> points_;

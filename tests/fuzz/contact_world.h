@@ -1,0 +1,138 @@
+// Geoms of extreme forms and poses in one predictive space. Each tick compares its callbacks with the contacts that dCollide()
+// finds among all pairs.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_FUZZ_CONTACT_WORLD_H
+#define ODE_PREDICTIVE_SPACE_TESTS_FUZZ_CONTACT_WORLD_H
+
+#include <array>
+#include <deque>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <ode/ode.h>
+
+#include <Eigen/Core>
+
+#include "tests/contract/support/ode_test.h"
+#include "tests/shape/polyhedron_geom.h"
+
+namespace ode_predictive_space
+{
+constexpr int slot_count = 10;
+
+/// What a geom is made from. A class uses as many of the sides as it has sizes.
+struct Form
+{
+    int type = dSphereClass; ///< a class of ODE's, up to dHeightfieldClass
+    Eigen::Vector3d sides = Eigen::Vector3d::Ones();
+    int polyhedron = 0;    ///< of a convex or mesh
+    bool body = false;     ///< carried by a body
+    bool coherent = false; ///< of a mesh: it keeps its triangles from tick to tick
+    bool single = false;   ///< of a mesh: its vertices are in single precision
+};
+
+/// Totals, to see that a history is about something.
+struct ContactTally
+{
+    long ticks = 0;
+    long overlapping = 0;                  ///< pairs whose boxes overlap
+    long contacts = 0;                     ///< pairs with contacts
+    long left_out = 0;                     ///< pairs whose boxes overlap, without a callback
+    long forecasts = 0;                    ///< that were checked at a later tick
+    std::set<std::pair<int, int>> classes; ///< with contacts
+};
+
+/// A slot is a number below slot_count. What is done to an empty slot has no effect, nor what its class does not have.
+class ContactWorld
+{
+public:
+    struct Setting
+    {
+        int proximity = 0;
+        double deviation = 0; ///< fixed; 0 to have the space adapt it
+        bool asks = false;    ///< for encounters at each tick, so that new geoms are predicted at once
+    };
+
+    ContactWorld(const Setting &setting, ContactTally &tally);
+    ~ContactWorld();
+    ContactWorld(const ContactWorld &) = delete;
+    ContactWorld &operator=(const ContactWorld &) = delete;
+
+    void make(int slot, const Form &form);
+    void destroy(int slot);
+    void place(int slot, const Eigen::Vector3d &at);
+    /// Where another geom is left in this direction: at the last place with a contact, or the first without, and then farther by
+    /// a part of their size.
+    void place_beside(int slot, int other, const Eigen::Vector3d &direction, bool with_contact, double part);
+    void move(int slot, const Eigen::Vector3d &by);
+    void turn(int slot, const Eigen::Vector3d &axis, double angle);
+    /// To a quaternion of any length. On a geom without body, the matrix is then no rotation.
+    void set_quaternion(int slot, const Eigen::Vector4d &quaternion);
+    void set_offset(int slot, const Eigen::Vector3d &offset);
+    void set_velocity(int slot, const Eigen::Vector3d &linear, const Eigen::Vector3d &angular);
+    void take_body(int slot);
+    /// Of convexes and meshes, exchanges the data.
+    void resize(int slot, const Eigen::Vector3d &sides);
+    /// The sides of a convex, by these factors. The corners of a mesh move on by half of what its sides would change.
+    void change_in_place(int slot, const Eigen::Vector3d &factors);
+    void rebuild_in_place(int slot, int polyhedron, const Eigen::Vector3d &sides);
+    void step(double seconds);
+    /// Notes the time of proximity of two geoms. Later ticks compare it with their contacts.
+    void foretell(int slot, int other);
+
+    double radius_of(int slot) const; ///< of a sphere, otherwise 0
+    double extent_of(int slot) const; ///< diagonal of the bounding box; 0 when it is infinite
+
+    /// One dSpaceCollide(). @return what is wrong; an empty text when nothing is.
+    std::string tick();
+
+private:
+    struct Mesh
+    {
+        MeshArrays arrays;
+        bool rebuilt = false; ///< its angles of faces are those of other faces
+        Mesh(const Polyhedron &polyhedron, bool single) : arrays(polyhedron, single) { arrays.build_face_angles(); }
+    };
+    struct Slot
+    {
+        dGeomID geom = nullptr;
+        Form form;
+        ConvexArrays *convex = nullptr; ///< in convexes_, if it is made from such
+        Mesh *mesh = nullptr;           ///< in meshes_, likewise
+    };
+    struct Forecast
+    {
+        int slot = -1, other = -1;
+        dReal ticks = 0;     ///< no contact before that many ticks, ...
+        bool within = false; ///< ... and none at that tick, either
+        long made = 0;
+        unsigned long broken = 0; ///< as long as no more predictions are broken or renewed
+    };
+    using Slots = std::pair<int, int>;
+
+    dGeomID create(Slot &slot);
+    void give_data(Slot &slot);
+    Slot *find(int slot);
+    bool collidable(const Slot &one, const Slot &other) const;
+    bool touch(const Slot &one, const Slot &other) const;
+    bool overlap(const Slot &one, const Slot &other) const;
+    std::set<Slots> reported();
+    std::string check(const Slots &pair, bool was_reported);
+    unsigned long broken_predictions() const;
+    std::string broken_forecast(const Slots &pair) const;
+    std::string describe(const Slots &pair, const char *what) const;
+
+    ContactTally &tally_;
+    OdeMessages messages_;
+    Setting setting_;
+    dWorldID world_;
+    dSpaceID space_;
+    std::array<Slot, slot_count> slots_;
+    std::deque<ConvexArrays> convexes_; // outlive the geoms
+    std::deque<Mesh> meshes_;
+    Forecast forecast_;
+};
+} // namespace ode_predictive_space
+
+#endif
