@@ -27,6 +27,9 @@ protected:
     /// Called before each step: adds the scene's own forces.
     virtual void before_step() {}
 
+    /// For steps that vary: how long the next ones are.
+    void set_step(double seconds) { step_seconds_ = seconds; }
+
     /// Called for each pair that has contacts, before joints are made. When it returns true, the contacts of the pair get no
     /// joints.
     virtual bool take_contacts(const IndexPair &pair, const dContactGeom *contacts, int count);

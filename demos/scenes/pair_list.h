@@ -32,6 +32,17 @@ public:
         static_cast<PairList *>(list)->pairs_.emplace_back(first, second);
     }
 
+    /// The same for spaces in spaces: of two of which one is a space, the pairs of their geoms.
+    static void collect_in_spaces(void *list, dGeomID first, dGeomID second)
+    {
+        if (dGeomIsSpace(first) != 0 || dGeomIsSpace(second) != 0)
+        {
+            dSpaceCollide2(first, second, list, &collect_in_spaces);
+            return;
+        }
+        collect(list, first, second);
+    }
+
     void clear() { pairs_.clear(); }
     std::size_t size() const { return pairs_.size(); }
 

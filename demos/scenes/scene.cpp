@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace ode_predictive_space::scenes
 {
@@ -62,6 +63,11 @@ std::string describe_scene(const std::string &name)
     throw std::invalid_argument("there is no scene named \"" + name + "\"");
 }
 
+void Scene::collide(dSpaceID space, PairList &list)
+{
+    dSpaceCollide(space, &list, &PairList::collect);
+}
+
 const std::vector<dGeomID> &Scene::queries() const
 {
     static const std::vector<dGeomID> none;
@@ -81,11 +87,17 @@ SceneFactory::SceneFactory(const SceneSpec &spec) : spec_(spec)
     }
 }
 
+SceneFactory::SceneFactory(const SceneSpec &spec, SceneRecipe recipe) : spec_(spec), recipe_(std::move(recipe)) {}
+
 SceneFactory::~SceneFactory() = default;
 SceneFactory::SceneFactory(SceneFactory &&) noexcept = default;
 
 std::unique_ptr<Scene> SceneFactory::make(dSpaceID space) const
 {
+    if (recipe_.make)
+    {
+        return recipe_.make(spec_, space);
+    }
     if (spec_.name == "pile")
     {
         return std::make_unique<PileScene>(spec_, space, settled_);
@@ -111,6 +123,10 @@ std::unique_ptr<Scene> SceneFactory::make(dSpaceID space) const
 
 SceneBounds SceneFactory::bounds() const
 {
+    if (recipe_.make)
+    {
+        return recipe_.bounds;
+    }
     if (spec_.name == "pile")
     {
         return pile_bounds(spec_.objects);
@@ -130,6 +146,10 @@ SceneBounds SceneFactory::bounds() const
 
 double SceneFactory::tick_seconds() const
 {
+    if (recipe_.make)
+    {
+        return recipe_.tick_seconds;
+    }
     if (spec_.name == "pile")
     {
         return PileScene::step_seconds;

@@ -22,6 +22,7 @@
 #include "demos/scenes/vector.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -75,6 +76,9 @@ public:
     /// Make one tick of motion.
     virtual void advance() = 0;
 
+    /// What a program calls in a tick for its pairs: dSpaceCollide(), unless the scene says otherwise.
+    virtual void collide(dSpaceID space, PairList &list);
+
     /// Process the pairs that dSpaceCollide() reported after advance(), as PairList::sorted() gives them. Scenes with contacts
     /// need the pairs of every tick; the motion of the others does not depend on them.
     virtual void respond(const std::vector<IndexPair> &pairs) = 0;
@@ -104,12 +108,23 @@ std::string describe_scene(const std::string &name);
 
 struct BodyState;
 
+/// How to make a scene that is none of scene_names().
+struct SceneRecipe
+{
+    std::function<std::unique_ptr<Scene>(const SceneSpec &, dSpaceID)> make;
+    SceneBounds bounds;
+    double tick_seconds = usual_tick;
+};
+
 /// Makes copies of one scene. Long preparations (a pile must settle) are made once, here.
 class SceneFactory
 {
 public:
     /// @throws std::invalid_argument for a name that is not one of scene_names(), or for less than one object.
     explicit SceneFactory(const SceneSpec &spec);
+
+    /// For a scene of the caller's own.
+    SceneFactory(const SceneSpec &spec, SceneRecipe recipe);
     ~SceneFactory();
     SceneFactory(SceneFactory &&) noexcept;
 
@@ -126,6 +141,7 @@ public:
 
 private:
     SceneSpec spec_;
+    SceneRecipe recipe_;             ///< for a scene of scene_names() it makes nothing
     std::vector<BodyState> settled_; ///< of a pile: the states of its bodies at rest
 };
 } // namespace ode_predictive_space::scenes

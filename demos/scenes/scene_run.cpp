@@ -80,7 +80,7 @@ void SceneRun::collide()
     list_.clear();
     if (queries_ == 0)
     {
-        dSpaceCollide(contender_->space(), &list_, &PairList::collect);
+        scene_->collide(contender_->space(), list_);
     }
     const auto space = reinterpret_cast<dGeomID>(contender_->space());
     for (std::size_t query = 0; query < queries_; ++query)

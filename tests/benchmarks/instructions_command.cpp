@@ -5,6 +5,7 @@
 #include "tests/benchmarks/contenders/contenders.h"
 #include "tests/benchmarks/instructions/counted_run.h"
 #include "tests/benchmarks/scene_choice.h"
+#include "tests/scenes/worlds/worlds.h"
 
 #include "demos/scenes/table.h"
 
@@ -28,10 +29,14 @@ struct Case
     int objects;
     int warm_up_ticks; ///< what is new in a space has settled by then
     int ticks;
+    int lives = 0; ///< not 0: what is made and destroyed so often; that is counted, too
 };
 
 /// In a simulated processor a tick of the slow spaces takes seconds.
 constexpr int many_objects = 5000;
+constexpr int most_objects_for_ode = 50000;
+
+constexpr int lives = 10; // they are all the same
 
 std::string title(const Case &one)
 {
@@ -41,11 +46,68 @@ std::string title(const Case &one)
 const std::vector<Case> &cases()
 {
     static const std::vector<Case> all = {
-        {"mix", 40, 200, 1000},     {"gas", 100, 200, 1000},     {"gas", 1000, 100, 500},
-        {"gas", 10000, 100, 300},   {"game", 100, 200, 1000},    {"game", 1000, 100, 300},
-        {"pile", 500, 50, 100},     {"stack", 1000, 100, 400}, // the ball is thrown once
-        {"terrain", 5000, 50, 100}, {"teleport", 1000, 50, 100}, {"explosion", 1000, 100, 400}, // two of them
+        {"mix", 40, 200, 1000},        {"gas", 100, 200, 1000},    {"gas", 1000, 100, 500},
+        {"gas", 10000, 100, 300},      {"gas", 100000, 60, 20},    {"game", 100, 200, 1000},
+        {"game", 1000, 100, 300},      {"game", 10000, 50, 20},    {"pile", 500, 50, 100},
+        {"stack", 1000, 100, 400}, // the ball is thrown once
+        {"terrain", 5000, 50, 100},    {"teleport", 10, 100, 500}, {"teleport", 100, 50, 200},
+        {"teleport", 1000, 50, 100},   {"still", 10000, 20, 100},  {"dart", 1000, 50, 100},
+        {"explosion", 1000, 100, 400}, // two of them
     };
+    return all;
+}
+
+/// Of a heap's fall the first half second, and of its rest what follows 1.5 s.
+const std::vector<Case> &world_cases()
+{
+    static const std::vector<Case> all = {
+        {"floor", 100, 100, 200},
+        {"floor", 500, 100, 100},
+        {"floor", 2000, 50, 20},
+        {"floor_50", 500, 100, 100},
+        {"ragdolls", 20, 100, 100},
+        {"chain", 1, 100, 300},
+        {"shelves", 1000, 50, 50},
+        {"shelves", 10000, 20, 10},
+        {"shelves_mesh", 1000, 50, 50},
+        {"shelves_mesh", 10000, 20, 10},
+        {"heap", 100, 0, 100},
+        {"heap", 500, 0, 100},
+        {"heap", 2000, 0, 100},
+        {"heap_lies", 100, 300, 100},
+        {"heap_lies", 500, 300, 50},
+        {"heap_lies", 2000, 300, 20},
+        {"heap_50", 500, 0, 100},
+        {"drones", 300, 50, 100},
+        {"drones", 1000, 50, 30},
+        {"city", 100, 50, 50},
+        {"rain", 1000, 100, 100},
+        {"frames_0", 1000, 100, 40},
+        {"frames_20", 1000, 100, 40},
+        {"frames_50", 1000, 100, 40},
+        {"frames_80", 1000, 100, 40},
+        {"frames_set_0", 1000, 100, 40},
+        {"frames_set_20", 1000, 100, 40},
+        {"frames_set_50", 1000, 100, 40},
+        {"frames_set_80", 1000, 100, 40},
+        {"many", 2, 0, ticks_of_life, lives},
+        {"many", 8, 0, ticks_of_life, lives},
+        {"many", 17, 0, ticks_of_life, lives},
+        {"many", 32, 0, ticks_of_life, lives},
+        {"nested", 22, 50, 100},
+        {"nested_empty", 100, 10, 20},
+        {"lidar", 1000, 3, 2},
+        {"lidar_nested", 1000, 3, 2},
+        {"moon", 200, 100, 100},
+    };
+    return all;
+}
+
+/// What the command line can name.
+std::vector<Case> all_cases()
+{
+    std::vector<Case> all = cases();
+    all.insert(all.end(), world_cases().begin(), world_cases().end());
     return all;
 }
 
@@ -95,6 +157,9 @@ public:
             ->delimiter(',');
         command.add_option("--warm-up", warm_up_ticks_, "Ticks before those that are counted")
             ->check(CLI::Range(0, 100000000));
+        command.add_flag("--worlds", worlds_, "Count in the worlds of `predictive_bench worlds`");
+        command.add_flag("--cache-sim", caches_, "Count data misses in simulated caches, too");
+        command.add_option("--lives", lives_)->group(""); // for --make-ticks
         auto *whole =
             command.add_flag("--whole", whole_, "Count whole ticks, and dSpaceCollide() and dCollide() in them");
         command.add_option("--against", earlier_file_, "Compare with what an earlier run wrote with --json")
@@ -138,7 +203,18 @@ public:
     }
 
 private:
-    std::vector<Case> chosen_cases() const { return chosen(whole_ ? whole_cases() : cases(), scenes_); }
+    std::vector<Case> chosen_cases() const
+    {
+        if (whole_)
+        {
+            return chosen(whole_cases(), scenes_);
+        }
+        if (scenes_.empty())
+        {
+            return worlds_ ? world_cases() : cases();
+        }
+        return chosen(all_cases(), scenes_);
+    }
 
     CountedRun run_of(const Case &one, const std::string &space, const Options &options) const
     {
@@ -148,6 +224,8 @@ private:
         run.warm_up_ticks = warm_up_ticks_.value_or(one.warm_up_ticks);
         run.ticks = options.ticks.value_or(one.ticks);
         run.whole = whole_;
+        run.lives = lives_.value_or(one.lives);
+        run.caches = caches_;
         return run;
     }
 
@@ -168,19 +246,28 @@ private:
         {
             return without_floors(options.spaces, findings);
         }
+        if (one.objects >= most_objects_for_ode)
+        {
+            findings.note(title(one) + ": without ODE's spaces, which take minutes there");
+            return {"predictive-box"};
+        }
         if (one.objects >= many_objects)
         {
             findings.note(title(one) + ": without simple and hash, which are far from the best there");
             return {"predictive-box", "quadtree", "sap"};
         }
         std::vector<std::string> names = {"predictive-box"};
+        if (one.scene.find("lidar") == 0)
+        {
+            names.emplace_back("predictive-sphere"); // which decides rays by slabs
+        }
         names.insert(names.end(), ode_spaces().begin(), ode_spaces().end());
         return names;
     }
 
     void count_case(const Case &one, const Options &options, std::vector<Count> &counts, Findings &findings) const
     {
-        const SceneFactory factory(run_of(one, "", options).spec);
+        const SceneFactory factory = factory_of(run_of(one, "", options));
         std::string expected_hash;
         for (const std::string &space : spaces(one, options, findings))
         {
@@ -263,6 +350,9 @@ private:
     std::optional<int> warm_up_ticks_;
     std::string earlier_file_;
     bool whole_;
+    bool worlds_ = false;
+    bool caches_ = false;
+    std::optional<int> lives_;
     bool make_ticks_ = false;
 };
 } // namespace

@@ -33,27 +33,38 @@ TEST(CallgrindOutput, CallsAreAddedUpWithAllThatTheyCalled)
         "cfn=collide_more\ncalls=1 0 \n0 100\nfn=other\n0 7\ncfi=a.cpp\ncfn=collide\ncalls=1 12\n14 28\n"
         "calls=2 0\n5 1000\ncfn=other\ncalls=1 0\n0 1\n";
     std::istringstream in(dump);
-    EXPECT_EQ(instructions_of_calls(in, "collide"), 5872u + 28 + 1000);
+    EXPECT_EQ(costs_of_calls(in, "collide").instructions, 5872u + 28 + 1000);
     std::istringstream again(dump);
-    EXPECT_EQ(instructions_of_calls(again, "collide_more"), 100u);
+    EXPECT_EQ(costs_of_calls(again, "collide_more").instructions, 100u);
 }
 
 TEST(CallgrindOutput, WhatIsNotUnderstoodIsRefused)
 {
     std::istringstream without("events: Ir\ncfn=other\ncalls=1 0\n0 1\n");
-    EXPECT_THROW(instructions_of_calls(without, "collide"), std::runtime_error);
+    EXPECT_THROW(costs_of_calls(without, "collide"), std::runtime_error);
     std::istringstream broken("events: Ir\ncfn=collide\ncalls=1 0\n+3\n");
-    EXPECT_THROW(instructions_of_calls(broken, "collide"), std::runtime_error);
+    EXPECT_THROW(costs_of_calls(broken, "collide"), std::runtime_error);
     std::istringstream others("events: Ir Dr\ncfn=collide\ncalls=1 0\n0 1 5\n");
-    EXPECT_THROW(instructions_of_calls(others, "collide"), std::runtime_error);
+    EXPECT_THROW(costs_of_calls(others, "collide"), std::runtime_error);
 }
 
 TEST(CallgrindOutput, AFunctionNeedNotHaveBeenCalled)
 {
     std::istringstream without("events: Ir\ncfn=other\ncalls=1 0\n0 1\n");
-    EXPECT_FALSE(instructions_of_any_calls(without, "collide"));
+    EXPECT_FALSE(costs_of_any_calls(without, "collide"));
     std::istringstream with("events: Ir\ncfn=collide\ncalls=1 0\n0 7\n");
-    EXPECT_EQ(instructions_of_any_calls(with, "collide"), 7u);
+    EXPECT_EQ(costs_of_calls(with, "collide").instructions, 7u);
+}
+
+TEST(CallgrindOutput, MissesAreOfReadsAndWrites)
+{
+    std::istringstream in(
+        "events: Ir Dr Dw I1mr D1mr D1mw ILmr DLmr DLmw\ncfn=collide\ncalls=1 0\n0 100 9 8 7 6 5 4 3 2\n"
+        "cfn=collide\ncalls=1 0\n0 50 1 1 0 1\n");
+    const Costs costs = costs_of_calls(in, "collide");
+    EXPECT_EQ(costs.instructions, 150u);
+    EXPECT_EQ(costs.first_level_misses, 6u + 5 + 1);
+    EXPECT_EQ(costs.last_level_misses, 3u + 2) << "zeros at the end of a line are not written";
 }
 
 WholeCount whole_count(const std::string &scene, const std::string &space, const std::string &hash)
@@ -90,6 +101,20 @@ TEST(Counts, ARecordHoldsAllOfACount)
     EXPECT_EQ(record_of(read[0]), record_of(written));
     EXPECT_EQ(read[0].sum(), 12.75);
     EXPECT_THROW(counts_in(nlohmann::json{{"scene", "gas"}}), nlohmann::json::exception);
+}
+
+TEST(Counts, WhatIsKnownOfShortLivesAndCachesIsInTheRecord)
+{
+    Count written = count("many", "sap", 12, 1);
+    EXPECT_FALSE(record_of(written).contains("life"));
+    EXPECT_FALSE(record_of(written).contains("first_level_misses"));
+    written.life = 100;
+    written.bytes_per_geom = 64;
+    written.misses = CacheMisses{3, 0.5};
+    const nlohmann::json record = record_of(written);
+    EXPECT_EQ(record.at("sum"), 113) << "with the life";
+    EXPECT_EQ(record.at("last_level_misses"), 0.5);
+    EXPECT_EQ(record_of(counts_in({record})[0]), record);
 }
 
 TEST(Counts, TheBestOfOdeHasTheLeastSumInTheSameScene)

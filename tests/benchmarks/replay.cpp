@@ -10,37 +10,39 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-std::vector<dGeomID> geoms_by_number(dSpaceID space)
+/// Does this geom stand for its body, or for itself?
+bool leads(dGeomID geom)
 {
-    std::vector<dGeomID> geoms(static_cast<std::size_t>(dSpaceGetNumGeoms(space)), nullptr);
-    for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
+    if (geom == nullptr)
     {
-        const dGeomID geom = dSpaceGetGeom(space, i);
-        const std::uint32_t number = scenes::geom_index(geom);
-        if (number >= geoms.size() || geom->offset_posr != nullptr || geom->body_next != nullptr)
-        {
-            throw std::logic_error("the motion of this scene cannot be recorded");
-        }
-        geoms[number] = geom;
+        throw std::logic_error("the motion of this scene cannot be recorded");
     }
-    return geoms;
+    return geom->body == nullptr || dBodyGetFirstGeom(geom->body) == geom;
 }
 
 Move state_of(std::uint32_t number, dGeomID geom)
 {
     Move move;
     move.index = number;
-    if (geom->final_posr != nullptr)
-    {
-        std::copy_n(geom->final_posr->pos, move.position.size(), move.position.begin());
-        std::copy_n(geom->final_posr->R, move.rotation.size(), move.rotation.begin());
-    }
     if (geom->body != nullptr)
     {
+        std::copy_n(dBodyGetPosition(geom->body), 3, move.position.begin());
+        std::copy_n(dBodyGetRotation(geom->body), move.rotation.size(), move.rotation.begin());
         std::copy_n(dBodyGetLinearVel(geom->body), 3, move.velocity.begin());
         std::copy_n(dBodyGetAngularVel(geom->body), 3, move.angular_velocity.begin());
     }
+    else if (geom->final_posr != nullptr)
+    {
+        std::copy_n(geom->final_posr->pos, 3, move.position.begin());
+        std::copy_n(geom->final_posr->R, move.rotation.size(), move.rotation.begin());
+    }
     return move;
+}
+
+/// Was the geom moved or set since it was collided, even to where it is?
+bool was_noticed(dGeomID geom)
+{
+    return (geom->gflags & GEOM_DIRTY) != 0;
 }
 
 bool differ(const Move &a, const Move &b)
@@ -51,18 +53,24 @@ bool differ(const Move &a, const Move &b)
 } // namespace
 
 Recorder::Recorder(const scenes::SceneFactory &factory)
-    : contender_(make_plain_sweep()), scene_(factory.make(contender_->space())),
-      geoms_(geoms_by_number(contender_->space())), start_(changes())
-{}
+    : contender_(make_plain_sweep()), scene_(factory.make(contender_->space())), start_(changes())
+{
+    clean();
+}
 
 std::vector<Move> Recorder::changes()
 {
     std::vector<Move> result;
-    last_seen_.resize(geoms_.size());
-    for (std::uint32_t number = 0; number < geoms_.size(); ++number)
+    const std::vector<dGeomID> &geoms = scene_->geoms();
+    last_seen_.resize(geoms.size());
+    for (std::uint32_t number = 0; number < geoms.size(); ++number)
     {
-        const Move now = state_of(number, geoms_[number]);
-        if (differ(now, last_seen_[number]))
+        if (!leads(geoms[number]) || dGeomGetClass(geoms[number]) == dPlaneClass)
+        {
+            continue;
+        }
+        const Move now = state_of(number, geoms[number]);
+        if (was_noticed(geoms[number]) || differ(now, last_seen_[number]))
         {
             last_seen_[number] = now;
             result.push_back(now);
@@ -71,47 +79,50 @@ std::vector<Move> Recorder::changes()
     return result;
 }
 
+void Recorder::clean()
+{
+    list_.clear();
+    scene_->collide(contender_->space(), list_);
+}
+
 Motion Recorder::record(int ticks)
 {
     Motion motion;
     for (int tick = 0; tick < ticks; ++tick)
     {
         scene_->advance();
-        list_.clear();
-        dSpaceCollide(contender_->space(), &list_, &scenes::PairList::collect);
-        scene_->respond(list_.sorted());
         motion.push_back(changes());
+        clean();
+        scene_->respond(list_.sorted());
     }
     return motion;
 }
 
-// Not every space can list its geoms (a quadtree cannot): they are made in one that can, and then change over.
-Replay::Replay(const scenes::SceneFactory &factory, dSpaceID space)
-    : nursery_(dSimpleSpaceCreate(nullptr)), scene_(factory.make(nursery_.get())),
-      geoms_(geoms_by_number(nursery_.get()))
-{
-    for (const dGeomID geom : geoms_)
-    {
-        dSpaceRemove(nursery_.get(), geom);
-        dSpaceAdd(space, geom);
-    }
-}
+Replay::Replay(const scenes::SceneFactory &factory, dSpaceID space) : scene_(factory.make(space)) {}
 
-// What a step of the world does to a body's geom, but for the body's quaternion, which only the next step would read.
+// What a step of the world does to a body and its geoms, but for the body's quaternion, which only the next step would read.
+// ODE has no function that sets position and rotation with a single notice.
 void Replay::make(const std::vector<Move> &moves)
 {
     for (const Move &move : moves)
     {
-        const dGeomID geom = geoms_[move.index];
-        std::copy(move.position.begin(), move.position.end(), geom->final_posr->pos);
-        std::copy(move.rotation.begin(), move.rotation.end(), geom->final_posr->R);
-        if (geom->body != nullptr)
+        const dGeomID geom = scene_->geoms()[move.index];
+        const dBodyID body = geom->body;
+        if (body == nullptr)
         {
-            dBodySetLinearVel(geom->body, move.velocity[0], move.velocity[1], move.velocity[2]);
-            dBodySetAngularVel(geom->body, move.angular_velocity[0], move.angular_velocity[1],
-                               move.angular_velocity[2]);
+            std::copy_n(move.position.begin(), 3, geom->final_posr->pos);
+            std::copy(move.rotation.begin(), move.rotation.end(), geom->final_posr->R);
+            dGeomMoved(geom);
+            continue;
         }
-        dGeomMoved(geom);
+        std::copy_n(move.position.begin(), 3, const_cast<dReal *>(dBodyGetPosition(body)));
+        std::copy(move.rotation.begin(), move.rotation.end(), const_cast<dReal *>(dBodyGetRotation(body)));
+        dBodySetLinearVel(body, move.velocity[0], move.velocity[1], move.velocity[2]);
+        dBodySetAngularVel(body, move.angular_velocity[0], move.angular_velocity[1], move.angular_velocity[2]);
+        for (dGeomID one = dBodyGetFirstGeom(body); one != nullptr; one = dBodyGetNextGeom(one))
+        {
+            dGeomMoved(one);
+        }
     }
 }
 } // namespace ode_predictive_space::benchmarks

@@ -11,10 +11,10 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// Where a geom is after a tick in which it moved, and how fast its body is.
+/// Where a body, or a geom without one, is after a tick in which it moved or was set to where it was, and how fast it is.
 struct Move
 {
-    std::uint32_t index = 0; ///< the geom's number in the scene
+    std::uint32_t index = 0; ///< the geom's number in the scene; of a body's geoms the one that ODE lists first
     std::array<dReal, 4> position{};
     std::array<dReal, 12> rotation{};
     std::array<dReal, 3> velocity{};
@@ -24,8 +24,7 @@ struct Move
 /// The moves of some ticks.
 using Motion = std::vector<std::vector<Move>>;
 
-/// Runs a scene, with its contacts, and notes what moves. For scenes that make and destroy no geoms while they run, and in
-/// which no body has more than one geom.
+/// Runs a scene, with its contacts, and notes what moves. For scenes that make and destroy no geoms while they run.
 class Recorder
 {
 public:
@@ -39,11 +38,11 @@ public:
 
 private:
     std::vector<Move> changes();
+    void clean();
 
     std::unique_ptr<scenes::Contender> contender_; // before the scene, whose geoms are in its space
     std::unique_ptr<scenes::Scene> scene_;
     scenes::PairList list_;
-    std::vector<dGeomID> geoms_;  // by number
     std::vector<Move> last_seen_; // by number
     std::vector<Move> start_;
 };
@@ -53,15 +52,15 @@ private:
 class Replay
 {
 public:
-    /// @param space gets the geoms; must outlive the replay.
+    /// @param space gets the geoms and must outlive the replay; null: the geoms are in no space.
     Replay(const scenes::SceneFactory &factory, dSpaceID space);
 
     void make(const std::vector<Move> &moves);
 
+    scenes::Scene &scene() { return *scene_; }
+
 private:
-    scenes::OwnedSpace nursery_;
     std::unique_ptr<scenes::Scene> scene_;
-    std::vector<dGeomID> geoms_; // by number
 };
 } // namespace ode_predictive_space::benchmarks
 

@@ -10,16 +10,24 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// Instructions of all calls of a function, with all that it called; none when there was no call.
+/// What calls have cost. Misses are 0 unless callgrind simulated caches.
+struct Costs
+{
+    std::uint64_t instructions = 0;
+    std::uint64_t first_level_misses = 0; ///< of data
+    std::uint64_t last_level_misses = 0;  ///< of data
+};
+
+/// Of all calls of a function, with all that it called; none when there was no call.
 ///
 /// @param dump written with --compress-strings=no --compress-pos=no.
-/// @throws std::runtime_error when it counts anything but instructions.
-std::optional<std::uint64_t> instructions_of_any_calls(std::istream &dump, const std::string &function);
+/// @throws std::runtime_error when it counts anything but instructions and, with --cache-sim=yes, accesses and misses.
+std::optional<Costs> costs_of_any_calls(std::istream &dump, const std::string &function);
 
 /// The same of a function that has been called.
 ///
 /// @throws std::runtime_error when there was no call, too.
-std::uint64_t instructions_of_calls(std::istream &dump, const std::string &function);
+Costs costs_of_calls(std::istream &dump, const std::string &function);
 } // namespace ode_predictive_space::benchmarks
 
 #endif

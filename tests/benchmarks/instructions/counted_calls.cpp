@@ -1,5 +1,6 @@
 #include "tests/benchmarks/instructions/counted_calls.h"
 
+using ode_predictive_space::benchmarks::Life;
 using ode_predictive_space::benchmarks::Move;
 using ode_predictive_space::benchmarks::Replay;
 using ode_predictive_space::scenes::IndexPair;
@@ -16,9 +17,29 @@ void predictive_bench_bare_moves(Replay *replay, const std::vector<Move> *moves)
     replay->make(*moves);
 }
 
-void predictive_bench_counted_collide(dSpaceID space, PairList *list)
+void predictive_bench_counted_collide(Scene *scene, dSpaceID space, PairList *list)
 {
-    dSpaceCollide(space, list, &PairList::collect);
+    scene->collide(space, *list);
+}
+
+void predictive_bench_counted_birth(Life *life)
+{
+    life->begin();
+}
+
+void predictive_bench_bare_birth(Life *life)
+{
+    life->begin();
+}
+
+void predictive_bench_counted_death(Life *life)
+{
+    life->end();
+}
+
+void predictive_bench_bare_death(Life *life)
+{
+    life->end();
 }
 
 void predictive_bench_counted_advance(Scene *scene)

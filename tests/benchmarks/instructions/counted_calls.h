@@ -5,7 +5,7 @@
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_COUNTED_CALLS_H
 
 #include "demos/scenes/scene.h"
-#include "tests/benchmarks/replay.h"
+#include "tests/benchmarks/instructions/life.h"
 
 extern "C" {
 /// The moves of one tick in the space that is measured: motion and notices.
@@ -17,8 +17,17 @@ void predictive_bench_counted_moves(ode_predictive_space::benchmarks::Replay *re
 void predictive_bench_bare_moves(ode_predictive_space::benchmarks::Replay *replay,
                                  const std::vector<ode_predictive_space::benchmarks::Move> *moves);
 
-/// dSpaceCollide().
-void predictive_bench_counted_collide(dSpaceID space, ode_predictive_space::scenes::PairList *list);
+/// dSpaceCollide(), or what a scene calls in its place.
+void predictive_bench_counted_collide(ode_predictive_space::scenes::Scene *scene, dSpaceID space,
+                                      ode_predictive_space::scenes::PairList *list);
+
+/// A world begins: its space and its geoms are made. Without a space, or with one.
+void predictive_bench_counted_birth(ode_predictive_space::benchmarks::Life *life);
+void predictive_bench_bare_birth(ode_predictive_space::benchmarks::Life *life);
+
+/// A world ends, and its space with it.
+void predictive_bench_counted_death(ode_predictive_space::benchmarks::Life *life);
+void predictive_bench_bare_death(ode_predictive_space::benchmarks::Life *life);
 
 /// The motion of a tick that a scene makes by itself, with the step of its world.
 void predictive_bench_counted_advance(ode_predictive_space::scenes::Scene *scene);

@@ -6,8 +6,13 @@
 #include "tests/benchmarks/instructions/callgrind_output.h"
 #include "tests/benchmarks/instructions/child_process.h"
 #include "tests/benchmarks/instructions/motion_stream.h"
+#include "tests/benchmarks/stepped/stepped_scenes.h"
+#include "tests/benchmarks/weight.h"
+#include "tests/scenes/worlds/worlds.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -91,6 +96,14 @@ std::vector<std::string> command_line(const CountedRun &run, const std::string &
     {
         line.emplace_back("--whole");
     }
+    if (run.lives > 0)
+    {
+        line.emplace_back("--lives=" + std::to_string(run.lives));
+    }
+    if (run.caches)
+    {
+        line.insert(line.begin() + 1, {"--cache-sim=yes"});
+    }
     return line;
 }
 
@@ -131,17 +144,92 @@ template <typename Feed> void run_callgrind(const std::vector<std::string> &argu
     }
 }
 
-std::uint64_t instructions_in(const std::string &file, const char *function)
+/// Of one function, less those of the other, which is there to be subtracted.
+struct CostsBeyond
 {
-    std::ifstream dump(file);
-    return instructions_of_calls(dump, function);
-}
+    double instructions = 0;
+    CacheMisses misses{};
+};
+
+class CostsPerTick
+{
+public:
+    CostsPerTick(std::string file, double ticks) : file_(std::move(file)), ticks_(ticks) {}
+
+    CostsBeyond of(const char *function) const
+    {
+        std::ifstream dump(file_);
+        const Costs costs = costs_of_calls(dump, function);
+        const auto per_tick = [this](std::uint64_t sum) { return static_cast<double>(sum) / ticks_; };
+        return {per_tick(costs.instructions), {per_tick(costs.first_level_misses), per_tick(costs.last_level_misses)}};
+    }
+
+    CostsBeyond of_first_beyond_second(const char *first, const char *second) const
+    {
+        const CostsBeyond all = of(first), bare = of(second);
+        return {all.instructions - bare.instructions,
+                {all.misses.first_level - bare.misses.first_level, all.misses.last_level - bare.misses.last_level}};
+    }
+
+private:
+    std::string file_;
+    double ticks_;
+};
 
 CountedScene scene_of(const CountedRun &run)
 {
     return {run.spec.name, run.spec.objects, run.spec.seed, run.warm_up_ticks, run.ticks, run.space};
 }
+/// Add up what belongs to the space.
+double add_part(const CostsBeyond &part, Count &count)
+{
+    if (count.misses)
+    {
+        count.misses->first_level += part.misses.first_level;
+        count.misses->last_level += part.misses.last_level;
+    }
+    return part.instructions;
+}
+
+void add_costs(const CostsPerTick &costs, bool with_life, Count &count)
+{
+    count.collide = add_part(costs.of("predictive_bench_counted_collide"), count);
+    count.notices =
+        add_part(costs.of_first_beyond_second("predictive_bench_counted_moves", "predictive_bench_bare_moves"), count);
+    if (with_life)
+    {
+        count.life =
+            costs.of_first_beyond_second("predictive_bench_counted_birth", "predictive_bench_bare_birth").instructions +
+            costs.of_first_beyond_second("predictive_bench_counted_death", "predictive_bench_bare_death").instructions;
+    }
+}
+
+scenes::SceneFactory dart_factory(const scenes::SceneSpec &spec)
+{
+    const auto make = [](const scenes::SceneSpec &made, dSpaceID space) {
+        const scenes::SceneFactory room(spec_of_stepped_scene(made.name, made.objects, made.seed));
+        return make_stepped_scene(made.name, room, space);
+    };
+    return {spec, {make, scenes::SceneFactory(spec_of_stepped_scene(spec.name, spec.objects, spec.seed)).bounds()}};
+}
 } // namespace
+
+scenes::SceneFactory factory_of(const CountedRun &run)
+{
+    if (run.lives > 0)
+    {
+        return scenes::life_of_many(run.spec);
+    }
+    if (scenes::is_world(run.spec.name))
+    {
+        return scenes::world_factory(run.spec);
+    }
+    if (run.spec.name == "dart")
+    {
+        return dart_factory(run.spec);
+    }
+    return scenes::SceneFactory(run.spec);
+}
 
 Count count_instructions(const CountedRun &run, const scenes::SceneFactory &factory)
 {
@@ -151,14 +239,17 @@ Count count_instructions(const CountedRun &run, const scenes::SceneFactory &fact
     run_callgrind(command_line(run, counts, record),
                   [&](ChildProcess &process) { pass_motion_on(run, factory, process); });
 
-    const auto per_tick = [&](std::uint64_t instructions) { return static_cast<double>(instructions) / run.ticks; };
     Count count{scene_of(run)};
-    count.collide = per_tick(instructions_in(counts, "predictive_bench_counted_collide"));
-    count.notices = per_tick(instructions_in(counts, "predictive_bench_counted_moves")) -
-                    per_tick(instructions_in(counts, "predictive_bench_bare_moves"));
+    count.misses = run.caches ? std::optional<CacheMisses>(CacheMisses()) : std::nullopt;
+    add_costs(CostsPerTick(counts, static_cast<double>(run.ticks) * std::max(1, run.lives)), run.lives > 0, count);
     const nlohmann::json written = nlohmann::json::parse(std::ifstream(record)).at(0);
     count.pairs = written.at("pairs");
     count.pair_hash = written.at("pair_hash");
+    if (run.lives > 0)
+    {
+        const double bytes = bytes_per_geom(run.space, factory);
+        count.bytes_per_geom = std::isfinite(bytes) ? std::optional<double>(bytes) : std::nullopt;
+    }
     return count;
 }
 
@@ -171,7 +262,7 @@ WholeCount count_whole_ticks(const CountedRun &run)
 
     const auto per_tick = [&](const char *function) {
         std::ifstream dump(counts);
-        return static_cast<double>(instructions_of_any_calls(dump, function).value_or(0)) / run.ticks;
+        return static_cast<double>(costs_of_any_calls(dump, function).value_or(Costs()).instructions) / run.ticks;
     };
     WholeCount count{scene_of(run)};
     count.collide = per_tick("predictive_bench_counted_collide");

@@ -18,7 +18,12 @@ struct CountedRun
     int warm_up_ticks = 0;
     int ticks = 0;
     bool whole = false; ///< the whole tick, with the step of the world
+    int lives = 0; ///< not 0: the scene is made and destroyed so often, and lives for `ticks`; that is counted, too
+    bool caches = false; ///< simulate caches
 };
+
+/// What a run counts the ticks of: a scene of the library, one that is stepped, or a world.
+scenes::SceneFactory factory_of(const CountedRun &run);
 
 /// Count it: run this program again under callgrind and feed it with the motion of the scene, so that only what is counted, and
 /// not the scene, has to run in a simulated processor.

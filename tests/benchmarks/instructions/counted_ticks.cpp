@@ -4,7 +4,6 @@
 
 #include "demos/scenes/spaces.h"
 #include "demos/scenes/table.h"
-#include "tests/benchmarks/contenders/contenders.h"
 #include "tests/benchmarks/instructions/callgrind_requests.h"
 #include "tests/benchmarks/instructions/counted_calls.h"
 #include "tests/benchmarks/instructions/motion_stream.h"
@@ -18,55 +17,61 @@ namespace
 {
 using namespace scenes;
 
-/// The scene in the space that is counted, and once more in one that only moves.
+/// The scene in the space that is counted, and once more where it only moves: in a space that is never collided or, where the
+/// making of a space is counted, in none.
 class CountedTicks
 {
 public:
-    CountedTicks(const std::string &space, const SceneFactory &factory)
-        : contender_(benchmarks::make_contender(space, factory)), replay_(factory, contender_->space()),
-          bare_space_(make_space(SpaceKind::simple, factory)), bare_replay_(factory, bare_space_.get())
+    CountedTicks(const CountedRun &run, const SceneFactory &factory)
+        : counted_(run.space, factory), bare_(run.lives > 0 ? "" : space_name(SpaceKind::simple), factory)
     {}
 
     void begin(const std::vector<Move> &start, int ticks)
     {
-        replay_.make(start);
-        bare_replay_.make(start);
-        contender_->prepare(ticks);
+        CALLGRIND_TOGGLE_COLLECT;
+        predictive_bench_bare_birth(&bare_);
+        predictive_bench_counted_birth(&counted_);
+        CALLGRIND_TOGGLE_COLLECT;
+        counted_.replay().make(start);
+        bare_.replay().make(start);
+        counted_.contender().prepare(ticks);
+    }
+
+    void end()
+    {
+        CALLGRIND_TOGGLE_COLLECT;
+        predictive_bench_bare_death(&bare_);
+        predictive_bench_counted_death(&counted_);
+        CALLGRIND_TOGGLE_COLLECT;
     }
 
     void make(const std::vector<Move> &moves)
     {
         list_.clear();
         CALLGRIND_TOGGLE_COLLECT;
-        predictive_bench_bare_moves(&bare_replay_, &moves);
-        predictive_bench_counted_moves(&replay_, &moves);
-        predictive_bench_counted_collide(contender_->space(), &list_);
+        predictive_bench_bare_moves(&bare_.replay(), &moves);
+        predictive_bench_counted_moves(&counted_.replay(), &moves);
+        predictive_bench_counted_collide(&counted_.replay().scene(), counted_.contender().space(), &list_);
         CALLGRIND_TOGGLE_COLLECT;
-        contender_->finish(list_);
+        counted_.contender().finish(list_);
         pairs_ += list_.size();
         hash_.add_tick(hash_pairs(list_.sorted()));
-        contender_->end_tick();
+        counted_.contender().end_tick();
     }
 
     nlohmann::json record() const { return {{"pairs", pairs_}, {"pair_hash", hexadecimal(hash_.value())}}; }
 
 private:
-    std::unique_ptr<Contender> contender_; // before the replay, whose geoms are in its space
-    Replay replay_;
-    OwnedSpace bare_space_;
-    Replay bare_replay_;
+    Life counted_;
+    Life bare_;
     PairList list_;
     std::uint64_t pairs_ = 0;
     PairHash hash_;
 };
-} // namespace
 
-nlohmann::json make_counted_ticks(const CountedRun &run)
+nlohmann::json make_one_life(const CountedRun &run, const SceneFactory &factory)
 {
-    SceneSpec spec = run.spec;
-    spec.settled = false; // where a pile has come to rest is in the motion
-    const SceneFactory factory(spec);
-    CountedTicks counted(run.space, factory);
+    CountedTicks counted(run, factory);
     counted.begin(read_moves(stdin), run.warm_up_ticks + run.ticks);
     for (int tick = 0; tick < run.warm_up_ticks; ++tick)
     {
@@ -79,5 +84,40 @@ nlohmann::json make_counted_ticks(const CountedRun &run)
         counted.make(read_moves(stdin));
     }
     return counted.record();
+}
+
+/// All lives are the same; the first one, which finds the heap empty, is not counted.
+nlohmann::json make_lives(const CountedRun &run, const SceneFactory &factory)
+{
+    const std::vector<Move> start = read_moves(stdin);
+    Motion motion;
+    for (int tick = 0; tick < run.ticks; ++tick)
+    {
+        motion.push_back(read_moves(stdin));
+    }
+    CountedTicks counted(run, factory);
+    for (int life = 0; life <= run.lives; ++life)
+    {
+        if (life == 1)
+        {
+            CALLGRIND_START_INSTRUMENTATION;
+        }
+        counted.begin(start, run.ticks);
+        for (const std::vector<Move> &moves : motion)
+        {
+            counted.make(moves);
+        }
+        counted.end();
+    }
+    return counted.record();
+}
+} // namespace
+
+nlohmann::json make_counted_ticks(const CountedRun &run)
+{
+    CountedRun unsettled = run;
+    unsettled.spec.settled = false; // where a pile has come to rest is in the motion
+    const SceneFactory factory = factory_of(unsettled);
+    return run.lives > 0 ? make_lives(run, factory) : make_one_life(run, factory);
 }
 } // namespace ode_predictive_space::benchmarks

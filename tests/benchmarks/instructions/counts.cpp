@@ -73,8 +73,47 @@ nlohmann::json record_of(const Count &count)
                    {"sum", count.sum()},
                    {"pairs", count.pairs},
                    {"pair_hash", count.pair_hash}});
+    if (count.life)
+    {
+        record["life"] = *count.life;
+    }
+    if (count.bytes_per_geom)
+    {
+        record["bytes_per_geom"] = *count.bytes_per_geom;
+    }
+    if (count.misses)
+    {
+        record.update(
+            {{"first_level_misses", count.misses->first_level}, {"last_level_misses", count.misses->last_level}});
+    }
     return record;
 }
+
+namespace
+{
+Count count_in(const nlohmann::json &record)
+{
+    Count count{{record.at("scene"), record.at("n"), record.at("seed"), record.at("warm_up_ticks"), record.at("ticks"),
+                 record.at("space")},
+                record.at("collide"),
+                record.at("notices")};
+    count.pairs = record.at("pairs");
+    count.pair_hash = record.at("pair_hash");
+    if (record.contains("life"))
+    {
+        count.life = record.at("life");
+    }
+    if (record.contains("bytes_per_geom"))
+    {
+        count.bytes_per_geom = record.at("bytes_per_geom");
+    }
+    if (record.contains("first_level_misses"))
+    {
+        count.misses = CacheMisses{record.at("first_level_misses"), record.at("last_level_misses")};
+    }
+    return count;
+}
+} // namespace
 
 std::vector<Count> counts_in(const nlohmann::json &records)
 {
@@ -83,12 +122,7 @@ std::vector<Count> counts_in(const nlohmann::json &records)
     {
         if (record.value("count", "") == "instructions")
         {
-            counts.push_back({{record.at("scene"), record.at("n"), record.at("seed"), record.at("warm_up_ticks"),
-                               record.at("ticks"), record.at("space")},
-                              record.at("collide"),
-                              record.at("notices"),
-                              record.at("pairs"),
-                              record.at("pair_hash")});
+            counts.push_back(count_in(record));
         }
     }
     return counts;
@@ -147,19 +181,47 @@ RatioSummary summary_of(const std::vector<CountPair> &pairs)
     return summary;
 }
 
+namespace
+{
+/// Best ODE space over ours, of the sums, over all scenes.
+void print_ratios(std::ostream &out, const std::vector<Count> &counts)
+{
+    std::vector<CountPair> pairs;
+    for (const Count &count : counts)
+    {
+        const Count *best = best_of_ode(counts, count);
+        if (count.space == "predictive-box" && best != nullptr)
+        {
+            pairs.push_back({count, *best});
+        }
+    }
+    if (!pairs.empty())
+    {
+        out << "collide + notices, best ODE / predictive-box: geometric mean "
+            << fixed(summary_of(pairs).geometric_mean, 2) << "\n\n";
+    }
+}
+} // namespace
+
 void print(std::ostream &out, const std::vector<Count> &counts)
 {
     out << "Instructions per tick\n\n";
-    Table table({"scene", "space", "collide", "notices", "sum", "best ODE / this", "ticks", "pairs", "pair hash"});
+    Table table({"scene", "space", "collide", "notices", "life", "sum", "best ODE / this", "misses", "of last level",
+                 "bytes per geom", "ticks", "pairs", "pair hash"});
     for (const Count &count : counts)
     {
         const Count *best = best_of_ode(counts, count);
         table.add({title_of(count), count.space, fixed(count.collide, 1), fixed(count.notices, 1),
-                   fixed(count.sum(), 1), best != nullptr ? fixed(best->sum() / count.sum(), 2) : "-",
+                   count.life ? fixed(*count.life, 1) : "-", fixed(count.sum(), 1),
+                   best != nullptr ? fixed(best->sum() / count.sum(), 2) : "-",
+                   count.misses ? fixed(count.misses->first_level, 1) : "-",
+                   count.misses ? fixed(count.misses->last_level, 1) : "-",
+                   count.bytes_per_geom ? fixed(*count.bytes_per_geom, 0) : "-",
                    grouped(static_cast<std::uint64_t>(count.ticks)), grouped(count.pairs), count.pair_hash});
     }
     table.print(out);
     out << '\n';
+    print_ratios(out, counts);
 }
 
 void print(std::ostream &out, const std::vector<CountPair> &pairs)

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,17 +29,29 @@ nlohmann::json record_of(const CountedScene &counted, const std::string &kind);
 /// For the tables: name and number of objects.
 std::string title_of(const CountedScene &counted);
 
+/// In the caches that callgrind simulates.
+struct CacheMisses
+{
+    double first_level = 0; ///< of data
+    double last_level = 0;  ///< of data
+};
+
 struct Count : CountedScene
 {
     double collide = 0; ///< instructions per tick in dSpaceCollide(), with a callback that only notes the pair
     double notices = 0; ///< instructions per tick in what ODE tells the space of geoms that move
+    /// Of a world with a short life: creation and destruction of its space, spread over its ticks.
+    std::optional<double> life = {};
+    std::optional<double> bytes_per_geom = {}; ///< of such a world; none where they are not known
+    std::optional<CacheMisses> misses = {};    ///< per tick, of collide and notices
     std::uint64_t pairs = 0;
     std::string pair_hash = {}; ///< of all ticks, with the warm-up; in hexadecimal digits
 
-    double sum() const { return collide + notices; }
+    double sum() const { return collide + notices + life.value_or(0); }
 };
 
-/// {count: "instructions", scene, n, seed, warm_up_ticks, ticks, space, collide, notices, sum, pairs, pair_hash}
+/// {count: "instructions", scene, n, seed, warm_up_ticks, ticks, space, collide, notices, sum, pairs, pair_hash} and, where they
+/// were counted, {life, bytes_per_geom} and {first_level_misses, last_level_misses}
 nlohmann::json record_of(const Count &count);
 
 /// The counts in what a run has written.

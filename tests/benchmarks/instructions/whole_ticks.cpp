@@ -30,7 +30,7 @@ public:
         list_.clear();
         CALLGRIND_TOGGLE_COLLECT;
         predictive_bench_counted_advance(scene_.get());
-        predictive_bench_counted_collide(contender_->space(), &list_);
+        predictive_bench_counted_collide(scene_.get(), contender_->space(), &list_);
         CALLGRIND_TOGGLE_COLLECT;
         contender_->finish(list_);
         const std::vector<IndexPair> pairs = list_.sorted();
