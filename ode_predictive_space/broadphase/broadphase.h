@@ -81,6 +81,9 @@ public:
         mark_moved(id);
     }
 
+    /// Objects that were added, or whose moves were reported, since the last update.
+    const IdSet &changed() { return verifier_.collect_moves(); }
+
     /// A pair of the object came up for report, and the object is disabled.
     void note_disabled(ProxyId id) { predictor_.request(id); }
 

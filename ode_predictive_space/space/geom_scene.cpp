@@ -42,6 +42,16 @@ bool turns_with_body(const dxGeom *geom)
     return geom->body != nullptr && geom->offset_posr == nullptr;
 }
 
+// How far the geom's matrix is from a rotation. ODE keeps that of a body a rotation; a sphere is the same however it is turned;
+// and of a ray's matrix only the direction counts, dGeomRaySet() sets no more.
+double skew_of_geom(const dxGeom *geom)
+{
+    if (!(geom->gflags & GEOM_PLACEABLE) || turns_safely(geom))
+        return 0;
+    const dReal *R = geom->final_posr->R;
+    return geom->type == dRayClass ? std::abs(Vector3(R[2], R[6], R[10]).squaredNorm() - 1) : skew_of(R);
+}
+
 // Radius of the sphere around the geom's position that holds the geom, if its matrix is a rotation; infinite for classes that
 // have no such sphere.
 double circumscribed_radius(const dxGeom *geom)
@@ -82,8 +92,9 @@ double rounding_at([[maybe_unused]] const Box &bounds)
                std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
 }
 
-// The sphere of the sphere test: the geom's own, if it has one that agrees with its box, otherwise the one around its box. ODE
-// does not report that a geom loses its body, so the sphere must not become larger then.
+// The sphere of the sphere test. Around the geom's centre, if the class has one that holds the geom in every orientation,
+// otherwise around its bounding box. It follows from the pose, the sizes and the box alone: a pair is reported or not whatever
+// was before. Infinite for geoms that are judged by their boxes.
 struct JudgedSphere
 {
     Vector3 centre;
@@ -91,10 +102,12 @@ struct JudgedSphere
 
     JudgedSphere(const dxGeom *geom, const Box &bounds) : centre(bounds.center()), radius(circumscribed_radius(geom))
     {
-        const bool borne_out = 0.5 * bounds.diagonal().maxCoeff() <= radius * (1 + tolerance);
-        if (judged_by_box_alone(geom))
+        const double skew = skew_of_geom(geom);
+        if (judged_by_box_alone(geom) || !(skew <= most_skew))
             radius = std::numeric_limits<double>::infinity();
-        else if (!borne_out || !std::isfinite(radius))
+        else if (std::isfinite(radius))
+            radius *= 1 + skew;
+        else
             radius = 0.5 * bounds.diagonal().norm();
         radius += rounding_at(bounds);
     }
@@ -115,12 +128,17 @@ bool spheres_may_touch(const dxGeom *one, const dxGeom *other)
 // A sphere around a ray is hardly ever tight. So the line is tested, too.
 bool ray_may_touch(dxGeom *ray, const dxGeom *other)
 {
-    if (ray->type != dRayClass || touched_off_line(other))
+    if (ray->type != dRayClass || touched_off_line(other) || is_skewed(ray))
         return true;
     const std::optional<RayProbe> line = line_of_ray(ray);
     return !line || line->overlaps(FloatBox::around(to_box(other->aabb)));
 }
 } // namespace
+
+bool is_skewed(const dxGeom *geom)
+{
+    return !(skew_of_geom(geom) <= most_skew);
+}
 
 bool judged_by_box_alone(const dxGeom *geom)
 {
@@ -129,7 +147,7 @@ bool judged_by_box_alone(const dxGeom *geom)
 
 bool touched_off_line(const dxGeom *geom)
 {
-    return geom->type == dConvexClass || judged_by_box_alone(geom);
+    return geom->type == dConvexClass || judged_by_box_alone(geom) || is_skewed(geom);
 }
 
 std::optional<RayProbe> line_of_ray(dxGeom *ray)

@@ -3,6 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -91,8 +93,26 @@ inline void compute_box_beside_others(dxGeom *geom)
 /// its edge, too; a space or a transform may hold a heightfield; and user classes are unknown.
 bool judged_by_box_alone(const dxGeom *geom);
 
+/// The sum of what the products of the columns of a matrix are off those of a rotation; NaN when an entry is.
+inline double skew_of(const dMatrix3 R)
+{
+    const std::array<Vector3, 3> columns{Vector3(R[0], R[4], R[8]), Vector3(R[1], R[5], R[9]),
+                                         Vector3(R[2], R[6], R[10])};
+    double skew = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+            skew += std::abs(columns[i].dot(columns[j]) - (i == j ? 1 : 0));
+    return skew;
+}
+/// Beyond this, ODE's colliders find contacts anywhere in the bounding box. (A rotation matrix is integrated and normalised, so
+/// it is not exact.)
+constexpr double most_skew = sizeof(dReal) == sizeof(double) ? 1e-6 : 1e-5;
+/// Is the matrix of a geom other than a sphere no rotation? dGeomSetQuaternion() makes such a one of a quaternion that is not of
+/// length 1. The pose must be valid.
+bool is_skewed(const dxGeom *geom);
+
 /// Can a ray touch the geom without meeting its bounding box? Besides the classes above this holds for convexes: ODE computes
-/// the contact from the distance to a face, as if the ray were perpendicular to it.
+/// the contact from the distance to a face, as if the ray were perpendicular to it; and for geoms whose matrix is no rotation.
 bool touched_off_line(const dxGeom *geom);
 
 /// The line of a ray; none when it is not finite.

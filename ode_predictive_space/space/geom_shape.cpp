@@ -9,12 +9,8 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr bool is_double = sizeof(dReal) == sizeof(double);
-
-// A rotation matrix is integrated and normalised, so it is not exact. What it is off is a small part of the slack.
-constexpr double most_skew = is_double ? 1e-6 : 1e-5;
-
-// By a sphere's growth its gaps become less and the margin, which is a small part of its size, becomes more.
+// By a sphere's growth its gaps become less and the margin, which is a small part of its size, becomes more: by 1/1000 and, beside
+// the thinnest slivers that are judged by shape, twice that.
 constexpr double growth_and_margin = 1.01;
 
 // Roundings of ODE's that are allowed for.
@@ -95,11 +91,7 @@ bool take_pose(dxGeom *geom, ConvexShape &shape)
         shape.centre += offset[0] * shape.axes[0] + offset[1] * shape.axes[1] + offset[2] * shape.axes[2];
     }
     shape.place_slack = rounded_places * double{std::numeric_limits<dReal>::epsilon()} * shape.centre.lpNorm<1>();
-    double skew = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j <= i; ++j)
-            skew += std::abs(shape.axes[i].dot(shape.axes[j]) - (i == j ? 1 : 0));
-    return skew <= most_skew && shape.centre.lpNorm<1>() <= largest_length;
+    return skew_of(pose.R) <= most_skew && shape.centre.lpNorm<1>() <= largest_length;
 }
 
 bool take_sizes(const dxGeom *geom, ConvexShape &shape)

@@ -47,7 +47,7 @@ ProxyId dxPredictiveSpace::proxy_of(const dxGeom *geom)
 
 GeomScene dxPredictiveSpace::scene() const
 {
-    return GeomScene(geoms_, hulls_, broadphase_.proximity_test() == ProximityTest::sphere);
+    return GeomScene(geoms_, hulls_, by_sphere());
 }
 
 // May run within the constructor of a geom, when neither its class nor its bounds exist: the next collide reads them.
@@ -80,6 +80,7 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     polled_.erase(id);
     off_line_count_ -= off_line_.contains(id);
     off_line_.erase(id);
+    line_unknown_.erase(id);
     unclassified_.erase(id);
     geom->next_ex = nullptr;
     // In this space a geom with a bad box need not be dirty (see listen_to()), nor a space that holds such a geom. In any other
@@ -100,7 +101,7 @@ void dxPredictiveSpace::fit_to_proxies()
         free_memory(found_);
         free_memory(pairs_);
     }
-    for (IdSet *set : {&polled_, &off_line_, &unclassified_})
+    for (IdSet *set : {&polled_, &off_line_, &line_unknown_, &unclassified_})
         set->resize(size);
     resize_array(geoms_, size); // last: it tells the size
 }
@@ -138,11 +139,6 @@ void dxPredictiveSpace::prepare()
             polled_.insert(id);
             ++polled_count_;
         }
-        if (touched_off_line(geoms_[id]))
-        {
-            off_line_.insert(id);
-            ++off_line_count_;
-        }
     });
     unclassified_.clear();
     unprepared_ = false;
@@ -160,6 +156,13 @@ void dxPredictiveSpace::poll_moves()
         if (geoms_[id]->gflags & GEOM_DIRTY)
             note_change(id);
     });
+}
+
+// By the sphere test alone rays are followed along their lines.
+void dxPredictiveSpace::note_changed_lines(const IdSet &changed)
+{
+    line_unknown_ |= changed;
+    lines_known_.store(false, std::memory_order_release);
 }
 
 // What the geom is made of may be other data, even at the same place.
@@ -237,6 +240,8 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
 std::size_t dxPredictiveSpace::find_reported(bool nested_call, std::vector<CandidatePair> &pairs)
 {
     poll_moves();
+    if (by_sphere())
+        note_changed_lines(broadphase_.changed());
     forget_catching_up();
     GeomScene now = scene();
     if (nested_call)
@@ -278,6 +283,8 @@ void dxPredictiveSpace::note_disabled(ProxyId id)
 void dxPredictiveSpace::set_proximity_test(ProximityTest test)
 {
     broadphase_.set_proximity_test(test);
+    if (by_sphere())
+        note_changed_lines(broadphase_.proxies().members());
     forget_catching_up();
 }
 
@@ -317,5 +324,6 @@ void dxPredictiveSpace::set_horizon(const HorizonBounds &horizon)
 std::size_t dxPredictiveSpace::bytes() const
 {
     return sizeof(*this) + broadphase_.bytes() + bytes_of(geoms_) + bytes_of(found_) + bytes_of(pairs_) +
-           unclassified_.bytes() + polled_.bytes() + off_line_.bytes() + known_poses_.bytes() + hulls_.bytes();
+           unclassified_.bytes() + polled_.bytes() + off_line_.bytes() + line_unknown_.bytes() + known_poses_.bytes() +
+           hulls_.bytes();
 }

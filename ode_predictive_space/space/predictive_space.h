@@ -106,7 +106,10 @@ private:
     void compute_box_of_probe(dxGeom *geom);
     void predict_when_asked_often();
     void count_question();
+    void find_off_line();
     void find_near(dxGeom *geom, std::vector<ProxyId> &found);
+
+    bool by_sphere() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::sphere; }
 
     // inquiry.cpp
     bool by_shape() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::shape; }
@@ -127,6 +130,7 @@ private:
     void forget_catching_up() { caught_up_.store(false, std::memory_order_relaxed); }
     void prepare();
     void poll_moves();
+    void note_changed_lines(const ode_predictive_space::IdSet &changed);
     void note_change(ProxyId id);
     void fit_to_proxies();
 
@@ -136,8 +140,11 @@ private:
     ode_predictive_space::IdSet unclassified_; // added since the last look: their class was not known then
     ode_predictive_space::IdSet polled_;       // geoms whose class changes them without notice
     std::size_t polled_count_ = 0;
-    ode_predictive_space::IdSet off_line_; // geoms that a ray may touch where it does not meet their box
+    ode_predictive_space::IdSet
+        off_line_; // by the sphere test: those that a ray may touch where it does not meet their box
     std::size_t off_line_count_ = 0;
+    ode_predictive_space::IdSet line_unknown_; // may have come or gone there since a ray was last asked for
+    std::atomic<bool> lines_known_{true};      // there are none of these
 
     // Nothing has been added, moved or set since the broad phase was last brought up to date. True at most questions: these only
     // read, so that several threads may ask at once. A question counts itself in lock_count before it reads this.

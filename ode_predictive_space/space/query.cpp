@@ -46,6 +46,8 @@ inline bool dxPredictiveSpace::is_silently_changed() const
         return true;
     const Lock lock(this);
     const Work work(working_);
+    if (by_sphere())
+        note_changed_lines(broadphase_.changed());
     GeomScene now = scene();
     broadphase_.catch_up(now);
     caught_up_.store(true, std::memory_order_release);
@@ -143,13 +145,30 @@ inline void dxPredictiveSpace::predict_when_asked_often()
     catch_up("dSpaceCollide2");
 }
 
+// Geoms change at each tick; rays are asked for now and then.
+[[gnu::noinline]] void dxPredictiveSpace::find_off_line()
+{
+    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    line_unknown_.for_each([this](ProxyId id) {
+        if (geoms_[id]->gflags & GEOM_POSR_BAD)
+            compute_box_beside_others(geoms_[id]);
+        const bool off_line = touched_off_line(geoms_[id]), was_off_line = off_line_.contains(id);
+        if (off_line == was_off_line)
+            return;
+        off_line ? off_line_.insert(id) : off_line_.erase(id);
+        off_line_count_ += off_line ? 1 : std::size_t{0} - 1;
+    });
+    line_unknown_.clear();
+    lines_known_.store(true, std::memory_order_release);
+}
+
 // All geoms whose bounding box may overlap that of `geom`. By the sphere test, a ray is followed along its line; only geoms that
 // a ray can touch without meeting their box are looked for in the box of the ray.
 void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
 {
     if (flags_beside_others(geom) & GEOM_AABB_BAD)
         compute_box_of_probe(geom);
-    const bool as_line = geom->type == dRayClass && broadphase_.proximity_test() == ProximityTest::sphere;
+    const bool as_line = geom->type == dRayClass && by_sphere() && !is_skewed(geom);
     const std::optional<RayProbe> line = as_line ? line_of_ray(geom) : std::nullopt;
     const FloatBox box = FloatBox::around(to_box(geom->aabb));
     if (!line)
@@ -157,6 +176,8 @@ void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
         broadphase_.query(box, [&](ProxyId id) { found.push_back(id); });
         return;
     }
+    if (!lines_known_.load(std::memory_order_acquire))
+        find_off_line();
     auto find = [&](const auto &probe, bool off_line) {
         broadphase_.walk(probe, [&](ProxyId id) {
             if (off_line_.contains(id) == off_line)

@@ -162,9 +162,18 @@ std::optional<ProximityInterval> PairProximity::of_boxes(ProxyId other) const
     return ProximityInterval{enter * (1 - time_margin) * duration, left < 1 ? left * duration : never};
 }
 
+// An object that is checked by its centre keeps its sphere. The sphere around a bounding box may stick out of the one around the
+// envelope that holds the box.
+bool PairProximity::keeps_sphere(ProxyId id) const
+{
+    return proxies_.records[id].kind.check == Check::centre;
+}
+
 // Boxes and spheres must be near: not before the later of the two first times.
 std::optional<ProximityInterval> PairProximity::of_spheres(ProxyId other, const ProximityInterval &of_boxes) const
 {
+    if (!keeps_sphere(id_) || !keeps_sphere(other))
+        return of_boxes;
     const std::optional<double> time = sphere_time_of_proximity(spherical(proxies_.outer_envelope(id_, now_)),
                                                                 spherical(proxies_.outer_envelope(other, now_)),
                                                                 proxies_.common_horizon(id_, other, now_));

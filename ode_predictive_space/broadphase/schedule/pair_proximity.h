@@ -40,6 +40,7 @@ private:
     struct Gaps;
 
     std::optional<ProximityInterval> of_boxes(ProxyId other) const;
+    bool keeps_sphere(ProxyId id) const;
     std::optional<ProximityInterval> of_spheres(ProxyId other, const ProximityInterval &of_boxes) const;
     float age(ProxyId id) const;
     Float4 rounding(ProxyId other, Float4 offset, Float4 terms) const;
