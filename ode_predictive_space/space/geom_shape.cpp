@@ -57,6 +57,19 @@ constexpr double left_out_of_capsule = 1e-3, left_out_of_cylinder = 1e-5;
 // 0.000001. The normal is not of length 1.
 constexpr double coplanar = 1e-6;
 
+// OPCODE computes the normal of a triangle in single precision, as the product of two sides. Its direction is off by up to 3.5
+// roundings, times the aspect ratio of the triangle, and its plane, where the other shape is, by that part of the distance from a
+// corner. The distance is no more than twice the sum of both shapes' half sides. For aspect ratios of 2, rounded_places hold. ODE
+// solves for the point of a triangle that is nearest to a sphere by a determinant: in its own single precision, by the square.
+double sliver_factor_of(const DataHull &hull)
+{
+    const double factor = std::max(1.0, hull.aspect / 2);
+    return sizeof(dReal) == sizeof(double) ? factor : factor * factor;
+}
+
+// With thinner ones, a mesh is judged by its box, but beside planes.
+constexpr double most_sliver_factor = 1000;
+
 bool blunts_capsules_only(dGeomID mesh)
 {
     return !dGeomTriMeshIsTCEnabled(mesh, dBoxClass) &&
@@ -73,6 +86,8 @@ void take_partners(dxGeom *geom, ConvexShape &shape)
         shape.blunt_beside = meshes;
         shape.blunt_margin = geom->type == dCapsuleClass ? left_out_of_capsule : left_out_of_cylinder;
     }
+    else if (geom->type == dTriMeshClass && shape.sliver_factor > most_sliver_factor)
+        shape.partners = planes;
     else if (geom->type == dTriMeshClass && !blunts_capsules_only(geom))
         shape.partners &= static_cast<std::uint16_t>(~capsules);
 }
@@ -119,6 +134,7 @@ bool take_hull(const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
         return false;
     shape.hull = hull;
     shape.slack_beside_own = 2 * coplanar / hull->least_normal;
+    shape.sliver_factor = sliver_factor_of(*hull);
     shape.kind = ShapeKind::hull;
     shape.half_sides = hull->half_sides();
     shape.size = 2 * shape.half_sides.minCoeff();

@@ -96,16 +96,19 @@ Points points_of(const MeshData &mesh)
     return points;
 }
 
-double least_normal_of(const MeshData &mesh)
+// Triangles whose corners coincide count for the least normal only: to ODE, they are never touched by other shapes than meshes.
+void take_triangles(const MeshData &mesh, DataHull &hull)
 {
-    double least = std::numeric_limits<double>::infinity();
     for (unsigned i = 0; i < mesh.triangle_count; ++i)
     {
         const auto [a, b, c] = triangle(mesh, i);
-        const Vector3 corner = vertex(mesh, a);
-        least = std::min(least, (vertex(mesh, b) - corner).cross(vertex(mesh, c) - corner).norm());
+        const Vector3 corner = vertex(mesh, a), one = vertex(mesh, b) - corner, other = vertex(mesh, c) - corner;
+        const double normal = one.cross(other).norm();
+        hull.least_normal = std::min(hull.least_normal, normal);
+        if (!one.isZero(0) && !other.isZero(0) && one != other)
+            hull.aspect = std::max(
+                hull.aspect, std::max({one.squaredNorm(), other.squaredNorm(), (one - other).squaredNorm()}) / normal);
     }
-    return least;
 }
 
 Points points_of(dxGeom *geom)
@@ -153,7 +156,7 @@ std::shared_ptr<const DataHull> HullStore::make_hull(dxGeom *geom, const DataKey
     forget_unused();
     const auto hull = std::make_shared<DataHull>(VertexHull(std::move(points)), key);
     if (geom->type == dTriMeshClass)
-        hull->least_normal = least_normal_of(*mesh_data_of(geom));
+        take_triangles(*mesh_data_of(geom), *hull);
     hulls_[key] = hull;
     return hull;
 }

@@ -30,6 +30,8 @@ struct DataHull : VertexHull
     DataKey key;
     /// Twice the area of the smallest triangle of a mesh; infinite for a convex.
     double least_normal = std::numeric_limits<double>::infinity();
+    /// The largest aspect ratio of a triangle of a mesh: its longest side by the height on it. Of a convex, 1.
+    double aspect = 1;
     bool outdated = false; ///< the data have been changed in place
 };
 

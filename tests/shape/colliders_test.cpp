@@ -19,6 +19,12 @@ namespace ode_predictive_space
 {
 namespace
 {
+#ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
+constexpr bool is_long = true;
+#else
+constexpr bool is_long = false;
+#endif
+
 class ShapeColliders : public OdeTest
 {
 protected:
@@ -28,7 +34,7 @@ protected:
 
     dGeomID create(int type, double size)
     {
-        const auto side = [&] { return static_cast<dReal>(size * log_between(0.03, 1)); };
+        const auto side = [&] { return static_cast<dReal>(size * log_between(thinnest_, 1)); };
         switch (type)
         {
         case dSphereClass:
@@ -52,6 +58,27 @@ protected:
                                 static_cast<dReal>(normal[2]), 0);
         }
         }
+    }
+
+    // A mesh that is much longer than wide, of four triangles.
+    dGeomID create_slivers(double length)
+    {
+        const double width = length * log_between(1e-4, 1e-2);
+        Polyhedron slivers;
+        for (int i = 0; i < 5; ++i)
+            slivers.corners.emplace_back(between(0, length), between(0, width), between(-width, width));
+        slivers.faces = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {0, 3, 4}};
+        meshes_.emplace_back(slivers, one_in(2));
+        return dCreateTriMesh(nullptr, meshes_.back().id(), nullptr, nullptr, nullptr);
+    }
+
+    // Thinner than the slivers, and smaller.
+    dGeomID create_thin(int type, double length)
+    {
+        if (type == dTriMeshClass)
+            return create_slivers(length * log_between(1e-3, 1));
+        const auto side = [&] { return static_cast<dReal>(length * log_between(1e-6, 1e-1)); };
+        return type == dBoxClass ? dCreateBox(nullptr, side(), side(), side()) : create(type, side());
     }
 
     Polyhedron polyhedron(double x, double y, double z, bool may_be_flat)
@@ -124,6 +151,26 @@ protected:
         put(second, place, towards, high + (one_in(4) ? -1 : 1) * size * log_between(1e-9, one_in(2) ? 1e-2 : 1));
     }
 
+    // Moves the second geom away from the first, a mesh, to the last place where ODE finds a contact: most often from before or from
+    // behind, near an edge.
+    void barely_touch(dGeomID mesh, dGeomID second, double size)
+    {
+        const dReal *R = dGeomGetRotation(mesh);
+        const Vector3 along = size * Vector3(R[0], R[4], R[8]), up = Vector3(R[2], R[6], R[10]);
+        const Vector3 place = one_in(2) ? Vector3(0.5 * along) : Vector3::Zero();
+        Vector3 towards = direction();
+        if (!one_in(3))
+            towards = ((one_in(2) ? -1 : 1) * up + (one_in(2) ? 0.01 : 0.3) * towards).normalized();
+        double low = 0, high = 8 * size;
+        for (int i = 0; i < 60; ++i)
+        {
+            const double middle = 0.5 * (low + high);
+            put(second, place, towards, middle);
+            (touch(mesh, second) ? low : high) = middle;
+        }
+        put(second, place, towards, low);
+    }
+
     // By the shape test alone, as if the boxes overlapped.
     bool may_touch(dGeomID first, dGeomID second)
     {
@@ -142,55 +189,94 @@ protected:
         return ShapeTest({scene, both, unused, shapes}, 0, looks).may_touch({0, 1}, look);
     }
 
+    double thinnest_ = 0.03; // shortest side, as a part of the size
+    double smallest_ = 0.01; // size, as a part of the other's
+    struct Counts
+    {
+        long contacts = 0, left_out = 0;
+    };
+
+    // Destroys the geoms afterwards.
+    void look_at(dGeomID first, dGeomID second, Counts &counts)
+    {
+        const bool touching = touch(first, second), reported = may_touch(first, second);
+        EXPECT_FALSE(touching && !reported) << "classes " << dGeomGetClass(first) << " and " << dGeomGetClass(second);
+        counts.contacts += touching;
+        counts.left_out += !reported;
+        dGeomDestroy(first);
+        dGeomDestroy(second);
+        convexes_.clear();
+        meshes_.clear();
+    }
+
+    void expect_no_contact_left_out(int one, int other, int poses)
+    {
+        Counts counts;
+        bool by_shape = false; // classes that are always judged by box are seen to be reported some times
+        for (int i = 0; i < poses && (by_shape || i < 50) && !HasFailure(); ++i)
+        {
+            const double size = log_between(1e-3, 1e2);
+            dGeomID first = create(one, size),
+                    second = create(other, one_in(2) ? size : size * log_between(smallest_, 1));
+            by_shape |= judged_by_shape(shape_of(first, hulls_), shape_of(second, hulls_));
+            for (dGeomID geom : {first, second})
+                if (dGeomGetClass(geom) != dPlaneClass)
+                    turn(geom);
+            nearly_touch(first, second, size);
+            look_at(first, second, counts);
+        }
+        if (!by_shape)
+            return;
+        EXPECT_GT(counts.contacts, poses / 20) << "classes " << one << " and " << other;
+        EXPECT_GT(counts.left_out, poses / 60) << "classes " << one << " and " << other;
+    }
+
     HullStore hulls_;
     std::deque<ConvexArrays> convexes_;
     std::deque<MeshArrays> meshes_;
     std::mt19937_64 random_{20261123};
 };
 
+constexpr std::array<int, 7> classes{dSphereClass, dBoxClass,    dCapsuleClass, dCylinderClass,
+                                     dPlaneClass,  dConvexClass, dTriMeshClass};
+
 TEST_F(ShapeColliders, FindNoContactOfPairsThatAreLeftOut)
 {
-#ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
-    constexpr int poses = 400000;
-#else
-    constexpr int poses = 12000;
-#endif
-    constexpr std::array<int, 7> classes{dSphereClass, dBoxClass,    dCapsuleClass, dCylinderClass,
-                                         dPlaneClass,  dConvexClass, dTriMeshClass};
+    constexpr int poses = is_long ? 400000 : 12000;
     for (int one : classes)
         for (int other : classes)
+            expect_no_contact_left_out(one, other, poses);
+}
+
+TEST_F(ShapeColliders, FindNoContactOfThinPairsThatAreLeftOut)
+{
+    constexpr int poses = is_long ? 200000 : 3000;
+    thinnest_ = 1e-6;
+    smallest_ = 1e-4;
+    for (int one : classes)
+        for (int other : classes)
+            expect_no_contact_left_out(one, other, poses);
+}
+
+// Single-precision normals of slivers are far off. With a margin for ordinary triangles, contacts with boxes and with other slivers
+// were left out.
+TEST_F(ShapeColliders, FindNoContactBesideSliversOfPairsThatAreLeftOut)
+{
+    constexpr int poses = is_long ? 400000 : 40000;
+    for (int type : {dSphereClass, dBoxClass, dCapsuleClass, dCylinderClass, dTriMeshClass})
+    {
+        Counts counts;
+        for (int i = 0; i < poses && !HasFailure(); ++i)
         {
-            long contacts = 0, left_out = 0;
-            for (int i = 0; i < poses; ++i)
-            {
-                const double size = log_between(1e-3, 1e2);
-                dGeomID first = create(one, size),
-                        second = create(other, one_in(2) ? size : size * log_between(0.01, 1));
-                if (!judged_by_shape(shape_of(first, hulls_), shape_of(second, hulls_)))
-                    i = poses; // these two classes once, to see that they are reported
-                for (dGeomID geom : {first, second})
-                    if (dGeomGetClass(geom) != dPlaneClass)
-                        turn(geom);
-                nearly_touch(first, second, size);
-                std::array<dContactGeom, 4> found;
-                const bool touch = dCollide(first, second, 4, found.data(), sizeof found[0]) > 0;
-                const bool reported = may_touch(first, second);
-                EXPECT_FALSE(touch && !reported) << "classes " << one << " and " << other << ", size " << size;
-                contacts += touch;
-                left_out += !reported;
-                dGeomDestroy(first);
-                dGeomDestroy(second);
-                convexes_.clear();
-                meshes_.clear();
-                if (HasFailure())
-                    return;
-            }
-            if (contacts + left_out > 1)
-            {
-                EXPECT_GT(contacts, 1000) << "classes " << one << " and " << other;
-                EXPECT_GT(left_out, 1000) << "classes " << one << " and " << other;
-            }
+            const double size = log_between(1e-1, 10);
+            const dGeomID mesh = create_slivers(size), other = create_thin(type, size);
+            turn(mesh);
+            turn(other);
+            barely_touch(mesh, other, size);
+            look_at(mesh, other, counts);
         }
+        EXPECT_GT(counts.contacts, poses / 40) << "class " << type;
+    }
 }
 } // namespace
 } // namespace ode_predictive_space

@@ -13,8 +13,13 @@ constexpr double contact_slack = 1e-3;
 
 double slack(const ConvexShape &first, const ConvexShape &second)
 {
-    const double slack = first.slack + first.place_slack + second.slack + second.place_slack;
-    return first.group == second.group ? slack + first.slack_beside_own + second.slack_beside_own : slack;
+    const bool beside_half_space = first.kind == ShapeKind::half_space || second.kind == ShapeKind::half_space;
+    double of_sizes = first.slack + second.slack;
+    if (first.group == second.group)
+        of_sizes += first.slack_beside_own + second.slack_beside_own;
+    if (!beside_half_space)
+        of_sizes *= first.sliver_factor * second.sliver_factor;
+    return of_sizes + first.place_slack + second.place_slack;
 }
 
 // Have the shapes no gap larger than the margin, because the balls within them have none? In piles most pairs are told so.

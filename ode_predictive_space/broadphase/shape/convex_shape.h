@@ -40,6 +40,7 @@ struct ConvexShape : Pose
     double slack = 0; ///< a length: contacts may be found when the shapes are so far apart, because that test rounds
     double place_slack = 0;      ///< the same, for the rounding of places
     double slack_beside_own = 0; ///< the same, beside shapes of the same group
+    double sliver_factor = 1;    ///< by which slacks that follow from sizes are larger, but beside a half space
     std::uint16_t group = 0;     ///< one bit
     std::uint16_t partners = 0;  ///< the groups with which the shape decides; with others it is the bounding box
     std::uint16_t blunt_beside =
