@@ -21,7 +21,7 @@ mkdir -p "$scratch"
 if [ "$manner" = precompiled ]; then
     echo '#include <Eigen/Geometry>' >"$scratch/eigen.h"
     "$@" -x c++-header "$scratch/eigen.h" -o "$scratch/eigen.h.gch"
-    set -- "$@" -include "$scratch/eigen.h"
+    set -- "$@" -include "$scratch/eigen.h" -Wno-ignored-attributes # as Eigen asks for; the compiler does not keep it there
 fi
 failed=0
 count=0
