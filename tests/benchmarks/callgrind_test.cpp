@@ -108,6 +108,41 @@ TEST(Callgrind, WholeTicksAreTheSameMotionInEverySpace)
     EXPECT_NE(records[0].at("state_hash"), records[3].at("state_hash"));
 }
 
+TEST(Callgrind, WorldsAreCountedWithTheLifeOfTheirSpaces)
+{
+    const TemporaryFile file("callgrind_worlds");
+    const Outcome outcome =
+        run(PREDICTIVE_BENCH, "instructions --scenes many:8,nested:2 --warm-up 0 --ticks 20 --spaces predictive,simple "
+                              "--cache-sim --json " +
+                                  file.quoted());
+    ASSERT_EQ(outcome.status, 0) << outcome.output;
+    const nlohmann::json records = file.read();
+    ASSERT_EQ(records.size(), 4u);
+    for (std::size_t i = 0; i < records.size(); ++i)
+    {
+        const nlohmann::json &record = records[i];
+        EXPECT_EQ(record.at("pair_hash"), records[i / 2 * 2].at("pair_hash"));
+        EXPECT_GT(record.at("pairs"), 0);
+        EXPECT_TRUE(record.contains("first_level_misses"));
+        EXPECT_EQ(record.contains("life"), i < 2) << record;
+        const double life = i < 2 ? record.at("life").get<double>() : 0;
+        EXPECT_EQ(record.at("sum"), record.at("collide").get<double>() + record.at("notices").get<double>() + life);
+    }
+    EXPECT_GT(records[0].at("life"), 0);
+    EXPECT_GT(records[0].at("bytes_per_geom"), 0);
+    EXPECT_GT(records[2].at("first_level_misses"), 0);
+}
+
+TEST(Callgrind, APoseThatIsSetAgainIsANotice)
+{
+    const TemporaryFile file("callgrind_dart");
+    ASSERT_EQ(run(PREDICTIVE_BENCH,
+                  "instructions --scenes dart:100 --warm-up 20 --ticks 20 --spaces simple --json " + file.quoted())
+                  .status,
+              0);
+    EXPECT_GT(file.read()[0].at("notices"), 100 * 10) << "of all geoms, though one in twenty moves";
+}
+
 TEST(Callgrind, OtherPairsThanBeforeFail)
 {
     const TemporaryFile before("callgrind_before");

@@ -26,6 +26,7 @@ Commands make_commands()
     commands.push_back(make_scene_command());
     commands.push_back(make_instructions_command());
     commands.push_back(make_stepped_command());
+    commands.push_back(make_worlds_command());
     commands.push_back(make_contact_command());
     commands.push_back(make_limits_command());
     add_parts_of_all(commands);

@@ -14,6 +14,7 @@ std::unique_ptr<Command> make_scene_command();
 /// @param whole count whole ticks, as with --whole.
 std::unique_ptr<Command> make_instructions_command(bool whole = false);
 std::unique_ptr<Command> make_stepped_command();
+std::unique_ptr<Command> make_worlds_command();
 std::unique_ptr<Command> make_contact_command();
 std::unique_ptr<Command> make_limits_command();
 std::unique_ptr<Command> make_table1_command();

@@ -300,6 +300,11 @@ std::shared_ptr<const Comparison> compare_once(const Plan &plan, Findings &findi
 
 Comparison compare_single_ticks(const Plan &plan, Findings &findings)
 {
-    return compare_with(plan, SceneFactory(plan.spec), findings);
+    return compare_single_ticks(plan, SceneFactory(plan.spec), findings);
+}
+
+Comparison compare_single_ticks(const Plan &plan, const SceneFactory &factory, Findings &findings)
+{
+    return compare_with(plan, factory, findings);
 }
 } // namespace ode_predictive_space::benchmarks

@@ -94,6 +94,11 @@ std::shared_ptr<const Comparison> compare_once(const Plan &plan, Findings &findi
 /// A comparison without the times that need batches: of ticks that are timed one by one, in scenes of any size.
 Comparison compare_single_ticks(const Plan &plan, Findings &findings);
 
+/// The same in a scene of the caller's own.
+///
+/// @param factory of plan.spec
+Comparison compare_single_ticks(const Plan &plan, const scenes::SceneFactory &factory, Findings &findings);
+
 /// A plan for this scene as the options have it, with what a subcommand takes where they say nothing.
 ///
 /// @param ticks what is enough; a fifth of it when quick.

@@ -114,7 +114,7 @@ TEST(Counts, WhatIsKnownOfShortLivesAndCachesIsInTheRecord)
     const nlohmann::json record = record_of(written);
     EXPECT_EQ(record.at("sum"), 113) << "with the life";
     EXPECT_EQ(record.at("last_level_misses"), 0.5);
-    EXPECT_EQ(record_of(counts_in({record})[0]), record);
+    EXPECT_EQ(record_of(counts_in(nlohmann::json::array({record}))[0]), record);
 }
 
 TEST(Counts, TheBestOfOdeHasTheLeastSumInTheSameScene)

@@ -264,6 +264,39 @@ TEST(PredictiveBench, ShowsHowAPileSettlesInWindows)
     EXPECT_EQ(records[3].at("space"), "sap");
 }
 
+TEST(PredictiveBench, StepsWorldsInAllSpacesByAllMeasures)
+{
+    const nlohmann::json records = results_of("worlds --scenes chain,nested:3 --ticks 40 --check");
+    ASSERT_EQ(records.size(), 2u * 7 + 1);
+    for (std::size_t i = 0; i < 14; ++i)
+    {
+        const nlohmann::json &record = records[i];
+        EXPECT_EQ(record.at("table"), "worlds");
+        EXPECT_EQ(record.at("measured_ticks"), 40);
+        EXPECT_GT(record.at("pairs"), 0) << record;
+        EXPECT_EQ(record.at("contacts"), records[i / 7 * 7].at("contacts")) << record;
+    }
+    EXPECT_EQ(records.back().at("scene"), "all");
+    EXPECT_GT(records.back().at("best_ode_ratio"), 0);
+}
+
+TEST(PredictiveBench, ShowsAHeapAsAWholeAndInWindows)
+{
+    const nlohmann::json records = results_of("worlds --scenes heap:20 --ticks 200 --spaces predictive");
+    ASSERT_EQ(records.size(), 3u);
+    EXPECT_TRUE(records[0].at("end_s").is_null());
+    EXPECT_EQ(records[0].at("measured_ticks"), 200);
+    EXPECT_EQ(records[1].at("begin_s"), 0);
+    EXPECT_EQ(records[2].at("end_s"), 1);
+    EXPECT_EQ(records[2].at("measured_ticks"), 100);
+}
+
+TEST(PredictiveBench, NoticesLostPairsInAWorld)
+{
+    const Outcome outcome = run(BENCH_THAT_LOSES_PAIRS, "worlds --scenes floor:20 --ticks 200 --spaces predictive,sap");
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+}
+
 TEST(PredictiveBench, JudgesQueriesByTheLimitsOfTheirNumberOfObjects)
 {
     const auto limits_with = [](const char *objects) {
@@ -287,7 +320,8 @@ TEST(PredictiveBench, PrintsWithinEightyColumns)
          {"--help", "contact --help", "scene gas --n 40 --ticks 64", "contact --scenes mix:40 --ticks 40",
           "limits --scenes spot:20 --ticks 2 --quick", "table1 --ticks 2", "sudden --n 40 --quick --ticks 2",
           "query --n 1000 --ticks 3", "tail --n 40 --ticks 4", "whole --n 40 --ticks 10", "stepped --n 100 --ticks 10",
-          "memory --n 40 --ticks 20 --quick", "scale --n 100 --ticks 4 --spaces predictive,sap"})
+          "worlds --help", "instructions --help", "worlds --scenes chain --ticks 5", "memory --n 40 --ticks 20 --quick",
+          "scale --n 100 --ticks 4 --spaces predictive,sap"})
     {
         std::istringstream lines(run(PREDICTIVE_BENCH, arguments).output);
         for (std::string line; std::getline(lines, line);)
@@ -300,7 +334,8 @@ TEST(PredictiveBench, PrintsWithinEightyColumns)
 
 TEST(PredictiveBench, RefusesWhatItCannotDo)
 {
-    for (const char *arguments : {"", "soup", "--nope", "scene soup", "scene gas --n 0", "scene gas --spaces octree"})
+    for (const char *arguments : {"", "soup", "--nope", "scene soup", "scene gas --n 0", "scene gas --spaces octree",
+                                  "worlds --scenes soup", "worlds --scenes floor:0", "worlds --spaces octree"})
     {
         EXPECT_EQ(run(PREDICTIVE_BENCH, arguments).status, 2) << arguments;
     }

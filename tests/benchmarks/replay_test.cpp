@@ -1,6 +1,7 @@
 #include "tests/benchmarks/replay.h"
 
 #include "demos/scenes/scene_run.h"
+#include "tests/scenes/worlds/worlds.h"
 
 #include <gtest/gtest.h>
 #include <stdexcept>
@@ -57,6 +58,33 @@ TEST(Replay, WhatRestsIsNotMoved)
     }
     Recorder still(SceneFactory({"still", 40, 1}));
     EXPECT_TRUE(still.record(1).front().empty());
+}
+
+TEST(Replay, BodiesOfSeveralGeomsAndSpacesInTheSpaceMoveAsTheyDid)
+{
+    const OdeSession ode;
+    for (const char *name : {"nested", "ragdolls"})
+    {
+        const SceneFactory factory = world_factory({name, 3, 2});
+        const Motion motion = Recorder(factory).record(100);
+        const OwnedSpace space(make_space(SpaceKind::hash, factory));
+        Replay replay(factory, space.get());
+        SceneRun original(SpaceKind::simple, factory);
+        original.turn(100);
+        for (std::size_t tick = 0; tick < motion.size(); ++tick)
+        {
+            replay.make(motion[tick]);
+            PairList list;
+            replay.scene().collide(space.get(), list);
+            ASSERT_EQ(hash_pairs(list.sorted()), original.tick_hashes()[tick]) << name << ", tick " << tick;
+        }
+    }
+}
+
+TEST(Replay, ScenesWhoseGeomsComeAndGoAreRefused)
+{
+    const OdeSession ode;
+    EXPECT_THROW(Recorder(SceneFactory({"churn", 200, 1})).record(20), std::logic_error);
 }
 
 TEST(Replay, AChangeOfVelocityIsPassedOn)

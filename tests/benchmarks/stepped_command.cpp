@@ -3,11 +3,11 @@
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/comparison.h"
 #include "tests/benchmarks/scene_choice.h"
+#include "tests/benchmarks/stepped/span_table.h"
 #include "tests/benchmarks/stepped/stepped_scenes.h"
 #include "tests/benchmarks/stepped/windows.h"
 
 #include "demos/scenes/pile_scene.h"
-#include "demos/scenes/table.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -76,123 +76,21 @@ Plan plan_of(const Case &one, const Options &options, Findings &findings)
     return plan;
 }
 
-/// A scene, or a part of it.
-struct Span
-{
-    std::string scene;
-    double begin = 0; ///< seconds since the scene began
-    double end = 0;   ///< 0: all that was measured
-
-    bool is_window() const { return end > 0; }
-};
-
-/// Not a number when there is nothing to compare with.
-double quotient(double one, double other)
-{
-    return other > 0 ? one / other : std::nan("");
-}
-
-double collide_ratio(const Comparison &comparison, const Result &result)
-{
-    const Result *best = comparison.best_of_ode();
-    return best != nullptr ? comparison.ratio(*best, result) : std::nan("");
-}
-
-double tick_ratio(const Comparison &comparison, const Result &result)
-{
-    const Result *best = comparison.best_of_ode_by_ticks();
-    return best != nullptr ? quotient(best->mean_tick(), result.mean_tick()) : std::nan("");
-}
-
-std::string ratio_text(double ratio)
-{
-    return std::isfinite(ratio) ? fixed(ratio, 2) : "-";
-}
-
-nlohmann::json value_if(bool known, double value)
-{
-    return known ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
-
-nlohmann::json ratio_record(double ratio)
-{
-    return value_if(std::isfinite(ratio), ratio);
-}
-
-void print(const Span &span, const Comparison &comparison)
-{
-    std::cout << span.scene << ", n = " << grouped(static_cast<std::uint64_t>(comparison.spec.objects)) << ", seed "
-              << comparison.spec.seed;
-    if (span.is_window())
-    {
-        std::cout << ", " << fixed(span.begin, 1) << " to " << fixed(span.end, 1) << " s";
-    }
-    std::cout << "; microseconds in "
-              << (queries_of_stepped_scene(span.scene) == 0 ? "dSpaceCollide()" : "20 dSpaceCollide2()")
-              << " per tick\n\n";
-    Table table({"space", "mean", "median", "p99", "p99.9", "max", "best ODE / this", "whole tick", "best whole / this",
-                 "ticks", "pairs", "pair hash"});
-    for (const Result &result : comparison.results)
-    {
-        const Statistics times = summarise(result.times);
-        table.add({result.name, fixed(times.mean, 2), fixed(times.median, 2), fixed(times.p99, 2), fixed(times.p999, 2),
-                   fixed(times.max, 2), ratio_text(collide_ratio(comparison, result)), fixed(result.mean_tick(), 2),
-                   ratio_text(tick_ratio(comparison, result)), grouped(result.times.size()), grouped(result.pairs),
-                   hexadecimal(result.pair_hash)});
-    }
-    table.print(std::cout);
-    std::cout << '\n' << std::flush;
-}
-
-void record(const Span &span, const Comparison &comparison, Findings &findings)
-{
-    for (const Result &result : comparison.results)
-    {
-        const Statistics times = summarise(result.times);
-        findings.record({{"table", "stepped"},
-                         {"scene", span.scene},
-                         {"n", comparison.spec.objects},
-                         {"seed", comparison.spec.seed},
-                         {"begin_s", value_if(span.is_window(), span.begin)},
-                         {"end_s", value_if(span.is_window(), span.end)},
-                         {"space", result.name},
-                         {"ticks", result.ticks},
-                         {"measured_ticks", result.times.size()},
-                         {"mean_us", times.mean},
-                         {"median_us", times.median},
-                         {"p99_us", times.p99},
-                         {"p999_us", times.p999},
-                         {"max_us", times.max},
-                         {"whole_us", result.mean_tick()},
-                         {"pairs", result.pairs},
-                         {"pair_hash", hexadecimal(result.pair_hash)},
-                         {"false_pairs", result.false_pairs},
-                         {"contacts", result.contacts},
-                         {"best_ode_ratio", ratio_record(collide_ratio(comparison, result))},
-                         {"best_ode_ratio_of_wholes", ratio_record(tick_ratio(comparison, result))}});
-    }
-}
-
-void show(const Span &span, const Comparison &comparison, Findings &findings)
-{
-    print(span, comparison);
-    record(span, comparison, findings);
-}
-
 void measure_case(const Case &one, const Options &options, Findings &findings)
 {
     const Plan plan = plan_of(one, options, findings);
     const Comparison comparison = compare_single_ticks(plan, findings);
+    const Span span = {"stepped", one.scene, 0, 0, plan.queries == 0 ? "dSpaceCollide()" : "20 dSpaceCollide2()"};
     if (one.scene != "settling")
     {
-        show({one.scene}, comparison, findings);
+        show(span, comparison, findings);
         return;
     }
     const auto per_window = static_cast<std::size_t>(std::lround(seconds_per_window / PileScene::step_seconds));
     double begin = 0;
     for (const Comparison &window : windows_of(comparison, per_window))
     {
-        show({one.scene, begin, begin + seconds_per_window}, window, findings);
+        show({span.table, one.scene, begin, begin + seconds_per_window, span.calls}, window, findings);
         begin += seconds_per_window;
     }
 }

@@ -21,13 +21,14 @@ Usage: check_figures.py FOLDER, the top folder of the project.
 import csv
 import importlib.util
 import json
+import math
 import pathlib
 import re
 import sys
 
 from pages import pages_of
 
-TABLES_ARE_FROM_DATA = ("README.md", "docs/performance.md", "docs/limits.md", "docs/clients.md", "docs/tuning.md")
+TABLES_ARE_FROM_DATA = ("README.md", "docs/performance.md", "docs/limits.md", "docs/clients.md", "docs/tuning.md", "docs/worlds.md")
 ALL_IS_FROM_DATA = ("docs/performance.md",)
 ODE = ("simple", "hash", "quadtree", "sap")
 
@@ -48,6 +49,8 @@ COLUMNS = {
         "collide + dCollide, by shape": "best ODE / by shape",
         "pairs with contacts": "touching",
     },
+    "worlds_instructions.json": {"ours": "predictive-box", "best ODE / ours": "ratio"},
+    "scenes_instructions.json": {"ours": "predictive-box", "best ODE / ours": "ratio"},
     "instructions_without_hardening.json": {
         "without": "sum before",
         "with": "sum now",
@@ -114,6 +117,9 @@ class Data:
                         "bytes": record["bytes_per_object"],
                     }
             return
+        if name in ("worlds_instructions.json", "scenes_instructions.json"):
+            yield from worlds(records)
+            return
         if name == "stepped.json":
             rows = self.tables.stepped(records)
         elif name == "contact.json":
@@ -137,6 +143,21 @@ class Data:
                     values["ratio"] = values[best] / values["predictive"]
                     values["inverse ratio"] = values["predictive"] / values[best]
                 yield key, values
+
+
+def worlds(records):
+    """Thousands of instructions per tick, and how many times as many the best of ODE's spaces takes as ours; of all, the
+    geometric mean of these."""
+    sums = {}
+    for record in records:
+        sums.setdefault(key_of(f"{record['scene']} {record['n']}"), {})[record["space"]] = record["sum"] / 1000
+    ratios = []
+    for row, spaces in sums.items():
+        best = min((spaces[name] for name in ODE if name in spaces), default=None)
+        ratio = best / spaces["predictive-box"] if best else None
+        ratios += [ratio] if ratio else []
+        yield row, spaces | {"ratio": ratio}
+    yield "all", {"ratio": math.prod(ratios) ** (1 / len(ratios))}
 
 
 def as_number(cell):

@@ -35,6 +35,11 @@ class Figures(unittest.TestCase):
         for right, wrong in changes.items():
             self.assertEqual(len(self.mistakes(TABLE.replace(right, wrong), GAS)), 1, wrong)
 
+    def test_instructions_in_worlds_are_thousands(self):
+        table = "| scene | n | ours | hash | best ODE / ours |\n|---|---|---|---|---|\n| shelves | 10,000 | {} | – | {} |"
+        self.assertEqual(self.mistakes(table.format("1,518", "6.59"), "worlds_instructions.json"), [])
+        self.assertEqual(len(self.mistakes(table.format("1,519", "6.60"), "worlds_instructions.json")), 2)
+
     def test_another_row_is_noticed(self):
         self.assertEqual(len(self.mistakes(TABLE, "stepped.json; rows: gas 10,000")), 4)
         self.assertEqual(len(self.mistakes(TABLE, "stepped.json; rows: gas 1,000 | gas 10,000")), 1)
