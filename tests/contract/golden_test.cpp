@@ -223,7 +223,7 @@ constexpr Scene scenes[] = {
     {"resting", 400, dPredictiveProximityBox, fly_and_rest, 3673089031810308599u, 2036046139502518723u},
     {"teleports", 400, dPredictiveProximityBox, teleport, 4679123595683022244u, 4679123595683022244u},
     {"churn", 300, dPredictiveProximityBox, come_and_go, 5554845175376287132u, 2844471141823363916u},
-    {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 17757921886872041071u, 8364689903345459163u},
+    {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 17757921886872041071u, 16888201683804678375u},
     {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 3821319951906683825u, 3599652644335232007u},
 };
 

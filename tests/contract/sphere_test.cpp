@@ -35,7 +35,8 @@ double skew_of(dGeomID geom)
     double skew = 0;
     for (int i = dGeomGetClass(geom) == dRayClass ? 2 : 0; i < 3; ++i)
         for (int j = dGeomGetClass(geom) == dRayClass ? 2 : 0; j <= i; ++j)
-            skew = std::max(skew, std::abs(R[i] * R[j] + R[4 + i] * R[4 + j] + R[8 + i] * R[8 + j] - (i == j ? 1 : 0)));
+            skew = std::max(skew, std::abs(double{R[i]} * R[j] + double{R[4 + i]} * R[4 + j] +
+                                           double{R[8 + i]} * R[8 + j] - (i == j ? 1 : 0)));
     return skew;
 }
 
