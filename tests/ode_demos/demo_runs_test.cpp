@@ -139,19 +139,20 @@ TEST_P(OdeDemos, EndAlikeInThePredictiveAndTheHashSpace)
 
 TEST_P(OdeDemos, EndAlikeWithAHandInThem)
 {
+    // Not the hash space: it omits some pairs with the probe in chain1.
     const Report predictive = run_demo(GetParam(), "predictive", "-probe hand-path");
-    const Report hash = run_demo(GetParam(), "hash", "-probe hand-path");
+    const Report simple = run_demo(GetParam(), "simple", "-probe hand-path");
 
     expect_a_good_end(predictive);
-    expect_a_good_end(hash);
+    expect_a_good_end(simple);
     EXPECT_EQ(predictive.text("predictive space"), "valid");
-    expect_the_same_kind_of_outcome(GetParam(), predictive, hash);
+    expect_the_same_kind_of_outcome(GetParam(), predictive, simple);
     EXPECT_GT(predictive.number("steps with a force"), 0);
-    expect_similar(predictive, hash, "steps with a force", 2.5);
+    expect_similar(predictive, simple, "steps with a force", 2.5);
     if (GetParam().same_run)
     {
-        expect_the_same_number(predictive, hash, "steps with a force");
-        expect_the_same_number(predictive, hash, "largest force");
+        expect_the_same_number(predictive, simple, "steps with a force");
+        expect_the_same_number(predictive, simple, "largest force");
     }
 }
 
