@@ -81,6 +81,7 @@ public:
     /// Notes the time of proximity of two geoms. Later ticks compare it with their contacts.
     void foretell(int slot, int other);
 
+    int type_of(int slot) const { return slots_[static_cast<std::size_t>(slot)].form.type; }
     double radius_of(int slot) const; ///< of a sphere, otherwise 0
     double extent_of(int slot) const; ///< diagonal of the bounding box; 0 when it is infinite
 
