@@ -58,13 +58,6 @@ Vector3d place(const std::uint8_t *bytes)
     return 0.02 * Vector3d(bytes[0] - 128, bytes[1] - 128, bytes[2] - 128);
 }
 
-// libccd, which ODE asks about convexes, does not end with some that are all but flat.
-Vector3d sides_of(int type, const std::uint8_t *bytes)
-{
-    const Vector3d any = sides(bytes);
-    return type == dConvexClass ? Vector3d(any.cwiseMax(any.maxCoeff() / 20)) : any;
-}
-
 Form form(const std::uint8_t *bytes)
 {
     Form form;
@@ -73,7 +66,7 @@ Form form(const std::uint8_t *bytes)
     form.body = (bytes[3] & with_body) != 0;
     form.coherent = (bytes[3] & coherent) != 0;
     form.single = (bytes[3] & single) != 0;
-    form.sides = sides_of(form.type, bytes + 4);
+    form.sides = sides(bytes + 4);
     return form;
 }
 
@@ -231,7 +224,7 @@ private:
         case ContactAction::release:
             return world_.take_body(subject_);
         case ContactAction::resize:
-            return world_.resize(subject_, sides_of(world_.type_of(subject_), bytes_ + 4));
+            return world_.resize(subject_, sides(bytes_ + 4));
         case ContactAction::change_in_place:
             return world_.change_in_place(subject_, Vector3d::Ones() + 0.5 * small(bytes_[4]) * heading());
         case ContactAction::rebuild_in_place:
