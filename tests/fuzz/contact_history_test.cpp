@@ -128,7 +128,7 @@ TEST_P(ContactHistories, EachContactHasACallback)
 }
 
 const Theme themes[] = {
-    {"any", {by_shape, by_shape | large_deviation, by_shape | asking}, all_classes, 0, 0, 255, 0, 255, all_actions()},
+    {"any", {by_sphere, by_shape, by_shape | large_deviation, by_shape | asking}, all_classes, 0, 0, 255, 0, 255, all_actions()},
     {"thin",
      {by_shape, by_shape | largest_deviation},
      {dBoxClass, dTriMeshClass},
@@ -156,7 +156,7 @@ const Theme themes[] = {
      60,
      255,
      {Action::resize, Action::resize, Action::creep, Action::place_beside}},
-    {"skewed", {by_shape}, all_classes, 0, 100, 200, 60, 255, {Action::skew, Action::creep, Action::place}},
+    {"skewed", {by_sphere, by_shape}, all_classes, 0, 100, 200, 60, 255, {Action::skew, Action::creep, Action::place}},
     {"bodies",
      {by_sphere, by_shape, by_shape | asking},
      all_classes,
@@ -165,7 +165,7 @@ const Theme themes[] = {
      200,
      60,
      255,
-     {Action::drive, Action::steps, Action::offset, Action::release}},
+     {Action::drive, Action::steps, Action::offset, Action::release, Action::skew}},
     {"data",
      {by_shape, by_shape | large_deviation},
      {dSphereClass, dBoxClass, dConvexClass, dTriMeshClass},
