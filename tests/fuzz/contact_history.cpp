@@ -226,7 +226,7 @@ private:
         case ContactAction::resize:
             return world_.resize(subject_, sides(bytes_ + 4));
         case ContactAction::change_in_place:
-            return world_.change_in_place(subject_, Vector3d::Ones() + 0.9 * small(bytes_[4]) * heading());
+            return world_.change_in_place(subject_, Vector3d::Ones() + 0.5 * small(bytes_[4]) * heading());
         case ContactAction::rebuild_in_place:
             return world_.rebuild_in_place(subject_, bytes_[3] % 16, sides(bytes_ + 4));
         default:

@@ -54,13 +54,18 @@ public:
     {
         bytes_.push_back(any_of(theme_.settings));
         for (std::uint8_t slot = 0; slot < slot_count / 2; ++slot)
-            append(Action::make, slot);
+            append(Action::make, slot, static_cast<std::uint8_t>(any_of(theme_.classes)));
         constexpr int operations = 40;
         for (int i = 0; i < operations; ++i)
         {
-            if (random_() % 3 == 0)
-                append(Action::place_beside, slot());
-            append(any_of(theme_.actions), slot());
+            // Mostly of two geoms that were placed beside each other.
+            if (random_() % 2 == 0)
+            {
+                append(Action::place_beside, slot(), slot());
+                append(any_of(theme_.actions), last(subject_at), last(object_at));
+            }
+            else
+                append(any_of(theme_.actions), slot(), slot());
         }
         return bytes_;
     }
@@ -74,13 +79,16 @@ private:
         return static_cast<std::uint8_t>(low + random_() % (high - low + 1u));
     }
 
-    void append(Action action, std::uint8_t subject)
+    static constexpr std::size_t subject_at = 1, object_at = 2;
+    std::uint8_t last(std::size_t at) const { return bytes_[bytes_.size() - bytes_per_contact_operation + at]; }
+
+    void append(Action action, std::uint8_t subject, std::uint8_t object)
     {
         const bool form = action == Action::make || action == Action::resize || action == Action::rebuild_in_place;
         const bool makes = action == Action::make;
         bytes_.push_back(static_cast<std::uint8_t>(action));
         bytes_.push_back(subject);
-        bytes_.push_back(makes ? static_cast<std::uint8_t>(any_of(theme_.classes)) : slot());
+        bytes_.push_back(object);
         bytes_.push_back(makes ? static_cast<std::uint8_t>((any() & ~body & ~coherent) | theme_.made) : any());
         bytes_.push_back(form ? between(theme_.thinnest, theme_.longest) : between(theme_.least, theme_.most));
         for (int i = 0; i < 3; ++i)
@@ -120,15 +128,7 @@ TEST_P(ContactHistories, EachContactHasACallback)
 }
 
 const Theme themes[] = {
-    {"any",
-     {by_shape, by_shape | large_deviation, by_shape | asking},
-     all_classes,
-     0,
-     0,
-     255,
-     0,
-     255,
-     all_actions()},
+    {"any", {by_sphere, by_shape, by_shape | large_deviation, by_shape | asking}, all_classes, 0, 0, 255, 0, 255, all_actions()},
     {"thin",
      {by_shape, by_shape | largest_deviation},
      {dBoxClass, dTriMeshClass},
@@ -156,7 +156,7 @@ const Theme themes[] = {
      60,
      255,
      {Action::resize, Action::resize, Action::creep, Action::place_beside}},
-    {"skewed", {by_shape}, all_classes, 0, 100, 200, 60, 255, {Action::skew, Action::creep, Action::place}},
+    {"skewed", {by_sphere, by_shape}, all_classes, 0, 100, 200, 60, 255, {Action::skew, Action::creep, Action::place}},
     {"bodies",
      {by_sphere, by_shape, by_shape | asking},
      all_classes,
@@ -165,7 +165,7 @@ const Theme themes[] = {
      200,
      60,
      255,
-     {Action::drive, Action::steps, Action::offset, Action::release}},
+     {Action::drive, Action::steps, Action::offset, Action::release, Action::skew}},
     {"data",
      {by_shape, by_shape | large_deviation},
      {dSphereClass, dBoxClass, dConvexClass, dTriMeshClass},
@@ -190,7 +190,7 @@ const Theme themes[] = {
      0,
      130,
      180,
-     128,
+     140,
      147,
      {Action::wobble}},
 };

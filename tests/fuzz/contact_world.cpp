@@ -111,7 +111,7 @@ dGeomID ContactWorld::create(Slot &slot)
         return slot.convex->create(space_);
     case dTriMeshClass:
         slot.mesh = &meshes_.emplace_back(polyhedron_of(slot.form), slot.form.single);
-        return dCreateTriMesh(space_, slot.mesh->arrays.id(), nullptr, nullptr, nullptr);
+        return dCreateTriMesh(space_, slot.mesh->id(), nullptr, nullptr, nullptr);
     case dGeomTransformClass:
         return create_geom(GeomKind::transform, real(sides[0]), space_);
     default:
@@ -243,7 +243,7 @@ void ContactWorld::give_data(Slot &slot)
         return;
     }
     slot.mesh = &meshes_.emplace_back(polyhedron_of(slot.form), slot.form.single);
-    dGeomTriMeshSetData(slot.geom, slot.mesh->arrays.id());
+    dGeomTriMeshSetData(slot.geom, slot.mesh->id());
     dGeomTriMeshClearTCCache(slot.geom);
 }
 
@@ -287,7 +287,7 @@ void ContactWorld::change_in_place(int slot, const Vector3d &factors)
     if (changed->convex)
         changed->convex->change(polyhedron_of(changed->form));
     else
-        changed->mesh->arrays.move_corners(0.5 * (changed->form.sides - before));
+        changed->mesh->move_corners(0.5 * (changed->form.sides - before));
     dPredictiveSpaceGeomChanged(space_, changed->geom);
 }
 
@@ -298,8 +298,7 @@ void ContactWorld::rebuild_in_place(int slot, int polyhedron, const Vector3d &si
         return;
     changed->form.polyhedron = polyhedron;
     changed->form.sides = sides;
-    changed->mesh->arrays.rebuild(polyhedron_of(changed->form));
-    changed->mesh->rebuilt = true;
+    changed->mesh->rebuild(polyhedron_of(changed->form));
     dGeomTriMeshClearTCCache(changed->geom);
     dPredictiveSpaceGeomChanged(space_, changed->geom);
 }
@@ -326,11 +325,12 @@ double ContactWorld::extent_of(int slot) const
     return std::isfinite(extent) ? extent : 0;
 }
 
-// Without the angles of faces, ODE has an error for convexes on meshes.
-bool ContactWorld::collidable(const Slot &one, const Slot &other) const
+// About other pairs with convexes ODE asks libccd, which does not end beside some forms that are all but flat.
+bool ContactWorld::collidable(const Slot &one, const Slot &other)
 {
     const auto excluded = [](const Slot &first, const Slot &second) {
-        return first.form.type == dConvexClass && second.mesh && second.mesh->rebuilt;
+        const int type = second.form.type;
+        return first.form.type == dConvexClass && type != dSphereClass && type != dPlaneClass && type != dRayClass;
     };
     return !excluded(one, other) && !excluded(other, one);
 }

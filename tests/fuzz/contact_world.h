@@ -88,18 +88,12 @@ public:
     std::string tick();
 
 private:
-    struct Mesh
-    {
-        MeshArrays arrays;
-        bool rebuilt = false; ///< its angles of faces are those of other faces
-        Mesh(const Polyhedron &polyhedron, bool single) : arrays(polyhedron, single) { arrays.build_face_angles(); }
-    };
     struct Slot
     {
         dGeomID geom = nullptr;
         Form form;
         ConvexArrays *convex = nullptr; ///< in convexes_, if it is made from such
-        Mesh *mesh = nullptr;           ///< in meshes_, likewise
+        MeshArrays *mesh = nullptr;     ///< in meshes_, likewise
     };
     struct Forecast
     {
@@ -114,7 +108,7 @@ private:
     dGeomID create(Slot &slot);
     void give_data(Slot &slot);
     Slot *find(int slot);
-    bool collidable(const Slot &one, const Slot &other) const;
+    static bool collidable(const Slot &one, const Slot &other);
     bool touch(const Slot &one, const Slot &other) const;
     bool overlap(const Slot &one, const Slot &other) const;
     std::set<Slots> reported();
@@ -130,7 +124,7 @@ private:
     dSpaceID space_;
     std::array<Slot, slot_count> slots_;
     std::deque<ConvexArrays> convexes_; // outlive the geoms
-    std::deque<Mesh> meshes_;
+    std::deque<MeshArrays> meshes_;
     Forecast forecast_;
 };
 } // namespace ode_predictive_space
