@@ -128,7 +128,15 @@ TEST_P(ContactHistories, EachContactHasACallback)
 }
 
 const Theme themes[] = {
-    {"any", {by_sphere, by_shape, by_shape | large_deviation, by_shape | asking}, all_classes, 0, 0, 255, 0, 255, all_actions()},
+    {"any",
+     {by_sphere, by_shape, by_shape | large_deviation, by_shape | asking},
+     all_classes,
+     0,
+     0,
+     255,
+     0,
+     255,
+     all_actions()},
     {"thin",
      {by_shape, by_shape | largest_deviation},
      {dBoxClass, dTriMeshClass},
