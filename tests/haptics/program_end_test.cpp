@@ -6,6 +6,7 @@
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/program_end_fixture.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <exception>
 #include <functional>
@@ -226,8 +227,12 @@ protected:
     ProgramEnd end_in(RunKind run, Place place, const std::function<void()> &end)
     {
         return end_of_pressing([&] {
+            // The clock is asked by two threads. Only one of them may end the program: exit() in two at once has no defined outcome.
+            std::atomic<std::thread::id> ending{};
             LeaningProgram program(force_, [&](Place here) {
-                if (here == place)
+                std::thread::id first{};
+                const std::thread::id me = std::this_thread::get_id();
+                if (here == place && (ending.compare_exchange_strong(first, me) || first == me))
                 {
                     end();
                 }
