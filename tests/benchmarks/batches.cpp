@@ -14,7 +14,7 @@ namespace
 using namespace scenes;
 
 constexpr int warm_up_batches = 3;
-constexpr double microseconds = 1e6;
+constexpr double microseconds_per_second = 1e6;
 
 /// A contender's copy of the scene.
 class BatchRun
@@ -86,7 +86,7 @@ std::vector<std::vector<double>> per_tick_without(std::vector<double> bare,
         times.emplace_back();
         for (auto batch = series.begin() + warm_up_batches; batch != series.end(); ++batch)
         {
-            times.back().push_back(microseconds * (*batch - motion) / ticks_per_batch);
+            times.back().push_back(microseconds_per_second * (*batch - motion) / ticks_per_batch);
         }
     }
     return times;

@@ -26,7 +26,7 @@ const std::string by_boxes = "predictive-box";
 const std::string by_shapes = "predictive-shape";
 
 /// The limits for one scene. They are limits for predictive-shape, unless noted otherwise; 0 means no limit.
-struct Limits
+struct ContactLimits
 {
     double best_ode = 0; ///< at least so many times as fast as the best ODE space
     double boxes = 0;    ///< at least so many times as fast as predictive-box
@@ -36,18 +36,18 @@ struct Limits
         0; ///< of predictive-box: at least so many times as fast as the best ODE space, dSpaceCollide() alone
 };
 
-struct Case
+struct ContactCase
 {
     std::string scene;
     int objects;
     int warm_up_ticks;
     int ticks;
-    Limits limits{};
+    ContactLimits limits{};
 };
 
-const std::vector<Case> &cases()
+const std::vector<ContactCase> &contact_cases()
 {
-    static const std::vector<Case> all = {
+    static const std::vector<ContactCase> all = {
         {"mix", 100, 200, 16000, {4}},
         {"mix", 1000, 100, 3000, {8, 0, 3}},
         {"mix", 10000, 100, 500, {20}},
@@ -66,9 +66,9 @@ const std::vector<Case> &cases()
 }
 
 /// Nothing is asked in a size that the command does not have by itself.
-Limits limits_of(const Case &measured)
+ContactLimits limits_of(const ContactCase &measured)
 {
-    for (const Case &one : cases())
+    for (const ContactCase &one : contact_cases())
     {
         if (one.scene == measured.scene && one.objects == measured.objects)
         {
@@ -78,12 +78,12 @@ Limits limits_of(const Case &measured)
     return {};
 }
 
-std::string title(const Case &one)
+std::string title(const ContactCase &one)
 {
     return one.scene + " " + grouped(static_cast<std::uint64_t>(one.objects));
 }
 
-std::vector<std::string> contenders()
+std::vector<std::string> contact_contenders()
 {
     std::vector<std::string> names = {by_boxes, "predictive-sphere", by_shapes};
     names.insert(names.end(), ode_spaces().begin(), ode_spaces().end());
@@ -109,12 +109,12 @@ bool is_stepped(const std::string &scene)
     return std::find(names.begin(), names.end(), scene) != names.end();
 }
 
-Plan plan_of(const Case &one, const Options &options, Findings &findings)
+Plan plan_of(const ContactCase &one, const Options &options, Findings &findings)
 {
     const bool stepped = is_stepped(one.scene);
     const SceneSpec spec = stepped ? spec_of_stepped_scene(one.scene, one.objects, options.seed)
                                    : SceneSpec{one.scene, one.objects, options.seed};
-    Plan plan = plan_for(spec, fast_enough(contenders(), spec, findings), one.ticks, options);
+    Plan plan = plan_for(spec, fast_enough(contact_contenders(), spec, findings), one.ticks, options);
     plan.contenders = without_late_ones(plan.contenders, findings);
     plan.warm_up_ticks = one.warm_up_ticks;
     plan.seconds_each = unlimited;
@@ -130,14 +130,14 @@ Plan plan_of(const Case &one, const Options &options, Findings &findings)
 }
 
 /// Not a number when there is nothing to compare with.
-double quotient(double one, double other)
+double ratio_of(double one, double other)
 {
     return other > 0 ? one / other : std::nan("");
 }
 
 double ratio_to(const Result *other, double (Result::*mean)() const, const Result &result)
 {
-    return other != nullptr ? quotient((other->*mean)(), (result.*mean)()) : std::nan("");
+    return other != nullptr ? ratio_of((other->*mean)(), (result.*mean)()) : std::nan("");
 }
 
 /// What is shown and recorded of one contender.
@@ -152,7 +152,7 @@ struct Figures
           best_ode_ratio(ratio_to(comparison.best_of_ode_with_contacts(), &Result::mean_of_both, result)),
           best_whole(ratio_to(comparison.best_of_ode_by_ticks(), &Result::mean_tick, result)),
           to_box(ratio_to(comparison.find(by_boxes), &Result::mean_of_both, result)),
-          calls_per_touching(quotient(result.calls_per_tick, result.touching_per_tick))
+          calls_per_touching(ratio_of(result.calls_per_tick, result.touching_per_tick))
     {}
 };
 
@@ -166,7 +166,7 @@ nlohmann::json number_record(double number)
     return std::isfinite(number) ? nlohmann::json(number) : nlohmann::json(nullptr);
 }
 
-void print(const Case &one, const Comparison &comparison)
+void print(const ContactCase &one, const Comparison &comparison)
 {
     std::cout << title(one) << ", seed " << comparison.spec.seed
               << "; mean microseconds per tick in dSpaceCollide() and in dCollide() for the reported pairs"
@@ -187,7 +187,7 @@ void print(const Case &one, const Comparison &comparison)
     std::cout << '\n' << std::flush;
 }
 
-void record(const Case &one, const Comparison &comparison, Findings &findings)
+void record(const ContactCase &one, const Comparison &comparison, Findings &findings)
 {
     for (const Result &result : comparison.results)
     {
@@ -214,9 +214,9 @@ void record(const Case &one, const Comparison &comparison, Findings &findings)
     }
 }
 
-void require(const Case &one, const Comparison &comparison, Findings &findings)
+void require(const ContactCase &one, const Comparison &comparison, Findings &findings)
 {
-    const Limits limits = limits_of(one);
+    const ContactLimits limits = limits_of(one);
     const Result *ours = comparison.find(by_shapes);
     const Result *boxes = comparison.find(by_boxes);
     const Result *best = comparison.best_of_ode_with_contacts();
@@ -224,7 +224,7 @@ void require(const Case &one, const Comparison &comparison, Findings &findings)
     if (limits.collide > 0 && boxes != nullptr && best_alone != nullptr)
     {
         findings.require({"P22", title(one) + ", collide alone, best ODE (" + best_alone->name + ") / predictive-box",
-                          quotient(best_alone->mean(), boxes->mean()), Requirement::at_least, limits.collide, "x"});
+                          ratio_of(best_alone->mean(), boxes->mean()), Requirement::at_least, limits.collide, "x"});
     }
     if (ours == nullptr)
     {
@@ -301,7 +301,7 @@ public:
 
     void measure(const Options &options, Findings &findings) override
     {
-        for (const Case &one : only_table1_ ? std::vector<Case>() : chosen(cases(), scenes_))
+        for (const ContactCase &one : only_table1_ ? std::vector<ContactCase>() : chosen(contact_cases(), scenes_))
         {
             if (options.objects.value_or(one.objects) == one.objects)
             {

@@ -11,8 +11,8 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-constexpr int usual_objects = 10000;
-constexpr int usual_ticks = 2500;
+constexpr int floor_objects = 10000;
+constexpr int floor_ticks = 2500;
 constexpr double most_times_the_floor = 2;
 
 class FloorCommand : public Command
@@ -26,8 +26,8 @@ public:
 
     void measure(const Options &options, Findings &findings) override
     {
-        const scenes::SceneSpec spec{"gas", options.objects.value_or(usual_objects)};
-        Plan plan = plan_for(spec, {"predictive-box", "floor"}, usual_ticks, options);
+        const scenes::SceneSpec spec{"gas", options.objects.value_or(floor_objects)};
+        Plan plan = plan_for(spec, {"predictive-box", "floor"}, floor_ticks, options);
         plan.seconds_each = scenes::unlimited;
         const Comparison comparison = compare(plan, findings);
         print(std::cout, comparison);

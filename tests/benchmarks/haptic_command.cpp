@@ -14,7 +14,7 @@ namespace
 {
 using namespace ode_predictive_space::scenes;
 
-constexpr int quick_ticks = 1000;
+constexpr int quick_haptic_ticks = 1000;
 constexpr int quick_first = 2000;
 constexpr double quick_precision = 1.2;
 
@@ -72,7 +72,7 @@ HapticSettings settings(const Options &options)
     HapticSettings settings;
     if (options.quick)
     {
-        settings.ticks = quick_ticks;
+        settings.ticks = quick_haptic_ticks;
         settings.first = quick_first;
         settings.precision = quick_precision;
     }

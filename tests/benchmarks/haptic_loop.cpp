@@ -14,10 +14,10 @@ namespace
 using namespace ode_predictive_space::scenes;
 
 constexpr double tick_seconds = 0.001;
-constexpr double probe_radius = 0.2;            // metres
+constexpr double loop_probe_radius = 0.2;       // metres
 constexpr double half_workspace = 1;            // in the scene, metres
-constexpr double fastest = 1;                   // m/s, as in gas
-constexpr double fastest_spin = 5;              // rad/s, likewise
+constexpr double fastest_of_loop = 1;           // m/s, as in gas
+constexpr double fastest_loop_spin = 5;         // rad/s, likewise
 constexpr std::uint32_t probe_index = ~0u >> 1; // greater than all others
 
 double microseconds_of_this_thread()
@@ -48,8 +48,8 @@ public:
             BodyState state;
             state.position = random.in_box(Vector3::Constant(half_room_));
             state.orientation = random.orientation();
-            state.velocity = random.uniform(0, fastest) * random.direction();
-            state.angular_velocity = random.uniform(0, fastest_spin) * random.direction();
+            state.velocity = random.uniform(0, fastest_of_loop) * random.direction();
+            state.angular_velocity = random.uniform(0, fastest_loop_spin) * random.direction();
             if (i % 2 == 0)
             {
                 objects_.add_still(shape, state.position, state.orientation);
@@ -124,7 +124,7 @@ std::string haptic_tick_name(HapticTick tick)
 HapticLoop::HapticLoop(SpaceKind kind, int objects, std::uint64_t seed, HapticTick tick)
     : space_(make_space(kind, SceneFactory({"gas", objects, seed}))),
       objects_(make_objects({"gas", objects, seed}, space_.get(), tick)), content_(tick), hand_(hand_settings(), seed),
-      probe_(dCreateSphere(space_.get(), probe_radius))
+      probe_(dCreateSphere(space_.get(), loop_probe_radius))
 {
     set_geom_index(probe_, probe_index);
     set_position(probe_, hand_.position(0));

@@ -10,7 +10,7 @@ namespace
 {
 using namespace ode_predictive_space::scenes;
 
-constexpr int warm_up_ticks = 200;
+constexpr int haptic_warm_up_ticks = 200;
 
 bool is_odes_own(SpaceKind kind)
 {
@@ -95,7 +95,7 @@ private:
 HapticTrial try_haptic_loop(SpaceKind kind, int objects, const HapticSettings &settings)
 {
     HapticLoop loop(kind, objects, settings.seed, settings.tick);
-    for (int tick = 0; tick < warm_up_ticks; ++tick)
+    for (int tick = 0; tick < haptic_warm_up_ticks; ++tick)
     {
         loop.tick();
     }

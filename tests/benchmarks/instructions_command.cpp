@@ -23,7 +23,7 @@ namespace
 {
 using namespace scenes;
 
-struct Case
+struct CountedCase
 {
     std::string scene;
     int objects;
@@ -38,14 +38,14 @@ constexpr int most_objects_for_ode = 50000;
 
 constexpr int lives = 10; // they are all the same
 
-std::string title(const Case &one)
+std::string title(const CountedCase &one)
 {
     return one.scene + " " + grouped(static_cast<std::uint64_t>(one.objects));
 }
 
-const std::vector<Case> &cases()
+const std::vector<CountedCase> &counted_cases()
 {
-    static const std::vector<Case> all = {
+    static const std::vector<CountedCase> all = {
         {"mix", 40, 200, 1000},        {"gas", 100, 200, 1000},    {"gas", 1000, 100, 500},
         {"gas", 10000, 100, 300},      {"gas", 100000, 60, 20},    {"game", 100, 200, 1000},
         {"game", 1000, 100, 300},      {"game", 10000, 50, 20},    {"pile", 500, 50, 100},
@@ -58,9 +58,9 @@ const std::vector<Case> &cases()
 }
 
 /// Of a heap's fall the first half second, and of its rest what follows 1.5 s.
-const std::vector<Case> &world_cases()
+const std::vector<CountedCase> &world_cases()
 {
-    static const std::vector<Case> all = {
+    static const std::vector<CountedCase> all = {
         {"floor", 100, 100, 200},
         {"floor", 500, 100, 100},
         {"floor", 2000, 50, 20},
@@ -104,17 +104,17 @@ const std::vector<Case> &world_cases()
 }
 
 /// What the command line can name.
-std::vector<Case> all_cases()
+std::vector<CountedCase> all_cases()
 {
-    std::vector<Case> all = cases();
+    std::vector<CountedCase> all = counted_cases();
     all.insert(all.end(), world_cases().begin(), world_cases().end());
     return all;
 }
 
 /// Of whole ticks, from the first one on: what a program needs that runs so long.
-const std::vector<Case> &whole_cases()
+const std::vector<CountedCase> &whole_cases()
 {
-    static const std::vector<Case> all = {
+    static const std::vector<CountedCase> all = {
         {"mix", 100, 0, 200}, {"mix", 1000, 0, 200}, {"pile", 500, 0, 100}, {"stack", 1000, 0, 200}};
     return all;
 }
@@ -184,7 +184,7 @@ public:
             return;
         }
         std::vector<Count> counts;
-        for (const Case &one : chosen_cases())
+        for (const CountedCase &one : chosen_cases())
         {
             if (options.objects.value_or(one.objects) == one.objects)
             {
@@ -203,7 +203,7 @@ public:
     }
 
 private:
-    std::vector<Case> chosen_cases() const
+    std::vector<CountedCase> chosen_cases() const
     {
         if (whole_)
         {
@@ -211,12 +211,12 @@ private:
         }
         if (scenes_.empty())
         {
-            return worlds_ ? world_cases() : cases();
+            return worlds_ ? world_cases() : counted_cases();
         }
         return chosen(all_cases(), scenes_);
     }
 
-    CountedRun run_of(const Case &one, const std::string &space, const Options &options) const
+    CountedRun run_of(const CountedCase &one, const std::string &space, const Options &options) const
     {
         CountedRun run;
         run.spec = {one.scene, one.objects, options.seed};
@@ -240,7 +240,7 @@ private:
         return names;
     }
 
-    static std::vector<std::string> spaces(const Case &one, const Options &options, Findings &findings)
+    static std::vector<std::string> spaces(const CountedCase &one, const Options &options, Findings &findings)
     {
         if (!options.spaces.empty())
         {
@@ -265,7 +265,8 @@ private:
         return names;
     }
 
-    void count_case(const Case &one, const Options &options, std::vector<Count> &counts, Findings &findings) const
+    void count_case(const CountedCase &one, const Options &options, std::vector<Count> &counts,
+                    Findings &findings) const
     {
         const SceneFactory factory = factory_of(run_of(one, "", options));
         std::string expected_hash;
@@ -297,7 +298,7 @@ private:
         const std::vector<std::string> usual = {"predictive-box", "predictive-shape", "quadtree", "sap"};
         const auto names = without_floors(options.spaces.empty() ? usual : options.spaces, findings);
         std::vector<WholeCount> counts;
-        for (const Case &one : chosen_cases())
+        for (const CountedCase &one : chosen_cases())
         {
             for (const std::string &space : names)
             {

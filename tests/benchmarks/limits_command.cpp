@@ -35,7 +35,7 @@ const std::vector<Limit> &limits()
 struct MeasuredSpace
 {
     SpaceKind kind;
-    Costs costs;
+    LimitCosts costs;
     double bytes_per_object = 0; ///< that the space holds, without the geoms
 };
 
@@ -52,8 +52,8 @@ std::vector<SpaceKind> kinds_of(const Options &options)
 std::vector<MeasuredSpace> measure_limit(const Limit &limit, const std::vector<SpaceKind> &kinds)
 {
     // A simple space that is never collided keeps the geoms in ODE's list and nothing else.
-    const Costs bare = measure_once(limit, SpaceKind::simple, false);
-    const std::vector<Costs> costs = measure_by_turns(limit, kinds);
+    const LimitCosts bare = measure_once(limit, SpaceKind::simple, false);
+    const std::vector<LimitCosts> costs = measure_by_turns(limit, kinds);
     std::vector<MeasuredSpace> result;
     for (std::size_t i = 0; i < kinds.size(); ++i)
     {
@@ -64,7 +64,7 @@ std::vector<MeasuredSpace> measure_limit(const Limit &limit, const std::vector<S
 }
 
 /// Sweep-and-prune over this space; not a number when that was not measured.
-double ratio(const std::vector<MeasuredSpace> &spaces, const MeasuredSpace &space, double Costs::*time)
+double ratio(const std::vector<MeasuredSpace> &spaces, const MeasuredSpace &space, double LimitCosts::*time)
 {
     for (const MeasuredSpace &other : spaces)
     {
@@ -89,11 +89,12 @@ void print(const Limit &limit, const std::vector<MeasuredSpace> &spaces)
                  "collide", "empty"});
     for (const MeasuredSpace &space : spaces)
     {
-        const Costs &costs = space.costs;
+        const LimitCosts &costs = space.costs;
         table.add({space_name(space.kind), fixed(costs.fill, 2), fixed(costs.first, 2), fixed(costs.move, 3),
                    fixed(costs.collide, 3), fixed(costs.empty, 2), fixed(space.bytes_per_object, 0),
-                   grouped(costs.pairs), text_of(ratio(spaces, space, &Costs::first)),
-                   text_of(ratio(spaces, space, &Costs::collide)), text_of(ratio(spaces, space, &Costs::empty))});
+                   grouped(costs.pairs), text_of(ratio(spaces, space, &LimitCosts::first)),
+                   text_of(ratio(spaces, space, &LimitCosts::collide)),
+                   text_of(ratio(spaces, space, &LimitCosts::empty))});
     }
     table.print(std::cout);
     std::cout << '\n' << std::flush;
@@ -108,7 +109,7 @@ void record(const Limit &limit, const std::vector<MeasuredSpace> &spaces, Findin
 {
     for (const MeasuredSpace &space : spaces)
     {
-        const Costs &costs = space.costs;
+        const LimitCosts &costs = space.costs;
         findings.record({{"table", "limits"},
                          {"scene", limit.scene},
                          {"n", limit.objects},
@@ -123,9 +124,9 @@ void record(const Limit &limit, const std::vector<MeasuredSpace> &spaces, Findin
                          {"bytes_per_object", space.bytes_per_object},
                          {"pairs", costs.pairs},
                          {"pair_hash", hexadecimal(costs.pair_hash)},
-                         {"sap_ratio_first", value_of(ratio(spaces, space, &Costs::first))},
-                         {"sap_ratio_collide", value_of(ratio(spaces, space, &Costs::collide))},
-                         {"sap_ratio_empty", value_of(ratio(spaces, space, &Costs::empty))}});
+                         {"sap_ratio_first", value_of(ratio(spaces, space, &LimitCosts::first))},
+                         {"sap_ratio_collide", value_of(ratio(spaces, space, &LimitCosts::collide))},
+                         {"sap_ratio_empty", value_of(ratio(spaces, space, &LimitCosts::empty))}});
     }
 }
 

@@ -30,8 +30,8 @@ TEST_P(Limits, HaveThePairsOfASimpleSpace)
     for (const int objects : {1, 50})
     {
         const Limit limit{GetParam(), objects, 50, 1};
-        const Costs simple = measure_once(limit, SpaceKind::simple);
-        const Costs predictive = measure_once(limit, SpaceKind::predictive);
+        const LimitCosts simple = measure_once(limit, SpaceKind::simple);
+        const LimitCosts predictive = measure_once(limit, SpaceKind::predictive);
         EXPECT_EQ(predictive.pairs, simple.pairs) << objects;
         EXPECT_EQ(predictive.pair_hash, simple.pair_hash) << objects;
     }
@@ -55,7 +55,7 @@ TEST_P(Limits, KeepTheInvariantAndLeaveAnEmptySpace)
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Limits, testing::ValuesIn(limit_scene_names()), name_of);
 
-Costs costs_of(const char *scene, int objects)
+LimitCosts costs_of(const char *scene, int objects)
 {
     const OdeSession ode;
     return measure_once({scene, objects, 3, 1}, SpaceKind::predictive);
@@ -82,7 +82,8 @@ TEST(LimitScenes, RefuseUnknownNames)
 TEST(LimitCosts, AreOfTheMiddleOfTheRoundsInTheOrderOfTheSpaces)
 {
     const OdeSession ode;
-    const std::vector<Costs> costs = measure_by_turns({"far", 20, 3, 3}, {SpaceKind::simple, SpaceKind::predictive});
+    const std::vector<LimitCosts> costs =
+        measure_by_turns({"far", 20, 3, 3}, {SpaceKind::simple, SpaceKind::predictive});
     ASSERT_EQ(costs.size(), 2u);
     EXPECT_EQ(costs[0].pair_hash, costs[1].pair_hash);
     EXPECT_GT(costs[1].heap, costs[0].heap);

@@ -25,7 +25,7 @@ constexpr int quick_churn_ticks = 30000;
 constexpr int churn_samples = 100;
 
 /// What counts as flat: the near set breathes a little.
-constexpr double most_growth = 1.05;
+constexpr double most_growth_of_bytes = 1.05;
 
 class MemoryCommand : public Command
 {
@@ -141,9 +141,9 @@ void require_flatness(const MemoryResult &result, Findings &findings)
                               grouped(static_cast<std::uint64_t>(result.samples.back().tick)) +
                               " ticks against the first, bytes ";
     findings.require({"P12", where + "counted", memory_growth(result, &MemorySample::counted), Requirement::at_most,
-                      most_growth, "x"});
+                      most_growth_of_bytes, "x"});
     findings.require({"P12", where + "allocated", memory_growth(result, &MemorySample::allocated), Requirement::at_most,
-                      most_growth, "x"});
+                      most_growth_of_bytes, "x"});
 }
 
 ShapeMemory measure_shapes(const std::string &scene, int objects, const Options &options)

@@ -16,18 +16,18 @@ namespace
 {
 using namespace ode_predictive_space::scenes;
 
-constexpr int quick_ticks = 200;
+constexpr int quick_query_ticks = 200;
 
 /// What is asked for with so many objects: how many times as fast as the other spaces. Their queries take time that grows with
 /// the objects, the predictive space's hardly do.
-struct Limits
+struct QueryLimits
 {
     int objects;
     double quadtree;
     double others;
 };
 
-constexpr Limits limits[] = {{1000, 1, 5}, {10000, 5, 50}};
+constexpr QueryLimits query_limits[] = {{1000, 1, 5}, {10000, 5, 50}};
 
 class QueryCommand : public Command
 {
@@ -57,7 +57,7 @@ QuerySettings QueryCommand::settings(const Options &options) const
 {
     QuerySettings settings;
     settings.objects = options.objects.value_or(settings.objects);
-    settings.ticks = options.ticks.value_or(options.quick ? quick_ticks : settings.ticks);
+    settings.ticks = options.ticks.value_or(options.quick ? quick_query_ticks : settings.ticks);
     settings.seed = options.seed;
     settings.collide_first = !without_collide_;
     settings.still = still_;
@@ -91,7 +91,7 @@ void print(const std::vector<QueryResult> &results, const std::string &what, Que
 }
 
 void require(const std::vector<QueryResult> &results, const std::string &what, QuerySeries QueryResult::*series,
-             const Limits &least, Findings &findings)
+             const QueryLimits &least, Findings &findings)
 {
     const double to_quadtree = query_ratio(results, {SpaceKind::quadtree}, series);
     if (to_quadtree > 0)
@@ -126,7 +126,7 @@ void QueryCommand::measure(const Options &options, Findings &findings)
     {
         findings.record(record);
     }
-    for (const Limits &least : limits)
+    for (const QueryLimits &least : query_limits)
     {
         if (least.objects == chosen.objects)
         {

@@ -13,11 +13,11 @@ namespace
 {
 using namespace ode_predictive_space::scenes;
 
-constexpr int warm_up_ticks = 100;
+constexpr int query_warm_up_ticks = 100;
 constexpr int ticks_per_turn = 100;
-constexpr double microseconds = 1e6;
+constexpr double to_microseconds = 1e6;
 
-void ignore_pair(void *, dGeomID, dGeomID) {}
+void answer_nothing(void *, dGeomID, dGeomID) {}
 
 /// One space with its copy of the scene.
 class QueryRun
@@ -68,7 +68,7 @@ private:
     {
         if (dSpaceIsPredictive(contender_->space()) != 0)
         {
-            dSpaceCollide(contender_->space(), nullptr, &ignore_pair);
+            dSpaceCollide(contender_->space(), nullptr, &answer_nothing);
         }
         else
         {
@@ -86,7 +86,7 @@ private:
             dSpaceCollide2(scene_->queries()[i], space, &list_, &PairList::collect);
         }
         const double seconds = seconds_between(start, Clock::now()) - clock_overhead_;
-        series.times.push_back(microseconds * std::max(0.0, seconds));
+        series.times.push_back(to_microseconds * std::max(0.0, seconds));
         contender_->finish(list_);
         series.pairs += list_.size();
         hash.add_tick(hash_pairs(list_.sorted()));
@@ -167,7 +167,7 @@ std::vector<QueryResult> measure_queries(const QuerySettings &settings, const st
     {
         runs.push_back(std::make_unique<QueryRun>(kind, factory, settings));
     }
-    run_by_turns(runs, warm_up_ticks, {});
+    run_by_turns(runs, query_warm_up_ticks, {});
     for (const auto &run : runs)
     {
         run->start_measuring();

@@ -14,7 +14,7 @@ namespace
 {
 using namespace scenes;
 
-constexpr double most_seconds_each = 10;
+constexpr double most_seconds_per_ratio = 10;
 constexpr int short_warm_up = 30; ///< of scenes with contacts, whose slow contenders else would have no tick in common
 constexpr double times_as_fast_as_bullet = 3;
 
@@ -26,7 +26,7 @@ enum class Bullet
 };
 
 /// A scene, and how many times as fast as the best of ODE's spaces the predictive one is to be in it.
-struct Case
+struct RatioCase
 {
     const char *line;
     const char *scene;
@@ -44,7 +44,7 @@ constexpr double seconds_for_stack = 2;
 /// A hundred ticks of warm-up are over: until then many predictions are the first ones.
 constexpr double seconds_for_very_many = 1.5;
 
-constexpr Case cases[] = {
+constexpr RatioCase ratio_cases[] = {
     {"P2", "gas", 100, 6, Bullet::asked},
     {"P2", "gas", 1000, 25, Bullet::asked},
     {"P2", "gas", 10000, 80, Bullet::asked},
@@ -64,7 +64,7 @@ constexpr Case cases[] = {
 };
 
 /// Enough for a steady mean.
-int usual_ticks(const Case &one)
+int ticks_of(const RatioCase &one)
 {
     // Nearly all of a tick of a pile is the step of the world, and one is like the other.
     if (one.scene == std::string("pile"))
@@ -78,19 +78,19 @@ int usual_ticks(const Case &one)
     return one.objects <= 1000 ? 5000 : (one.objects <= 10000 ? 1000 : 100);
 }
 
-std::string title(const Case &one)
+std::string title(const RatioCase &one)
 {
     return std::string(one.scene) + " " + grouped(static_cast<std::uint64_t>(one.objects)) +
            (one.moving >= 0 ? ", " + fixed(100 * one.moving, 0) + " % moving" : "");
 }
 
 /// There a floor, which knows the pairs from a copy of its own that is ahead, takes another step of the world for each tick.
-bool has_contacts(const Case &one)
+bool has_contacts(const RatioCase &one)
 {
     return one.scene == std::string("pile") || one.scene == std::string("stack");
 }
 
-std::vector<std::string> contenders(const Case &one)
+std::vector<std::string> contenders(const RatioCase &one)
 {
     std::vector<std::string> names;
     for (const std::string &name : contender_names())
@@ -105,7 +105,7 @@ std::vector<std::string> contenders(const Case &one)
     return names;
 }
 
-void require(const Case &one, const Comparison &comparison, Findings &findings)
+void require(const RatioCase &one, const Comparison &comparison, Findings &findings)
 {
     const Result *ours = comparison.find("predictive-box");
     const Result *best = comparison.best_of_ode();
@@ -129,11 +129,11 @@ void require(const Case &one, const Comparison &comparison, Findings &findings)
     }
 }
 
-void measure_case(const Case &one, const Options &options, Findings &findings)
+void measure_case(const RatioCase &one, const Options &options, Findings &findings)
 {
     const SceneSpec spec{one.scene, one.objects, options.seed, one.moving};
-    Plan plan = plan_for(spec, fast_enough(contenders(one), spec, findings), usual_ticks(one), options);
-    plan.seconds_each = std::min(std::max(plan.seconds_each, one.seconds_each), most_seconds_each);
+    Plan plan = plan_for(spec, fast_enough(contenders(one), spec, findings), ticks_of(one), options);
+    plan.seconds_each = std::min(std::max(plan.seconds_each, one.seconds_each), most_seconds_per_ratio);
     plan.warm_up_ticks = has_contacts(one) ? short_warm_up : plan.warm_up_ticks;
     require(one, *compare_once(plan, findings), findings);
 }
@@ -153,7 +153,7 @@ public:
         {
             findings.note("without Bullet, which was not there to build with: P10 was not measured");
         }
-        for (const Case &one : cases)
+        for (const RatioCase &one : ratio_cases)
         {
             if (options.objects.value_or(one.objects) != one.objects)
             {

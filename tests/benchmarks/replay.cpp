@@ -20,7 +20,7 @@ bool leads(dGeomID geom)
     return geom->body == nullptr || dBodyGetFirstGeom(geom->body) == geom;
 }
 
-Move state_of(std::uint32_t number, dGeomID geom)
+Move move_to(std::uint32_t number, dGeomID geom)
 {
     Move move;
     move.index = number;
@@ -69,7 +69,7 @@ std::vector<Move> Recorder::changes()
         {
             continue;
         }
-        const Move now = state_of(number, geoms[number]);
+        const Move now = move_to(number, geoms[number]);
         if (was_noticed(geoms[number]) || differ(now, last_seen_[number]))
         {
             last_seen_[number] = now;

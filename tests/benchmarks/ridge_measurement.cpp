@@ -12,13 +12,13 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-constexpr double probe_radius = 0.01;   // m
-constexpr double stiffness = 500;       // N/m
-constexpr double pressed_in = 0.003;    // m
-constexpr double free_for = 0.1;        // s, at the start
-constexpr double going_down_for = 0.2;  // s
-constexpr double largest_circle = 0.15; // m
-constexpr double least_force = 0.1;     // N; below, a share of it says little
+constexpr double ridge_probe_radius = 0.01; // m
+constexpr double stiffness = 500;           // N/m
+constexpr double pressed_in = 0.003;        // m
+constexpr double free_for = 0.1;            // s, at the start
+constexpr double going_down_for = 0.2;      // s
+constexpr double largest_circle = 0.15;     // m
+constexpr double least_force = 0.1;         // N; below, a share of it says little
 
 struct Sample
 {
@@ -31,7 +31,7 @@ class Circle
 {
 public:
     Circle(const RidgeSettings &settings, double cell)
-        : radius_(std::min(largest_circle, 0.5 * settings.cells * cell - 1.2 * probe_radius)),
+        : radius_(std::min(largest_circle, 0.5 * settings.cells * cell - 1.2 * ridge_probe_radius)),
           turns_(settings.speed / radius_)
     {}
 
@@ -39,7 +39,8 @@ public:
     {
         const double down = std::clamp((time - free_for) / going_down_for, 0.0, 1.0);
         const double angle = turns_ * std::max(0.0, time - free_for - going_down_for);
-        return {radius_ * std::cos(angle), radius_ * std::sin(angle), 0.02 + down * (probe_radius - pressed_in - 0.02)};
+        return {radius_ * std::cos(angle), radius_ * std::sin(angle),
+                0.02 + down * (ridge_probe_radius - pressed_in - 0.02)};
     }
 
 private:
@@ -68,7 +69,7 @@ void compare(const std::vector<Sample> &samples, const haptics::RidgeShape &ridg
     {
         return;
     }
-    haptics::ProxyAboveRidges proxy(ridges, probe_radius, samples.front().tool.x());
+    haptics::ProxyAboveRidges proxy(ridges, ridge_probe_radius, samples.front().tool.x());
     for (const Sample &sample : samples)
     {
         const haptics::Vector3 truth = stiffness * (proxy.follow(sample.tool) - sample.tool);
@@ -92,7 +93,7 @@ RidgeResult run_ridges(const RidgeSettings &settings)
     const haptics::OdeMesh mesh(haptics::ridge_mesh(ridges, settings.cells, settings.cells));
     mesh.add_to(space.get());
     haptics::ScriptedDevice device(Circle(settings, ridges.cell));
-    haptics::HapticProbe probe(device, space.get(), probe_radius, with_proxy());
+    haptics::HapticProbe probe(device, space.get(), ridge_probe_radius, with_proxy());
     std::vector<Sample> samples;
     samples.reserve(static_cast<std::size_t>(settings.seconds * settings.rate) + 100);
     probe.set_recorder([&](const haptics::RenderedTick &tick) {

@@ -16,9 +16,9 @@ namespace
 {
 using namespace scenes;
 
-constexpr double most_seconds_each = 5;
-constexpr double quick_seconds_each = 0.3;
-constexpr double most_growth = 2; ///< of the time per moved geom from 10,000 to 100,000 objects
+constexpr double seconds_per_scale = 5;
+constexpr double quick_seconds_per_scale = 0.3;
+constexpr double most_growth_of_time = 2; ///< of the time per moved geom from 10,000 to 100,000 objects
 
 /// A scene of one size.
 struct Step
@@ -30,13 +30,13 @@ struct Step
 };
 
 /// In gas the step to 100,000 objects is made with 10 % of them moving, from 10,000 of which 10 % move.
-constexpr Step gas[] = {{"gas", 10, -1, 50000},   {"gas", 100, -1, 20000},   {"gas", 1000, -1, 3000},
-                        {"gas", 10000, -1, 1000}, {"gas", 10000, 0.1, 1000}, {"gas", 100000, 0.1, 100}};
-constexpr Step game[] = {{"game", 10, -1, 50000},
-                         {"game", 100, -1, 20000},
-                         {"game", 1000, -1, 2000},
-                         {"game", 10000, -1, 300},
-                         {"game", 100000, -1, 50}};
+constexpr Step gas_steps[] = {{"gas", 10, -1, 50000},   {"gas", 100, -1, 20000},   {"gas", 1000, -1, 3000},
+                              {"gas", 10000, -1, 1000}, {"gas", 10000, 0.1, 1000}, {"gas", 100000, 0.1, 100}};
+constexpr Step game_steps[] = {{"game", 10, -1, 50000},
+                               {"game", 100, -1, 20000},
+                               {"game", 1000, -1, 2000},
+                               {"game", 10000, -1, 300},
+                               {"game", 100000, -1, 50}};
 
 double share_moving(const Step &step)
 {
@@ -61,7 +61,7 @@ struct Measured
     }
 };
 
-std::vector<std::string> contenders()
+std::vector<std::string> scale_contenders()
 {
     std::vector<std::string> names = contender_names();
     names.erase(std::remove(names.begin(), names.end(), "brute"), names.end());
@@ -71,8 +71,8 @@ std::vector<std::string> contenders()
 Measured measure_step(const Step &step, const Options &options, Findings &findings)
 {
     const SceneSpec spec{step.scene, step.objects, options.seed, step.moving};
-    Plan plan = plan_for(spec, fast_enough(contenders(), spec, findings), step.ticks, options);
-    plan.seconds_each = options.quick ? quick_seconds_each : most_seconds_each;
+    Plan plan = plan_for(spec, fast_enough(scale_contenders(), spec, findings), step.ticks, options);
+    plan.seconds_each = options.quick ? quick_seconds_per_scale : seconds_per_scale;
     return {step, compare_once(plan, findings)};
 }
 
@@ -134,7 +134,7 @@ void require_growth(const std::vector<Measured> &all, Findings &findings)
         findings.require({"P13",
                           "gas, 10 % moving, time per moved geom from 10,000 to 100,000, over the floor's (" +
                               fixed(ours, 2) + " / " + fixed(floor, 2) + ")",
-                          ours / std::max(1.0, floor), Requirement::at_most, most_growth, "x"});
+                          ours / std::max(1.0, floor), Requirement::at_most, most_growth_of_time, "x"});
     }
 }
 
@@ -146,8 +146,8 @@ public:
 
     void measure(const Options &options, Findings &findings) override
     {
-        require_growth(measure_scene(gas, std::size(gas), options, findings), findings);
-        measure_scene(game, std::size(game) - (options.quick ? 1 : 0), options, findings);
+        require_growth(measure_scene(gas_steps, std::size(gas_steps), options, findings), findings);
+        measure_scene(game_steps, std::size(game_steps) - (options.quick ? 1 : 0), options, findings);
         if (options.quick)
         {
             findings.note("game with 100,000 objects was left out of the quick run");
@@ -168,7 +168,7 @@ private:
         }
         if (!all.empty())
         {
-            print_growth(all, options.spaces.empty() ? contenders() : options.spaces);
+            print_growth(all, options.spaces.empty() ? scale_contenders() : options.spaces);
         }
         return all;
     }

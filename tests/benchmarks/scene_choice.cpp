@@ -7,7 +7,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-constexpr int most_objects = 1000000;
+constexpr int largest_scene = 1000000;
 } // namespace
 
 SceneChoice parse_scene_choice(const std::string &text)
@@ -20,7 +20,7 @@ SceneChoice parse_scene_choice(const std::string &text)
         int objects = 0;
         const char *end = text.data() + text.size();
         const auto parsed = std::from_chars(text.data() + colon + 1, end, objects);
-        valid = valid && parsed.ec == std::errc() && parsed.ptr == end && objects >= 1 && objects <= most_objects;
+        valid = valid && parsed.ec == std::errc() && parsed.ptr == end && objects >= 1 && objects <= largest_scene;
         choice.objects = objects;
     }
     if (!valid)

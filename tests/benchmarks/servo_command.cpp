@@ -26,7 +26,7 @@ constexpr int many_cells = 224;     // 100,000
 constexpr double most_time = 50e-6; // s; of a tick on the ridges
 constexpr double most_error = 1;    // %
 
-std::string microseconds(double seconds)
+std::string in_microseconds(double seconds)
 {
     return fixed(1e6 * seconds, 1);
 }
@@ -89,8 +89,8 @@ void measure_single(ServoSettings settings, const Options &options, Findings &fi
     {
         const ServoResult result = run(kind, settings, findings);
         table.add({space_name(kind), grouped(static_cast<std::uint64_t>(settings.objects)),
-                   microseconds(result.collide_and_force.mean), microseconds(result.collide_and_force.p50),
-                   microseconds(result.collide_and_force.p999), microseconds(result.report.compute.mean),
+                   in_microseconds(result.collide_and_force.mean), in_microseconds(result.collide_and_force.p50),
+                   in_microseconds(result.collide_and_force.p999), in_microseconds(result.report.compute.mean),
                    fixed(100 * result.share_in_time(), 2) + " %", fixed(result.report.real_time_factor, 2)});
         if (kind == SpaceKind::predictive && settings.objects == ServoSettings().objects)
         {
@@ -114,9 +114,9 @@ void measure_decoupled(ServoSettings settings, const Options &options, Findings 
             settings.objects = objects;
             const ServoResult result = run(kind, settings, findings);
             table.add({space_name(kind), grouped(static_cast<std::uint64_t>(objects)),
-                       microseconds(result.report.compute.mean), microseconds(result.report.compute.p50),
-                       microseconds(result.report.compute.p999), fixed(100 * result.share_in_time(), 2) + " %",
-                       microseconds(result.collide_and_force.mean)});
+                       in_microseconds(result.report.compute.mean), in_microseconds(result.report.compute.p50),
+                       in_microseconds(result.report.compute.p999), fixed(100 * result.share_in_time(), 2) + " %",
+                       in_microseconds(result.collide_and_force.mean)});
         }
     }
     table.print(std::cout);
@@ -150,8 +150,8 @@ RidgeResult run_ridges_of(int cells, RidgeSettings settings, Findings &findings,
     std::cerr << "servo, ridges of " << triangles << " triangles: " << fixed(settings.seconds, 1) << " s\n";
     const RidgeResult result = run_ridges(settings);
     findings.record(ridge_record(result, settings));
-    table.add({triangles, microseconds(result.report.compute.p50), microseconds(result.report.compute.p99),
-               microseconds(result.report.compute.max), fixed(100 * result.p50_error, 4) + " %",
+    table.add({triangles, in_microseconds(result.report.compute.p50), in_microseconds(result.report.compute.p99),
+               in_microseconds(result.report.compute.max), fixed(100 * result.p50_error, 4) + " %",
                fixed(100 * result.p999_error, 4) + " %", fixed(100 * result.worst_error, 4) + " %"});
     return result;
 }

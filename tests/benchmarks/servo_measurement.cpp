@@ -9,9 +9,9 @@ namespace
 {
 using namespace scenes;
 
-constexpr double probe_radius = 0.2;     // metres
-constexpr double half_of_workspace = 1;  // in the scene, metres
-constexpr double warm_up_seconds = 0.05; // of ticks before the loop
+constexpr double servo_probe_radius = 0.2; // metres
+constexpr double half_of_workspace = 1;    // in the scene, metres
+constexpr double warm_up_seconds = 0.05;   // of ticks before the loop
 
 haptics::RenderSettings render_settings()
 {
@@ -27,7 +27,7 @@ public:
     ServoScene(SpaceKind kind, const ServoSettings &settings)
         : spec_{"gas", settings.objects, settings.seed, settings.moving}, space_(make_space(kind, SceneFactory(spec_))),
           objects_(make_kinematic_scene(spec_, space_.get())), device_({}, settings.seed),
-          probe_(device_, space_.get(), probe_radius, render_settings())
+          probe_(device_, space_.get(), servo_probe_radius, render_settings())
     {}
 
     haptics::HapticProbe &probe() { return probe_; }

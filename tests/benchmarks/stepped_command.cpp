@@ -19,7 +19,7 @@ namespace
 {
 using namespace scenes;
 
-struct Case
+struct SteppedCase
 {
     std::string scene;
     int objects;
@@ -27,11 +27,11 @@ struct Case
     int ticks;
 };
 
-constexpr double seconds_per_window = 0.5;
+constexpr double seconds_of_settling = 0.5;
 
-const std::vector<Case> &cases()
+const std::vector<SteppedCase> &stepped_cases()
 {
-    static const std::vector<Case> all = {
+    static const std::vector<SteppedCase> all = {
         {"gas", 100, 200, 10000},     {"gas", 1000, 100, 3000},     {"gas", 10000, 100, 1000},
         {"game", 100, 200, 10000},    {"game", 1000, 100, 3000},    {"game", 10000, 100, 1000},
         {"pile", 100, 100, 3000},     {"pile", 500, 100, 1000},     {"settling", 500, 0, 400}, // it has settled by then
@@ -42,7 +42,7 @@ const std::vector<Case> &cases()
     return all;
 }
 
-std::string describe_all()
+std::string describe_stepped()
 {
     std::string text =
         "Mean, median and percentiles are of dSpaceCollide() alone, whose callback only notes the pair. Between two\n"
@@ -55,17 +55,17 @@ std::string describe_all()
     return text;
 }
 
-std::vector<std::string> contenders()
+std::vector<std::string> stepped_contenders()
 {
     std::vector<std::string> names = {"predictive-box", "predictive-sphere"};
     names.insert(names.end(), ode_spaces().begin(), ode_spaces().end());
     return names;
 }
 
-Plan plan_of(const Case &one, const Options &options, Findings &findings)
+Plan plan_of(const SteppedCase &one, const Options &options, Findings &findings)
 {
     const SceneSpec spec = spec_of_stepped_scene(one.scene, one.objects, options.seed);
-    Plan plan = plan_for(spec, fast_enough(contenders(), spec, findings), one.ticks, options);
+    Plan plan = plan_for(spec, fast_enough(stepped_contenders(), spec, findings), one.ticks, options);
     plan.warm_up_ticks = one.warm_up_ticks;
     plan.seconds_each = unlimited;
     plan.weigh = false;
@@ -76,7 +76,7 @@ Plan plan_of(const Case &one, const Options &options, Findings &findings)
     return plan;
 }
 
-void measure_case(const Case &one, const Options &options, Findings &findings)
+void measure_case(const SteppedCase &one, const Options &options, Findings &findings)
 {
     const Plan plan = plan_of(one, options, findings);
     const Comparison comparison = compare_single_ticks(plan, findings);
@@ -86,12 +86,12 @@ void measure_case(const Case &one, const Options &options, Findings &findings)
         show(span, comparison, findings);
         return;
     }
-    const auto per_window = static_cast<std::size_t>(std::lround(seconds_per_window / PileScene::step_seconds));
+    const auto per_window = static_cast<std::size_t>(std::lround(seconds_of_settling / PileScene::step_seconds));
     double begin = 0;
     for (const Comparison &window : windows_of(comparison, per_window))
     {
-        show({span.table, one.scene, begin, begin + seconds_per_window, span.calls}, window, findings);
-        begin += seconds_per_window;
+        show({span.table, one.scene, begin, begin + seconds_of_settling, span.calls}, window, findings);
+        begin += seconds_of_settling;
     }
 }
 
@@ -106,14 +106,14 @@ public:
 
     void add_options(CLI::App &command) override
     {
-        command.footer(describe_all());
+        command.footer(describe_stepped());
         command.add_option("--scenes", scenes_, "Scenes, or scenes and sizes, separated by commas: stack,gas:1000")
             ->delimiter(',');
     }
 
     void measure(const Options &options, Findings &findings) override
     {
-        for (const Case &one : chosen(cases(), scenes_))
+        for (const SteppedCase &one : chosen(stepped_cases(), scenes_))
         {
             if (options.objects.value_or(one.objects) == one.objects)
             {

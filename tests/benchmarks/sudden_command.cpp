@@ -33,7 +33,7 @@ constexpr Size sizes[] = {
 };
 
 constexpr int quick_explosions = 2;
-constexpr int warm_up = 100;
+constexpr int sudden_warm_up = 100;
 
 std::vector<std::string> contenders(const Size &size)
 {
@@ -115,7 +115,7 @@ private:
         Plan plan = plan_for({"explosion", size.objects}, contenders(size), 0, options);
         const int explosions = options.quick ? std::max(quick_explosions, size.explosions / 5) : size.explosions;
         plan.ticks = explosions * ticks_between_explosions;
-        plan.warm_up_ticks = warm_up;
+        plan.warm_up_ticks = sudden_warm_up;
         plan.seconds_each = unlimited;
         Comparison comparison = compare_single_ticks(plan, findings);
         for (Result &result : comparison.results)

@@ -13,7 +13,7 @@ namespace
 {
 using namespace scenes;
 
-constexpr int usual_ticks = 16000;
+constexpr int table1_ticks = 16000;
 
 using Means = std::array<double, table1_others.size() + 1>;
 
@@ -124,7 +124,7 @@ Table1 measure_table1(const std::string &ours, const Options &options, Findings 
         Options same_contenders = options;
         same_contenders.spaces.clear();
         const Plan plan =
-            plan_for({"mix", table1_in_paper[row].objects}, contenders(ours), usual_ticks, same_contenders);
+            plan_for({"mix", table1_in_paper[row].objects}, contenders(ours), table1_ticks, same_contenders);
         Plan with_floors = plan; // behind the others, and in no gain
         with_floors.contenders.insert(with_floors.contenders.end(), {"floor-boxes", "floor"});
         const Comparison comparison = compare(with_floors, findings);

@@ -15,9 +15,9 @@ namespace
 {
 using namespace scenes;
 
-constexpr int usual_objects = 10000;
-constexpr int usual_ticks = 5000;
-constexpr int warm_up = 500;
+constexpr int tail_objects = 10000;
+constexpr int tail_ticks = 5000;
+constexpr int tail_warm_up = 500;
 
 /// All do the same in each tick: what the machine does meanwhile lengthens other ticks of each run, what the space does the
 /// same ones of all.
@@ -86,10 +86,10 @@ public:
 
     void measure(const Options &options, Findings &findings) override
     {
-        const SceneSpec spec{"gas", options.objects.value_or(usual_objects), options.seed};
-        Plan plan = plan_for(spec, {"predictive-box"}, usual_ticks, options);
-        plan.ticks = options.ticks.value_or(usual_ticks); // also when quick: rare ticks need many
-        plan.warm_up_ticks = warm_up;
+        const SceneSpec spec{"gas", options.objects.value_or(tail_objects), options.seed};
+        Plan plan = plan_for(spec, {"predictive-box"}, tail_ticks, options);
+        plan.ticks = options.ticks.value_or(tail_ticks); // also when quick: rare ticks need many
+        plan.warm_up_ticks = tail_warm_up;
         plan.seconds_each = unlimited;
         const Comparison comparison = compare_and_show(plan, findings);
         if (const Result *ours = comparison.find("predictive-box"))

@@ -15,7 +15,7 @@ using namespace scenes;
 
 constexpr int ticks_to_fill = 3;
 
-void ignore_pair(void *, dGeomID, dGeomID) {}
+void report_nowhere(void *, dGeomID, dGeomID) {}
 
 /// The heap's growth by a scene whose space keeps nothing of its own.
 double weight_of_scene(const SceneFactory &factory)
@@ -34,7 +34,7 @@ double weight_with_scene(const Contender &contender, std::size_t heap_before, Sc
     {
         scene.advance();
         const std::size_t before = heap_in_use();
-        dSpaceCollide(contender.space(), nullptr, &ignore_pair);
+        dSpaceCollide(contender.space(), nullptr, &report_nowhere);
         weight += static_cast<double>(heap_in_use()) - static_cast<double>(before);
     }
     return weight;

@@ -13,7 +13,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-constexpr int usual_ticks = 1000;
+constexpr int whole_ticks = 1000;
 
 std::vector<scenes::SceneSpec> usual_scenes()
 {
@@ -64,7 +64,7 @@ public:
         {
             if (options.objects && spec.objects != *options.objects)
                 continue;
-            const Plan plan = plan_for(spec, {"predictive-box", "hash", "quadtree", "sap"}, usual_ticks, options);
+            const Plan plan = plan_for(spec, {"predictive-box", "hash", "quadtree", "sap"}, whole_ticks, options);
             report(*compare_once(plan, findings), plan.contenders, findings);
         }
     }

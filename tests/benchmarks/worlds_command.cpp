@@ -19,7 +19,7 @@ namespace
 {
 using namespace scenes;
 
-struct Case
+struct WorldCase
 {
     std::string scene;
     int objects;
@@ -29,9 +29,9 @@ struct Case
 
 constexpr double seconds_per_window = 0.5;
 
-const std::vector<Case> &cases()
+const std::vector<WorldCase> &worlds_to_measure()
 {
-    static const std::vector<Case> all = {
+    static const std::vector<WorldCase> all = {
         {"floor", 100, 100, 2000},
         {"floor", 500, 100, 1000},
         {"floor", 2000, 50, 300},
@@ -68,7 +68,7 @@ const std::vector<Case> &cases()
     return all;
 }
 
-std::string describe_all()
+std::string describe_worlds()
 {
     std::string text =
         "Mean, median and percentiles are of what a program calls for its pairs; the whole tick is that, the\n"
@@ -81,7 +81,7 @@ std::string describe_all()
     return text;
 }
 
-std::vector<std::string> contenders()
+std::vector<std::string> world_contenders()
 {
     std::vector<std::string> names = {"predictive-box", "predictive-sphere", "predictive-shape"};
     names.insert(names.end(), ode_spaces().begin(), ode_spaces().end());
@@ -119,7 +119,7 @@ public:
 
     void add_options(CLI::App &command) override
     {
-        command.footer(describe_all());
+        command.footer(describe_worlds());
         command.add_option("--scenes", scenes_, "Worlds, or worlds and sizes, separated by commas: floor,heap:500")
             ->delimiter(',');
     }
@@ -127,7 +127,7 @@ public:
     void measure(const Options &options, Findings &findings) override
     {
         MeanRatio collide, whole;
-        for (const Case &one : chosen(cases(), scenes_))
+        for (const WorldCase &one : chosen(worlds_to_measure(), scenes_))
         {
             if (options.objects.value_or(one.objects) == one.objects)
             {
@@ -149,11 +149,11 @@ public:
     }
 
 private:
-    static Comparison measure_case(const Case &one, const Options &options, Findings &findings)
+    static Comparison measure_case(const WorldCase &one, const Options &options, Findings &findings)
     {
         const SceneSpec spec{one.scene, one.objects, options.seed};
         const SceneFactory factory = world_factory(spec);
-        Plan plan = plan_for(spec, fast_enough(contenders(), spec, findings), one.ticks, options);
+        Plan plan = plan_for(spec, fast_enough(world_contenders(), spec, findings), one.ticks, options);
         plan.warm_up_ticks = one.warm_up_ticks;
         plan.seconds_each = unlimited;
         plan.weigh = false;

@@ -49,7 +49,7 @@ OwnedSpace make_space_of(SpaceKind kind)
     return OwnedSpace(make_space(kind, SceneFactory({"gas", 1})));
 }
 
-void run_ticks(LimitScene &scene, const Limit &limit, Costs &costs)
+void run_ticks(LimitScene &scene, const Limit &limit, LimitCosts &costs)
 {
     PairCount counted;
     costs.first = time_of([&] { scene.collide(&counted, &PairCount::count); });
@@ -65,18 +65,19 @@ void run_ticks(LimitScene &scene, const Limit &limit, Costs &costs)
     costs.pair_hash = last.hash;
 }
 
-Costs median_of(const std::vector<Costs> &runs)
+LimitCosts median_of(const std::vector<LimitCosts> &runs)
 {
-    const auto median = [&](double Costs::*member) {
+    const auto median = [&](double LimitCosts::*member) {
         std::vector<double> values;
-        for (const Costs &costs : runs)
+        for (const LimitCosts &costs : runs)
         {
             values.push_back(costs.*member);
         }
         return summarise(values).median;
     };
-    Costs result = runs.front();
-    for (double Costs::*member : {&Costs::fill, &Costs::first, &Costs::move, &Costs::collide, &Costs::empty})
+    LimitCosts result = runs.front();
+    for (double LimitCosts::*member :
+         {&LimitCosts::fill, &LimitCosts::first, &LimitCosts::move, &LimitCosts::collide, &LimitCosts::empty})
     {
         result.*member = median(member);
     }
@@ -84,9 +85,9 @@ Costs median_of(const std::vector<Costs> &runs)
 }
 } // namespace
 
-Costs measure_once(const Limit &limit, SpaceKind kind, bool collides)
+LimitCosts measure_once(const Limit &limit, SpaceKind kind, bool collides)
 {
-    Costs costs;
+    LimitCosts costs;
     costs.heap = -static_cast<std::int64_t>(heap_in_use());
     const OwnedSpace space = make_space_of(kind);
     std::unique_ptr<LimitScene> scene;
@@ -103,9 +104,9 @@ Costs measure_once(const Limit &limit, SpaceKind kind, bool collides)
     return costs;
 }
 
-std::vector<Costs> measure_by_turns(const Limit &limit, const std::vector<SpaceKind> &kinds)
+std::vector<LimitCosts> measure_by_turns(const Limit &limit, const std::vector<SpaceKind> &kinds)
 {
-    std::vector<std::vector<Costs>> runs(kinds.size());
+    std::vector<std::vector<LimitCosts>> runs(kinds.size());
     for (int round = 0; round < limit.rounds; ++round)
     {
         for (std::size_t i = 0; i < kinds.size(); ++i)
@@ -113,8 +114,8 @@ std::vector<Costs> measure_by_turns(const Limit &limit, const std::vector<SpaceK
             runs[i].push_back(measure_once(limit, kinds[i]));
         }
     }
-    std::vector<Costs> medians;
-    for (const std::vector<Costs> &of_space : runs)
+    std::vector<LimitCosts> medians;
+    for (const std::vector<LimitCosts> &of_space : runs)
     {
         medians.push_back(median_of(of_space));
     }

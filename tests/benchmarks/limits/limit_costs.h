@@ -10,7 +10,7 @@
 namespace ode_predictive_space::benchmarks
 {
 /// Times are of the processor in this thread, in milliseconds.
-struct Costs
+struct LimitCosts
 {
     double fill = 0;             ///< all geoms created in the space
     double first = 0;            ///< the first collide
@@ -34,10 +34,10 @@ struct Limit
 /// Fill an empty space with this scene, make its ticks, empty the space.
 ///
 /// @param collides false: the geoms are made and destroyed only.
-Costs measure_once(const Limit &limit, scenes::SpaceKind kind, bool collides = true);
+LimitCosts measure_once(const Limit &limit, scenes::SpaceKind kind, bool collides = true);
 
 /// Measure some spaces in turn, limit.rounds times: of each time the median. The load of the machine affects all of them alike.
-std::vector<Costs> measure_by_turns(const Limit &limit, const std::vector<scenes::SpaceKind> &kinds);
+std::vector<LimitCosts> measure_by_turns(const Limit &limit, const std::vector<scenes::SpaceKind> &kinds);
 } // namespace ode_predictive_space::benchmarks
 
 #endif

@@ -8,17 +8,17 @@ namespace
 {
 using namespace scenes;
 
-constexpr double step_seconds = 0.001;
-constexpr double gravity = 9.81;        // m/s^2
-constexpr double density = 1000;        // kg/m^3
-constexpr double fastest = 5;           // m/s
-constexpr double time_to_recover = 0.2; // seconds
-constexpr double lowest_flight = 1.5;   // metres
-constexpr double highest_flight = 5;    // metres
+constexpr double rolling_step = 0.001;
+constexpr double gravity = 9.81;         // m/s^2
+constexpr double rolling_density = 1000; // kg/m^3
+constexpr double fastest_rolling = 5;    // m/s
+constexpr double time_to_recover = 0.2;  // seconds
+constexpr double lowest_flight = 1.5;    // metres
+constexpr double highest_flight = 5;     // metres
 } // namespace
 
 RollingScene::RollingScene(const SceneSpec &spec, dSpaceID space)
-    : GroundOfScene(spec.objects), ContactScene(space, step_seconds, spec.seed)
+    : GroundOfScene(spec.objects), ContactScene(space, rolling_step, spec.seed)
 {
     dWorldSetGravity(objects_.world(), 0, 0, -gravity);
     dWorldSetContactMaxCorrectingVel(objects_.world(), 1);
@@ -55,7 +55,7 @@ void RollingScene::add_driven(int number, haptics::Random &random)
     const double angle = random.uniform(0, 2 * pi);
     Driven driven{};
     driven.flies = number % 2 != 0;
-    driven.velocity = random.uniform(0, fastest) * Vector3(std::cos(angle), std::sin(angle), 0);
+    driven.velocity = random.uniform(0, fastest_rolling) * Vector3(std::cos(angle), std::sin(angle), 0);
     BodyState state;
     state.position = random.in_box({half_side, half_side, 0});
     state.position.z() = driven.flies ? random.uniform(lowest_flight, highest_flight)
@@ -66,7 +66,7 @@ void RollingScene::add_driven(int number, haptics::Random &random)
         state.orientation = random.orientation();
     }
     state.velocity = driven.velocity;
-    driven.body = objects_.add_moving(shape, state, density).body;
+    driven.body = objects_.add_moving(shape, state, rolling_density).body;
     dBodySetGravityMode(driven.body, driven.flies ? 0 : 1);
     dMass mass;
     dBodyGetMass(driven.body, &mass);

@@ -37,7 +37,7 @@ std::unique_ptr<Scene> make_as_it_is(const SceneFactory &factory, dSpaceID space
     return factory.make(space);
 }
 
-template <typename StepScene> std::unique_ptr<Scene> make(const SceneFactory &factory, dSpaceID space)
+template <typename StepScene> std::unique_ptr<Scene> make_scene_of(const SceneFactory &factory, dSpaceID space)
 {
     return std::make_unique<StepScene>(factory.spec(), space);
 }
@@ -65,12 +65,18 @@ const std::vector<Entry> &entries()
         {"pile", "spheres and boxes that have settled in a pit", {"pile"}, &make_as_it_is},
         {"settling", "the same from their drop on, in windows of 0.5 s", falling_pile(), &make_as_it_is},
         {"stack", "walls and towers of boxes, asleep until a heavy ball hits them", {"stack"}, &make_as_it_is},
-        {"terrain", "objects driven over and above a ground, among huge boxes", {"terrain"}, &make<RollingScene>},
-        {"teleport", "every object jumps to a random place after each step", {"teleport"}, &make<JumpingScene>},
+        {"terrain",
+         "objects driven over and above a ground, among huge boxes",
+         {"terrain"},
+         &make_scene_of<RollingScene>},
+        {"teleport",
+         "every object jumps to a random place after each step",
+         {"teleport"},
+         &make_scene_of<JumpingScene>},
         {"dart",
          "geoms without bodies; every pose is set at every tick, 5 % are new",
          {"gas"},
-         &make<PoseSettingScene>},
+         &make_scene_of<PoseSettingScene>},
         {"ask", "gas without dSpaceCollide(): 20 spheres ask in each tick what is near them", {"gas"}, &make_asking},
     };
     return all;
