@@ -14,6 +14,7 @@ BROADPHASE = SOURCES + "broadphase/"
 # Worlds of plain structs, compared with brute force at each tick.
 ANY_WORLD = ("broadphase", "*AnyWorld*")
 HISTORIES = ("differential", "*SamePairs*")
+CONTACT_HISTORIES = (("histories", "*"),)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -288,6 +289,30 @@ def shape_faults():
     yield Fault(
         "half_of_a_hull_not_searched", "shapes", BROADPHASE + "shape/vertex_hull.cpp",
         "if (less > best.reach)\n        search(nearer, direction, absolute, best);", "", (("shapes", "VertexHull.*"),))
+    # Each has a test of its own, too. These are to notice them among other things.
+    yield Fault(
+        "travel_without_the_cylinder_around", "shapes", BROADPHASE + "shape/convex_shape.h",
+        "if (kind == ShapeKind::cylinder || blunt_beside)\n        {\n            const double half",
+        "if (kind == ShapeKind::cylinder)\n        {\n            const double half", CONTACT_HISTORIES)
+    yield Fault(
+        "capsules_beside_coherent_meshes", "shapes", geoms,
+        "return !dGeomTriMeshIsTCEnabled(mesh, dBoxClass) &&\n           dGeomTriMeshDataGet2",
+        "return dGeomTriMeshDataGet2", CONTACT_HISTORIES)
+    yield Fault(
+        "growth_of_a_sphere_is_no_travel", "shapes", geoms,
+        "return shape.moved_from(before) + growth_and_margin * std::max(0.0, shape.radius - radius_before);",
+        "return shape.moved_from(before) + 0 * radius_before;", CONTACT_HISTORIES)
+    yield Fault(
+        "second_is_not_blunt", "shapes", gap,
+        "if (second.blunt_beside & first.group)\n        return find_gap(first, second.blunt(), axis, least);", "",
+        CONTACT_HISTORIES)
+    yield Fault(
+        "deviation_counted_once", "shapes", BROADPHASE + "near/contact_forecast.cpp",
+        "- 2 * deviation.a;", "- deviation.a;", CONTACT_HISTORIES)
+    yield Fault(
+        "margin_does_not_grow_with_slivers", "shapes", test,
+        "if (!beside_half_space)\n        of_sizes *= first.sliver_factor * second.sliver_factor;", "(void)beside_half_space;",
+        CONTACT_HISTORIES)
 
 
 def sweep_faults():
@@ -404,6 +429,13 @@ def space_faults():
         "number = static_cast<std::uint32_t>(histories_.size());\n        histories_.emplace_back();", faults("*EverySituation*"))
     yield Fault(
         "lost_resize", "space", space, "set->resize(size);", "(void)set;", contract("Contract.02_*"))
+    # By the sphere test of proximity.
+    yield Fault(
+        "skewed_geoms_judged_by_spheres", "space", scene,
+        "if (judged_by_box_alone(geom) || !(skew <= most_skew))", "if (judged_by_box_alone(geom))", CONTACT_HISTORIES)
+    yield Fault(
+        "deviation_of_a_sphere_along_an_axis", "space", BROADPHASE + "schedule/pair_proximity.cpp",
+        "root_of_3 = 1.7320508075688774", "root_of_3 = 1", CONTACT_HISTORIES)
 
 
 FAULTS = tuple(
