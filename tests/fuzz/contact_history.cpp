@@ -161,11 +161,23 @@ private:
         });
     }
 
+    // Until both are predicted to stay.
+    std::string rest()
+    {
+        constexpr int ticks = 8;
+        std::string wrong;
+        for (int i = 0; i < ticks && wrong.empty(); ++i)
+            wrong = world_.tick();
+        return wrong;
+    }
+
     // Corners of a cube around the place: the farthest that a check of coordinates allows. The two go opposite ways.
     std::string wobble()
     {
         const double half = side(bytes_[4]);
         Vector3d off = Vector3d::Zero();
+        if (const std::string wrong = rest(); !wrong.empty())
+            return wrong;
         return each_tick([&](int i) {
             world_.foretell(subject_, object_);
             const int corner = bytes_[5] * (i + 1) + bytes_[6] * i * i;

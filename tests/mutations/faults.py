@@ -432,7 +432,14 @@ def space_faults():
     # By the sphere test of proximity.
     yield Fault(
         "skewed_geoms_judged_by_spheres", "space", scene,
-        "if (judged_by_box_alone(geom) || !(skew <= most_skew))", "if (judged_by_box_alone(geom))", CONTACT_HISTORIES)
+        "if (judged_by_box_alone(geom) || !(skew <= most_skew))\n            radius = std::numeric_limits<double>::infinity();\n"
+        "        else if (std::isfinite(radius))\n            radius *= 1 + skew;",
+        "(void)skew;\n        if (judged_by_box_alone(geom))\n            radius = std::numeric_limits<double>::infinity();\n"
+        "        else if (std::isfinite(radius))\n            ;", CONTACT_HISTORIES)
+    yield Fault(
+        "skewed_rays_judged_by_lines", "space", scene,
+        "if (ray->type != dRayClass || touched_off_line(other) || is_skewed(ray))",
+        "if (ray->type != dRayClass || touched_off_line(other))", CONTACT_HISTORIES)
     yield Fault(
         "deviation_of_a_sphere_along_an_axis", "space", BROADPHASE + "schedule/pair_proximity.cpp",
         "root_of_3 = 1.7320508075688774", "root_of_3 = 1", CONTACT_HISTORIES)
