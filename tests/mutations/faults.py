@@ -289,15 +289,14 @@ def shape_faults():
     yield Fault(
         "half_of_a_hull_not_searched", "shapes", BROADPHASE + "shape/vertex_hull.cpp",
         "if (less > best.reach)\n        search(nearer, direction, absolute, best);", "", (("shapes", "VertexHull.*"),))
-    # Each has a test of its own, too. These are to notice them among other things.
     yield Fault(
         "travel_without_the_cylinder_around", "shapes", BROADPHASE + "shape/convex_shape.h",
         "if (kind == ShapeKind::cylinder || blunt_beside)\n        {\n            const double half",
-        "if (kind == ShapeKind::cylinder)\n        {\n            const double half", CONTACT_HISTORIES)
+        "if (kind == ShapeKind::cylinder)\n        {\n            const double half", (("shapes", "Travel.*"),))
     yield Fault(
         "capsules_beside_coherent_meshes", "shapes", geoms,
         "return !dGeomTriMeshIsTCEnabled(mesh, dBoxClass) &&\n           dGeomTriMeshDataGet2",
-        "return dGeomTriMeshDataGet2", CONTACT_HISTORIES)
+        "return dGeomTriMeshDataGet2", proximity)
     yield Fault(
         "growth_of_a_sphere_is_no_travel", "shapes", geoms,
         "return shape.moved_from(before) + growth_and_margin * std::max(0.0, shape.radius - radius_before);",
@@ -312,7 +311,7 @@ def shape_faults():
     yield Fault(
         "margin_does_not_grow_with_slivers", "shapes", test,
         "if (!beside_half_space)\n        of_sizes *= first.sliver_factor * second.sliver_factor;", "(void)beside_half_space;",
-        CONTACT_HISTORIES)
+        (("shape_contract", "ShapeSlivers.*"),))
 
 
 def sweep_faults():

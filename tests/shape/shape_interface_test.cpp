@@ -6,6 +6,7 @@
 #include <ode_predictive_space/predictive_space.hpp>
 
 #include "tests/contract/support/scenario.h"
+#include "tests/shape/polyhedron_geom.h"
 
 namespace ode_predictive_space
 {
@@ -69,6 +70,25 @@ TEST_F(ShapeProximity, LeavesOutPairsWhoseBoxesAloneOverlap)
     dGeomSetPosition(other, REAL(1.4), REAL(1.4), 0);
     EXPECT_EQ(pairs(), 1u);
     EXPECT_EQ(counters().postponed, 0u);
+}
+
+// Such a mesh tells a capsule of triangles that it no longer reaches.
+TEST_F(ShapeProximity, JudgesCapsulesByBoxesBesideMeshesThatKeepTheirTriangles)
+{
+    const MeshArrays cube(Polyhedron::cube());
+    const dGeomID mesh = dCreateTriMesh(space, cube.id(), nullptr, nullptr, nullptr);
+    const dGeomID capsule = dCreateCapsule(space, REAL(0.1), 2);
+    dMatrix3 along_edge;
+    dRFromAxisAndAngle(along_edge, 1, 1, 0, static_cast<dReal>(M_PI_2));
+    dGeomSetRotation(capsule, along_edge);
+    dGeomSetPosition(capsule, REAL(1.7), REAL(1.7), 0);
+    EXPECT_EQ(pairs(), 0u) << "the boxes alone overlap";
+    dGeomDestroy(mesh);
+    const dGeomID coherent = dCreateTriMesh(space, cube.id(), nullptr, nullptr, nullptr);
+    dGeomTriMeshEnableTC(coherent, dBoxClass, 1);
+    EXPECT_EQ(pairs(), 1u);
+    dGeomTriMeshClearTCCache(coherent); // ODE would not free what the mesh keeps
+    dGeomDestroy(coherent);
 }
 
 TEST_F(ShapeProximity, NeedsNoLookAtBallsThatTouch)

@@ -96,6 +96,25 @@ TEST(Travel, MovesNoPointFartherThanItSays)
     }
 }
 
+// That of the capsule alone let a turning one come too near.
+TEST(Travel, OfACapsuleBesideMeshesIsThatOfTheCylinderAroundIt)
+{
+    ShapeMaker maker(1);
+    for (int i = 0; i < 100000; ++i)
+    {
+        ConvexShape capsule = maker.shape(Solid::capsule);
+        capsule.blunt_beside = 1;
+        capsule.blunt_margin = maker.between(0, 0.01);
+        const ConvexShape before = moved(capsule, maker.rotation(), maker.vector());
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(maker.between(0, maker.one_in(2) ? 3 : 0.01), maker.direction()).toRotationMatrix();
+        const ConvexShape after = moved(before, turn, Vector3::Zero());
+        const Vector3 direction = maker.direction();
+        const double change = after.blunt().reach(direction) - before.blunt().reach(direction);
+        ASSERT_LE(std::abs(change), after.moved_from(before) + 1e-13) << "capsule " << i;
+    }
+}
+
 TEST(Travel, OfATurningSphereIsNone)
 {
     ShapeMaker maker(1);
