@@ -25,7 +25,8 @@ std::string program_of(const SpaceCounts &counts)
 report::Plot plot_of(std::vector<SpaceCounts *> pages)
 {
     std::sort(pages.begin(), pages.end(), [](const SpaceCounts *a, const SpaceCounts *b) {
-        return std::tie(b->collide.calls, a->process_id, a->number) < std::tie(a->collide.calls, b->process_id, b->number);
+        return std::tie(b->collide.calls, a->process_id, a->number) <
+               std::tie(a->collide.calls, b->process_id, b->number);
     });
     pages.resize(std::min(pages.size(), most_curves));
     report::Plot plot{"Time per dSpaceCollide()", "number of the call", "microseconds", {}, true};
