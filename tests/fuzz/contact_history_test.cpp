@@ -203,7 +203,7 @@ const Theme themes[] = {
      {Action::wobble}},
     // What has no body is predicted to go on wobbling.
     {"wobbling_bodies",
-     {by_sphere | large_deviation | asking},
+     {by_sphere | large_deviation | asking, by_shape | large_deviation | asking},
      {dSphereClass, dSphereClass, dBoxClass},
      body,
      130,

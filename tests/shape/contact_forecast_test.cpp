@@ -60,6 +60,17 @@ TEST(ContactForecast, DeviationsCountFromBothSidesOfThePath)
     EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 10, 1e-6);
 }
 
+// It counted as much as along an axis of the scene: a contact came at the next tick that was not foretold at all.
+TEST(ContactForecast, DeviationsAreThoseOfEachCoordinateAlongADiagonal)
+{
+    const double root = std::sqrt(3);
+    const ConvexShape left = ball({0, 0, 0}), right = ball(Vector3::Constant(12 / root));
+    const PredictedShape still{left, going(left, Vector3::Zero()), true, true};
+    PredictedShape comes{right, going(right, Vector3::Constant(-0.5 / root)), false, true};
+    comes.envelope.deviation = {1 / root, 0.3 / root, 0};
+    EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 10, 1e-6);
+}
+
 TEST(ContactForecast, WhatTouchesIsNowAndWhatIsApartNotBeforeTheNextTick)
 {
     const ConvexShape left = ball({0, 0, 0}), touching = ball({1.9, 0, 0}), close = ball({2.1, 0, 0});
