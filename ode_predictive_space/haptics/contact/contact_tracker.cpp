@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace ode_predictive_space::haptics
@@ -264,8 +263,8 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
         tell_each_object(touches);
     }
     number(touches, first);
-    const auto first_nonsense =
-        std::remove_if(touches.begin() + static_cast<std::ptrdiff_t>(first), touches.end(), std::not_fn(&is_finite));
+    const auto first_nonsense = std::remove_if(touches.begin() + static_cast<std::ptrdiff_t>(first), touches.end(),
+                                               [](const Touch &touch) { return !is_finite(touch); });
     const bool all = first_nonsense == touches.end();
     touches.erase(first_nonsense, touches.end());
     return all;
