@@ -114,7 +114,8 @@ private:
     Float4 high_, low_;
 };
 
-/// An object and its envelope.
+/// An object and a box that holds it: its envelope to the end of its horizon or, for a sweep over the whole scene, its
+/// bounding box.
 struct SweptProxy
 {
     ProxyId proxy;
