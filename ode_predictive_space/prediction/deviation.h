@@ -24,6 +24,12 @@ struct Deviation
     Deviation advanced(double t) const { return {at(t), b + 2 * c * t, c}; }
 };
 
+/// A deviation so many times as large.
+inline Deviation operator*(double factor, const Deviation &deviation)
+{
+    return {factor * deviation.a, factor * deviation.b, factor * deviation.c};
+}
+
 /// The deviation of the relative position of two objects.
 inline Deviation operator+(const Deviation &first, const Deviation &second)
 {

@@ -145,7 +145,7 @@ inline void dxPredictiveSpace::predict_when_asked_often()
     catch_up("dSpaceCollide2");
 }
 
-// Geoms change at each tick; rays are asked for now and then.
+// Left to the first ray that asks: geoms change at each tick, and few programs send rays at each tick.
 [[gnu::noinline]] void dxPredictiveSpace::find_off_line()
 {
     const std::lock_guard<std::recursive_mutex> hold(upkeep_);

@@ -60,7 +60,8 @@ TEST(ContactForecast, DeviationsCountFromBothSidesOfThePath)
     EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 10, 1e-6);
 }
 
-// It counted as much as along an axis of the scene: a contact came at the next tick that was not foretold at all.
+// The deviation was taken as if it lay along an axis of the scene. Two objects then touched at the next tick although the forecast
+// said that they stay apart.
 TEST(ContactForecast, DeviationsAreThoseOfEachCoordinateAlongADiagonal)
 {
     const double root = std::sqrt(3);

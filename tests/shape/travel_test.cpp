@@ -96,7 +96,7 @@ TEST(Travel, MovesNoPointFartherThanItSays)
     }
 }
 
-// That of the capsule alone let a turning one come too near.
+// The travel of the capsule alone is too small when it turns: a contact could be missed.
 TEST(Travel, OfACapsuleBesideMeshesIsThatOfTheCylinderAroundIt)
 {
     ShapeMaker maker(1);

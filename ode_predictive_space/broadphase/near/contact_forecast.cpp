@@ -22,13 +22,6 @@ double reach_by_turning(const PredictedShape &object, const PredictedShape &othe
     return std::max(0.0, object.envelope.radius - object.shape.reach(axis));
 }
 
-// Verification keeps each coordinate within the deviation: along an axis of length 1, the object may be farther off its path.
-Deviation along(const Vector3 &axis, const Deviation &deviation)
-{
-    const double farther = axis.lpNorm<1>();
-    return {farther * deviation.a, farther * deviation.b, farther * deviation.c};
-}
-
 // Of c + b t + a t^2, with c > 0: the first time at which it is not positive.
 double time_of_closing(double c, double b, double a)
 {
@@ -48,7 +41,8 @@ std::optional<double> time_of_contact(const PredictedShape &first, const Predict
         return 0.0;
     constexpr double next_tick = 1, rounds_down = 1 - 1e-9;
     const Path way = relative_path(first.envelope.path, second.envelope.path);
-    const Deviation deviation = along(gap.axis, first.envelope.deviation + second.envelope.deviation);
+    // Verification keeps each coordinate within the deviation. Along a diagonal, the object may be farther off its path.
+    const Deviation deviation = gap.axis.lpNorm<1>() * (first.envelope.deviation + second.envelope.deviation);
     const double left = rounds_down * (gap.length - margin) - reach_by_turning(first, second, gap.axis) -
                         reach_by_turning(second, first, -gap.axis) - 2 * deviation.a;
     if (!(left > 0))

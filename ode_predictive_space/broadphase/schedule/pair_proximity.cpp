@@ -41,9 +41,7 @@ float finite_or_zero(float radius)
 Envelope spherical(Envelope envelope)
 {
     constexpr double root_of_3 = 1.7320508075688774;
-    envelope.deviation.a *= root_of_3;
-    envelope.deviation.b *= root_of_3;
-    envelope.deviation.c *= root_of_3;
+    envelope.deviation = root_of_3 * envelope.deviation;
     return envelope;
 }
 } // namespace

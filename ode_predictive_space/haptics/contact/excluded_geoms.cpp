@@ -7,8 +7,8 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr std::size_t excluded_room = 64;
-constexpr double depth_of_beginning = 0.01; // of the radius: a probe that begins no deeper is outside
+constexpr std::size_t usual_excluded_geoms = 64;
+constexpr double depth_still_outside = 0.01; // of the radius: a probe that begins no deeper is outside
 constexpr double shallow = 1e-4;            // m; the same for a probe without a radius
 
 /// Of a solid the whole probe, of a mesh its middle: then no part of it tells by which side it came.
@@ -26,8 +26,8 @@ bool is_in(const NearbyGeom &geom, const ProbePlace &probe, double allowed)
 
 ExcludedGeoms::ExcludedGeoms()
 {
-    told_.reserve(excluded_room);
-    before_.reserve(excluded_room);
+    told_.reserve(usual_excluded_geoms);
+    before_.reserve(usual_excluded_geoms);
 }
 
 void ExcludedGeoms::begin()
@@ -59,7 +59,7 @@ bool ExcludedGeoms::must_exclude(const NearbyGeom &geom, const ProbePlace &probe
     const Told *last = before(geom.identity());
     if (probe.begins || (last != nullptr && last->excluded))
     {
-        return is_in(geom, probe, probe.begins ? depth_of_beginning * probe.radius : 0);
+        return is_in(geom, probe, probe.begins ? depth_still_outside * probe.radius : 0);
     }
     const bool was_there =
         last != nullptr && (geom.to_scene(last->local) - last->centre).norm() <= farthest_carried * probe.radius;
@@ -71,7 +71,7 @@ bool ExcludedGeoms::excludes(dGeomID geom, double depth, const ProbePlace &probe
     Told told;
     told.geom.id = geom;
     const Told *last = before(told.geom);
-    const bool began_in = probe.begins && depth > std::max(shallow, depth_of_beginning * probe.radius);
+    const bool began_in = probe.begins && depth > std::max(shallow, depth_still_outside * probe.radius);
     told.excluded = began_in || (last != nullptr && last->excluded && depth > 0);
     told_.push_back(told);
     return told.excluded;
