@@ -9,7 +9,7 @@ namespace
 {
 constexpr std::size_t usual_excluded_geoms = 64;
 constexpr double depth_still_outside = 0.01; // of the radius: a probe that begins no deeper is outside
-constexpr double shallow = 1e-4;            // m; the same for a probe without a radius
+constexpr double shallow = 1e-4;             // m; the same for a probe without a radius
 
 /// Of a solid the whole probe, of a mesh its middle: then no part of it tells by which side it came.
 bool is_deep_in(const NearbyGeom &geom, const ProbePlace &probe)
