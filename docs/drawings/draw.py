@@ -3,11 +3,11 @@
 
     draw.py [--output FOLDER]
 
-path.svg       a predicted path, its deviation and envelope, and the true path (docs/method.md)
+path.svg       a predicted path, its deviation and envelope, the place, and the true path (docs/method.md)
 proximity.svg  two envelopes and their time of proximity (docs/method.md)
 chord.svg      an encounter that the paper's error of a chord misses (docs/method.md)
 gap.svg        the gap between two shapes along an axis (docs/shapes.md)
-tick.svg       the stages of a tick (docs/architecture.md)
+tick.svg       the stages of a tick (docs/tick.md)
 servo.svg      the two threads of the servo (docs/haptics/method.md)
 
 The same matplotlib makes the same pictures, byte by byte.
@@ -21,7 +21,7 @@ import matplotlib
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.patches import Circle, FancyBboxPatch, Polygon
+from matplotlib.patches import Circle, FancyBboxPatch, Polygon, Rectangle
 
 # The colours of docs/plots: predictive is blue, what really happens is orange.
 BLACK, ORANGE, BLUE, RED, GREY = "#000000", "#E69F00", "#0072B2", "#D55E00", "#777777"
@@ -113,11 +113,14 @@ def tube(axes, points, radius, **options):
 
 
 def draw_path(folder):
-    figure, axes = sheet(680, 285)
+    figure, axes = sheet(680, 330)
     m = np.linspace(0, 1, 121)
     path = np.array([75, 85]) + m[:, None] * [500, 210] + m[:, None] ** 2 * [0, -150]
     deviation = 8 + 34 * m
     radius = 26
+    reach = (deviation + radius)[:, None]
+    low, high = np.min(path - reach, axis=0), np.max(path + reach, axis=0)
+    axes.add_patch(Rectangle(low, *(high - low), fc=PALE_GREY, ec=BLACK, lw=1.6))
     tube(axes, path, deviation + radius, fc="none", ec=BLUE, ls="--", lw=1.2)
     for end in (0, -1):
         axes.add_patch(Circle(path[end], deviation[end] + radius, fc="white", ec=BLUE, ls="--", lw=1.2))
@@ -138,12 +141,13 @@ def draw_path(folder):
     where = 98
     arrow(axes, path[where], path[where] + normals(path)[where] * deviation[where], "<|-|>")
     note(axes, *(path[where] + normals(path)[where] * deviation[where] * 0.5 + [6, 2]), "$R(t)$", size=11)
-    note(axes, *(path[0] + [-1, -46]), "$t_{init}$", ha="center", size=11)
-    note(axes, *(path[-1] + [0, -80]), "$t_{final}$", ha="center", size=11)
-    note(axes, 30, 262, "predicted path $s(t)$ of the object's centre", colour=BLUE, size=10)
-    note(axes, 30, 243, "true path, a dot per tick", colour="#9a6a00", size=10)
-    note(axes, 30, 224, "shaded: deviation, at most $R(t)$ from $s(t)$", size=10)
-    note(axes, 30, 205, "dashed: envelope $S'(t)$, with the object's radius $r$", size=10)
+    note(axes, *(path[0] + [-1, -50]), "$t_{init}$", ha="center", size=11)
+    note(axes, *(path[-1] + [0, -84]), "$t_{final}$", ha="center", size=11)
+    note(axes, 30, 313, "predicted path $s(t)$ of the object's centre", colour=BLUE, size=10)
+    note(axes, 30, 294, "true path, a dot per tick", colour="#9a6a00", size=10)
+    note(axes, 30, 275, "shaded: deviation, at most $R(t)$ from $s(t)$", size=10)
+    note(axes, 30, 256, "dashed: envelope $S'(t)$, with the object's radius $r$", size=10)
+    note(axes, 30, 237, "box: the envelope as a place, at any time", size=10)
     save(figure, folder, "path.svg")
 
 
@@ -180,16 +184,16 @@ def draw_proximity(folder):
         ha="center",
     )
     arrow(axes, (near, -5), (0, -5), "<|-|>")
-    axes.text(near / 2, -7.5, "proven apart: the pair costs nothing", ha="center", va="top", fontsize=10)
+    axes.text(near / 2, -7.5, "proven apart", ha="center", va="top", fontsize=10)
     arrow(axes, (near, -5), (100, -5))
-    axes.text((near + 100) / 2, -7.5, "in the near set:\ntested at each tick", ha="center", va="top", fontsize=10)
+    axes.text((near + 100) / 2, -7.5, "may be near", ha="center", va="top", fontsize=10)
     axes.text(2.5, 85.5, "envelope of object 2", color="#555555", fontsize=10)
     axes.text(2.5, 25, "envelope of object 1", color=BLUE, fontsize=10)
     axes.text(9, 66.2, "true motion", color="#9a6a00", fontsize=10, ha="left")
     axes.text(99.3, 89, "$t_{final}$", ha="right", fontsize=11)
     axes.axvline(100, color=BLACK, lw=1, ls=":")
     axes.set(xlim=(0, 100.4), ylim=(-20, 95), yticks=[], ylabel="place along a line")
-    axes.set_xlabel("ticks from the prediction on", labelpad=2)
+    axes.set_xlabel("ticks from the question on", labelpad=2)
     axes.set_xticks([0, 20, 40, 60, 80, 100])
     save(figure, folder, "proximity.svg")
 
@@ -272,51 +276,35 @@ def draw_gap(folder):
 
 
 def draw_tick(folder):
-    figure, axes = sheet(700, 430)
-    width, height = 150, 56
-    left, top = 250, 360
-    names = {
-        "verify": (left, 318, "verify", "is the object inside\nits envelope?"),
-        "predict": (left, 218, "predict", "path, deviation,\nenvelope, horizon"),
-        "index": (left, 118, "find pairs", "whose swept boxes\noverlap"),
-        "schedule": (left, 18, "schedule", "time of proximity\nof each pair"),
-        "wheel": (left + 260, 18, "event wheel", "pairs that can meet\nlater; ends of horizons"),
-        "near": (left + 260, 168, "near set", "pairs that may be\nnear now"),
-        "report": (left + 260, 318, "report", "exact test of the boxes\n(or shapes) of now"),
-    }
-    for x, y, title, text in names.values():
-        state = title in ("event wheel", "near set")
-        box(axes, x, y, width, 62, title, text, PALE_GREY if state else PALE_BLUE, GREY if state else BLUE)
-    box(axes, 20, 318, 130, 62, "ODE", "reports each\nobject that moved", PALE_ORANGE, ORANGE)
-    middle = left + width / 2
-    right = left + 260 + width / 2
-    arrow(axes, (150, 349), (left, 349))
-    note(axes, 200, 357, "moved and\nin doubt", ha="center", va="bottom")
-    arrow(axes, (85, 318), (85, 268))
-    note(axes, 85, 262, "on its path:\nno further work", ha="center", va="top", colour=GREY)
-    route(axes, (left, 330), (205, 330), (205, 268), colour=BLACK)
-    note(axes, 205, 262, "inside: no\nfurther work", ha="center", va="top", colour=GREY)
-    arrow(axes, (middle, 318), (middle, 280))
-    note(axes, middle + 7, 299, "outside")
-    arrow(axes, (middle, 218), (middle, 180))
-    note(axes, middle + 7, 199, "batch of new envelopes")
-    arrow(axes, (middle, 118), (middle, 80))
-    note(axes, middle + 7, 99, "candidates, each once")
-    arrow(axes, (left + width, 40), (left + 260, 40))
-    note(axes, left + 205, 46, "later", ha="center", va="bottom")
-    route(axes, (left + width, 65), (left + 205, 65), (left + 205, 185), (left + 260, 185))
-    note(axes, left + 211, 140, "now")
-    arrow(axes, (left, 49), (165, 49))
-    note(axes, 160, 49, "not before a horizon ends:\ndropped", ha="right", colour=GREY)
-    arrow(axes, (right, 80), (right, 168))
-    note(axes, right - 7, 124, "wake: due\nat this tick", ha="right")
-    arrow(axes, (right, 230), (right, 318))
-    note(axes, right - 7, 272, "pairs to test", ha="right")
-    arrow(axes, (right, 380), (right, 408))
-    note(axes, right, 413, "ODE's filters, near callback", ha="center", va="bottom")
-    route(axes, (right + 40, 80), (right + 40, 124), (left + 260 + width + 12, 124), (left + 260 + width + 12, 295),
-          (middle + 55, 295), (middle + 55, 280))
-    note(axes, left + 205, 300, "horizons that end", ha="center", va="bottom")
+    figure, axes = sheet(700, 276)
+    width, height = 160, 62
+    left, right = 270, 520
+    stages = (
+        (left, 202, "look", "is the tight box inside\nthe envelope?"),
+        (left, 108, "predict", "path, deviation, reach:\na new envelope"),
+        (left, 14, "index", "list, tree or sweep:\nwhose envelopes overlap?"),
+        (right, 108, "report", "exact test of the boxes\n(or shapes) of now"),
+    )
+    for x, y, title, text in stages:
+        box(axes, x, y, width, height, title, text)
+    box(axes, right, 14, width, height, "near set", "pairs of envelopes\nthat overlap", PALE_GREY, GREY)
+    box(axes, 20, 202, width, height, "notice", "a move that ODE reports,\nagainst one cache line", PALE_ORANGE, ORANGE)
+    middle, end = left + width / 2, right + width / 2
+    arrow(axes, (180, 233), (left, 233))
+    note(axes, 225, 238, "outside, or\nin doubt", ha="center", va="bottom")
+    arrow(axes, (100, 202), (100, 158))
+    note(axes, 100, 152, "in its envelope:\nno further work", ha="center", va="top", colour=GREY)
+    arrow(axes, (left + width, 233), (490, 233))
+    note(axes, 496, 233, "inside: no further work", colour=GREY)
+    arrow(axes, (middle, 202), (middle, 170))
+    note(axes, middle + 7, 186, "outside; its pairs\nare dropped")
+    arrow(axes, (middle, 108), (middle, 76))
+    note(axes, middle + 7, 92, "batch of new envelopes")
+    arrow(axes, (left + width, 45), (right, 45))
+    note(axes, (left + width + right) / 2, 50, "pairs, each\nonce", ha="center", va="bottom")
+    arrow(axes, (end, 76), (end, 108))
+    arrow(axes, (end, 170), (end, 196))
+    note(axes, end, 200, "ODE's filters, near callback", ha="center", va="bottom")
     save(figure, folder, "tick.svg")
 
 

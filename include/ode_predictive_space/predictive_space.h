@@ -37,6 +37,10 @@ extern "C" {
  * own spaces differ here from one another: if it is the callback's first geom, all of them report its other pairs; if it is the
  * second, a hash and a sweep-and-prune space do, a simple and a quadtree space do not.
  *
+ * The space keeps an envelope for each geom, a box that holds the geom and the path that is predicted for it, and tests the pairs
+ * whose envelopes overlap. An envelope does not expire: a new one is made when the geom has left it. The steps of a program may be of
+ * any length and may vary.
+ *
  * Time is counted in ticks. A tick is one dSpaceCollide() on the space after something has moved: while nothing moves, no
  * time passes. Lengths are in the program's own unit (for instance metres), speeds in that unit per tick.
  *
@@ -72,7 +76,7 @@ enum
 enum
 {
     dPredictiveRoleEnvironment = 0, /**< part of the scene: from its body's velocity, or still (default) */
-    dPredictiveRoleInteractive = 1  /**< driven by a person: from its recent positions */
+    dPredictiveRoleInteractive = 1  /**< driven by a person: from its recent positions alone */
 };
 
 /** A geom that another one can meet, and the time at which it can. @see dPredictiveSpaceGetEncounters */
@@ -87,25 +91,26 @@ typedef struct dPredictiveSpaceStats
 {
     unsigned long ticks;         /**< dSpaceCollide() calls */
     unsigned long moved;         /**< geoms that ODE reported as moved and that had changed, summed over the ticks */
-    unsigned long verified;      /**< checks of a geom against its envelope */
-    unsigned long violations;    /**< checks that found the geom outside */
+    unsigned long verified;      /**< of these, those that were compared with the geom's envelope */
+    unsigned long violations;    /**< geoms that were found outside of their envelopes */
     unsigned long repredictions; /**< new paths and envelopes */
-    unsigned long scheduled;     /**< pairs that now wait for their time of proximity */
-    unsigned long woken;         /**< pairs whose time of proximity came */
-    unsigned long near;          /**< pairs now in the near set */
+    unsigned long scheduled;     /**< pairs now in the near set that are not tested: at rest until one of their geoms
+                                      moves, or postponed (see dPredictiveSpaceCounters) */
+    unsigned long woken;         /**< pairs that were at rest and are tested again */
+    unsigned long near;          /**< pairs now in the near set: their envelopes overlap */
     unsigned long reported;      /**< callbacks made by dSpaceCollide() */
-    unsigned long
-        scans; /**< sweeps over the whole scene: most geoms were new, most predictions broke, or many were due */
-    unsigned long bytes; /**< memory that the space now holds, in bytes, without the geoms */
+    unsigned long scans;         /**< ticks in which all envelopes were swept: more than a third of them were new */
+    unsigned long bytes;         /**< memory that the space now holds, in bytes, without the geoms */
 } dPredictiveSpaceStats;
 
 /** Counters beside dPredictiveSpaceStats, since the space was made. New ones are added at the end.
     @see dPredictiveSpaceGetCounters */
 typedef struct dPredictiveSpaceCounters
 {
-    unsigned long unchanged; /**< notices of a geom whose pose and sizes were those of its last notice. They count as no
-                                  move in any respect, and time does not pass for them. Spheres, boxes, capsules and
-                                  cylinders only: the data of other classes may have changed without a sign. */
+    unsigned long unchanged; /**< notices that left the size and the bounding box of a geom as they were, in single
+                                  precision; of a geom that nothing is near to, the size and the centre. They count as no
+                                  move, and time does not pass for them. Spheres, boxes and capsules, and cylinders that
+                                  nothing is near to: other classes may have changed without a sign. */
     unsigned long postponed; /**< pairs whose boxes may overlap and that are now not tested, because their shapes cannot
                                   touch yet; see dPredictiveProximityShape */
     unsigned long looks;     /**< how often the gap between two shapes was looked for */
@@ -174,9 +179,10 @@ ODE_PREDICTIVE_API int dPredictiveSpaceGetGeomRole(dSpaceID space, dGeomID geom)
 
 /**
  * Fix the deviation R(t) = a + b t + c t^2: how far a geom of this role may be from its predicted path, t ticks after the
- * prediction, before a new one is made. Larger values mean fewer predictions and more pairs in the near set.
+ * prediction. The envelope covers the path and, on all sides, the deviation at the end of the horizon. Larger values mean fewer
+ * predictions, more pairs in the near set, and earlier times of proximity.
  *
- * By default the deviation adapts to each geom: it is small after correct predictions and larger after wrong ones.
+ * By default the deviation adapts to each geom: it is a small part of the geom's size and of the way that the envelope covers.
  *
  * @param a length, b length per tick, c length per tick^2; each finite and >= 0. With all three 0, the deviation adapts again.
  */
@@ -189,10 +195,12 @@ ODE_PREDICTIVE_API void dPredictiveSpaceSetDeviation(dSpaceID space, int role, d
 ODE_PREDICTIVE_API int dPredictiveSpaceGetDeviation(dSpaceID space, int role, dReal *a, dReal *b, dReal *c);
 
 /**
- * Set the bounds of the horizon, the length of a prediction. It adapts to each geom between the two bounds.
+ * Set the bounds of the horizon: for how many ticks of its path a geom's envelope is made, and for how many a time of proximity is
+ * known. It adapts to each geom between the two bounds: an envelope covers a part of the geom's size up to one and a half sizes of its
+ * path, a time of proximity nine sizes. No envelope expires at its horizon.
  *
- * @param min_ticks >= 1.
- * @param max_ticks >= min_ticks, <= 1000000.
+ * @param min_ticks >= 1. The default is 1.
+ * @param max_ticks >= min_ticks, <= 1000000. The default is 2048.
  */
 ODE_PREDICTIVE_API void dPredictiveSpaceSetHorizon(dSpaceID space, int min_ticks, int max_ticks);
 
@@ -200,21 +208,23 @@ ODE_PREDICTIVE_API void dPredictiveSpaceSetHorizon(dSpaceID space, int min_ticks
 ODE_PREDICTIVE_API void dPredictiveSpaceGetHorizon(dSpaceID space, int *min_ticks, int *max_ticks);
 
 /**
- * Get the earliest time at which two geoms of the space can come near each other, from the present predictions. From the
- * first call on, the space predicts new geoms at once; otherwise it observes them for some ticks first.
+ * Get the earliest time at which two geoms of the space can come near each other, from paths that are predicted for this answer: from
+ * the present velocities of bodies, and from the last positions of interactive geoms. The positions of a geom that is recognised
+ * as interactive are kept from the first call on, of up to 64 geoms; before, its path is a line. A geom that has not moved for some ticks counts as still.
  *
  * Near are two geoms whose bounding boxes overlap; with dPredictiveProximityShape, two geoms whose shapes may touch. Those whose
  * boxes alone overlap then meet at the next tick at the earliest, and mostly later.
  *
  * @param ticks receives a time from now, in ticks; may be 0.
  * @return 1 when they can come near each other; the time is the earliest at which they can (0 when they are near now).
- *         0 when they stay apart as long as both keep to their predictions; the time is the one up to which that is known
- *         (dInfinity when both are still).
+ *         0 when they stay apart as long as both keep to their predicted paths and deviations; the time is the one up to which
+ *         that is known: the end of the shorter horizon (dInfinity when both are still).
  */
 ODE_PREDICTIVE_API int dPredictiveSpaceGetTimeOfProximity(dSpaceID space, dGeomID first, dGeomID second, dReal *ticks);
 
 /**
- * List the geoms that a geom can meet within its horizon, soonest first. See dPredictiveSpaceGetTimeOfProximity() for the times.
+ * List the geoms that a geom can meet within its horizon and theirs, soonest first, in O(n). See
+ * dPredictiveSpaceGetTimeOfProximity() for the times.
  *
  * @param out an array of max encounters.
  * @return the number of encounters written.

@@ -1,11 +1,13 @@
 #include "ode_predictive_space/broadphase/broadphase.h"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 #include <utility>
 
 #include "ode_predictive_space/broadphase/near/contact_forecast.h"
 #include "ode_predictive_space/broadphase/shape/gap.h"
+#include "ode_predictive_space/prediction/proximity.h"
 
 namespace ode_predictive_space
 {
@@ -13,310 +15,219 @@ namespace ode_predictive_space
 
 void Broadphase::update(Scene &scene, bool is_tick)
 {
-    const Beginning beginning = begin(scene, is_tick);
-    if (!beginning.needed)
+    if (interrupted_)
+        start_over();
+    idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });
+    unticked_ += moves_;
+    const bool time_passes = is_tick && unticked_ > 0;
+    if (!has_listed_ && moves_ == 0 && !time_passes && !near_.has_retired() && !has_unpaired_)
         return;
-    choose_mode(scene, beginning.time_passed);
-    verify(scene, beginning); // broken, expired and requested predictions -> batch_
-    if (has_work())
+    interrupted_ = true;
+    counters_.moved += moves_;
+    counters_.verified += moves_;
+    moves_ = 0;
+    if (time_passes)
     {
-        predict(scene); // batch_ -> paths and envelopes
-        find_pairs();   // envelopes -> candidates_
-        schedule();     // candidates_ and events that are due -> near_ and later events
-        sweep(scene);   // all pairs, as long as not all objects are predicted
-        finish_work();
+        ++now_;
+        unticked_ = 0;
     }
+    predictor_.sample_moved(scene, proxies_, update_, now_);
+    look(scene); // listed objects -> batch_
+    retire();    // their pairs are dropped
+    if (!batch_.empty())
+        predict(scene); // batch_ -> envelopes, unpaired_
+    if (is_tick)
+        find_pairs(scene); // unpaired_ -> near_
+    index_.put(proxies_, batch_);
     finish();
+}
+
+void Broadphase::find_new_pairs(Scene &scene)
+{
+    catch_up(scene);
+    interrupted_ = true;
+    find_pairs(scene);
+    finish();
+}
+
+// Measures the listed objects. Those that are not in their envelopes get new ones.
+void Broadphase::look(Scene &scene)
+{
+    if (!has_listed_)
+        return;
+    looked_at_.clear();
+    listed_.for_each([this](ProxyId id) { looked_at_.add(id); });
+    scene.measure(looked_at_.data(), looked_at_.size(), proxies_.places.data());
+    for (ProxyId id : looked_at_)
+    {
+        Place &place = proxies_.places[id];
+        place.note_doubtful_move(update_);
+        near_.disturb(id);
+#ifdef ODE_PREDICTIVE_SPACE_WITHOUT_VERIFY
+        // Only for the test which shows that the differential test notices when predictions are trusted blindly.
+        const bool holds = place.has_envelope();
+#else
+        const bool holds = place.holds();
+#endif
+        counters_.violations += !holds && place.has_envelope();
+        if (!holds || requested_.contains(id))
+            batch_.add(id);
+    }
+    listed_.clear();
+    requested_.clear();
+    has_listed_ = false;
+}
+
+// Drops the pairs of the batch, and of objects that are gone.
+void Broadphase::retire()
+{
+    for (ProxyId id : batch_.ids())
+        near_.retire(id);
+    near_.drop_retired([this](const CandidatePair &pair) { Predictor::note_tests(proxies_, pair); });
+}
+
+void Broadphase::predict(Scene &scene)
+{
+    predictor_.predict(scene, proxies_, batch_.ids(), now_);
+    idle_.note(scene, batch_.ids().data(), batch_.size());
+    for (ProxyId id : batch_.ids())
+        unpaired_.insert(id);
+    has_unpaired_ = true;
+    watch_centres(batch_);
+    counters_.repredictions += batch_.size();
+}
+
+void Broadphase::find_pairs(Scene &scene)
+{
+    if (!has_unpaired_)
+        return;
+    unpaired_.for_each([this](ProxyId id) { pairing_.add(id); });
+    counters_.sweeps += !index_.find_pairs(proxies_, pairing_, idle_.members(), found_);
+    make_tight(scene);
+    for (const CandidatePair &pair : found_)
+        if (!envelopes_apart(proxies_.places[pair.first], proxies_.places[pair.second]))
+            near_.add(pair);
+    unpaired_.clear();
+    has_unpaired_ = false;
+    pairing_.clear();
+    clear_scratch(found_);
+}
+
+// Objects that may be near others are watched by their tight boxes. A new envelope around a sphere becomes one around that box.
+void Broadphase::make_tight(Scene &scene)
+{
+    looked_at_.clear();
+    for (const CandidatePair &pair : found_)
+        for (ProxyId id : {pair.first, pair.second})
+            if (Place &place = proxies_.places[id]; place.watch() == Watch::centre)
+            {
+                place.set_watch(Watch::look);
+                looked_at_.add(id);
+            }
+    if (looked_at_.empty())
+        return;
+    scene.measure(looked_at_.data(), looked_at_.size(), proxies_.places.data());
+    for (ProxyId id : looked_at_)
+        if (pairing_.contains(id))
+            proxies_.places[id].tighten(proxies_.records[id].radius);
+}
+
+// An envelope that holds its object however it turns is watched by the centre, until it meets another.
+void Broadphase::watch_centres(const Batch &batch)
+{
+    for (ProxyId id : batch.ids())
+        if (const ProxyRecord &record = proxies_.records[id]; record.by_radius)
+            proxies_.places[id].watch_centre(record.position, record.radius);
+}
+
+void Broadphase::finish()
+{
+    batch_.clear();
+    update_ = (update_ + 1) & Place::last_update;
+    interrupted_ = false;
 }
 
 std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
 {
     interrupted_ = true;
-    const bool by_sweep = sweeping_.finds_pairs();
-    const std::size_t most = by_sweep ? sweeping_.pairs() : near_.most_pairs();
-    if (room.size() < most)
-        room.resize(most);
-    const CandidatePair *end = by_sweep                                  ? report_swept(scene, room.data())
-                               : proximity_test_ == ProximityTest::shape ? report_by_shape(scene, room.data())
-                                                                         : report_near(scene, room.data());
+    if (room.size() < near_.most_pairs())
+        room.resize(near_.most_pairs());
+    const UpdateNumber last = update_ - 1;
+    CandidatePair *end = nullptr;
+    const OverlapTest test{scene, proxies_.places.data(), proximity_test_ == ProximityTest::sphere,
+                           Float4::all(Place::rounding * predictor_.farthest() + Place::least_rounding)};
+    if (proximity_test_ == ProximityTest::shape)
+    {
+        ShapeTest of_shapes({scene, proxies_, shapes_}, test, shape_margin_, counters_.looks);
+        end = near_.report_by_shape(of_shapes, proxies_.places.data(), last, room.data());
+        shapes_.clear_renewed();
+    }
+    else
+        end = near_.report(test, proxies_.places.data(), last, room.data());
     interrupted_ = false;
     return static_cast<std::size_t>(end - room.data());
 }
 
-OverlapTest Broadphase::overlap_test(Scene &scene) const
-{
-    return {scene, boxes_.data(), proximity_test_ == ProximityTest::sphere};
-}
-
-CandidatePair *Broadphase::report_swept(Scene &scene, CandidatePair *room)
-{
-    return sweeping_.report(overlap_test(scene), proxies_.members(), room);
-}
-
-CandidatePair *Broadphase::report_near(Scene &scene, CandidatePair *room)
-{
-    boxes_.update(scene, near_.members(), proxies_.members());
-    return near_.report(overlap_test(scene), now(), proxies_.count() > tuning::cached_boxes, room);
-}
-
-CandidatePair *Broadphase::report_by_shape(Scene &scene, CandidatePair *room)
-{
-    ShapeTest test({scene, proxies_.members(), boxes_, shapes_}, shape_margin_, counters_.looks);
-    CandidatePair *end = near_.report_by_shape(test, now(), room);
-    shapes_.clear_renewed();
-    return end;
-}
-
-// --- Its steps ------------------------------------------------------------------------------------------------------------
-
-Broadphase::Beginning Broadphase::begin(Scene &scene, bool is_tick)
-{
-    if (interrupted_)
-        recover();
-    const IdSet &moved = verifier_.collect_moves();
-    idle_.drop_enabled(scene, [this](ProxyId id) { predictor_.request(id); });
-    Beginning beginning;
-    beginning.moves = moved.size();
-    const Tick expected = clock_.expected();
-    beginning.time_passed = clock_.advance(is_tick, beginning.moves > 0, moved, predictor_.moving());
-    beginning.as_expected = now() == expected;
-    beginning.needed = interrupted_ || beginning.moves > 0 || predictor_.has_requests();
-    if (!beginning.needed)
-        return beginning;
-    interrupted_ = true;
-    counters_.moved += beginning.moves;
-    boxes_.invalidate(moved);
-    shapes_.invalidate(moved);
-    if (beginning.time_passed && mode() != Mode::sweeping)
-        schedule_.advance(now());
-    return beginning;
-}
-
-void Broadphase::choose_mode(Scene &scene, bool time_passed)
-{
-    if (mode() == Mode::sweeping)
-    {
-        if (!time_passed || !sweeping_.calm_returns(scene, proxies_.members(), predictor_.step_estimate))
-            return;
-        schedule_.restart(now());
-        sweeping_.start_filling(proxies_.members(), proxies_.count());
-    }
-    else if (has_new_ && sweeping_.mostly_new(count_new(), proxies_.count()))
-        start_sweeping(true);
-}
-
-void Broadphase::verify(Scene &scene, const Beginning &beginning)
-{
-    if (mode() == Mode::sweeping)
-        return;
-    const IdSet &moved = verifier_.moved();
-    const Verifier::Outcome outcome =
-        verifier_.find_broken(scene, proxies_, boxes_,
-                              {now(), beginning.moves, beginning.time_passed, beginning.as_expected,
-                               predictor_.moving(), sweeping_.waiting()},
-                              batch_);
-    counters_.verified += outcome.verified;
-    counters_.violations += outcome.broken;
-    if (predictor_.samples())
-        predictor_.sample_moved(scene, proxies_, moved, now());
-    near_.note_moves(moved);
-    schedule_.take_expired(proxies_, batch_);
-    predictor_.take_requests(batch_);
-    const std::size_t predicted = proxies_.count() - sweeping_.waiting_count();
-    if (beginning.time_passed && sweeping_.predictions_fail(outcome.broken, predicted))
-        start_sweeping(false);
-    else
-    {
-        idle_.note(scene, batch_.ids().data(), batch_.size());
-        limit_batch(outcome.broken);
-    }
-}
-
-// In most ticks of a small calm scene there is none.
-bool Broadphase::has_work() const
-{
-    return !batch_.empty() || schedule_.has_due_events() || sweeping_.finds_pairs() || sweeping_.parts_joined();
-}
-
-// To predict many objects takes as long as several sweeps over all. When too many predictions broke, their objects wait; as
-// long as some wait, a part of them is predicted in each tick.
-void Broadphase::limit_batch(std::size_t broken)
-{
-    if (broken <= most_at_once())
-    {
-        if (mode() == Mode::filling)
-            sweeping_.add_part(proxies_.count(), idle_.members(), batch_);
-        return;
-    }
-    // What index, schedule and near set know of these objects is stale.
-    for (ProxyId id : batch_.ids())
-    {
-        predictor_.forget_prediction(proxies_, id);
-        ++proxies_.generations[id];
-        sweeping_.wait(id);
-    }
-    batch_.clear();
-}
-
-void Broadphase::predict(Scene &scene)
-{
-    if (batch_.empty())
-        return;
-    for (ProxyId id : batch_.ids())
-    {
-        sweeping_.stop_waiting(id);
-        near_.retire(id, now());
-    }
-    predictor_.predict(scene, proxies_, batch_, near_.members(), now());
-    schedule_.expect_ends(proxies_, batch_, now());
-    counters_.repredictions += batch_.size();
-}
-
-void Broadphase::find_pairs()
-{
-    if (!batch_.empty())
-    {
-        for (ProxyId id : batch_.ids())
-            swept_.push_back({id, proxies_.swept_box(id, now())});
-        index_.update(proxies_, swept_, batch_.members(), idle_.members(), now(), batch_.single(), candidates_);
-    }
-    if (sweeping_.take_parts_joined())
-        index_.rebuild(proxies_, {}, idle_.members(), now());
-}
-
-void Broadphase::schedule()
-{
-    schedule_.classify(proxies_, candidates_, now(), proximity_test_, found_near_);
-    counters_.woken += schedule_.wake(proxies_, now(), found_near_);
-    for (const NearPair &pair : found_near_)
-    {
-        near_.add(pair);
-        // The sphere test of proximity works on spheres throughout: tight boxes would not help.
-        if (proximity_test_ == ProximityTest::sphere)
-            continue;
-        predictor_.note_neighbour(proxies_, pair.first);
-        predictor_.note_neighbour(proxies_, pair.second);
-    }
-}
-
-void Broadphase::sweep(Scene &scene)
-{
-    if (mode() == Mode::sweeping)
-    {
-        // Nothing is predicted; but objects that were found disabled are among the requests.
-        predictor_.take_requests(batch_);
-        idle_.note(scene, batch_.ids().data(), batch_.size());
-    }
-    else if (sweeping_.waiting_count() == 0)
-        return;
-    ++counters_.sweeps;
-    const IdList &measured = boxes_.update(scene, proxies_.members(), proxies_.members());
-    // A predicted object keeps its near pairs, and its place in the index, until it is predicted anew.
-    idle_.note(scene, measured.data(), measured.size(), [this](ProxyId id) {
-        if (proxies_.predicted(id))
-            predictor_.request(id);
-    });
-    sweeping_.find_pairs(proxies_.members(), idle_.members(), boxes_);
-}
-
-void Broadphase::finish_work()
-{
-    sweeping_.finish_filling(batch_.size() < proxies_.count());
-    schedule_.finish(proxies_);
-    batch_.clear();
-    clear_scratch(swept_);
-    clear_scratch(candidates_);
-    clear_scratch(found_near_);
-}
-
-void Broadphase::finish()
-{
-    verifier_.clear_moves();
-    has_new_ = false;
-    interrupted_ = false;
-}
-
-// --- Modes ----------------------------------------------------------------------------------------------------------------
-
-// The one transition that is allowed in any state, also in one that an exception left: everything that was derived from
-// positions is forgotten, and the next sweep finds all pairs.
-void Broadphase::start_sweeping(bool with_new_objects)
-{
-    batch_.clear();
-    swept_.clear();
-    candidates_.clear();
-    found_near_.clear();
-    index_.clear(proxies_);
-    schedule_.restart(now());
-    near_.clear();
-    predictor_.forget_predictions(proxies_);
-    sweeping_.start(proxies_.members(), with_new_objects);
-}
-
-// After an exception.
-void Broadphase::recover()
+// The one step that is allowed in any state, also in one that an exception left: everything that was derived from positions is
+// forgotten, and the next look finds it again.
+void Broadphase::start_over()
 {
     resize_stages();
-    start_sweeping(false);
+    batch_.clear();
+    pairing_.clear();
+    unpaired_.clear();
+    has_unpaired_ = false;
+    found_.clear();
+    index_.clear(proxies_);
+    near_.clear();
+    proxies_.members().for_each([this](ProxyId id) {
+        proxies_.places[id].forget_envelope();
+        look_at(id);
+    });
+}
+
+// --- Questions ------------------------------------------------------------------------------------------------------------
+
+Forecast Broadphase::forecast(Scene &scene, ProxyId id)
+{
+    const std::int32_t since = ticks_between(proxies_.places[id].moved(), update_);
+    return predictor_.forecast(scene, proxies_, id, since <= tuning::recent_ticks);
+}
+
+std::optional<double> Broadphase::time_of_proximity(const Forecast &first, const Forecast &second) const
+{
+    const double ticks = std::min(first.ticks, second.ticks);
+    const double duration = std::isfinite(ticks) ? ticks : 0;
+    std::optional<double> time = box_time_of_proximity(first.envelope, second.envelope, duration);
+    if (time && proximity_test_ == ProximityTest::sphere && first.about_centre && second.about_centre)
+    {
+        const std::optional<double> of_spheres = sphere_time_of_proximity(first.envelope, second.envelope, duration);
+        time = of_spheres ? std::optional<double>(std::max(*time, *of_spheres)) : std::nullopt;
+    }
+    return time;
 }
 
 void Broadphase::follow_shapes(Scene &scene, const IdSet &wanted)
 {
     shapes_.renew_outdated(scene, wanted, proxies_.members());
-    shapes_.update(scene, wanted, proxies_.members());
+    shapes_.update(scene, wanted, proxies_);
 }
 
-bool Broadphase::may_touch(ProxyId first, ProxyId second) const
+bool Broadphase::may_touch(const CandidatePair &pair) const
 {
-    const ConvexShape &one = shapes_[first], &other = shapes_[second];
+    const ConvexShape &one = shapes_[pair.first], &other = shapes_[pair.second];
     const double margin = touching_distance(one, other, shape_margin_);
     return !(find_gap(one, other, Vector3::Zero(), margin).length > margin);
 }
 
-std::optional<double> Broadphase::time_of_contact(ProxyId first, ProxyId second) const
+std::optional<double> Broadphase::time_of_contact(const Forecast &first, const Forecast &second,
+                                                  const CandidatePair &pair) const
 {
-    const auto predicted = [this](ProxyId id) {
-        const auto &kind = proxies_.records[id].kind;
-        return PredictedShape{shapes_[id], proxies_.outer_envelope(id, now()), kind.still, kind.check == Check::centre};
-    };
-    const double duration = std::min(proxies_.remaining(first, now()), proxies_.remaining(second, now()));
-    const double margin = touching_distance(shapes_[first], shapes_[second], shape_margin_);
-    return ode_predictive_space::time_of_contact(predicted(first), predicted(second), margin, duration);
-}
-
-bool Broadphase::want_predictions()
-{
-    sweeping_.want_predictions();
-    if (!sweeping_.end_for_predictions())
-        return false;
-    schedule_.restart(now());
-    predictor_.request(proxies_.members());
-    return true;
-}
-
-void Broadphase::predict_all_waiting()
-{
-    if (mode() == Mode::sweeping)
-    {
-        schedule_.restart(now());
-        sweeping_.start_filling(proxies_.members(), proxies_.count());
-    }
-    predictor_.request(sweeping_.waiting());
-}
-
-std::size_t Broadphase::count_new() const
-{
-    std::size_t count = 0;
-    verifier_.moved().for_each([&](ProxyId id) { count += !proxies_.predicted(id) && !sweeping_.waits(id); });
-    return count;
-}
-
-// A small scene is predicted as a whole.
-std::size_t Broadphase::most_at_once() const
-{
-    const std::size_t objects = proxies_.count();
-    return objects <= tuning::small_scene ? tuning::small_scene
-                                          : std::max(tuning::least_at_once, objects / tuning::part_at_once);
+    const ConvexShape &one = shapes_[pair.first], &other = shapes_[pair.second];
+    return ode_predictive_space::time_of_contact({one, first.envelope, first.still(), first.about_centre},
+                                                 {other, second.envelope, second.still(), second.about_centre},
+                                                 touching_distance(one, other, shape_margin_),
+                                                 std::min(first.ticks, second.ticks));
 }
 
 // --- Objects --------------------------------------------------------------------------------------------------------------
@@ -338,15 +249,16 @@ ProxyId Broadphase::add()
     const ProxyId id = proxies_.add();
     if (proxies_.count() >= tuning::least_trimmed)
         trim_below_ = std::max(trim_below_, proxies_.count() / 4);
-    has_new_ = true;
     mark_moved(id);
     return id;
 }
 
-// ODE removes geoms in their destructors. When memory runs out here, the next update recovers.
+// ODE removes geoms in their destructors. When memory runs out here, the next update starts over.
 void Broadphase::remove(ProxyId id)
 {
-    verifier_.forget(id);
+    listed_.erase(id);
+    requested_.erase(id);
+    unpaired_.erase(id);
     idle_.forget(id);
     shapes_.forget(id);
     try
@@ -358,32 +270,30 @@ void Broadphase::remove(ProxyId id)
     {
         interrupted_ = true;
     }
-    sweeping_.stop_waiting(id);
     proxies_.remove(id);
-    sweeping_.finish_filling(true);
     if (proxies_.count() < trim_below_)
         trim();
 }
 
-// What was derived from the old generation is stale from now on.
 void Broadphase::forget(ProxyId id)
 {
-    near_.retire(id, now());
+    near_.retire(id);
     index_.remove(proxies_, id);
-    predictor_.forget(proxies_, id);
+    predictor_.forget(id);
 }
 
 void Broadphase::resize_stages()
 {
     const std::size_t size = proxies_.size();
-    boxes_.resize(size);
     shapes_.resize(size);
     idle_.resize(size);
-    verifier_.resize(size);
-    predictor_.resize(size);
     near_.resize(size);
-    sweeping_.resize(size);
     batch_.resize(size);
+    pairing_.resize(size);
+    unpaired_.resize(size);
+    looked_at_.resize(size);
+    listed_.resize(size);
+    requested_.resize(size);
 }
 
 // Most objects are gone. What is known of the others is given up with the memory: it is soon found again. Throws nothing.
@@ -393,21 +303,23 @@ void Broadphase::trim()
     trim_below_ = (proxies_.count() + 1) / 2; // also when the last one is removed
     if (2 * proxies_.needed_size() > size)
         return;
-    start_sweeping(true);
+    start_over();
     proxies_.trim();
-    predictor_.forget_histories(proxies_);
+    predictor_.release();
     index_ = {};
-    schedule_.release(now());
     near_.release();
-    sweeping_.release();
     batch_ = {};
-    free_memory(swept_);
-    free_memory(candidates_);
-    free_memory(found_near_);
+    pairing_ = {};
+    free_memory(found_);
     resize_stages();
 }
 
 // --- Settings and numbers -------------------------------------------------------------------------------------------------
+
+void Broadphase::request_all()
+{
+    proxies_.members().for_each([this](ProxyId id) { request(id); });
+}
 
 void Broadphase::set_proximity_test(ProximityTest test)
 {
@@ -417,7 +329,6 @@ void Broadphase::set_proximity_test(ProximityTest test)
         shapes_.start(proxies_.size());
     proximity_test_ = test;
     near_.restart_tests();
-    predictor_.settings_changed(proxies_);
 }
 
 void Broadphase::set_shape_margin(double margin)
@@ -429,28 +340,34 @@ void Broadphase::set_shape_margin(double margin)
 void Broadphase::set_settings(const PredictionSettings &settings)
 {
     predictor_.settings = settings;
-    predictor_.settings_changed(proxies_);
+    request_all();
+}
+
+void Broadphase::set_role(ProxyId id, Role role)
+{
+    proxies_.records[id].role = role;
+    if (!is_interactive(role))
+        predictor_.forget(id);
+    request(id);
 }
 
 std::size_t Broadphase::near_pairs() const
 {
     std::size_t count = 0;
-    for_each_near_pair([&](const CandidatePair &, PairState) { ++count; });
+    near_.for_each([&](const CandidatePair &, PairState) { ++count; });
     return count;
 }
 
 std::size_t Broadphase::postponed_pairs() const
 {
     std::size_t count = 0;
-    if (!sweeping_.finds_pairs())
-        near_.for_each_postponed(shapes_, [&](const CandidatePair &) { ++count; });
+    near_.for_each_postponed(shapes_, [&](const CandidatePair &) { ++count; });
     return count;
 }
 
 std::size_t Broadphase::bytes() const
 {
-    return proxies_.bytes() + boxes_.bytes() + shapes_.bytes() + idle_.bytes() + verifier_.bytes() +
-           predictor_.bytes() + index_.bytes() + schedule_.bytes() + near_.bytes() + sweeping_.bytes() +
-           batch_.bytes() + bytes_of(swept_) + bytes_of(candidates_) + bytes_of(found_near_);
+    return proxies_.bytes() + shapes_.bytes() + idle_.bytes() + predictor_.bytes() + index_.bytes() + near_.bytes() +
+           looked_at_.bytes() + batch_.bytes() + pairing_.bytes() + unpaired_.bytes() + listed_.bytes() + requested_.bytes() + bytes_of(found_);
 }
 } // namespace ode_predictive_space

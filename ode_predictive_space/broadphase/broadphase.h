@@ -1,10 +1,10 @@
-// The broad phase with predictive scheduling. In: objects by number, and reports of their moves. Out: at each tick, the pairs
+// The broad phase with predictive scheduling. In: objects by number, and notices of their moves. Out: at each tick, the pairs
 // whose bounding boxes overlap.
 //
-//     moves -> verify -> predict -> index -> schedule -> near set -> pairs
+//     notices -> look -> predict -> index -> near set -> pairs
 //
-// Invariant: at each tick, after verification, every object lies inside its envelope. Therefore a pair whose envelopes are
-// apart at this tick is apart, and every pair whose bounding boxes overlap is in the near set.
+// Invariant: at each tick, after look, every object lies inside its envelope. Therefore a pair whose envelopes are apart is apart,
+// and every pair whose bounding boxes overlap is in the near set.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BROADPHASE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BROADPHASE_H
@@ -12,17 +12,23 @@
 #include <optional>
 #include <vector>
 
-#include "ode_predictive_space/broadphase/base/clock.h"
+#include "ode_predictive_space/broadphase/base/batch.h"
+#include "ode_predictive_space/broadphase/base/id_list.h"
 #include "ode_predictive_space/broadphase/index/envelope_index.h"
 #include "ode_predictive_space/broadphase/near/near_set.h"
+#include "ode_predictive_space/broadphase/objects/idle_objects.h"
 #include "ode_predictive_space/broadphase/predict/predictor.h"
-#include "ode_predictive_space/broadphase/schedule/schedule.h"
-#include "ode_predictive_space/broadphase/sweep/sweeping.h"
-#include "ode_predictive_space/broadphase/verify/idle_objects.h"
-#include "ode_predictive_space/broadphase/verify/verifier.h"
 
 namespace ode_predictive_space
 {
+/// When is a pair reported?
+enum class ProximityTest
+{
+    box,    ///< when bounding boxes overlap
+    sphere, ///< when bounding boxes and bounding spheres overlap
+    shape   ///< when bounding boxes overlap, and the shapes, where they are known, may touch
+};
+
 /// What has been done so far; see dPredictiveSpaceStats.
 struct Counters
 {
@@ -30,20 +36,16 @@ struct Counters
     std::uint64_t verified = 0;
     std::uint64_t violations = 0;
     std::uint64_t repredictions = 0;
-    std::uint64_t woken = 0;
     std::uint64_t sweeps = 0;
     std::uint64_t looks = 0; ///< at gaps between shapes
 };
 
 /// Owns the stages of the tick, and hands the results of each to the next. No stage knows another.
 ///
-/// When an exception leaves a function here, what was known is given up: the next update sweeps the whole scene, and is exact.
+/// When an exception leaves a function here, what was known is given up: the next update looks at all objects, and is exact.
 class Broadphase
 {
 public:
-    /// @param scene_epsilon of the scene's coordinates, if these are in single precision; 0 for double precision.
-    explicit Broadphase(double scene_epsilon = 0) : proxies_(scene_epsilon) {}
-
     // --- Objects ---
 
     /// Makes room for one more object, so that the next add() throws nothing. On an exception no object has changed.
@@ -55,25 +57,35 @@ public:
 
     /// The object's position, size or anything else about its bounds may have changed, just now. Every change must be reported.
     ///
-    /// @param object see Verifier::report_move().
-    /// @return false when nothing has changed since the last report: that counts as no move.
-    template <typename Object> bool report_move(ProxyId id, const Object &object)
+    /// @tparam Object tells of the object:
+    ///     bool has_pose()            the next two are known
+    ///     const Real *position()
+    ///     const Real *rotation()     three rows of four numbers
+    ///     bool turns_safely()        the sphere of its radius around its position still holds it, however it has turned
+    ///     Solid solid()
+    ///     double radius()
+    /// @return what is known at once; nearly always that the object has moved. Otherwise the rest is for report_closely().
+    template <typename Object> Followed report_at_once(ProxyId id, const Object &object)
     {
-        return report_at_once(id, object) || report_closely(id, object);
+        Place &place = proxies_.places[id];
+        const Watch watch = place.watch();
+        if (watch == Watch::look || !object.has_pose() || (watch == Watch::centre && !object.turns_safely()))
+            return Followed::left;
+        const Followed followed = place.follow(object.position(), object.rotation());
+        if (followed == Followed::moved)
+            note_move(place);
+        return followed;
     }
 
-    /// Its two halves. The first one is short and true for nearly all reports.
-    template <typename Object> bool report_at_once(ProxyId id, const Object &object)
-    {
-        return verifier_.report_at_once(proxies_, id, object, clock_.expected());
-    }
-    template <typename Object> bool report_closely(ProxyId id, const Object &object)
-    {
-        return verifier_.report_closely(proxies_, id, object, clock_.expected());
-    }
+    /// @return false when nothing has changed since the last report, as far as single precision tells: that counts as no move.
+    template <typename Object> bool report_closely(ProxyId id, const Object &object, Followed followed);
 
     /// The object may have changed in any way since it was looked at.
-    void mark_moved(ProxyId id) { verifier_.mark_moved(id); }
+    void mark_moved(ProxyId id)
+    {
+        note_move(proxies_.places[id]);
+        look_at(id);
+    }
     /// The object is made of other data.
     void mark_changed(ProxyId id)
     {
@@ -81,19 +93,25 @@ public:
         mark_moved(id);
     }
 
-    /// Objects that were added, or whose moves were reported, since the last update.
-    const IdSet &changed() { return verifier_.collect_moves(); }
-
     /// A pair of the object came up for report, and the object is disabled.
-    void note_disabled(ProxyId id) { predictor_.request(id); }
+    void note_disabled(ProxyId id) { request(id); }
 
     // --- The tick ---
 
-    /// One tick: brings predictions and near set up to date. Time passes only when something has moved.
+    /// One tick: brings envelopes and near set up to date. Time passes only when something has moved.
     void tick(Scene &scene) { update(scene, true); }
 
-    /// The same without a tick: for questions between ticks.
-    void catch_up(Scene &scene) { update(scene, false); }
+    /// For questions between ticks: brings envelopes and index up to date. New pairs are found when they are needed.
+    void catch_up(Scene &scene)
+    {
+        update(scene, false);
+        index_.prepare(proxies_);
+    }
+    /// Can questions be asked now, if nothing has moved since the last tick?
+    bool is_prepared() const { return index_.is_prepared(); }
+
+    /// Brings the near set up to date, too, without a tick.
+    void find_new_pairs(Scene &scene);
 
     /// Finds the pairs that overlap now. The broad phase must be up to date.
     ///
@@ -102,37 +120,30 @@ public:
     /// @return their number.
     std::size_t report(Scene &scene, std::vector<CandidatePair> &room);
 
-    // --- Questions; the broad phase must be up to date ---
+    // --- Questions; the broad phase must be caught up ---
 
-    /// Calls visit(id) for every object whose bounds may overlap `box`.
-    template <typename Visit> void query(const FloatBox &box, Visit visit) const { walk(BoxProbe(box), visit); }
-
-    /// The same for a probe of any shape; see EnvelopeTree::walk().
-    template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const;
-
-    /// When two objects may be near, in ticks from now on; none when they stay apart over their horizons.
-    std::optional<ProximityInterval> time_of_proximity(ProxyId first, ProxyId second) const
+    /// Calls visit(id) for every object whose bounds may overlap the probe; see EnvelopeTree::walk().
+    template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
     {
-        return PairProximity(proxies_, first, clock_.now(), proximity_test_).to(second);
+        index_.walk(probe, visit);
     }
+
+    /// How the object will move, as far as is known now.
+    Forecast forecast(Scene &scene, ProxyId id);
+
+    /// When two objects may be near, in ticks from now on; none when they stay apart as long as both forecasts hold.
+    std::optional<double> time_of_proximity(const Forecast &first, const Forecast &second) const;
 
     /// Brings the shapes of objects up to date for time_of_contact(). By the shape test only.
     void follow_shapes(Scene &scene, const IdSet &wanted);
 
     /// By the shape test: when the shapes of two objects may touch, in ticks from now on; 0 when they may now, none when they stay
-    /// apart over their horizons. Both are predicted, and their shapes are up to date.
-    std::optional<double> time_of_contact(ProxyId first, ProxyId second) const;
+    /// apart as long as both forecasts hold. Their shapes are up to date.
+    std::optional<double> time_of_contact(const Forecast &first, const Forecast &second,
+                                          const CandidatePair &pair) const;
 
-    /// By the shape test: whether the shapes of two objects may touch now. The objects need no predictions; their shapes are up to date.
-    bool may_touch(ProxyId first, ProxyId second) const;
-
-    /// Predictions are asked for: has them made in the next update if there are none because most objects are new.
-    ///
-    /// @return true when there will be new ones.
-    bool want_predictions();
-
-    /// Has all objects that wait for predictions, however many, predicted in the next update.
-    void predict_all_waiting();
+    /// By the shape test: whether the shapes of two objects may touch now. Their shapes are up to date.
+    bool may_touch(const CandidatePair &pair) const;
 
     // --- Settings ---
 
@@ -144,40 +155,31 @@ public:
     void set_shape_margin(double margin);
 
     const PredictionSettings &settings() const { return predictor_.settings; }
-    /// All objects are predicted anew by these settings at the next tick.
+    /// All objects get new envelopes by these settings at the next tick.
     void set_settings(const PredictionSettings &settings);
 
     /// Fixes an object's role; its next prediction, at the next tick, follows it.
-    void set_role(ProxyId id, Role role) { predictor_.set_role(proxies_, id, role); }
+    void set_role(ProxyId id, Role role);
 
     // --- What it knows ---
 
     const ProxyStore &proxies() const { return proxies_; }
-    Tick now() const { return clock_.now(); }
-    Mode mode() const { return sweeping_.mode(); }
     const Counters &counters() const { return counters_; }
+    Tick now() const { return now_; }
 
-    /// Has the object a path and an envelope? While the scene is swept not all have.
-    bool predicted(ProxyId id) const { return proxies_.predicted(id); }
     /// Is the object disabled, as far as was noticed? Its pairs are not in the near set.
     bool idle(ProxyId id) const { return idle_.contains(id); }
 
-    /// Pairs that are tested at each tick, stale ones among them.
-    std::size_t tested_pairs() const { return sweeping_.finds_pairs() ? sweeping_.pairs() : near_.active().size(); }
     /// Pairs that may overlap now, tested or at rest.
     std::size_t near_pairs() const;
-    /// Pairs that sleep until their time of proximity.
-    std::size_t scheduled_pairs() const { return schedule_.pairs(proxies_); }
+    /// Of these, pairs that are not tested until one of their objects has moved, or moved far enough.
+    std::size_t waiting_pairs() const { return near_.resting() + postponed_pairs(); }
+
+    /// Pairs that were not tested for some time and are again.
+    std::uint64_t woken_pairs() const { return near_.woken(); }
 
     /// Calls visit(pair, state) for each pair that may overlap now.
-    template <typename Visit> void for_each_near_pair(Visit visit) const
-    {
-        if (!sweeping_.finds_pairs())
-            near_.for_each(visit);
-        else
-            sweeping_.for_each_pair(proxies_.members(),
-                                    [&](const CandidatePair &pair) { visit(pair, PairState::active); });
-    }
+    template <typename Visit> void for_each_near_pair(Visit visit) const { near_.for_each(visit); }
 
     /// Pairs that are not tested because their shapes cannot touch yet.
     std::size_t postponed_pairs() const;
@@ -185,92 +187,94 @@ public:
     /// Calls visit(pair) for each of these that cannot touch even now. The broad phase must be up to date.
     template <typename Visit> void for_each_postponed(Scene &scene, Visit visit)
     {
-        shapes_.update(scene, near_.members(), proxies_.members());
-        if (!sweeping_.finds_pairs())
-            near_.for_each_postponed(shapes_, visit);
+        shapes_.update(scene, proxies_.members(), proxies_);
+        near_.for_each_postponed(shapes_, visit);
     }
 
     bool consistent() const { return index_.consistent(); }
     std::size_t bytes() const;
 
 private:
-    /// How an update begins.
-    struct Beginning
+    void note_move(Place &place)
     {
-        std::size_t moves = 0;    ///< number of objects that have moved
-        bool needed = false;      ///< something has moved, or is to be predicted
-        bool time_passed = false; ///< by a tick
-        bool as_expected = false; ///< it is the tick by which reported moves were judged
-    };
+        const bool is_new = place.note_move(update_);
+        moves_ += is_new;
+    }
+    void look_at(ProxyId id)
+    {
+        proxies_.places[id].set_watch(Watch::look);
+        listed_.insert(id);
+        has_listed_ = true;
+    }
+    void request(ProxyId id)
+    {
+        requested_.insert(id);
+        look_at(id);
+    }
 
     void update(Scene &scene, bool is_tick);
-    Beginning begin(Scene &scene, bool is_tick);
-    void choose_mode(Scene &scene, bool time_passed);
-    void verify(Scene &scene, const Beginning &beginning);
-    bool has_work() const;
-    void limit_batch(std::size_t broken);
+    void look(Scene &scene);
+    void retire();
     void predict(Scene &scene);
-    void find_pairs();
-    void schedule();
-    void sweep(Scene &scene);
-    void finish_work();
+    void find_pairs(Scene &scene);
+    void make_tight(Scene &scene);
+    void watch_centres(const Batch &batch);
     void finish();
-
-    OverlapTest overlap_test(Scene &scene) const;
-    CandidatePair *report_swept(Scene &scene, CandidatePair *room);
-    CandidatePair *report_near(Scene &scene, CandidatePair *room);
-    CandidatePair *report_by_shape(Scene &scene, CandidatePair *room);
-    void start_sweeping(bool with_new_objects);
-    void recover();
+    void start_over();
     void forget(ProxyId id);
-    std::size_t count_new() const;
-    std::size_t most_at_once() const;
+    void request_all();
     void resize_stages();
     void trim();
 
-    Clock clock_;
     ProxyStore proxies_;
-    MeasuredBoxes boxes_;
     MeasuredShapes shapes_; // in use by the shape test
     IdleObjects idle_;
-    Verifier verifier_;
     Predictor predictor_;
     EnvelopeIndex index_;
-    Schedule schedule_;
     NearSet near_;
-    Sweeping sweeping_;
 
     ProximityTest proximity_test_ = ProximityTest::box;
     double shape_margin_ = 0;
     Counters counters_;
-    bool has_new_ = false;       // objects were added since the last update
+    Tick now_ = 0;
+    UpdateNumber update_ = 1;    // that will see the moves that are noted now
+    std::size_t moves_ = 0;      // objects that have moved since the last update
+    std::size_t unticked_ = 0;   // objects that had moved in updates since the last tick
     bool interrupted_ = false;   // something has begun and not ended: what was derived from positions may be wrong
     std::size_t trim_below_ = 0; // number of objects at which memory may be given back
 
-    // Results of stages; empty between updates.
-    Batch batch_;                           // to be predicted
-    std::vector<SweptProxy> swept_;         // the same, predicted
-    std::vector<CandidatePair> candidates_; // may meet within their horizons
-    std::vector<NearPair> found_near_;      // may be near now
+    IdSet listed_;            // to be looked at in the next update
+    IdSet requested_;         // of these, those that get new envelopes in any case
+    bool has_listed_ = false; // maybe some that are gone, or have hardly moved
+    IdSet unpaired_;          // have new envelopes: their pairs are not in the near set yet
+    bool has_unpaired_ = false;
+
+    // Empty between updates.
+    IdList looked_at_;
+    Batch batch_;   // get new envelopes
+    Batch pairing_; // get new pairs
+    std::vector<CandidatePair> found_;
 };
 
-template <typename Probe, typename Visit> void Broadphase::walk(const Probe &probe, Visit visit) const
+template <typename Object> bool Broadphase::report_closely(ProxyId id, const Object &object, Followed followed)
 {
-    if (!sweeping_.finds_pairs())
+    Place &place = proxies_.places[id];
+    const auto same_size = [&] {
+        return place.watch() == Watch::centre ? object.radius() <= place.watched_radius()
+                                              : place.solid() == object.solid();
+    };
+    if (followed != Followed::same || !same_size())
     {
-        index_.walk(probe, visit);
-        return;
+        mark_moved(id);
+        return true;
     }
-    // Waiting objects are in the index with stale envelopes, or not at all.
-    index_.walk(probe, [&](ProxyId id) {
-        if (!sweeping_.waits(id))
-            visit(id);
-    });
-    const IdSet &unpredicted = mode() == Mode::sweeping ? proxies_.members() : sweeping_.waiting();
-    unpredicted.for_each([&](ProxyId id) {
-        if (probe.overlaps(boxes_[id].outer()))
-            visit(id);
-    });
+    // It may have moved by less than single precision tells: its pairs must not come to rest, and by shape it is looked at, because
+    // the travel of a shape is the sum of all moves.
+    place.note_doubtful_move(update_);
+    has_listed_ = true;
+    if (shapes_.in_use())
+        look_at(id);
+    return false;
 }
 } // namespace ode_predictive_space
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ode_predictive_space
 {
@@ -13,6 +14,21 @@ ProximityPolynomial lowered_by_rounding(const ProximityPolynomial &P, double A_t
 {
     return {P.A - rounding_per_size * A_terms, P.B - rounding_per_size * B_terms, P.C - rounding_per_size * C_terms};
 }
+
+// The part of the horizon, from 0 to 1, in which boxes are not apart.
+struct Overlap
+{
+    double enter = 0, leave = 1;
+
+    // Two sides are apart as long as gap + m slope > 0.
+    void narrow(double gap, double slope)
+    {
+        if (gap > 0)
+            enter = slope >= 0 ? std::numeric_limits<double>::infinity() : std::max(enter, gap / -slope);
+        else if (slope > 0)
+            leave = std::min(leave, -gap / slope);
+    }
+};
 } // namespace
 
 std::optional<double> first_root(double A, double B, double C)
@@ -58,5 +74,29 @@ std::optional<double> sphere_time_of_proximity(const Envelope &first, const Enve
     if (!m || *m > 1 + rounding_per_size)
         return std::nullopt;
     return std::min(*m * (1 - rounding_per_size), 1.0) * duration;
+}
+
+std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration)
+{
+    const Path path = relative_path(first.path, second.path);
+    const Deviation deviation = first.deviation + second.deviation;
+    const double growth = deviation.growth(duration);
+    const Vector3 chord = duration * (path.velocity + (0.5 * duration) * path.acceleration);
+    const Vector3 path_terms = size_of_terms(first.path, duration) + size_of_terms(second.path, duration);
+    Overlap overlap;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const double above = path.position[axis] + second.low[axis] - first.high[axis];
+        const double below = first.low[axis] - path.position[axis] - second.high[axis];
+        const double terms = path_terms[axis] + deviation.a + growth + std::abs(first.low[axis]) +
+                             std::abs(first.high[axis]) + std::abs(second.low[axis]) + std::abs(second.high[axis]);
+        const double reach = deviation.a + 0.125 * duration * duration * std::abs(path.acceleration[axis]) +
+                             rounding_per_size * (std::isfinite(terms) ? terms : 0);
+        overlap.narrow(above - reach, chord[axis] - growth);
+        overlap.narrow(below - reach, -chord[axis] - growth);
+    }
+    if (overlap.enter > (1 + rounding_per_size) * std::min(overlap.leave, 1.0))
+        return std::nullopt;
+    return std::min(overlap.enter * (1 - rounding_per_size), 1.0) * duration;
 }
 } // namespace ode_predictive_space

@@ -1,5 +1,5 @@
-// The time of proximity of two bounding spheres (Vogiannou et al., equations 1 to 6, with two corrections). That of two boxes
-// is computed by PairProximity.
+// The time of proximity of two envelopes (Vogiannou et al., equations 1 to 6, with two corrections): of their bounding spheres, and
+// of their boxes.
 
 #ifndef ODE_PREDICTIVE_SPACE_PREDICTION_PROXIMITY_H
 #define ODE_PREDICTIVE_SPACE_PREDICTION_PROXIMITY_H
@@ -39,12 +39,9 @@ double sphere_chord_error(const Envelope &first, const Envelope &second, double 
 /// included. A pair of which one radius is infinite, or anything not a number, is near at once.
 std::optional<double> sphere_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 
-/// When two envelopes may overlap.
-struct ProximityInterval
-{
-    double enter; ///< the time of proximity
-    double leave; ///< after it, they are apart again; infinite when that is not before the end
-};
+/// The same of the boxes: equation 1 by slabs, per axis |distance| <= half extents + R(t), over the chords of equation 6 and lowered
+/// by the whole chord error (docs/method.md). A side that is infinite or not a number is near.
+std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 } // namespace ode_predictive_space
 
 #endif

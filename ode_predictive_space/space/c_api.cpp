@@ -235,8 +235,8 @@ void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
     stats->verified = counters.verified;
     stats->violations = counters.violations;
     stats->repredictions = counters.repredictions;
-    stats->scheduled = self->broadphase().scheduled_pairs();
-    stats->woken = counters.woken;
+    stats->scheduled = self->broadphase().waiting_pairs();
+    stats->woken = self->broadphase().woken_pairs();
     stats->near = self->broadphase().near_pairs();
     stats->reported = self->reported();
     stats->scans = counters.sweeps;

@@ -37,11 +37,6 @@ double spin_of(dBodyID body)
     return Vector3(spin[0], spin[1], spin[2]).norm();
 }
 
-bool turns_with_body(const dxGeom *geom)
-{
-    return geom->body != nullptr && geom->offset_posr == nullptr;
-}
-
 // How far the geom's matrix is from a rotation. ODE keeps that of a body a rotation; a sphere is the same however it is turned;
 // and of a ray's matrix only the direction counts, dGeomRaySet() sets no more.
 double skew_of_geom(const dxGeom *geom)
@@ -164,15 +159,36 @@ std::optional<RayProbe> line_of_ray(dxGeom *ray)
     return RayProbe(begin, end, miss * length);
 }
 
-BoundingSphere bounding_sphere(const dxGeom *geom)
+double bounding_sphere(const dxGeom *geom)
 {
-    if (geom->type == dSphereClass || turns_with_body(geom))
-        return {circumscribed_radius(geom), geom->type == dSphereClass};
-    return {std::numeric_limits<double>::infinity(), false};
+    return turns_safely(geom) ? circumscribed_radius(geom) : std::numeric_limits<double>::infinity();
 }
 
-// The bounding box, valid also for spaces whose geoms have moved.
-static const dReal *valid_aabb(dxGeom *geom)
+Solid solid_of(const dxGeom *geom)
+{
+    if (geom->offset_posr || geom->gflags & GEOM_POSR_BAD)
+        return {};
+    switch (geom->type)
+    {
+    case dSphereClass:
+        return {Watch::sphere, static_cast<float>(static_cast<const dxSphere *>(geom)->radius)};
+    case dBoxClass:
+    {
+        const dReal *side = static_cast<const dxBox *>(geom)->side;
+        return {Watch::box, static_cast<float>(side[0] / 2), static_cast<float>(side[1] / 2),
+                static_cast<float>(side[2] / 2)};
+    }
+    case dCapsuleClass:
+    {
+        const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
+        return {Watch::capsule, static_cast<float>(capsule->radius), 0, static_cast<float>(capsule->lz / 2)};
+    }
+    default:
+        return {};
+    }
+}
+
+const dReal *valid_aabb(dxGeom *geom)
 {
     if (IS_SPACE(geom))
         static_cast<dxSpace *>(geom)->cleanGeoms();
@@ -202,34 +218,32 @@ void GeomScene::for_each(std::size_t count, Visit visit, Fetches... fetches) con
             visit(i);
 }
 
-Location GeomScene::location(ProxyId id) const
+// By the formula, or the box that ODE computes.
+static void measure_geom(dxGeom *geom, Place &place)
 {
-    dxGeom *geom = geoms_[id];
-    geom->recomputePosr();
-    const dReal *position = geom->final_posr->pos;
-    const double radius = turns_safely(geom) ? squared_sphere_radius(geom) : std::numeric_limits<double>::quiet_NaN();
-    return {{position[0], position[1], position[2]}, radius};
+    place.watch_solid(solid_of(geom));
+    if (place.watch() != Watch::look)
+    {
+        const TightBox box = place.measured(geom->final_posr->pos, geom->final_posr->R);
+        if (is_finite(box))
+            return place.set_tight(box);
+        place.set_watch(Watch::look);
+    }
+    place.set_tight(to_box(valid_aabb(geom)));
 }
 
-void GeomScene::locate(const ProxyId *ids, std::size_t count, Location *locations)
+void GeomScene::measure(const ProxyId *ids, std::size_t count, Place *places)
 {
     for_each(
-        count, [&](std::size_t i) { locations[i] = location(ids[i]); }, [&](std::size_t i) { prefetch_geom(ids[i]); },
-        [&](std::size_t i) { prefetch_pose(ids[i]); });
-}
-
-void GeomScene::measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes)
-{
-    for_each(
-        count, [&](std::size_t i) { boxes[ids[i]].assign(valid_aabb(geoms_[ids[i]])); },
+        count, [&](std::size_t i) { measure_geom(geoms_[ids[i]], places[ids[i]]); },
         [&](std::size_t i) { prefetch_geom(ids[i]); },
         [&](std::size_t i) {
             prefetch_pose(ids[i]);
-            prefetch(&boxes[ids[i]]);
+            prefetch(&places[ids[i]]);
         });
 }
 
-void GeomScene::observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen)
+void GeomScene::observe(const ProxyId *ids, std::size_t count, Observation *seen)
 {
     const auto prefetch_motion = [&](std::size_t i) {
         prefetch_pose(ids[i]);
@@ -237,8 +251,8 @@ void GeomScene::observe(const ProxyId *ids, std::size_t count, const bool *with_
             prefetch_block<2 * sizeof(dVector3)>(dBodyGetLinearVel(body)); // behind it, the angular velocity
     };
     for_each(
-        count, [&](std::size_t i) { seen[i] = observation(ids[i], with_bounds[i]); },
-        [&](std::size_t i) { prefetch_geom(ids[i]); }, prefetch_motion);
+        count, [&](std::size_t i) { seen[i] = observation(ids[i]); }, [&](std::size_t i) { prefetch_geom(ids[i]); },
+        prefetch_motion);
 }
 
 void GeomScene::follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves)
@@ -273,17 +287,12 @@ std::optional<Vector3> GeomScene::pivot(ProxyId id)
     return centre.allFinite() ? std::optional(centre) : std::nullopt;
 }
 
-Observation GeomScene::observation(ProxyId id, bool with_bounds)
+Observation GeomScene::observation(ProxyId id)
 {
     dxGeom *geom = geoms_[id];
-    const BoundingSphere sphere = bounding_sphere(geom);
     Observation seen;
     seen.centre = pivot(id);
-    seen.radius = sphere.radius;
-    seen.is_sphere = sphere.is_sphere;
-    seen.box_only = judged_by_box_alone(geom);
-    if (!seen.centre || !std::isfinite(sphere.radius) || (with_bounds && !sphere.is_sphere))
-        seen.bounds = bounds(id);
+    seen.radius = seen.centre ? bounding_sphere(geom) : std::numeric_limits<double>::infinity();
     if (geom->body && !dBodyIsKinematic(geom->body))
     {
         seen.velocity = velocity_of(geom);

@@ -17,16 +17,12 @@
 
 namespace ode_predictive_space
 {
-/// A sphere around a geom's position that holds the geom in every orientation.
-struct BoundingSphere
-{
-    double radius;  ///< infinite when none is known
-    bool is_sphere; ///< the geom is that sphere
-};
+/// Radius of the sphere around the position of a sphere, box, capsule or cylinder that holds the geom in every orientation; infinite
+/// for other classes, and for geoms that do not turn with a body, because their rotation matrix can be anything.
+double bounding_sphere(const dxGeom *geom);
 
-/// The bounding sphere of a sphere, box, capsule or cylinder; of the latter three only when they turn with a body, because
-/// the rotation matrix of other geoms can be anything.
-BoundingSphere bounding_sphere(const dxGeom *geom);
+/// A sphere, box or capsule whose pose is known: its bounding box follows from its pose by a formula that ODE shares.
+Solid solid_of(const dxGeom *geom);
 
 /// The sizes of a sphere, box, capsule or cylinder. They lie right behind the members that all geoms have (ode_mismatch() checks
 /// this), and can be read without knowing the geom's class.
@@ -34,24 +30,6 @@ static_assert(sizeof(dxBox) == sizeof(dxGeom) + sizeof(dVector3), "nothing is be
 inline const dReal *sizes_of(const dxGeom *geom)
 {
     return reinterpret_cast<const dReal *>(geom + 1);
-}
-
-/// Square of the radius of the bounding sphere, for a geom that has one. It is computed for every moved geom without a branch on
-/// the class: classes alternate at random, and the branch would often be mispredicted. The margin of bounding_sphere() covers
-/// the rounding.
-inline double squared_sphere_radius(const dxGeom *geom)
-{
-    static_assert(dSphereClass == 0 && dBoxClass == 1 && dCapsuleClass == 2 && dCylinderClass == 3,
-                  "the tables go by class");
-    // The sizes are (radius), (x, y, z), (radius, length), (radius, length). The square of the radius is a sum of their
-    // products x x, x y, y y and z z with these factors.
-    static constexpr std::uint8_t second[4] = {0, 1, 1, 1}, third[4] = {0, 2, 1, 1};
-    static constexpr double factors[4][4] = {{1, 0, 0, 0}, {0.25, 0, 0.25, 0.25}, {1, 1, 0.25, 0}, {1, 0, 0.25, 0}};
-    const int type = geom->type;
-    const dReal *size = sizes_of(geom);
-    const double *factor = factors[type];
-    const double x = size[0], y = size[second[type]], z = size[third[type]];
-    return x * (factor[0] * x + factor[1] * y) + factor[2] * y * y + factor[3] * z * z;
 }
 
 /// Does the geom turn about its position? Then a bounding sphere that was measured earlier still holds it.
@@ -88,6 +66,9 @@ inline void compute_box_beside_others(dxGeom *geom)
     geom->computeAABB();
     __atomic_store_n(&geom->gflags, geom->gflags & ~(GEOM_POSR_BAD | GEOM_AABB_BAD), __ATOMIC_RELEASE);
 }
+
+/// The bounding box, valid also for spaces whose geoms have moved. Only one thread at a time may do this for a geom.
+const dReal *valid_aabb(dxGeom *geom);
 
 /// Can the geom be touched outside of a sphere around its bounding box? ODE makes contacts with a heightfield beside and below
 /// its edge, too; a space or a transform may hold a heightfield; and user classes are unknown.
@@ -143,9 +124,8 @@ public:
           by_sphere_(by_sphere)
     {}
 
-    void locate(const ProxyId *ids, std::size_t count, Location *locations) override;
-    void measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes) override;
-    void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) override;
+    void measure(const ProxyId *ids, std::size_t count, Place *places) override;
+    void observe(const ProxyId *ids, std::size_t count, Observation *seen) override;
     void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves) override;
     bool hull_is_outdated(ProxyId id, const ConvexShape &shape) override;
     Box bounds(ProxyId id) override;
@@ -163,8 +143,7 @@ public:
 private:
     template <typename Visit, typename... Fetches>
     void for_each(std::size_t count, Visit visit, Fetches... fetches) const;
-    Location location(ProxyId id) const;
-    Observation observation(ProxyId id, bool with_bounds);
+    Observation observation(ProxyId id);
 
     dxGeom *const *geoms_;
     HullStore &hulls_;

@@ -11,9 +11,9 @@ using namespace ode_predictive_space;
 std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom *second, double *apart_until)
 {
     GeomScene now = scene();
-    const ProxyId one = proxy_of(first), other = proxy_of(second);
-    follow_shapes({one, other}, now);
-    return time_of_proximity(one, other, now, apart_until);
+    const CandidatePair pair{proxy_of(first), proxy_of(second)};
+    follow_shapes({pair.first, pair.second}, now);
+    return time_of_proximity(pair, now, apart_until);
 }
 
 // By the shape test, answers are about shapes.
@@ -28,45 +28,34 @@ void dxPredictiveSpace::follow_shapes(const std::vector<ProxyId> &ids, GeomScene
     broadphase_.follow_shapes(now, wanted);
 }
 
-std::optional<double> dxPredictiveSpace::time_of_proximity(ProxyId one, ProxyId other, const GeomScene &now,
-                                                           double *apart_until) const
+std::optional<double> dxPredictiveSpace::time_of_proximity(const CandidatePair &pair, GeomScene &now,
+                                                           double *apart_until)
 {
     *apart_until = 0;
-    if (now.overlap(geoms_[one], geoms_[other]) && (!by_shape() || broadphase_.may_touch(one, other)))
+    if (now.overlap(pair.first, pair.second) && (!by_shape() || broadphase_.may_touch(pair)))
         return 0.0;
-    if (!broadphase_.predicted(one) || !broadphase_.predicted(other))
-        return std::nullopt;
-    const ProxyStore &proxies = broadphase_.proxies();
-    const std::int32_t remaining =
-        std::min(proxies.remaining(one, broadphase_.now()), proxies.remaining(other, broadphase_.now()));
-    const bool forever = proxies.records[one].kind.still && proxies.records[other].kind.still;
-    *apart_until = forever ? std::numeric_limits<double>::infinity() : static_cast<double>(remaining);
-    const std::optional<ProximityInterval> interval = broadphase_.time_of_proximity(one, other);
-    if (!interval)
-        return std::nullopt;
-    const std::optional<double> contact = by_shape() ? broadphase_.time_of_contact(one, other) : 0.0;
-    return contact ? std::optional<double>(std::max(interval->enter, *contact)) : std::nullopt;
+    const Forecast first = broadphase_.forecast(now, pair.first), second = broadphase_.forecast(now, pair.second);
+    *apart_until = std::min(first.ticks, second.ticks);
+    const std::optional<double> near = broadphase_.time_of_proximity(first, second);
+    if (!near || !by_shape())
+        return near;
+    const std::optional<double> contact = broadphase_.time_of_contact(first, second, pair);
+    return contact ? std::optional<double>(std::max(*near, *contact)) : std::nullopt;
 }
 
 std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *geom)
 {
     const ProxyId self = proxy_of(geom);
-    compute_box_beside_others(geom);
     GeomScene now = scene();
-    std::vector<ProxyId> candidates{self};
-    const FloatBox box = broadphase_.predicted(self) ? broadphase_.proxies().swept_box(self, broadphase_.now())
-                                                     : FloatBox::around(to_box(geom->aabb));
-    broadphase_.query(box, [&](ProxyId other) {
-        if (other != self)
-            candidates.push_back(other);
-    });
-    follow_shapes(candidates, now);
+    const std::vector<ProxyId> members = this->members();
+    follow_shapes(members, now);
     std::vector<std::pair<double, ProxyId>> times;
-    for (std::size_t i = 1; i < candidates.size(); ++i)
+    for (ProxyId other : members)
     {
         double apart_until;
-        if (const auto time = time_of_proximity(self, candidates[i], now, &apart_until))
-            times.emplace_back(*time, candidates[i]);
+        const auto time = other == self ? std::nullopt : time_of_proximity({self, other}, now, &apart_until);
+        if (time)
+            times.emplace_back(*time, other);
     }
     std::sort(times.begin(), times.end()); // at one time by number: never by address
     std::vector<Encounter> met;
@@ -75,15 +64,17 @@ std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *
     return met;
 }
 
-bool dxPredictiveSpace::lies_in_envelope(ProxyId id, GeomScene &now) const
+// Is the box within the outer one? A side of it may be NaN only where the outer one is infinite.
+static bool is_within(const FloatBox &outer, const Box &box)
 {
-    const ProxyStore &proxies = broadphase_.proxies();
-    Envelope envelope = proxies.outer_envelope(id, broadphase_.now());
-    // The box of a geom that is checked by its centre is computed in another way. The two may differ by round-off.
-    if (proxies.records[id].kind.check == Check::centre)
-        envelope.deviation.a += 8 * std::numeric_limits<dReal>::epsilon() *
-                                (envelope.path.position.lpNorm<Eigen::Infinity>() + envelope.radius);
-    return bounds_inside(envelope, now.bounds(id));
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    bool within = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        within &= outer.low[axis] <= box.min()[axis] || outer.low[axis] == -infinity;
+        within &= box.max()[axis] <= outer.high[axis] || outer.high[axis] == infinity;
+    }
+    return within;
 }
 
 std::vector<ProxyId> dxPredictiveSpace::members() const
@@ -99,8 +90,14 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_misplaced(const std::vector
     if (!broadphase_.consistent())
         return {"the index of envelopes is damaged"};
     for (ProxyId id : members)
-        if (broadphase_.predicted(id) ? !lies_in_envelope(id, now) : broadphase_.mode() == Mode::predicting)
+    {
+        const Place &place = broadphase_.proxies().places[id];
+        const Box bounds = now.bounds(id);
+        if (!is_within(place.envelope(), bounds))
             return {"a geom is outside its envelope", geoms_[id]};
+        if (place.watch() != Watch::centre && !is_within(place.tight(), bounds))
+            return {"a geom is outside its tight box", geoms_[id]};
+    }
     return {};
 }
 
@@ -163,6 +160,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_violation()
         return {"it cannot be checked now"};
     const Lock lock(this);
     GeomScene now = scene();
+    broadphase_.find_new_pairs(now);
     const std::vector<ProxyId> members = this->members();
     const Violation misplaced = find_misplaced(members, now);
     if (misplaced.what)

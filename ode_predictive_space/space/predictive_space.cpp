@@ -20,9 +20,7 @@ void listen_to(dxGeom *geom)
 }
 } // namespace
 
-dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent)
-    : dxSpaceWithHashLevels(parent),
-      broadphase_(sizeof(dReal) < sizeof(double) ? std::numeric_limits<dReal>::epsilon() : 0)
+dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent) : dxSpaceWithHashLevels(parent)
 {
     type = class_of_predictive_space;
 }
@@ -108,32 +106,39 @@ void dxPredictiveSpace::fit_to_proxies()
 
 void dxPredictiveSpace::dirty(dxGeom *geom)
 {
-    if (!broadphase_.report_at_once(proxy_of(geom), NoticedGeom(geom, known_poses_)))
-        return look_closely(geom);
+    const Followed followed = broadphase_.report_at_once(proxy_of(geom), NoticedGeom(geom));
+    if (followed != Followed::moved)
+        return look_closely(geom, followed);
     listen_to(geom);
+    if (!geom->body)
+        note_changed_line(geom);
     forget_catching_up();
 }
 
 // Not inlined: dirty() saves no registers, as it goes on to this.
-[[gnu::noinline]] void dxPredictiveSpace::look_closely(dxGeom *geom)
+[[gnu::noinline]] void dxPredictiveSpace::look_closely(dxGeom *geom, Followed followed)
 {
     listen_to(geom);
-    if (!broadphase_.report_closely(proxy_of(geom), NoticedGeom(geom, known_poses_)))
-    {
-        ++unchanged_;
-        known_poses_.note_repetition();
-        return;
-    }
-    unprepared_ |= known_poses_.needs_room(geoms_.size());
+    unchanged_ += !broadphase_.report_closely(proxy_of(geom), NoticedGeom(geom), followed);
+    note_changed_line(geom);
     forget_catching_up();
+}
+
+// By the sphere test alone rays are followed along their lines. (The matrix of a geom with a body stays a rotation.)
+inline void dxPredictiveSpace::note_changed_line(const dxGeom *geom)
+{
+    if (!by_sphere())
+        return;
+    line_unknown_.insert(proxy_of(geom));
+    lines_known_.store(false, std::memory_order_release);
 }
 
 // Does what may need memory or the class of new geoms, which is known only now.
 void dxPredictiveSpace::prepare()
 {
-    known_poses_.make_room(geoms_.size());
     unclassified_.for_each([this](ProxyId id) {
         listen_to(geoms_[id]);
+        note_changed_line(geoms_[id]);
         if (geoms_[id]->type == dTriMeshClass || IS_SPACE(geoms_[id]))
         {
             polled_.insert(id);
@@ -158,19 +163,13 @@ void dxPredictiveSpace::poll_moves()
     });
 }
 
-// By the sphere test alone rays are followed along their lines.
-void dxPredictiveSpace::note_changed_lines(const IdSet &changed)
-{
-    line_unknown_ |= changed;
-    lines_known_.store(false, std::memory_order_release);
-}
-
 // What the geom is made of may be other data, even at the same place.
 void dxPredictiveSpace::note_change(ProxyId id)
 {
     hulls_.outdate(geoms_[id]);
     broadphase_.mark_changed(id);
     listen_to(geoms_[id]);
+    note_changed_line(geoms_[id]);
     forget_catching_up();
 }
 
@@ -240,19 +239,16 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
 std::size_t dxPredictiveSpace::find_reported(bool nested_call, std::vector<CandidatePair> &pairs)
 {
     poll_moves();
-    if (by_sphere())
-        note_changed_lines(broadphase_.changed());
     forget_catching_up();
     GeomScene now = scene();
     if (nested_call)
-        broadphase_.catch_up(now);
+        broadphase_.find_new_pairs(now);
     else
     {
         ++ticks_;
         broadphase_.tick(now);
-        known_poses_.end_tick();
     }
-    caught_up_.store(true, std::memory_order_release);
+    caught_up_.store(broadphase_.is_prepared(), std::memory_order_release);
     return broadphase_.report(now, pairs);
 }
 
@@ -284,7 +280,8 @@ void dxPredictiveSpace::set_proximity_test(ProximityTest test)
 {
     broadphase_.set_proximity_test(test);
     if (by_sphere())
-        note_changed_lines(broadphase_.proxies().members());
+        for (dxGeom *geom = first; geom; geom = geom->next)
+            note_changed_line(geom);
     forget_catching_up();
 }
 
@@ -324,6 +321,5 @@ void dxPredictiveSpace::set_horizon(const HorizonBounds &horizon)
 std::size_t dxPredictiveSpace::bytes() const
 {
     return sizeof(*this) + broadphase_.bytes() + bytes_of(geoms_) + bytes_of(found_) + bytes_of(pairs_) +
-           unclassified_.bytes() + polled_.bytes() + off_line_.bytes() + line_unknown_.bytes() + known_poses_.bytes() +
-           hulls_.bytes();
+           unclassified_.bytes() + polled_.bytes() + off_line_.bytes() + line_unknown_.bytes() + hulls_.bytes();
 }

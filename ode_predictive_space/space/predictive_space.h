@@ -11,7 +11,6 @@
 #include "ode_predictive_space/broadphase/broadphase.h"
 #include "ode_predictive_space/space/geom_scene.h"
 #include "ode_predictive_space/space/hash_levels.h"
-#include "ode_predictive_space/space/known_poses.h"
 
 /// A space that calls its callback for exactly the pairs for which dxSimpleSpace would.
 ///
@@ -40,7 +39,7 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     /// @return false, after a message, when it is just being brought up to date, by another thread's tick or further up the stack.
     bool catch_up(const char *function);
 
-    /// The same, and makes predictions for all geoms; from now on new geoms are predicted as soon as they are added.
+    /// The same.
     ///
     /// @return holds back the inquiries of other threads as long as it lives; without a mutex when the space cannot be asked now.
     [[nodiscard]] std::unique_lock<std::recursive_mutex> begin_inquiry(const char *function);
@@ -102,10 +101,12 @@ private:
     bool is_silently_changed() const;
     bool catch_up_alone(const char *function);
     bool is_free(const char *function) const;
+    void ask_each(void *data, dxGeom *geom, dNearCallback *callback);
+    void answer(const ode_predictive_space::GeomScene &now, dxGeom *other, dxGeom *geom, void *data,
+                dNearCallback *callback);
+    bool compute_boxes(const char *function);
     void compute_box(dxGeom *geom);
     void compute_box_of_probe(dxGeom *geom);
-    void predict_when_asked_often();
-    void count_question();
     void find_off_line();
     void find_near(dxGeom *geom, std::vector<ProxyId> &found);
 
@@ -114,23 +115,22 @@ private:
     // inquiry.cpp
     bool by_shape() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::shape; }
     void follow_shapes(const std::vector<ProxyId> &ids, ode_predictive_space::GeomScene &now);
-    std::optional<double> time_of_proximity(ProxyId one, ProxyId other, const ode_predictive_space::GeomScene &now,
-                                            double *apart_until) const;
+    std::optional<double> time_of_proximity(const ode_predictive_space::CandidatePair &pair,
+                                            ode_predictive_space::GeomScene &now, double *apart_until);
     std::vector<ProxyId> members() const;
     Violation find_misplaced(const std::vector<ProxyId> &members, ode_predictive_space::GeomScene &now) const;
     Violation find_missing_pair(const std::vector<ProxyId> &members, const ode_predictive_space::GeomScene &now) const;
     Violation find_touching(ode_predictive_space::GeomScene &now);
-    bool lies_in_envelope(ProxyId id, ode_predictive_space::GeomScene &now) const;
 
     // predictive_space.cpp
     std::size_t find_reported(bool nested_call, std::vector<ode_predictive_space::CandidatePair> &pairs);
     void call_back(const ode_predictive_space::CandidatePair &pair, void *data, dNearCallback *callback);
-    void look_closely(dxGeom *geom);
+    void look_closely(dxGeom *geom, ode_predictive_space::Followed followed);
     void note_disabled(ProxyId id);
     void forget_catching_up() { caught_up_.store(false, std::memory_order_relaxed); }
     void prepare();
     void poll_moves();
-    void note_changed_lines(const ode_predictive_space::IdSet &changed);
+    void note_changed_line(const dxGeom *geom);
     void note_change(ProxyId id);
     void fit_to_proxies();
 
@@ -153,16 +153,12 @@ private:
     std::atomic<bool> working_{false};              // the broad phase is changing; nothing may be asked
     std::atomic<std::thread::id> ticking_thread_{}; // in dSpaceCollide(), callbacks included
 
-    int questions_ = 0;                       // at this tick, that looked at geoms without predictions
-    ode_predictive_space::Tick asked_at_ = 0; // the tick of the last question
-
     // Taken by collide() and collide2() while they call back, and returned afterwards: a callback may collide this space.
     std::vector<ode_predictive_space::CandidatePair> pairs_;
     std::vector<ProxyId> found_;
 
     mutable ode_predictive_space::HullStore hulls_; // a scene may make hulls
-    ode_predictive_space::KnownPoses known_poses_;
-    bool unprepared_ = false; // geoms are unclassified, or known poses need room
+    bool unprepared_ = false;                       // geoms are unclassified
 
     unsigned long ticks_ = 0;
     unsigned long reported_ = 0;

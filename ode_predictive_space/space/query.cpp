@@ -46,28 +46,17 @@ inline bool dxPredictiveSpace::is_silently_changed() const
         return true;
     const Lock lock(this);
     const Work work(working_);
-    if (by_sphere())
-        note_changed_lines(broadphase_.changed());
     GeomScene now = scene();
     broadphase_.catch_up(now);
     caught_up_.store(true, std::memory_order_release);
     return true;
 }
 
-// Questions of other threads that have begun look at the broad phase without a lock; those that begin now wait. Changes that are
-// not necessary are left for later while there are such questions.
 std::unique_lock<std::recursive_mutex> dxPredictiveSpace::begin_inquiry(const char *function)
 {
     std::unique_lock<std::recursive_mutex> hold(upkeep_);
-    if (!is_free(function))
+    if (!catch_up(function))
         return {};
-    const bool was_caught_up = caught_up_.exchange(false);
-    const bool is_asked = __atomic_load_n(&lock_count, __ATOMIC_SEQ_CST) > 0 &&
-                          ticking_thread_.load(std::memory_order_relaxed) != std::this_thread::get_id();
-    const bool may_change = !was_caught_up || !is_asked;
-    const bool changes = may_change && broadphase_.want_predictions();
-    caught_up_.store(was_caught_up && !changes, std::memory_order_release);
-    catch_up(function);
     return hold;
 }
 
@@ -75,28 +64,59 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
 {
     dAASSERT(geom && callback);
     const Lock lock(this);
+    if (static_cast<std::size_t>(count) <= tuning::few_to_ask)
+        return ask_each(data, geom, callback);
     if (!catch_up("dSpaceCollide2"))
         return;
-    predict_when_asked_often();
     std::vector<ProxyId> found = lock.is_only_one ? std::exchange(found_, {}) : std::vector<ProxyId>();
     found.clear();
     find_near(geom, found);
     const GeomScene now = scene();
     for_each_prefetched(
         found.size(), tuning::turns_ahead,
-        [&](std::size_t i) {
-            dxGeom *other = geoms_[found[i]];
-            const int flags = flags_beside_others(other);
-            if (!bits_agree(other, geom) || !enabled(flags))
-                return;
-            if (flags & GEOM_AABB_BAD)
-                compute_box(other);
-            if (now.overlap(other, geom) && wants_callback(other, geom))
-                callback(data, other, geom);
-        },
+        [&](std::size_t i) { answer(now, geoms_[found[i]], geom, data, callback); },
         [&](std::size_t i) { now.prefetch_geom(found[i]); });
     if (lock.is_only_one)
         found_ = std::move(found);
+}
+
+// Among few geoms, no index pays.
+void dxPredictiveSpace::ask_each(void *data, dxGeom *geom, dNearCallback *callback)
+{
+    bool all_boxes_known = true;
+    for (dxGeom *other = first; other; other = other->next)
+        all_boxes_known &= (flags_beside_others(other) & GEOM_AABB_BAD) == 0;
+    if (!all_boxes_known && !compute_boxes("dSpaceCollide2"))
+        return;
+    if (flags_beside_others(geom) & GEOM_AABB_BAD)
+        compute_box_of_probe(geom);
+    const GeomScene now = scene();
+    for (dxGeom *other = first; other; other = other->next)
+        answer(now, other, geom, data, callback);
+}
+
+// The threads that ask meanwhile wait.
+[[gnu::noinline]] bool dxPredictiveSpace::compute_boxes(const char *function)
+{
+    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    if (!is_free(function))
+        return false;
+    const Work work(working_);
+    for (dxGeom *geom = first; geom; geom = geom->next)
+        valid_aabb(geom);
+    return true;
+}
+
+inline void dxPredictiveSpace::answer(const GeomScene &now, dxGeom *other, dxGeom *geom, void *data,
+                                      dNearCallback *callback)
+{
+    const int flags = flags_beside_others(other);
+    if (!bits_agree(other, geom) || !enabled(flags))
+        return;
+    if (flags & GEOM_AABB_BAD)
+        compute_box(other);
+    if (now.overlap(other, geom) && wants_callback(other, geom))
+        callback(data, other, geom);
 }
 
 // Boxes that no tick has needed are computed when they are first asked for.
@@ -113,39 +133,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     (owner ? owner : this)->compute_box(geom);
 }
 
-// Objects without predictions get them as time passes. In a program that only asks, no time passes, and each question would look
-// at all of these objects. After some questions this has cost as much as the predictions.
-inline void dxPredictiveSpace::predict_when_asked_often()
-{
-    if (broadphase_.mode() != Mode::predicting)
-        count_question();
-}
-
-// See begin_inquiry().
-[[gnu::noinline]] void dxPredictiveSpace::count_question()
-{
-    const std::unique_lock<std::recursive_mutex> hold(upkeep_, std::try_to_lock);
-    if (!hold)
-        return;
-    if (std::exchange(asked_at_, broadphase_.now()) != broadphase_.now())
-        questions_ = 0;
-    else if (questions_ < tuning::questions_worth_predictions)
-        ++questions_;
-    else
-        return;
-    if (questions_ < tuning::questions_worth_predictions)
-        return;
-    caught_up_ = false;
-    const bool is_asked = __atomic_load_n(&lock_count, __ATOMIC_SEQ_CST) > 1;
-    if (is_asked)
-        --questions_;
-    else
-        broadphase_.predict_all_waiting();
-    caught_up_ = is_asked;
-    catch_up("dSpaceCollide2");
-}
-
-// Left to the first ray that asks: geoms change at each tick, and few programs send rays at each tick.
+// Geoms change at each tick; rays are asked for now and then.
 [[gnu::noinline]] void dxPredictiveSpace::find_off_line()
 {
     const std::lock_guard<std::recursive_mutex> hold(upkeep_);
@@ -173,7 +161,7 @@ void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
     const FloatBox box = FloatBox::around(to_box(geom->aabb));
     if (!line)
     {
-        broadphase_.query(box, [&](ProxyId id) { found.push_back(id); });
+        broadphase_.walk(BoxProbe(box), [&](ProxyId id) { found.push_back(id); });
         return;
     }
     if (!lines_known_.load(std::memory_order_acquire))

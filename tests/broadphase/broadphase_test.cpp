@@ -102,15 +102,19 @@ private:
             return box(centre, 10 * half, displacement, false);
         case 2:
         case 3:
-        case 4:
             return box(centre, half, displacement, false);
+        case 4:
+            return block(centre, half, displacement, false);
         case 5:
         case 6:
+            return block(centre, half, displacement, true);
         case 7:
         case 8:
         case 9:
-        case 10:
             return box(centre, half, displacement, true);
+        case 10:
+        case 11:
+            return capsule(centre, 0.7 * size, 0.5 * size, displacement);
         default:
             return ball(centre, size, displacement);
         }
@@ -137,7 +141,7 @@ private:
     void surprise(ProxyId id)
     {
         Object &object = world_.object(id);
-        switch (random_.index(13))
+        switch (random_.index(14))
         {
         case 0:
             return world_.place(id, snapped(random_.vector(kind_.spread)));
@@ -149,22 +153,25 @@ private:
         case 4:
             return world_.remove(id);
         case 5:
-            // It turns: its box changes, its sphere does not.
-            if (std::isfinite(object.radius) && !object.is_sphere)
-                object.half = Vector3::Constant(object.radius / std::sqrt(3.0));
-            return world_.touch(id);
+            // Its box changes, its sphere does not.
+            if (object.half.allFinite())
+                world_.turn(id, random_.vector(1) + Vector3(1.5, 0, 0), random_.uniform(-3, 3));
+            return;
         case 6:
             object.half *= 1.25;
             object.radius *= 1.25;
-            return world_.touch(id);
+            world_.touch(id);
+            return;
         case 7:
             object.half *= 0.75;
             object.radius *= 0.75;
-            return world_.touch(id);
+            world_.touch(id);
+            return;
         case 8:
             // Its body tells a velocity that it does not have, or it loses its body.
             object.velocity = random_.chance(0.5) ? std::optional<Vector3>(random_.vector(10)) : std::nullopt;
-            return world_.touch(id);
+            world_.touch(id);
+            return;
         case 9:
             return lose(id);
         case 10:
@@ -172,16 +179,22 @@ private:
             // Without notice.
             object.enabled = !object.enabled;
             return;
+        case 12:
+            // As a geom with an offset, whose pose has to be computed first.
+            object.has_pose = !object.has_pose;
+            world_.touch(id);
+            return;
         default:
-            return world_.touch(id);
+            world_.touch(id);
+            return;
         }
     }
 
     void lose(ProxyId id)
     {
-        const double places[] = {nan, infinity, -infinity, 1e12, -1e20, 1e200};
+        const double places[] = {nan, infinity, -infinity, 1e12, -1e20, 1e200, 3e200, -1e39};
         Vector3 centre = world_.object(id).centre;
-        centre[static_cast<int>(random_.index(3))] = places[random_.index(6)];
+        centre[static_cast<int>(random_.index(3))] = places[random_.index(8)];
         // Most come back at once: the lost ones all overlap each other.
         world_.place(id, centre);
         if (random_.chance(0.7))
@@ -198,11 +211,12 @@ class AnyWorld : public testing::TestWithParam<Kind>
 
 TEST_P(AnyWorld, ReportsExactlyTheOverlappingPairsAtEveryTick)
 {
+    const int ticks = GetParam().objects > 100 ? 60 : 600; // brute force takes long
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
     {
         RandomProgram program(GetParam(), seed);
         World &world = program.world();
-        for (int tick = 0; tick < 600; ++tick)
+        for (int tick = 0; tick < ticks; ++tick)
         {
             if (tick > 0)
                 program.change_world();
@@ -211,7 +225,12 @@ TEST_P(AnyWorld, ReportsExactlyTheOverlappingPairsAtEveryTick)
             if (program.random().chance(0.05))
             {
                 world.broadphase.catch_up(world);
-                ASSERT_EQ(world.violated_invariant(), "") << "seed " << seed << ", caught up before tick " << tick;
+                ASSERT_EQ(world.misplaced_object(), "") << "seed " << seed << ", caught up before tick " << tick;
+                if (program.random().chance(0.5))
+                {
+                    world.broadphase.find_new_pairs(world);
+                    ASSERT_EQ(world.violated_invariant(), "") << "seed " << seed << ", before tick " << tick;
+                }
                 if (program.random().chance(0.5))
                     program.change_world();
             }
@@ -235,7 +254,7 @@ TEST_P(AnyWorld, AnswersQueriesBetweenTicks)
         const Vector3 centre = program.random().vector(GetParam().spread);
         const Box asked(centre - Vector3::Constant(0.2), centre + Vector3::Constant(0.2));
         std::vector<ProxyId> found;
-        world.broadphase.query(FloatBox::around(asked), [&](ProxyId id) { found.push_back(id); });
+        world.broadphase.walk(BoxProbe(FloatBox::around(asked)), [&](ProxyId id) { found.push_back(id); });
         std::sort(found.begin(), found.end());
         ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
         for (ProxyId id : world.members())
@@ -266,7 +285,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Kind{"calm", 40, 1, 0.005, 0.001, 0, 0}, Kind{"restless", 40, 1, 0.02, 0.02, 0.01, 0},
                     Kind{"crowded", 40, 0.3, 0.01, 0.005, 0, 0}, Kind{"sparse", 60, 4, 0.05, 0.005, 0.003, 0},
                     Kind{"touching", 60, 2, 0.25, 0.01, 0.002, 0.125}, Kind{"jumping", 40, 1, 0.01, 0.01, 0.5, 0},
-                    Kind{"tiny", 3, 0.2, 0.01, 0.02, 0.01, 0}),
+                    Kind{"tiny", 3, 0.2, 0.01, 0.02, 0.01, 0}, Kind{"many", 300, 2.3, 0.01, 0.005, 0.02, 0},
+                    Kind{"many_touching", 280, 3.5, 0.25, 0.01, 0.02, 0.125}),
     [](const auto &info) { return info.param.name; });
 
 TEST(Broadphase, WithoutObjectsNothingHappens)
@@ -278,6 +298,26 @@ TEST(Broadphase, WithoutObjectsNothingHappens)
     EXPECT_EQ(world.violated_invariant(), "");
 }
 
+TEST(Broadphase, ObjectsFartherAwayThanSinglePrecisionReachesAreApartIfTheyAre)
+{
+    World world;
+    for (double place : {1e200, 3e200, 1e200, -1e200, -2e39, -1e39, 1e39, infinity, nan})
+        world.add(ball({place, 0, 0}, 0.1, {0, 0, 0}));
+    EXPECT_EQ(sorted_pairs(world.tick()), world.overlapping());
+    EXPECT_EQ(world.violated_invariant(), "");
+}
+
+TEST(Broadphase, TheSmallestObjectsThatThereAreAreApartIfTheyAre)
+{
+    for (double size : {1e-37, 1e-38, 1e-39, 1e-45})
+    {
+        World world;
+        for (int i = 0; i < 5; ++i)
+            world.add(ball({2.01 * size * i, 0, 0}, size, {0, 0, 0}));
+        EXPECT_EQ(sorted_pairs(world.tick()), world.overlapping()) << size;
+    }
+}
+
 TEST(Broadphase, NumbersAreUsedAgain)
 {
     World world;
@@ -286,8 +326,7 @@ TEST(Broadphase, NumbersAreUsedAgain)
     EXPECT_EQ(world.tick().size(), 1u);
     world.remove(first);
     EXPECT_EQ(world.add(ball({50, 0, 0}, 1, {0, 0, 0})), first);
-    EXPECT_TRUE(world.report().empty()) << "the new object is not in the pair of the old one";
-    EXPECT_TRUE(world.tick().empty());
+    EXPECT_TRUE(world.tick().empty()) << "the new object is not in the pair of the old one";
     world.place(second, {51, 0, 0});
     EXPECT_EQ(world.tick().size(), 1u);
 }
@@ -301,15 +340,14 @@ TEST(Broadphase, AnObjectRemovedBeforeTheFirstTickIsInNoPair)
     EXPECT_EQ(world.violated_invariant(), "");
 }
 
-// A pair is scheduled once for each time of proximity; when one of its objects is predicted anew, the old event is stale.
-TEST(Broadphase, APairIsNearOrScheduledButNeverTwice)
+TEST(Broadphase, APairIsNearOnceAtMost)
 {
     World world;
     const ProxyId first = world.add(ball({0, 0, 0}, 0.1, {0.001, 0, 0}));
     world.add(ball({0.5, 0, 0}, 0.1, {-0.001, 0, 0}));
     for (int tick = 0; tick < 400; ++tick)
     {
-        ASSERT_LE(world.broadphase.near_pairs() + world.broadphase.scheduled_pairs(), 1u);
+        ASSERT_LE(world.broadphase.near_pairs(), 1u);
         if (tick % 10 == 5)
             world.broadphase.set_role(first, Role::fixed_environment);
         world.advance();
@@ -361,7 +399,7 @@ TEST(BroadphaseMemory, StaysFlatInAProgramWithoutReports)
     const std::size_t before = world.broadphase.bytes();
     ask(30000);
     EXPECT_LE(world.broadphase.bytes(), before + before / 2);
-    EXPECT_LE(world.broadphase.tested_pairs(), 10000u);
+    EXPECT_LE(world.broadphase.near_pairs(), 200u);
 }
 } // namespace
 } // namespace ode_predictive_space

@@ -41,13 +41,6 @@ public:
         tree_.build(leaves);
     }
 
-    void graft(const std::vector<SweptProxy> &leaves)
-    {
-        tree_.graft(leaves);
-        for (const SweptProxy &leaf : leaves)
-            boxes_[leaf.proxy] = leaf.box;
-    }
-
     bool contains(ProxyId proxy) const { return boxes_.count(proxy) == 1; }
     std::size_t size() const { return boxes_.size(); }
     const EnvelopeTree &tree() const { return tree_; }
@@ -101,17 +94,6 @@ void PrintTo(const Shape &shape, std::ostream *out)
 class AnyTree : public testing::TestWithParam<Shape>
 {};
 
-// None, one or many.
-void graft_absent(CheckedTree &checked, const Shape &shape, Random &random)
-{
-    std::vector<SweptProxy> leaves;
-    const std::size_t most = random.index(shape.proxies);
-    for (ProxyId proxy = 0; proxy < shape.proxies && leaves.size() < most; ++proxy)
-        if (!checked.contains(proxy))
-            leaves.push_back({proxy, random.box(shape.spread, shape.size)});
-    checked.graft(leaves);
-}
-
 TEST_P(AnyTree, AnswersAsBruteForceDoesAfterEveryChange)
 {
     const Shape shape = GetParam();
@@ -123,8 +105,6 @@ TEST_P(AnyTree, AnswersAsBruteForceDoesAfterEveryChange)
         const FloatBox box = random.box(shape.spread, shape.size);
         if (random.chance(0.003))
             checked.rebuild();
-        else if (random.chance(0.01))
-            graft_absent(checked, shape, random);
         else if (!checked.contains(proxy))
             checked.insert(proxy, box);
         else if (random.chance(0.5))
@@ -145,32 +125,6 @@ INSTANTIATE_TEST_SUITE_P(EnvelopeTree, AnyTree,
                                          Shape{"crowded", 0.1, 1, 200}, Shape{"huge", 1e14, 1e12, 200},
                                          Shape{"points", 1, 0, 200}, Shape{"all_in_one_point", 0, 0, 200}),
                          [](const auto &info) { return info.param.name; });
-
-TEST(EnvelopeTree, IsNotMuchDeeperForBeingMadeOfSlabs)
-{
-    Random random(5);
-    CheckedTree in_slabs, at_once;
-    constexpr ProxyId slabs = 16, in_each = 200;
-    for (ProxyId slab = 0; slab < slabs; ++slab)
-    {
-        std::vector<SweptProxy> leaves;
-        for (ProxyId i = 0; i < in_each; ++i)
-        {
-            FloatBox box = random.box(8, 0.5);
-            box.low[0] = static_cast<float>(slab + random.uniform(0, 1));
-            box.high[0] = box.low[0] + 0.5f;
-            leaves.push_back({slab * in_each + i, box});
-        }
-        in_slabs.graft(leaves);
-        for (const SweptProxy &leaf : leaves)
-            at_once.insert(leaf.proxy, leaf.box);
-        ASSERT_NO_FATAL_FAILURE(in_slabs.expect_consistent());
-    }
-    at_once.rebuild();
-    EXPECT_EQ(in_slabs.size(), slabs * in_each);
-    EXPECT_LE(in_slabs.tree().depth(), at_once.tree().depth() + 6);
-    in_slabs.expect_all_found();
-}
 
 TEST(EnvelopeTree, IsEmptyAtFirst)
 {
@@ -332,9 +286,9 @@ TEST(EnvelopeTree, APrefetchChangesNothing)
         for (ProxyId proxy = 0; proxy < count; ++proxy)
             checked.insert(2 * proxy, random.box(1, 0.01));
         const int depth = checked.tree().depth();
-        std::vector<SweptProxy> batch;
+        std::vector<ProxyId> batch;
         for (ProxyId proxy = 0; proxy < 4 * count + 4; proxy += 3)
-            batch.push_back({proxy, random.box(1, 0.01)});
+            batch.push_back(proxy);
         checked.tree().prefetch_for_update(batch);
         EXPECT_EQ(checked.tree().depth(), depth);
         ASSERT_NO_FATAL_FAILURE(checked.expect_consistent());

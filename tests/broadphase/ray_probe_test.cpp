@@ -33,7 +33,7 @@ bool line_meets(const Vector3 &start, const Vector3 &end, const FloatBox &box, l
     return enter <= leave;
 }
 
-struct Place
+struct Region
 {
     const char *name;
     double offset; // from the origin
@@ -41,17 +41,17 @@ struct Place
     double size;   // of the boxes, at most
 };
 
-void PrintTo(const Place &place, std::ostream *out)
+void PrintTo(const Region &place, std::ostream *out)
 {
     *out << place.name;
 }
 
-class AnyRay : public testing::TestWithParam<Place>
+class AnyRay : public testing::TestWithParam<Region>
 {};
 
 TEST_P(AnyRay, MeetsWhateverClippingMeetsAndHardlyMore)
 {
-    const Place place = GetParam();
+    const Region place = GetParam();
     Random random(5);
     const Vector3 origin = place.offset * Vector3(1, -0.7, 0.3);
     const double margin = 8e-6 * (place.offset + place.length + place.size) + 1e-30;
@@ -83,9 +83,9 @@ TEST_P(AnyRay, MeetsWhateverClippingMeetsAndHardlyMore)
 }
 
 INSTANTIATE_TEST_SUITE_P(RayProbe, AnyRay,
-                         testing::Values(Place{"near", 0, 1, 1}, Place{"long", 0, 100, 20}, Place{"far", 1e6, 100, 50},
-                                         Place{"very_far", 1e12, 1e9, 1e9}, Place{"tiny", 0, 1e-12, 1e-12},
-                                         Place{"huge", 0, 1e14, 5e13}),
+                         testing::Values(Region{"near", 0, 1, 1}, Region{"long", 0, 100, 20}, Region{"far", 1e6, 100, 50},
+                                         Region{"very_far", 1e12, 1e9, 1e9}, Region{"tiny", 0, 1e-12, 1e-12},
+                                         Region{"huge", 0, 1e14, 5e13}),
                          [](const auto &info) { return info.param.name; });
 
 TEST(RayProbe, TouchingIsMeeting)

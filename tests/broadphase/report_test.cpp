@@ -5,202 +5,200 @@
 #include <gtest/gtest.h>
 
 #include "tests/broadphase/support/numbers.h"
-#include "tests/broadphase/support/verification.h"
+#include "tests/broadphase/support/world.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
-// An object at the moment at which its move is reported.
-struct JustMoved
+enum class Watched
 {
-    Vector3 centre = Vector3::Zero();
-    double radius = 1;
-    std::uint32_t pose = 1;
-    mutable int sizes_asked = 0;
-    bool pose_is_known = true;
-    bool turns_about_centre = true;
-    bool has_room = true; // to remember its pose
-    bool watched = true;
-    mutable double remembered_radius = 0;
-    mutable std::uint32_t remembered_pose = 0;
-    mutable Vector3 remembered_centre = Vector3::Zero();
-
-    bool has_pose() const { return pose_is_known; }
-    bool is_watched() const { return watched; }
-    std::uint32_t pose_digest() const { return 4 * (pose % 1000); } // others may have the same
-    bool remember(ProxyId) const
-    {
-        remembered_radius = radius;
-        remembered_pose = pose;
-        remembered_centre = centre;
-        return has_room;
-    }
-    bool is_as_remembered(ProxyId) const
-    {
-        return pose == remembered_pose && radius == remembered_radius && centre == remembered_centre;
-    }
-    bool has_centre() const { return pose_is_known && turns_about_centre; }
-    const double *coordinates() const { return centre.data(); }
-    bool has_grown(float allowed) const
-    {
-        ++sizes_asked;
-        return !(radius <= allowed);
-    }
+    alone,        ///< by its centre
+    near_another, ///< by its bounding box
 };
 
-TEST(ReportOfAMove, HoldsWhileTheCentreIsNearItsPath)
+// An object that is reported again and again.
+class ReportOfAMove : public testing::TestWithParam<Watched>
 {
-    ProxyStore store;
-    add_proxy(store, straight, some, 1, 100, 50);
-    Verification verification(store);
-    JustMoved object;
-    object.centre = straight.at(10);
-    EXPECT_TRUE(verification.report_settles(store, object, 110));
-    EXPECT_FALSE(verification.report_settles(store, object, 130)) << "it should be elsewhere by then";
-    object.centre.z() += 2;
-    EXPECT_FALSE(verification.report_settles(store, object, 110));
-    object.centre.z() = nan;
-    EXPECT_FALSE(verification.report_settles(store, object, 110));
-}
-
-TEST(ReportOfAMove, LooksAtTheSizeWhenThePoseIsTheSameOrNotKnown)
-{
-    ProxyStore store;
-    add_proxy(store, straight, some, 1, 100, 50);
-    Verification verification(store);
-    JustMoved object;
-    object.centre = straight.at(10);
-    EXPECT_TRUE(verification.report_settles(store, object, 110));
-    EXPECT_EQ(object.sizes_asked, 1) << "the pose before is not known";
-    object.pose = 2;
-    EXPECT_TRUE(verification.report_settles(store, object, 110));
-    EXPECT_EQ(object.sizes_asked, 1) << "only the pose has changed";
-    object.radius = 2;
-    EXPECT_FALSE(verification.report_settles(store, object, 110)) << "the pose is the same: the size has changed";
-}
-
-TEST(ReportOfAMove, LeavesDoubtWhereItTakesACloserLook)
-{
-    ProxyStore store;
-    add_proxy(store, straight, some, 1, 100, 50);
-    Verification verification(store);
-    JustMoved object;
-    object.centre = straight.at(10);
-    object.pose_is_known = false;
-    EXPECT_FALSE(verification.report_settles(store, object, 110)) << "the position has to be computed first";
-    object.pose_is_known = true;
-    object.turns_about_centre = false;
-    EXPECT_FALSE(verification.report_settles(store, object, 110)) << "its sphere may turn about another point";
-    object.turns_about_centre = true;
-    object.pose_is_known = false;
-    EXPECT_FALSE(verification.report_settles(store, object, 110));
-    object.pose_is_known = true;
-    object.pose = 7;
-    object.radius = 2;
-    EXPECT_FALSE(verification.report_settles(store, object, 110)) << "the pose before is not known";
-    check_by_bounds(store, 0);
-    store.stamps[0] = Stamp{};
-    object.radius = 1;
-    EXPECT_FALSE(verification.report_settles(store, object, 110)) << "it is checked by its bounds";
-}
-
-// Reports of one object, one after the other.
-class Reports
-{
-public:
-    bool is_move(const JustMoved &object)
+protected:
+    ProxyId add(const Object &object)
     {
-        const bool result = verification_.verifier.report_move(store_, 0, object, 110);
-        EXPECT_EQ(verification_.verifier.collect_moves().contains(0), result);
-        verification_.verifier.clear_moves();
+        const ProxyId id = world.add(object);
+        if (GetParam() == Watched::near_another)
+            world.add(object);
+        for (int tick = 0; tick < 3; ++tick)
+        {
+            world.tick();
+            world.advance();
+        }
+        world.tick();
+        return id;
+    }
+
+    // Is the report enough without a closer look?
+    bool settles(ProxyId id)
+    {
+        return world.broadphase.report_at_once(id, Noticed(world.object(id))) == Followed::moved;
+    }
+
+    // The same, and all is up to date afterwards.
+    bool counts_in_tick(ProxyId id)
+    {
+        const std::uint64_t before = world.broadphase.counters().moved;
+        const bool result = world.touch(id);
+        EXPECT_EQ(sorted_pairs(world.tick()), world.overlapping());
+        EXPECT_EQ(world.violated_invariant(), "");
+        EXPECT_EQ(world.broadphase.counters().moved - before, result ? 1u : 0u);
         return result;
     }
 
-private:
-    static ProxyStore store_of_one()
+    static std::vector<Object> solids()
     {
-        ProxyStore store;
-        add_proxy(store, straight, some, 1, 100, 50);
-        return store;
+        return {ball({0, 0, 0}, 0.1, {0.0005, 0, 0}), capsule({0, 0, 0}, 0.1, 0.2, {0.0005, 0, 0}),
+                box({0, 0, 0}, {0.1, 0.2, 0.3}, {0.0005, 0, 0}, true)};
     }
 
-    ProxyStore store_ = store_of_one();
-    Verification verification_{store_};
+    World world;
 };
 
-TEST(ReportOfAMove, IsNoneWhenNothingHasChanged)
+std::string name_of_watch(const testing::TestParamInfo<Watched> &info)
 {
-    Reports reports;
-    JustMoved object;
-    object.centre = straight.at(10);
-    EXPECT_TRUE(reports.is_move(object));
-    EXPECT_TRUE(reports.is_move(object)) << "the digest is the same, but it is not known whether the pose is";
-    for (int i = 0; i < 3; ++i)
-        EXPECT_FALSE(reports.is_move(object));
-    object.radius = 0.5;
-    EXPECT_TRUE(reports.is_move(object)) << "the size has changed";
-    EXPECT_FALSE(reports.is_move(object));
-    object.pose = 1001;
-    EXPECT_TRUE(reports.is_move(object)) << "another pose with the same digest";
-    EXPECT_FALSE(reports.is_move(object));
+    return info.param == Watched::alone ? "alone" : "near_another";
 }
 
-// Between two equal poses with the same digest there was another one: what was remembered is older.
-TEST(ReportOfAMove, IsComparedWithTheLastReportOnly)
+INSTANTIATE_TEST_SUITE_P(Watched, ReportOfAMove, testing::Values(Watched::alone, Watched::near_another), name_of_watch);
+
+TEST_P(ReportOfAMove, IsEnoughWhileTheObjectIsInItsEnvelope)
 {
-    Reports reports;
-    JustMoved object;
-    object.centre = straight.at(10);
-    for (int i = 0; i < 3; ++i)
-        reports.is_move(object);
-    object.pose = 2;
-    EXPECT_TRUE(reports.is_move(object));
-    object.pose = 1001;
-    EXPECT_TRUE(reports.is_move(object));
-    object.pose = 1;
-    EXPECT_TRUE(reports.is_move(object)) << "it was at 1001 a moment ago, whose digest is that of 1";
+    for (const Object &solid : solids())
+    {
+        const ProxyId id = add(solid);
+        const Watch watch = world.broadphase.proxies().places[id].watch();
+        EXPECT_EQ(watch, GetParam() == Watched::alone ? Watch::centre : solid.formula);
+        world.object(id).centre.x() += 0.0005;
+        EXPECT_TRUE(settles(id));
+        world.object(id).centre.x() += 100;
+        EXPECT_FALSE(settles(id));
+        world.object(id).centre.x() = nan;
+        EXPECT_FALSE(settles(id));
+        for (ProxyId member : world.members())
+            world.remove(member);
+    }
 }
 
-TEST(ReportOfAMove, CountsAlwaysWithoutRoomToRemember)
+TEST_P(ReportOfAMove, IsNotEnoughWithoutAPoseOrAFormula)
 {
-    Reports reports;
-    JustMoved object;
-    object.centre = straight.at(10);
-    object.has_room = false;
+    for (Object object : solids())
+    {
+        object.has_pose = false;
+        const ProxyId id = add(object);
+        world.object(id).centre.x() += 0.0005;
+        EXPECT_FALSE(settles(id)) << "the position has to be computed first";
+    }
+}
+
+TEST_P(ReportOfAMove, IsNoneWhenNothingHasChanged)
+{
+    for (const Object &solid : solids())
+    {
+        const ProxyId id = add(solid);
+        for (int i = 0; i < 3; ++i)
+            EXPECT_FALSE(counts_in_tick(id));
+        world.object(id).centre.x() += 0.0005;
+        EXPECT_TRUE(counts_in_tick(id));
+        for (int i = 0; i < 3; ++i)
+            EXPECT_FALSE(counts_in_tick(id));
+    }
+}
+
+// Each change has its report: this one has the same pose as the last.
+TEST_P(ReportOfAMove, CountsWhenTheSizeHasChangedAndThePoseHasNot)
+{
+    for (const Object &solid : solids())
+        for (double factor : {1.5, 1.0001})
+        {
+            const ProxyId id = add(solid);
+            world.object(id).centre.x() += 0.0005;
+            EXPECT_TRUE(world.touch(id));
+            world.object(id).half *= factor;
+            world.object(id).radius *= factor;
+            EXPECT_TRUE(counts_in_tick(id));
+            EXPECT_FALSE(counts_in_tick(id));
+        }
+}
+
+TEST_P(ReportOfAMove, AnObjectThatGrowsMeetsItsNeighbour)
+{
+    for (const Object &solid : solids())
+    {
+        const ProxyId id = add(solid);
+        Object other = solid;
+        other.centre = {0, 0, 5};
+        world.add(other);
+        world.tick();
+        world.object(id).half *= 100;
+        world.object(id).radius *= 100;
+        world.touch(id);
+        EXPECT_EQ(sorted_pairs(world.tick()), world.overlapping());
+        EXPECT_EQ(world.violated_invariant(), "");
+    }
+}
+
+// Single precision does not tell these from no move; the pairs must.
+TEST_P(ReportOfAMove, AMoveThatSinglePrecisionDoesNotTellIsSeenByThePairs)
+{
+    const ProxyId one = add(box({0, 0, 0}, {0.5, 0.5, 0.5}, {0, 0, 0}, true));
+    const ProxyId other = world.add(box({1 + 1e-12, 0, 0}, {0.5, 0.5, 0.5}, {0, 0, 0}, true));
+    const auto touches = [&] {
+        const Pairs pairs = sorted_pairs(world.tick());
+        EXPECT_EQ(pairs, world.overlapping());
+        return std::find(pairs.begin(), pairs.end(), std::make_pair(one, other)) != pairs.end();
+    };
+    EXPECT_FALSE(touches());
+    for (int i = 0; i < 100; ++i)
+    {
+        // Now and then the pair comes to rest.
+        world.object(other).centre.x() = i % 2 ? 1 + 1e-12 : 1 - 1e-12;
+        EXPECT_EQ(world.touch(other), i % 10 == 1) << "after a rest it is not known how it was";
+        EXPECT_EQ(touches(), i % 2 == 0);
+        for (int pause = i % 10 == 0 ? 100 : 0; pause > 0; --pause)
+            EXPECT_EQ(touches(), i % 2 == 0);
+    }
+}
+
+TEST_P(ReportOfAMove, CountsAlwaysWithoutAFormula)
+{
+    const ProxyId id = add(block({0, 0, 0}, {0.1, 0.1, 0.1}, {0, 0, 0}, false));
     for (int i = 0; i < 5; ++i)
-        EXPECT_TRUE(reports.is_move(object));
+        EXPECT_TRUE(counts_in_tick(id));
 }
 
-TEST(ReportOfAMove, CountsAlwaysWithoutAPose)
+TEST_P(ReportOfAMove, CountsAlwaysWithoutAPose)
 {
-    Reports reports;
-    JustMoved object;
-    object.centre = straight.at(10);
-    object.pose_is_known = false;
+    Object object = ball({0, 0, 0}, 0.1, {0, 0, 0});
+    object.has_pose = false;
+    const ProxyId id = add(object);
     for (int i = 0; i < 5; ++i)
-        EXPECT_TRUE(reports.is_move(object));
+        EXPECT_TRUE(counts_in_tick(id));
 }
 
-// While poses are not compared, an object without a centre may go anywhere and return.
-TEST(ReportOfAMove, CountsAfterATimeInWhichPosesWereNotWatched)
+// A box that turns about its centre, in an envelope that holds it however it turns.
+TEST_P(ReportOfAMove, WhatTurnsMeetsWhatItTurnsTo)
 {
-    Reports reports;
-    JustMoved object;
-    object.turns_about_centre = false;
-    for (int i = 0; i < 3; ++i)
-        reports.is_move(object);
-    EXPECT_FALSE(reports.is_move(object));
-    object.watched = false;
-    EXPECT_FALSE(reports.is_move(object)) << "it is known still";
-    object.pose = 2;
-    EXPECT_TRUE(reports.is_move(object));
-    EXPECT_TRUE(reports.is_move(object));
-    object.pose = 1001;
-    EXPECT_TRUE(reports.is_move(object));
-    object.watched = true;
-    object.pose = 1;
-    EXPECT_TRUE(reports.is_move(object));
+    const ProxyId bar = add(box({0, 0, 0}, {1, 0.01, 0.01}, {0, 0, 0}, true));
+    const ProxyId above = world.add(ball({0, 0.9, 0}, 0.05, {0, 0, 0}));
+    EXPECT_EQ(sorted_pairs(world.tick()), world.overlapping());
+    for (int i = 0; i < 100; ++i)
+    {
+        world.turn(bar, {0, 0, 1}, 0.05 * i);
+        const Pairs pairs = sorted_pairs(world.tick());
+        ASSERT_EQ(pairs, world.overlapping()) << i;
+        ASSERT_EQ(world.violated_invariant(), "");
+        if (i == 30)
+        {
+            EXPECT_TRUE(std::binary_search(pairs.begin(), pairs.end(), std::make_pair(bar, above)));
+        }
+    }
 }
 } // namespace
 } // namespace ode_predictive_space

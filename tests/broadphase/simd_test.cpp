@@ -162,9 +162,18 @@ TEST(Float4, AComparisonGivesABitForEachLaneAndIsFalseForNaN)
     expect_compared([](Float4 a, Float4 b) { return a <= b; }, [](float a, float b) { return a <= b; });
     expect_compared([](Float4 a, Float4 b) { return a > b; }, [](float a, float b) { return a > b; });
     expect_compared([](Float4 a, Float4 b) { return a >= b; }, [](float a, float b) { return a >= b; });
+    expect_compared([](Float4 a, Float4 b) { return a == b; }, [](float a, float b) { return a == b; });
     expect_compared([](Float4 a, Float4 b) { return (a <= b) & (a >= b); }, [](float a, float b) { return a == b; });
+    expect_compared([](Float4 a, Float4 b) { return (a < b) | (a > b); },
+                    [](float a, float b) { return a < b || a > b; });
     EXPECT_EQ((Float4(0, 1, 2, 3) < Float4::all(3)).bits(), three_lanes);
     EXPECT_EQ((Float4(0, 1, 2, 3) <= Float4::all(3)).bits(), four_lanes);
+}
+
+TEST(Float4, WhatIsNotFiniteBecomesZero)
+{
+    expect_lane_by_lane([](Float4 a, Float4) { return finite_or_zero(a); },
+                        [](float a, float) { return std::isfinite(a) ? a : 0.0f; });
 }
 
 TEST(Float4, LoadsAndStoresWhatItHolds)
@@ -231,6 +240,19 @@ TEST(Float4, RoundsDoublesToTheNearestFloat)
         expect_same(lanes_of(Float4::nearest(a.data())), expected);
         expect_same(lanes_of(Float4::nearest_of_stored(a.data(), 1)), expected);
         expect_same(lanes_of(Float4::nearest_of_stored(spread, 2)), expected);
+        ASSERT_FALSE(HasFailure()) << i;
+    }
+}
+
+TEST(Float4, TakesFloatsThatAreSpreadAsTheyAre)
+{
+    Random random(12);
+    for (int i = 0; i < rounds; ++i)
+    {
+        const Four a = four(random);
+        const float spread[] = {a[0], 9, 9, 9, a[1], 9, 9, 9, a[2]};
+        expect_same(lanes_of(Float4::nearest_of_stored(a.data(), 1)), {a[0], a[1], a[2], 0});
+        expect_same(lanes_of(Float4::nearest_of_stored(spread, 4)), {a[0], a[1], a[2], 0});
         ASSERT_FALSE(HasFailure()) << i;
     }
 }

@@ -21,17 +21,15 @@ enum class Order
     shuffled
 };
 
-// Many objects, in contact or far apart, in any mode.
+// Many objects, in contact or far apart.
 class Trim : public testing::TestWithParam<Order>
 {
 protected:
     Trim() : random(static_cast<std::uint64_t>(GetParam()) + 1) {}
 
-    void add_objects(bool predicted, double spread)
+    void add_objects(double spread)
     {
         world.broadphase = Broadphase();
-        if (predicted)
-            world.broadphase.want_predictions();
         for (std::size_t i = 0; i < count; ++i)
         {
             Object object = i % 3 == 0 ? box(random.vector(spread), {0.1, 0.08, 0.05}, random.vector(0.001), false)
@@ -79,22 +77,21 @@ INSTANTIATE_TEST_SUITE_P(Removed, Trim, testing::Values(Order::ascending, Order:
 
 TEST_P(Trim, TheMemoryOfAllObjectsIsGivenBack)
 {
-    for (bool predicted : {true, false})
-        for (int ticks : {0, 1, 3, 30})
-        {
-            add_objects(predicted, 8);
-            run(ticks);
-            const std::size_t full = bytes();
-            EXPECT_GT(full, 100 * count);
-            remove_all_but(0);
-            EXPECT_LT(bytes(), 64u * 1024) << "of " << full << " after " << ticks << " ticks";
-            EXPECT_EQ(world.violated_invariant(), "");
-        }
+    for (int ticks : {0, 1, 3, 30})
+    {
+        add_objects(8);
+        run(ticks);
+        const std::size_t full = bytes();
+        EXPECT_GT(full, 100 * count);
+        remove_all_but(0);
+        EXPECT_LT(bytes(), 64u * 1024) << "of " << full << " after " << ticks << " ticks";
+        EXPECT_EQ(world.violated_invariant(), "");
+    }
 }
 
 TEST_P(Trim, AFewObjectsThatAreLeftKeepTheirPairs)
 {
-    add_objects(true, 2);
+    add_objects(2);
     run(3);
     const std::size_t full = bytes();
     remove_all_but(100);

@@ -168,6 +168,20 @@ TEST_F(Contract, 13_ExtremeGeomsInNestedSpaces)
     }
 }
 
+// The sides of their boxes are beyond single precision, where they would seem to overlap.
+TEST_F(Contract, 13_SizesBeyondSinglePrecision)
+{
+    for (const dReal radius : {1e39, 1e300})
+        expect_as_simple([radius](Scenario &scene) {
+            if (!(radius < dInfinity))
+                return;
+            for (const dReal x : {0.0, 1.9, 4.0, 7.0})
+                scene.sphere(radius, x * radius, 0, 0);
+            scene.tick();
+            scene.tick();
+        });
+}
+
 TEST_F(Contract, 13_NothingIsLeftOutBySpheresForWantOfANumber)
 {
     for (dReal extreme : extremes)

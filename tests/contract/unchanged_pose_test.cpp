@@ -1,4 +1,5 @@
-// Programs that set every pose before every collide: a pose that did not change is no move.
+// Programs that set every pose before every collide: a pose that did not change is no move. For spheres, boxes and capsules the
+// space tells by their bounding boxes in single precision; the geoms of other classes always count.
 
 #include <cmath>
 #include <functional>
@@ -35,7 +36,6 @@ void set_again(dGeomID geom)
     dGeomSetPosition(geom, position[0], position[1], position[2]);
 }
 
-// A pose must come twice before it is kept, and once more after each prediction of its geom; and the scene is swept at first.
 constexpr int repetitions_until_known = 40;
 
 class Setting
@@ -80,7 +80,7 @@ private:
     std::vector<dGeomID> geoms_;
 };
 
-TEST_F(UnchangedPose, CountsAsNoMoveAndPassesNoTime)
+TEST_F(UnchangedPose, CountsAsNoMove)
 {
     Setting setting;
     setting.make_known();
@@ -89,42 +89,77 @@ TEST_F(UnchangedPose, CountsAsNoMoveAndPassesNoTime)
     for (int tick = 0; tick < 50; ++tick)
         EXPECT_FALSE(setting.set_all_and_collide().empty());
     const dPredictiveSpaceStats after = stats(setting.space());
-    EXPECT_EQ(after.moved, before.moved);
-    EXPECT_EQ(after.verified, before.verified);
+    // Pairs of what does not move come to rest now and then, and the next notice of an object at rest counts.
+    const std::size_t cylinders = 3, others = setting.geoms().size() - cylinders;
+    const unsigned long moved = after.moved - before.moved, rests = 2;
+    EXPECT_GE(moved, 50 * cylinders);
+    EXPECT_LE(moved, 50 * cylinders + rests * others);
     EXPECT_EQ(after.repredictions, before.repredictions);
     EXPECT_EQ(after.scans, before.scans);
-    EXPECT_EQ(unchanged(setting.space()) - known, 50 * setting.geoms().size());
+    EXPECT_EQ(moved + unchanged(setting.space()) - known, 50 * setting.geoms().size());
+}
+
+void turn(dGeomID geom, dReal x, dReal y, dReal z)
+{
+    dMatrix3 turned;
+    dRFromAxisAndAngle(turned, x, y, z, 0.5);
+    dGeomSetRotation(geom, turned);
 }
 
 TEST_F(UnchangedPose, EveryRealChangeIsNoticed)
 {
-    const std::vector<std::function<void(dGeomID)>> changes{
-        [](dGeomID geom) { dGeomSetPosition(geom, 100, std::nextafter(0.1, 1.0), 0); },
-        [](dGeomID geom) { dGeomSetPosition(geom, 100, 50, 0); },
-        [](dGeomID geom) {
-            dMatrix3 turned;
-            dRFromAxisAndAngle(turned, 1, 2, 3, 0.5);
-            dGeomSetRotation(geom, turned);
-        },
-        [](dGeomID geom) {
-            dMatrix3 turned; // about the first axis: the digest of the pose stays the same
-            dRFromAxisAndAngle(turned, 1, 0, 0, 0.5);
-            dGeomSetRotation(geom, turned);
-        },
+    struct Change
+    {
+        std::function<void(dGeomID)> make;
+        bool of_spheres; // too
     };
-    for (const auto &change : changes)
+    const std::vector<Change> changes{
+        {[](dGeomID geom) { dGeomSetPosition(geom, 100, std::nextafter(0.1, 1.0), 0); }, true},
+        {[](dGeomID geom) { dGeomSetPosition(geom, 100, 50, 0); }, true},
+        {[](dGeomID geom) { turn(geom, 1, 2, 3); }, false},
+        {[](dGeomID geom) { turn(geom, 1, 0, 0); }, false},
+    };
+    for (const Change &change : changes)
     {
         Setting setting;
         setting.make_known();
         for (dGeomID geom : setting.geoms())
         {
             const dPredictiveSpaceStats before = stats(setting.space());
-            change(geom);
+            change.make(geom);
             collide(setting.space());
-            EXPECT_EQ(stats(setting.space()).moved, before.moved + 1);
+            const bool moves = change.of_spheres || dGeomGetClass(geom) != dSphereClass;
+            EXPECT_EQ(stats(setting.space()).moved, before.moved + moves);
             EXPECT_EQ(dPredictiveSpaceValidate(setting.space()), 1);
         }
     }
+}
+
+// The bounding boxes in single precision are the same, so that it does not count. The pairs are those of double precision.
+TEST_F(UnchangedPose, AMoveThatSinglePrecisionDoesNotTellIsSeenByThePairs)
+{
+    if (sizeof(dReal) == sizeof(float))
+        GTEST_SKIP() << "there is none";
+    dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    dGeomID one = number_geom(dCreateBox(space, 1, 1, 1), 0), other = number_geom(dCreateBox(space, 1, 1, 1), 1);
+    dGeomSetPosition(one, 0, 0, 0);
+    dGeomSetPosition(other, 2, 0, 0);
+    collide(space);
+    dGeomSetPosition(other, 1 + 1e-12, 0, 0);
+    EXPECT_TRUE(collide(space).empty());
+    const unsigned long moved = stats(space).moved;
+    for (int i = 0; i < 200; ++i)
+    {
+        dGeomSetPosition(other, i % 2 ? 1 + 1e-12 : 1 - 1e-12, 0, 0);
+        EXPECT_EQ(collide(space).size(), i % 2 ? 0u : 1u) << i;
+    }
+    EXPECT_LT(stats(space).moved, moved + 10) << "after rests alone";
+    // At rest.
+    for (int i = 0; i < 200; ++i)
+        EXPECT_TRUE(collide(space).empty());
+    dGeomSetPosition(other, 1 - 1e-12, 0, 0);
+    EXPECT_EQ(collide(space).size(), 1u);
+    dSpaceDestroy(space);
 }
 
 TEST_F(UnchangedPose, ASizeThatChangesIsNoticed)

@@ -7,7 +7,7 @@ of all suites. A fault with a text in `equivalent` changes nothing that a progra
 
 import dataclasses
 
-STAGES = ("verify", "predict", "index", "schedule", "near", "shapes", "sweep", "space")
+STAGES = ("notices", "predict", "index", "proximity", "near", "shapes", "sweep", "space")
 SOURCES = "ode_predictive_space/"
 BROADPHASE = SOURCES + "broadphase/"
 
@@ -28,85 +28,99 @@ class Fault:
     equivalent: str = ""
 
 
-def verify_faults():
-    verifier = BROADPHASE + "verify/verifier.cpp"
+def notice_faults():
+    place = BROADPHASE + "objects/place.h"
+    entry = BROADPHASE + "broadphase.h"
+    tick = BROADPHASE + "broadphase.cpp"
+    places = (("broadphase", "Place.*"),)
+    reports = (("broadphase", "*ReportOfAMove.*:*AnyWorld*"),)
     yield Fault(
-        "skip_verify", "verify", verifier,
-        "if (!holds || has_stopped(moved_, id, now.now))", "if (check == Check::none || has_stopped(moved_, id, now.now))",
-        (("broadphase", "Verifier.*:Tick.*:Resting.*:*AnyWorld*"),))
+        "tight_box_without_margin", "notices", place,
+        "half + ((abs(centre) + half) * Float4::all(unit) + Float4::all(least));", "half;", places)
     yield Fault(
-        "ignored_growth", "verify", verifier,
-        "return location.squared_radius <= radius * radius && centre_inside",
-        "return (radius >= 0) & centre_inside",
-        (("broadphase", "Verifier.*"), ("contract", "Notice.*:*GrowsWhileFarAndMoving*")))
+        "turn_about_z_ignored", "notices", place,
+        "abs(Float4::nearest_of_stored(rotation + 1, 4)) * Float4::all(half_y_))", "Float4::all(half_y_))", places)
     yield Fault(
-        "ignored_stop", "verify", verifier,
-        "stopped = now.time_passed ? now.moving.word(i) & ~moved_.word(i) & included : 0", "stopped = 0",
-        (("broadphase", "Tick.*:*AnyWorld*"), ("contract", "Notice.*")))
+        "capsule_without_its_radius", "notices", place, "return along_z + Float4::all(half_x_);", "return along_z;", places)
     yield Fault(
-        "trusted_at_another_tick", "verify", verifier,
-        "(now.as_expected ? doubtful_.word(i) & included : moved) | stopped",
-        "(doubtful_.word(i) & moved) | stopped",
-        (("broadphase", "Tick.*:*AnyWorld*"), ("contract", "Notice.*")))
+        "centre_allowed_up_to_the_envelope", "notices", place,
+        "const Float4 kept = Float4::all(radius) + (", "const Float4 kept = Float4::all(0) + (", places)
     yield Fault(
-        "unbounded_trusted", "verify", verifier,
-        "return !record.placement.unbounded && (surely_inside", "return (surely_inside", (("broadphase", "Verifier.*"),))
+        "rounding_of_centres_forgotten", "notices", place,
+        "const Float4 kept = Float4::all(radius) + ((abs(low()) + abs(high())) + Float4::all(radius)) * Float4::all(unit) +\n"
+        "                        Float4::all(std::numeric_limits<float>::min());",
+        "const Float4 kept = Float4::all(radius);\n    (void)unit;", places)
     yield Fault(
-        "one_side_of_the_bounds", "verify", BROADPHASE + "verify/checks.h",
-        "return box.inside(low + rounding, high - rounding) && !record.placement.unbounded;",
-        "return box.inside(low + rounding, high + high - low) && !record.placement.unbounded;",
-        (("contract", "Notice.*:EveryPlaceableClass*"), HISTORIES))
+        "one_side_of_the_envelope", "notices", place,
+        "return (((inner_low >= low()) & (inner_high <= high())).bits() & three_lanes) == three_lanes;",
+        "return ((inner_low >= low()).bits() & three_lanes) == three_lanes && inner_high.first() < infinity;", places)
     yield Fault(
-        "repeated_pose_trusted", "verify", BROADPHASE + "verify/verifier.h",
-        "if (repeated && stamp.is_kept() && object.is_as_remembered(id))", "if (repeated && stamp.is_kept())",
-        (("contract", "UnchangedPose.*"),))
+        "repeated_box_taken_for_a_move", "notices", place, "return outcome(holds(box.low, box.high), changed);",
+        "return outcome(holds(box.low, box.high), changed || true);", reports + places)
     yield Fault(
-        "lost_notices", "verify", BROADPHASE + "verify/notice_board.h",
-        "first < per_word; first += 16", "first + 16 < per_word; first += 16", (("contract", "Contract.01_*:Notice.*"),))
+        "repeated_centre_taken_for_a_move", "notices", place,
+        "return outcome((allowed.bits() & three_lanes) == three_lanes, changed);",
+        "return outcome((allowed.bits() & three_lanes) == three_lanes, changed || true);", reports + places)
     yield Fault(
-        "enabled_unnoticed", "verify", BROADPHASE + "broadphase.cpp",
-        "idle_.drop_enabled(scene, [this](ProxyId id) { predictor_.request(id); });",
+        "digest_of_one_coordinate", "notices", place, "centre * Float4(1, 1.3717f, 1.7391f, 0)", "centre * Float4(1, 0, 0, 0)",
+        (("broadphase", "*ReportOfAMove.*:*AnyWorld*"), ("contract", "Notice.*:UnchangedPose.*")))
+    yield Fault(
+        "lost_notices", "notices", entry, "if (followed == Followed::moved)\n            note_move(place);", "", (("broadphase", "Tick.*:*ReportOfAMove.*"),))
+    yield Fault(
+        "same_size_assumed", "notices", entry, "place.solid() == object.solid();", "true;", reports)
+    yield Fault(
+        "growth_of_a_sphere_ignored", "notices", entry, "object.radius() <= place.watched_radius()", "true", reports)
+    yield Fault(
+        "unchanged_not_followed_by_shapes", "notices", entry, "if (shapes_.in_use())\n        look_at(id);", "",
+        (("shape_contract", "ShapeProximity.*:ShapeContacts.AreThose*"),))
+    yield Fault(
+        "turns_unsafely", "notices", entry, " || (watch == Watch::centre && !object.turns_safely())", "",
+        (("contract", "Notice.*"), HISTORIES))
+    yield Fault(
+        "skip_verify", "notices", tick, "const bool holds = place.holds();", "const bool holds = place.has_envelope();",
+        (("broadphase", "Tick.*:Resting.*:*AnyWorld*"),))
+    yield Fault(
+        "enabled_unnoticed", "notices", tick,
+        "idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });",
         "idle_.drop_enabled(scene, [](ProxyId) {});", (("broadphase", "*Idle*"),))
 
 
 def predict_faults():
     predictor = BROADPHASE + "predict/predictor.cpp"
-    extent = BROADPHASE + "predict/extent.cpp"
+    tick = BROADPHASE + "broadphase.cpp"
+    predictions = (("broadphase", "Predictor.*:*AnyWorld*"),)
     yield Fault(
-        "generation_kept", "predict", predictor,
-        "record.learned.horizon = 0;\n    ++proxies.generations[id];", "record.learned.horizon = 0;",
-        (("broadphase", "Predictor.*:*AnyWorld*"),))
+        "path_without_its_end", "predict", predictor, "high = max(end, zero);", "high = zero;", predictions)
     yield Fault(
-        "path_a_tick_late", "predict", predictor, "packed.since = now;", "packed.since = now + 1;",
-        (("broadphase", "Predictor.*:*AnyWorld*"),))
+        "turning_point_left_out_of_an_envelope", "predict", predictor, "high = max(high, extreme);", "", predictions,
+        "an envelope that is left early is made anew: it costs a prediction and no pair")
     yield Fault(
-        "still_while_moving", "predict", predictor,
-        "record.kind.still = !is_bounded(record.prediction) || motion.stays_within(0.5 * slack.a);",
-        "record.kind.still = true;", (("broadphase", "Predictor.*"),))
+        "leap_extrapolated", "predict", predictor, "record.reach = 0;\n        return;", "return;",
+        (("broadphase", "Predictor.*:*Teleports.*"),))
     yield Fault(
-        "dropped_request", "predict", predictor,
-        "requested_.for_each([&](ProxyId id) { batch.add(id); });", "(void)batch;",
-        (("broadphase", "Predictor.*:Resting.*:Teleports.*:Tick.*"),))
+        "reach_never_shrinks", "predict", predictor, "(too_long ? tuning::shrink : tuning::grow)", "tuning::grow",
+        (("broadphase", "Predictor.*"),))
     yield Fault(
-        "movers_forgotten", "predict", predictor, "moving_.insert(id);\n    const bool", "moving_.erase(id);\n    const bool",
-        (("broadphase", "Predictor.*:Tick.*:Clock*"),))
+        "all_leave_together", "predict", predictor, "(0.75f + 0.5f * scrambled(id))", "(1 + 0 * scrambled(id))",
+        (("broadphase", "Predictor.*:Tick.*"),))
     yield Fault(
-        "leap_extrapolated", "predict", predictor,
-        "if (motion.leaps(reach_of(record) * size))", "if (motion.leaps(1e30))", (("broadphase", "Predictor.*"),))
+        "samples_outlive_the_object", "predict", tick, "index_.remove(proxies_, id);\n    predictor_.forget(id);",
+        "index_.remove(proxies_, id);", (("broadphase", "Predictor.*"),))
     yield Fault(
-        "radius_too_small", "predict", extent,
-        ": seen.bounds ? farthest_corner(box)", ": seen.bounds ? 0.9 * farthest_corner(box)",
-        (("broadphase", "EnvelopeSize.*:*AnyWorld*:Predictor.*"), ("differential", "*BySpheres*")))
+        "tightened_too_far", "predict", BROADPHASE + "objects/place.h",
+        "max(Float4::all(radius) - half - margin, Float4::all(0))", "Float4::all(radius) - Float4::all(0.9f) * half - margin",
+        (("broadphase", "Place.*:*AnyWorld*"),))
     yield Fault(
-        "stale_cube", "predict", extent,
-        "was_in_cube && farthest_side <= last_half ?", "was_in_cube && farthest_side >= 0 ?", (("broadphase", "EnvelopeSize.*"),))
+        "tightened_without_margin", "predict", BROADPHASE + "objects/place.h",
+        "max(Float4::all(radius) - half - margin, Float4::all(0))", "max(Float4::all(radius) - half + margin, Float4::all(0))",
+        (("broadphase", "Place.*"),))
+    yield Fault(
+        "watched_by_the_centre_beside_others", "predict", tick,
+        "place.watch() == Watch::centre)", "place.watch() == Watch::centre && id % 2 == 0)",
+        (("broadphase", "*AnyWorld*:*ReportOfAMove.*"),))
     yield Fault(
         "turning_point_left_out", "predict", SOURCES + "prediction/envelope.cpp",
         "if (turn > 0 && turn < duration)", "if (turn > duration)", (("prediction", "Envelope.*"),))
-    yield Fault(
-        "no_margin_for_verification", "predict", BROADPHASE + "objects/proxy_store.h",
-        "outer.b += rounding * (outer.b + path.velocity.lpNorm<Eigen::Infinity>());", "",
-        (("broadphase", "Verifier.*:ProxyStore.*:PairProximity.*"),))
     yield Fault(
         "step_from_one_object", "predict", SOURCES + "prediction/step_estimate.cpp",
         "step_ = sorted[count_ / 2];", "step_ = sample;", (("prediction", "StepEstimate.*"),))
@@ -131,23 +145,23 @@ def index_faults():
         "postponed.resize(postponed.size() - end);", "postponed.clear();",
         (("contract", "Contract.09_*"), ("broadphase", "EnvelopeTree.*")))
     yield Fault(
-        "moving_tree_not_asked", "index", index, "moving_.walk_together(probes_.data(), count, visit);", "", indices)
+        "tree_not_asked", "index", index,
+        "find_in_tree(boxes_.data() + i, std::min(boxes_.size() - i, EnvelopeTree::most_together), batch, idle, pairs);", ";",
+        indices)
+    yield Fault("list_not_asked", "index", index, "list_.find(swept.box, [&](ProxyId other) {", "BoxList().find(swept.box, [&](ProxyId other) {", indices)
     yield Fault(
-        "pairs_within_the_batch_twice", "index", index,
-        "if (in_batch.contains(other))\n            return;", "if (in_batch.contains(other) && other == ~0u)\n            return;", indices)
-    yield Fault("missed_removal_from_a_tree", "index", index, "tree(shelf).remove(id);", "", indices)
-    yield Fault(
-        "stale_box_in_the_list", "index", index,
-        "list_.put(swept);\n        placement.unbounded", "placement.unbounded", indices)
+        "pairs_within_the_batch_left_out", "index", index, "if (boxes_.size() > 1)\n        sort_and_sweep_",
+        "if (boxes_.empty())\n        sort_and_sweep_", indices)
+    yield Fault("missed_removal_from_a_tree", "index", index, "tree_.remove(id);", "", indices)
+    yield Fault("stale_box_in_the_list", "index", index, "list_.put(swept);", "if (shelf != wanted)\n            list_.put(swept);", indices)
     yield Fault(
         "bulk_drops_pairs_with_others", "index", index,
-        "!in_batch.contains(pair.first) && !in_batch", "!in_batch.contains(pair.first) || !in_batch", indices)
+        "!batch.contains(pair.first) && !batch", "!batch.contains(pair.first) || !batch", indices)
     yield Fault(
-        "grafted_part_lost", "index", index, "moving_.graft(moving);", "",
-        (("broadphase", "Filling.*:*AnyIndex*:EnvelopeIndex.*"),))
+        "tree_taken_for_current_after_a_sweep", "index", index, " || is_bulk(proxies, batch.size());\n    if (is_stale_)\n        return;",
+        ";\n    if (is_stale_ || is_bulk(proxies, batch.size()))\n        return;", indices)
     yield Fault(
-        "query_misses_the_idle", "index", BROADPHASE + "index/envelope_index.h", "idle_.walk(probe, visit);", "",
-        (("contract", "Contract.01_*:Contract.09_*"), ("broadphase", "*Idle*")))
+        "list_left_out_when_the_index_is_built", "index", index, "list_.add(swept);\n        else", ";\n        else", indices)
     yield Fault(
         "rounded_to_the_wrong_side", "index", BROADPHASE + "base/float_box.h",
         "Float4::rounded_down(box.max().data(), -1)", "-Float4::rounded_down(box.max().data(), 1)",
@@ -158,86 +172,69 @@ def index_faults():
         (("contract", "Contract.01_*:Contract.09_*"), ("broadphase", "BoxProbe.*:EnvelopeTree.*")))
 
 
-def schedule_faults():
-    schedule = BROADPHASE + "schedule/schedule.cpp"
-    proximity = BROADPHASE + "schedule/pair_proximity.cpp"
-    wheel = BROADPHASE + "schedule/event_wheel.cpp"
-    schedules = (("broadphase", "Schedule.*:*AnyWorld*"),)
-    never_late = (("prediction", "NeverLate.*:NeverEarly.*"), ("broadphase", "PairProximity.*"))
-    wheels = (("broadphase", "EventWheel.*"),)
+def proximity_faults():
+    proximity = SOURCES + "prediction/proximity.cpp"
+    never_late = (("prediction", "NeverLate.*:TimeOfProximity.*"),)
+    yield Fault("late_root", "proximity", proximity, "overlap.enter * (1 - rounding_per_size)", "overlap.enter * 1.001", never_late)
     yield Fault(
-        "late_root", "schedule", schedule,
-        "static_cast<std::int32_t>(std::ceil(interval->enter));",
-        "static_cast<std::int32_t>(std::ceil(interval->enter)) + 1;", schedules)
+        "chord_error_left_out", "proximity", proximity, "deviation.a + 0.125 * duration * duration *",
+        "deviation.a + 0 * duration * duration *", never_late)
     yield Fault(
-        "parted_a_tick_early", "schedule", schedule,
-        "std::floor(interval->leave)) - begin", "std::floor(interval->leave)) - begin - 1", schedules)
+        "deviation_left_out", "proximity", proximity, "overlap.narrow(below - reach, -chord[axis] - growth);",
+        "overlap.narrow(below - reach, -chord[axis]);", never_late)
     yield Fault(
-        "stale_event_wakes_a_pair", "schedule", schedule,
-        "(event.is_end_of_horizon() || proxies.current(event.second, event.second_generation))", "true", schedules)
+        "rounding_of_boxes_left_out", "proximity", proximity,
+        "rounding_per_size * (std::isfinite(terms) ? terms : 0);", "0 * (std::isfinite(terms) ? terms : 0);", never_late)
     yield Fault(
-        "dropped_wake", "schedule", schedule,
-        "if (!event.is_end_of_horizon() && is_current(proxies, event))\n            near",
-        "if (event.is_end_of_horizon() && is_current(proxies, event))\n            near", schedules)
-    yield Fault("horizon_outlived", "schedule", schedule, "batch.add(event.first);", "(void)batch;", schedules)
+        "infinite_sides_are_near", "proximity", proximity, "(std::isfinite(terms) ? terms : 0)", "terms", never_late)
     yield Fault(
-        "purge_of_what_is_current", "schedule", schedule,
-        "wheel_.purge([&](const Event &event) { return is_current(proxies, event); });",
-        "wheel_.purge([&](const Event &event) { return !is_current(proxies, event); });", schedules)
-    yield Fault(
-        "gap_rounded_up", "schedule", proximity,
-        "const Float4 above = low - unit * abs(low) - high_ - rounding -",
-        "const Float4 above = low - unit * abs(low) - high_ + rounding -", never_late)
-    yield Fault(
-        "chord_error_left_out", "schedule", proximity, " - quarter * max(half_bend - half_reach_bend, none)", "", never_late)
-    yield Fault(
-        "deviation_of_one_left_out", "schedule", proximity, ".with_fourth(reach_ + path.deviation_base)",
-        ".with_fourth(path.deviation_base)", never_late)
-    yield Fault(
-        "sphere_without_its_corner", "schedule", proximity, "root_of_3 = 1.7320508075688774", "root_of_3 = 1",
-        (("prediction", "NeverLate.*"), ("broadphase", "Schedule.*:PairProximity.*:*AnyWorld*")))
-    yield Fault(
-        "chord_error_of_spheres_left_out", "schedule", SOURCES + "prediction/proximity.cpp",
-        "const double error = sphere_chord_error(first, second, duration) + ", "const double error = ",
-        (("prediction", "NeverLate.*:TimeOfProximity.*"),))
-    yield Fault("lost_far_events", "schedule", wheel, "link_all_beyond();\n    spread", "spread", wheels)
-    yield Fault("wheel_a_turn_early", "schedule", wheel, "turns_ahead < 2 ?", "turns_ahead < 3 ?", wheels)
+        "chord_error_of_spheres_left_out", "proximity", proximity,
+        "const double error = sphere_chord_error(first, second, duration) + ", "const double error = ", never_late)
 
 
 def near_faults():
     near = BROADPHASE + "near/near_set.cpp"
     tick = BROADPHASE + "broadphase.cpp"
+    place = BROADPHASE + "objects/place.h"
     sets = (("broadphase", "NearSetTest.*:Resting*:*AnyWorld*"),)
     yield Fault(
-        "lost_retire", "near", tick, "near_.retire(id, now());\n    }\n    predictor_", "}\n    predictor_",
+        "lost_retire", "near", tick, "for (ProxyId id : batch_.ids())\n        near_.retire(id);\n    near_.drop", "near_.drop",
         (("broadphase", "Broadphase.*:Tick.*:*AnyWorld*"),))
-    yield Fault("moves_of_resting_pairs_ignored", "near", tick, "near_.note_moves(moved);", "", sets)
-    yield Fault("lost_when_disturbed", "near", near, "else\n            pairs_.push_back(pair);", "else\n            (void)pair;", sets)
     yield Fault(
-        "rests_while_one_moves", "near", near,
-        "moved_.contains(pair.first) || moved_.contains(pair.second)",
-        "moved_.contains(pair.first) && moved_.contains(pair.second)", sets)
-    yield Fault("left_a_tick_early", "near", near, "ticks_left < 0 || ((i", "ticks_left <= 0 || ((i", sets)
+        "pairs_of_the_gone_kept", "near", tick, "near_.retire(id);\n    index_", "index_", (("broadphase", "Broadphase.*:*AnyWorld*"),))
+    yield Fault("moves_of_resting_pairs_ignored", "near", tick, "near_.disturb(id);\n#ifdef", "#ifdef", sets)
+    yield Fault(
+        "rests_unwatched", "near", near, "places[id].set_watch(Watch::look);", "(void)places;", sets)
+    yield Fault("lost_when_disturbed", "near", near, "pairs_.push_back(pair);\n        else", "(void)pair;\n        else", sets)
+    yield Fault(
+        "rests_while_one_moves", "near", near, "moved(pair.first) || moved(pair.second);", "moved(pair.first) && moved(pair.second);", sets)
+    yield Fault(
+        "rests_as_it_was", "near", near, "rest(overlap(i) ? overlapping_ : separated_, pair, places);",
+        "rest(separated_, pair, places);", sets)
     yield Fault(
         "resting_pairs_not_reported", "near", near,
-        "OverlapCollector(test, room)).end();\n    end = std::copy(overlapping_.begin(), overlapping_.end(), end);",
-        "OverlapCollector(test, room)).end();", sets)
+        "*end++ = pair;\n    end = std::copy(overlapping_.begin(), overlapping_.end(), end);", "*end++ = pair;", sets)
     yield Fault(
-        "settings_ignored_at_rest", "near", near, "disturbed_ |= resting_;", "", (("shape_contract", "ShapeProximity.*"),))
+        "settings_ignored_at_rest", "near", near, "resting_.for_each([this](ProxyId id) { disturb(id); });", "",
+        (("broadphase", "NearSetTest.*"), ("shape_contract", "ShapeProximity.*")))
     yield Fault(
-        "new_pairs_taken_for_old", "near", BROADPHASE + "near/near_set.h",
-        "if (settled_ != pairs_.size())\n            drop_stale(now);", "(void)now;",
-        (("contract", "Contract.01_*"), HISTORIES, ("broadphase", "NearSetTest.*")))
+        "retired_for_ever", "near", BROADPHASE + "near/near_set.h",
+        "std::fill(is_retired_.begin(), is_retired_.end(), std::uint8_t{0});\n    has_retired_ = false;\n}\n} //",
+        "has_retired_ = false;\n}\n} //", sets)
     yield Fault(
         "unsure_taken_for_apart", "near", BROADPHASE + "near/overlap_test.h",
-        "if (compared.unsure() || (by_sphere && compared.overlap()))", "if (by_sphere && compared.overlap())",
-        (("contract", "Contract.01_*"),))
+        ") ||\n               scene.overlap(pair.first, pair.second);", ") ||\n               (by_sphere && scene.overlap(pair.first, pair.second));",
+        (("broadphase", "*AnyWorld*"), ("contract", "Contract.01_*")))
     yield Fault(
-        "error_of_a_box_forgotten", "near", BROADPHASE + "base/measured_box.h",
-        "unit = 4 * std::numeric_limits<float>::epsilon()", "unit = 0",
-        (("contract", "Contract.01_*"), ("broadphase", "MeasuredBox.*")))
+        "sure_of_what_touches", "near", place, "sizes * Float4::all(unit) + Float4::all(Place::least_rounding);",
+        "sizes * Float4::all(-unit) + Float4::all(Place::least_rounding);",
+        (("broadphase", "Place.*:*AnyWorld*"),))
     yield Fault(
-        "stale_box", "near", tick, "boxes_.invalidate(moved);", "", (("broadphase", "*AnyWorld*:Resting.*:Tick.*"),))
+        "sure_of_what_overflows", "near", place, "if ((one.state_ | other.state_) & Place::doubt_bit)",
+        "if ((one.state_ & other.state_) & 0u)", (("broadphase", "Place.*"),))
+    yield Fault(
+        "touching_taken_for_apart", "near", place, "((low > other_high) | (other_low > high))",
+        "((low > other_high - Float4::all(1e-3f)) | (other_low > high))", (("broadphase", "Place.*:*AnyWorld*"),))
 
 
 def shape_faults():
@@ -259,8 +256,7 @@ def shape_faults():
         "gap_of_the_second_too_large", "shapes", gap, "- second.reach(-axis);", "- 0.9 * second.reach(-axis);",
         (("shapes", "Gap.*"),))
     yield Fault(
-        "wrong_pair_of_a_gap", "shapes", BROADPHASE + "near/near_set.cpp",
-        "drop_stale(now, ignore, ignore, keep_beside(looks_));", "drop_stale(now, ignore, ignore, keep_nothing);",
+        "wrong_pair_of_a_gap", "shapes", BROADPHASE + "near/near_set.h", "looks_[looks_left++] = looks_[i];", "looks_[looks_left++] = looks_[0];",
         proximity + contacts)
     yield Fault(
         "look_outlives_the_shape", "shapes", BROADPHASE + "near/near_set.cpp",
@@ -317,10 +313,7 @@ def shape_faults():
 def sweep_faults():
     rows = BROADPHASE + "index/sort_and_sweep_rows.cpp"
     sorts = BROADPHASE + "index/sort_and_sweep.cpp"
-    sweeping = BROADPHASE + "sweep/sweeping.cpp"
-    tick = BROADPHASE + "broadphase.cpp"
     pairs = (("broadphase", "SortAndSweep.*"),)
-    modes = (("broadphase", "Filling.*:Teleports.*:*AnyWorld*"),)
     yield Fault("row_ends_early", "sweep", rows, "j = i + 1; keys_[j] <= end; j", "j = i + 1; keys_[j] < end; j", pairs)
     yield Fault(
         "pair_counts_in_the_wrong_slab", "sweep", rows,
@@ -334,28 +327,9 @@ def sweep_faults():
         "unbounded_boxes_meet_nothing", "sweep", sorts,
         "std::size_t comparisons = compare_each_with_each(unbounded_, pairs) +", "std::size_t comparisons =", pairs)
     yield Fault(
-        "waits_for_ever", "sweep", sweeping, "waiting_.erase(id);\n    --waiting_count_;", "waiting_.erase(id);", modes)
-    yield Fault(
-        "idle_objects_left_waiting", "sweep", sweeping,
-        "idle.for_each([this](ProxyId id) { queue_.push_back(id); });", "(void)idle;",
-        (("broadphase", "Filling.*:*Idle*:Teleports.*"),))
-    yield Fault(
-        "near_pairs_survive_the_sweep", "sweep", tick,
-        "schedule_.restart(now());\n    near_.clear();", "schedule_.restart(now());",
-        (("broadphase", "Teleports.*:Filling.*"), ("faults", "*removing_most")))
-    yield Fault(
-        "events_survive_the_sweep", "sweep", tick,
-        "schedule_.restart(now());\n    near_.clear();", "near_.clear();",
-        (("broadphase", "Teleports.*:Filling.*:Exceptions.*:*Trim.*"),),
-        "the wheel begins anew when sweeping ends, and what an event wakes is retired when its objects are predicted")
-    yield Fault(
-        "stale_generation_of_the_waiting", "sweep", tick, "++proxies_.generations[id];\n        sweeping_.wait(id);",
-        "sweeping_.wait(id);", modes,
-        "a sweep reports meanwhile, and what an event wakes is retired when its objects are predicted")
-    yield Fault(
-        "swept_by_old_boxes", "sweep", BROADPHASE + "objects/measured_boxes.h",
-        "scene.measure(stale_.data(), stale_.size(), boxes_.data());\n        valid_", "(void)scene;\n        valid_",
-        (("contract", "Contract.01_*"),))
+        "idle_objects_swept", "sweep", BROADPHASE + "index/envelope_index.cpp",
+        "if (!idle.contains(id))\n            boxes_.push_back({id, proxies.places[id].envelope()});\n    });",
+        "boxes_.push_back({id, proxies.places[id].envelope()});\n    });", (("broadphase", "*Idle*:*AnyIndex*"),))
 
 
 def space_faults():
@@ -365,8 +339,8 @@ def space_faults():
     scene = SOURCES + "space/geom_scene.cpp"
     contract = lambda pattern: (("contract", pattern),)
     yield Fault(
-        "deaf_after_the_first_move", "space", space, "return look_closely(geom);\n    listen_to(geom);",
-        "return look_closely(geom);", contract("Contract.01_*:Notice.*"))
+        "deaf_after_the_first_move", "space", space, "return look_closely(geom, followed);\n    listen_to(geom);",
+        "return look_closely(geom, followed);", contract("Contract.01_*:Notice.*"))
     yield Fault(
         "swapped_bits", "space", filters,
         "((first->category_bits & second->collide_bits) | (second->category_bits & first->collide_bits))",
@@ -404,8 +378,8 @@ def space_faults():
         "std::vector<ProxyId> &found = found_;", contract("Contract.08_*"))
     yield Fault(
         "ignored_turn", "space", scene,
-        "turns_safely(geom) ? squared_sphere_radius(geom) : std::numeric_limits<double>::quiet_NaN();",
-        "squared_sphere_radius(geom);", contract("Notice.*"))
+        "return turns_safely(geom) ? circumscribed_radius(geom) : std::numeric_limits<double>::infinity();",
+        "return circumscribed_radius(geom);", contract("Notice.*") + (HISTORIES,))
     yield Fault(
         "sphere_of_a_box_too_small", "space", scene, "std::sqrt(x * x + y * y + z * z) / 2", "std::sqrt(x * x + 0 * y + z * z) / 2",
         contract("EveryPlaceableClass*:Notice.*") + (HISTORIES,))
@@ -416,16 +390,19 @@ def space_faults():
     # What throws in the middle.
     faults = lambda pattern: (("faults", pattern),)
     yield Fault(
-        "trusts_a_tick_that_was_broken_off", "space", BROADPHASE + "broadphase.cpp", "if (interrupted_)\n        recover();", "",
+        "trusts_a_tick_that_was_broken_off", "space", BROADPHASE + "broadphase.cpp", "if (interrupted_)\n        start_over();", "",
         faults("*EveryCall*:*EverySituation*"))
     yield Fault(
         "linked_before_there_is_room", "space", space,
         "broadphase_.make_room();\n    fit_to_proxies();\n    dxSpace::add(geom);",
         "dxSpace::add(geom);\n    broadphase_.make_room();\n    fit_to_proxies();", faults("*EverySituation*"))
     yield Fault(
-        "history_noted_before_there_is_room", "space", BROADPHASE + "predict/predictor.cpp",
-        "histories_.emplace_back();\n        number = static_cast<std::uint32_t>(histories_.size() - 1);",
-        "number = static_cast<std::uint32_t>(histories_.size());\n        histories_.emplace_back();", faults("*EverySituation*"))
+        "broken_off_unnoticed", "space", BROADPHASE + "broadphase.cpp", "interrupted_ = true;\n    counters_.moved", "counters_.moved",
+        (("broadphase", "*Exceptions*"), ("faults", "*EveryCall*:*EverySituation*")))
+    yield Fault(
+        "envelopes_survive_starting_over", "space", BROADPHASE + "broadphase.cpp",
+        "proxies_.places[id].forget_envelope();\n        look_at(id);", "look_at(id);",
+        (("broadphase", "*Exceptions*"), ("faults", "*EveryCall*:*EverySituation*")))
     yield Fault(
         "lost_resize", "space", space, "set->resize(size);", "(void)set;", contract("Contract.02_*"))
     # By the sphere test of proximity.
@@ -439,13 +416,10 @@ def space_faults():
         "skewed_rays_judged_by_lines", "space", scene,
         "if (ray->type != dRayClass || touched_off_line(other) || is_skewed(ray))",
         "if (ray->type != dRayClass || touched_off_line(other))", CONTACT_HISTORIES)
-    yield Fault(
-        "deviation_of_a_sphere_along_an_axis", "space", BROADPHASE + "schedule/pair_proximity.cpp",
-        "root_of_3 = 1.7320508075688774", "root_of_3 = 1", CONTACT_HISTORIES)
 
 
 FAULTS = tuple(
     fault
-    for faults in (verify_faults, predict_faults, index_faults, schedule_faults, near_faults, shape_faults, sweep_faults,
+    for faults in (notice_faults, predict_faults, index_faults, proximity_faults, near_faults, shape_faults, sweep_faults,
                    space_faults)
     for fault in faults())

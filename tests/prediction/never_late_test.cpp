@@ -6,9 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ode_predictive_space/broadphase/schedule/pair_proximity.h"
 #include "ode_predictive_space/prediction/proximity.h"
-#include "tests/prediction/box_proximity.h"
 #include "tests/prediction/first_contact.h"
 #include "tests/prediction/random_pairs.h"
 
@@ -70,7 +68,7 @@ double box_slack(const EnvelopePair &pair, int axis)
 {
     const double T = pair.duration;
     const double bend = std::abs(pair.first.path.acceleration[axis] - pair.second.path.acceleration[axis]);
-    return 0.125 * (bend + 2 * (pair.first.deviation + pair.second.deviation).c) * T * T;
+    return 0.125 * (2 * bend + 2 * (pair.first.deviation + pair.second.deviation).c) * T * T;
 }
 
 double size(const EnvelopePair &pair)
@@ -89,11 +87,11 @@ void expect_not_needlessly_early_by_spheres(const EnvelopePair &pair, double pre
     EXPECT_LE(P.at(predicted / pair.duration), 1e-12 * reach * reach);
 }
 
-void expect_not_needlessly_early_by_boxes(const EnvelopePair &pair, double predicted, double rounding)
+void expect_not_needlessly_early_by_boxes(const EnvelopePair &pair, double predicted)
 {
     const std::array<Polynomial, 6> gaps = box_gaps(pair.first, pair.second, pair.duration);
     for (int side = 0; side < 6; ++side)
-        EXPECT_LE(gaps[side].at(predicted / pair.duration), box_slack(pair, side / 2) + rounding * size(pair));
+        EXPECT_LE(gaps[side].at(predicted / pair.duration), box_slack(pair, side / 2) + 1e-12 * size(pair));
 }
 
 // The envelopes' boxes as computed, which is what the broad phase verifies geoms against.
@@ -120,76 +118,6 @@ template <typename Property> void for_all_kinds(std::uint64_t seed, int count, P
     }
 }
 
-// Two envelopes in a ProxyStore, which rounds them to single precision but for the positions.
-class StoredPair
-{
-public:
-    StoredPair() : ids_{store_.add(), store_.add()} {}
-
-    void take(const EnvelopePair &pair)
-    {
-        for (int k : {0, 1})
-        {
-            const Envelope &envelope = k == 0 ? pair.first : pair.second;
-            store_.paths[ids_[k]].set_path(envelope.path);
-            store_.paths[ids_[k]].set_deviation(envelope.deviation);
-            ProxyRecord::Prediction &prediction = store_.records[ids_[k]].prediction;
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                prediction.low[axis] = round_down(envelope.low[axis]);
-                prediction.high[axis] = round_up(envelope.high[axis]);
-            }
-            prediction.radius = round_up(envelope.radius);
-            prediction.until = static_cast<Tick>(pair.duration);
-        }
-    }
-
-    EnvelopePair envelopes() const
-    {
-        return {store_.envelope(ids_[0], 0), store_.envelope(ids_[1], 0),
-                static_cast<double>(store_.common_horizon(ids_[0], ids_[1], 0))};
-    }
-
-    std::optional<double> time_of_proximity() const
-    {
-        const std::optional<ProximityInterval> interval =
-            PairProximity(store_, ids_[0], 0, ProximityTest::box).to(ids_[1]);
-        return interval ? std::optional<double>(interval->enter) : std::nullopt;
-    }
-
-private:
-    ProxyStore store_;
-    ProxyId ids_[2];
-};
-
-// Random pairs of all kinds; `predict` may change the pair before it predicts it.
-template <typename Predict> void check_boxes(const char *measure, std::uint64_t seed, double rounding, Predict predict)
-{
-    Earliness::print_heading(measure);
-    std::size_t encounters = 0;
-    for (int k = 0; k < pair_kinds; ++k)
-    {
-        const PairKind kind = static_cast<PairKind>(k);
-        Earliness earliness;
-        RandomPairs random(seed + k);
-        for (int i = 0; i < pairs_of_a_kind; ++i)
-        {
-            EnvelopePair pair = random.make(kind);
-            const std::optional<double> predicted = predict(pair);
-            const auto contact = first_box_contact(pair.first, pair.second, pair.duration);
-            const bool in_time = !contact || (predicted && *predicted <= *contact * pair.duration);
-            ASSERT_TRUE(in_time) << name(kind) << ", pair " << i << ": contact at " << *contact << " of the horizon";
-            if (predicted)
-                expect_not_needlessly_early_by_boxes(pair, *predicted, rounding);
-            expect_computed_boxes_apart(pair, 0, predicted);
-            ASSERT_FALSE(testing::Test::HasFailure()) << name(kind) << ", pair " << i;
-            earliness.add(predicted, contact, pair.duration);
-        }
-        earliness.print(kind);
-        encounters += earliness.encounters();
-    }
-    EXPECT_GT(encounters, 200000U);
-}
 } // namespace
 
 TEST(NeverLate, time_of_proximity_of_spheres)
@@ -221,42 +149,32 @@ TEST(NeverLate, time_of_proximity_of_spheres)
 
 TEST(NeverLate, time_of_proximity_of_boxes)
 {
-    check_boxes("boxes", 2000, 1e-12,
-                [](const EnvelopePair &pair) { return box_time_of_proximity(pair.first, pair.second, pair.duration); });
-}
-
-// The formula of the broad phase, on envelopes as the broad phase keeps them.
-TEST(NeverLate, pair_proximity)
-{
-    StoredPair stored;
-    check_boxes("boxes, in single precision", 6000, 1e-5, [&](EnvelopePair &pair) {
-        stored.take(pair);
-        pair = stored.envelopes();
-        return stored.time_of_proximity();
-    });
-}
-
-// After it has left, a pair is not looked at any more: wherever the boxes overlap, it must not have.
-TEST(NeverEarly, to_leave)
-{
-    std::size_t leaving = 0, overlapping = 0;
-    for_all_kinds(5000, 5000, [&](EnvelopePair pair, RandomPairs &) {
-        const auto interval = box_proximity(pair.first, pair.second, pair.duration);
-        constexpr int steps = 64;
-        for (int step = 0; step <= steps; ++step)
+    Earliness::print_heading("boxes");
+    std::size_t encounters = 0;
+    for (int k = 0; k < pair_kinds; ++k)
+    {
+        const PairKind kind = static_cast<PairKind>(k);
+        Earliness earliness;
+        RandomPairs random(2000 + k);
+        for (int i = 0; i < pairs_of_a_kind; ++i)
         {
-            const double t = pair.duration * step / steps;
-            if (!pair.first.at(t).intersects(pair.second.at(t)))
-                continue;
-            ++overlapping;
-            ASSERT_TRUE(interval && interval->enter <= t && t <= interval->leave) << "at " << t;
+            const EnvelopePair pair = random.make(kind);
+            const std::optional<double> predicted =
+                box_time_of_proximity(pair.first, pair.second, pair.duration);
+            const auto contact = first_box_contact(pair.first, pair.second, pair.duration);
+            const bool in_time = !contact || (predicted && *predicted <= *contact * pair.duration);
+            ASSERT_TRUE(in_time) << name(kind) << ", pair " << i << ": contact at " << *contact << " of the horizon";
+            if (predicted)
+                expect_not_needlessly_early_by_boxes(pair, *predicted);
+            expect_computed_boxes_apart(pair, 0, predicted);
+            ASSERT_FALSE(HasFailure()) << name(kind) << ", pair " << i;
+            earliness.add(predicted, contact, pair.duration);
         }
-        leaving += interval && std::isfinite(interval->leave);
-    });
-    EXPECT_GT(leaving, 1000U);
-    EXPECT_GT(overlapping, 10000U);
+        earliness.print(kind);
+        encounters += earliness.encounters();
+    }
+    EXPECT_GT(encounters, 200000U);
 }
-
 TEST(NeverLate, when_there_is_no_chord_error_the_prediction_is_exact)
 {
     // A straight relative path and a deviation that does not bend: the quartic is the paper's quadratic.

@@ -176,17 +176,16 @@ protected:
     {
         const std::vector<dxGeom *> geoms{first, second};
         GeomScene scene(geoms, hulls_, false);
-        IdSet both;
-        both.resize(2);
-        both.insert(0);
-        both.insert(1);
+        ProxyStore proxies;
+        proxies.add();
+        proxies.add();
         MeasuredShapes shapes;
         shapes.start(2);
-        shapes.update(scene, both, both);
-        MeasuredBoxes unused;
+        shapes.update(scene, proxies.members(), proxies);
+        const OverlapTest boxes{scene, proxies.places.data(), false, Float4::all(0)};
         Look look;
         std::uint64_t looks = 0;
-        return ShapeTest({scene, both, unused, shapes}, 0, looks).may_touch({0, 1}, look);
+        return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).may_touch({0, 1}, look);
     }
 
     double thinnest_ = 0.03; // shortest side, as a part of the size

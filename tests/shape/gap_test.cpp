@@ -23,16 +23,16 @@ struct NearShapes
 {
     ConvexShape first, second;
 
-    NearShapes(ShapeMaker &maker, Solid one, Solid other)
+    NearShapes(ShapeMaker &maker, SolidKind one, SolidKind other)
         : first(moved(maker.shape(one), maker.rotation(), maker.vector())), second(maker.shape(other))
     {
         second = moved(second, maker.rotation(), maker.vector());
         const Vector3 direction = maker.direction();
         const double away = maker.between(0, 1.2) * (extent(first) + extent(second));
         second.centre = first.centre + away * direction;
-        if (one == Solid::plane)
+        if (one == SolidKind::plane)
             second.centre = first.centre + maker.between(-1, 2) * extent(second) * first.axes[0] + maker.vector();
-        else if (other == Solid::plane)
+        else if (other == SolidKind::plane)
             second.centre = first.centre - maker.between(-1, 2) * extent(first) * second.axes[0];
     }
 
@@ -41,16 +41,16 @@ struct NearShapes
 
 template <typename Visit> void for_each_pair_of_classes(Visit visit)
 {
-    for (Solid one : solids)
-        for (Solid other : solids)
-            if (one <= other && !(one == Solid::plane && other == Solid::plane))
+    for (SolidKind one : solids)
+        for (SolidKind other : solids)
+            if (one <= other && !(one == SolidKind::plane && other == SolidKind::plane))
                 visit(one, other);
 }
 
 TEST(Gap, IsNeverMoreThanTheDistance)
 {
     unsigned seed = 1;
-    for_each_pair_of_classes([&](Solid one, Solid other) {
+    for_each_pair_of_classes([&](SolidKind one, SolidKind other) {
         ShapeMaker maker(seed++);
         long apart = 0;
         for (int i = 0; i < poses; ++i)
@@ -70,7 +70,7 @@ TEST(Gap, IsNeverMoreThanTheDistance)
 TEST(Gap, IsSeldomFarLessThanTheDistance)
 {
     unsigned seed = 100;
-    for_each_pair_of_classes([&](Solid one, Solid other) {
+    for_each_pair_of_classes([&](SolidKind one, SolidKind other) {
         ShapeMaker maker(seed++);
         int apart = 0, precise = 0;
         for (int i = 0; i < 3000; ++i)
@@ -90,7 +90,7 @@ TEST(Gap, IsSeldomFarLessThanTheDistance)
 TEST(Gap, IsFoundIfItIsLargerThanTheLeast)
 {
     unsigned seed = 200;
-    for_each_pair_of_classes([&](Solid one, Solid other) {
+    for_each_pair_of_classes([&](SolidKind one, SolidKind other) {
         ShapeMaker maker(seed++);
         int larger = 0, found = 0;
         for (int i = 0; i < 3000; ++i)
@@ -113,7 +113,7 @@ TEST(Gap, FarthestPointsAreAsFarAsTheShapeReaches)
     ShapeMaker maker(1);
     for (int i = 0; i < 20000; ++i)
     {
-        const Solid solid = solids[static_cast<std::size_t>(maker.between(0, 4.999))];
+        const SolidKind solid = solids[static_cast<std::size_t>(maker.between(0, 4.999))];
         const ConvexShape shape = moved(maker.shape(solid), maker.rotation(), maker.vector());
         const Vector3 off_axis = std::pow(10, maker.between(-20, 0)) * maker.direction();
         const Vector3 direction =
@@ -127,7 +127,7 @@ TEST(Gap, FarthestPointsAreAsFarAsTheShapeReaches)
 TEST(Gap, IsNoneForShapesThatAreNotJudgedTogether)
 {
     ShapeMaker maker(1);
-    ConvexShape one = maker.shape(Solid::sphere), other = moved(one, Eigen::Matrix3d::Identity(), Vector3(9, 0, 0));
+    ConvexShape one = maker.shape(SolidKind::sphere), other = moved(one, Eigen::Matrix3d::Identity(), Vector3(9, 0, 0));
     EXPECT_GT(find_gap(one, other, Vector3::Zero(), 0).length, 7);
     other.group = 2;
     EXPECT_LT(find_gap(one, other, Vector3::Zero(), 0).length, 0);
@@ -137,7 +137,7 @@ TEST(Gap, IsNoneForShapesThatAreNotJudgedTogether)
 TEST(Gap, IsNoneAtTheSamePlace)
 {
     ShapeMaker maker(2);
-    for_each_pair_of_classes([&](Solid one, Solid other) {
+    for_each_pair_of_classes([&](SolidKind one, SolidKind other) {
         EXPECT_LE(find_gap(maker.shape(one), maker.shape(other), Vector3::Zero(), 0).length, 0);
     });
 }

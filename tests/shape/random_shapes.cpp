@@ -136,31 +136,31 @@ ConvexShape ShapeMaker::hull()
     return shape;
 }
 
-ConvexShape ShapeMaker::shape(Solid solid)
+ConvexShape ShapeMaker::shape(SolidKind solid)
 {
     const auto side = [this] { return log_between(*this, 0.01, 0.5); };
-    ConvexShape shape = solid == Solid::hull ? hull() : ConvexShape();
-    if (solid != Solid::hull)
-        shape.kind = solid == Solid::cylinder ? ShapeKind::cylinder : ShapeKind::rounded;
+    ConvexShape shape = solid == SolidKind::hull ? hull() : ConvexShape();
+    if (solid != SolidKind::hull)
+        shape.kind = solid == SolidKind::cylinder ? ShapeKind::cylinder : ShapeKind::rounded;
     shape.group = shape.partners = 1;
     for (std::size_t i = 0; i < 3; ++i)
         shape.axes[i] = Vector3::Unit(static_cast<Eigen::Index>(i));
-    if (solid == Solid::plane)
+    if (solid == SolidKind::plane)
     {
         shape.kind = ShapeKind::half_space;
         shape.size = std::numeric_limits<double>::infinity();
         return shape;
     }
-    if (solid == Solid::hull)
+    if (solid == SolidKind::hull)
         return shape;
-    if (solid == Solid::box)
+    if (solid == SolidKind::box)
         shape.half_sides = Vector3(side(), side(), side());
     else
         shape.radius = side();
-    if (solid == Solid::capsule || solid == Solid::cylinder)
+    if (solid == SolidKind::capsule || solid == SolidKind::cylinder)
         shape.half_sides[2] = side();
-    shape.size = 2 * (solid == Solid::box        ? shape.half_sides.minCoeff()
-                      : solid == Solid::cylinder ? std::min(shape.radius, shape.half_sides[2])
+    shape.size = 2 * (solid == SolidKind::box        ? shape.half_sides.minCoeff()
+                      : solid == SolidKind::cylinder ? std::min(shape.radius, shape.half_sides[2])
                                                  : shape.radius);
     return shape;
 }

@@ -12,7 +12,7 @@
 
 namespace ode_predictive_space
 {
-enum class Solid
+enum class SolidKind
 {
     sphere,
     box,
@@ -21,8 +21,8 @@ enum class Solid
     hull,
     plane
 };
-constexpr std::array<Solid, 6> solids{Solid::sphere,   Solid::box,  Solid::capsule,
-                                      Solid::cylinder, Solid::hull, Solid::plane};
+constexpr std::array<SolidKind, 6> solids{SolidKind::sphere,   SolidKind::box,  SolidKind::capsule,
+                                      SolidKind::cylinder, SolidKind::hull, SolidKind::plane};
 
 class ShapeMaker
 {
@@ -37,7 +37,7 @@ public:
     Eigen::Matrix3d rotation();
 
     /// A shape with sides from 0.02 to 1, at the origin.
-    ConvexShape shape(Solid solid);
+    ConvexShape shape(SolidKind solid);
 
 private:
     ConvexShape hull();

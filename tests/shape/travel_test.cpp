@@ -26,9 +26,8 @@ class TwoShapes : public Scene
 public:
     TwoShapes()
     {
-        both_.resize(2);
-        both_.insert(0);
-        both_.insert(1);
+        proxies_.add();
+        proxies_.add();
         shapes_.start(2);
     }
 
@@ -37,12 +36,15 @@ public:
 
     bool reported()
     {
-        shapes_.invalidate(both_);
-        shapes_.update(*this, both_, both_);
+        for (Place &place : proxies_.places)
+            place.note_move(update_);
+        ++update_;
+        shapes_.update(*this, proxies_.members(), proxies_);
         if (shapes_.renewed(the_pair))
             look_ = {};
         shapes_.clear_renewed();
-        ShapeTest test({*this, both_, boxes_, shapes_}, margin, looks_);
+        const OverlapTest boxes{*this, proxies_.places.data(), false, Float4::all(0)};
+        ShapeTest test({*this, proxies_, shapes_}, boxes, margin, looks_);
         if (test.postpones(the_pair, look_))
             return false;
         return look_.pause > 0 ? look_.pause-- > 0 : test.may_touch(the_pair, look_);
@@ -63,19 +65,18 @@ public:
             shape = other;
         }
     }
-    void locate(const ProxyId *, std::size_t, Location *) override {}
-    void measure(const ProxyId *, std::size_t, MeasuredBox *) override {}
-    void observe(const ProxyId *, std::size_t, const bool *, Observation *) override {}
+    void measure(const ProxyId *, std::size_t, Place *) override {}
+    void observe(const ProxyId *, std::size_t, Observation *) override {}
     Box bounds(ProxyId) override { return Box(Vector3::Constant(-1e6), Vector3::Constant(1e6)); }
     std::optional<Vector3> pivot(ProxyId) override { return {}; }
     bool overlap(ProxyId, ProxyId) override { return true; }
     void find_disabled(const ProxyId *, std::size_t, std::vector<ProxyId> &) override {}
 
 private:
-    MeasuredBoxes boxes_; // unused: the boxes always overlap
+    ProxyStore proxies_;
+    UpdateNumber update_ = 1;
     MeasuredShapes shapes_;
     Look look_;
-    IdSet both_;
     std::uint64_t looks_ = 0;
 };
 
@@ -84,7 +85,7 @@ TEST(Travel, MovesNoPointFartherThanItSays)
     ShapeMaker maker(1);
     for (int i = 0; i < 500000; ++i)
     {
-        const Solid solid = solids[static_cast<std::size_t>(maker.between(0, 4.999))];
+        const SolidKind solid = solids[static_cast<std::size_t>(maker.between(0, 4.999))];
         const ConvexShape before = moved(maker.shape(solid), maker.rotation(), maker.vector());
         const Eigen::Matrix3d turn =
             Eigen::AngleAxisd(maker.between(0, maker.one_in(2) ? 3 : 0.01), maker.direction()).toRotationMatrix();
@@ -102,7 +103,7 @@ TEST(Travel, OfACapsuleBesideMeshesIsThatOfTheCylinderAroundIt)
     ShapeMaker maker(1);
     for (int i = 0; i < 100000; ++i)
     {
-        ConvexShape capsule = maker.shape(Solid::capsule);
+        ConvexShape capsule = maker.shape(SolidKind::capsule);
         capsule.blunt_beside = 1;
         capsule.blunt_margin = maker.between(0, 0.01);
         const ConvexShape before = moved(capsule, maker.rotation(), maker.vector());
@@ -118,7 +119,7 @@ TEST(Travel, OfACapsuleBesideMeshesIsThatOfTheCylinderAroundIt)
 TEST(Travel, OfATurningSphereIsNone)
 {
     ShapeMaker maker(1);
-    const ConvexShape sphere = maker.shape(Solid::sphere), capsule = maker.shape(Solid::capsule);
+    const ConvexShape sphere = maker.shape(SolidKind::sphere), capsule = maker.shape(SolidKind::capsule);
     EXPECT_EQ(moved(sphere, maker.rotation(), Vector3::Zero()).moved_from(sphere), 0);
     const Eigen::Matrix3d about_its_axis = Eigen::AngleAxisd(1, Vector3::UnitZ()).toRotationMatrix();
     EXPECT_LT(moved(capsule, about_its_axis, Vector3::Zero()).moved_from(capsule), 1e-12);
@@ -128,9 +129,9 @@ TEST(Travel, OfAPlaneSaysNothing)
 {
     ShapeMaker maker(1);
     TwoShapes pair;
-    pair.now[0] = maker.shape(Solid::plane);
+    pair.now[0] = maker.shape(SolidKind::plane);
     pair.now[0].axes[0] = Vector3::UnitZ();
-    pair.now[1] = moved(maker.shape(Solid::sphere), Eigen::Matrix3d::Identity(), Vector3(1000, 0, 2));
+    pair.now[1] = moved(maker.shape(SolidKind::sphere), Eigen::Matrix3d::Identity(), Vector3(1000, 0, 2));
     EXPECT_FALSE(pair.reported());
     EXPECT_TRUE(pair.postponed());
     pair.now[0].axes[0] = Vector3(-0.003, 0, 1).normalized();

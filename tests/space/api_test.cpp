@@ -206,7 +206,7 @@ TEST_F(PredictiveSpace, TheTimeOfProximityIsNeverLate)
     EXPECT_LT(last, 10);
 }
 
-TEST_F(PredictiveSpace, AnInteractivePlaneMovesWhileNewGeomsAreWatched)
+TEST_F(PredictiveSpace, AnInteractivePlaneMovesAmongNewGeoms)
 {
     dGeomID plane = dCreatePlane(scene.space(), 0, 0, 1, -10);
     std::vector<dGeomID> old;
@@ -221,7 +221,7 @@ TEST_F(PredictiveSpace, AnInteractivePlaneMovesWhileNewGeomsAreWatched)
         scene.tick();
     }
     const unsigned long scans = stats().scans;
-    for (int i = 0; i < 30; ++i)
+    for (int i = 0; i < 300; ++i)
         scene.sphere(0.5, 3 * i, 20, 0);
     scene.tick();
     EXPECT_EQ(stats().scans, scans + 1);
@@ -319,7 +319,7 @@ TEST_F(PredictiveSpace, StatsCountWhatHappens)
         EXPECT_EQ(now.reported, reported);
         EXPECT_GE(now.near, pairs);
         EXPECT_LE(now.near, 190u);
-        EXPECT_LE(now.scheduled, 190u + now.woken);
+        EXPECT_LE(now.scheduled, now.near);
     }
     EXPECT_EQ(stats().moved, 20u * 200u);
     EXPECT_GT(stats().repredictions, 0u);

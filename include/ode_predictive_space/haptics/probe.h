@@ -92,7 +92,7 @@ public:
     void render(double dt);
 
     /// What the probe can meet next, soonest first, as of the last dSpaceCollide(); nothing where the geom is not in a predictive
-    /// space or there is no geom. From the first question on, the space predicts new geoms at once: this costs time.
+    /// space or there is no geom. Each question looks at all geoms of the space.
     ///
     /// @return valid until the next call.
     const std::vector<Encounter> &encounters();

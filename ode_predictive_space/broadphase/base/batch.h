@@ -1,9 +1,8 @@
-// The objects that get a new prediction in this tick.
+// The objects that get a new envelope in this update.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_BATCH_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_BATCH_H
 
-#include <algorithm>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/base/id_set.h"
@@ -22,22 +21,15 @@ public:
     {
         if (members_.contains(id))
             return;
+        ids_.push_back(id); // may throw
         members_.insert(id);
-        ids_.push_back(id);
     }
-
-    /// All that are added from now on are neighbours of each other.
-    void begin_neighbours() { single_ = ids_.size(); }
-
-    /// How many, at the beginning, lie anywhere.
-    std::size_t single() const { return std::min(single_, ids_.size()); }
 
     void clear()
     {
         for (ProxyId id : ids_)
             members_.erase(id);
         clear_scratch(ids_);
-        single_ = all;
     }
 
     bool empty() const { return ids_.empty(); }
@@ -46,16 +38,12 @@ public:
 
     /// In the order in which they were added.
     const std::vector<ProxyId> &ids() const { return ids_; }
-    const IdSet &members() const { return members_; }
 
     std::size_t bytes() const { return members_.bytes() + bytes_of(ids_); }
 
 private:
-    static constexpr std::size_t all = ~std::size_t{0};
-
     std::vector<ProxyId> ids_;
     IdSet members_;
-    std::size_t single_ = all;
 };
 } // namespace ode_predictive_space
 

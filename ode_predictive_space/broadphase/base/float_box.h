@@ -114,8 +114,7 @@ private:
     Float4 high_, low_;
 };
 
-/// An object and a box that holds it: its envelope to the end of its horizon or, for a sweep over the whole scene, its
-/// bounding box.
+/// An object and its envelope.
 struct SweptProxy
 {
     ProxyId proxy;

@@ -1,4 +1,4 @@
-// The words that all stages of the broad phase share: objects, ticks, generations, pairs.
+// The words that all stages of the broad phase share: objects, ticks, pairs.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_IDS_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_IDS_H
@@ -20,9 +20,6 @@ inline std::int32_t ticks_between(Tick from, Tick to)
 {
     return static_cast<std::int32_t>(to - from);
 }
-
-/// Number of an object's prediction. What was derived from an older prediction is stale.
-using Generation = std::uint32_t;
 
 /// Two objects that may be near each other.
 struct CandidatePair

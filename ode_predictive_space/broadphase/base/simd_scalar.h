@@ -18,6 +18,7 @@ public:
     explicit Mask4(unsigned bits) : bits_(bits) {}
     unsigned bits() const { return bits_; }
     friend Mask4 operator&(Mask4 a, Mask4 b) { return Mask4(a.bits_ & b.bits_); }
+    friend Mask4 operator|(Mask4 a, Mask4 b) { return Mask4(a.bits_ | b.bits_); }
 
 private:
     unsigned bits_;
@@ -37,6 +38,10 @@ public:
     {
         return {static_cast<float>(first[0]), static_cast<float>(first[stride]), static_cast<float>(first[2 * stride]),
                 0};
+    }
+    static Float4 nearest_of_stored(const float *first, std::ptrdiff_t stride)
+    {
+        return {first[0], first[stride], first[2 * stride], 0};
     }
     static Float4 difference(const double *left, const double *right)
     {
@@ -91,6 +96,14 @@ public:
         return each(a, a, [](float x, float) { return std::abs(x); });
     }
 
+    friend Float4 finite_or_zero(Float4 a)
+    {
+        return each(a, a, [](float x, float) { return std::abs(x) < std::numeric_limits<float>::infinity() ? x : 0; });
+    }
+    friend Mask4 operator==(Float4 a, Float4 b)
+    {
+        return compared(a, b, [](float x, float y) { return x == y; });
+    }
     friend Mask4 operator<(Float4 a, Float4 b)
     {
         return compared(a, b, [](float x, float y) { return x < y; });

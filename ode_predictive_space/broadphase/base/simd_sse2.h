@@ -21,6 +21,7 @@ public:
     unsigned bits() const { return static_cast<unsigned>(_mm_movemask_ps(lanes_)); }
 
     friend Mask4 operator&(Mask4 a, Mask4 b) { return Mask4(_mm_and_ps(a.lanes_, b.lanes_)); }
+    friend Mask4 operator|(Mask4 a, Mask4 b) { return Mask4(_mm_or_ps(a.lanes_, b.lanes_)); }
 
 private:
     __m128 lanes_;
@@ -47,6 +48,11 @@ public:
     static Float4 nearest_of_stored(const double *first, std::ptrdiff_t stride)
     {
         return joined(_mm_loadh_pd(_mm_load_sd(first), first + stride), _mm_load_sd(first + 2 * stride));
+    }
+
+    static Float4 nearest_of_stored(const float *first, std::ptrdiff_t stride)
+    {
+        return {first[0], first[stride], first[2 * stride], 0};
     }
 
     /// Three differences, computed in double precision and then rounded. Those on the left are loaded one by one; those on the
@@ -134,6 +140,14 @@ public:
         return Float4(_mm_castsi128_ps(_mm_srli_epi32(_mm_slli_epi32(_mm_castps_si128(a.lanes_), 1), 1)));
     }
 
+    /// Each lane that is finite; 0 in place of the others.
+    friend Float4 finite_or_zero(Float4 a)
+    {
+        const __m128 finite = _mm_cmplt_ps(abs(a).lanes_, _mm_set1_ps(std::numeric_limits<float>::infinity()));
+        return Float4(_mm_and_ps(finite, a.lanes_));
+    }
+
+    friend Mask4 operator==(Float4 a, Float4 b) { return Mask4(_mm_cmpeq_ps(a.lanes_, b.lanes_)); }
     friend Mask4 operator<(Float4 a, Float4 b) { return Mask4(_mm_cmplt_ps(a.lanes_, b.lanes_)); }
     friend Mask4 operator<=(Float4 a, Float4 b) { return Mask4(_mm_cmple_ps(a.lanes_, b.lanes_)); }
     friend Mask4 operator>(Float4 a, Float4 b) { return Mask4(_mm_cmpgt_ps(a.lanes_, b.lanes_)); }

@@ -1,13 +1,13 @@
-// Third stage of the tick, first half: which envelopes can meet?
+// Which envelopes can meet? In: objects with new envelopes. Out: the pairs of them, each once, and an index for questions.
 //
-// In: the batch with its swept boxes. Out: candidate pairs, each once, and an index that is up to date. Still and moving
-// envelopes are in trees of their own; boxes that no tree can hold are in a list, as all boxes of a small scene are.
+// Envelopes are in a tree; those that no tree can hold are in a list, as all envelopes of a small scene are.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_INDEX_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_INDEX_H
 
 #include <vector>
 
+#include "ode_predictive_space/broadphase/base/batch.h"
 #include "ode_predictive_space/broadphase/index/box_list.h"
 #include "ode_predictive_space/broadphase/index/envelope_tree.h"
 #include "ode_predictive_space/broadphase/index/sort_and_sweep.h"
@@ -18,18 +18,20 @@ namespace ode_predictive_space
 class EnvelopeIndex
 {
 public:
-    /// Puts newly predicted objects, given with their swept boxes, where their envelopes belong. Appends to `pairs` all pairs
-    /// of which at least one is in the batch, none is idle, and whose envelopes may overlap, each once.
+    /// Appends to `pairs` all pairs of which at least one is in the batch, none is idle, and whose envelopes overlap, each once.
+    /// Many new envelopes are swept together with all others; few are looked up.
     ///
-    /// @param in_batch the batch as a set.
     /// @param idle objects for which no pairs are wanted.
-    /// @param single the first so many of the batch lie anywhere. Those behind them are neighbours: they become a part of a
-    ///     tree that is built at once, which takes a quarter of the time.
-    void update(ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &in_batch, const IdSet &idle,
-                Tick now, std::size_t single, std::vector<CandidatePair> &pairs);
+    /// @return false when all were swept.
+    bool find_pairs(ProxyStore &proxies, const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs);
 
-    /// Builds the trees anew, with the batch in its places: inserting one by one leaves a worse tree.
-    void rebuild(ProxyStore &proxies, const std::vector<SweptProxy> &batch, const IdSet &idle, Tick now);
+    /// The objects have new envelopes. When they are many, the index is out of date until prepare().
+    void put(ProxyStore &proxies, const Batch &batch);
+
+    /// Builds the index, unless it is up to date.
+    void prepare(ProxyStore &proxies);
+    /// May walk() be called?
+    bool is_prepared() const { return !is_stale_; }
 
     /// Removes an object, if it is in the index.
     void remove(ProxyStore &proxies, ProxyId id);
@@ -37,45 +39,32 @@ public:
     /// Removes all objects.
     void clear(ProxyStore &proxies);
 
-    /// Calls visit(id) for every object whose envelope may overlap `box`, idle ones among them.
-    template <typename Visit> void query(const FloatBox &box, Visit visit) const { walk(BoxProbe(box), visit); }
-
-    /// The same for a probe of any shape; see EnvelopeTree::walk().
+    /// Calls visit(id) for every object whose envelope the probe overlaps, idle ones among them; see EnvelopeTree::walk().
     template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
     {
-        still_.walk(probe, visit);
-        moving_.walk(probe, visit);
-        idle_.walk(probe, visit);
+        tree_.walk(probe, visit);
         list_.walk(probe, visit);
     }
 
-    bool empty() const { return still_.empty() && moving_.empty() && idle_.empty() && list_.empty(); }
-    bool consistent() const { return still_.consistent() && moving_.consistent() && idle_.consistent(); }
+    bool consistent() const { return is_stale_ || tree_.consistent(); }
     std::size_t bytes() const;
 
 private:
     bool is_bulk(const ProxyStore &proxies, std::size_t batch) const;
-    Shelf shelf_for(const ProxyStore &proxies, const IdSet &idle, const SweptProxy &swept) const;
-    EnvelopeTree &tree(Shelf shelf);
-    void move_list_to_trees(ProxyStore &proxies, const IdSet &idle);
-    void put(ProxyStore &proxies, const SweptProxy &swept, Shelf shelf);
-    void update_place(ProxyStore &proxies, const SweptProxy &swept, Shelf shelf);
-    void graft(ProxyStore &proxies, const std::vector<SweptProxy> &part, const IdSet &idle);
+    void put(ProxyStore &proxies, ProxyId id);
+    Shelf shelf_for(const FloatBox &envelope) const;
+    void look_up(const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs);
+    void find_in_tree(const SweptProxy *some, std::size_t count, const Batch &batch, const IdSet &idle,
+                      std::vector<CandidatePair> &pairs);
+    void sweep(const ProxyStore &proxies, const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs);
 
-    void find_pairs(const std::vector<SweptProxy> &batch, const IdSet &in_batch, const IdSet &idle,
-                    std::vector<CandidatePair> &pairs);
-    void find_in_trees(const SweptProxy *some, std::size_t count, const IdSet &in_batch,
-                       std::vector<CandidatePair> &pairs);
-    void sweep_pairs(const ProxyStore &proxies, const IdSet &in_batch, const IdSet &idle,
-                     std::vector<CandidatePair> &pairs) const;
-
-    EnvelopeTree still_, moving_, idle_;
+    EnvelopeTree tree_;
     BoxList list_;
-    SortAndSweep sort_and_sweep_;    // of a batch
-    std::vector<SweptProxy> active_; // scratch, as the next two: the batch without idle objects
+    bool is_small_ = true;  // the list holds what trees can hold
+    bool is_stale_ = false; // envelopes are not where they belong
+    SortAndSweep sort_and_sweep_;
+    std::vector<SweptProxy> boxes_; // scratch, as the others
     std::vector<BoxProbe> probes_;
-    std::vector<EnvelopeTree::Hit> hits_;
-    bool was_small_ = false; // the list holds what trees can hold
 };
 } // namespace ode_predictive_space
 

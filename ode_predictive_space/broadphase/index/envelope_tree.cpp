@@ -124,8 +124,22 @@ void EnvelopeTree::insert_below(ProxyId proxy, const FloatBox &box, Index start)
     refit_upwards(place);
 }
 
+// An envelope that stays among the same neighbours stays where it is: to take it out and to look for the best place takes several
+// times as long. The tree does not get worse beyond the branch that held it and holds it now.
 void EnvelopeTree::move(ProxyId proxy, const FloatBox &box)
 {
+    const Index leaf = leaf_node_[proxy];
+    Index holder = leaf;
+    for (int level = 0; level < tuning::levels_nearby && nodes_[holder].parent != none; ++level)
+    {
+        holder = nodes_[holder].parent;
+        if (nodes_[holder].box.contains(box))
+        {
+            nodes_[leaf].box = box;
+            shrink_upwards(nodes_[leaf].parent);
+            return;
+        }
+    }
     Index start = take_out(proxy);
     if (start == none)
     {
@@ -139,19 +153,19 @@ void EnvelopeTree::move(ProxyId proxy, const FloatBox &box)
 
 // All leaves climb together, so that they do not wait for memory one after the other. Most objects stay close by: these are the
 // nodes that removal and insertion will meet.
-void EnvelopeTree::prefetch_for_update(const std::vector<SweptProxy> &batch) const
+void EnvelopeTree::prefetch_for_update(const std::vector<ProxyId> &batch) const
 {
     if (nodes_.size() < tuning::uncached_nodes)
         return;
-    for (const SweptProxy &swept : batch)
-        if (swept.proxy < leaf_node_.size())
-            prefetch(&leaf_node_[swept.proxy]);
+    for (ProxyId id : batch)
+        if (id < leaf_node_.size())
+            prefetch(&leaf_node_[id]);
     std::vector<Index> climbing;
     climbing.reserve(batch.size());
-    for (const SweptProxy &swept : batch)
-        if (swept.proxy < leaf_node_.size() && leaf_node_[swept.proxy] != none)
+    for (ProxyId id : batch)
+        if (id < leaf_node_.size() && leaf_node_[id] != none)
         {
-            climbing.push_back(leaf_node_[swept.proxy]);
+            climbing.push_back(leaf_node_[id]);
             prefetch(&nodes_[climbing.back()]);
         }
     while (!climbing.empty())

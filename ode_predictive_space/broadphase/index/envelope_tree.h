@@ -1,5 +1,5 @@
-// A dynamic tree of boxes: which envelopes can meet a given one? Many queries go down together, batches are inserted leaf by
-// leaf or as a subtree, and a large change rebuilds the whole tree.
+// A dynamic tree of boxes: which envelopes can meet a given one? Many queries go down together, and a large change rebuilds the
+// whole tree.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_TREE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_TREE_H
@@ -43,13 +43,9 @@ public:
     /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
     void build(const std::vector<SweptProxy> &leaves);
 
-    /// Adds neighbouring proxies that are not in the tree: as a tree of their own, built from the top and inserted as a whole.
-    /// Objects that are spread over the whole tree would make a bad subtree.
-    void graft(const std::vector<SweptProxy> &leaves);
-
     /// The proxies, those that are in the tree, will soon be given other boxes: prefetches the nodes that this takes, in a tree
     /// so large that they are not in the cache.
-    void prefetch_for_update(const std::vector<SweptProxy> &batch) const;
+    void prefetch_for_update(const std::vector<ProxyId> &batch) const;
 
     bool empty() const { return nodes_.empty(); }
 

@@ -119,28 +119,6 @@ private:
     std::vector<Centre> upper_;
 };
 
-void EnvelopeTree::graft(const std::vector<SweptProxy> &leaves)
-{
-    if (leaves.empty())
-        return;
-    if (nodes_.empty())
-    {
-        build(leaves);
-        return;
-    }
-    FloatBox box = leaves.front().box;
-    for (const SweptProxy &leaf : leaves)
-    {
-        make_room(leaf.proxy);
-        box = box.merged(leaf.box);
-    }
-    const Index place = find_sibling(box, 0);
-    const Index pair = open_pair(place);
-    Builder(*this, leaves).build(pair + 1);
-    adopt(place);
-    refit_upwards(place);
-}
-
 void EnvelopeTree::build(const std::vector<SweptProxy> &leaves)
 {
     clear();

@@ -6,34 +6,23 @@
 
 namespace ode_predictive_space
 {
-namespace
-{
-// For pairs beside which nothing is kept.
-constexpr auto keep_nothing = [](std::size_t, std::size_t) {};
-
-// Moves what is kept beside pairs when the pairs are moved.
-auto keep_beside(std::vector<Look> &looks)
-{
-    return [&looks](std::size_t from, std::size_t to) { looks[to] = looks[from]; };
-}
-} // namespace
-
-CandidatePair *NearSet::report(const OverlapTest &test, Tick now, bool prefetches, CandidatePair *room)
+CandidatePair *NearSet::report(const OverlapTest &test, Place *places, UpdateNumber update, CandidatePair *room)
 {
     activate_disturbed();
-    CandidatePair *end = visit_active(test.boxes, now, prefetches, OverlapCollector(test, room)).end();
+    CandidatePair *end = room;
+    for (const CandidatePair &pair : pairs_)
+        if (test(pair))
+            *end++ = pair;
     end = std::copy(overlapping_.begin(), overlapping_.end(), end);
-    if (++reports_ % tuning::reports_per_rest == 0)
-        let_rest([&](std::size_t i) { return test(pairs_[i]); }, keep_nothing);
+    if (is_time_to_rest())
+        let_rest(places, update, [&](std::size_t i) { return test(pairs_[i]); });
     return end;
 }
 
-CandidatePair *NearSet::report_by_shape(ShapeTest &test, Tick now, CandidatePair *room)
+CandidatePair *NearSet::report_by_shape(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room)
 {
     activate_disturbed();
     looks_.resize(pairs_.size());
-    if (may_have_stale(now))
-        drop_stale(now);
     follow_postponed(test);
     find_open(test);
     CandidatePair *end = room;
@@ -43,14 +32,14 @@ CandidatePair *NearSet::report_by_shape(ShapeTest &test, Tick now, CandidatePair
         end += looks_[i].pause > 0 ? looks_[i].pause-- > 0 : test.may_touch(pairs_[i], looks_[i]);
     }
     end = std::copy(overlapping_.begin(), overlapping_.end(), end);
-    if (++reports_ % tuning::reports_per_rest == 0)
+    if (is_time_to_rest())
     {
-        let_rest(
-            [&](std::size_t i) {
-                return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]) && test.may_touch(pairs_[i], looks_[i]);
-            },
-            keep_beside(looks_));
-        test.keep_only(members_);
+        let_rest(places, update, [&](std::size_t i) {
+            return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]) && test.may_touch(pairs_[i], looks_[i]);
+        });
+        wanted_.clear();
+        for_each([this](const CandidatePair &pair, PairState) { want(pair); });
+        test.keep_only(wanted_);
     }
     return end;
 }
@@ -60,14 +49,16 @@ CandidatePair *NearSet::report_by_shape(ShapeTest &test, Tick now, CandidatePair
 void NearSet::follow_postponed(ShapeTest &test)
 {
     wanted_.clear();
+    for_each([this](const CandidatePair &pair, PairState) { want(pair); });
+    test.renew_outdated(wanted_);
+    wanted_.clear();
     for (std::size_t i = 0; i < pairs_.size(); ++i)
         if (looks_[i].due > 0)
             want(pairs_[i]);
-    test.renew_outdated(members_);
     test.follow(wanted_);
     if (!test.shapes().any_renewed())
         return;
-    note_moves(test.shapes().renewed());
+    test.shapes().renewed().for_each([this](ProxyId id) { disturb(id); });
     activate_disturbed();
     looks_.resize(pairs_.size());
     for (std::size_t i = 0; i < pairs_.size(); ++i)
@@ -84,173 +75,90 @@ void NearSet::find_open(ShapeTest &test)
         if (!test.postpones(pairs_[i], looks_[i]))
         {
             looks_[i].due = 0;
+            if (!test.boxes_overlap(pairs_[i]))
+                continue;
             open_.push_back(static_cast<std::uint32_t>(i));
-            want(pairs_[i]);
-        }
-    test.measure(wanted_);
-    wanted_.clear();
-    std::uint32_t *left = open_.data();
-    for (std::uint32_t i : open_)
-        if (test.boxes_overlap(pairs_[i]))
-        {
-            *left++ = i;
             if (looks_[i].pause == 0)
                 want(pairs_[i]);
         }
-    open_.resize(static_cast<std::size_t>(left - open_.data()));
     test.follow(wanted_);
 }
 
 void NearSet::restart_tests()
 {
     looks_.clear();
-    disturbed_ |= resting_;
-    is_disturbed_ = true;
-}
-
-// Drops stale pairs and visits the other active ones. The visitor is passed by value and returned: what it counts stays in
-// registers.
-template <typename Visit> Visit NearSet::visit_active(const MeasuredBox *boxes, Tick now, bool prefetches, Visit visit)
-{
-    if (!prefetches)
-        return visit_active(
-            now, [](const CandidatePair &) {}, visit);
-    return visit_active(
-        now,
-        [boxes](const CandidatePair &pair) {
-            prefetch(&boxes[pair.first]);
-            prefetch(&boxes[pair.second]);
-        },
-        visit);
-}
-
-// Not inlined: within a larger function there would not be enough registers for the loop.
-template <typename Fetch, typename Visit>
-[[gnu::noinline]] Visit NearSet::visit_active(Tick now, Fetch fetch, Visit visit)
-{
-    if (may_have_stale(now))
-        return drop_stale(now, fetch, visit, keep_nothing);
-    const NearPair *const pairs = pairs_.data();
-    for (std::size_t i = 0, count = pairs_.size(); i < count; ++i)
-    {
-        fetch(pairs[std::min(i + tuning::pairs_ahead, count - 1)]);
-        visit(pairs[i]);
-    }
-    return visit;
-}
-
-void NearSet::drop_stale(Tick now)
-{
-    activate_disturbed();
-    const auto ignore = [](const NearPair &) {};
-    if (looks_.empty())
-    {
-        drop_stale(now, ignore, ignore, keep_nothing);
-        return;
-    }
-    looks_.resize(pairs_.size());
-    drop_stale(now, ignore, ignore, keep_beside(looks_));
-}
-
-// @param keep called with the old and the new place of each pair that is moved.
-template <typename Fetch, typename Visit, typename Keep>
-[[gnu::noinline]] Visit NearSet::drop_stale(Tick now, Fetch fetch, Visit visit, Keep keep)
-{
-    NearPair *const pairs = pairs_.data(), *left = pairs;
-    const std::size_t count = pairs_.size(), settled = settled_;
-    std::int32_t next_leave = NearPair::for_long;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        fetch(pairs[std::min(i + tuning::pairs_ahead, count - 1)]);
-        const NearPair pair = pairs[i];
-        const std::int32_t ticks_left = pair.ticks_left(now);
-        if (ticks_left < 0 || ((i < settled) & is_retired(pair)))
-        {
-            count_out(pair);
-            continue;
-        }
-        next_leave = std::min(next_leave, ticks_left);
-        visit(pair);
-        if (left != &pairs[i]) // memory that is not written stays clean
-        {
-            *left = pair;
-            keep(i, static_cast<std::size_t>(left - pairs));
-        }
-        ++left;
-    }
-    settle(left);
-    forget_retired();
-    next_leave_ = now + static_cast<Tick>(next_leave);
-    return visit;
+    resting_.for_each([this](ProxyId id) { disturb(id); });
 }
 
 // Makes the pairs of all disturbed objects active.
 void NearSet::activate_disturbed()
 {
-    if (!is_disturbed_)
+    if (disturbed_.empty())
         return;
+    wanted_.clear();
+    for (ProxyId id : disturbed_)
+        wanted_.insert(id);
+    disturbed_.clear();
     activate_disturbed(overlapping_);
     activate_disturbed(separated_);
-    resting_ -= disturbed_;
-    disturbed_.clear();
-    is_disturbed_ = false;
 }
 
-void NearSet::activate_disturbed(std::vector<NearPair> &pairs)
+void NearSet::activate_disturbed(std::vector<CandidatePair> &pairs)
 {
-    NearPair *left = pairs.data();
-    for (const NearPair &pair : pairs)
-        if (!is_disturbed(pair))
-            *left++ = pair;
-        else if (is_retired(pair))
-            count_out(pair);
-        else
+    CandidatePair *left = pairs.data();
+    for (const CandidatePair &pair : pairs)
+        if (wanted_.contains(pair.first) || wanted_.contains(pair.second))
             pairs_.push_back(pair);
-    pairs.resize(static_cast<std::size_t>(left - pairs.data()));
+        else
+            *left++ = pair;
+    const auto kept = static_cast<std::size_t>(left - pairs.data());
+    woken_ += pairs.size() - kept;
+    pairs.resize(kept);
 }
 
 // Lets those pairs rest whose objects have not moved since the last call; their states are known from now on.
 //
-// @param overlap says of the pair in a place whether its objects overlap.
-template <typename Overlap, typename Keep> void NearSet::let_rest(Overlap overlap, Keep keep)
+// @param overlap says of the i-th pair whether its objects overlap.
+template <typename Overlap> void NearSet::let_rest(Place *places, UpdateNumber update, Overlap overlap)
 {
-    NearPair *left = pairs_.data();
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
+    const auto moved = [&](ProxyId id) { return ticks_between(rested_, places[id].moved()) > 0; };
+    keep_pairs([&](const CandidatePair &pair, std::size_t i) {
+        const bool stays = moved(pair.first) || moved(pair.second);
+        if (!stays)
+            rest(overlap(i) ? overlapping_ : separated_, pair, places);
+        return stays;
+    });
+    rested_ = update;
+}
+
+void NearSet::rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair, Place *places)
+{
+    pairs.push_back(pair);
+    for (ProxyId id : {pair.first, pair.second})
     {
-        const NearPair pair = pairs_[i];
-        if (moved_.contains(pair.first) || moved_.contains(pair.second))
-        {
-            keep(i, static_cast<std::size_t>(left - pairs_.data()));
-            *left++ = pair;
-        }
-        else
-            rest(overlap(i) ? overlapping_ : separated_, pair);
+        resting_.insert(id);
+        places[id].set_watch(Watch::look);
     }
-    settle(left);
-    moved_.clear();
 }
 
 void NearSet::clear()
 {
-    for (std::vector<NearPair> *pairs : {&pairs_, &overlapping_, &separated_})
+    for (std::vector<CandidatePair> *pairs : {&pairs_, &overlapping_, &separated_})
         pairs->clear();
     looks_.clear();
-    for (IdSet *set : {&members_, &resting_, &disturbed_, &moved_})
-        set->clear();
-    retired_.clear();
+    resting_.clear();
+    disturbed_.clear();
     std::fill(is_retired_.begin(), is_retired_.end(), std::uint8_t{0});
-    std::fill(counts_.begin(), counts_.end(), 0u);
-    settled_ = 0;
-    is_disturbed_ = false;
+    has_retired_ = false;
 }
 
 void NearSet::release()
 {
     clear();
-    for (std::vector<NearPair> *pairs : {&pairs_, &overlapping_, &separated_})
+    for (std::vector<CandidatePair> *pairs : {&pairs_, &overlapping_, &separated_})
         free_memory(*pairs);
     free_memory(looks_);
     free_memory(open_);
-    free_memory(retired_);
+    free_memory(disturbed_);
 }
 } // namespace ode_predictive_space

@@ -3,47 +3,36 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_OVERLAP_TEST_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_OVERLAP_TEST_H
 
-#include <vector>
+#include <limits>
 
-#include "ode_predictive_space/broadphase/objects/measured_boxes.h"
+#include "ode_predictive_space/broadphase/objects/scene.h"
 
 namespace ode_predictive_space
 {
-/// @pre the boxes of all objects that are tested are up to date.
+/// @pre the tight boxes of all objects that are tested are up to date.
 struct OverlapTest
 {
     Scene &scene;
-    const MeasuredBox *boxes;
+    const Place *places;
     bool by_sphere; ///< bounding spheres must overlap, too
+    Float4 certain; ///< boxes that overlap by more do so in double precision, too, wherever in the scene they are
 
     bool operator()(const CandidatePair &pair) const
     {
-        const Comparison compared = compare(boxes[pair.first], boxes[pair.second]);
-        if (compared.unsure() || (by_sphere && compared.overlap()))
-            return scene.overlap(pair.first, pair.second);
-        return compared.overlap();
+        const Place &first = places[pair.first], &second = places[pair.second];
+        if (surely_apart(first, second))
+            return false;
+        const Float4 depths = overlap_depths(first, second), most = Float4::all(std::numeric_limits<float>::max());
+        const bool overlap = (((depths > certain) & (depths <= most)).bits() & three_lanes) == three_lanes;
+        return (overlap && !by_sphere) || overlap_closely(pair);
     }
-};
-
-/// Collects the pairs that overlap. Which they are is as good as random: store always, advance on a hit (branch-free).
-class OverlapCollector
-{
-public:
-    /// @param room has room for all pairs that will be tested.
-    OverlapCollector(const OverlapTest &test, CandidatePair *room) : test_(test), end_(room) {}
-
-    void operator()(const CandidatePair &pair)
-    {
-        const bool overlaps = test_(pair);
-        *end_ = pair;
-        end_ += overlaps;
-    }
-
-    CandidatePair *end() const { return end_; }
 
 private:
-    OverlapTest test_;
-    CandidatePair *end_;
+    bool overlap_closely(const CandidatePair &pair) const
+    {
+        return (!by_sphere && surely_overlap(places[pair.first], places[pair.second])) ||
+               scene.overlap(pair.first, pair.second);
+    }
 };
 } // namespace ode_predictive_space
 

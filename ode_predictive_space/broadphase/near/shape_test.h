@@ -25,7 +25,7 @@ static_assert(sizeof(Look) == 24, "there is one for each near pair");
 /// Up to this distance a pair counts as touching. @param margin what the program adds.
 double touching_distance(const ConvexShape &first, const ConvexShape &second, double margin);
 
-/// Looks at boxes, travels and gaps, each when it is needed.
+/// Looks at travels and gaps, each when it is needed.
 class ShapeTest
 {
 public:
@@ -33,28 +33,26 @@ public:
     struct Objects
     {
         Scene &scene;
-        const IdSet &members;
-        MeasuredBoxes &boxes;
+        const ProxyStore &proxies;
         MeasuredShapes &shapes;
     };
 
+    /// @param boxes whether bounding boxes overlap.
     /// @param margin up to this distance the program counts a pair as touching.
     /// @param looks counts the looks at a gap.
-    ShapeTest(const Objects &objects, double margin, std::uint64_t &looks)
-        : objects_(objects), margin_(margin), looks_(looks)
+    ShapeTest(const Objects &objects, const OverlapTest &boxes, double margin, std::uint64_t &looks)
+        : objects_(objects), boxes_(boxes), margin_(margin), looks_(looks)
     {}
 
     /// Brings shapes and travels up to date.
-    void follow(const IdSet &wanted) { objects_.shapes.update(objects_.scene, wanted, objects_.members); }
+    void follow(const IdSet &wanted) { objects_.shapes.update(objects_.scene, wanted, objects_.proxies); }
     /// The same for hulls that no longer serve.
     void renew_outdated(const IdSet &wanted)
     {
-        objects_.shapes.renew_outdated(objects_.scene, wanted, objects_.members);
+        objects_.shapes.renew_outdated(objects_.scene, wanted, objects_.proxies.members());
     }
     /// Nothing need be known of the shapes of other objects.
     void keep_only(const IdSet &wanted) { objects_.shapes.keep_only(wanted); }
-    /// Brings boxes up to date.
-    void measure(const IdSet &wanted) { objects_.boxes.update(objects_.scene, wanted, objects_.members); }
 
     /// Can the gap not have closed since the last look? The pair's shapes are up to date, if it has had one that found a gap.
     bool postpones(const CandidatePair &pair, const Look &look) const
@@ -62,11 +60,7 @@ public:
         return objects_.shapes.travel(pair) < look.due;
     }
 
-    /// The pair's boxes are up to date.
-    bool boxes_overlap(const CandidatePair &pair) const
-    {
-        return OverlapTest{objects_.scene, objects_.boxes.data(), false}(pair);
-    }
+    bool boxes_overlap(const CandidatePair &pair) const { return boxes_(pair); }
 
     /// Looks at the gap of the pair, whose shapes are up to date.
     bool may_touch(const CandidatePair &pair, Look &look);
@@ -75,6 +69,7 @@ public:
 
 private:
     Objects objects_;
+    OverlapTest boxes_;
     double margin_;
     std::uint64_t &looks_;
 };

@@ -30,7 +30,8 @@ void MeasuredShapes::resize(std::size_t count)
         forget(static_cast<ProxyId>(id));
     resize_array(places_, count);
     resize_array(travels_, count);
-    for (IdSet *set : {&valid_, &renewed_, &hulls_})
+    resize_array(seen_, count);
+    for (IdSet *set : {&renewed_, &hulls_})
         set->resize(count);
     stale_.resize(count);
     free_memory(followed_);
@@ -48,7 +49,6 @@ void MeasuredShapes::forget(ProxyId id)
     shapes_.resize(last);
     owners_.resize(last);
     places_[id] = 0;
-    valid_.erase(id);
     hulls_.erase(id);
 }
 
@@ -61,12 +61,17 @@ void MeasuredShapes::keep_only(const IdSet &wanted)
         shapes_.shrink_to_fit();
 }
 
-void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const IdSet &members)
+void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const ProxyStore &proxies)
 {
     stale_.clear();
     for (std::size_t i = 0; i < wanted.words(); ++i)
-        IdSet::visit_word(i, wanted.word(i) & members.word(i) & ~valid_.word(i),
-                          [this](ProxyId id) { stale_.add(id); });
+        IdSet::visit_word(i, wanted.word(i) & proxies.members().word(i), [&](ProxyId id) {
+            const UpdateNumber moved = proxies.places[id].moved();
+            if (has_shape(id) && seen_[id] == moved)
+                return;
+            seen_[id] = moved;
+            stale_.add(id);
+        });
     follow_stale(scene);
 }
 
@@ -110,7 +115,6 @@ void MeasuredShapes::follow_stale(Scene &scene)
 
 void MeasuredShapes::note(ProxyId id, double move)
 {
-    valid_.insert(id);
     if ((*this)[id].hull)
         hulls_.insert(id);
     else
@@ -135,6 +139,6 @@ void MeasuredShapes::clear_renewed()
 std::size_t MeasuredShapes::bytes() const
 {
     return bytes_of(shapes_) + bytes_of(owners_) + bytes_of(places_) + bytes_of(travels_) + bytes_of(followed_) +
-           bytes_of(moves_) + valid_.bytes() + renewed_.bytes() + hulls_.bytes() + stale_.bytes();
+           bytes_of(moves_) + bytes_of(seen_) + renewed_.bytes() + hulls_.bytes() + stale_.bytes();
 }
 } // namespace ode_predictive_space

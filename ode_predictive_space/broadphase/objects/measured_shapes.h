@@ -8,6 +8,7 @@
 
 #include "ode_predictive_space/broadphase/base/id_list.h"
 #include "ode_predictive_space/broadphase/base/id_set.h"
+#include "ode_predictive_space/broadphase/objects/proxy_store.h"
 #include "ode_predictive_space/broadphase/objects/scene.h"
 #include "ode_predictive_space/broadphase/shape/convex_shape.h"
 
@@ -31,18 +32,11 @@ public:
     /// Makes room for objects 0 to count - 1, when in use.
     void resize(std::size_t count);
 
-    /// The objects have moved.
-    void invalidate(const IdSet &moved)
-    {
-        if (in_use_)
-            valid_ -= moved;
-    }
-
     /// Gives the shape back: the object is gone, or is made of other data.
     void forget(ProxyId id);
 
     /// Looks at those wanted objects that are there and have moved, and adds to their travels.
-    void update(Scene &scene, const IdSet &wanted, const IdSet &members);
+    void update(Scene &scene, const IdSet &wanted, const ProxyStore &proxies);
 
     /// Looks at those wanted objects whose hulls no longer serve, although they may not have moved.
     void renew_outdated(Scene &scene, const IdSet &wanted, const IdSet &members);
@@ -80,7 +74,7 @@ private:
     std::vector<ProxyId> owners_;       // of these
     std::vector<std::uint32_t> places_; // of each object among these, counted from 1; 0: it has none
     std::vector<double> travels_;       // of the objects
-    IdSet valid_;                       // and some that are not there
+    std::vector<UpdateNumber> seen_;    // of each object, the update that saw its last move before it was looked at
     IdSet renewed_;
     IdSet hulls_; // objects whose shape is a hull
     bool any_renewed_ = false;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "ode_predictive_space/broadphase/base/measured_box.h"
+#include "ode_predictive_space/broadphase/objects/place.h"
 
 namespace ode_predictive_space
 {
@@ -16,19 +16,8 @@ struct Observation
 {
     std::optional<Vector3> centre; ///< the point that the object turns around; finite. None when that is not known
     double radius = 0;             ///< of a sphere around the centre that holds the object; infinite when none is known
-    bool is_sphere = false;        ///< the box of that sphere is the bounding box
-    bool box_only = false;         ///< the object can be touched outside of any sphere that holds its bounding box
-    std::optional<Box> bounds;     ///< bounding box; needed where centre or radius is not known
     std::optional<Vector3> velocity; ///< in the program's unit, if the object has a body that tells
     double spin = 0;                 ///< angular speed of that body, in the same unit
-};
-
-/// Where an object that is checked by its centre is now.
-struct Location
-{
-    double centre[3];
-    double
-        squared_radius; ///< of the sphere around the centre that holds the object now; NaN when there is none any more
 };
 
 struct ConvexShape;
@@ -39,15 +28,11 @@ class Scene
 public:
     virtual ~Scene() = default;
 
-    /// Writes where each of the objects is, in the order of `ids`.
-    virtual void locate(const ProxyId *ids, std::size_t count, Location *locations) = 0;
+    /// Writes the bounding box of each of the objects into places[id], and how it is watched from now on.
+    virtual void measure(const ProxyId *ids, std::size_t count, Place *places) = 0;
 
-    /// Writes the bounding box of each of the objects into boxes[id].
-    virtual void measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes) = 0;
-
-    /// Writes what a prediction needs, in the order of `ids`. Bounds are filled in where they are needed, and where
-    /// with_bounds[i] is set.
-    virtual void observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen) = 0;
+    /// Writes what a prediction needs, in the order of `ids`.
+    virtual void observe(const ProxyId *ids, std::size_t count, Observation *seen) = 0;
 
     /// Brings the shape of each of the objects up to date, and tells how far the object has moved since: the most
     /// that any point of its surface has; infinite when the shape is another one now. All in the order of `ids`.

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "ode_predictive_space/broadphase/predict/extent.h"
 
 namespace ode_predictive_space
 {
@@ -15,438 +12,346 @@ Vector3 finite_or_zero(const Vector3 &vector)
     return vector.allFinite() && vector.squaredNorm() < 1e30 ? vector : Vector3::Zero();
 }
 
-double reach_of(const ProxyRecord &record)
+Vector3 to_vector(const float *three)
 {
-    return record.kind.crowded ? tuning::reach_crowded : tuning::reach_alone;
+    return {three[0], three[1], three[2]};
 }
 
-// Ticks until the path has gone so far. The root of speed t + 1/2 acceleration t^2 = distance.
-double ticks_to_travel(double distance, double speed, double acceleration)
+Vector3 to_vector(Float4 vector)
 {
-    const double root = std::sqrt(speed * speed + 2 * acceleration * distance);
-    return 2 * distance / (speed + root);
+    float lanes[4];
+    vector.store(lanes);
+    return to_vector(lanes);
 }
 
-// Does the object take many ticks to move by its own size?
-bool lingers(const ProxyStore &proxies, ProxyId id)
+float norm(Float4 vector)
 {
-    const double speed = proxies.paths[id].path().velocity.lpNorm<Eigen::Infinity>();
-    return tuning::lingering_ticks * speed < proxies.records[id].prediction.radius;
+    return std::sqrt((vector * vector).sum_of_three());
 }
 
-// A number that looks random, and independent from one generation to the next: lengths that were correlated would add up to the
-// same tick after all.
-std::uint32_t scrambled(ProxyId id, Generation generation)
+float dot(Float4 one, Float4 other)
 {
-    std::uint32_t bits = id * 0x9e3779b1u + generation * 0x85ebca77u;
-    bits = (bits ^ (bits >> 15)) * 0x2c1b3c6du;
-    bits = (bits ^ (bits >> 12)) * 0x297a2d39u;
-    return bits ^ (bits >> 15);
+    return (one * other).sum_of_three();
 }
 
-// Objects predicted together must not expire together: lengths vary by number and generation, by a half; those of first
-// predictions, which are made for all objects at once, by more.
-std::uint32_t stagger(std::uint32_t horizon, ProxyId id, Generation generation, bool first)
+Float4 load_three(const float *three)
 {
-    const std::uint32_t spread = first ? horizon - horizon / 8 : horizon / 2;
-    return horizon - static_cast<std::uint32_t>((std::uint64_t{scrambled(id, generation)} * (spread + 1)) >> 32);
+    return {three[0], three[1], three[2], 0};
 }
 
-void pack(PackedPath &packed, const Path &path, const Deviation &deviation, Tick now)
+// Of a box; of what is finite of it.
+Float4 middle_of(const TightBox &box)
 {
-    packed.set_path(path);
-    packed.set_deviation(deviation);
-    packed.since = now;
+    return Float4::all(0.5f) * finite_or_zero(box.low) + Float4::all(0.5f) * finite_or_zero(box.high);
+}
+
+Vector3 finite_centre(const Box &bounds)
+{
+    return to_vector(middle_of(TightBox::of(FloatBox::around(bounds))));
+}
+
+// The largest finite side.
+float size_of(const TightBox &box)
+{
+    const Float4 sides = box.high - box.low;
+    if (const float largest = sides.largest_of_three(); largest < 1e15f)
+        return largest;
+    return finite_or_zero(sides).largest_of_three();
+}
+
+// Ticks until the path has gone so far. The root of speed t + 1/2 acceleration t^2 = way.
+float ticks_to_travel(float way, float speed, float acceleration)
+{
+    const float root = std::sqrt(speed * speed + 2 * acceleration * way);
+    return 2 * way / (speed + root);
+}
+
+// A number that looks random, from 0 to 1.
+float scrambled(ProxyId id)
+{
+    return static_cast<float>((id * 0x9e3779b1u) >> 8) * 0x1p-24f;
 }
 } // namespace
 
 // How the last prediction turned out.
 struct Predictor::Outcome
 {
-    bool fresh = true;    // there was none
-    bool moved = false;   // the object is not where it was at the prediction
-    bool kept = true;     // the object is within its envelope
-    bool settled = false; // the object rested within its slack until it was looked at once more
-    double ticks = 0;     // since the prediction
-    double error = 0;     // distance from the path now
-    Vector3 displacement = Vector3::Zero();
-    Vector3 before = Vector3::Zero();       // where the object was
-    Vector3 acceleration = Vector3::Zero(); // as predicted
+    float ticks = 0; // since then
+    float way = 0;   // that the object has come on its predicted path
+    float error = 0; // distance from that path now
+    Float4 displacement = Float4::all(0);
 };
 
 struct Predictor::Motion
 {
-    Vector3 velocity = Vector3::Zero();     // per tick
-    Vector3 acceleration = Vector3::Zero(); // per tick^2
-    bool brief = false;                     // a mere guess: the object is to be seen again at the next tick
+    Float4 velocity = Float4::all(0);     // per tick
+    Float4 acceleration = Float4::all(0); // per tick^2
 
-    // After a leap nothing is known. The object is looked at again at the next tick, from where it is then.
-    static Motion unknown()
+    Float4 displacement(float ticks) const
     {
-        Motion motion;
-        motion.brief = true;
-        return motion;
-    }
-
-    // Does the object get farther in one tick than an envelope reaches?
-    bool leaps(double reach) const { return !((velocity + 0.5 * acceleration).norm() <= reach); }
-
-    // Does the object need long to get so far?
-    bool stays_within(double distance) const
-    {
-        const double travel = tuning::still_ticks * (velocity.norm() + 0.5 * tuning::still_ticks * acceleration.norm());
-        return !brief && travel <= distance;
+        return Float4::all(ticks) * (velocity + Float4::all(0.5f * ticks) * acceleration);
     }
 };
 
-Predictor::Outcome Predictor::judge(const ProxyStore &proxies, ProxyId id, const Vector3 &centre, Tick now) const
+// Steps may vary: what counts is how far the object is from its path, not from where it should be at this tick.
+Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Tick now) const
 {
     Outcome outcome;
-    const ProxyRecord &record = proxies.records[id];
-    if (record.kind.check == Check::none)
-        return outcome;
-    const Path path = proxies.paths[id].path();
-    outcome.fresh = false;
-    outcome.ticks = ticks_between(proxies.paths[id].since, now);
-    outcome.before = path.position;
-    outcome.displacement = finite_or_zero(centre - path.position);
-    outcome.moved = !outcome.displacement.isZero(0);
-    const double elapsed = record.kind.still ? 0 : outcome.ticks;
-    outcome.acceleration = path.acceleration;
-    outcome.error = finite_or_zero(centre - path.at(elapsed)).lpNorm<Eigen::Infinity>();
-    outcome.kept = outcome.error <= proxies.paths[id].deviation().at(elapsed);
-    outcome.settled = record.kind.still && outcome.kept && outcome.ticks >= 0.5 * tuning::settling_ticks;
+    outcome.ticks = static_cast<float>(ticks_between(record.since, now));
+    outcome.displacement = centre - load_three(record.position);
+    const float step = record.has_body ? static_cast<float>(step_estimate_.step()) : 1;
+    const Float4 acceleration = load_three(record.acceleration);
+    const Motion motion{Float4::all(step) * load_three(record.velocity) + Float4::all(0.5f) * acceleration,
+                        acceleration};
+    const Float4 expected = motion.displacement(outcome.ticks);
+    const float squared_way = dot(expected, expected);
+    const float part = squared_way > 0 ? dot(outcome.displacement, expected) / squared_way : 0;
+    outcome.way = std::sqrt(squared_way);
+    outcome.error = norm(outcome.displacement - Float4::all(part) * expected);
     return outcome;
 }
 
-Predictor::Motion Predictor::motion_of_body(ProxyRecord &record, const Outcome &outcome, const Vector3 &velocity)
+namespace
 {
-    float *const remembered = record.learned.last_velocity;
-    const Vector3 last(remembered[0], remembered[1], remembered[2]);
-    for (int axis = 0; axis < 3; ++axis)
-        remembered[axis] = static_cast<float>(velocity[axis]);
-    Motion motion;
-    bool explained = true;
-    if (outcome.fresh)
-        motion.brief = step_estimate.step() == 0 && !velocity.isZero(0);
-    else if (outcome.ticks == 0)
-        motion.acceleration = outcome.kept ? outcome.acceleration : Vector3::Zero();
-    else
+// Reach is a matter of costs: a longer envelope lasts longer, and has more pairs that are tested at each tick for nothing.
+void adapt_reach(ProxyRecord &record, float ticks, float error)
+{
+    if (!(error <= ticks * tuning::leap * record.size))
     {
-        step_estimate.add(outcome.displacement, last, velocity, outcome.ticks);
-        const Vector3 expected = (0.5 * step_estimate.step() * outcome.ticks) * (last + velocity);
-        const double error = (outcome.displacement - expected).norm();
-        const double travelled = outcome.displacement.norm();
-        explained = error <= 0.25 * travelled + 0.5 * tuning::slack_of_centre * size_of(record.prediction);
-        // A bounce within the interval would look like an enormous acceleration: only what agrees with the path counts.
-        if (error <= 0.1 * travelled)
-            motion.acceleration = (step_estimate.step() / outcome.ticks) * (velocity - last);
+        record.reach = 0;
+        return;
     }
-    std::uint8_t &mistrust = record.kind.mistrust;
-    mistrust = explained ? 0 : static_cast<std::uint8_t>(std::min<int>(mistrust + 1, tuning::patience));
+    const bool watched_in_vain = record.tests > 0 && !record.had_overlap();
+    const float per_tick = tuning::cost_of_test * record.useless + (watched_in_vain ? tuning::cost_of_box : 0);
+    const bool too_long = per_tick * ticks > tuning::cost_of_prediction;
+    const float reach = std::max(record.reach, tuning::least_reach) * (too_long ? tuning::shrink : tuning::grow);
+    record.reach = std::clamp(reach, tuning::least_reach, tuning::most_reach);
+}
+
+void adapt_spread(ProxyRecord &record, float way, float error)
+{
+    if (way > tuning::least_way * record.size)
+        record.spread =
+            std::clamp(std::max(0.5f * record.spread, 2 * error / way), tuning::least_spread, tuning::most_spread);
+}
+
+// Not all objects are to leave their first envelopes together.
+void begin(ProxyRecord &record, ProxyId id)
+{
+    record.reach = tuning::first_reach * (0.75f + 0.5f * scrambled(id));
+    record.spread = tuning::first_spread;
+}
+} // namespace
+
+Predictor::Motion Predictor::motion_of_body(const ProxyRecord &record, const Outcome &outcome, Float4 velocity)
+{
+    const Float4 last = load_three(record.velocity);
+    Motion motion;
+    if (outcome.ticks > 0)
+    {
+        const Float4 mean = Float4::all(0.5f) * (last + velocity);
+        const float travelled = norm(outcome.displacement), squared_speed = dot(mean, mean);
+        const float seconds = squared_speed > 0 ? dot(outcome.displacement, mean) / squared_speed : 0;
+        const bool explained =
+            seconds > 0 && norm(outcome.displacement - Float4::all(seconds) * mean) <= 0.1f * travelled;
+        if (explained)
+            step_estimate_.add(to_vector(outcome.displacement), to_vector(last), to_vector(velocity), outcome.ticks);
+        const auto step = static_cast<float>(step_estimate_.step());
+        if (travelled > 4 * step * outcome.ticks * std::max(norm(last), norm(velocity)))
+        {
+            // The program moves the body by itself.
+            motion.velocity = Float4::all(1 / outcome.ticks) * outcome.displacement;
+            return motion;
+        }
+        // A bounce would look like an enormous acceleration: only what agrees with the path counts.
+        if (explained)
+            motion.acceleration = Float4::all(step * step / seconds) * (velocity - last);
+    }
     // ODE moves a body with the velocity that it has at the end of the step, hence the half step.
-    motion.velocity = step_estimate.step() * velocity + 0.5 * motion.acceleration;
+    motion.velocity =
+        Float4::all(static_cast<float>(step_estimate_.step())) * velocity + Float4::all(0.5f) * motion.acceleration;
     return motion;
 }
 
-History &Predictor::history_of(ProxyRecord &record)
+Predictor::Motion Predictor::motion_of(ProxyRecord &record, const Outcome &outcome, const Observation &seen)
 {
-    std::uint32_t &number = record.learned.history;
-    if (number != no_history)
-        return histories_[number];
-    if (free_histories_.empty())
-    {
-        histories_.emplace_back();
-        number = static_cast<std::uint32_t>(histories_.size() - 1);
-    }
-    else
-    {
-        number = free_histories_.back();
-        free_histories_.pop_back();
-        histories_[number] = History();
-    }
-    return histories_[number];
-}
-
-Predictor::Motion Predictor::motion_from_history(ProxyRecord &record, const Outcome &outcome, const Vector3 &centre,
-                                                 Tick now)
-{
+    const bool moved = norm(outcome.displacement) > 0;
+    if (!seen.velocity && moved && record.role == Role::environment)
+        record.role = Role::interactive;
+    record.has_body = seen.velocity && record.role != Role::fixed_interactive;
+    if (record.has_body)
+        return motion_of_body(record, outcome, Float4::nearest(seen.velocity->data()));
     Motion motion;
-    if ((!outcome.moved && record.learned.history == no_history) || !centre.allFinite())
-        return motion;
-    const bool was_still = record.kind.still;
-    History &history = history_of(record);
-    if (!outcome.kept)
-    {
-        history.keep_recent(now, tuning::recent_ticks);
-        // A still object was there one tick ago, too.
-        if (was_still && history.count() == 0 && !outcome.fresh)
-            history.add(now - 1, outcome.before);
-    }
-    history.add(now, centre);
-    motion.brief = history.count() < 3;
-    const FittedPath fitted = history.fit();
-    motion.velocity = finite_or_zero(fitted.path.velocity);
-    motion.acceleration = finite_or_zero(fitted.path.acceleration);
+    if (moved && outcome.ticks > 0)
+        motion.velocity = Float4::all(1 / outcome.ticks) * outcome.displacement;
     return motion;
 }
 
-// The horizon is longer after a prediction that held and shorter after one that broke. The deviation narrows and widens likewise.
-void Predictor::adapt(ProxyRecord &record, const Outcome &outcome, double speed, double size) const
+float Predictor::ticks_for(float way, float speed, float acceleration) const
 {
-    ProxyRecord::Learned &learned = record.learned;
-    if (learned.horizon == 0)
-    {
-        learned.horizon = std::min(tuning::first_horizon, settings.horizon.max_ticks);
-        learned.spread = static_cast<float>(0.01 * speed);
-        return;
-    }
-    if (outcome.ticks == 0)
-        return;
-    const double drift = outcome.error / outcome.ticks;
-    double spread = learned.spread;
-    if (outcome.kept)
-    {
-        learned.horizon *= 2;
-        spread = std::max(0.5 * spread, 2 * drift);
-    }
-    else
-    {
-        learned.horizon /= 2;
-        // A jump says nothing about the drift to come.
-        if (drift * learned.horizon < size)
-            spread = std::max(spread, drift);
-    }
-    learned.horizon = std::clamp(learned.horizon, settings.horizon.min_ticks, settings.horizon.max_ticks);
-    learned.spread = static_cast<float>(std::clamp(spread, 0.002 * speed, std::max(0.5 * speed, 0.01 * size)));
+    const float ticks = ticks_to_travel(way, speed, acceleration);
+    const auto least = static_cast<float>(settings.horizon.min_ticks);
+    const auto most = static_cast<float>(settings.horizon.max_ticks);
+    return ticks >= least ? std::min(ticks, most) : ticks < least ? least : most;
 }
 
-Deviation Predictor::allow(const ProxyRecord &record, const Outcome &outcome, double size) const
+Deviation Predictor::deviation_of(const ProxyRecord &record, float spread, float way, float ticks) const
 {
     if (const auto &fixed = settings.deviation[is_interactive(record.role) ? 1 : 0])
-        return record.kind.still ? Deviation{fixed->a, 0, 0} : *fixed;
-    if ((outcome.fresh || (outcome.settled && !outcome.moved)) && record.kind.still)
-        return {};
-    const double slack =
-        (record.kind.check == Check::centre ? tuning::slack_of_centre : tuning::slack_of_bounds) * size;
-    return record.kind.still ? Deviation{slack, 0, 0} : Deviation{slack, record.learned.spread, 0};
+        return *fixed;
+    return {tuning::slack * record.size, spread * way / ticks, 0};
 }
 
-Predictor::Motion Predictor::estimate_motion(ProxyRecord &record, const Outcome &outcome, const Observation &seen,
-                                             const Vector3 &centre, Tick now)
+// The box that contains the object, to the end of the horizon: the path's, with its turning points, and the deviation.
+TightBox Predictor::swept(const TightBox &box, const Motion &motion, float ticks, float deviation)
 {
-    if (!seen.velocity && outcome.moved && record.role == Role::environment)
-        record.role = Role::interactive;
-    const bool has_body = seen.velocity && record.role != Role::fixed_interactive;
-    Motion motion;
-    if (has_body)
-        motion = motion_of_body(record, outcome, finite_or_zero(*seen.velocity));
-    if (!has_body || record.kind.mistrust >= tuning::patience)
-    {
-        const Motion as_seen = motion_from_history(record, outcome, centre, now);
-        // A few positions tell less than a velocity whose last prediction held.
-        if (!has_body || !as_seen.brief || !outcome.kept)
-            motion = as_seen;
-    }
-    return motion;
+    const Float4 zero = Float4::all(0), end = motion.displacement(ticks);
+    Float4 low = min(end, zero), high = max(end, zero);
+    const Float4 turn = -motion.velocity / motion.acceleration; // NaN or infinite where there is none
+    const Float4 turned = min(max(turn, zero), Float4::all(ticks));
+    const Float4 extreme =
+        finite_or_zero(turned * (motion.velocity + Float4::all(0.5f) * turned * motion.acceleration));
+    low = min(low, extreme);
+    high = max(high, extreme);
+    constexpr float unit = 4 * std::numeric_limits<float>::epsilon();
+    const Float4 margin = Float4::all(deviation) + Float4::all(unit) * (abs(low) + abs(high) + Float4::all(deviation));
+    const Float4 outer_low = box.low + (low - margin), outer_high = box.high + (high + margin);
+    return {min(outer_low, box.low), max(outer_high, box.high)};
 }
 
-std::uint32_t Predictor::horizon_for(const ProxyRecord &record, const Motion &motion, double size) const
+bool Predictor::wants_samples(const ProxyRecord &record, ProxyId id) const
 {
-    if (motion.brief)
-        return 1;
-    const double speed = motion.velocity.norm() + record.learned.spread;
-    const double far = ticks_to_travel(reach_of(record) * size, speed, motion.acceleration.norm());
-    const double wide = tuning::most_widening * size / (record.learned.spread + std::numeric_limits<double>::min());
-    return std::min(record.learned.horizon, static_cast<std::uint32_t>(std::min({1e9, far, wide})));
+    return record.role == Role::fixed_interactive ||
+           (wants_samples_ && record.role == Role::interactive &&
+            (samples_.count() < tuning::most_sampled || samples_.find(id) != nullptr));
 }
 
 void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
-    const Vector3 centre = centre_of(seen);
-    const Outcome outcome = judge(proxies, id, centre, now);
-    Motion motion = estimate_motion(record, outcome, seen, centre, now);
-
-    set_extent(record, seen, centre, step_estimate.step());
-    proxies.stamps[id] = {record.kind.check == Check::centre ? record.prediction.radius : Stamp::by_bounds, 0};
-    const double size = size_of(record.prediction);
-    if (motion.leaps(reach_of(record) * size))
-        motion = Motion::unknown();
-    const bool is_first = record.learned.horizon == 0;
-    adapt(record, outcome, motion.velocity.norm(), size);
-
-    record.kind.still = true;
-    const Deviation slack = allow(record, outcome, size);
-    record.kind.still = !is_bounded(record.prediction) || motion.stays_within(0.5 * slack.a);
-    const Generation generation = proxies.generations[id];
-    if (record.kind.still)
-    {
-        pack(proxies.paths[id], {centre, Vector3::Zero(), Vector3::Zero()}, slack, now);
-        const bool settles = !outcome.fresh && !outcome.settled;
-        record.prediction.until = now + (settles ? stagger(tuning::settling_ticks, id, generation, false) : 0);
-    }
+    Place &place = proxies.places[id];
+    const TightBox tight = place.tight_lanes();
+    const Float4 centre = seen.centre ? Float4::nearest(seen.centre->data()) : middle_of(tight);
+    Outcome outcome;
+    if (record.spread == 0)
+        begin(record, id);
     else
+        outcome = judge(record, centre, now);
+    Motion motion = motion_of(record, outcome, seen);
+    record.size = size_of(tight);
+    if (outcome.ticks > 0)
     {
-        pack(proxies.paths[id], {centre, motion.velocity, motion.acceleration}, allow(record, outcome, size), now);
-        const std::uint32_t ticks = stagger(horizon_for(record, motion, size), id, generation, is_first);
-        record.prediction.until = now + std::clamp(ticks, settings.horizon.min_ticks, settings.horizon.max_ticks);
+        adapt_reach(record, outcome.ticks, outcome.error);
+        adapt_spread(record, outcome.way, outcome.error);
     }
-    // How a mere guess turns out says nothing about the next prediction.
-    if (motion.brief)
-        record.learned.horizon = 0;
-    ++proxies.generations[id];
+    const float way = record.reach * record.size, speed = norm(motion.velocity), bend = norm(motion.acceleration);
+    if (record.reach == 0 || !(speed + bend < 1e15f))
+        motion = Motion();
+    const float ticks = ticks_for(way, speed, bend);
+    const bool never_moved = outcome.ticks == 0 && speed == 0;
+    const auto deviation = never_moved ? 0 : static_cast<float>(deviation_of(record, tuning::most_spread, way, ticks).at(double{ticks}));
+    record.radius = round_up(seen.radius);
+    record.by_radius = record.tests == 0 && std::isfinite(record.radius) && is_finite(tight);
+    const TightBox box = record.by_radius ? TightBox::around(centre, Float4::all(record.radius)) : tight;
+    const TightBox envelope = swept(box, motion, ticks, deviation);
+    place.set_envelope(envelope);
+    const Float4 farthest = max(abs(finite_or_zero(envelope.low)), abs(finite_or_zero(envelope.high)));
+    farthest_ = std::max(farthest_, farthest.largest_of_three());
+    centre.store_three(record.position);
+    if (record.has_body)
+        Float4::nearest(seen.velocity->data()).store_three(record.velocity);
+    else
+        motion.velocity.store_three(record.velocity);
+    motion.acceleration.store_three(record.acceleration);
+    record.since = now;
+    if (wants_samples(record, id))
+        samples_[id].add(now, seen.centre ? *seen.centre : to_vector(centre));
+    record.tests = record.useless = 0;
 }
 
-void Predictor::predict(Scene &scene, ProxyStore &proxies, const Batch &batch, const IdSet &near, Tick now)
+void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now)
 {
     constexpr std::size_t most = tuning::objects_per_call;
-    std::array<bool, most> with_bounds;
     seen_.resize(most);
     for (std::size_t begin = 0; begin < batch.size(); begin += most)
     {
-        const ProxyId *const ids = batch.ids().data() + begin;
+        const ProxyId *const ids = batch.data() + begin;
         const std::size_t count = std::min(most, batch.size() - begin);
         for (std::size_t i = 0; i < count; ++i)
-        {
-            proxies.prefetch(ids[i]);
-            ProxyRecord::Kind &kind = proxies.records[ids[i]].kind;
-            // Tight bounds are given up when they do not last, or were in force and no near pair needed them.
-            kind.crowded &= kind.tight_bounds_last && (near.contains(ids[i]) || kind.check != Check::bounds);
-            with_bounds[i] = kind.crowded;
-        }
-        scene.observe(ids, count, with_bounds.data(), seen_.data());
+            prefetch(&proxies.records[ids[i]]);
+        scene.observe(ids, count, seen_.data());
         for (std::size_t i = 0; i < count; ++i)
-        {
             predict(proxies, ids[i], seen_[i], now);
-            note_prediction(proxies, ids[i]);
-        }
     }
 }
 
-void Predictor::note_prediction(const ProxyStore &proxies, ProxyId id)
+void Predictor::note_tests(ProxyStore &proxies, const CandidatePair &pair)
 {
-    const ProxyRecord &record = proxies.records[id];
-    if (record.kind.still)
-        moving_.erase(id);
-    else
-        moving_.insert(id);
-    const bool recognised = record.role == Role::interactive && !record.kind.still &&
-                            (sampled_.contains(id) || sampled_count_ < tuning::most_sampled);
-    set_sampled(id, record.role == Role::fixed_interactive || recognised);
-}
-
-void Predictor::set_sampled(ProxyId id, bool wanted)
-{
-    if (wanted == sampled_.contains(id))
-        return;
-    if (wanted)
-        sampled_.insert(id);
-    else
-        sampled_.erase(id);
-    sampled_count_ += wanted ? 1 : std::size_t{0} - 1;
+    const bool apart = surely_apart(proxies.places[pair.first], proxies.places[pair.second]);
+    for (ProxyId id : {pair.first, pair.second})
+    {
+        ++proxies.records[id].tests;
+        proxies.records[id].useless += apart;
+    }
 }
 
 // Always the point that is predicted.
-void Predictor::sample_moved(Scene &scene, const ProxyStore &proxies, const IdSet &moved, Tick now)
+void Predictor::sample_moved(Scene &scene, const ProxyStore &proxies, UpdateNumber update, Tick now)
 {
-    sampled_.for_each([&](ProxyId id) {
-        if (!moved.contains(id))
-            return;
-        const std::optional<Vector3> pivot = scene.pivot(id);
-        sample(proxies, id, pivot ? *pivot : Vector3(scene.bounds(id).center()), now);
-    });
+    for (Samples::Sampled &sampled : samples_)
+        if (proxies.places[sampled.id].moved() == update)
+        {
+            const std::optional<Vector3> pivot = scene.pivot(sampled.id);
+            const Vector3 centre = pivot ? *pivot : finite_centre(scene.bounds(sampled.id));
+            sampled.history.keep_recent(now, tuning::recent_ticks);
+            sampled.history.add(now, centre);
+        }
 }
 
-void Predictor::sample(const ProxyStore &proxies, ProxyId id, const Vector3 &centre, Tick now)
+// Of a body its present velocity tells, of an interactive object its samples.
+Path Predictor::path_of(const ProxyRecord &record, ProxyId id, const Observation &seen, const Vector3 &centre) const
 {
-    const std::uint32_t history = proxies.records[id].learned.history;
-    if (history != no_history && centre.allFinite())
-        histories_[history].add(now, centre);
+    const Vector3 acceleration = to_vector(record.acceleration);
+    if (record.has_body && seen.velocity)
+        return {centre, step_estimate_.step() * finite_or_zero(*seen.velocity) + 0.5 * acceleration, acceleration};
+    const History *history = samples_.find(id);
+    if (!history || history->count() == 0)
+        return {centre, to_vector(record.velocity), acceleration};
+    const FittedPath fitted = history->fit();
+    return {centre, finite_or_zero(fitted.path.velocity), finite_or_zero(fitted.path.acceleration)};
 }
 
-void Predictor::note_neighbour(ProxyStore &proxies, ProxyId id)
+Forecast Predictor::forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, bool moves)
 {
-    ProxyRecord::Kind &kind = proxies.records[id].kind;
-    if (kind.check == Check::centre && !kind.crowded && kind.tight_bounds_last && lingers(proxies, id))
+    wants_samples_ = true;
+    Observation seen;
+    scene.observe(&id, 1, &seen);
+    const ProxyRecord &record = proxies.records[id];
+    const Box bounds = scene.bounds(id);
+    const Vector3 centre = seen.centre ? *seen.centre : finite_centre(bounds);
+    Forecast forecast;
+    Envelope &envelope = forecast.envelope;
+    const bool has_velocity = seen.velocity && !seen.velocity->isZero(0);
+    envelope.path = moves ? path_of(record, id, seen, centre) : Path{centre, Vector3::Zero(), Vector3::Zero()};
+    const double speed = envelope.path.velocity.norm(), bend = envelope.path.acceleration.norm();
+    const float way = std::max(record.reach, tuning::forecast_reach) * record.size;
+    const float ticks = ticks_for(way, static_cast<float>(speed), static_cast<float>(bend));
+    const bool still = speed + bend == 0;
+    // How far velocities carry objects in a tick is not known yet: nothing is known of the next one.
+    const bool unknown = still && moves && has_velocity;
+    forecast.ticks = unknown ? 0 : still ? std::numeric_limits<double>::infinity() : double{ticks};
+    forecast.about_centre = seen.centre && std::isfinite(seen.radius);
+    if (moves)
+        envelope.deviation = deviation_of(record, record.spread, still ? 0 : way, ticks);
+    envelope.low = bounds.min() - centre;
+    envelope.high = bounds.max() - centre;
+    const Vector3 corner = envelope.low.cwiseAbs().cwiseMax(envelope.high.cwiseAbs());
+    envelope.radius = forecast.about_centre ? seen.radius : corner.norm();
+    if (seen.spin * step_estimate_.step() * ticks > tuning::slack)
     {
-        kind.crowded = true;
-        request(id);
+        envelope.high = Vector3::Constant(envelope.radius);
+        envelope.low = -envelope.high;
     }
-}
-
-void Predictor::take_requests(Batch &batch)
-{
-    if (!has_requests())
-        return;
-    requested_.for_each([&](ProxyId id) { batch.add(id); });
-    requested_.clear();
-    has_requests_ = false;
-}
-
-void Predictor::set_role(ProxyStore &proxies, ProxyId id, Role role)
-{
-    proxies.records[id].role = role;
-    if (!is_interactive(role))
-        set_sampled(id, false);
-    request(id);
-}
-
-void Predictor::settings_changed(ProxyStore &proxies)
-{
-    proxies.members().for_each([&](ProxyId id) {
-        std::uint32_t &horizon = proxies.records[id].learned.horizon;
-        if (horizon != 0)
-            horizon = std::clamp(horizon, settings.horizon.min_ticks, settings.horizon.max_ticks);
-        request(id);
-    });
-}
-
-// No position is sampled meanwhile: whether one is depends on the prediction.
-void Predictor::forget_prediction(ProxyStore &proxies, ProxyId id)
-{
-    proxies.forget_prediction(id);
-    moving_.erase(id);
-    set_sampled(id, false);
-}
-
-void Predictor::forget_predictions(ProxyStore &proxies)
-{
-    proxies.members().for_each([&](ProxyId id) { proxies.forget_prediction(id); });
-    requested_.clear();
-    has_requests_ = false;
-    moving_.clear();
-    sampled_.clear();
-    sampled_count_ = 0;
-}
-
-void Predictor::forget(ProxyStore &proxies, ProxyId id)
-{
-    std::uint32_t &history = proxies.records[id].learned.history;
-    if (history != no_history)
-        free_histories_.push_back(history);
-    history = no_history;
-    requested_.erase(id);
-    moving_.erase(id);
-    set_sampled(id, false);
-}
-
-void Predictor::resize(std::size_t count)
-{
-    for (IdSet *set : {&requested_, &moving_, &sampled_})
-        set->resize(count);
-}
-
-void Predictor::forget_histories(ProxyStore &proxies)
-{
-    proxies.members().for_each([&](ProxyId id) { proxies.records[id].learned.history = no_history; });
-    free_memory(histories_);
-    free_memory(free_histories_);
-}
-
-std::size_t Predictor::bytes() const
-{
-    return requested_.bytes() + moving_.bytes() + sampled_.bytes() + bytes_of(histories_) + bytes_of(free_histories_) +
-           bytes_of(seen_);
+    return forecast;
 }
 } // namespace ode_predictive_space

@@ -1,19 +1,22 @@
-// Second stage of the tick: a new path and envelope for each object of the batch, and how long and how closely to trust them.
+// A new path and envelope for each object of a batch: where will it be, and how closely is that known?
 //
-// In: the batch, and what the scene shows of its objects. Out: paths, envelopes, horizons and new generations in the proxy
-// store.
+// In: the batch, its tight boxes, and what the scene shows of its objects. Out: envelopes, and records of what they were made of.
+//
+// The path is of second degree, the deviation from it grows with time (the paper, sections 3 and 4). The envelope is the place
+// that both sweep until the path has gone as far as the object's reach, or to the end of the horizon.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICT_PREDICTOR_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICT_PREDICTOR_H
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
-#include "ode_predictive_space/broadphase/base/batch.h"
 #include "ode_predictive_space/broadphase/objects/proxy_store.h"
 #include "ode_predictive_space/broadphase/objects/scene.h"
-#include "ode_predictive_space/prediction/history.h"
+#include "ode_predictive_space/broadphase/predict/samples.h"
+#include "ode_predictive_space/prediction/envelope.h"
 #include "ode_predictive_space/prediction/step_estimate.h"
 
 namespace ode_predictive_space
@@ -34,95 +37,61 @@ struct PredictionSettings
     std::array<std::optional<Deviation>, 2> deviation;
 };
 
+/// A prediction that is asked for: an envelope that moves, and the ticks for which it is made.
+struct Forecast
+{
+    Envelope envelope; ///< its time is counted from now on
+    double ticks;      ///< infinite when the object is still
+    bool about_centre; ///< the sphere of the envelope's radius around its path holds the object however it turns
+
+    bool still() const { return ticks == std::numeric_limits<double>::infinity(); }
+};
+
 class Predictor
 {
 public:
     PredictionSettings settings;
 
-    /// How far velocities carry objects in a tick, as far as is known.
-    StepEstimate step_estimate;
+    /// Makes a new prediction, from `now` on, for each object of the batch. Their tight boxes are up to date.
+    void predict(Scene &scene, ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now);
 
-    void resize(std::size_t count);
+    /// Samples the positions of interactive objects that have moved since the last update.
+    void sample_moved(Scene &scene, const ProxyStore &proxies, UpdateNumber update, Tick now);
 
-    /// Has the object predicted in the next update, whether or not it moves.
-    void request(ProxyId id)
-    {
-        requested_.insert(id);
-        has_requests_ = true;
-    }
-    void request(const IdSet &ids)
-    {
-        requested_ |= ids;
-        has_requests_ = true;
-    }
-    bool has_requests() const { return has_requests_; }
-    /// Moves all requests into the batch.
-    void take_requests(Batch &batch);
+    /// Two objects were tested for some ticks, until one of them got a new prediction: learns from that.
+    static void note_tests(ProxyStore &proxies, const CandidatePair &pair);
 
-    /// Makes a new prediction, from `now` on, for each object of the batch.
+    /// How the object will move, as far as is known now. Its tight box is up to date.
     ///
-    /// @param near objects in near pairs: tight bounds may pay for them.
-    void predict(Scene &scene, ProxyStore &proxies, const Batch &batch, const IdSet &near, Tick now);
+    /// @param moves it has moved a short time ago.
+    Forecast forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, bool moves);
 
-    /// The same for one object that was observed. Raises its generation. The old prediction, if there is one, tells how well
-    /// the object keeps to its predictions.
-    void predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now);
+    /// No object is farther from the origin than this along any axis, but for those whose sides are infinite: the largest finite
+    /// coordinate of an envelope that was ever made.
+    float farthest() const { return farthest_; }
 
-    /// Are there interactive objects whose positions are sampled between predictions?
-    bool samples() const { return sampled_count_ > 0; }
-    /// Samples where they are.
-    void sample_moved(Scene &scene, const ProxyStore &proxies, const IdSet &moved, Tick now);
-
-    /// The same for one object.
-    void sample(const ProxyStore &proxies, ProxyId id, const Vector3 &centre, Tick now);
-
-    /// The object got a near pair. If it will stay among others for long it is worth tight bounds: its next prediction, which
-    /// is then due at once, has them.
-    void note_neighbour(ProxyStore &proxies, ProxyId id);
-
-    /// The program has fixed the object's role: predicts it anew.
-    void set_role(ProxyStore &proxies, ProxyId id, Role role);
-
-    /// The horizon settings have changed: predicts all objects anew.
-    void settings_changed(ProxyStore &proxies);
-
-    /// Forgets how an object was predicted, but not what was learned about it.
-    void forget_prediction(ProxyStore &proxies, ProxyId id);
-    /// The same of all objects.
-    void forget_predictions(ProxyStore &proxies);
-    /// Forgets where objects have been, and gives the memory back.
-    void forget_histories(ProxyStore &proxies);
-    /// Forgets all about an object that is removed.
-    void forget(ProxyStore &proxies, ProxyId id);
-
-    /// Objects predicted to move: they are verified although no move is reported, for they may have stopped.
-    const IdSet &moving() const { return moving_; }
-
-    std::size_t bytes() const;
+    void forget(ProxyId id) { samples_.forget(id); }
+    void release() { samples_ = {}; }
+    std::size_t bytes() const { return samples_.bytes() + bytes_of(seen_); }
 
 private:
-    struct Outcome;
     struct Motion;
+    struct Outcome;
 
-    Outcome judge(const ProxyStore &proxies, ProxyId id, const Vector3 &centre, Tick now) const;
-    Motion motion_of_body(ProxyRecord &record, const Outcome &outcome, const Vector3 &velocity);
-    Motion motion_from_history(ProxyRecord &record, const Outcome &outcome, const Vector3 &centre, Tick now);
-    Motion estimate_motion(ProxyRecord &record, const Outcome &outcome, const Observation &seen, const Vector3 &centre,
-                           Tick now);
-    void adapt(ProxyRecord &record, const Outcome &outcome, double speed, double size) const;
-    Deviation allow(const ProxyRecord &record, const Outcome &outcome, double size) const;
-    std::uint32_t horizon_for(const ProxyRecord &record, const Motion &motion, double size) const;
-    History &history_of(ProxyRecord &record);
-    void note_prediction(const ProxyStore &proxies, ProxyId id);
-    void set_sampled(ProxyId id, bool wanted);
+    void predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now);
+    Outcome judge(const ProxyRecord &record, Float4 centre, Tick now) const;
+    Motion motion_of(ProxyRecord &record, const Outcome &outcome, const Observation &seen);
+    Motion motion_of_body(const ProxyRecord &record, const Outcome &outcome, Float4 velocity);
+    float ticks_for(float way, float speed, float acceleration) const;
+    Deviation deviation_of(const ProxyRecord &record, float spread, float way, float ticks) const;
+    static TightBox swept(const TightBox &box, const Motion &motion, float ticks, float deviation);
+    bool wants_samples(const ProxyRecord &record, ProxyId id) const;
+    Path path_of(const ProxyRecord &record, ProxyId id, const Observation &seen, const Vector3 &centre) const;
 
-    IdSet requested_;           // to be predicted in the next update
-    bool has_requests_ = false; // some, maybe of objects that are gone
-    IdSet moving_;
-    IdSet sampled_; // interactive objects whose positions are remembered at each tick
-    std::size_t sampled_count_ = 0;
-    std::vector<History> histories_;
-    std::vector<std::uint32_t> free_histories_;
+    StepEstimate step_estimate_;
+    float farthest_ = 0;
+    Samples samples_;
+    bool wants_samples_ = false;    // forecasts are asked for
     std::vector<Observation> seen_; // scratch
 };
 } // namespace ode_predictive_space

@@ -1,4 +1,4 @@
-// Prediction: fitting a path, the time of proximity of two spheres. That of two boxes is in schedule_bench.cpp.
+// Prediction: fitting a path, the times of proximity of two spheres and of two boxes.
 
 #include "ode_predictive_space/prediction/least_squares.h"
 #include "ode_predictive_space/prediction/proximity.h"
@@ -60,6 +60,18 @@ void sphere_proximity(benchmark::State &state)
     }
 }
 BENCHMARK(sphere_proximity);
+
+void box_proximity(benchmark::State &state)
+{
+    const std::vector<Pair> inputs = random_pairs();
+    std::size_t next = 0;
+    while (state.KeepRunning())
+    {
+        const Pair &pair = inputs[next++ % pairs];
+        benchmark::DoNotOptimize(box_time_of_proximity(pair.first, pair.second, horizon));
+    }
+}
+BENCHMARK(box_proximity);
 
 void swept_box(benchmark::State &state)
 {

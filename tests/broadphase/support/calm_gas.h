@@ -24,8 +24,17 @@ public:
     Pairs tick()
     {
         world.advance();
-        for (ProxyId id : world.members())
-            bounce(world.object(id));
+        bounce();
+        return world.tick();
+    }
+
+    /// The same, and the last object moves first.
+    Pairs tick_backwards()
+    {
+        const std::vector<ProxyId> ids = world.members();
+        for (auto id = ids.rbegin(); id != ids.rend(); ++id)
+            world.place(*id, world.object(*id).centre + world.object(*id).displacement);
+        bounce();
         return world.tick();
     }
 
@@ -55,6 +64,12 @@ public:
     World world;
 
 private:
+    void bounce()
+    {
+        for (ProxyId id : world.members())
+            bounce(world.object(id));
+    }
+
     void bounce(Object &object) const
     {
         for (int axis = 0; axis < 3; ++axis)

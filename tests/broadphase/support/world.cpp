@@ -1,12 +1,13 @@
 #include "tests/broadphase/support/world.h"
-#include "tests/broadphase/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+
+#include "tests/broadphase/support/numbers.h"
 
 namespace ode_predictive_space
 {
@@ -34,26 +35,40 @@ bool holds(const FloatBox &outer, const Box &inner)
     return true;
 }
 
-// What the broad phase asks when a move is reported.
-struct Noticed
+// Half extents along the axes of space.
+Vector3 reach_of(const Object &object)
 {
-    const Object &object;
-
-    bool has_pose() const { return true; }
-    bool remember(ProxyId) const { return false; }
-    bool is_as_remembered(ProxyId) const { return false; }
-    bool is_watched() const { return true; }
-    bool has_centre() const { return true; }
-    const double *coordinates() const { return object.centre.data(); }
-    bool has_grown(float radius) const { return !(object.radius <= radius); }
-    std::uint32_t pose_digest() const
+    if (object.rotation == Object().rotation && object.formula != Watch::capsule)
+        return object.half; // may be infinite
+    Vector3 reach;
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-        const std::hash<double> digest;
-        return static_cast<std::uint32_t>(digest(object.centre.x()) + 3 * digest(object.centre.y()) +
-                                          5 * digest(object.centre.z()));
+        const double *row = object.rotation.data() + 4 * axis;
+        const double along_z = std::abs(row[2]) * object.half.z();
+        const auto i = static_cast<Eigen::Index>(axis);
+        reach[i] = std::abs(row[0]) * object.half.x() + std::abs(row[1]) * object.half.y() + along_z;
+        if (object.formula == Watch::capsule)
+            reach[i] = object.half.x() + along_z;
+        if (object.formula == Watch::sphere)
+            reach[i] = object.half.x();
     }
-};
+    return reach;
+}
 } // namespace
+
+Box bounds_of(const Object &object)
+{
+    const Vector3 reach = reach_of(object);
+    return Box(object.centre - reach, object.centre + reach);
+}
+
+Solid solid_of(const Object &object)
+{
+    if (object.formula == Watch::look || !object.has_pose)
+        return {};
+    return {object.formula, static_cast<float>(object.half.x()), static_cast<float>(object.half.y()),
+            static_cast<float>(object.half.z())};
+}
 
 ProxyId World::add(const Object &object)
 {
@@ -74,14 +89,26 @@ void World::remove(ProxyId id)
     present_[id] = false;
 }
 
-void World::touch(ProxyId id)
+bool World::touch(ProxyId id)
 {
-    broadphase.report_move(id, Noticed{objects_[id]});
+    const Noticed noticed(objects_[id]);
+    const Followed followed = broadphase.report_at_once(id, noticed);
+    return followed == Followed::moved || broadphase.report_closely(id, noticed, followed);
 }
 
 void World::place(ProxyId id, const Vector3 &centre)
 {
     objects_[id].centre = centre;
+    touch(id);
+}
+
+void World::turn(ProxyId id, const Vector3 &axis, double angle)
+{
+    const Eigen::Matrix3d matrix = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column)
+            objects_[id].rotation[4 * row + column] =
+                matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
     touch(id);
 }
 
@@ -129,7 +156,7 @@ Pairs World::overlapping() const
     std::vector<ProxyId> ids = members();
     ids.erase(std::remove_if(ids.begin(), ids.end(), [this](ProxyId id) { return !objects_[id].enabled; }), ids.end());
     std::vector<Box> boxes;
-    std::transform(ids.begin(), ids.end(), std::back_inserter(boxes), [this](ProxyId id) { return box_of(id); });
+    std::transform(ids.begin(), ids.end(), std::back_inserter(boxes), [this](ProxyId id) { return bounds_of(seen(id)); });
     Pairs pairs;
     for (std::size_t i = 0; i < ids.size(); ++i)
         for (std::size_t j = i + 1; j < ids.size(); ++j)
@@ -138,17 +165,15 @@ Pairs World::overlapping() const
     return pairs;
 }
 
-// An object without a prediction is in no envelope; in the mode `predicting` there is none.
 std::string World::misplaced_object() const
 {
     for (ProxyId id : members())
     {
-        const bool inside =
-            broadphase.predicted(id)
-                ? holds(FloatBox::around(broadphase.proxies().envelope(id, broadphase.now()).at(0)), box_of(id))
-                : broadphase.mode() != Mode::predicting;
-        if (!inside)
+        const Place &place = broadphase.proxies().places[id];
+        if (!holds(place.envelope(), bounds_of(objects_[id])))
             return "object " + std::to_string(id) + " is outside its envelope";
+        if (place.watch() != Watch::centre && !holds(place.tight(), bounds_of(objects_[id])))
+            return "object " + std::to_string(id) + " is outside its tight box";
     }
     return {};
 }
@@ -191,31 +216,29 @@ const Object &World::seen(ProxyId id) const
     return objects_[id];
 }
 
-Box World::box_of(ProxyId id) const
-{
-    const Object &object = seen(id);
-    return Box(object.centre - object.half, object.centre + object.half);
-}
-
-void World::locate(const ProxyId *ids, std::size_t count, Location *locations)
+// By the formula, as far as it goes, or the bounding box itself.
+void World::measure(const ProxyId *ids, std::size_t count, Place *places)
 {
     for (std::size_t i = 0; i < count; ++i)
     {
         const Object &object = seen(ids[i]);
-        locations[i] = {{object.centre.x(), object.centre.y(), object.centre.z()}, object.radius * object.radius};
+        Place &place = places[ids[i]];
+        place.watch_solid(solid_of(object));
+        const TightBox box = place.measured(object.centre.data(), object.rotation.data());
+        if (place.watch() != Watch::look && is_finite(box))
+        {
+            place.set_tight(box);
+            continue;
+        }
+        place.set_watch(Watch::look);
+        place.set_tight(bounds_of(object));
     }
 }
 
-void World::measure(const ProxyId *ids, std::size_t count, MeasuredBox *boxes)
+void World::observe(const ProxyId *ids, std::size_t count, Observation *seen)
 {
     for (std::size_t i = 0; i < count; ++i)
-        boxes[ids[i]] = MeasuredBox(box_of(ids[i]));
-}
-
-void World::observe(const ProxyId *ids, std::size_t count, const bool *with_bounds, Observation *seen)
-{
-    for (std::size_t i = 0; i < count; ++i)
-        seen[i] = observation(ids[i], with_bounds[i]);
+        seen[i] = observation(ids[i]);
 }
 
 void World::find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled)
@@ -230,22 +253,19 @@ std::optional<Vector3> World::pivot_of(ProxyId id) const
     return known && object.centre.allFinite() ? std::optional(object.centre) : std::nullopt;
 }
 
-Observation World::observation(ProxyId id, bool with_bounds) const
+Observation World::observation(ProxyId id) const
 {
     const Object &object = seen(id);
     Observation seen;
-    seen.radius = object.radius;
-    seen.is_sphere = object.is_sphere;
     seen.centre = pivot_of(id);
+    seen.radius = seen.centre ? object.radius : infinity;
     seen.velocity = object.velocity;
-    if (!seen.centre || !std::isfinite(object.radius) || (with_bounds && !object.is_sphere))
-        seen.bounds = box_of(id);
     return seen;
 }
 
 bool World::boxes_and_spheres_overlap(ProxyId first, ProxyId second) const
 {
-    if (!boxes_overlap(box_of(first), box_of(second)))
+    if (!boxes_overlap(bounds_of(seen(first)), bounds_of(seen(second))))
         return false;
     // The sphere of an object without one is that around its box. The tolerance is for rounding, here and in the broad phase.
     auto radius = [this](ProxyId id) {
@@ -258,12 +278,18 @@ bool World::boxes_and_spheres_overlap(ProxyId first, ProxyId second) const
 
 Object ball(const Vector3 &centre, double radius, const Vector3 &displacement)
 {
-    return {centre, Vector3::Constant(radius), radius, true, Vector3(displacement / World::step), displacement};
+    return {centre, Vector3::Constant(radius), radius, Watch::sphere, Vector3(displacement / World::step), displacement};
 }
 
-Object box(const Vector3 &centre, const Vector3 &half, const Vector3 &displacement, bool with_body)
+Object capsule(const Vector3 &centre, double radius, double half_segment, const Vector3 &displacement)
 {
-    Object result = {centre, half, infinity, false, std::nullopt, displacement};
+    return {centre,         {radius, radius, half_segment},         (radius + half_segment) * (1 + 1e-9),
+            Watch::capsule, Vector3(displacement / World::step), displacement};
+}
+
+Object block(const Vector3 &centre, const Vector3 &half, const Vector3 &displacement, bool with_body)
+{
+    Object result = {centre, half, infinity, Watch::look, std::nullopt, displacement};
     if (with_body)
     {
         result.radius = half.norm() * (1 + 1e-9);
@@ -272,9 +298,16 @@ Object box(const Vector3 &centre, const Vector3 &half, const Vector3 &displaceme
     return result;
 }
 
+Object box(const Vector3 &centre, const Vector3 &half, const Vector3 &displacement, bool with_body)
+{
+    Object result = block(centre, half, displacement, with_body);
+    result.formula = Watch::box;
+    return result;
+}
+
 Object floor_below(double height)
 {
     // Its bounds are -infinity and height; the box around its centre cannot say that, so it is made of a large one.
-    return box({0, 0, height - 1e30}, {infinity, infinity, 1e30}, Vector3::Zero(), false);
+    return block({0, 0, height - 1e30}, {infinity, infinity, 1e30}, Vector3::Zero(), false);
 }
 } // namespace ode_predictive_space

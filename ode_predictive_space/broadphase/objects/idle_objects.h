@@ -1,10 +1,10 @@
 // Objects that are disabled: they are in no reported pair, so no pairs are looked for and kept for them.
 //
-// ODE enables and disables geoms without notice. A disabled object is found when it is predicted or swept, or when a pair of
+// ODE enables and disables geoms without notice. A disabled object is found when it gets a new envelope, or when a pair of
 // it comes up for report. From then on it is polled, so that it takes part again from the tick at which it is enabled.
 
-#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_VERIFY_IDLE_OBJECTS_H
-#define ODE_PREDICTIVE_SPACE_BROADPHASE_VERIFY_IDLE_OBJECTS_H
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_IDLE_OBJECTS_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_IDLE_OBJECTS_H
 
 #include <vector>
 

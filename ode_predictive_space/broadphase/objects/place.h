@@ -1,0 +1,316 @@
+// Where an object is, and where it may be: its tight box and its envelope, in one cache line. A notice of a move compares the two.
+//
+// An envelope is a place: it holds the object for as long as the object stays in it, however much time passes.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PLACE_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PLACE_H
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "ode_predictive_space/broadphase/base/float_box.h"
+
+namespace ode_predictive_space
+{
+/// Number of an update of the broad phase, of 27 bits; it wraps around.
+using UpdateNumber = std::uint32_t;
+
+/// What the notice of a move compares with what.
+enum class Watch : std::uint8_t
+{
+    look,    ///< nothing: the object is looked at in the next update
+    centre,  ///< the centre with the box of allowed centres
+    sphere,  ///< the tight box of a sphere with the envelope
+    capsule, ///< that of a segment along the z axis with a radius
+    box      ///< that of a box, also one around a cylinder
+};
+
+/// An object whose bounding box follows from its pose alone, by the formula of its kind.
+struct Solid
+{
+    Watch formula = Watch::look; ///< look: there is no formula
+    float x = 0, y = 0,
+          z = 0; ///< half sizes; of a sphere the radius in x, of a capsule the radius in x and half the segment in z
+
+    bool operator==(const Solid &other) const
+    {
+        return formula == other.formula && x == other.x && y == other.y && z == other.z;
+    }
+};
+
+/// What the notice of a move tells.
+enum class Followed
+{
+    moved, ///< and still in its envelope
+    same,  ///< nothing has changed, as far as single precision tells and unless the size has; in its envelope
+    left   ///< it is not in its envelope
+};
+
+/// A box in the first three lanes of two vectors.
+struct TightBox
+{
+    Float4 low, high;
+
+    /// A box of these half sizes, and outwards by more than round-off, that of the program's own box included.
+    static TightBox around(Float4 centre, Float4 half)
+    {
+        constexpr float unit = 4 * std::numeric_limits<float>::epsilon(), least = std::numeric_limits<float>::min();
+        const Float4 outer = half + ((abs(centre) + half) * Float4::all(unit) + Float4::all(least));
+        return {centre - outer, centre + outer};
+    }
+
+    static TightBox of(const FloatBox &box)
+    {
+        return {Float4(box.low[0], box.low[1], box.low[2], 0), Float4(box.high[0], box.high[1], box.high[2], 0)};
+    }
+};
+
+/// False, too, when anything is not a number.
+inline bool is_finite(const TightBox &box)
+{
+    const Float4 most = Float4::all(std::numeric_limits<float>::max());
+    return ((abs(box.low) + abs(box.high) <= most).bits() & three_lanes) == three_lanes;
+}
+
+class alignas(64) Place
+{
+public:
+    // --- The envelope ---
+
+    /// Holds no object until the envelope is set.
+    Place()
+    {
+        forget_envelope();
+        hide();
+    }
+
+    void forget_envelope() { set_envelope({Float4::all(infinity), Float4::all(-infinity)}); }
+    bool has_envelope() const { return low_[0] <= high_[0]; }
+    FloatBox envelope() const { return {{low_[0], low_[1], low_[2]}, {high_[0], high_[1], high_[2]}}; }
+    void set_envelope(const TightBox &box)
+    {
+        box.low.store_three(low_);
+        box.high.store_three(high_);
+    }
+
+    /// Are the envelopes apart? False when anything is not a number.
+    friend bool envelopes_apart(const Place &one, const Place &other)
+    {
+        return apart(one.low(), one.high(), other.low(), other.high());
+    }
+
+    /// An envelope around a sphere becomes one around the tight box in it.
+    void tighten(float radius);
+
+    // --- The tight box ---
+
+    Watch watch() const { return static_cast<Watch>(state_ & watch_bits); }
+    void set_watch(Watch watch) { state_ = (state_ & ~watch_bits) | static_cast<std::uint32_t>(watch); }
+    static constexpr UpdateNumber last_update = ~UpdateNumber{0} >> 5;
+    UpdateNumber moved() const { return state_ >> bits_below_update; }
+
+    /// @return false when it was noted before.
+    bool note_move(UpdateNumber update)
+    {
+        const std::uint32_t state = (update << bits_below_update) | counted_bit | (state_ & low_bits);
+        const bool is_new = (state ^ state_) > low_bits;
+        state_ = state;
+        return is_new;
+    }
+    /// It may have moved by less than single precision tells: that is no move to be counted.
+    void note_doubtful_move(UpdateNumber update)
+    {
+        if (moved() != update)
+            state_ = (update << bits_below_update) | (state_ & low_bits);
+    }
+
+    /// From now on the tight box is watched, by the formula of the solid.
+    void watch_solid(const Solid &solid)
+    {
+        state_ &= ~doubt_bit;
+        set_watch(solid.formula);
+        half_x_ = solid.x;
+        half_y_ = solid.y;
+        half_z_ = solid.z;
+    }
+    Solid solid() const { return {watch(), half_x_, half_y_, half_z_}; }
+
+    /// From now on the centre is watched: the object stays within a sphere of this radius around it.
+    ///
+    /// @param centre as it is now.
+    void watch_centre(const float *centre, float radius);
+    float watched_radius() const { return half_y_; }
+
+    /// The box of a watched solid.
+    template <typename Real> TightBox measured(const Real *position, const Real *rotation) const
+    {
+        return TightBox::around(Float4::nearest_of_stored(position, 1), half_extents(rotation));
+    }
+    void set_tight(const TightBox &box)
+    {
+        box.low.store_three(tight_low_);
+        box.high.store_three(tight_high_);
+    }
+    /// The bounding box as the program computes it, in double precision.
+    void set_tight(const Box &box)
+    {
+        const FloatBox outer = FloatBox::around(box);
+        const TightBox lanes = TightBox::of(outer);
+        set_tight(lanes);
+        state_ &= ~doubt_bit;
+        if (!is_finite(lanes))
+            note_overflow(box, outer);
+    }
+    void note_overflow(const Box &box, const FloatBox &outer)
+    {
+        const auto overflows = [](double exact, float rounded) {
+            return std::isfinite(exact) && !(std::abs(rounded) < std::numeric_limits<float>::max());
+        };
+        bool doubtful = false;
+        for (int axis = 0; axis < 3; ++axis)
+            doubtful |= overflows(box.min()[axis], outer.low[axis]) | overflows(box.max()[axis], outer.high[axis]);
+        state_ |= doubtful ? doubt_bit : 0;
+    }
+    /// Nothing is known of where the object is.
+    void hide() { set_tight(TightBox{Float4::all(-infinity), Float4::all(infinity)}); }
+
+    FloatBox tight() const
+    {
+        return {{tight_low_[0], tight_low_[1], tight_low_[2]}, {tight_high_[0], tight_high_[1], tight_high_[2]}};
+    }
+    TightBox tight_lanes() const { return {tight_low(), tight_high()}; }
+
+    /// Does the envelope hold the tight box? False when anything is not a number.
+    bool holds() const { return holds(tight_low(), tight_high()); }
+
+    /// The object may have moved: measures what is watched.
+    template <typename Real> Followed follow(const Real *position, const Real *rotation)
+    {
+        if (watch() == Watch::centre)
+            return follow_centre(Float4::nearest_of_stored(position, 1));
+        const TightBox box = measured(position, rotation);
+        const Mask4 same = (box.low == tight_low()) & (box.high == tight_high());
+        const bool changed = (same.bits() & three_lanes) != three_lanes;
+        set_tight(box);
+        return outcome(holds(box.low, box.high), changed);
+    }
+
+    // --- Pairs ---
+
+    /// By how much two tight boxes overlap, along each axis.
+    friend Float4 overlap_depths(const Place &one, const Place &other)
+    {
+        return min(one.tight_high(), other.tight_high()) - max(one.tight_low(), other.tight_low());
+    }
+
+    /// What single precision tells of two tight boxes.
+    friend bool surely_apart(const Place &one, const Place &other)
+    {
+        return apart(one.tight_low(), one.tight_high(), other.tight_low(), other.tight_high());
+    }
+    /// Do they overlap by more than they are larger than the program's own boxes?
+    friend bool surely_overlap(const Place &one, const Place &other);
+    /// Two tight boxes are larger than the program's own by less than this part of the farthest coordinate, and this much.
+    static constexpr float rounding = 32 * std::numeric_limits<float>::epsilon();
+    static constexpr float least_rounding = 8 * std::numeric_limits<float>::min();
+
+private:
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+    static constexpr std::uint32_t watch_bits = 7, doubt_bit = 8, low_bits = watch_bits | doubt_bit, counted_bit = 16;
+    static constexpr int bits_below_update = 5;
+
+    Float4 low() const { return Float4::load_aligned(low_); }
+    Float4 high() const { return Float4::load_aligned(high_); }
+    Float4 tight_low() const { return Float4::load_aligned(tight_low_); }
+    Float4 tight_high() const { return Float4::load_aligned(tight_high_); }
+
+    static bool apart(Float4 low, Float4 high, Float4 other_low, Float4 other_high)
+    {
+        return (((low > other_high) | (other_low > high)).bits() & three_lanes) != 0;
+    }
+
+    bool holds(Float4 inner_low, Float4 inner_high) const
+    {
+        return (((inner_low >= low()) & (inner_high <= high())).bits() & three_lanes) == three_lanes;
+    }
+
+    template <typename Real> Float4 half_extents(const Real *rotation) const
+    {
+        if (watch() == Watch::sphere)
+            return Float4::all(half_x_);
+        const Float4 along_z = abs(Float4::nearest_of_stored(rotation + 2, 4)) * Float4::all(half_z_);
+        if (watch() == Watch::capsule)
+            return along_z + Float4::all(half_x_);
+        return (abs(Float4::nearest_of_stored(rotation, 4)) * Float4::all(half_x_) +
+                abs(Float4::nearest_of_stored(rotation + 1, 4)) * Float4::all(half_y_)) +
+               along_z;
+    }
+
+    static float digest_of(Float4 centre) { return (centre * Float4(1, 1.3717f, 1.7391f, 0)).sum_of_three(); }
+
+    Followed follow_centre(Float4 centre)
+    {
+        const float digest = digest_of(centre);
+        const bool changed = digest != half_x_;
+        half_x_ = digest;
+        const Mask4 allowed = (centre >= tight_low()) & (centre <= tight_high());
+        return outcome((allowed.bits() & three_lanes) == three_lanes, changed);
+    }
+
+    static Followed outcome(bool is_inside, bool changed)
+    {
+        return !is_inside ? Followed::left : changed ? Followed::moved : Followed::same;
+    }
+
+    // Behind each vector, in its fourth lane, is something else. While the centre is watched, tight_low and tight_high are the box
+    // of allowed centres, half_x a digest of the last one, and half_y the radius.
+    float low_[3];
+    float half_x_ = 0;
+    float high_[3];
+    float half_y_ = 0;
+    float tight_low_[3];
+    float half_z_ = 0;
+    float tight_high_[3];
+    std::uint32_t state_ =
+        0; // the update that will see the last move; a side of the box overflows single precision; the watch
+};
+static_assert(sizeof(Place) == 64, "one cache line per notice");
+
+inline bool surely_overlap(const Place &one, const Place &other)
+{
+    if ((one.state_ | other.state_) & Place::doubt_bit)
+        return false;
+    // A side is off by less than this part of both sides of its box. A side at infinity is not off.
+    constexpr float unit = 16 * std::numeric_limits<float>::epsilon();
+    const auto finite_size = [](Float4 side) { return finite_or_zero(abs(side)); };
+    const Float4 sizes = (finite_size(one.tight_low()) + finite_size(one.tight_high())) +
+                         (finite_size(other.tight_low()) + finite_size(other.tight_high()));
+    const Float4 doubt = sizes * Float4::all(unit) + Float4::all(Place::least_rounding);
+    const Mask4 before = one.tight_high() - other.tight_low() > doubt, after = other.tight_high() - one.tight_low() > doubt;
+    return ((before & after).bits() & three_lanes) == three_lanes;
+}
+
+// The margin is more than what is lost by rounding here and when the box is measured.
+inline void Place::tighten(float radius)
+{
+    constexpr float unit = 16 * std::numeric_limits<float>::epsilon();
+    const Float4 half = Float4::all(0.5f) * (tight_high() - tight_low());
+    const Float4 margin = ((abs(low()) + abs(high())) + Float4::all(radius)) * Float4::all(unit);
+    const Float4 give = max(Float4::all(radius) - half - margin, Float4::all(0));
+    set_envelope({low() + give, high() - give});
+}
+
+inline void Place::watch_centre(const float *centre, float radius)
+{
+    constexpr float unit = 16 * std::numeric_limits<float>::epsilon();
+    set_watch(Watch::centre);
+    const Float4 kept = Float4::all(radius) + ((abs(low()) + abs(high())) + Float4::all(radius)) * Float4::all(unit) +
+                        Float4::all(std::numeric_limits<float>::min());
+    half_x_ = digest_of(Float4(centre[0], centre[1], centre[2], 0));
+    half_y_ = radius;
+    set_tight(TightBox{low() + kept, high() - kept});
+}
+} // namespace ode_predictive_space
+
+#endif

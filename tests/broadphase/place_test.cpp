@@ -1,0 +1,414 @@
+// What single precision tells of where an object is must never be wrong, whatever the numbers are.
+
+#include "ode_predictive_space/broadphase/objects/place.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/numbers.h"
+#include "tests/broadphase/support/random.h"
+#include "tests/broadphase/support/world.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr Watch formulas[] = {Watch::sphere, Watch::capsule, Watch::box};
+
+// A power of ten, or a number of moderate size.
+double any_size(Random &random, double least, double most)
+{
+    return random.chance(0.5) ? random.uniform(0.1, 10) : std::pow(10, random.uniform(least, most));
+}
+
+// The largest sum of both is a float still.
+Object any_solid(Random &random)
+{
+    Object object;
+    object.formula = formulas[random.index(3)];
+    const double place = random.chance(0.2) ? 0 : any_size(random, -40, 36);
+    const double size = any_size(random, -40, 36);
+    object.centre = random.vector(place);
+    object.half = size * (Vector3::Ones() + random.vector(0.999));
+    if (object.formula != Watch::box)
+        object.half.y() = object.half.x();
+    if (object.formula == Watch::sphere)
+        object.half.z() = object.half.x();
+    if (random.chance(0.8))
+    {
+        const Vector3 axis = (random.vector(1) + Vector3(1e-3, 0, 0)).normalized();
+        const Eigen::Matrix3d turned = Eigen::AngleAxisd(random.uniform(-3, 3), axis).toRotationMatrix();
+        for (std::size_t i = 0; i < 12; ++i)
+            object.rotation[i] =
+                i % 4 < 3 ? turned(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) : nan;
+    }
+    return object;
+}
+
+Place placed(const Object &object)
+{
+    Place place;
+    place.watch_solid(solid_of(object));
+    place.set_tight(place.measured(object.centre.data(), object.rotation.data()));
+    return place;
+}
+
+bool contains(const FloatBox &outer, const Box &inner)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(outer.low[axis] <= inner.min()[axis] && inner.max()[axis] <= outer.high[axis]))
+            return false;
+    return true;
+}
+
+// As ODE compares: what is not a number overlaps.
+bool overlap(const Box &one, const Box &other)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (one.min()[axis] > other.max()[axis] || one.max()[axis] < other.min()[axis])
+            return false;
+    return true;
+}
+
+TEST(Place, ATightBoxHoldsTheBoundingBox)
+{
+    Random random(1);
+    for (int i = 0; i < 300000; ++i)
+    {
+        const Object object = any_solid(random);
+        const Place place = placed(object);
+        ASSERT_TRUE(is_finite(place.tight_lanes())) << i;
+        ASSERT_TRUE(contains(place.tight(), bounds_of(object))) << i;
+    }
+}
+
+TEST(Place, ATightBoxIsTight)
+{
+    Random random(2);
+    for (int i = 0; i < 100000; ++i)
+    {
+        const Object object = any_solid(random);
+        const FloatBox box = placed(object).tight();
+        const Box exact = bounds_of(object);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const double size = std::abs(exact.min()[axis]) + std::abs(exact.max()[axis]);
+            ASSERT_LE(exact.min()[axis] - box.low[axis], 2e-6 * size + 1e-37) << i;
+            ASSERT_LE(box.high[axis] - exact.max()[axis], 2e-6 * size + 1e-37) << i;
+        }
+    }
+}
+
+// ODE in single precision computes its boxes with a rounding of its own.
+TEST(Place, ATightBoxHoldsWhatIsComputedInSinglePrecision)
+{
+    Random random(3);
+    for (int i = 0; i < 300000; ++i)
+    {
+        const Object object = any_solid(random);
+        float position[3], rotation[12], side[3];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            position[axis] = static_cast<float>(object.centre[axis]);
+            side[axis] = 2 * static_cast<float>(object.half[axis]);
+        }
+        for (std::size_t k = 0; k < 12; ++k)
+            rotation[k] = static_cast<float>(object.rotation[k]);
+        Place place;
+        place.watch_solid({object.formula, side[0] / 2, side[1] / 2, side[2] / 2});
+        place.set_tight(place.measured(position, rotation));
+        Box computed;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const float *row = rotation + 4 * axis;
+            const float along_z = std::abs(row[2] * side[2]);
+            const float reach = object.formula == Watch::sphere    ? side[0] / 2
+                                : object.formula == Watch::capsule ? along_z / 2 + side[0] / 2
+                                : 0.5f * (std::abs(row[0] * side[0]) + std::abs(row[1] * side[1]) + along_z);
+            const float low = position[axis] - reach, high = position[axis] + reach;
+            computed.min()[axis] = double{low};
+            computed.max()[axis] = double{high};
+        }
+        ASSERT_TRUE(contains(place.tight(), computed)) << i;
+    }
+}
+
+TEST(Place, NoFormulaHoldsForWhatIsNotFinite)
+{
+    for (double bad : {nan, infinity, -infinity, 1e39, -1e200})
+        for (int axis = 0; axis < 3; ++axis)
+            for (Watch formula : formulas)
+            {
+                Object object;
+                object.formula = formula;
+                object.centre[axis] = bad;
+                EXPECT_FALSE(is_finite(placed(object).tight_lanes())) << bad;
+            }
+    Object object;
+    object.formula = Watch::box;
+    object.rotation[5] = nan;
+    EXPECT_FALSE(is_finite(placed(object).tight_lanes()));
+}
+
+// Where it is not a number it may be anywhere.
+TEST(Place, TheBoxOfTheProgramIsHeldWhateverItIs)
+{
+    for (double bad : {nan, infinity, -infinity, 1e39, -1e39, 1e200, -1e200, 1e-300})
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            Box box(Vector3::Constant(-1), Vector3::Constant(1));
+            box.max()[axis] = bad;
+            Place place;
+            place.set_tight(box);
+            EXPECT_LE(place.tight().low[axis], -1);
+            EXPECT_TRUE(std::isnan(bad) ? place.tight().high[axis] == float_infinity : place.tight().high[axis] >= bad);
+        }
+}
+
+// Two boxes that nearly touch, or not, each measured by its formula or as the program computes it.
+struct TwoBoxes
+{
+    Box boxes[2];
+    Place places[2];
+
+    explicit TwoBoxes(Random &random)
+    {
+        Object one = any_solid(random), other = any_solid(random);
+        const Vector3 between = bounds_of(one).sizes() / 2 + bounds_of(other).sizes() / 2;
+        const double size = random.chance(0.5) ? 1 : between.norm() + one.centre.norm();
+        other.centre = one.centre + random.vector(1).cwiseProduct(between);
+        const auto axis = static_cast<Eigen::Index>(random.index(3));
+        const double sign = random.chance(0.5) ? 1 : -1, off = std::pow(10, random.uniform(-17, -3)) * size;
+        if (random.chance(0.9))
+            other.centre[axis] =
+                one.centre[axis] + sign * (between[axis] + (random.chance(0.2) ? 0 : random.uniform(-1, 1) * off));
+        take(0, one, random);
+        take(1, other, random);
+    }
+
+private:
+    void take(int k, const Object &object, Random &random)
+    {
+        constexpr double extremes[] = {nan, infinity, -infinity, 1e39, -1e39, 1e200, -1e200, 2e200};
+        boxes[k] = bounds_of(object);
+        if (random.chance(0.7))
+        {
+            places[k] = placed(object);
+            return;
+        }
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            if (random.chance(0.05))
+                boxes[k].min()[axis] = extremes[random.index(8)];
+            if (random.chance(0.05))
+                boxes[k].max()[axis] = extremes[random.index(8)];
+        }
+        places[k].set_tight(boxes[k]);
+    }
+};
+
+TEST(Place, IsNeverWrongAboutWhetherBoxesOverlap)
+{
+    Random random(4);
+    int apart = 0, together = 0, unsure = 0;
+    for (int i = 0; i < 1000000; ++i)
+    {
+        const TwoBoxes two(random);
+        const bool overlapping = overlap(two.boxes[0], two.boxes[1]);
+        const bool surely_not = surely_apart(two.places[0], two.places[1]);
+        const bool surely = surely_overlap(two.places[0], two.places[1]);
+        ASSERT_FALSE(surely_not && overlapping) << i;
+        ASSERT_FALSE(surely && !overlapping) << i;
+        ASSERT_EQ(surely_not, surely_apart(two.places[1], two.places[0]));
+        ASSERT_FALSE(surely_overlap(two.places[1], two.places[0]) && !overlapping) << i;
+        apart += surely_not;
+        together += surely;
+        unsure += !surely && !surely_not;
+    }
+    EXPECT_GT(apart, 100000);
+    EXPECT_GT(together, 100000);
+    EXPECT_GT(unsure, 100000) << "the test is about what nearly touches";
+}
+
+// Two sides that overflow single precision look alike there.
+TEST(Place, IsNotSureOfBoxesThatAreFartherAwayThanSinglePrecisionReaches)
+{
+    for (double scale : {1.0, -1.0})
+    {
+        Place near, far, plane;
+        near.set_tight(Box(Vector3::Constant(scale * 1e200 - 1e190), Vector3::Constant(scale * 1e200 + 1e190)));
+        far.set_tight(Box(Vector3::Constant(scale * 3e200 - 1e190), Vector3::Constant(scale * 3e200 + 1e190)));
+        EXPECT_FALSE(surely_overlap(near, far));
+        EXPECT_FALSE(surely_apart(near, far));
+        plane.set_tight(Box(Vector3::Constant(-infinity), Vector3::Constant(infinity)));
+        EXPECT_TRUE(surely_overlap(plane, plane)) << "infinity is not too far to tell";
+    }
+}
+
+TEST(Place, IsSureOfAlmostAllBoxes)
+{
+    Random random(5);
+    int unsure = 0;
+    constexpr int pairs = 20000;
+    for (int i = 0; i < pairs; ++i)
+    {
+        const Object one = ball(random.vector(1), 0.5, {0, 0, 0}), other = ball(random.vector(1), 0.5, {0, 0, 0});
+        const Place first = placed(one), second = placed(other);
+        unsure += !surely_apart(first, second) && !surely_overlap(first, second);
+    }
+    EXPECT_LT(unsure, pairs / 1000);
+}
+
+TEST(Place, HoldsAnObjectOnlyIfAllOfItIsInTheEnvelope)
+{
+    const auto place_in = [](const TightBox &envelope) {
+        Place place = placed(ball({1, 2, 3}, 1, {0, 0, 0}));
+        place.set_envelope(envelope);
+        return place;
+    };
+    EXPECT_TRUE(place_in({Float4::all(-10), Float4::all(10)}).holds());
+    for (int axis = 0; axis < 3; ++axis)
+        for (float bad : {2.5f, float_nan})
+        {
+            float low[4] = {-10, -10, -10, 0}, high[4] = {10, 10, 10, 0};
+            low[axis] = bad;
+            EXPECT_FALSE(place_in({Float4::load(low), Float4::all(10)}).holds());
+            high[axis] = bad == bad ? 1.5f : bad;
+            EXPECT_FALSE(place_in({Float4::all(-10), Float4::load(high)}).holds());
+        }
+    EXPECT_FALSE(Place().holds());
+    EXPECT_FALSE(Place().has_envelope());
+    Place lost;
+    lost.set_envelope({Float4::all(-float_infinity), Float4::all(float_infinity)});
+    EXPECT_TRUE(lost.holds()) << "nothing is known of the object, and it may be anywhere";
+}
+
+// An envelope around a sphere, and centres near the borders of where they are allowed.
+TEST(Place, TheWatchOfTheCentreLetsNoObjectPassThatLeavesItsEnvelope)
+{
+    Random random(6);
+    int passed = 0, left = 0;
+    for (int i = 0; i < 300000; ++i)
+    {
+        const double size = any_size(random, -30, 30), far = random.chance(0.3) ? 0 : any_size(random, -30, 30);
+        const float radius = round_up(size);
+        const Vector3 start = random.vector(far);
+        const Float4 centre = Float4::nearest(start.data());
+        const TightBox sphere = TightBox::around(centre, Float4::all(radius));
+        const Float4 slack = Float4::all(static_cast<float>(size * random.uniform(0.01, 2)));
+        Place place;
+        place.set_envelope({sphere.low - slack, sphere.high + slack});
+        float position[4];
+        centre.store(position);
+        place.watch_centre(position, radius);
+        const FloatBox envelope = place.envelope();
+        Object object = ball(start, size, {0, 0, 0});
+        const auto axis = static_cast<Eigen::Index>(random.index(3));
+        object.centre[axis] = random.chance(0.5) ? envelope.high[axis] - size : envelope.low[axis] + size;
+        const double scale = std::abs(object.centre[axis]) + size;
+        object.centre[axis] += scale * std::pow(10, random.uniform(-17, -4)) * random.uniform(-1, 1);
+        const bool inside = contains(envelope, bounds_of(object));
+        const bool pass = place.follow(object.centre.data(), object.rotation.data()) != Followed::left;
+        ASSERT_FALSE(pass && !inside) << i;
+        passed += pass;
+        left += !inside;
+    }
+    EXPECT_GT(passed, 5000);
+    EXPECT_GT(left, 10000);
+}
+
+TEST(Place, TheWatchOfTheCentreLetsPassWhatIsWellInside)
+{
+    Place place;
+    place.set_envelope({Float4::all(-2), Float4::all(2)});
+    const float start[] = {0, 0, 0};
+    place.watch_centre(start, 1);
+    EXPECT_EQ(place.watched_radius(), 1);
+    Object object;
+    for (double x : {0.5, -0.5, 0.9999, -0.9999})
+    {
+        object.centre = {x, x / 2, 0};
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::moved);
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::same);
+    }
+    for (double bad : {1.0001, -1.0001, nan, infinity})
+    {
+        object.centre = {0, 0, bad};
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::left);
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::left) << "still";
+    }
+}
+
+TEST(Place, ANoticeWithoutAChangeOfThePoseIsTold)
+{
+    Random random(7);
+    for (int i = 0; i < 1000; ++i)
+    {
+        const Object object = any_solid(random);
+        Place place = placed(object);
+        place.set_envelope({Float4::all(-float_infinity), Float4::all(float_infinity)});
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::same)
+            << "its size may be another one";
+        Object moved = object;
+        moved.centre += Vector3(2 * object.half.maxCoeff() + object.centre.norm(), 0, 0);
+        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data()), Followed::moved);
+        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data()), Followed::same);
+        place.set_envelope(placed(object).tight_lanes());
+        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data()), Followed::left);
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::moved);
+    }
+}
+
+TEST(Place, AMoveIsNotedOncePerUpdate)
+{
+    Place place;
+    place.watch_solid({Watch::box, 1, 2, 3});
+    for (UpdateNumber update : {UpdateNumber{1}, UpdateNumber{2}, Place::last_update, UpdateNumber{0}})
+    {
+        EXPECT_TRUE(place.note_move(update));
+        EXPECT_FALSE(place.note_move(update));
+        EXPECT_EQ(place.moved(), update);
+        EXPECT_EQ(place.watch(), Watch::box);
+        EXPECT_TRUE(place.solid() == (Solid{Watch::box, 1, 2, 3}));
+    }
+}
+
+// Of an object that was predicted by its sphere and has met others.
+TEST(Place, ATightenedEnvelopeHoldsTheObjectAndIsNoLargerThanBefore)
+{
+    Random random(8);
+    for (int i = 0; i < 100000; ++i)
+    {
+        Object object = any_solid(random);
+        object.radius = (object.formula == Watch::capsule ? object.half.x() + object.half.z() : object.half.norm()) *
+                        (1 + 1e-9);
+        const float radius = round_up(object.radius);
+        const Float4 centre = Float4::nearest(object.centre.data());
+        Place place = placed(object);
+        const TightBox sphere = TightBox::around(centre, Float4::all(radius));
+        const bool has_slack = random.chance(0.5);
+        const Float4 slack = Float4::all(has_slack ? 0.01f * radius : 0);
+        place.set_envelope({sphere.low - slack, sphere.high + slack});
+        const FloatBox before = place.envelope();
+        place.tighten(radius);
+        ASSERT_TRUE(contains(place.envelope(), bounds_of(object))) << i;
+        ASSERT_TRUE(place.holds() || !has_slack) << i;
+        ASSERT_TRUE(before.contains(place.envelope())) << i;
+    }
+}
+
+TEST(Place, ATightenedEnvelopeHasLostWhatTheSphereAdded)
+{
+    Place place = placed(box({1, 2, 3}, {0.5, 0.1, 0.1}, {0, 0, 0}, true));
+    place.set_envelope({Float4(0, 1, 2, 0), Float4(3, 3, 4, 0)});
+    place.tighten(1);
+    const FloatBox envelope = place.envelope();
+    EXPECT_NEAR(envelope.low[0], 0.5, 1e-4);
+    EXPECT_NEAR(envelope.high[0], 2.5, 1e-4);
+    EXPECT_NEAR(envelope.low[1], 1.9, 1e-4);
+    EXPECT_NEAR(envelope.high[1], 2.1, 1e-4);
+}
+} // namespace
+} // namespace ode_predictive_space
