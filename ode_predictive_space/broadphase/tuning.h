@@ -51,6 +51,9 @@ constexpr float cost_of_test = 20, cost_of_box = 50, cost_of_prediction = 2800;
 /// An object that is farther from its path than this, in sizes per tick, has leapt: nothing is known of where it will be.
 constexpr float leap = 1;
 
+/// A step may be so many times as long as expected. (frames 80 %)
+constexpr float longest_step = 2;
+
 /// Slack that every object gets that has moved or will, in sizes: for jitter, and for what turning does to a bounding box.
 /// (heap 500)
 constexpr float slack = 0.01f;

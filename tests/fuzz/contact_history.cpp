@@ -179,7 +179,8 @@ private:
         if (const std::string wrong = rest(); !wrong.empty())
             return wrong;
         return each_tick([&](int i) {
-            world_.foretell(subject_, object_);
+            if (i > 0) // what has just moved may deviate
+                world_.foretell(subject_, object_);
             const int corner = bytes_[5] * (i + 1) + bytes_[6] * i * i;
             const Vector3d to = half * Vector3d(corner & 4 ? 1 : -1, corner & 8 ? 1 : -1, corner & 16 ? 1 : -1);
             world_.move(subject_, to - off);

@@ -125,6 +125,8 @@ TEST_P(ContactHistories, EachContactHasACallback)
               << " pairs of classes\n";
     EXPECT_GT(tally.contacts, tally.ticks / 20);
     EXPECT_GT(tally.left_out, tally.ticks / 100);
+    if (GetParam().name == std::string("wobbling_bodies"))
+        EXPECT_GT(tally.forecasts, tally.ticks / 100);
 }
 
 const Theme themes[] = {
@@ -201,7 +203,7 @@ const Theme themes[] = {
      140,
      147,
      {Action::wobble}},
-    // What has no body is predicted to go on wobbling.
+    // What has no body is foretold to go on; a body without a velocity, to stay.
     {"wobbling_bodies",
      {by_sphere | large_deviation | asking, by_shape | large_deviation | asking},
      {dSphereClass, dSphereClass, dBoxClass},

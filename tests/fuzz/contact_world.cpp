@@ -364,23 +364,40 @@ void ContactWorld::foretell(int slot, int other)
     const Slot *one = find(slot), *second = find(other);
     if (!one || !second || one == second)
         return;
+    if (slot > other)
+        std::swap(one, second);
     forecast_.slot = std::min(slot, other);
     forecast_.other = std::max(slot, other);
     forecast_.within = dPredictiveSpaceGetTimeOfProximity(space_, one->geom, second->geom, &forecast_.ticks) == 0;
     forecast_.made = tally_.ticks;
-    forecast_.broken = broken_predictions();
+    forecast_.boxes = {resting_box(*one), resting_box(*second)};
 }
 
-unsigned long ContactWorld::broken_predictions() const
+// What rests is foretold to stay where it is.
+std::optional<ContactWorld::Bounds> ContactWorld::resting_box(const Slot &slot)
 {
-    dPredictiveSpaceStats stats;
-    dPredictiveSpaceGetStats(space_, &stats);
-    return stats.violations + stats.repredictions;
+    const dBodyID body = dGeomGetBody(slot.geom);
+    const auto rests = [](const dReal *velocity) { return std::count(velocity, velocity + 3, dReal(0)) == 3; };
+    if (!body || !rests(dBodyGetLinearVel(body)) || !rests(dBodyGetAngularVel(body)))
+        return std::nullopt;
+    std::array<dReal, 6> box;
+    dGeomGetAABB(slot.geom, box.data());
+    return box;
 }
 
-std::string ContactWorld::broken_forecast(const Slots &pair) const
+bool ContactWorld::stayed(const Slot &slot, const std::optional<Bounds> &box) const
 {
-    if (pair != Slots(forecast_.slot, forecast_.other) || broken_predictions() != forecast_.broken)
+    const std::optional<Bounds> now = resting_box(slot);
+    for (std::size_t i = 0; i < 6; ++i)
+        if (!box || !now || !(std::abs((*now)[i] - (*box)[i]) <= setting_.deviation))
+            return false;
+    return true;
+}
+
+std::string ContactWorld::broken_forecast(const Slots &pair)
+{
+    if (pair != Slots(forecast_.slot, forecast_.other) || !stayed(*find(pair.first), forecast_.boxes[0]) ||
+        !stayed(*find(pair.second), forecast_.boxes[1]))
         return "";
     ++tally_.forecasts;
     const auto passed = static_cast<dReal>(tally_.ticks - forecast_.made);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <deque>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -95,13 +96,14 @@ private:
         ConvexArrays *convex = nullptr; ///< in convexes_, if it is made from such
         MeshArrays *mesh = nullptr;     ///< in meshes_, likewise
     };
+    using Bounds = std::array<dReal, 6>;
     struct Forecast
     {
         int slot = -1, other = -1;
         dReal ticks = 0;     ///< no contact before that many ticks, ...
         bool within = false; ///< ... and none at that tick, either
         long made = 0;
-        unsigned long broken = 0; ///< as long as no more predictions are broken or renewed
+        std::array<std::optional<Bounds>, 2> boxes; ///< as long as both stay within the deviation of these
     };
     using Slots = std::pair<int, int>;
 
@@ -113,8 +115,9 @@ private:
     bool overlap(const Slot &one, const Slot &other) const;
     std::set<Slots> reported();
     std::string check(const Slots &pair, bool was_reported);
-    unsigned long broken_predictions() const;
-    std::string broken_forecast(const Slots &pair) const;
+    static std::optional<Bounds> resting_box(const Slot &slot);
+    bool stayed(const Slot &slot, const std::optional<Bounds> &box) const;
+    std::string broken_forecast(const Slots &pair);
     std::string describe(const Slots &pair, const char *what) const;
 
     ContactTally &tally_;

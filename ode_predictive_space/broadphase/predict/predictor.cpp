@@ -93,7 +93,8 @@ struct Predictor::Motion
     }
 };
 
-// Steps may vary: what counts is how far the object is from its path, not from where it should be at this tick.
+// Steps may vary: what counts is how far the object is from its path, not from where it should be at this tick. Only what no step
+// explains, backwards or many times as far, is no way along the path.
 Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Tick now) const
 {
     Outcome outcome;
@@ -105,7 +106,8 @@ Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Ti
                         acceleration};
     const Float4 expected = motion.displacement(outcome.ticks);
     const float squared_way = dot(expected, expected);
-    const float part = squared_way > 0 ? dot(outcome.displacement, expected) / squared_way : 0;
+    const float along = squared_way > 0 ? dot(outcome.displacement, expected) / squared_way : 0;
+    const float part = std::clamp(along, 0.0f, tuning::longest_step);
     outcome.way = std::sqrt(squared_way);
     outcome.error = norm(outcome.displacement - Float4::all(part) * expected);
     return outcome;
