@@ -25,10 +25,11 @@ bool contains(const std::vector<std::uintptr_t> &ids, std::uintptr_t id)
     return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-bool will_be_met(const ProbeView &probe, std::uintptr_t id)
+bool may_be_met_soon(const ProbeView &probe, std::uintptr_t id)
 {
+    constexpr double soon = 0.3; // s
     return std::any_of(probe.meetings.begin(), probe.meetings.end(),
-                       [id](const Meeting &meeting) { return meeting.id == id; });
+                       [id](const Meeting &meeting) { return meeting.id == id && meeting.seconds <= soon; });
 }
 
 Colour colour_of(const DrawnGeom &geom, const ProbeView &probe)
@@ -37,7 +38,7 @@ Colour colour_of(const DrawnGeom &geom, const ProbeView &probe)
     {
         return palette::touched;
     }
-    if (will_be_met(probe, geom.id))
+    if (may_be_met_soon(probe, geom.id))
     {
         return palette::near_probe;
     }

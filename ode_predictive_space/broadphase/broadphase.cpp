@@ -7,6 +7,7 @@
 
 #include "ode_predictive_space/broadphase/near/contact_forecast.h"
 #include "ode_predictive_space/broadphase/shape/gap.h"
+#include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/prediction/proximity.h"
 
 namespace ode_predictive_space
@@ -67,7 +68,7 @@ void Broadphase::look(Scene &scene)
         // Only for the test which shows that the differential test notices when predictions are trusted blindly.
         const bool holds = place.has_envelope();
 #else
-        const bool holds = place.holds();
+        const bool holds = place.holds() && (place.has_end() || !is_finite(place.tight_lanes()));
 #endif
         counters_.violations += !holds && place.has_envelope();
         if (!holds || requested_.contains(id))
@@ -93,7 +94,7 @@ void Broadphase::predict(Scene &scene)
     for (ProxyId id : batch_.ids())
         unpaired_.insert(id);
     has_unpaired_ = true;
-    watch_centres(batch_);
+    choose_watches();
     counters_.repredictions += batch_.size();
 }
 
@@ -132,12 +133,18 @@ void Broadphase::make_tight(Scene &scene)
             proxies_.places[id].tighten(proxies_.records[id].radius);
 }
 
-// An envelope that holds its object however it turns is watched by the centre, until it meets another.
-void Broadphase::watch_centres(const Batch &batch)
+// An envelope that holds its object however it turns is watched by the centre, until it meets another. What is without end is looked
+// at, to see when it has one.
+void Broadphase::choose_watches()
 {
-    for (ProxyId id : batch.ids())
+    for (ProxyId id : batch_.ids())
+    {
+        Place &place = proxies_.places[id];
         if (const ProxyRecord &record = proxies_.records[id]; record.by_radius)
-            proxies_.places[id].watch_centre(record.position, record.radius);
+            place.watch_centre(record.position, record.radius);
+        else if (!place.has_end())
+            place.set_watch(Watch::look);
+    }
 }
 
 void Broadphase::finish()
@@ -198,10 +205,13 @@ std::optional<double> Broadphase::time_of_proximity(const Forecast &first, const
 {
     const double ticks = std::min(first.ticks, second.ticks);
     const double duration = std::isfinite(ticks) ? ticks : 0;
-    std::optional<double> time = box_time_of_proximity(first.envelope, second.envelope, duration);
+    const auto earliest = [&](TimeOfProximity &time) {
+        return time_in_halves(time, first.envelope, second.envelope, duration, tuning::forecast_halvings);
+    };
+    std::optional<double> time = earliest(box_time_of_proximity);
     if (time && proximity_test_ == ProximityTest::sphere && first.about_centre && second.about_centre)
     {
-        const std::optional<double> of_spheres = sphere_time_of_proximity(first.envelope, second.envelope, duration);
+        const std::optional<double> of_spheres = earliest(sphere_time_of_proximity);
         time = of_spheres ? std::optional<double>(std::max(*time, *of_spheres)) : std::nullopt;
     }
     return time;

@@ -218,7 +218,7 @@ private:
     void predict(Scene &scene);
     void find_pairs(Scene &scene);
     void make_tight(Scene &scene);
-    void watch_centres(const Batch &batch);
+    void choose_watches();
     void finish();
     void start_over();
     void forget(ProxyId id);

@@ -66,6 +66,8 @@ constexpr float least_way = 0.05f;
 
 /// How far a forecast that a program asks for reaches, in sizes.
 constexpr float forecast_reach = 9;
+/// And how often its horizon is halved where paths bend. (a hand that goes away)
+constexpr int forecast_halvings = 4;
 
 /// Updates: older moves and samples tell nothing about the motion.
 constexpr std::int32_t recent_ticks = 8;
@@ -118,7 +120,7 @@ constexpr std::size_t wide_digits = 4096;
 constexpr unsigned reports_per_rest = 32;
 
 /// Reports between two looks at the gap of a pair that has had none for long.
-constexpr int longest_pause = 64;
+constexpr int longest_pause = 32;
 
 /// Points of a convex or mesh beyond which its box, in its own axes, stands for it. A mesh of more is mostly a landscape, which has
 /// the other objects within its hull, and a hull takes about a millisecond per thousand points to make.

@@ -29,6 +29,14 @@ struct Overlap
             leave = std::min(leave, -gap / slope);
     }
 };
+
+// Where the envelope is later on, and what rounding may have moved it.
+Envelope advanced(const Envelope &envelope, double t)
+{
+    Envelope later = envelope.advanced(t);
+    later.deviation.a += rounding_per_size * size_of_terms(envelope.path, t).sum();
+    return later;
+}
 } // namespace
 
 std::optional<double> first_root(double A, double B, double C)
@@ -98,5 +106,20 @@ std::optional<double> box_time_of_proximity(const Envelope &first, const Envelop
     if (overlap.enter > (1 + rounding_per_size) * std::min(overlap.leave, 1.0))
         return std::nullopt;
     return std::min(overlap.enter * (1 - rounding_per_size), 1.0) * duration;
+}
+
+std::optional<double> time_in_halves(TimeOfProximity &time, const Envelope &first, const Envelope &second,
+                                     double duration, int halvings)
+{
+    const std::optional<double> found = time(first, second, duration);
+    const bool bends = first.path.acceleration != second.path.acceleration ||
+                       (first.deviation + second.deviation).c > 0;
+    if (!found || halvings == 0 || !bends)
+        return found;
+    const double half = 0.5 * duration;
+    if (const auto early = time_in_halves(time, first, second, half, halvings - 1))
+        return early;
+    const auto late = time_in_halves(time, advanced(first, half), advanced(second, half), half, halvings - 1);
+    return late ? std::optional<double>(half + *late) : std::nullopt;
 }
 } // namespace ode_predictive_space

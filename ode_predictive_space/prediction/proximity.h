@@ -42,6 +42,14 @@ std::optional<double> sphere_time_of_proximity(const Envelope &first, const Enve
 /// The same of the boxes: equation 1 by slabs, per axis |distance| <= half extents + R(t), over the chords of equation 6 and lowered
 /// by the whole chord error (docs/method.md). A side that is infinite or not a number is near.
 std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
+
+/// One of the two above.
+using TimeOfProximity = std::optional<double>(const Envelope &first, const Envelope &second, double duration);
+
+/// The same time, later, where paths bend: a horizon in which the two may be near is halved up to so many times. With each halving,
+/// the chord error is a quarter of what it was.
+std::optional<double> time_in_halves(TimeOfProximity &time, const Envelope &first, const Envelope &second,
+                                     double duration, int halvings);
 } // namespace ode_predictive_space
 
 #endif

@@ -175,6 +175,27 @@ TEST(NeverLate, time_of_proximity_of_boxes)
     }
     EXPECT_GT(encounters, 200000U);
 }
+
+TEST(NeverLate, time_in_halves)
+{
+    double earlier = 0, closer = 0;
+    for_all_kinds(2500, 20000, [&](const EnvelopePair &pair, RandomPairs &) {
+        const auto check = [&](TimeOfProximity &time, std::optional<Real> contact) {
+            const auto whole = time(pair.first, pair.second, pair.duration);
+            const auto halves = time_in_halves(time, pair.first, pair.second, pair.duration, 4);
+            EXPECT_TRUE(!contact || (halves && *halves <= *contact * pair.duration));
+            EXPECT_TRUE(whole || !halves) << "what is apart by the whole horizon stays apart";
+            if (!contact || *contact == 0)
+                return;
+            earlier += static_cast<double>(*contact) - *whole / pair.duration;
+            closer += static_cast<double>(*contact) - *halves / pair.duration;
+        };
+        check(sphere_time_of_proximity, first_sphere_contact(pair.first, pair.second, pair.duration));
+        check(box_time_of_proximity, first_box_contact(pair.first, pair.second, pair.duration));
+    });
+    EXPECT_LT(closer, 0.1 * earlier) << "the error of chords is a small part of what it was";
+}
+
 TEST(NeverLate, when_there_is_no_chord_error_the_prediction_is_exact)
 {
     // A straight relative path and a deviation that does not bend: the quartic is the paper's quadratic.

@@ -183,6 +183,8 @@ public:
 
     /// Does the envelope hold the tight box? False when anything is not a number.
     bool holds() const { return holds(tight_low(), tight_high()); }
+    /// An envelope without end holds whatever comes of what was no number, and meets all others.
+    bool has_end() const { return is_finite({low(), high()}); }
 
     /// The object may have moved: measures what is watched.
     template <typename Real> Followed follow(const Real *position, const Real *rotation)

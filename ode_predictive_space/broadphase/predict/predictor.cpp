@@ -137,6 +137,11 @@ void adapt_spread(ProxyRecord &record, float way, float error)
             std::clamp(std::max(0.5f * record.spread, 2 * error / way), tuning::least_spread, tuning::most_spread);
 }
 
+Deviation adapted_deviation(float size, float spread, float way, float ticks)
+{
+    return {tuning::slack * size, spread * way / ticks, 0};
+}
+
 // Not all objects are to leave their first envelopes together.
 void begin(ProxyRecord &record, ProxyId id)
 {
@@ -197,11 +202,9 @@ float Predictor::ticks_for(float way, float speed, float acceleration) const
     return ticks >= least ? std::min(ticks, most) : ticks < least ? least : most;
 }
 
-Deviation Predictor::deviation_of(const ProxyRecord &record, float spread, float way, float ticks) const
+Deviation Predictor::deviation_of(const ProxyRecord &record, const Deviation &adapted) const
 {
-    if (const auto &fixed = settings.deviation[is_interactive(record.role) ? 1 : 0])
-        return *fixed;
-    return {tuning::slack * record.size, spread * way / ticks, 0};
+    return settings.deviation[is_interactive(record.role) ? 1 : 0].value_or(adapted);
 }
 
 // The box that contains the object, to the end of the horizon: the path's, with its turning points, and the deviation.
@@ -251,11 +254,12 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
         motion = Motion();
     const float ticks = ticks_for(way, speed, bend);
     const bool never_moved = outcome.ticks == 0 && speed == 0;
-    const auto deviation = never_moved ? 0 : static_cast<float>(deviation_of(record, tuning::most_spread, way, ticks).at(double{ticks}));
+    const Deviation adapted = adapted_deviation(record.size, tuning::most_spread, way, ticks);
+    const Deviation deviation = deviation_of(record, never_moved ? Deviation() : adapted);
     record.radius = round_up(seen.radius);
     record.by_radius = record.tests == 0 && std::isfinite(record.radius) && is_finite(tight);
     const TightBox box = record.by_radius ? TightBox::around(centre, Float4::all(record.radius)) : tight;
-    const TightBox envelope = swept(box, motion, ticks, deviation);
+    const TightBox envelope = swept(box, motion, ticks, static_cast<float>(deviation.at(double{ticks})));
     place.set_envelope(envelope);
     const Float4 farthest = max(abs(finite_or_zero(envelope.low)), abs(finite_or_zero(envelope.high)));
     farthest_ = std::max(farthest_, farthest.largest_of_three());
@@ -344,7 +348,7 @@ Forecast Predictor::forecast(Scene &scene, const ProxyStore &proxies, ProxyId id
     forecast.ticks = unknown ? 0 : still ? std::numeric_limits<double>::infinity() : double{ticks};
     forecast.about_centre = seen.centre && std::isfinite(seen.radius);
     if (moves)
-        envelope.deviation = deviation_of(record, record.spread, still ? 0 : way, ticks);
+        envelope.deviation = deviation_of(record, adapted_deviation(record.size, record.spread, still ? 0 : way, ticks));
     envelope.low = bounds.min() - centre;
     envelope.high = bounds.max() - centre;
     const Vector3 corner = envelope.low.cwiseAbs().cwiseMax(envelope.high.cwiseAbs());

@@ -83,7 +83,7 @@ private:
     Motion motion_of(ProxyRecord &record, const Outcome &outcome, const Observation &seen);
     Motion motion_of_body(const ProxyRecord &record, const Outcome &outcome, Float4 velocity);
     float ticks_for(float way, float speed, float acceleration) const;
-    Deviation deviation_of(const ProxyRecord &record, float spread, float way, float ticks) const;
+    Deviation deviation_of(const ProxyRecord &record, const Deviation &adapted) const;
     static TightBox swept(const TightBox &box, const Motion &motion, float ticks, float deviation);
     bool wants_samples(const ProxyRecord &record, ProxyId id) const;
     Path path_of(const ProxyRecord &record, ProxyId id, const Observation &seen, const Vector3 &centre) const;
