@@ -68,7 +68,7 @@ void Broadphase::look(Scene &scene)
         // Only for the test which shows that the differential test notices when predictions are trusted blindly.
         const bool holds = place.has_envelope();
 #else
-        const bool holds = place.holds() && (place.has_end() || !is_finite(place.tight_lanes()));
+        const bool holds = place.holds() && !place.is_boundless();
 #endif
         counters_.violations += !holds && place.has_envelope();
         if (!holds || requested_.contains(id))

@@ -77,7 +77,7 @@ def notice_faults():
         "turns_unsafely", "notices", entry, " || (watch == Watch::centre && !object.turns_safely())", "",
         (("contract", "Notice.*"), HISTORIES))
     yield Fault(
-        "skip_verify", "notices", tick, "const bool holds = place.holds();", "const bool holds = place.has_envelope();",
+        "skip_verify", "notices", tick, "const bool holds = place.holds() && !place.is_boundless();", "const bool holds = place.has_envelope();",
         (("broadphase", "Tick.*:Resting.*:*AnyWorld*"),))
     yield Fault(
         "enabled_unnoticed", "notices", tick,

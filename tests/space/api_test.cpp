@@ -171,7 +171,7 @@ TEST_F(PredictiveSpace, EverySettingReportsTheSamePairs)
         logs.push_back(each.log());
     }
     for (const auto &log : logs)
-        EXPECT_EQ(log, logs.front());
+        EXPECT_EQ(log, logs.front()) << "setting " << &log - logs.data();
 }
 
 TEST_F(PredictiveSpace, TheTimeOfProximityIsNeverLate)

@@ -183,7 +183,13 @@ public:
 
     /// Does the envelope hold the tight box? False when anything is not a number.
     bool holds() const { return holds(tight_low(), tight_high()); }
-    /// An envelope without end holds whatever comes of what was no number, and meets all others.
+    /// Is a side of the envelope at infinity, and not that of the object? It holds the object wherever it goes, and meets all others.
+    bool is_boundless() const
+    {
+        const Float4 most = Float4::all(std::numeric_limits<float>::max());
+        const auto needless = [&](Float4 side, Float4 inner) { return (abs(side) > most) & (abs(inner) <= most); };
+        return ((needless(low(), tight_low()) | needless(high(), tight_high())).bits() & three_lanes) != 0;
+    }
     bool has_end() const { return is_finite({low(), high()}); }
 
     /// The object may have moved: measures what is watched.

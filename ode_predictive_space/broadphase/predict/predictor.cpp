@@ -231,6 +231,12 @@ bool Predictor::wants_samples(const ProxyRecord &record, ProxyId id) const
             (samples_.count() < tuning::most_sampled || samples_.find(id) != nullptr));
 }
 
+void Predictor::note_farthest(const TightBox &box)
+{
+    const Float4 farthest = max(abs(finite_or_zero(box.low)), abs(finite_or_zero(box.high)));
+    farthest_ = std::max(farthest_, farthest.largest_of_three());
+}
+
 void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
@@ -261,8 +267,8 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     const TightBox box = record.by_radius ? TightBox::around(centre, Float4::all(record.radius)) : tight;
     const TightBox envelope = swept(box, motion, ticks, static_cast<float>(deviation.at(double{ticks})));
     place.set_envelope(envelope);
-    const Float4 farthest = max(abs(finite_or_zero(envelope.low)), abs(finite_or_zero(envelope.high)));
-    farthest_ = std::max(farthest_, farthest.largest_of_three());
+    note_farthest(envelope);
+    note_farthest(tight);
     centre.store_three(record.position);
     if (record.has_body)
         Float4::nearest(seen.velocity->data()).store_three(record.velocity);

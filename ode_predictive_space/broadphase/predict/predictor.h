@@ -66,8 +66,8 @@ public:
     /// @param moves it has moved a short time ago.
     Forecast forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, bool moves);
 
-    /// No object is farther from the origin than this along any axis, but for those whose sides are infinite: the largest finite
-    /// coordinate of an envelope that was ever made.
+    /// No finite side of an object is farther from the origin than this: the largest finite coordinate of an envelope, or of an
+    /// object in it, when one was ever made.
     float farthest() const { return farthest_; }
 
     void forget(ProxyId id) { samples_.forget(id); }
@@ -85,6 +85,7 @@ private:
     float ticks_for(float way, float speed, float acceleration) const;
     Deviation deviation_of(const ProxyRecord &record, const Deviation &adapted) const;
     static TightBox swept(const TightBox &box, const Motion &motion, float ticks, float deviation);
+    void note_farthest(const TightBox &box);
     bool wants_samples(const ProxyRecord &record, ProxyId id) const;
     Path path_of(const ProxyRecord &record, ProxyId id, const Observation &seen, const Vector3 &centre) const;
 
