@@ -281,19 +281,48 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     record.tests = record.useless = 0;
 }
 
+// An object that leaps again, without a body whose velocity explains it, is not observed: its next envelope is the tight box with some
+// slack.
+bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
+{
+    ProxyRecord &record = proxies.records[id];
+    if (record.reach > 0 || record.spread == 0 || record.has_body || settings.deviation[is_interactive(record.role) ? 1 : 0])
+        return false;
+    Place &place = proxies.places[id];
+    const TightBox tight = place.tight_lanes();
+    const Float4 centre = middle_of(tight), displacement = centre - load_three(record.position);
+    const float leap = static_cast<float>(ticks_between(record.since, now)) * tuning::leap * record.size;
+    if (!is_finite(tight) || !(dot(displacement, displacement) > leap * leap))
+        return false;
+    const Float4 slack = Float4::all(tuning::slack * record.size);
+    const TightBox envelope = {tight.low - slack, tight.high + slack};
+    place.set_envelope(envelope);
+    note_farthest(envelope);
+    centre.store_three(record.position);
+    record.since = now;
+    record.by_radius = false;
+    record.tests = record.useless = 0;
+    return true;
+}
+
 void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now)
 {
     constexpr std::size_t most = tuning::objects_per_call;
     seen_.resize(most);
     for (std::size_t begin = 0; begin < batch.size(); begin += most)
     {
-        const ProxyId *const ids = batch.data() + begin;
+        const ProxyId *const some = batch.data() + begin;
         const std::size_t count = std::min(most, batch.size() - begin);
         for (std::size_t i = 0; i < count; ++i)
-            prefetch(&proxies.records[ids[i]]);
-        scene.observe(ids, count, seen_.data());
+            prefetch(&proxies.records[some[i]]);
+        ProxyId *end = ids_.data();
         for (std::size_t i = 0; i < count; ++i)
-            predict(proxies, ids[i], seen_[i], now);
+            if (!leaps_again(proxies, some[i], now))
+                *end++ = some[i];
+        const auto left = static_cast<std::size_t>(end - ids_.data());
+        scene.observe(ids_.data(), left, seen_.data());
+        for (std::size_t i = 0; i < left; ++i)
+            predict(proxies, ids_[i], seen_[i], now);
     }
 }
 

@@ -16,6 +16,7 @@
 #include "ode_predictive_space/broadphase/objects/proxy_store.h"
 #include "ode_predictive_space/broadphase/objects/scene.h"
 #include "ode_predictive_space/broadphase/predict/samples.h"
+#include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/prediction/envelope.h"
 #include "ode_predictive_space/prediction/step_estimate.h"
 
@@ -78,6 +79,7 @@ private:
     struct Motion;
     struct Outcome;
 
+    bool leaps_again(ProxyStore &proxies, ProxyId id, Tick now);
     void predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now);
     Outcome judge(const ProxyRecord &record, Float4 centre, Tick now) const;
     Motion motion_of(ProxyRecord &record, const Outcome &outcome, const Observation &seen);
@@ -93,7 +95,8 @@ private:
     float farthest_ = 0;
     Samples samples_;
     bool wants_samples_ = false;    // forecasts are asked for
-    std::vector<Observation> seen_; // scratch
+    std::array<ProxyId, tuning::objects_per_call> ids_; // scratch
+    std::vector<Observation> seen_;                     // scratch
 };
 } // namespace ode_predictive_space
 
