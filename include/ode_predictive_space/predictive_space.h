@@ -196,7 +196,7 @@ ODE_PREDICTIVE_API int dPredictiveSpaceGetDeviation(dSpaceID space, int role, dR
 
 /**
  * Set the bounds of the horizon: for how many ticks of its path a geom's envelope is made, and for how many a time of proximity is
- * known. It adapts to each geom between the two bounds: an envelope covers a part of the geom's size up to one and a half sizes of its
+ * known. It adapts to each geom between the two bounds: an envelope covers a part of the geom's size up to four sizes of its
  * path, a time of proximity nine sizes. No envelope expires at its horizon.
  *
  * @param min_ticks >= 1. The default is 1.

@@ -14,6 +14,7 @@
 #include "ode_predictive_space/space/geom_shape.h"
 #include "tests/contract/support/ode_test.h"
 #include "tests/shape/polyhedron_geom.h"
+#include "tests/support/effort.h"
 
 namespace ode_predictive_space
 {
@@ -241,7 +242,7 @@ constexpr std::array<int, 7> classes{dSphereClass, dBoxClass,    dCapsuleClass, 
 
 TEST_F(ShapeColliders, FindNoContactOfPairsThatAreLeftOut)
 {
-    constexpr int poses = is_long ? 400000 : 12000;
+    constexpr int poses = is_long ? 400000 : of_cases(12000);
     for (int one : classes)
         for (int other : classes)
             expect_no_contact_left_out(one, other, poses);
@@ -249,7 +250,7 @@ TEST_F(ShapeColliders, FindNoContactOfPairsThatAreLeftOut)
 
 TEST_F(ShapeColliders, FindNoContactOfThinPairsThatAreLeftOut)
 {
-    constexpr int poses = is_long ? 200000 : 3000;
+    constexpr int poses = is_long ? 200000 : of_cases(3000);
     thinnest_ = 1e-6;
     smallest_ = 1e-4;
     for (int one : classes)
@@ -261,7 +262,7 @@ TEST_F(ShapeColliders, FindNoContactOfThinPairsThatAreLeftOut)
 // were left out.
 TEST_F(ShapeColliders, FindNoContactBesideSliversOfPairsThatAreLeftOut)
 {
-    constexpr int poses = is_long ? 400000 : 40000;
+    constexpr int poses = is_long ? 400000 : of_cases(40000);
     for (int type : {dSphereClass, dBoxClass, dCapsuleClass, dCylinderClass, dTriMeshClass})
     {
         Counts counts;
