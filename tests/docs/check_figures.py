@@ -49,8 +49,10 @@ COLUMNS = {
         "collide + dCollide, by shape": "best ODE / by shape",
         "pairs with contacts": "touching",
     },
-    "worlds_instructions.json": {"ours": "predictive-box", "best ODE / ours": "ratio"},
-    "scenes_instructions.json": {"ours": "predictive-box", "best ODE / ours": "ratio"},
+    "worlds_instructions.json": {"ours": "predictive-box", "now": "predictive-box", "best ODE / ours": "ratio"},
+    "worlds_instructions_before.json": {"before": "predictive-box"},
+    "scenes_instructions.json": {"ours": "predictive-box", "now": "predictive-box", "best ODE / ours": "ratio"},
+    "scenes_instructions_before.json": {"before": "predictive-box"},
     "instructions_without_hardening.json": {
         "without": "sum before",
         "with": "sum now",
@@ -117,7 +119,7 @@ class Data:
                         "bytes": record["bytes_per_object"],
                     }
             return
-        if name in ("worlds_instructions.json", "scenes_instructions.json"):
+        if re.fullmatch(r"(worlds|scenes)_instructions(_before)?\.json", name):
             yield from worlds(records)
             return
         if name == "stepped.json":
