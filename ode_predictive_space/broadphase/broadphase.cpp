@@ -19,26 +19,27 @@ void Broadphase::update(Scene &scene, bool is_tick)
     if (interrupted_)
         start_over();
     idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });
-    unticked_ += moves_;
-    const bool time_passes = is_tick && unticked_ > 0;
-    if (!has_listed_ && moves_ == 0 && !time_passes && !near_.has_retired() && !has_unpaired_)
+    clock_.unticked += clock_.moves;
+    const bool time_passes = is_tick && clock_.unticked > 0;
+    if (!looks_.listed.has_work() && clock_.moves == 0 && !time_passes && !near_.has_retired() &&
+        !pairing_.waiting.has_work())
         return;
     interrupted_ = true;
-    counters_.moved += moves_;
-    counters_.verified += moves_;
-    moves_ = 0;
+    counters_.moved += clock_.moves;
+    counters_.verified += clock_.moves;
+    clock_.moves = 0;
     if (time_passes)
     {
-        ++now_;
-        unticked_ = 0;
+        ++clock_.now;
+        clock_.unticked = 0;
     }
-    predictor_.sample_moved(scene, proxies_, update_, now_);
+    predictor_.sample_moved(scene, proxies_, clock_.update, clock_.now);
     look(scene); // listed objects -> batch_
     retire();    // their pairs are dropped
     if (!batch_.empty())
-        predict(scene); // batch_ -> envelopes, unpaired_
+        predict(scene); // batch_ -> envelopes, pairing_.waiting
     if (is_tick)
-        find_pairs(scene); // unpaired_ -> near_
+        find_pairs(scene); // pairing_.waiting -> near_
     index_.put(proxies_, batch_);
     finish();
 }
@@ -54,15 +55,15 @@ void Broadphase::find_new_pairs(Scene &scene)
 // Measures the listed objects. Those that are not in their envelopes get new ones.
 void Broadphase::look(Scene &scene)
 {
-    if (!has_listed_)
+    if (!looks_.listed.has_work())
         return;
-    looked_at_.clear();
-    listed_.for_each([this](ProxyId id) { looked_at_.add(id); });
-    scene.measure(looked_at_.data(), looked_at_.size(), proxies_.places.data());
-    for (ProxyId id : looked_at_)
+    looks_.current.clear();
+    looks_.listed.for_each([this](ProxyId id) { looks_.current.add(id); });
+    scene.measure(looks_.current.data(), looks_.current.size(), proxies_.places.data());
+    for (ProxyId id : looks_.current)
     {
         Place &place = proxies_.places[id];
-        place.note_doubtful_move(update_);
+        place.note_doubtful_move(clock_.update);
         near_.disturb(id);
 #ifdef ODE_PREDICTIVE_SPACE_WITHOUT_VERIFY
         // Only for the test which shows that the differential test notices when predictions are trusted blindly.
@@ -71,12 +72,11 @@ void Broadphase::look(Scene &scene)
         const bool holds = place.holds() && !place.is_boundless();
 #endif
         counters_.violations += !holds && place.has_envelope();
-        if (!holds || requested_.contains(id))
+        if (!holds || looks_.requested.contains(id))
             batch_.add(id);
     }
-    listed_.clear();
-    requested_.clear();
-    has_listed_ = false;
+    looks_.listed.clear();
+    looks_.requested.clear();
 }
 
 // Drops the pairs of the batch, and of objects that are gone.
@@ -89,47 +89,45 @@ void Broadphase::retire()
 
 void Broadphase::predict(Scene &scene)
 {
-    predictor_.predict(scene, proxies_, batch_.ids(), now_);
+    predictor_.predict(scene, proxies_, batch_.ids(), clock_.now);
     idle_.note(scene, batch_.ids().data(), batch_.size());
     for (ProxyId id : batch_.ids())
-        unpaired_.insert(id);
-    has_unpaired_ = true;
+        pairing_.waiting.insert(id);
     choose_watches();
     counters_.repredictions += batch_.size();
 }
 
 void Broadphase::find_pairs(Scene &scene)
 {
-    if (!has_unpaired_)
+    if (!pairing_.waiting.has_work())
         return;
-    unpaired_.for_each([this](ProxyId id) { pairing_.add(id); });
-    counters_.sweeps += !index_.find_pairs(proxies_, pairing_, idle_.members(), found_);
+    pairing_.waiting.for_each([this](ProxyId id) { pairing_.batch.add(id); });
+    counters_.sweeps += !index_.find_pairs(proxies_, pairing_.batch, idle_.members(), pairing_.found);
     make_tight(scene);
-    for (const CandidatePair &pair : found_)
+    for (const CandidatePair &pair : pairing_.found)
         if (!envelopes_apart(proxies_.places[pair.first], proxies_.places[pair.second]))
             near_.add(pair);
-    unpaired_.clear();
-    has_unpaired_ = false;
-    pairing_.clear();
-    clear_scratch(found_);
+    pairing_.waiting.clear();
+    pairing_.batch.clear();
+    clear_scratch(pairing_.found);
 }
 
 // Objects that may be near others are watched by their tight boxes. A new envelope around a sphere becomes one around that box.
 void Broadphase::make_tight(Scene &scene)
 {
-    looked_at_.clear();
-    for (const CandidatePair &pair : found_)
+    looks_.current.clear();
+    for (const CandidatePair &pair : pairing_.found)
         for (ProxyId id : {pair.first, pair.second})
             if (Place &place = proxies_.places[id]; place.watch() == Watch::centre)
             {
                 place.set_watch(Watch::look);
-                looked_at_.add(id);
+                looks_.current.add(id);
             }
-    if (looked_at_.empty())
+    if (looks_.current.empty())
         return;
-    scene.measure(looked_at_.data(), looked_at_.size(), proxies_.places.data());
-    for (ProxyId id : looked_at_)
-        if (pairing_.contains(id))
+    scene.measure(looks_.current.data(), looks_.current.size(), proxies_.places.data());
+    for (ProxyId id : looks_.current)
+        if (pairing_.batch.contains(id))
             proxies_.places[id].tighten(proxies_.records[id].radius);
 }
 
@@ -150,7 +148,7 @@ void Broadphase::choose_watches()
 void Broadphase::finish()
 {
     batch_.clear();
-    update_ = (update_ + 1) & Place::last_update;
+    clock_.update = (clock_.update + 1) & Place::last_update;
     interrupted_ = false;
 }
 
@@ -159,7 +157,7 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
     interrupted_ = true;
     if (room.size() < near_.most_pairs())
         room.resize(near_.most_pairs());
-    const UpdateNumber last = update_ - 1;
+    const UpdateNumber last = clock_.update - 1;
     CandidatePair *end = nullptr;
     const OverlapTest test{scene, proxies_.places.data(), proximity_test_ == ProximityTest::sphere,
                            Float4::all(Place::rounding * predictor_.farthest() + Place::least_rounding)};
@@ -181,10 +179,9 @@ void Broadphase::start_over()
 {
     resize_stages();
     batch_.clear();
-    pairing_.clear();
-    unpaired_.clear();
-    has_unpaired_ = false;
-    found_.clear();
+    pairing_.batch.clear();
+    pairing_.waiting.clear();
+    pairing_.found.clear();
     index_.clear(proxies_);
     near_.clear();
     proxies_.members().for_each([this](ProxyId id) {
@@ -197,7 +194,7 @@ void Broadphase::start_over()
 
 Forecast Broadphase::forecast(Scene &scene, ProxyId id)
 {
-    const std::int32_t since = ticks_between(proxies_.places[id].moved(), update_);
+    const std::int32_t since = updates_between(proxies_.places[id].moved(), clock_.update);
     return predictor_.forecast(scene, proxies_, id, since <= tuning::recent_ticks);
 }
 
@@ -266,9 +263,9 @@ ProxyId Broadphase::add()
 // ODE removes geoms in their destructors. When memory runs out here, the next update starts over.
 void Broadphase::remove(ProxyId id)
 {
-    listed_.erase(id);
-    requested_.erase(id);
-    unpaired_.erase(id);
+    looks_.listed.erase(id);
+    looks_.requested.erase(id);
+    pairing_.waiting.erase(id);
     idle_.forget(id);
     shapes_.forget(id);
     try
@@ -299,11 +296,11 @@ void Broadphase::resize_stages()
     idle_.resize(size);
     near_.resize(size);
     batch_.resize(size);
-    pairing_.resize(size);
-    unpaired_.resize(size);
-    looked_at_.resize(size);
-    listed_.resize(size);
-    requested_.resize(size);
+    pairing_.batch.resize(size);
+    pairing_.waiting.resize(size);
+    looks_.current.resize(size);
+    looks_.listed.resize(size);
+    looks_.requested.resize(size);
 }
 
 // Most objects are gone. What is known of the others is given up with the memory: it is soon found again. Throws nothing.
@@ -319,8 +316,8 @@ void Broadphase::trim()
     index_ = {};
     near_.release();
     batch_ = {};
-    pairing_ = {};
-    free_memory(found_);
+    pairing_.batch = {};
+    free_memory(pairing_.found);
     resize_stages();
 }
 
@@ -378,6 +375,7 @@ std::size_t Broadphase::postponed_pairs() const
 std::size_t Broadphase::bytes() const
 {
     return proxies_.bytes() + shapes_.bytes() + idle_.bytes() + predictor_.bytes() + index_.bytes() + near_.bytes() +
-           looked_at_.bytes() + batch_.bytes() + pairing_.bytes() + unpaired_.bytes() + listed_.bytes() + requested_.bytes() + bytes_of(found_);
+           looks_.current.bytes() + batch_.bytes() + pairing_.batch.bytes() + pairing_.waiting.bytes() +
+           looks_.listed.bytes() + looks_.requested.bytes() + bytes_of(pairing_.found);
 }
 } // namespace ode_predictive_space

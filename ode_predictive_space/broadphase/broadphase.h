@@ -14,6 +14,7 @@
 
 #include "ode_predictive_space/broadphase/base/batch.h"
 #include "ode_predictive_space/broadphase/base/id_list.h"
+#include "ode_predictive_space/broadphase/base/worklist.h"
 #include "ode_predictive_space/broadphase/index/envelope_index.h"
 #include "ode_predictive_space/broadphase/near/near_set.h"
 #include "ode_predictive_space/broadphase/objects/idle_objects.h"
@@ -165,7 +166,7 @@ public:
 
     const ProxyStore &proxies() const { return proxies_; }
     const Counters &counters() const { return counters_; }
-    Tick now() const { return now_; }
+    Tick now() const { return clock_.now; }
 
     /// Is the object disabled, as far as was noticed? Its pairs are not in the near set.
     bool idle(ProxyId id) const { return idle_.contains(id); }
@@ -195,20 +196,15 @@ public:
     std::size_t bytes() const;
 
 private:
-    void note_move(Place &place)
-    {
-        const bool is_new = place.note_move(update_);
-        moves_ += is_new;
-    }
+    void note_move(Place &place) { clock_.moves += place.note_move(clock_.update); }
     void look_at(ProxyId id)
     {
         proxies_.places[id].set_watch(Watch::look);
-        listed_.insert(id);
-        has_listed_ = true;
+        looks_.listed.insert(id);
     }
     void request(ProxyId id)
     {
-        requested_.insert(id);
+        looks_.requested.insert(id);
         look_at(id);
     }
 
@@ -226,34 +222,46 @@ private:
     void resize_stages();
     void trim();
 
+    // What is known of time.
+    struct Clock
+    {
+        Tick now = 0;
+        UpdateNumber update = 1;  // that will see the moves that are noted now
+        std::size_t moves = 0;    // objects that have moved since the last update
+        std::size_t unticked = 0; // objects that had moved in updates since the last tick
+    };
+
+    // What the next look is to see. Maybe some that are gone, or have hardly moved.
+    struct Looks
+    {
+        Worklist listed;
+        IdSet requested; // of these, those that get new envelopes in any case
+        IdList current;  // scratch
+    };
+
+    // From new envelopes to near pairs. Empty between updates, but for `waiting`.
+    struct Pairing
+    {
+        Worklist waiting; // have new envelopes: their pairs are not in the near set yet
+        Batch batch;
+        std::vector<CandidatePair> found;
+    };
+
     ProxyStore proxies_;
     MeasuredShapes shapes_; // in use by the shape test
     IdleObjects idle_;
     Predictor predictor_;
     EnvelopeIndex index_;
     NearSet near_;
-
     ProximityTest proximity_test_ = ProximityTest::box;
     double shape_margin_ = 0;
     Counters counters_;
-    Tick now_ = 0;
-    UpdateNumber update_ = 1;    // that will see the moves that are noted now
-    std::size_t moves_ = 0;      // objects that have moved since the last update
-    std::size_t unticked_ = 0;   // objects that had moved in updates since the last tick
+    Clock clock_;
+    Looks looks_;
+    Batch batch_; // get new envelopes in this update
+    Pairing pairing_;
     bool interrupted_ = false;   // something has begun and not ended: what was derived from positions may be wrong
     std::size_t trim_below_ = 0; // number of objects at which memory may be given back
-
-    IdSet listed_;            // to be looked at in the next update
-    IdSet requested_;         // of these, those that get new envelopes in any case
-    bool has_listed_ = false; // maybe some that are gone, or have hardly moved
-    IdSet unpaired_;          // have new envelopes: their pairs are not in the near set yet
-    bool has_unpaired_ = false;
-
-    // Empty between updates.
-    IdList looked_at_;
-    Batch batch_;   // get new envelopes
-    Batch pairing_; // get new pairs
-    std::vector<CandidatePair> found_;
 };
 
 template <typename Object> bool Broadphase::report_closely(ProxyId id, const Object &object, Followed followed)
@@ -270,8 +278,8 @@ template <typename Object> bool Broadphase::report_closely(ProxyId id, const Obj
     }
     // It may have moved by less than single precision tells: its pairs must not come to rest, and by shape it is looked at, because
     // the travel of a shape is the sum of all moves.
-    place.note_doubtful_move(update_);
-    has_listed_ = true;
+    place.note_doubtful_move(clock_.update);
+    looks_.listed.demand();
     if (shapes_.in_use())
         look_at(id);
     return false;

@@ -16,17 +16,8 @@ namespace ode_predictive_space::tuning
 /// cost more than it saves. (gas 1,000, pile 1,000)
 constexpr std::size_t cached_objects = 300;
 
-/// The same of their measured boxes, 32 bytes each. (pile 2,000)
-constexpr std::size_t cached_boxes = 2000;
-
-/// The same of what the report reads of geoms after their boxes were measured in the same tick. (pile 1,000)
-constexpr std::size_t cached_measured = 2000;
-
 /// Turns of a loop over objects in which memory can be fetched. (gas 10,000)
 constexpr std::size_t turns_ahead = 8;
-
-/// The same for a loop over near pairs, whose turns are shorter. (game 10,000)
-constexpr std::size_t pairs_ahead = 16;
 
 /// Elements up to which an array that is filled anew in each tick keeps its memory whatever happens.
 constexpr std::size_t kept_scratch = 1024;
@@ -90,9 +81,6 @@ constexpr std::size_t queries_together = 16;
 /// (game 1,000)
 constexpr int levels_nearby = 4;
 
-/// Nodes of a tree from which a batch's leaves are prefetched before they move.
-constexpr std::size_t uncached_nodes = 256;
-
 /// Geoms up to which a question looks at each. (nested 22)
 constexpr std::size_t few_to_ask = 32;
 
@@ -110,9 +98,6 @@ constexpr double deviations_per_half = 4;
 /// A slab is at least as wide as so many boxes, so that few boxes are in two slabs, and holds at least so many boxes.
 /// (teleport 3,000 to 40,000)
 constexpr double least_widths_per_slab = 4, least_boxes_per_slab = 1000;
-
-/// Boxes from which keys are sorted by digits of 11 bits in place of 8.
-constexpr std::size_t wide_digits = 4096;
 
 // --- Near ---
 

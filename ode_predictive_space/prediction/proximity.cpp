@@ -112,8 +112,8 @@ std::optional<double> time_in_halves(TimeOfProximity &time, const Envelope &firs
                                      double duration, int halvings)
 {
     const std::optional<double> found = time(first, second, duration);
-    const bool bends = first.path.acceleration != second.path.acceleration ||
-                       (first.deviation + second.deviation).c > 0;
+    const bool bends =
+        first.path.acceleration != second.path.acceleration || (first.deviation + second.deviation).c > 0;
     if (!found || halvings == 0 || !bends)
         return found;
     const double half = 0.5 * duration;

@@ -219,9 +219,9 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
         count = find_reported(nested_call, pairs);
     }
     const auto visit = [&](std::size_t i) { call_back(pairs[i], data, callback); };
-    if (geoms_.size() > tuning::cached_measured)
+    if (geoms_.size() > tuning::cached_objects)
         for_each_prefetched(
-            count, tuning::pairs_ahead, visit,
+            count, tuning::turns_ahead, visit,
             [&](std::size_t i) {
                 prefetch(&geoms_[pairs[i].first]);
                 prefetch(&geoms_[pairs[i].second]);

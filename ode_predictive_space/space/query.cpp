@@ -73,8 +73,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     find_near(geom, found);
     const GeomScene now = scene();
     for_each_prefetched(
-        found.size(), tuning::turns_ahead,
-        [&](std::size_t i) { answer(now, geoms_[found[i]], geom, data, callback); },
+        found.size(), tuning::turns_ahead, [&](std::size_t i) { answer(now, geoms_[found[i]], geom, data, callback); },
         [&](std::size_t i) { now.prefetch_geom(found[i]); });
     if (lock.is_only_one)
         found_ = std::move(found);

@@ -277,25 +277,6 @@ TEST(EnvelopeTree, IsShallowWhenBuiltOverDistancesThatDouble)
 }
 
 // Some that are in it, some that are not, some that are unknown to it, in trees of any size.
-TEST(EnvelopeTree, APrefetchChangesNothing)
-{
-    for (ProxyId count : {0u, 1u, 10u, 5000u})
-    {
-        Random random(7);
-        CheckedTree checked;
-        for (ProxyId proxy = 0; proxy < count; ++proxy)
-            checked.insert(2 * proxy, random.box(1, 0.01));
-        const int depth = checked.tree().depth();
-        std::vector<ProxyId> batch;
-        for (ProxyId proxy = 0; proxy < 4 * count + 4; proxy += 3)
-            batch.push_back(proxy);
-        checked.tree().prefetch_for_update(batch);
-        EXPECT_EQ(checked.tree().depth(), depth);
-        ASSERT_NO_FATAL_FAILURE(checked.expect_consistent());
-        ASSERT_NO_FATAL_FAILURE(checked.expect_found(random.box(1, 0.5)));
-    }
-}
-
 TEST(EnvelopeTree, UsesTheMemoryOfRemovedLeavesAgain)
 {
     Random random(2);

@@ -124,9 +124,10 @@ TEST(Place, ATightBoxHoldsWhatIsComputedInSinglePrecision)
         {
             const float *row = rotation + 4 * axis;
             const float along_z = std::abs(row[2] * side[2]);
-            const float reach = object.formula == Watch::sphere    ? side[0] / 2
-                                : object.formula == Watch::capsule ? along_z / 2 + side[0] / 2
-                                : 0.5f * (std::abs(row[0] * side[0]) + std::abs(row[1] * side[1]) + along_z);
+            const float reach = object.formula == Watch::sphere ? side[0] / 2
+                                : object.formula == Watch::capsule
+                                    ? along_z / 2 + side[0] / 2
+                                    : 0.5f * (std::abs(row[0] * side[0]) + std::abs(row[1] * side[1]) + along_z);
             const float low = position[axis] - reach, high = position[axis] + reach;
             computed.min()[axis] = double{low};
             computed.max()[axis] = double{high};
@@ -361,6 +362,14 @@ TEST(Place, ANoticeWithoutAChangeOfThePoseIsTold)
     }
 }
 
+TEST(Place, UpdatesAreCountedAcrossTheirWrap)
+{
+    EXPECT_EQ(updates_between(5, 8), 3);
+    EXPECT_EQ(updates_between(8, 5), -3);
+    EXPECT_EQ(updates_between(Place::last_update, 1), 2);
+    EXPECT_EQ(updates_between(1, Place::last_update), -2);
+}
+
 TEST(Place, AMoveIsNotedOncePerUpdate)
 {
     Place place;
@@ -382,8 +391,8 @@ TEST(Place, ATightenedEnvelopeHoldsTheObjectAndIsNoLargerThanBefore)
     for (int i = 0; i < 100000; ++i)
     {
         Object object = any_solid(random);
-        object.radius = (object.formula == Watch::capsule ? object.half.x() + object.half.z() : object.half.norm()) *
-                        (1 + 1e-9);
+        object.radius =
+            (object.formula == Watch::capsule ? object.half.x() + object.half.z() : object.half.norm()) * (1 + 1e-9);
         const float radius = round_up(object.radius);
         const Float4 centre = Float4::nearest(object.centre.data());
         Place place = placed(object);

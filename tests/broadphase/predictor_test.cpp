@@ -31,7 +31,8 @@ public:
     }
 
     // Moved as ODE moves a body: with the velocity that it has at the end of the step, which lasts so many times the usual one.
-    void fly(int ticks, const Vector3 &gravity = Vector3::Zero(), const std::function<double()> &length = [] { return 1; })
+    void fly(
+        int ticks, const Vector3 &gravity = Vector3::Zero(), const std::function<double()> &length = [] { return 1; })
     {
         for (int i = 0; i < ticks; ++i)
         {
@@ -503,8 +504,8 @@ TEST(Predictor, AnEnvelopeHoldsItsObjectWhenItIsMade)
     {
         const double far = std::pow(10, random.uniform(-6, 12)), size = std::pow(10, random.uniform(-6, 6));
         const double exact = std::exp2(static_cast<double>(random.index(20)) - 10);
-        const Vector3 centre = random.vector(far), half = i % 4 == 1 ? Vector3::Constant(exact).eval()
-                                                                     : random.vector(size).cwiseAbs().eval();
+        const Vector3 centre = random.vector(far),
+                      half = i % 4 == 1 ? Vector3::Constant(exact).eval() : random.vector(size).cwiseAbs().eval();
         const Vector3 velocity = random.vector(far);
         Lone lone(i % 5 == 0   ? ball(centre, size, step * velocity)
                   : i % 5 == 1 ? capsule(centre, half.x(), half.z(), step * velocity)

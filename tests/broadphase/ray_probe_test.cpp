@@ -83,9 +83,9 @@ TEST_P(AnyRay, MeetsWhateverClippingMeetsAndHardlyMore)
 }
 
 INSTANTIATE_TEST_SUITE_P(RayProbe, AnyRay,
-                         testing::Values(Region{"near", 0, 1, 1}, Region{"long", 0, 100, 20}, Region{"far", 1e6, 100, 50},
-                                         Region{"very_far", 1e12, 1e9, 1e9}, Region{"tiny", 0, 1e-12, 1e-12},
-                                         Region{"huge", 0, 1e14, 5e13}),
+                         testing::Values(Region{"near", 0, 1, 1}, Region{"long", 0, 100, 20},
+                                         Region{"far", 1e6, 100, 50}, Region{"very_far", 1e12, 1e9, 1e9},
+                                         Region{"tiny", 0, 1e-12, 1e-12}, Region{"huge", 0, 1e14, 5e13}),
                          [](const auto &info) { return info.param.name; });
 
 TEST(RayProbe, TouchingIsMeeting)

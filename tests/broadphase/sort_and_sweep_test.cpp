@@ -263,56 +263,6 @@ TEST(SortAndSweep, InfiniteBoxesMeetAllThatIsInTheirReach)
     }
 }
 
-TEST(SortAndSweep, SortsAlongTheAxisOfTheWidestSpread)
-{
-    Random random(6);
-    SortAndSweep sweep;
-    for (std::size_t count : {0, 1, 30, 5000})
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            Items items = random_items(random, count, 2, 0.1);
-            for (SweptProxy &item : items)
-            {
-                const auto shift = static_cast<float>(random.uniform(-30, 30));
-                item.box.low[axis] += shift;
-                item.box.high[axis] += shift;
-            }
-            std::vector<ProxyId> order = {7};
-            sweep.sort_along_widest(items, order);
-            ASSERT_EQ(order.size(), count + 1) << "it appends";
-            std::map<ProxyId, float> lows;
-            for (const SweptProxy &item : items)
-                lows[item.proxy] = item.box.low[axis];
-            for (std::size_t i = 2; i <= count; ++i)
-                ASSERT_GT(lows.at(order[i]), lows.at(order[i - 1]) - 0.01f);
-            std::sort(order.begin() + 1, order.end());
-            ASSERT_EQ(std::unique(order.begin() + 1, order.end()), order.end());
-        }
-}
-
-TEST(SortAndSweep, SortsWhatIsNotFiniteSomewhere)
-{
-    Random random(7);
-    SortAndSweep sweep;
-    for (std::size_t finite : {0, 5, 3000})
-    {
-        Items items = random_items(random, finite, 2, 0.1);
-        for (ProxyId i = 0; i < 100; ++i)
-        {
-            const float bad = i % 3 == 0 ? nan : i % 3 == 1 ? float_infinity : -float_infinity;
-            items.insert(items.begin() + static_cast<std::ptrdiff_t>(random.index(items.size() + 1)),
-                         {1000000 + i, {{bad, -float_infinity, bad}, {float_infinity, bad, bad}}});
-        }
-        std::vector<ProxyId> order;
-        sweep.sort_along_widest(items, order);
-        std::sort(order.begin(), order.end());
-        ASSERT_EQ(std::unique(order.begin(), order.end()) - order.begin(), static_cast<std::ptrdiff_t>(items.size()));
-    }
-    std::vector<ProxyId> none;
-    sweep.sort_along_widest({}, none);
-    EXPECT_TRUE(none.empty());
-}
-
 TEST(SortAndSweep, AppendsToWhatIsThere)
 {
     SortAndSweep sweep;

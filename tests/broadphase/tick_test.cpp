@@ -244,7 +244,8 @@ TEST_P(Teleports, LetRolesBeSet)
 {
     for (int tick = 0; tick < 300; ++tick)
     {
-        gas.world.broadphase.set_role(static_cast<ProxyId>(tick) % static_cast<ProxyId>(GetParam()), Role::fixed_interactive);
+        gas.world.broadphase.set_role(static_cast<ProxyId>(tick) % static_cast<ProxyId>(GetParam()),
+                                      Role::fixed_interactive);
         const Pairs reported = sorted_pairs(gas.tick());
         ASSERT_EQ(reported, gas.world.overlapping()) << "tick " << tick;
     }

@@ -126,7 +126,9 @@ TEST_P(ContactHistories, EachContactHasACallback)
     EXPECT_GT(tally.contacts, tally.ticks / 20);
     EXPECT_GT(tally.left_out, tally.ticks / 100);
     if (GetParam().name == std::string("wobbling_bodies"))
+    {
         EXPECT_GT(tally.forecasts, tally.ticks / 100);
+    }
 }
 
 const Theme themes[] = {

@@ -159,8 +159,7 @@ TEST(NeverLate, time_of_proximity_of_boxes)
         for (int i = 0; i < pairs_of_a_kind; ++i)
         {
             const EnvelopePair pair = random.make(kind);
-            const std::optional<double> predicted =
-                box_time_of_proximity(pair.first, pair.second, pair.duration);
+            const std::optional<double> predicted = box_time_of_proximity(pair.first, pair.second, pair.duration);
             const auto contact = first_box_contact(pair.first, pair.second, pair.duration);
             const bool in_time = !contact || (predicted && *predicted <= *contact * pair.duration);
             ASSERT_TRUE(in_time) << name(kind) << ", pair " << i << ": contact at " << *contact << " of the horizon";

@@ -161,7 +161,7 @@ ConvexShape ShapeMaker::shape(SolidKind solid)
         shape.half_sides[2] = side();
     shape.size = 2 * (solid == SolidKind::box        ? shape.half_sides.minCoeff()
                       : solid == SolidKind::cylinder ? std::min(shape.radius, shape.half_sides[2])
-                                                 : shape.radius);
+                                                     : shape.radius);
     return shape;
 }
 

@@ -22,7 +22,7 @@ enum class SolidKind
     plane
 };
 constexpr std::array<SolidKind, 6> solids{SolidKind::sphere,   SolidKind::box,  SolidKind::capsule,
-                                      SolidKind::cylinder, SolidKind::hull, SolidKind::plane};
+                                          SolidKind::cylinder, SolidKind::hull, SolidKind::plane};
 
 class ShapeMaker
 {

@@ -32,29 +32,12 @@ public:
     void erase(ProxyId id) { words_[id / bits_per_word] &= ~bit(id); }
     bool contains(ProxyId id) const { return (words_[id / bits_per_word] & bit(id)) != 0; }
 
-    /// Inserts the members that are bits of one word; see word().
-    void insert_word(std::size_t index, std::uint64_t word) { words_[index] |= word; }
-
     bool empty() const
     {
         return std::all_of(words_.begin(), words_.end(), [](std::uint64_t word) { return word == 0; });
     }
 
     void clear() { std::fill(words_.begin(), words_.end(), 0); }
-
-    IdSet &operator|=(const IdSet &other)
-    {
-        for (std::size_t i = 0; i < words_.size(); ++i)
-            words_[i] |= other.words_[i];
-        return *this;
-    }
-
-    IdSet &operator-=(const IdSet &other)
-    {
-        for (std::size_t i = 0; i < words_.size(); ++i)
-            words_[i] &= ~other.words_[i];
-        return *this;
-    }
 
     std::size_t size() const
     {

@@ -43,18 +43,12 @@ public:
     {
         return {first[0], first[stride], first[2 * stride], 0};
     }
-    static Float4 difference(const double *left, const double *right)
-    {
-        return {static_cast<float>(left[0] - right[0]), static_cast<float>(left[1] - right[1]),
-                static_cast<float>(left[2] - right[2]), 0};
-    }
     static Float4 rounded_down(const double *three, double sign)
     {
         return {round_down(sign * three[0]), round_down(sign * three[1]), round_down(sign * three[2]), 0};
     }
 
     void store(float *four) const { std::copy_n(lanes_, 4, four); }
-    void store_aligned(float *four) const { store(four); }
     void store_three(float *three) const { std::copy_n(lanes_, 3, three); }
     void store_whole(std::int16_t *four) const
     {
@@ -62,15 +56,10 @@ public:
             four[lane] = static_cast<std::int16_t>(lanes_[lane]);
     }
 
-    float first() const { return lanes_[0]; }
-    float fourth() const { return lanes_[3]; }
-    Float4 fourth_in_all() const { return all(lanes_[3]); }
-    Float4 with_fourth(float value) const { return {lanes_[0], lanes_[1], lanes_[2], value}; }
     Float4 rotated() const { return {lanes_[1], lanes_[2], lanes_[0], lanes_[0]}; }
     Float4 last_three() const { return {lanes_[1], lanes_[2], lanes_[3], lanes_[3]}; }
     float sum_of_three() const { return (lanes_[0] + lanes_[1]) + lanes_[2]; }
     float largest_of_three() const { return larger(lanes_[2], larger(lanes_[1], lanes_[0])); }
-    float smallest_of_three() const { return smaller(lanes_[2], smaller(lanes_[1], lanes_[0])); }
 
     friend Float4 operator+(Float4 a, Float4 b)
     {
@@ -185,13 +174,6 @@ private:
     std::int16_t lanes_[8];
 };
 
-inline unsigned high_bits(const std::uint8_t *sixteen)
-{
-    unsigned bits = 0;
-    for (unsigned i = 0; i < 16; ++i)
-        bits |= static_cast<unsigned>(sixteen[i] >> 7) << i;
-    return bits;
-}
 } // namespace ode_predictive_space
 
 #endif

@@ -55,15 +55,6 @@ public:
         return {first[0], first[stride], first[2 * stride], 0};
     }
 
-    /// Three differences, computed in double precision and then rounded. Those on the left are loaded one by one; those on the
-    /// right are aligned to 16 bytes.
-    static Float4 difference(const double *left, const double *right)
-    {
-        const __m128d xy = _mm_sub_pd(_mm_loadh_pd(_mm_load_sd(left), left + 1), _mm_load_pd(right));
-        const __m128d z = _mm_sub_sd(_mm_load_sd(left + 2), _mm_load_sd(right + 2));
-        return joined(xy, z);
-    }
-
     /// round_down() of sign times each of three doubles, where these are finite as floats; sign is 1 or -1.
     static Float4 rounded_down(const double *three, double sign)
     {
@@ -79,7 +70,6 @@ public:
     }
 
     void store(float *four) const { _mm_storeu_ps(four, lanes_); }
-    void store_aligned(float *four) const { _mm_store_ps(four, lanes_); }
 
     /// Stores the first three lanes alone.
     void store_three(float *three) const
@@ -93,15 +83,6 @@ public:
     {
         const __m128i whole = _mm_cvttps_epi32(lanes_);
         _mm_storel_epi64(reinterpret_cast<__m128i *>(four), _mm_packs_epi32(whole, whole));
-    }
-
-    float first() const { return _mm_cvtss_f32(lanes_); }
-    float fourth() const { return _mm_cvtss_f32(_mm_shuffle_ps(lanes_, lanes_, 0xff)); }
-    Float4 fourth_in_all() const { return Float4(_mm_shuffle_ps(lanes_, lanes_, 0xff)); }
-    Float4 with_fourth(float value) const
-    {
-        const __m128 z_and_fourth = _mm_unpacklo_ps(_mm_movehl_ps(lanes_, lanes_), _mm_set_ss(value));
-        return Float4(_mm_movelh_ps(lanes_, z_and_fourth));
     }
 
     /// The lanes y, z, x, and one that means nothing.
@@ -119,12 +100,6 @@ public:
         const __m128 two = _mm_max_ss(_mm_shuffle_ps(lanes_, lanes_, _MM_SHUFFLE(1, 1, 1, 1)), lanes_);
         return _mm_cvtss_f32(_mm_max_ss(_mm_movehl_ps(lanes_, lanes_), two));
     }
-    float smallest_of_three() const
-    {
-        const __m128 two = _mm_min_ss(_mm_shuffle_ps(lanes_, lanes_, _MM_SHUFFLE(1, 1, 1, 1)), lanes_);
-        return _mm_cvtss_f32(_mm_min_ss(_mm_movehl_ps(lanes_, lanes_), two));
-    }
-
     friend Float4 operator+(Float4 a, Float4 b) { return Float4(_mm_add_ps(a.lanes_, b.lanes_)); }
     friend Float4 operator-(Float4 a, Float4 b) { return Float4(_mm_sub_ps(a.lanes_, b.lanes_)); }
     friend Float4 operator*(Float4 a, Float4 b) { return Float4(_mm_mul_ps(a.lanes_, b.lanes_)); }
@@ -186,11 +161,6 @@ private:
     __m128i lanes_;
 };
 
-/// The highest bits of sixteen bytes, that of the first lowest.
-inline unsigned high_bits(const std::uint8_t *sixteen)
-{
-    return static_cast<unsigned>(_mm_movemask_epi8(_mm_loadu_si128(reinterpret_cast<const __m128i *>(sixteen))));
-}
 } // namespace ode_predictive_space
 
 #endif

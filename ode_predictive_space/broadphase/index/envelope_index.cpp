@@ -34,7 +34,6 @@ void EnvelopeIndex::put(ProxyStore &proxies, const Batch &batch)
     is_stale_ |= is_small != std::exchange(is_small_, is_small) || is_bulk(proxies, batch.size());
     if (is_stale_)
         return;
-    tree_.prefetch_for_update(batch.ids());
     for (ProxyId id : batch.ids())
         put(proxies, id);
 }

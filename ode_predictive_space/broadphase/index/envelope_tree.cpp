@@ -151,41 +151,6 @@ void EnvelopeTree::move(ProxyId proxy, const FloatBox &box)
     insert_below(proxy, box, start);
 }
 
-// All leaves climb together, so that they do not wait for memory one after the other. Most objects stay close by: these are the
-// nodes that removal and insertion will meet.
-void EnvelopeTree::prefetch_for_update(const std::vector<ProxyId> &batch) const
-{
-    if (nodes_.size() < tuning::uncached_nodes)
-        return;
-    for (ProxyId id : batch)
-        if (id < leaf_node_.size())
-            prefetch(&leaf_node_[id]);
-    std::vector<Index> climbing;
-    climbing.reserve(batch.size());
-    for (ProxyId id : batch)
-        if (id < leaf_node_.size() && leaf_node_[id] != none)
-        {
-            climbing.push_back(leaf_node_[id]);
-            prefetch(&nodes_[climbing.back()]);
-        }
-    while (!climbing.empty())
-    {
-        std::size_t left = 0;
-        for (Index index : climbing)
-        {
-            const Index parent = nodes_[index].parent;
-            if (parent != none)
-            {
-                // rotate() looks at the children of both.
-                prefetch(&nodes_[std::max(nodes_[index ^ 1].content, 0)]);
-                prefetch(&nodes_[parent]);
-                climbing[left++] = parent;
-            }
-        }
-        climbing.resize(left);
-    }
-}
-
 // Returns the node that took the place of the proxy's parent; none when the tree is empty now.
 EnvelopeTree::Index EnvelopeTree::take_out(ProxyId proxy)
 {

@@ -43,10 +43,6 @@ public:
     /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
     void build(const std::vector<SweptProxy> &leaves);
 
-    /// The proxies, those that are in the tree, will soon be given other boxes: prefetches the nodes that this takes, in a tree
-    /// so large that they are not in the cache.
-    void prefetch_for_update(const std::vector<ProxyId> &batch) const;
-
     bool empty() const { return nodes_.empty(); }
 
     /// Proxies in it.

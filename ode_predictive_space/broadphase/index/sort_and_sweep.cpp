@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <utility>
 
 namespace ode_predictive_space
@@ -60,8 +59,9 @@ struct AxisSpread
 };
 
 // Least significant digit first, of the upper halves. A digit that is the same in all is passed over.
-template <int bits> void radix_sort(std::vector<std::uint64_t> &order, std::vector<std::uint64_t> &scratch)
+void radix_sort(std::vector<std::uint64_t> &order, std::vector<std::uint64_t> &scratch)
 {
+    constexpr int bits = 8;
     constexpr std::uint32_t mask = (1u << bits) - 1;
     std::uint64_t varying = 0;
     for (std::uint64_t element : order)
@@ -146,16 +146,6 @@ void SortAndSweep::Columns::set(std::size_t i, const Sides &sides)
     high_z[i] = sides.high_z;
 }
 
-void SortAndSweep::sort_keys()
-{
-    if (order_.empty())
-        return;
-    if (order_.size() < tuning::wide_digits)
-        radix_sort<8>(order_, other_order_);
-    else
-        radix_sort<11>(order_, other_order_);
-}
-
 void SortAndSweep::sort_into_slabs(const Items &items, const Layout &layout)
 {
     order_.clear();
@@ -169,7 +159,7 @@ void SortAndSweep::sort_into_slabs(const Items &items, const Layout &layout)
         for (int slab = sides.low_y >> layout.slab_bits; slab <= last; ++slab)
             order_.push_back((std::uint64_t{static_cast<std::uint32_t>(slab)} << 16 | place) << 32 | i);
     }
-    sort_keys();
+    radix_sort(order_, other_order_);
     const std::size_t count = order_.size();
     keys_.assign(count + spare, last_key);
     ends_.resize(count);
@@ -211,21 +201,6 @@ std::size_t SortAndSweep::find_pairs(const std::vector<SweptProxy> &items, std::
                 pairs.push_back(in_order(one.proxy, other.proxy));
     }
     return comparisons + find_bounded_pairs(bounded_, pairs);
-}
-
-void SortAndSweep::sort_along_widest(const std::vector<SweptProxy> &items, std::vector<ProxyId> &order)
-{
-    // Unbounded boxes do not tell where most lie; they come at an end.
-    bounded_.clear();
-    std::copy_if(items.begin(), items.end(), std::back_inserter(bounded_),
-                 [](const SweptProxy &item) { return item.box.bounded(); });
-    const Layout layout = bounded_.empty() ? Layout() : Layout::fit_for(bounded_);
-    order_.clear();
-    for (std::size_t i = 0; i < items.size(); ++i)
-        order_.push_back(std::uint64_t{layout.place_along(items[i].box.low[layout.along.axis])} << 32 | i);
-    sort_keys();
-    for (std::uint64_t element : order_)
-        order.push_back(items[element & item_mask].proxy);
 }
 
 // Few boxes may be unbounded, too.

@@ -29,9 +29,6 @@ public:
     /// @return the number of exact comparisons, a measure of the work.
     std::size_t find_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs);
 
-    /// Appends the numbers of all items in their order along the axis on which they are spread most.
-    void sort_along_widest(const std::vector<SweptProxy> &items, std::vector<ProxyId> &order);
-
     std::size_t bytes() const;
 
 private:
@@ -81,7 +78,6 @@ private:
     std::size_t compare_each_with_each(const Items &items, Pairs &pairs);
     std::size_t find_bounded_pairs(const Items &items, Pairs &pairs);
     void sort_into_slabs(const Items &items, const Layout &layout);
-    void sort_keys();
     std::size_t sweep_rows(const Items &items, const Layout &layout, Pairs &pairs) const;
 
     static constexpr std::size_t row = 8;     // boxes that are compared at once

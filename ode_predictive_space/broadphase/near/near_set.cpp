@@ -121,7 +121,7 @@ void NearSet::activate_disturbed(std::vector<CandidatePair> &pairs)
 // @param overlap says of the i-th pair whether its objects overlap.
 template <typename Overlap> void NearSet::let_rest(Place *places, UpdateNumber update, Overlap overlap)
 {
-    const auto moved = [&](ProxyId id) { return ticks_between(rested_, places[id].moved()) > 0; };
+    const auto moved = [&](ProxyId id) { return updates_between(rested_, places[id].moved()) > 0; };
     keep_pairs([&](const CandidatePair &pair, std::size_t i) {
         const bool stays = moved(pair.first) || moved(pair.second);
         if (!stays)

@@ -115,7 +115,6 @@ public:
 private:
     void follow_postponed(ShapeTest &test);
     void find_open(ShapeTest &test);
-    void activate_renewed(ShapeTest &test);
     void want(const CandidatePair &pair)
     {
         wanted_.insert(pair.first);

@@ -16,6 +16,12 @@ namespace ode_predictive_space
 /// Number of an update of the broad phase, of 27 bits; it wraps around.
 using UpdateNumber = std::uint32_t;
 
+/// Updates from `from` to `to`; negative when `to` is earlier.
+inline std::int32_t updates_between(UpdateNumber from, UpdateNumber to)
+{
+    return static_cast<std::int32_t>((to - from) << 5) / 32;
+}
+
 /// What the notice of a move compares with what.
 enum class Watch : std::uint8_t
 {
@@ -295,7 +301,8 @@ inline bool surely_overlap(const Place &one, const Place &other)
     const Float4 sizes = (finite_size(one.tight_low()) + finite_size(one.tight_high())) +
                          (finite_size(other.tight_low()) + finite_size(other.tight_high()));
     const Float4 doubt = sizes * Float4::all(unit) + Float4::all(Place::least_rounding);
-    const Mask4 before = one.tight_high() - other.tight_low() > doubt, after = other.tight_high() - one.tight_low() > doubt;
+    const Mask4 before = one.tight_high() - other.tight_low() > doubt,
+                after = other.tight_high() - one.tight_low() > doubt;
     return ((before & after).bits() & three_lanes) == three_lanes;
 }
 

@@ -286,7 +286,8 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
 bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
-    if (record.reach > 0 || record.spread == 0 || record.has_body || settings.deviation[is_interactive(record.role) ? 1 : 0])
+    if (record.reach > 0 || record.spread == 0 || record.has_body ||
+        settings.deviation[is_interactive(record.role) ? 1 : 0])
         return false;
     Place &place = proxies.places[id];
     const TightBox tight = place.tight_lanes();
@@ -383,7 +384,8 @@ Forecast Predictor::forecast(Scene &scene, const ProxyStore &proxies, ProxyId id
     forecast.ticks = unknown ? 0 : still ? std::numeric_limits<double>::infinity() : double{ticks};
     forecast.about_centre = seen.centre && std::isfinite(seen.radius);
     if (moves)
-        envelope.deviation = deviation_of(record, adapted_deviation(record.size, record.spread, still ? 0 : way, ticks));
+        envelope.deviation =
+            deviation_of(record, adapted_deviation(record.size, record.spread, still ? 0 : way, ticks));
     envelope.low = bounds.min() - centre;
     envelope.high = bounds.max() - centre;
     const Vector3 corner = envelope.low.cwiseAbs().cwiseMax(envelope.high.cwiseAbs());

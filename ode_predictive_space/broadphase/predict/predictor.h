@@ -94,7 +94,7 @@ private:
     StepEstimate step_estimate_;
     float farthest_ = 0;
     Samples samples_;
-    bool wants_samples_ = false;    // forecasts are asked for
+    bool wants_samples_ = false;                        // forecasts are asked for
     std::array<ProxyId, tuning::objects_per_call> ids_; // scratch
     std::vector<Observation> seen_;                     // scratch
 };

@@ -156,7 +156,8 @@ Pairs World::overlapping() const
     std::vector<ProxyId> ids = members();
     ids.erase(std::remove_if(ids.begin(), ids.end(), [this](ProxyId id) { return !objects_[id].enabled; }), ids.end());
     std::vector<Box> boxes;
-    std::transform(ids.begin(), ids.end(), std::back_inserter(boxes), [this](ProxyId id) { return bounds_of(seen(id)); });
+    std::transform(ids.begin(), ids.end(), std::back_inserter(boxes),
+                   [this](ProxyId id) { return bounds_of(seen(id)); });
     Pairs pairs;
     for (std::size_t i = 0; i < ids.size(); ++i)
         for (std::size_t j = i + 1; j < ids.size(); ++j)
@@ -278,12 +279,13 @@ bool World::boxes_and_spheres_overlap(ProxyId first, ProxyId second) const
 
 Object ball(const Vector3 &centre, double radius, const Vector3 &displacement)
 {
-    return {centre, Vector3::Constant(radius), radius, Watch::sphere, Vector3(displacement / World::step), displacement};
+    return {centre,        Vector3::Constant(radius),           radius,
+            Watch::sphere, Vector3(displacement / World::step), displacement};
 }
 
 Object capsule(const Vector3 &centre, double radius, double half_segment, const Vector3 &displacement)
 {
-    return {centre,         {radius, radius, half_segment},         (radius + half_segment) * (1 + 1e-9),
+    return {centre,         {radius, radius, half_segment},      (radius + half_segment) * (1 + 1e-9),
             Watch::capsule, Vector3(displacement / World::step), displacement};
 }
 
