@@ -149,7 +149,7 @@ void Broadphase::finish()
 {
     batch_.clear();
     clock_.update = (clock_.update + 1) & Place::last_update;
-    interrupted_ = false;
+    interrupted_ = clock_.update == 0; // from here on, old numbers could be taken for new ones
 }
 
 std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
@@ -157,7 +157,7 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
     interrupted_ = true;
     if (room.size() < near_.most_pairs())
         room.resize(near_.most_pairs());
-    const UpdateNumber last = clock_.update - 1;
+    const UpdateNumber last = (clock_.update - 1) & Place::last_update;
     CandidatePair *end = nullptr;
     const OverlapTest test{scene, proxies_.places.data(), proximity_test_ == ProximityTest::sphere,
                            Float4::all(Place::rounding * predictor_.farthest() + Place::least_rounding)};
@@ -184,6 +184,8 @@ void Broadphase::start_over()
     pairing_.found.clear();
     index_.clear(proxies_);
     near_.clear();
+    if (shapes_.in_use())
+        shapes_.start(proxies_.size());
     proxies_.members().for_each([this](ProxyId id) {
         proxies_.places[id].forget_envelope();
         look_at(id);
@@ -216,8 +218,10 @@ std::optional<double> Broadphase::time_of_proximity(const Forecast &first, const
 
 void Broadphase::follow_shapes(Scene &scene, const IdSet &wanted)
 {
+    interrupted_ = true;
     shapes_.renew_outdated(scene, wanted, proxies_.members());
     shapes_.update(scene, wanted, proxies_);
+    interrupted_ = false;
 }
 
 bool Broadphase::may_touch(const CandidatePair &pair) const
@@ -268,18 +272,23 @@ void Broadphase::remove(ProxyId id)
     pairing_.waiting.erase(id);
     idle_.forget(id);
     shapes_.forget(id);
+    if (!interrupted_)
+        attempt([&] { forget(id); });
+    proxies_.remove(id);
+    if (proxies_.count() < trim_below_)
+        attempt([&] { trim(); });
+}
+
+template <typename Step> void Broadphase::attempt(Step step)
+{
     try
     {
-        if (!interrupted_)
-            forget(id);
+        step();
     }
     catch (const std::bad_alloc &)
     {
         interrupted_ = true;
     }
-    proxies_.remove(id);
-    if (proxies_.count() < trim_below_)
-        trim();
 }
 
 void Broadphase::forget(ProxyId id)
@@ -303,20 +312,18 @@ void Broadphase::resize_stages()
     looks_.requested.resize(size);
 }
 
-// Most objects are gone. What is known of the others is given up with the memory: it is soon found again. Throws nothing.
+// Most objects are gone. What is known of the others is given up with the memory: the next update finds it again.
 void Broadphase::trim()
 {
     const std::size_t size = proxies_.size();
     trim_below_ = (proxies_.count() + 1) / 2; // also when the last one is removed
     if (2 * proxies_.needed_size() > size)
         return;
-    start_over();
+    interrupted_ = true;
     proxies_.trim();
     predictor_.release();
     index_ = {};
     near_.release();
-    batch_ = {};
-    pairing_.batch = {};
     free_memory(pairing_.found);
     resize_stages();
 }
@@ -335,13 +342,13 @@ void Broadphase::set_proximity_test(ProximityTest test)
     else if (!shapes_.in_use())
         shapes_.start(proxies_.size());
     proximity_test_ = test;
-    near_.restart_tests();
+    interrupted_ = true; // what is known of pairs is of the other test
 }
 
 void Broadphase::set_shape_margin(double margin)
 {
     shape_margin_ = margin;
-    near_.restart_tests();
+    interrupted_ = true; // as above
 }
 
 void Broadphase::set_settings(const PredictionSettings &settings)

@@ -109,7 +109,7 @@ public:
         index_.prepare(proxies_);
     }
     /// Can questions be asked now, if nothing has moved since the last tick?
-    bool is_prepared() const { return index_.is_prepared(); }
+    bool is_prepared() const { return !interrupted_ && index_.is_prepared(); }
 
     /// Brings the near set up to date, too, without a tick.
     void find_new_pairs(Scene &scene);
@@ -188,7 +188,7 @@ public:
     /// Calls visit(pair) for each of these that cannot touch even now. The broad phase must be up to date.
     template <typename Visit> void for_each_postponed(Scene &scene, Visit visit)
     {
-        shapes_.update(scene, proxies_.members(), proxies_);
+        follow_shapes(scene, proxies_.members());
         near_.for_each_postponed(shapes_, visit);
     }
 
@@ -218,6 +218,8 @@ private:
     void finish();
     void start_over();
     void forget(ProxyId id);
+    /// When memory runs out in the step, the next update starts over.
+    template <typename Step> void attempt(Step step);
     void request_all();
     void resize_stages();
     void trim();

@@ -3,6 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_NOTICED_GEOM_H
 #define ODE_PREDICTIVE_SPACE_SPACE_NOTICED_GEOM_H
 
+#include <cmath>
+
 #include "ode_predictive_space/space/geom_scene.h"
 
 namespace ode_predictive_space
@@ -18,8 +20,14 @@ public:
     const dReal *position() const { return geom_->final_posr->pos; }
     const dReal *rotation() const { return geom_->final_posr->R; }
 
-    /// A geom that has lost its body may turn by any matrix.
-    bool turns_safely() const { return geom_->body != nullptr || geom_->type == dSphereClass; }
+    /// A geom that has lost its body may turn by any matrix. That of a body is a rotation, unless its quaternion is not finite.
+    bool turns_safely() const
+    {
+        constexpr dReal more_than_two_cosines = dReal(1.5);
+        const dReal *const row = rotation();
+        return geom_->type == dSphereClass ||
+               (geom_->body != nullptr && std::abs(row[0] + row[1]) <= more_than_two_cosines);
+    }
 
     Solid solid() const { return solid_of(geom_); }
     double radius() const { return bounding_sphere(geom_); }

@@ -73,6 +73,8 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     const ProxyId id = proxy_of(geom);
     dxSpace::remove(geom);
     broadphase_.remove(id);
+    if (!broadphase_.is_prepared())
+        forget_catching_up();
     geoms_[id] = nullptr;
     polled_count_ -= polled_.contains(id);
     polled_.erase(id);
@@ -197,7 +199,11 @@ void dxPredictiveSpace::cleanGeoms()
         if (IS_SPACE(geom))
             static_cast<dxSpace *>(geom)->cleanGeoms();
         compute_box_beside_others(geom);
-        if (geom->gflags & GEOM_DIRTY)
+        if (!(geom->gflags & GEOM_DIRTY))
+            continue;
+        if (const ProxyId id = proxy_of(geom); polled_.contains(id))
+            note_change(id);
+        else
             dirty(geom);
     }
 }
@@ -248,8 +254,9 @@ std::size_t dxPredictiveSpace::find_reported(bool nested_call, std::vector<Candi
         ++ticks_;
         broadphase_.tick(now);
     }
+    const std::size_t count = broadphase_.report(now, pairs);
     caught_up_.store(broadphase_.is_prepared(), std::memory_order_release);
-    return broadphase_.report(now, pairs);
+    return count;
 }
 
 // Checks the rest of ODE's conditions for a pair whose boxes overlap, and calls back.
@@ -288,6 +295,7 @@ void dxPredictiveSpace::set_proximity_test(ProximityTest test)
 void dxPredictiveSpace::set_shape_margin(double margin)
 {
     broadphase_.set_shape_margin(margin);
+    forget_catching_up();
 }
 
 void dxPredictiveSpace::set_role(dxGeom *geom, Role role)

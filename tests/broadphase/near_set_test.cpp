@@ -196,14 +196,6 @@ TEST_F(NearSetTest, DisturbedPairsCanRestAgain)
     }
 }
 
-TEST_F(NearSetTest, AnotherTestWakesAllPairs)
-{
-    let_all_rest();
-    set.restart_tests();
-    EXPECT_EQ(report().size(), 2u);
-    EXPECT_EQ(scene.tested.size(), 4u);
-}
-
 TEST_F(NearSetTest, PairsOfARetiredObjectAreStale)
 {
     set.retire(1);

@@ -1,7 +1,10 @@
 // Contract 13: coordinates that are not numbers, infinite or huge. The simple space says what is reported.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -225,6 +228,122 @@ TEST_F(Contract, 13_OthersAreNotPoisoned)
     dGeomSetPosition(mad, dGeomGetPosition(mover)[0], 0, 0);
     scene.tick();
     EXPECT_EQ(scene.log().back(), Pairs({{0, 1}}));
+}
+
+// A class whose bounding box is what it is told to be, around its position.
+dGeomID create_boxed(const std::array<dReal, 6> &box)
+{
+    static const int number = [] {
+        dGeomClass description = {};
+        description.bytes = sizeof box;
+        description.collider = [](int) -> dColliderFn * { return nullptr; };
+        description.aabb = [](dGeomID geom, dReal *bounds) {
+            const auto *told = static_cast<const dReal *>(dGeomGetClassData(geom));
+            for (int side = 0; side < 6; ++side)
+                bounds[side] = told[side] + dGeomGetPosition(geom)[side / 2];
+        };
+        return dCreateGeomClass(&description);
+    }();
+    dGeomID geom = dCreateGeom(number);
+    std::copy(box.begin(), box.end(), static_cast<dReal *>(dGeomGetClassData(geom)));
+    return geom;
+}
+
+TEST_F(Contract, 13_SpacesOfGeomsWithoutAPlaceMeetWhatHasNoBounds)
+{
+    for (int count : {5, 300})
+        for (bool planes_first : {true, false})
+            expect_as_simple([=](Scenario &scene) {
+                for (int i = 0; i < count; ++i)
+                    scene.sphere(1, 3 * i, 0, 0);
+                const auto add_boundless = [&] {
+                    scene.numbered(dCreatePlane(scene.space(), REAL(0.6), REAL(0.8), 0, 0));
+                    scene.sphere(1, nan_value, 0, 0);
+                    scene.sphere(1, nan_value, nan_value, nan_value);
+                };
+                const auto add_nowhere = [&] {
+                    dSpaceID nested = scene.make_space(scene.space());
+                    number_geom(as_geom(nested), 1000);
+                    dGeomSetPosition(dCreateSphere(nested, 1), nan_value, nan_value, nan_value);
+                };
+                planes_first ? add_boundless() : add_nowhere();
+                scene.tick();
+                scene.tick();
+                planes_first ? add_nowhere() : add_boundless();
+                scene.tick();
+                scene.tick();
+            });
+}
+
+TEST_F(Contract, 13_BoxesMayBeInsideOut)
+{
+    expect_as_simple([](Scenario &scene) {
+        for (int i = 0; i < 100; ++i)
+            for (int j = 0; j < 20; ++j)
+                scene.sphere(1, 10 * i, 4 * j, 0);
+        scene.add(scene.space(), scene.numbered(create_boxed({300, 700, 60, 20, -1, 1})));
+        scene.box(500, 500, 40, 0);
+        scene.tick();
+        scene.tick();
+    });
+}
+
+TEST_F(Contract, 13_BoxesThatAreInsideOutMayLeap)
+{
+    expect_as_simple([](Scenario &scene) {
+        dGeomID leaper = scene.numbered(create_boxed({1, -1, 1, -1, 1, -1}));
+        scene.add(scene.space(), leaper);
+        const int leaps = 11;
+        scene.box(10, 10 * leaps * leaps - 1, 0, 0);
+        for (int tick = 0; tick < 14; ++tick)
+        {
+            dGeomSetPosition(leaper, 10 * std::min(tick * tick, leaps * leaps), 0, 0);
+            scene.tick();
+        }
+    });
+}
+
+TEST_F(Contract, 13_DeviationsMayHaveNoEnd)
+{
+    expect_as_simple([](Scenario &scene) {
+        if (scene.kind() == SpaceKind::predictive)
+            for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
+                dPredictiveSpaceSetDeviation(scene.space(), role, std::numeric_limits<dReal>::max(), 0, 0);
+        dGeomID one = scene.sphere(1, 0, 0, 0), other = scene.sphere(1, 10, 0, 0);
+        scene.sphere(5, 0, 0, 0);
+        for (int tick = 0; tick < 12; ++tick)
+        {
+            scene.tick();
+            const dReal far = tick < 6 ? 1e6 : 1e15;
+            dGeomSetPosition(one, far, 0, 0);
+            dGeomSetPosition(other, far + (tick < 6 ? REAL(1.9) + REAL(0.1) * tick : far / 10), 0, 0);
+        }
+    });
+}
+
+// ODE makes a matrix without numbers of a quaternion that is infinite.
+TEST_F(Contract, 13_BodiesMayLoseTheirRotation)
+{
+    expect_as_simple([](Scenario &scene) {
+        std::vector<dBodyID> bodies;
+        for (int i = 0; i < 50; ++i)
+        {
+            dGeomID geom = scene.numbered(dCreateBox(scene.space(), 1, 2, 3));
+            dGeomSetPosition(geom, 100 * i, 0, 0);
+            bodies.push_back(scene.body(geom, 0, 0, 0));
+        }
+        for (int tick = 0; tick < 30; ++tick)
+        {
+            for (int i = 0; i < 50; ++i)
+                dBodySetPosition(bodies[static_cast<std::size_t>(i)], 100 * i, REAL(0.1) * tick, 0);
+            if (tick == 25)
+            {
+                const dQuaternion infinite_one = {infinite, 0, 0, 0};
+                dBodySetQuaternion(bodies[7], infinite_one);
+            }
+            scene.tick();
+        }
+    });
 }
 } // namespace
 } // namespace ode_predictive_space

@@ -400,6 +400,28 @@ TEST_F(Contract, 15_SublevelsSayWhichSpaceIsTakenAsAGeom)
     }
 }
 
+TEST_F(Contract, 15_QuestionsAreAnsweredAfterMostGeomsAreGone)
+{
+    expect_as_simple([](Scenario &scene) {
+        std::vector<dGeomID> geoms;
+        for (int i = 0; i < 2000; ++i)
+            geoms.push_back(scene.sphere(1, 3 * i, 0, 0));
+        dGeomID probe = scene.numbered(dCreateSphere(nullptr, 5));
+        dGeomSetPosition(probe, 30, 0, 0);
+        scene.tick();
+        scene.query(probe, as_geom(scene.space()));
+        while (geoms.size() > 100)
+        {
+            dGeomDestroy(geoms.back());
+            geoms.pop_back();
+        }
+        scene.query(probe, as_geom(scene.space()));
+        scene.tick();
+        scene.query(probe, as_geom(scene.space()));
+        dGeomDestroy(probe);
+    });
+}
+
 TEST_F(Contract, 15_ManualCleanupIsKept)
 {
     dSpaceID space = dPredictiveSpaceCreate(nullptr);

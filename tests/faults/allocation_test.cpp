@@ -140,6 +140,37 @@ const Situation situations[] = {
          for (int i = 0; i < 1000; ++i)
              gas.remove(0);
      }},
+    {"removing_the_last", 1100,
+     [](Gas &gas) {
+         gas.run(4);
+         gas.expect_exact_answer();
+     },
+     [](Gas &gas) {
+         for (std::size_t i = 1100; i > 200; --i)
+             gas.remove(i - 1);
+     }},
+    {"adding_between_questions", 100, [](Gas &gas) { gas.expect_exact_answer(); }, [](Gas &gas) { gas.add(); }},
+    {"resting", 60,
+     [](Gas &gas) {
+         for (int i = 0; i < 80; ++i)
+             collide(gas.space());
+         gas.expect_exact_answer();
+     },
+     [](Gas &gas) { gas.remove(20); }},
+    {"encounters_by_shape", 60,
+     [](Gas &gas) {
+         gas.run(20);
+         gas.explode();
+     },
+     [](Gas &gas) { dPredictiveSpaceGetEncounters(gas.space(), gas.geom(0), nullptr, 0); }, Matter::shapes,
+     dPredictiveProximityShape},
+    {"from_shapes_to_boxes", 60,
+     [](Gas &gas) {
+         dPredictiveSpaceSetProximity(gas.space(), dPredictiveProximityShape);
+         for (int i = 0; i < 80; ++i)
+             collide(gas.space());
+     },
+     [](Gas &gas) { dPredictiveSpaceSetProximity(gas.space(), dPredictiveProximityBox); }},
     {"by_sphere", 300,
      [](Gas &gas) {
          gas.run(10);
@@ -256,6 +287,7 @@ TEST_P(EverySituation, TheNextTickIsExactWhicheverAllocationFails)
         {
             gas.add();
             gas.remove(3);
+            gas.expect_exact_answer();
         }
         gas.expect_exact_for(6);
         EXPECT_FALSE(HasFailure()) << "allocation " << spared;

@@ -1,5 +1,6 @@
 // The shape test of proximity as a program sets it, and what it promises of single pairs.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -338,6 +339,28 @@ TEST_F(ShapeProximity, OfPlacesThatAreNotNumbersIsThatOfBoxes)
     EXPECT_EQ(pairs(), 0u);
     dGeomSetPosition(other, 1, 1, 0);
     EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(ShapeProximity, NoticesOtherDataOfAMeshAlsoAfterTheSpaceWasCleaned)
+{
+    double corners[4][4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const dTriIndex triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    const dTriMeshDataID data = dGeomTriMeshDataCreate();
+    const auto build = [&] {
+        dGeomTriMeshDataBuildDouble(data, corners, sizeof corners[0], 4, triangles, 12, 3 * sizeof(dTriIndex));
+    };
+    build();
+    const dGeomID mesh = dCreateTriMesh(space, data, nullptr, nullptr, nullptr);
+    dGeomSetPosition(dCreateSphere(space, REAL(0.1)), REAL(0.85), REAL(0.85), REAL(0.85));
+    for (int tick = 0; tick < 5; ++tick)
+        EXPECT_EQ(pairs(), 0u);
+    std::fill_n(corners[0], 3, 0.9);
+    build();
+    dGeomTriMeshSetData(mesh, data);
+    dSpaceClean(space);
+    EXPECT_EQ(pairs(), 1u);
+    dGeomDestroy(mesh);
+    dGeomTriMeshDataDestroy(data);
 }
 
 TEST_F(ShapeProximity, RefusesMarginsThatAreNoLengths)

@@ -155,7 +155,7 @@ void SortAndSweep::sort_into_slabs(const Items &items, const Layout &layout)
         const FloatBox &box = items[i].box;
         const Sides sides = sides_[i] = Sides::of(box, layout);
         const std::uint32_t place = layout.place_along(box.low[layout.along.axis]);
-        const int last = sides.high_y >> layout.slab_bits;
+        const int last = std::max(sides.low_y, sides.high_y) >> layout.slab_bits; // also of an inverted box
         for (int slab = sides.low_y >> layout.slab_bits; slab <= last; ++slab)
             order_.push_back((std::uint64_t{static_cast<std::uint32_t>(slab)} << 16 | place) << 32 | i);
     }

@@ -84,12 +84,6 @@ void NearSet::find_open(ShapeTest &test)
     test.follow(wanted_);
 }
 
-void NearSet::restart_tests()
-{
-    looks_.clear();
-    resting_.for_each([this](ProxyId id) { disturb(id); });
-}
-
 // Makes the pairs of all disturbed objects active.
 void NearSet::activate_disturbed()
 {

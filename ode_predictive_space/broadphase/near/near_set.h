@@ -75,9 +75,6 @@ public:
     /// The same for pairs that overlap and whose shapes may touch. Shapes are brought up to date where they are needed.
     CandidatePair *report_by_shape(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room);
 
-    /// Forgets all that is known of pairs, because they are tested in another way from now on.
-    void restart_tests();
-
     /// Drops all pairs.
     void clear();
     /// The same, and gives their memory back.

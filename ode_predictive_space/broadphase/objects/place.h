@@ -61,7 +61,7 @@ struct TightBox
     /// A box of these half sizes, and outwards by more than round-off, that of the program's own box included.
     static TightBox around(Float4 centre, Float4 half)
     {
-        constexpr float unit = 4 * std::numeric_limits<float>::epsilon(), least = std::numeric_limits<float>::min();
+        constexpr float unit = 6 * std::numeric_limits<float>::epsilon(), least = 8 * std::numeric_limits<float>::min();
         const Float4 outer = half + ((abs(centre) + half) * Float4::all(unit) + Float4::all(least));
         return {centre - outer, centre + outer};
     }
@@ -91,7 +91,12 @@ public:
         hide();
     }
 
-    void forget_envelope() { set_envelope({Float4::all(infinity), Float4::all(-infinity)}); }
+    /// Until it is set again, the envelope holds nothing.
+    void forget_envelope()
+    {
+        const Float4 nothing = Float4::all(std::numeric_limits<float>::quiet_NaN());
+        set_envelope({nothing, nothing});
+    }
     bool has_envelope() const { return low_[0] <= high_[0]; }
     FloatBox envelope() const { return {{low_[0], low_[1], low_[2]}, {high_[0], high_[1], high_[2]}}; }
     void set_envelope(const TightBox &box)
@@ -227,7 +232,7 @@ public:
     friend bool surely_overlap(const Place &one, const Place &other);
     /// Two tight boxes are larger than the program's own by less than this part of the farthest coordinate, and this much.
     static constexpr float rounding = 32 * std::numeric_limits<float>::epsilon();
-    static constexpr float least_rounding = 8 * std::numeric_limits<float>::min();
+    static constexpr float least_rounding = 32 * std::numeric_limits<float>::min();
 
 private:
     static constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -50,10 +50,10 @@ Vector3 finite_centre(const Box &bounds)
     return to_vector(middle_of(TightBox::of(FloatBox::around(bounds))));
 }
 
-// The largest finite side.
+// The largest finite side; 0 when the box is inverted.
 float size_of(const TightBox &box)
 {
-    const Float4 sides = box.high - box.low;
+    const Float4 sides = max(box.high - box.low, Float4::all(0));
     if (const float largest = sides.largest_of_three(); largest < 1e15f)
         return largest;
     return finite_or_zero(sides).largest_of_three();
@@ -263,10 +263,11 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     const Deviation adapted = adapted_deviation(record.size, tuning::most_spread, way, ticks);
     const Deviation deviation = deviation_of(record, never_moved ? Deviation() : adapted);
     record.radius = round_up(seen.radius);
-    record.by_radius = record.tests == 0 && std::isfinite(record.radius) && is_finite(tight);
-    const TightBox box = record.by_radius ? TightBox::around(centre, Float4::all(record.radius)) : tight;
+    const bool by_radius = record.tests == 0 && std::isfinite(record.radius) && is_finite(tight);
+    const TightBox box = by_radius ? TightBox::around(centre, Float4::all(record.radius)) : tight;
     const TightBox envelope = swept(box, motion, ticks, static_cast<float>(deviation.at(double{ticks})));
     place.set_envelope(envelope);
+    record.by_radius = by_radius && place.has_end();
     note_farthest(envelope);
     note_farthest(tight);
     centre.store_three(record.position);
@@ -296,7 +297,7 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
     if (!is_finite(tight) || !(dot(displacement, displacement) > leap * leap))
         return false;
     const Float4 slack = Float4::all(tuning::slack * record.size);
-    const TightBox envelope = {tight.low - slack, tight.high + slack};
+    const TightBox envelope = {min(tight.low - slack, tight.low), max(tight.high + slack, tight.high)};
     place.set_envelope(envelope);
     note_farthest(envelope);
     centre.store_three(record.position);
