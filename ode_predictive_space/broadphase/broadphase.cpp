@@ -324,6 +324,8 @@ void Broadphase::trim()
     predictor_.release();
     index_ = {};
     near_.release();
+    batch_ = {};
+    pairing_.batch = {};
     free_memory(pairing_.found);
     resize_stages();
 }
