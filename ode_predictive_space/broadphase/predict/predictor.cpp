@@ -311,7 +311,7 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
 void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now)
 {
     constexpr std::size_t most = tuning::objects_per_call;
-    seen_.resize(most);
+    seen_.resize(std::max(seen_.size(), std::min(most, batch.size())));
     for (std::size_t begin = 0; begin < batch.size(); begin += most)
     {
         const ProxyId *const some = batch.data() + begin;
