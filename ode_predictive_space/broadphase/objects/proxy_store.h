@@ -51,6 +51,7 @@ struct alignas(64) ProxyRecord
     std::uint16_t useless; ///< of these, pairs that were apart at the end
     Role role;             ///< set by the program; predict recognises Role::interactive
     Shelf shelf;           ///< written by the index
+    bool predicted : 1;    ///< at least once
     bool has_body : 1;     ///< which tells the velocity
     bool by_radius : 1;    ///< its new envelope holds the object however it turns
 

@@ -147,6 +147,7 @@ void begin(ProxyRecord &record, ProxyId id)
 {
     record.reach = tuning::first_reach * (0.75f + 0.5f * scrambled(id));
     record.spread = tuning::first_spread;
+    record.predicted = true;
 }
 } // namespace
 
@@ -244,7 +245,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     const TightBox tight = place.tight_lanes();
     const Float4 centre = seen.centre ? Float4::nearest(seen.centre->data()) : middle_of(tight);
     Outcome outcome;
-    if (record.spread == 0)
+    if (!record.predicted)
         begin(record, id);
     else
         outcome = judge(record, centre, now);
@@ -287,7 +288,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
 bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
-    if (record.reach > 0 || record.spread == 0 || record.has_body ||
+    if (record.reach > 0 || !record.predicted || record.has_body ||
         settings.deviation[is_interactive(record.role) ? 1 : 0])
         return false;
     Place &place = proxies.places[id];
@@ -310,7 +311,7 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
 void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now)
 {
     constexpr std::size_t most = tuning::objects_per_call;
-    seen_.resize(most);
+    seen_.resize(std::max(seen_.size(), std::min(most, batch.size())));
     for (std::size_t begin = 0; begin < batch.size(); begin += most)
     {
         const ProxyId *const some = batch.data() + begin;
