@@ -10,7 +10,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-const Vector3 push = {1, 2, 3}; // N
+const Vector3 push_force = {1, 2, 3}; // N
 
 std::uintptr_t name(dBodyID body)
 {
@@ -37,18 +37,18 @@ TEST_F(BodyWatchTest, PushesWhatItKeepsWhereItIsTold)
     dBodyDisable(body);
     watch_.keep(body);
     EXPECT_EQ(dBodyIsEnabled(body), 0) << "to be watched is not to be pushed";
-    EXPECT_TRUE(watch_.push(name(body), push, {1, 0, 0.5}));
-    EXPECT_EQ(force_on(body), push);
+    EXPECT_TRUE(watch_.push(name(body), push_force, {1, 0, 0.5}));
+    EXPECT_EQ(force_on(body), push_force);
     const dReal *torque = dBodyGetTorque(body);
-    EXPECT_EQ(Vector3(torque[0], torque[1], torque[2]), Vector3(0, 0, 0.5).cross(push));
+    EXPECT_EQ(Vector3(torque[0], torque[1], torque[2]), Vector3(0, 0, 0.5).cross(push_force));
     EXPECT_NE(dBodyIsEnabled(body), 0);
 }
 
 TEST_F(BodyWatchTest, KnowsNoneThatItDoesNotKeep)
 {
     const dBodyID body = world_.add_body({0, 0, 0}, 2);
-    EXPECT_FALSE(watch_.push(name(body), push, {0, 0, 0}));
-    EXPECT_FALSE(watch_.push(12345, push, {0, 0, 0}));
+    EXPECT_FALSE(watch_.push(name(body), push_force, {0, 0, 0}));
+    EXPECT_FALSE(watch_.push(12345, push_force, {0, 0, 0}));
     EXPECT_TRUE(force_on(body).isZero(0));
 }
 
@@ -62,9 +62,9 @@ TEST_F(BodyWatchTest, ForgetsWhatWasNotTouchedForLong)
         watch_.age();
         watch_.keep(touched);
     }
-    EXPECT_TRUE(watch_.push(name(touched), push, {0, 0, 0}));
+    EXPECT_TRUE(watch_.push(name(touched), push_force, {0, 0, 0}));
     EXPECT_EQ(dBodyGetNumJoints(touched), 1) << "kept once, however often it was touched";
-    EXPECT_FALSE(watch_.push(name(left), push, {0, 0, 0}));
+    EXPECT_FALSE(watch_.push(name(left), push_force, {0, 0, 0}));
     EXPECT_EQ(dBodyGetNumJoints(left), 0);
 }
 
@@ -83,9 +83,9 @@ TEST_F(BodyWatchTest, BodiesGoInAnyOrderAndNewOnesMayHaveTheirAddresses)
         if (random() % 3 == 0)
         {
             const bool known = dBodyGetNumJoints(body) > 0;
-            EXPECT_EQ(watch_.push(name(body), push, {0, 0, 0}), known);
+            EXPECT_EQ(watch_.push(name(body), push_force, {0, 0, 0}), known);
             dBodyDestroy(body);
-            EXPECT_FALSE(watch_.push(name(body), push, {0, 0, 0}));
+            EXPECT_FALSE(watch_.push(name(body), push_force, {0, 0, 0}));
             bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(which));
         }
         else
@@ -123,11 +123,11 @@ TEST_F(BodyWatchTest, AWorldMayGoBeforeItsWatch)
     const dBodyID body = world->add_body({0, 0, 0}, 1);
     watch_.keep(body);
     world.reset();
-    EXPECT_FALSE(watch_.push(name(body), push, {0, 0, 0}));
+    EXPECT_FALSE(watch_.push(name(body), push_force, {0, 0, 0}));
     watch_.age();
     const dBodyID another = world_.add_body({0, 0, 0}, 1);
     watch_.keep(another);
-    EXPECT_TRUE(watch_.push(name(another), push, {0, 0, 0}));
+    EXPECT_TRUE(watch_.push(name(another), push_force, {0, 0, 0}));
 }
 
 TEST_F(BodyWatchTest, AWatchMayGoBeforeItsBodies)

@@ -1,11 +1,11 @@
 // Bodies whose state is not finite: ODE would end the program for them. The loop ends before that.
 
 #include "ode_predictive_space/haptics/body_check.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/loop_fixture.h"
 
 #include <cstdio>
 #include <gtest/gtest.h>
-#include <limits>
 #include <string>
 #include <tuple>
 
@@ -13,8 +13,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 /// A part of a body's state, and how it is broken. Not by ODE's setter where that asserts.
 struct Part
 {
@@ -43,7 +41,7 @@ TEST(BrokenState, NamesTheBodyAndWhatIsBroken)
     const OdeUse ode;
     for (const Part &part : all_parts)
     {
-        for (const double number : {not_a_number, std::numeric_limits<double>::infinity()})
+        for (const double number : {nan, infinity})
         {
             ProbeWorld world;
             const dBodyID body = world.add_body({0, 0, 0}, 1);
@@ -71,7 +69,7 @@ TEST(BrokenState, IsFoundInSpacesAroundAndWithin)
     const dGeomID geom = dCreateSphere(innermost, 1);
     dGeomSetBody(geom, body);
     EXPECT_EQ(broken_state_around(probe), "");
-    dBodySetLinearVel(body, not_a_number, 0, 0);
+    dBodySetLinearVel(body, nan, 0, 0);
     EXPECT_EQ(broken_state_around(probe), broken_state_of(body));
     EXPECT_NE(broken_state_of(body).find(address(geom)), std::string::npos);
 }
@@ -160,7 +158,7 @@ private:
             broken_at_ = clock_.now();
             force_before_ = log_.force_at(broken_at_).z();
             place_of_other_ = dBodyGetPosition(other_)[2];
-            part_.spoil(body_, not_a_number);
+            part_.spoil(body_, nan);
         }
     }
 
@@ -208,7 +206,7 @@ TEST_P(LoopBodyTest, ThatIsTouchedEndsTheLoopToo)
         loop_->run(work([&](double time) {
             if (time >= pressed_after)
             {
-                dBodySetAngularVel(body, not_a_number, 0, 0);
+                dBodySetAngularVel(body, nan, 0, 0);
             }
         }));
         ADD_FAILURE() << "the body was stepped";
@@ -239,7 +237,7 @@ TEST(LoopBody, OfTheToolEndsTheLoopWithOrWithoutAGeom)
                          .run({[&] { world.collide(probe); },
                                [&](double dt) {
                                    world.step(dt);
-                                   dBodySetAngularVel(tool, not_a_number, 0, 0);
+                                   dBodySetAngularVel(tool, nan, 0, 0);
                                }}),
                      std::runtime_error);
         EXPECT_TRUE(device.last_wrench().force.isZero(0));

@@ -8,21 +8,18 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double r = contact_radius;
-constexpr double k = contact_stiffness;
-
 class ContactEndTest : public ContactTest
 {
 protected:
     static constexpr double middle = 1; // s
 
-    /// The hand presses 4 r deep into a sheet at z = 0; in the middle something happens to it. Then nothing is felt.
+    /// The hand presses 4 radii deep into a sheet at z = 0; in the middle something happens to it. Then nothing is felt.
     void expect_end_by(const std::function<void()> &event)
     {
         bool happened = false;
         const auto samples = run(
             [](double t) {
-                return between({0.01, 0.02, 0.03}, {0.01, 0.02, -3 * r}, 0.1, 0.5, t);
+                return between({0.01, 0.02, 0.03}, {0.01, 0.02, -3 * radius}, 0.1, 0.5, t);
             },
             2,
             [&](double) {
@@ -36,7 +33,7 @@ protected:
         {
             if (sample.time > 0.7 && sample.time < middle - 0.001)
             {
-                ASSERT_NEAR(sample.wished.z(), 4 * r * k, 1e-9) << sample.time;
+                ASSERT_NEAR(sample.wished.z(), 4 * radius * k, 1e-9) << sample.time;
             }
             if (sample.time > middle + 0.0035)
             {
@@ -142,7 +139,7 @@ MeshShape corner_mesh()
 /// Down to 4 mm in the floor, then to 4.1 mm in the wall and along it.
 Vector3 into_the_corner(double t)
 {
-    const Vector3 above(0.03, 0, 0.03), floor(0.03, 0, r - 0.004), corner(r - 0.0041, 0, r - 0.004);
+    const Vector3 above(0.03, 0, 0.03), floor(0.03, 0, radius - 0.004), corner(radius - 0.0041, 0, radius - 0.004);
     const Vector3 along = corner + Vector3(0, 0.05, 0);
     return t < 0.4 ? between(above, floor, 0.1, 0.2, t)
                    : (t < 0.8 ? between(floor, corner, 0.4, 0.3, t) : between(corner, along, 0.8, 0.3, t));
@@ -170,8 +167,8 @@ TEST_P(SeveralPlanesTest, AUChannelOfOneBodyFeelsLikeThreeBoxes)
     const Vector3 sides[] = {{0.4, 0.4, 0.2}, {0.2, 0.4, 0.4}, {0.2, 0.4, 0.4}};
     const Vector3 places[] = {{0, 0, -0.1}, {-0.109, 0, 0.2}, {0.109, 0, 0.2}}; // the gap is 18 mm, less than the probe
     const auto path = [](double t) {
-        return t < 0.5 ? between({0, 0, 0.45}, {0, 0, r - 0.003}, 0.1, 0.3, t)
-                       : between({0, 0, r - 0.003}, {0.002, 0.03, r - 0.004}, 0.5, 0.3, t);
+        return t < 0.5 ? between({0, 0, 0.45}, {0, 0, radius - 0.003}, 0.1, 0.3, t)
+                       : between({0, 0, radius - 0.003}, {0.002, 0.03, radius - 0.004}, 0.5, 0.3, t);
     };
     std::vector<dGeomID> geoms;
     const auto add_boxes = [&] {

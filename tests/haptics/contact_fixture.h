@@ -7,6 +7,7 @@
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/allocation_count.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/mesh_maker.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/scripted_device.h"
@@ -19,8 +20,7 @@
 
 namespace ode_predictive_space::haptics
 {
-constexpr double contact_radius = 0.01;   // m; of the probe
-constexpr double contact_stiffness = 500; // N/m
+constexpr double k = 500; // N/m; the stiffness of both laws
 
 /// The parameters: whether the law is the proxy's, and whether the loop has two threads.
 class ContactTest : public testing::TestWithParam<std::tuple<bool, bool>>
@@ -43,7 +43,7 @@ protected:
                             std::function<void(double)> advanced = {})
     {
         SurfaceProperties properties;
-        properties.stiffness = contact_stiffness;
+        properties.stiffness = k;
         properties.friction = friction_;
         const auto penalty = std::make_shared<PenaltyLaw>(properties);
         const auto proxy = std::make_shared<ProxyLaw>(properties);
@@ -54,7 +54,7 @@ protected:
             rendering.law = proxy;
         }
         ScriptedDevice device(path);
-        HapticProbe probe(device, world_.space, contact_radius, rendering);
+        HapticProbe probe(device, world_.space, radius, rendering);
         probe_ = &probe;
         if (prepare_)
         {

@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 
 #include "tests/haptics/allocation_count.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/random_numbers.h"
 #include "tests/haptics/ridges.h"
@@ -13,8 +14,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double r = 0.01;      // m
-constexpr double dt = 0.001;    // s
 constexpr double width = 2;     // m; of a plate: the tool never comes to its rim
 constexpr double thick = 0.001; // m
 
@@ -80,7 +79,7 @@ protected:
     const OdeUse ode_;
     ProbeWorld world_;
     MeshStore meshes_;
-    ContactTracker tracker_{r};
+    ContactTracker tracker_{radius};
     std::vector<Touch> touches_;
 };
 
@@ -105,12 +104,12 @@ TEST_P(ContactTrackerTest, AThinPlateThatMovesAndTurnsIsNeverPassed)
         }
         tool += random.in_cube(tick % 50 == 0 ? 0.03 : 0.001) - 0.001 * tool;
         const auto &touches = look(tool, {&plate});
-        ASSERT_GE(plate.to_local(tracker_.proxy()).z(), 0.999 * r) << tick;
+        ASSERT_GE(plate.to_local(tracker_.proxy()).z(), 0.999 * radius) << tick;
         for (const Touch &touch : touches)
         {
             ASSERT_GT(plate.direction_to_local(touch.normal).z(), 0.999) << tick;
         }
-        behind += plate.to_local(tool).z() < -r ? 1 : 0;
+        behind += plate.to_local(tool).z() < -radius ? 1 : 0;
         world_.step(dt);
     }
     EXPECT_GT(behind, 1000);
@@ -123,10 +122,10 @@ TEST_P(ContactTrackerTest, APlateThatGoesFartherThanARadiusInATickTakesTheProxyA
     {
         dBodySetPosition(plate.body, 0, 0, -0.06 + 0.015 * tick);
         look({0, 0, 0}, {&plate});
-        ASSERT_GE(plate.to_local(tracker_.proxy()).z(), 0.999 * r) << tick;
+        ASSERT_GE(plate.to_local(tracker_.proxy()).z(), 0.999 * radius) << tick;
     }
     ASSERT_EQ(touches_.size(), 1U);
-    EXPECT_NEAR(touches_[0].depth, 0.105 + r, 1e-9);
+    EXPECT_NEAR(touches_[0].depth, 0.105 + radius, 1e-9);
 }
 
 TEST_P(ContactTrackerTest, WhatIsSqueezedBetweenPlatesKeepsItsSideOfEach)
@@ -147,10 +146,10 @@ TEST_P(ContactTrackerTest, WhatIsSqueezedBetweenPlatesKeepsItsSideOfEach)
             const Plate &plate = touch.object == object_of(below.geom) ? below : above;
             ASSERT_GT(plate.direction_to_local(touch.normal).z(), 0.999) << tick;
         }
-        if (gap > 2.1 * r)
+        if (gap > 2.1 * radius)
         {
-            ASSERT_GE(below.to_local(tracker_.proxy()).z(), 0.999 * r) << tick;
-            ASSERT_GE(above.to_local(tracker_.proxy()).z(), 0.999 * r) << tick;
+            ASSERT_GE(below.to_local(tracker_.proxy()).z(), 0.999 * radius) << tick;
+            ASSERT_GE(above.to_local(tracker_.proxy()).z(), 0.999 * radius) << tick;
         }
     }
 }
@@ -160,7 +159,7 @@ TEST(ContactTracker, HandsOverTheNearestOfTooManyGeoms)
     const OdeUse ode;
     ProbeWorld world;
     MeshStore meshes;
-    ContactTracker tracker(r);
+    ContactTracker tracker(radius);
     tracker.set_margin(1);
     tracker.begin();
     tracker.aim({0, 0, 0});
@@ -188,7 +187,7 @@ TEST(ContactTracker, LooksWhereverTheServoHoldsSomething)
     memory.proxy = {1, 0, 0};
     memory.count = 1;
     memory.places[0].at = {1.05, 0, 0}; // squeezed
-    ContactTracker tracker(r);
+    ContactTracker tracker(radius);
     tracker.begin();
     tracker.aim({1, 0, 0});
     tracker.begin();
@@ -197,7 +196,7 @@ TEST(ContactTracker, LooksWhereverTheServoHoldsSomething)
     const ContactTracker::Region region = tracker.region();
     for (const double x : {1.0, 1.05, 1.03}) // the proxy, the squeezed place, the tool as it goes on for two steps
     {
-        EXPECT_LE((Vector3(x, 0, 0) - region.centre).norm() + r, region.radius) << x;
+        EXPECT_LE((Vector3(x, 0, 0) - region.centre).norm() + radius, region.radius) << x;
     }
 }
 
@@ -208,7 +207,7 @@ TEST(ContactTracker, LooksWhereverTheServoHoldsSomething)
 double largest_region(const std::vector<dGeomID> &geoms, const std::function<void(double)> &before)
 {
     MeshStore meshes;
-    ContactTracker tracker(r);
+    ContactTracker tracker(radius);
     double largest = 0;
     constexpr int ticks = 1000;
     for (int tick = 0; tick < ticks; ++tick)
@@ -232,10 +231,11 @@ TEST(ContactTracker, WhatHoldsTheSphereKeepsTheRegionSmallWhereverTheToolIs)
 {
     const OdeUse ode;
     ProbeWorld world;
-    const OdeMesh mesh(box_mesh(Vector3::Constant(-0.75 * r), Vector3::Constant(0.75 * r))); // it is too small
+    const OdeMesh mesh(
+        box_mesh(Vector3::Constant(-0.75 * radius), Vector3::Constant(0.75 * radius))); // it is too small
     const dGeomID cage = mesh.add_to(world.space);
     const dGeomID other = world.add_box({0.01, 0.01, 0.01}, {0.03, 0, -0.01});
-    EXPECT_LT(largest_region({cage, other}, [](double) {}), 5.1 * r);
+    EXPECT_LT(largest_region({cage, other}, [](double) {}), 5.1 * radius);
 }
 
 // Before, the region held the places on both plates: 0.53 m.
@@ -249,10 +249,10 @@ TEST(ContactTracker, PlatesThatPassEachOtherKeepTheRegionSmall)
         const dQuaternion turned = {0, 1, 0, 0}; // its top looks down
         dBodySetQuaternion(above.body, turned);
         const auto move = [&](double part) {
-            dBodySetPosition(below.body, 0, 0, 0.25 * part - 0.75 * r);
-            dBodySetPosition(above.body, 0, 0, 0.75 * r - 0.25 * part);
+            dBodySetPosition(below.body, 0, 0, 0.25 * part - 0.75 * radius);
+            dBodySetPosition(above.body, 0, 0, 0.75 * radius - 0.25 * part);
         };
-        EXPECT_LT(largest_region({below.geom, above.geom}, move), 5.5 * r) << as_mesh;
+        EXPECT_LT(largest_region({below.geom, above.geom}, move), 5.5 * radius) << as_mesh;
     }
 }
 
@@ -267,7 +267,7 @@ TEST(ContactTracker, AllocatesNothingFromItsFirstTickOn)
     ContactMemory memory;
     std::vector<Touch> touches;
     touches.reserve(100);
-    ContactTracker tracker(r);
+    ContactTracker tracker(radius);
     const std::uint64_t before = allocation_count();
     std::size_t most = 0;
     for (int tick = 0; tick < 400; ++tick)
@@ -290,7 +290,7 @@ TEST(ContactTracker, TakesWhatIsInItsRegionTheNearestFirst)
     const OdeUse ode;
     ProbeWorld world;
     MeshStore meshes;
-    ContactTracker tracker(r);
+    ContactTracker tracker(radius);
     tracker.begin();
     tracker.aim({0, 0, 0});
     const auto add_box_at = [&](double distance) {
@@ -298,10 +298,10 @@ TEST(ContactTracker, TakesWhatIsInItsRegionTheNearestFirst)
         tracker.add_if_near(*NearbyGeom::read(box, meshes, {}));
         return box;
     };
-    const dGeomID far = add_box_at(0.9 * r);
-    const dGeomID near = add_box_at(0.1 * r);
-    add_box_at(1.1 * r);
-    const dGeomID between = add_box_at(0.5 * r);
+    const dGeomID far = add_box_at(0.9 * radius);
+    const dGeomID near = add_box_at(0.1 * radius);
+    add_box_at(1.1 * radius);
+    const dGeomID between = add_box_at(0.5 * radius);
     NearbyGeoms geoms;
     tracker.hand_over(geoms, 0);
     ASSERT_EQ(geoms.count, 3U);
@@ -318,7 +318,7 @@ TEST(ContactTracker, KeepsAMeshAliveUntilAnotherTakesItsPlace)
     const OdeMesh mesh(sheet_mesh(0.1, 2));
     const dGeomID geom = mesh.add_to(world.space);
     std::weak_ptr<const MeshTree> tree = meshes.tree_of(geom, {});
-    ContactTracker tracker(r);
+    ContactTracker tracker(radius);
     tracker.begin();
     tracker.aim({0, 0, 0});
     tracker.add(*NearbyGeom::read(geom, meshes, {}));

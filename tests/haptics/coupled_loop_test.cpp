@@ -2,10 +2,10 @@
 
 #include "ode_predictive_space/haptics/loop.h"
 
-#include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/recording.h"
 #include "ode_predictive_space/haptics/replay_device.h"
 #include "ode_predictive_space/haptics/virtual_device.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/probe_world.h"
 
 #include <cmath>
@@ -16,18 +16,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double radius = 0.01; // m; of the probe
-
-RenderSettings with_stiffness(double stiffness, NoticeSink sink = {})
-{
-    SurfaceProperties properties;
-    properties.stiffness = stiffness;
-    RenderSettings settings;
-    settings.law = std::make_shared<PenaltyLaw>(properties);
-    settings.notice = std::move(sink);
-    return settings;
-}
-
 /// A hand that wants to go 5 mm into the plane z = 0.
 Vector3 press(double seconds)
 {

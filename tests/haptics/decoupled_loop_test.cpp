@@ -12,15 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-RenderSettings with_stiffness(double stiffness)
-{
-    SurfaceProperties properties;
-    properties.stiffness = stiffness;
-    RenderSettings settings;
-    settings.law = std::make_shared<PenaltyLaw>(properties);
-    return settings;
-}
-
 class DecoupledLoopTest : public testing::Test
 {
 protected:

@@ -12,13 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-Wrench push(double newtons)
-{
-    Wrench wrench;
-    wrench.force.z() = newtons;
-    return wrench;
-}
-
 class DeviceGateTest : public testing::Test
 {
 protected:

@@ -8,7 +8,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-const Wrench push = {Vector3(1, 0, 0), Vector3::Zero()};
+const Wrench one_newton = {Vector3(1, 0, 0), Vector3::Zero()};
 
 class FaultyDeviceTest : public testing::Test
 {
@@ -27,11 +27,11 @@ TEST_F(FaultyDeviceTest, IsWholeUntilItBreaksAndAfterItHasBeenMended)
 {
     faulty_.break_at(1, Breakage::lost, 2);
     EXPECT_NO_THROW(faulty_.read(0.999));
-    faulty_.write(push);
-    EXPECT_EQ(device_.last_wrench().force, push.force);
+    faulty_.write(one_newton);
+    EXPECT_EQ(device_.last_wrench().force, one_newton.force);
     EXPECT_TRUE(faulty_.status().ready);
     EXPECT_THROW(faulty_.read(1), DeviceError);
-    EXPECT_THROW(faulty_.write(push), DeviceError);
+    EXPECT_THROW(faulty_.write(one_newton), DeviceError);
     EXPECT_FALSE(faulty_.status().ready);
     EXPECT_TRUE(faulty_.read(2).position.allFinite());
     EXPECT_EQ(faulty_.writes(), 1);
@@ -43,10 +43,10 @@ TEST_F(FaultyDeviceTest, CanBeReadOnlyOrWrittenOnly)
 {
     faulty_.break_now(Breakage::unreadable);
     EXPECT_THROW(faulty_.read(1), DeviceError);
-    EXPECT_NO_THROW(faulty_.write(push));
+    EXPECT_NO_THROW(faulty_.write(one_newton));
     faulty_.break_now(Breakage::unwritable);
     EXPECT_NO_THROW(faulty_.read(2));
-    EXPECT_THROW(faulty_.write(push), DeviceError);
+    EXPECT_THROW(faulty_.write(one_newton), DeviceError);
     EXPECT_EQ(faulty_.writes(), 1);
 }
 

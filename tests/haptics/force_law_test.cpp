@@ -2,23 +2,18 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <limits>
 #include <memory>
 
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/allocation_count.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/random_numbers.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double dt = 0.001;
-constexpr double radius = 0.01; // m; of a probe that is a sphere
-
 /// What holds for every law of a surface.
 class SurfaceLaw : public testing::TestWithParam<const char *>
 {

@@ -8,8 +8,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double r = contact_radius;
-constexpr double k = contact_stiffness;
 constexpr double mu = 0.5;
 constexpr double speed = 0.1; // m/s
 

@@ -10,9 +10,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double r = contact_radius;
-constexpr double k = contact_stiffness;
-
 /// A heightfield in ODE, which points up along its frame's y, and its samples.
 class OdeField
 {
@@ -80,25 +77,25 @@ TEST_P(HeightfieldContactTest, HoldsToFiveRadii)
 {
     const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
     use(field);
-    const Vector3 above(0.013, 0.021, 0.03), below(0.013, 0.021, r - 5 * r);
+    const Vector3 above(0.013, 0.021, 0.03), below(0.013, 0.021, radius - 5 * radius);
     const auto samples = run(
         [&](double t) { return t < 1 ? between(above, below, 0.1, 0.8, t) : between(below, above, 1.1, 0.8, t); }, 2);
     double deepest = 0;
     for (const Sample &sample : samples)
     {
-        const double depth = std::max(0.0, r - sample.tool.z());
+        const double depth = std::max(0.0, radius - sample.tool.z());
         deepest = std::max(deepest, depth);
         ASSERT_LE((sample.wished - Vector3(0, 0, k * depth)).norm(), 1e-6 * k * depth + 1e-9)
             << sample.time << ": " << sample.wished.transpose();
     }
-    EXPECT_NEAR(deepest, 5 * r, 1e-9);
+    EXPECT_NEAR(deepest, 5 * radius, 1e-9);
 }
 
 TEST_P(HeightfieldContactTest, ARidgeOfNinetyDegreesPushesUpwards)
 {
     const OdeField field(profile(0.02, 20, [](double x) { return -std::abs(x); }));
     use(field);
-    const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, r - 0.002}, 0.1, 0.8, t); }, 1);
+    const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, radius - 0.002}, 0.1, 0.8, t); }, 1);
     EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.01 * k * 0.002)
         << samples.back().wished.transpose();
 }
@@ -111,7 +108,7 @@ TEST_P(HeightfieldContactTest, RidgesAreCrossedWithoutAJump)
     physics_rate_ = 100;
     const auto samples = run(
         [](double t) {
-            const Vector3 above(-0.08, -0.02, 0.03), in(-0.08, -0.02, r - 0.003), end(0.08, 0.02, r - 0.003);
+            const Vector3 above(-0.08, -0.02, 0.03), in(-0.08, -0.02, radius - 0.003), end(0.08, 0.02, radius - 0.003);
             return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.5, 0.5, t);
         },
         1.1);
@@ -129,7 +126,7 @@ TEST_P(HeightfieldContactTest, StopsWhatFliesAtTenMetresPerSecond)
         0.15);
     for (const Sample &sample : samples)
     {
-        const double depth = std::max(0.0, r - sample.tool.z());
+        const double depth = std::max(0.0, radius - sample.tool.z());
         ASSERT_LE((sample.wished - Vector3(0, 0, k * depth)).norm(), 1e-6 * k) << sample.time;
     }
     EXPECT_NEAR(samples.back().tool.z(), -0.036, 1e-12);
@@ -175,7 +172,7 @@ TEST(HeightfieldContact, WithoutSamplesItIsWhatOdeSays)
     const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
     field.add_upright(world.space);
     ScriptedDevice device([](double seconds) { return Vector3(0.003, 0.001, seconds > 0 ? 0.006 : 0.011); });
-    HapticProbe probe(device, world.space, r, RenderSettings());
+    HapticProbe probe(device, world.space, radius, RenderSettings());
     world.run(probe, 1); // outside of it
     const auto is_held = [&] {
         world.run(probe, 1);
@@ -197,7 +194,7 @@ TEST(HeightfieldContact, AFieldThatCannotBePlacedIsHeldWhereItIs)
     const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
     dCreateHeightfield(world.space, field.data(), 0);
     ScriptedDevice device([](double t) { return between({0, 0.03, 0}, {0, -0.04, 0}, 0.1, 0.3, t); });
-    HapticProbe probe(device, world.space, r, RenderSettings());
+    HapticProbe probe(device, world.space, radius, RenderSettings());
     probe.sensor()->set_samples(field.data(), field.samples());
     world.run(probe, 500);
     EXPECT_NEAR(probe.last_tick().wished.y(), 0.05 * 500, 1e-9);
@@ -207,7 +204,7 @@ TEST(HeightfieldContact, SamplesThatMakeNoFieldAreRefused)
 {
     const OdeUse ode;
     ProbeWorld world;
-    TouchSensor sensor(world.space, r);
+    TouchSensor sensor(world.space, radius);
     const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
     HeightfieldSamples samples = field.samples();
     samples.heights.pop_back();

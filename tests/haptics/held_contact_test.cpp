@@ -9,28 +9,25 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double r = contact_radius;
-constexpr double k = contact_stiffness;
-
 class HeldContactTest : public ContactTest
 {
 protected:
-    /// Pressed along -z to 5 r at a place of a surface whose highest point is at z = 0, and drawn out again.
+    /// Pressed along -z to 5 radii at a place of a surface whose highest point is at z = 0, and drawn out again.
     void expect_spring_to_five_radii(double x, double y, double tolerance)
     {
-        const Vector3 above(x, y, 0.03), below(x, y, r - 5 * r);
+        const Vector3 above(x, y, 0.03), below(x, y, radius - 5 * radius);
         const auto samples = run(
             [&](double t) { return t < 1 ? between(above, below, 0.1, 0.8, t) : between(below, above, 1.1, 0.8, t); },
             2);
         double deepest = 0;
         for (const Sample &sample : samples)
         {
-            const double depth = std::max(0.0, r - sample.tool.z());
+            const double depth = std::max(0.0, radius - sample.tool.z());
             deepest = std::max(deepest, depth);
             ASSERT_LE((sample.wished - Vector3(0, 0, k * depth)).norm(), tolerance * k * depth + 1e-9)
                 << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
         }
-        EXPECT_NEAR(deepest, 5 * r, 1e-9);
+        EXPECT_NEAR(deepest, 5 * radius, 1e-9);
     }
 
     /// Flies at 10 m/s along x through something whose front is at x = 0, after a rest.
@@ -39,12 +36,12 @@ protected:
         const auto samples = run([](double t) { return between({-0.034, 0, 0}, {0.036, 0, 0}, 0.1, 0.007, t); }, 0.15);
         for (const Sample &sample : samples)
         {
-            const double depth = std::max(0.0, sample.tool.x() + r);
+            const double depth = std::max(0.0, sample.tool.x() + radius);
             ASSERT_LE((sample.wished - Vector3(-k * depth, 0, 0)).norm(), 1e-6 * k)
                 << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
             if (proxy_law())
             {
-                ASSERT_LE(sample.proxy.x(), -r + 1e-9) << sample.time;
+                ASSERT_LE(sample.proxy.x(), -radius + 1e-9) << sample.time;
             }
         }
         EXPECT_NEAR(samples.back().tool.x(), 0.036, 1e-12);
@@ -86,9 +83,13 @@ TEST_P(HeldContactTest, AThinLyingCylinderHoldsToFiveRadii)
 
 TEST_P(HeldContactTest, ASphereHoldsToFiveRadii)
 {
-    dGeomSetPosition(dCreateSphere(world_.space, 0.03), 0, 0, -0.03); // its centre is at 3 r
-    const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, r - 3.9 * r}, 0.1, 0.8, t); }, 1);
-    EXPECT_NEAR(samples.back().wished.z(), k * 3.9 * r, 1e-6 * k);
+    dGeomSetPosition(dCreateSphere(world_.space, 0.03), 0, 0, -0.03); // its centre is at 3 radii
+    const auto samples = run(
+        [](double t) {
+            return between({0, 0, 0.03}, {0, 0, radius - 3.9 * radius}, 0.1, 0.8, t);
+        },
+        1);
+    EXPECT_NEAR(samples.back().wished.z(), k * 3.9 * radius, 1e-6 * k);
 }
 
 TEST_P(HeldContactTest, ACapsuleHolds)
@@ -99,7 +100,7 @@ TEST_P(HeldContactTest, ACapsuleHolds)
     dGeomSetRotation(capsule, lying);
     dGeomSetPosition(capsule, 0, 0, -0.002);
     const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, -0.001}, 0.1, 0.8, t); }, 1);
-    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 1.1 * r)).norm(), 1e-6 * k)
+    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 1.1 * radius)).norm(), 1e-6 * k)
         << samples.back().wished.transpose();
 }
 
@@ -113,7 +114,7 @@ TEST_P(HeldContactTest, ARidgeOfNinetyDegreesPushesUpwards)
 {
     const OdeMesh mesh(roof_mesh(45));
     mesh.add_to(world_.space);
-    const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, r - 0.002}, 0.1, 0.8, t); }, 1);
+    const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, radius - 0.002}, 0.1, 0.8, t); }, 1);
     EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.01 * k * 0.002)
         << samples.back().wished.transpose();
 }
@@ -143,7 +144,7 @@ TEST_P(HeldContactTest, ARoofOfThirtyDegreesIsCrossedWithoutAJump)
             normal = slope.cwiseProduct(Vector3(tool.x() < 0 ? -1 : 1, 1, 1));
             distance = normal.dot(tool);
         }
-        const Vector3 truth = k * std::max(0.0, r - distance) * normal;
+        const Vector3 truth = k * std::max(0.0, radius - distance) * normal;
         ASSERT_LE((sample.wished - truth).norm(), 0.01 * 2.5) << sample.time << ": " << sample.wished.transpose();
         ASSERT_LE((sample.wished - before).norm(), 0.06) << sample.time; // 0.1 mm of motion at most, 500 N/m
         before = sample.wished;
@@ -217,11 +218,11 @@ TEST_P(HeldContactTest, AMeshThatMovesAndTurnsHoldsOnItsWay)
         // How the plane moves within a step.
         const Vector3 foot = sample.tool - normal * normal.dot(sample.tool - position);
         const Vector3 velocity = Vector3(0.02, -0.03, 0.04) + Vector3(0.3, -0.2, 0.5).cross(foot - position);
-        const double depth = r - normal.dot(sample.tool - position) + late * normal.dot(velocity);
+        const double depth = radius - normal.dot(sample.tool - position) + late * normal.dot(velocity);
         const Vector3 truth = k * std::max(0.0, depth) * normal;
         ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 0.02)
             << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
-        compared += depth > 2 * r ? 1 : 0;
+        compared += depth > 2 * radius ? 1 : 0;
     }
     EXPECT_GT(compared, 100);
 }
@@ -237,11 +238,12 @@ TEST(HeldContact, HoldsInAnySpaceAndInASpaceWithinIt)
             const OdeMesh mesh(sheet_mesh(0.4, 8));
             mesh.add_to(nested ? make_space(choice, world.space) : world.space);
             ScriptedDevice device([](double t) {
-                return between({0.01, 0.02, 0.03}, {0.01, 0.02, -4 * r}, 0.1, 0.5, t);
+                return between({0.01, 0.02, 0.03}, {0.01, 0.02, -4 * radius}, 0.1, 0.5, t);
             });
-            HapticProbe probe(device, world.space, r, RenderSettings());
+            HapticProbe probe(device, world.space, radius, RenderSettings());
             world.run(probe, 700);
-            EXPECT_NEAR(probe.last_tick().wished.z(), 5 * r * 500, 1e-9) << static_cast<int>(choice) << ' ' << nested;
+            EXPECT_NEAR(probe.last_tick().wished.z(), 5 * radius * 500, 1e-9)
+                << static_cast<int>(choice) << ' ' << nested;
         }
     }
 }
@@ -285,7 +287,7 @@ TEST_P(HeldContactTest, AnUntidySheetIsAsFlatAsATidyOne)
         1.6);
     for (const Sample &sample : samples)
     {
-        const double depth = std::max(0.0, r - sample.tool.z());
+        const double depth = std::max(0.0, radius - sample.tool.z());
         ASSERT_LE((sample.wished - Vector3(0, 0, k * depth)).norm(), 1e-3 * k * depth + 1e-9)
             << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
     }
@@ -323,7 +325,7 @@ TEST_P(HeldContactTest, AHoleThatIsTooSmallCarriesTheProbeByItsRim)
     const OdeMesh mesh(sheet_with_a_hole(1)); // from 0 to 1 cm in x and in y
     mesh.add_to(world_.space);
     const Vector3 middle(0.005, 0.005, 0);
-    const double resting = std::sqrt(r * r - 0.005 * 0.005); // the height at which it lies on the four edges
+    const double resting = std::sqrt(radius * radius - 0.005 * 0.005); // the height at which it lies on the four edges
     const auto samples = run(
         [&](double t) { return between(middle + Vector3(0, 0, 0.03), middle - Vector3(0, 0, 0.02), 0.1, 0.8, t); }, 1);
     if (proxy_law())
@@ -374,12 +376,12 @@ TEST_P(HeldContactTest, WavesAreFeltAsTheyAre)
         {
             continue;
         }
-        const double distance = tree.collect(sample.tool, r, features); // no valley is as narrow as the probe
+        const double distance = tree.collect(sample.tool, radius, features); // no valley is as narrow as the probe
         const auto nearest =
             std::min_element(features.begin(), features.end(),
                              [](const SurfaceFeature &a, const SurfaceFeature &b) { return a.distance < b.distance; });
         ASSERT_NE(nearest, features.end());
-        const Vector3 truth = k * (r - distance) * nearest->normal;
+        const Vector3 truth = k * (radius - distance) * nearest->normal;
         ASSERT_NEAR(sample.wished.norm(), truth.norm(), (decoupled() ? 0.02 : 0.01) * truth.norm()) << sample.time;
         // Two faces that form a valley of up to 4 degrees push together; the nearest of them is one.
         ASSERT_LE((sample.wished - truth).norm(), (decoupled() ? 0.1 : 0.07) * truth.norm())

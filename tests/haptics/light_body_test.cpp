@@ -4,6 +4,7 @@
 
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/scripted_device.h"
 
@@ -14,8 +15,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double radius = 0.01; // m; of the probe
-constexpr double side = 0.06;   // m; of the bodies
+constexpr double side = 0.06; // m; of the bodies
 
 std::shared_ptr<ForceLaw> make_law(bool proxy, double stiffness)
 {

@@ -5,6 +5,7 @@
 
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/faulty_device.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/scripted_device.h"
@@ -15,7 +16,6 @@
 
 namespace ode_predictive_space::haptics
 {
-constexpr double radius = 0.01;       // m; of the probe
 constexpr double spring = 800;        // N/m
 constexpr double depth = 0.004;       // m; how deep it goes into the plane
 constexpr double grace = 0.010;       // s; after that there must be no force
@@ -23,11 +23,7 @@ constexpr double pressed_after = 1.8; // s; from then on the force is there in f
 
 inline RenderSettings usual_rendering()
 {
-    SurfaceProperties properties;
-    properties.stiffness = spring;
-    RenderSettings settings;
-    settings.law = std::make_shared<PenaltyLaw>(properties);
-    return settings;
+    return with_stiffness(spring);
 }
 
 /// Rests for a second while the forces ramp in, then goes down into the plane z = 0.

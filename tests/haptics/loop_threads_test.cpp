@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/loop.h"
 
 #include "ode_predictive_space/haptics/penalty_law.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/ridges.h"
 #include "tests/haptics/scripted_device.h"
@@ -19,8 +20,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double radius = 0.01; // m; of the probe
-
 /// Tells its force to any thread.
 class WatchedDevice : public ScriptedDevice
 {

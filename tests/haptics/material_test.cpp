@@ -5,18 +5,17 @@
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/contact_fixture.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <limits>
 #include <map>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double pressed = 0.002; // m
 constexpr double left = -0.03;    // m; the middle of one half of the table
 constexpr double right = 0.03;
@@ -77,12 +76,12 @@ protected:
         ScriptedDevice device([=](double seconds) -> Vector3 {
             const double down = std::clamp((seconds - 1) / 0.3, 0.0, 1.0);
             const double along = std::clamp((seconds - 1.5) * speed / std::abs(end - start + 1e-300), 0.0, 1.0);
-            return {start + along * (end - start), 0, contact_radius + 0.005 - down * (0.005 + pressed)};
+            return {start + along * (end - start), 0, radius + 0.005 - down * (0.005 + pressed)};
         });
         RenderSettings rendering;
         rendering.law = make_law();
         rendering.notice = notices_.sink();
-        HapticProbe probe(device, world_.space, contact_radius, rendering);
+        HapticProbe probe(device, world_.space, radius, rendering);
         probe.set_materials([this](dGeomID geom) -> std::optional<Material> {
             const auto found = materials_.find(geom);
             return found != materials_.end() ? std::optional<Material>(found->second) : std::nullopt;

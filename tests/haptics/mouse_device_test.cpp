@@ -1,5 +1,7 @@
 #include "ode_predictive_space/haptics/mouse_device.h"
 
+#include "tests/haptics/constants.h"
+
 #include <gtest/gtest.h>
 #include <thread>
 
@@ -7,8 +9,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double tick = 0.001; // s
-
 DeviceState rest(MouseDevice &device, double &time)
 {
     time += 1;
@@ -39,11 +39,11 @@ TEST(MouseDevice, ButtonsAreBits)
     EXPECT_EQ(device.read(0).buttons, 0u);
     device.button(0, true);
     device.button(31, true);
-    EXPECT_EQ(device.read(tick).buttons, 0x80000001u);
+    EXPECT_EQ(device.read(dt).buttons, 0x80000001u);
     device.button(0, false);
     device.button(32, true);
     device.button(-1, true);
-    EXPECT_EQ(device.read(2 * tick).buttons, 0x80000000u);
+    EXPECT_EQ(device.read(2 * dt).buttons, 0x80000000u);
 }
 
 TEST(MouseDevice, StaysInItsWorkspaceAndComesBackAtOnce)
@@ -57,13 +57,13 @@ TEST(MouseDevice, StaysInItsWorkspaceAndComesBackAtOnce)
     {
         device.pointer(i % 1000 < 500 ? 100 : -100, 37);
         device.wheel(-3);
-        time += tick;
+        time += dt;
         ASSERT_TRUE(settings.workspace.contains(device.read(time).position));
     }
     EXPECT_NEAR(rest(device, time).position.z(), 0.1, 1e-12);
     device.wheel(4);
     EXPECT_NEAR(rest(device, time).position.z(), 0.08, 1e-12) << "what led out was lost";
-    device.pointer(std::nan(""), std::numeric_limits<double>::infinity());
+    device.pointer(std::nan(""), infinity);
     EXPECT_TRUE(rest(device, time).position.allFinite());
 }
 
@@ -79,15 +79,15 @@ TEST(MouseDevice, MakesASmoothMotionOfEvents)
     int events = 0;
     for (int i = 1; i <= 900; ++i)
     {
-        const double time = i * tick;
+        const double time = i * dt;
         for (; events < 60 * time; ++events)
         {
             device.pointer(pixels, 0);
         }
         const DeviceState state = device.read(time);
-        ASSERT_LT((state.position - last).norm(), 0.2 * tick) << "no steps, at " << time << " s";
+        ASSERT_LT((state.position - last).norm(), 0.2 * dt) << "no steps, at " << time << " s";
         ASSERT_LT((state.linear_velocity - last_velocity).norm(), 0.01) << "nor of the velocity";
-        ASSERT_LT(((state.position - last) / tick - (state.linear_velocity + last_velocity) / 2).norm(), 0.001);
+        ASSERT_LT(((state.position - last) / dt - (state.linear_velocity + last_velocity) / 2).norm(), 0.001);
         ASSERT_TRUE(i < 200 || std::abs(state.linear_velocity.x() - 0.1) < 0.03) << state.linear_velocity.x();
         last = state.position;
         last_velocity = state.linear_velocity;
@@ -106,7 +106,7 @@ TEST(MouseDevice, MovesAlikeHoweverOftenItIsRead)
     }
     for (int i = 1; i <= 30; ++i)
     {
-        often.read(i * tick);
+        often.read(i * dt);
     }
     EXPECT_LT((often.read(0.031).position - seldom.read(0.031).position).norm(), 1e-15);
     EXPECT_LT((often.read(0.032).linear_velocity - seldom.read(0.032).linear_velocity).norm(), 1e-13);
@@ -131,7 +131,7 @@ TEST(MouseDevice, TakesEventsFromAnotherThread)
     });
     while (!done)
     {
-        time += tick;
+        time += dt;
         EXPECT_TRUE(device.read(time).position.allFinite());
     }
     window.join();

@@ -12,13 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-Wrench push()
-{
-    Wrench wrench;
-    wrench.force.z() = 1;
-    return wrench;
-}
-
 /// A gate that pushes, and is read in this thread.
 class PushingGate
 {
@@ -29,7 +22,7 @@ public:
         open_gates::add(gate);
         DeviceState state;
         gate.read(0, state);
-        gate.write(push());
+        gate.write(push(1));
     }
 
     ~PushingGate() { open_gates::remove(gate); }

@@ -1,17 +1,15 @@
 #include "ode_predictive_space/haptics/passivity.h"
 
 #include <gtest/gtest.h>
-#include <limits>
 
 #include "tests/haptics/allocation_count.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/simulated_hand.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double dt = 0.001;
-
 DeviceState state_at(double position, double velocity = 0)
 {
     DeviceState state;
@@ -142,7 +140,6 @@ TEST(Passivity, ForgetsWhatIsNotANumber)
 {
     PassivityController controller(5);
     controller.control(state_at(0), Vector3(1, 0, 0), dt);
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(controller.control(state_at(nan, nan), Vector3(nan, 0, 0), dt).allFinite());
     controller.written(Vector3::Zero());
     controller.control(state_at(0), Vector3(1, 0, 0), dt);
@@ -152,7 +149,7 @@ TEST(Passivity, ForgetsWhatIsNotANumber)
 
 TEST(Passivity, RefusesADampingThatCannotBe)
 {
-    for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const double bad : {-1.0, nan, infinity})
         EXPECT_THROW(PassivityController{bad}, std::invalid_argument);
 }
 

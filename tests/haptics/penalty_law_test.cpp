@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/haptics/constants.h"
 #include "tests/haptics/random_numbers.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double dt = 0.001;
-
 TEST(PenaltyLaw, TakesEachTouchAsIfItWereAlone)
 {
     RandomNumbers random(1);

@@ -1,16 +1,16 @@
 #include "ode_predictive_space/haptics/pending_motion.h"
 
+#include "tests/haptics/constants.h"
+
 #include <functional>
 #include <gtest/gtest.h>
-#include <limits>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double tick = 0.001; // s
 constexpr int ticks_per_step = 10;
-constexpr double step = ticks_per_step * tick;
+constexpr double step = ticks_per_step * dt;
 
 /// A plane that moves along x, pushed with a force that the tests choose. The scene gets the impulses of a step at its end.
 class PendingMotionTest : public testing::Test
@@ -28,8 +28,8 @@ protected:
                 make_model(kilograms, held && i >= 2 * ticks_per_step ? 0 : 1, i);
                 advance_scene(kilograms, held);
             }
-            const double now = tick * i;
-            pending_.update(model_, i % ticks_per_step == 0, held_, now - tick, now);
+            const double now = dt * i;
+            pending_.update(model_, i % ticks_per_step == 0, held_, now - dt, now);
             places.push_back(model_place_ + model_velocity_ * (now - model_time_) + pending_.shifts()[0].moved.x());
             give(now);
             held_ = {{1, Vector3::Zero(), -newtons(i) * Vector3::UnitX(), 0}};
@@ -43,13 +43,13 @@ private:
         Touch touch;
         touch.normal = -Vector3::UnitX();
         touch.object = 1;
-        model_.set({touch}, true, Vector3::Zero(), tick * i);
+        model_.set({touch}, true, Vector3::Zero(), dt * i);
         model_.mobility(0).inverse_mass = 1 / kilograms;
         model_.mobility(0).yield = yield;
         model_.set_included(included_, included_since_);
         model_place_ = place_;
         model_velocity_ = velocity_;
-        model_time_ = tick * i;
+        model_time_ = dt * i;
     }
 
     /// As ODE does: velocity first.
@@ -70,9 +70,9 @@ private:
     {
         for (const ForceShare &share : held_)
         {
-            const Vector3 impulse = -tick * share.force;
+            const Vector3 impulse = -dt * share.force;
             on_its_way_ += impulse.x();
-            pending_.add(1, Vector3::Zero(), impulse, now - tick, ++number_);
+            pending_.add(1, Vector3::Zero(), impulse, now - dt, ++number_);
         }
     }
 
@@ -99,11 +99,11 @@ TEST_F(PendingMotionTest, AFreePlaneMovesAsTheImpulsesMoveItWithoutAnyDelay)
     double velocity = 0;
     for (int i = 1; i < 100; ++i)
     {
-        velocity += newtons(i - 1) * tick / kilograms;
-        place += velocity * tick;
+        velocity += newtons(i - 1) * dt / kilograms;
+        place += velocity * dt;
         // The lead fades a little: at most by what a second does in a tenth of it.
         ASSERT_NEAR(places[i], place, 0.1 * velocity * 2 * step) << i;
-        ASSERT_NEAR(places[i] - places[i - 1], velocity * tick, 2e-5) << i;
+        ASSERT_NEAR(places[i] - places[i - 1], velocity * dt, 2e-5) << i;
     }
 }
 
@@ -122,7 +122,7 @@ TEST_F(PendingMotionTest, AHeldPlaneComesBackWithoutAJumpWhenTheSceneSaysSo)
 
 TEST_F(PendingMotionTest, GeomsWithoutABodyStay)
 {
-    for (const double place : run(std::numeric_limits<double>::infinity(), true, 50, [](int) { return 5; }))
+    for (const double place : run(infinity, true, 50, [](int) { return 5; }))
     {
         EXPECT_EQ(place, 0);
     }

@@ -45,7 +45,7 @@ protected:
     /// N; the most that the device gets from a time on.
     double most_force_after(ScriptedDevice &device, double from, double to)
     {
-        HapticProbe probe(device, world_.space, probe_radius, with_stiffness(stiffness, notices_.sink()));
+        HapticProbe probe(device, world_.space, radius, with_stiffness(stiffness, notices_.sink()));
         double most = 0;
         probe.set_recorder([&](const RenderedTick &tick) {
             if (tick.time >= from)
@@ -53,7 +53,7 @@ protected:
                 most = std::max(most, tick.wrench.force.norm());
             }
         });
-        world_.run(probe, static_cast<int>(to / tick_length));
+        world_.run(probe, static_cast<int>(to / dt));
         return most;
     }
 
@@ -101,20 +101,20 @@ TEST_F(PlausibilityTest, DampingWorksWithADeviceThatTellsNoVelocity)
     constexpr double speed = 0.03; // m/s
     constexpr double damping = 5;  // N s/m
     PositionsOnly device([](double seconds) -> Vector3 {
-        return {0, 0, probe_radius + 0.001 - speed * std::max(0.0, seconds - 1.2)};
+        return {0, 0, radius + 0.001 - speed * std::max(0.0, seconds - 1.2)};
     });
     RenderSettings settings = with_stiffness(stiffness);
     settings.law = std::make_shared<PenaltyLaw>(Material{stiffness, damping});
-    HapticProbe probe(device, world_.space, probe_radius, settings);
+    HapticProbe probe(device, world_.space, radius, settings);
     world_.run(probe, 1301);
-    const double depth = probe_radius - probe.tool().position.z();
+    const double depth = radius - probe.tool().position.z();
     EXPECT_NEAR(probe.last_tick().wished.z(), stiffness * depth + damping * speed, 0.01 * damping * speed);
 }
 
 /// Leans 2 mm into the plane from 1.5 s on.
 ScriptedDevice::Path lean()
 {
-    return reach({0, 0, 0.05}, {0, 0, probe_radius - 0.002});
+    return reach({0, 0, 0.05}, {0, 0, radius - 0.002});
 }
 
 TEST_F(PlausibilityTest, OneReadThatIsNotANumberDoesNotCostTheWall)
@@ -127,7 +127,7 @@ TEST_F(PlausibilityTest, OneReadThatIsNotANumberDoesNotCostTheWall)
         device.break_at(1.7, Breakage::not_a_number, 1.7 + length);
         ProbeWorld world;
         dCreatePlane(world.space, 0, 0, 1, 0);
-        HapticProbe probe(device, world.space, probe_radius, with_stiffness(stiffness, notices.sink()));
+        HapticProbe probe(device, world.space, radius, with_stiffness(stiffness, notices.sink()));
         world.run(probe, 1701);
         EXPECT_TRUE(device.last_wrench().force.isZero(0)) << "at once";
         world.run(probe, 50);
@@ -159,7 +159,7 @@ TEST_F(PlausibilityTest, ATimeThatIsNotANumberIsADeviceThatDoesNotAnswer)
 {
     ScriptedDevice scripted(lean());
     TimelessDevice device(scripted);
-    HapticProbe probe(device, world_.space, probe_radius, with_stiffness(stiffness, notices_.sink()));
+    HapticProbe probe(device, world_.space, radius, with_stiffness(stiffness, notices_.sink()));
     world_.run(probe, 1690);
     EXPECT_GT(device.last_wrench().force.z(), 0.9);
     world_.run(probe, 15);
@@ -172,7 +172,7 @@ TEST_F(PlausibilityTest, AMaximumOfForceThatIsNotToldIsANotice)
     Capabilities capabilities = desktop_capabilities();
     capabilities.max_force = 0; // as in a new device that does not say
     ScriptedDevice device(lean(), capabilities);
-    HapticProbe probe(device, world_.space, probe_radius, with_stiffness(stiffness, notices_.sink()));
+    HapticProbe probe(device, world_.space, radius, with_stiffness(stiffness, notices_.sink()));
     world_.run(probe, reach_ticks);
     EXPECT_EQ(notices_.count(NoticeKind::safety), 1);
     EXPECT_NE(notices_.text(NoticeKind::safety).find("maximum of force is 0"), std::string::npos);
@@ -199,7 +199,7 @@ TEST_P(AppearingObjectTest, ItsForceRisesSlowly)
         settings.law = std::make_shared<PenaltyLaw>(Material{stiffness});
     }
     ProbeWorld world;
-    HapticProbe probe(device, world.space, probe_radius, settings);
+    HapticProbe probe(device, world.space, radius, settings);
     world.run(probe, 1000);
     world.add_box({0.2, 0.2, 0.02},
                   {0, 0, -0.009}); // 1 mm of it above the middle of the probe, which is pushed out there
@@ -212,7 +212,7 @@ TEST_P(AppearingObjectTest, ItsForceRisesSlowly)
         before = force;
     }
     EXPECT_GT(before.z(), stiffness * 0.005);
-    EXPECT_NEAR(before.z(), stiffness * (probe_radius + 0.001), 1e-6);
+    EXPECT_NEAR(before.z(), stiffness * (radius + 0.001), 1e-6);
 }
 
 TEST_F(PlausibilityTest, WhatIsReachedBySlidingOrMovingDoesNotAppear)
@@ -222,13 +222,13 @@ TEST_F(PlausibilityTest, WhatIsReachedBySlidingOrMovingDoesNotAppear)
     world_.add_box({0.1, 0.2, 0.1}, {0.05, 0, 0});
     ScriptedDevice device([](double seconds) -> Vector3 {
         const double along = std::clamp(0.1 * (seconds - 1.2), -0.01, 0.01);
-        return {along, 0, 0.05 + probe_radius + std::clamp(0.05 - 0.5 * (seconds - 1), -0.002, 0.05)};
+        return {along, 0, 0.05 + radius + std::clamp(0.05 - 0.5 * (seconds - 1), -0.002, 0.05)};
     });
     RenderSettings settings;
     settings.law = std::make_shared<ProxyLaw>(Material{stiffness});
-    HapticProbe probe(device, world_.space, probe_radius, settings);
+    HapticProbe probe(device, world_.space, radius, settings);
     probe.set_recorder([&](const RenderedTick &tick) {
-        const double depth = 0.05 + probe_radius - tick.tool.position.z();
+        const double depth = 0.05 + radius - tick.tool.position.z();
         ASSERT_NEAR(tick.wished.z(), stiffness * std::max(0.0, depth), 1e-6) << tick.time;
     });
     world_.run(probe, 1500);
@@ -274,12 +274,12 @@ TEST_F(PlausibilityTest, ASecondProbeOnADeviceIsRefused)
 {
     ScriptedDevice device(lean());
     {
-        HapticProbe probe(device, world_.space, probe_radius);
-        EXPECT_THROW(HapticProbe(device, world_.space, probe_radius), std::logic_error);
+        HapticProbe probe(device, world_.space, radius);
+        EXPECT_THROW(HapticProbe(device, world_.space, radius), std::logic_error);
         world_.run(probe, 10);
         EXPECT_TRUE(device.status().open) << "the first goes on";
     }
-    HapticProbe(device, world_.space, probe_radius);
+    HapticProbe(device, world_.space, radius);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

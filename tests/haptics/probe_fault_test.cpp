@@ -16,7 +16,7 @@ class ProbeFaultTest : public HapticProbeTest
 protected:
     static constexpr double depth = 0.004; // m
 
-    ProbeFaultTest() : scripted_(reach({0, 0, 0.05}, {0, 0, probe_radius - depth})), device_(scripted_)
+    ProbeFaultTest() : scripted_(reach({0, 0, 0.05}, {0, 0, radius - depth})), device_(scripted_)
     {
         add_shape(world_, Shape::plane);
     }
@@ -44,9 +44,9 @@ TEST_F(ProbeFaultTest, EveryWayForADeviceToBreakEndsWithZeroForceAndANotice)
         ProbeWorld world;
         add_shape(world, Shape::plane);
         NoticeList notices;
-        ScriptedDevice scripted(reach({0, 0, 0.05}, {0, 0, probe_radius - depth}));
+        ScriptedDevice scripted(reach({0, 0, 0.05}, {0, 0, radius - depth}));
         FaultyDevice device(scripted);
-        HapticProbe probe(device, world.space, probe_radius, with_stiffness(800, notices.sink()));
+        HapticProbe probe(device, world.space, radius, with_stiffness(800, notices.sink()));
         world.run(probe, reach_ticks);
         ASSERT_GT(device.last_wrench().force.z(), 3);
         ASSERT_EQ(notices.count(NoticeKind::device), 0);
@@ -64,7 +64,7 @@ TEST_F(ProbeFaultTest, ABodyGetsNothingFromADeviceThatIsLost)
 {
     ProbeWorld world;
     const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1000);
-    HapticProbe probe(device_, world.space, probe_radius, with_stiffness(800));
+    HapticProbe probe(device_, world.space, radius, with_stiffness(800));
     world.run(probe, reach_ticks);
     device_.break_now(Breakage::lost);
     world.run(probe, 1);
@@ -76,7 +76,7 @@ TEST_F(ProbeFaultTest, ABodyGetsNothingFromADeviceThatIsLost)
 
 TEST_F(ProbeFaultTest, TheForceComesBackSlowlyWhenTheDeviceDoes)
 {
-    HapticProbe probe(device_, world_.space, probe_radius, with_stiffness(800, notices_.sink()));
+    HapticProbe probe(device_, world_.space, radius, with_stiffness(800, notices_.sink()));
     press(probe);
     device_.break_now(Breakage::unreadable);
     world_.run(probe, 200);
@@ -88,7 +88,7 @@ TEST_F(ProbeFaultTest, TheForceComesBackSlowlyWhenTheDeviceDoes)
 
 TEST_F(ProbeFaultTest, AContactThatIsNotANumberEndsWithZeroForceAndANotice)
 {
-    HapticProbe probe(device_, world_.space, probe_radius, with_stiffness(800, notices_.sink()));
+    HapticProbe probe(device_, world_.space, radius, with_stiffness(800, notices_.sink()));
     press(probe);
     const dGeomID broken = add_broken_geom(world_.space);
     world_.run(probe, ticks_of_grace);
@@ -101,13 +101,13 @@ TEST_F(ProbeFaultTest, AVelocityThatIsNotANumberEndsWithZeroForceAndANotice)
 {
     ProbeWorld world;
     const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1000);
-    HapticProbe probe(device_, world.space, probe_radius, with_stiffness(800, notices_.sink()));
+    HapticProbe probe(device_, world.space, radius, with_stiffness(800, notices_.sink()));
     world.run(probe, reach_ticks);
     ASSERT_GT(device_.last_wrench().force.z(), 1);
     dBodySetLinearVel(body, std::numeric_limits<dReal>::quiet_NaN(), 0, 0);
-    probe.begin(reach_ticks * tick_length);
+    probe.begin(reach_ticks * dt);
     world.collide(probe);
-    probe.render(tick_length);
+    probe.render(dt);
     EXPECT_TRUE(device_.last_wrench().force.isZero(0));
     EXPECT_EQ(notices_.count(NoticeKind::contact), 1);
 }
@@ -116,14 +116,14 @@ TEST_F(ProbeFaultTest, AtTheEndThereIsNoForceAndWhatWasOpenStaysOpen)
 {
     scripted_.open();
     {
-        HapticProbe probe(device_, world_.space, probe_radius, with_stiffness(800));
+        HapticProbe probe(device_, world_.space, radius, with_stiffness(800));
         press(probe);
     }
     EXPECT_TRUE(device_.last_wrench().force.isZero(0));
     EXPECT_TRUE(scripted_.status().open);
     scripted_.close();
     {
-        const HapticProbe probe(device_, world_.space, probe_radius);
+        const HapticProbe probe(device_, world_.space, radius);
         EXPECT_TRUE(scripted_.status().open);
     }
     EXPECT_FALSE(scripted_.status().open);
@@ -134,9 +134,9 @@ void expect_no_force_without_a_geom(HapticProbe &probe, const ScriptedDevice &de
     EXPECT_EQ(probe.geom(), nullptr);
     for (int tick = 0; tick < 10; ++tick)
     {
-        probe.begin(tick_length * tick);
+        probe.begin(dt * tick);
         EXPECT_TRUE(probe.encounters().empty());
-        probe.render(tick_length);
+        probe.render(dt);
     }
     EXPECT_TRUE(device.last_wrench().force.isZero(0));
 }
@@ -147,11 +147,11 @@ TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedFirstIsTold)
     for (const SpaceChoice choice : all_space_choices)
     {
         NoticeList notices;
-        ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - depth}));
+        ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - depth}));
         const dSpaceID space = make_space(choice);
         dCreatePlane(space, 0, 0, 1, 0);
         {
-            HapticProbe probe(device, space, probe_radius, with_stiffness(800, notices.sink()));
+            HapticProbe probe(device, space, radius, with_stiffness(800, notices.sink()));
             dSpaceDestroy(space);
             expect_no_force_without_a_geom(probe, device);
         }
@@ -164,11 +164,11 @@ TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedWithAGeomOfTheProgramIsTold)
     for (const SpaceChoice choice : all_space_choices)
     {
         NoticeList notices;
-        ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - depth}));
+        ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - depth}));
         const dSpaceID space = make_space(choice);
         dCreatePlane(space, 0, 0, 1, 0);
         {
-            HapticProbe probe(device, dCreateCapsule(space, probe_radius, 0.01), with_stiffness(800, notices.sink()));
+            HapticProbe probe(device, dCreateCapsule(space, radius, 0.01), with_stiffness(800, notices.sink()));
             EXPECT_NE(probe.geom(), nullptr);
             dSpaceDestroy(space);
             expect_no_force_without_a_geom(probe, device);
@@ -179,7 +179,7 @@ TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedWithAGeomOfTheProgramIsTold)
 
 TEST_F(ProbeFaultTest, AGeomOfTheProgramIsLeftAsItWas)
 {
-    const dGeomID sphere = dCreateSphere(world_.space, probe_radius);
+    const dGeomID sphere = dCreateSphere(world_.space, radius);
     const int geoms = dSpaceGetNumGeoms(world_.space);
     {
         const HapticProbe probe(device_, sphere);
@@ -187,7 +187,7 @@ TEST_F(ProbeFaultTest, AGeomOfTheProgramIsLeftAsItWas)
     }
     EXPECT_EQ(dSpaceGetNumGeoms(world_.space), geoms);
     EXPECT_EQ(dGeomGetBody(sphere), nullptr);
-    const dGeomID in_no_space = dCreateSphere(nullptr, probe_radius);
+    const dGeomID in_no_space = dCreateSphere(nullptr, radius);
     {
         const HapticProbe probe(device_, in_no_space);
         EXPECT_EQ(probe.geom(), in_no_space);
@@ -198,10 +198,10 @@ TEST_F(ProbeFaultTest, AGeomOfTheProgramIsLeftAsItWas)
 TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedJustBeforeItsProbeIsToldOfAtTheEnd)
 {
     NoticeList notices;
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - depth}));
+    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - depth}));
     const dSpaceID space = make_space(SpaceChoice::hash);
     {
-        HapticProbe probe(device, space, probe_radius, with_stiffness(800, notices.sink()));
+        HapticProbe probe(device, space, radius, with_stiffness(800, notices.sink()));
         dSpaceDestroy(space);
     }
     EXPECT_EQ(notices.count(NoticeKind::contact), 1);

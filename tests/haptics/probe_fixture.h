@@ -3,19 +3,15 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_PROBE_FIXTURE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_PROBE_FIXTURE_H
 
-#include "ode_predictive_space/haptics/penalty_law.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/scripted_device.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <memory>
 
 namespace ode_predictive_space::haptics
 {
-constexpr double probe_radius = 0.01; // m; of the probe
-constexpr double tick_length = 0.001; // s
-
 /// Goes from start to end within half a second, as smoothly as a hand, after one second of rest in which the forces ramp in.
 inline ScriptedDevice::Path reach(const Vector3 &from, const Vector3 &to)
 {
@@ -26,16 +22,6 @@ inline ScriptedDevice::Path reach(const Vector3 &from, const Vector3 &to)
 }
 
 constexpr int reach_ticks = 1600; // all of it, and some rest at the end
-
-inline RenderSettings with_stiffness(double stiffness, NoticeSink sink = {})
-{
-    SurfaceProperties properties;
-    properties.stiffness = stiffness;
-    RenderSettings settings;
-    settings.law = std::make_shared<PenaltyLaw>(properties);
-    settings.notice = std::move(sink);
-    return settings;
-}
 
 class HapticProbeTest : public testing::Test
 {
@@ -70,7 +56,7 @@ inline dGeomID add_shape(ProbeWorld &world, Shape shape)
 inline Vector3 impulse_on_hand(ProbeWorld &world, HapticProbe &probe, int ticks)
 {
     Vector3 impulse = Vector3::Zero();
-    probe.set_recorder([&](const RenderedTick &tick) { impulse += tick_length * tick.wrench.force; });
+    probe.set_recorder([&](const RenderedTick &tick) { impulse += dt * tick.wrench.force; });
     world.run(probe, ticks);
     probe.set_recorder({});
     return impulse;

@@ -19,8 +19,8 @@ TEST_F(HapticProbeTest, ForceIsStiffnessTimesDepthAlongTheNormalInAnySpace)
             {
                 ProbeWorld world(choice);
                 add_shape(world, shape);
-                ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - depth}));
-                HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
+                ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - depth}));
+                HapticProbe probe(device, world.space, radius, with_stiffness(800));
                 world.run(probe, reach_ticks);
                 const Vector3 expected = 800 * depth * Vector3::UnitZ();
                 EXPECT_LE((probe.last_tick().force - expected).norm(), 1e-9 * expected.norm())
@@ -37,7 +37,7 @@ TEST_F(HapticProbeTest, TheOrderOfThePairDoesNotMatter)
     add_shape(world, Shape::box);
     world.swap = true;
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.008}));
-    HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
+    HapticProbe probe(device, world.space, radius, with_stiffness(800));
     world.run(probe, reach_ticks);
     EXPECT_NEAR(probe.last_tick().force.z(), 1.6, 1e-9);
 }
@@ -46,8 +46,8 @@ TEST_F(HapticProbeTest, NothingIsFeltInFreeSpace)
 {
     ProbeWorld world;
     add_shape(world, Shape::plane);
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius + 0.0001}));
-    HapticProbe probe(device, world.space, probe_radius);
+    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius + 0.0001}));
+    HapticProbe probe(device, world.space, radius);
     world.run(probe, reach_ticks);
     EXPECT_TRUE(probe.last_tick().force.isZero(0));
     EXPECT_TRUE(probe.touches().empty());
@@ -58,7 +58,7 @@ TEST_F(HapticProbeTest, WhatTheHandGetsTheBodyLoses)
     ProbeWorld world;
     const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0.01, 0.02, -0.05}, 3);
     ScriptedDevice device(reach({0, 0, 0.03}, {0.01, 0, -0.05}));
-    HapticProbe probe(device, world.space, probe_radius, with_stiffness(300));
+    HapticProbe probe(device, world.space, radius, with_stiffness(300));
     const Vector3 impulse = impulse_on_hand(world, probe, 3000);
     EXPECT_GT(impulse.norm(), 0.1);
     EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
@@ -73,7 +73,7 @@ TEST_F(HapticProbeTest, TheSameWhileTheForceIsClampedAndSlewed)
         // Two blows: fast in, fast out.
         return {0, 0, seconds < 1 ? 0.03 : 0.03 - 0.06 * std::pow(std::sin(32 * (seconds - 1)), 2)};
     });
-    HapticProbe probe(device, world.space, probe_radius, with_stiffness(1000, notices.sink()));
+    HapticProbe probe(device, world.space, radius, with_stiffness(1000, notices.sink()));
     const Vector3 impulse = impulse_on_hand(world, probe, 1400);
     const SafetyReport &safety = probe.renderer().safety_report();
     EXPECT_GT(safety.count(SafetyAction::clamped), 50U);
@@ -88,7 +88,7 @@ TEST_F(HapticProbeTest, SeveralBodiesShareWhatTheHandGets)
     const dBodyID left = world.add_moving_box({0.1, 0.1, 0.1}, {-0.0549, 0, 0}, 50);
     const dBodyID right = world.add_moving_box({0.1, 0.1, 0.1}, {0.0549, 0, 0}, 70);
     ScriptedDevice device(reach({0, 0, 0.09}, {0.001, 0, 0.04}));
-    HapticProbe probe(device, world.space, probe_radius, with_stiffness(1000));
+    HapticProbe probe(device, world.space, radius, with_stiffness(1000));
     const Vector3 impulse = impulse_on_hand(world, probe, 3000);
     EXPECT_GT(momentum_of(left).norm(), 0.1);
     EXPECT_GT(momentum_of(right).norm(), 0.1);
@@ -102,8 +102,8 @@ TEST_F(HapticProbeTest, ABodyOfSeveralGeomsIsOneObject)
     const dGeomID second = world.add_box({0.1, 0.1, 0.1}, Vector3::Zero());
     dGeomSetBody(second, body);
     dGeomSetOffsetPosition(second, 0.02, 0, 0.001);
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - 0.001}));
-    HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
+    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - 0.001}));
+    HapticProbe probe(device, world.space, radius, with_stiffness(800));
     world.run(probe, reach_ticks);
     ASSERT_EQ(probe.touches().size(), 1U);
     EXPECT_NEAR(probe.touches()[0].depth, 0.002, 1e-6) << "the deeper one of the two";
@@ -115,7 +115,7 @@ TEST_F(HapticProbeTest, ADisabledBodyIsEnabledWhenItIsPushed)
     const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1);
     dBodyDisable(body);
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.005}));
-    HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
+    HapticProbe probe(device, world.space, radius, with_stiffness(800));
     world.run(probe, 1100);
     EXPECT_EQ(dBodyIsEnabled(body), 0) << "not by coming near";
     world.run(probe, 500);
@@ -131,7 +131,7 @@ TEST_F(HapticProbeTest, NestedSpacesAreThere)
     const dGeomID box = dCreateBox(things, 0.4, 0.4, 0.2);
     dGeomSetPosition(box, 0, 0, -0.1);
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.007}));
-    HapticProbe probe(device, hands, probe_radius, with_stiffness(800));
+    HapticProbe probe(device, hands, radius, with_stiffness(800));
     EXPECT_EQ(dPredictiveSpaceGetGeomRole(hands, probe.geom()), dPredictiveRoleInteractive);
     world.run(probe, reach_ticks);
     EXPECT_NEAR(probe.last_tick().force.z(), 2.4, 1e-9);
@@ -147,12 +147,12 @@ TEST_F(HapticProbeTest, TheDeepestContactOfATriangleMeshCounts)
     dGeomTriMeshDataBuildDouble(data, vertices, 3 * sizeof(double), 4, triangles, 6, 3 * sizeof(dTriIndex));
     const dGeomID mesh = dCreateTriMesh(world.space, data, nullptr, nullptr, nullptr);
     ScriptedDevice device(reach({0.02, 0, 0.05}, {0.02, 0, -0.004}));
-    HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
+    HapticProbe probe(device, world.space, radius, with_stiffness(800));
     world.run(probe, reach_ticks);
     ASSERT_EQ(probe.touches().size(), 1U);
     const Vector3 slope = Vector3(0.5, 0, 1).normalized();
     const double distance = slope.dot(Vector3(0.02, 0, -0.004));
-    EXPECT_NEAR(probe.touches()[0].depth, probe_radius - distance, 1e-6);
+    EXPECT_NEAR(probe.touches()[0].depth, radius - distance, 1e-6);
     EXPECT_NEAR(probe.touches()[0].normal.dot(slope), 1, 1e-6);
     EXPECT_GT(probe.last_tick().force.z(), 1);
     dGeomDestroy(mesh);
@@ -166,8 +166,8 @@ TEST_F(HapticProbeTest, AHeightfieldIsFelt)
     const dHeightfieldDataID data = dGeomHeightfieldDataCreate();
     dGeomHeightfieldDataBuildDouble(data, heights.data(), 0, 1, 1, 5, 5, 1, 0, 0.1, 0);
     const dGeomID field = dCreateHeightfield(world.space, data, 1); // its y is up
-    ScriptedDevice device(reach({0.03, 0.2, 0.02}, {0.03, 0.1 + probe_radius - 0.002, 0.02}));
-    HapticProbe probe(device, world.space, probe_radius, with_stiffness(800));
+    ScriptedDevice device(reach({0.03, 0.2, 0.02}, {0.03, 0.1 + radius - 0.002, 0.02}));
+    HapticProbe probe(device, world.space, radius, with_stiffness(800));
     world.run(probe, reach_ticks);
     ASSERT_EQ(probe.touches().size(), 1U);
     EXPECT_NEAR(probe.last_tick().force.y(), 1.6, 1e-5);
@@ -186,7 +186,7 @@ TEST_F(HapticProbeTest, BodiesMayBeDestroyedAtAnyTime)
         dGeomSetCollideBits(dBodyGetFirstGeom(body), ~2UL);
     }
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.002}));
-    HapticProbe probe(device, world.space, probe_radius, with_stiffness(400));
+    HapticProbe probe(device, world.space, radius, with_stiffness(400));
     world.run(probe, reach_ticks);
     ASSERT_EQ(probe.touches().size(), 2U);
 
@@ -201,8 +201,8 @@ TEST_F(HapticProbeTest, BodiesMayBeDestroyedAtAnyTime)
     world.collide(probe);
     dGeomDestroy(dBodyGetFirstGeom(second));
     dBodyDestroy(second);
-    probe.render(tick_length);
-    world.step(tick_length);
+    probe.render(dt);
+    world.step(dt);
     world.run(probe, 10);
     EXPECT_TRUE(probe.touches().empty());
     EXPECT_EQ(dSpaceGetNumGeoms(world.space), 1);
@@ -239,7 +239,7 @@ TEST_F(HapticProbeTest, AProbeThatRestsDoesNotBotherTheSpace)
     ProbeWorld world;
     add_shape(world, Shape::plane);
     ScriptedDevice device([](double) -> Vector3 { return {0, 0, 0.1}; });
-    HapticProbe probe(device, world.space, probe_radius);
+    HapticProbe probe(device, world.space, radius);
     world.run(probe, 100);
     dPredictiveSpaceStats before, after;
     dPredictiveSpaceGetStats(world.space, &before);
@@ -255,7 +255,7 @@ TEST_F(HapticProbeTest, CategoriesSayWhatCanBeTouched)
     dGeomSetCategoryBits(plane, 2);
     dGeomSetCollideBits(plane, 2);
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.007}));
-    HapticProbe probe(device, world.space, probe_radius);
+    HapticProbe probe(device, world.space, radius);
     dGeomSetCategoryBits(probe.geom(), 4);
     dGeomSetCollideBits(probe.geom(), 4);
     world.run(probe, reach_ticks);
@@ -267,8 +267,8 @@ TEST_F(HapticProbeTest, StiffnessBeyondTheDeviceIsClampedAndTold)
     ProbeWorld world;
     add_shape(world, Shape::plane);
     NoticeList notices;
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, probe_radius - 0.002}));
-    HapticProbe probe(device, world.space, probe_radius, with_stiffness(5000, notices.sink()));
+    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - 0.002}));
+    HapticProbe probe(device, world.space, radius, with_stiffness(5000, notices.sink()));
     EXPECT_EQ(notices.count(NoticeKind::stability), 1);
     EXPECT_NE(notices.text(NoticeKind::stability).find("1000"), std::string::npos)
         << notices.text(NoticeKind::stability);
@@ -284,7 +284,7 @@ TEST_F(HapticProbeTest, AWorkspaceInAnotherFrameIsFeltTheSame)
     settings.placement.rotation = WorkspacePlacement::z_up();
     settings.placement.scale = 2;
     ScriptedDevice device(reach({0, 0.04, 0}, {0, 0.004, 0})); // y is up for the hand: 8 mm in the scene
-    HapticProbe probe(device, world.space, probe_radius, std::move(settings));
+    HapticProbe probe(device, world.space, radius, std::move(settings));
     world.run(probe, reach_ticks);
     EXPECT_NEAR(probe.last_tick().force.z(), 0.8, 1e-9);
     EXPECT_NEAR(device.last_wrench().force.y(), 0.8, 1e-9);
@@ -298,7 +298,7 @@ TEST_F(HapticProbeTest, ADeviceThatCannotPushStillPushesBodies)
     ProbeWorld world;
     const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1);
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, -0.02}), pointer);
-    HapticProbe probe(device, world.space, probe_radius);
+    HapticProbe probe(device, world.space, radius);
     world.run(probe, reach_ticks);
     EXPECT_LT(momentum_of(body).z(), -0.01);
     EXPECT_TRUE(device.last_wrench().force.isZero(0));

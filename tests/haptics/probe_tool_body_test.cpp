@@ -76,7 +76,7 @@ TEST_F(HapticProbeTest, TellsWhatItWillMeetAndWhen)
     world.add_box({0.1, 0.1, 0.1}, {0, 5, 0});
     constexpr double speed = 0.1; // m/s
     ScriptedDevice device([](double seconds) -> Vector3 { return {0, 0, 0.2 - speed * seconds}; });
-    HapticProbe probe(device, world.space, probe_radius);
+    HapticProbe probe(device, world.space, radius);
     world.run(probe, 200);
     probe.encounters();
     world.run(probe, 1600); // up to 1 cm above the box
@@ -91,7 +91,7 @@ TEST_F(HapticProbeTest, TellsNothingInAnotherSpace)
     ProbeWorld world(SpaceChoice::hash);
     add_shape(world, Shape::box);
     ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.007}));
-    HapticProbe probe(device, world.space, probe_radius);
+    HapticProbe probe(device, world.space, radius);
     world.run(probe, 10);
     EXPECT_TRUE(probe.encounters().empty());
 }

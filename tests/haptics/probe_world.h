@@ -3,11 +3,13 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_PROBE_WORLD_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_PROBE_WORLD_H
 
+#include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/probe.h"
 
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <ode/ode.h>
 #include <ode_predictive_space/predictive_space.h>
 #include <string>
@@ -51,6 +53,16 @@ public:
     OdeUse(const OdeUse &) = delete;
     OdeUse &operator=(const OdeUse &) = delete;
 };
+
+inline RenderSettings with_stiffness(double stiffness, NoticeSink sink = {})
+{
+    SurfaceProperties properties;
+    properties.stiffness = stiffness;
+    RenderSettings settings;
+    settings.law = std::make_shared<PenaltyLaw>(properties);
+    settings.notice = std::move(sink);
+    return settings;
+}
 
 class ProbeWorld
 {

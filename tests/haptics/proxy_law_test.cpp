@@ -4,14 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "ode_predictive_space/haptics/penalty_law.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/random_numbers.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double dt = 0.001;
-
 Touch touch_of(std::uintptr_t object, const Vector3 &normal, double depth)
 {
     Touch touch;

@@ -8,7 +8,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double dt = 0.01; // s
+constexpr double step_length = 0.01; // s
 constexpr double kilograms = 0.5;
 constexpr double gravity = 9.81;
 
@@ -37,13 +37,13 @@ protected:
     }
 
     /// m/s; by a free body.
-    static double free_gain(double newtons) { return newtons * dt / kilograms; }
+    static double free_gain(double newtons) { return newtons * step_length / kilograms; }
 
     const OdeUse ode_;
     ProbeWorld world_;
     const dBodyID body_;
     Touch touch_;
-    PushResponse response_{dt};
+    PushResponse response_{step_length};
 };
 
 TEST_F(PushResponseTest, AFreeBodyYieldsAllAndAHeldOneNothing)
@@ -83,7 +83,7 @@ TEST_F(PushResponseTest, WhatActsSteadilyMakesNoDifference)
     for (int i = 0; i < 100; ++i)
     {
         const double newtons = gravity * kilograms + (i < 20 ? 0.3 * i : 0);
-        yield = step(newtons, free_gain(newtons) - gravity * dt);
+        yield = step(newtons, free_gain(newtons) - gravity * step_length);
         EXPECT_NEAR(yield, 1, 1e-9) << i;
     }
 }
@@ -101,7 +101,7 @@ TEST_F(PushResponseTest, WhatLiesOnSomethingDoesNotYieldDownwardsBeforeItIsPushe
     touch_.normal = Vector3::UnitZ();
     touch_.feature = 1;
     look();
-    touch_.surface_velocity.z() -= gravity * dt;
+    touch_.surface_velocity.z() -= gravity * step_length;
     EXPECT_NEAR(look(), 1, 1e-12) << "pushed down while it falls";
 }
 
@@ -116,14 +116,16 @@ TEST_F(PushResponseTest, TheMobilityIsThatOfOdesBody)
     dBodySetQuaternion(body_, turned);
     const Vector3 expected = free_mobility_of(body_).response(impulse, at, at);
     dBodySetGyroscopicMode(body_, 0);
-    const Vector3 force = impulse / dt;
+    const Vector3 force = impulse / step_length;
     dBodyAddForceAtPos(body_, force.x(), force.y(), force.z(), at.x(), at.y(), at.z());
     const double instant = 1e-9;
     const dReal *total = dBodyGetForce(body_);
     ASSERT_NEAR(total[0], force.x(), 1e-12);
-    dBodySetForce(body_, total[0] * dt / instant, total[1] * dt / instant, total[2] * dt / instant);
+    dBodySetForce(body_, total[0] * step_length / instant, total[1] * step_length / instant,
+                  total[2] * step_length / instant);
     const dReal *torque = dBodyGetTorque(body_);
-    dBodySetTorque(body_, torque[0] * dt / instant, torque[1] * dt / instant, torque[2] * dt / instant);
+    dBodySetTorque(body_, torque[0] * step_length / instant, torque[1] * step_length / instant,
+                   torque[2] * step_length / instant);
     world_.step(instant);
     dVector3 velocity;
     dBodyGetPointVel(body_, at.x(), at.y(), at.z(), velocity);

@@ -2,6 +2,7 @@
 
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "tests/haptics/allocation_count.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/faulty_device.h"
 #include "tests/haptics/scripted_device.h"
 
@@ -11,8 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double dt = 0.001; // s
-
 /// A wall below z = 0, as a scene would tell it.
 void feel_wall(Renderer &renderer, double time)
 {
@@ -116,7 +115,7 @@ TEST(Renderer, WithTheClutchHeldNothingBrakesTheHandEither)
 }
 
 /// Presses 4 mm into the wall from 1 s to 3 s.
-Vector3 press(double seconds)
+Vector3 press_wall(double seconds)
 {
     const double out = std::max(1 - seconds, seconds - 3);
     return {0, 0, std::clamp(0.1 * out, -0.004, 0.01)};
@@ -124,7 +123,7 @@ Vector3 press(double seconds)
 
 TEST(Renderer, AClutchLetGoInsideOfSomethingGivesNoForceUntilItWasLeft)
 {
-    ScriptedDevice device(&press);
+    ScriptedDevice device(&press_wall);
     RenderSettings settings;
     settings.clutch_button = 0;
     Renderer renderer(device, settings);
@@ -169,7 +168,7 @@ TEST(Renderer, APlacementThatPutsTheToolIntoSomethingGivesNoForceUntilItWasLeft)
 
 TEST(Renderer, ADeviceThatFailsGetsItsZeroBeforeAnybodyIsTold)
 {
-    ScriptedDevice device(&press);
+    ScriptedDevice device(&press_wall);
     FaultyDevice faulty(device);
     RenderSettings settings;
     settings.notice = [](const Notice &notice) {

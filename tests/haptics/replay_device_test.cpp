@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/replay_device.h"
 
 #include "ode_predictive_space/haptics/virtual_device.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/temporary_file.h"
 
 #include <cmath>
@@ -9,8 +10,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double tick = 0.001; // s
-
 Vector3 path(double t)
 {
     return {0.1 * std::sin(3 * t), 0.05 * std::cos(5 * t), 0.02 * t};
@@ -61,7 +60,7 @@ TicksOfRun run_of(Device &device, double start, int ticks, Recorder *recorder)
     device.open();
     for (int i = 0; i < ticks; ++i)
     {
-        const double time = start + i * tick;
+        const double time = start + i * dt;
         run.states.push_back(device.read(time));
         run.forces.push_back(wall_force(run.states.back()));
         device.write({run.forces.back(), Vector3::Zero()});
@@ -112,7 +111,7 @@ TEST(ReplayDevice, GivesTheSameForcesAsTheRecordedRun)
 
 TEST(ReplayDevice, IsLikeTheDeviceThatWasRecorded)
 {
-    Recording recording = smooth_run(0, tick, 10);
+    Recording recording = smooth_run(0, dt, 10);
     recording.device = device_preset("Falcon");
     ReplayDevice device(recording);
     EXPECT_EQ(device.capabilities().max_force, 8);

@@ -15,11 +15,11 @@ namespace ode_predictive_space::haptics
 template <typename Samples>
 void expect_forces_of_ridges(const Samples &samples, const RidgeShape &ridges, double least_felt)
 {
-    ProxyAboveRidges proxy(ridges, contact_radius, samples.front().tool.x());
+    ProxyAboveRidges proxy(ridges, radius, samples.front().tool.x());
     int felt = 0;
     for (const auto &sample : samples)
     {
-        const Vector3 truth = contact_stiffness * (proxy.follow(sample.tool) - sample.tool);
+        const Vector3 truth = k * (proxy.follow(sample.tool) - sample.tool);
         ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 1e-6)
             << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
         felt += truth.norm() > 0.5 ? 1 : 0;

@@ -6,15 +6,13 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "tests/haptics/constants.h"
 #include "tests/haptics/random_numbers.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Numbers of every kind that a double can be.
 double any_number(RandomNumbers &random)
 {

@@ -1,19 +1,15 @@
 #include "ode_predictive_space/haptics/safety.h"
 
 #include <gtest/gtest.h>
-#include <limits>
 #include <set>
 
 #include "tests/haptics/allocation_count.h"
+#include "tests/haptics/constants.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double dt = 0.001;
-
 SafetyLimits test_limits()
 {
     SafetyLimits limits;
@@ -28,7 +24,7 @@ SafetyLimits test_limits()
     return limits;
 }
 
-Wrench push(double newtons, double newton_metres = 0)
+Wrench wrench_of(double newtons, double newton_metres = 0)
 {
     Wrench wrench;
     wrench.force = Vector3(0, newtons, 0);
@@ -109,8 +105,8 @@ TEST(SafetyLimits, ThatCannotBeAreRefused)
 TEST(SafetyStage, LetsThroughWhatIsSafe)
 {
     Loop loop(test_limits());
-    loop.settle(push(3, 0.1));
-    const Wrench wrench = loop.tick(push(3.5, 0.15));
+    loop.settle(wrench_of(3, 0.1));
+    const Wrench wrench = loop.tick(wrench_of(3.5, 0.15));
     EXPECT_EQ(wrench.force, Vector3(0, 3.5, 0));
     EXPECT_EQ(wrench.torque, Vector3(0.15, 0, 0));
     EXPECT_EQ(loop.stage.report().now, 0u);
@@ -122,8 +118,8 @@ TEST(SafetyStage, TakesNonsenseForNothingAndComesBackSlowly)
         for (const double bad : {nan, infinity, -infinity})
         {
             Loop loop(test_limits());
-            loop.settle(push(3));
-            Wrench wished = push(3);
+            loop.settle(wrench_of(3));
+            Wrench wished = wrench_of(3);
             Vector3 velocity = Vector3::Zero();
             double allowance = 1;
             double *const places[] = {&wished.force.x(), &wished.torque.z(), &velocity.y(), &allowance, &loop.time};
@@ -143,13 +139,13 @@ TEST(SafetyStage, TakesNonsenseForNothingAndComesBackSlowly)
             double last = 0;
             for (int i = 0; i < 99; ++i) // 3 N over a ramp of 0.1 s
             {
-                const double force = loop.tick(push(3)).force.y();
+                const double force = loop.tick(wrench_of(3)).force.y();
                 EXPECT_NEAR(force - last, 3 * dt / 0.1, 1e-9);
                 EXPECT_TRUE(loop.stage.report().did(SafetyAction::ramping));
                 last = force;
             }
-            loop.tick(push(3));
-            EXPECT_EQ(loop.tick(push(3)).force.y(), 3);
+            loop.tick(wrench_of(3));
+            EXPECT_EQ(loop.tick(wrench_of(3)).force.y(), 3);
             EXPECT_EQ(loop.stage.report().now, 0u);
         }
 }
@@ -157,7 +153,7 @@ TEST(SafetyStage, TakesNonsenseForNothingAndComesBackSlowly)
 TEST(SafetyStage, ClampsToTheMaximumAndKeepsTheDirection)
 {
     Loop loop(test_limits());
-    loop.settle(push(1));
+    loop.settle(wrench_of(1));
     Wrench wished;
     for (const double size : {20.0, 1e6, 1e160, 8e307})
     {
@@ -179,16 +175,16 @@ TEST(SafetyStage, LimitsHowFastAForceChanges)
 {
     Loop loop(test_limits());
     loop.settle(Wrench());
-    EXPECT_NEAR(loop.tick(push(7)).force.y(), 2, 1e-9); // 2000 N/s
+    EXPECT_NEAR(loop.tick(wrench_of(7)).force.y(), 2, 1e-9); // 2000 N/s
     EXPECT_TRUE(loop.stage.report().did(SafetyAction::slew_limited));
-    EXPECT_NEAR(loop.tick(push(7)).force.y(), 4, 1e-9);
-    EXPECT_NEAR(loop.tick(push(7)).force.y(), 6, 1e-9);
-    EXPECT_EQ(loop.tick(push(7)).force.y(), 7);
+    EXPECT_NEAR(loop.tick(wrench_of(7)).force.y(), 4, 1e-9);
+    EXPECT_NEAR(loop.tick(wrench_of(7)).force.y(), 6, 1e-9);
+    EXPECT_EQ(loop.tick(wrench_of(7)).force.y(), 7);
     EXPECT_FALSE(loop.stage.report().did(SafetyAction::slew_limited));
-    EXPECT_NEAR(loop.tick(push(-7)).force.y(), 5, 1e-9); // downwards, too
+    EXPECT_NEAR(loop.tick(wrench_of(-7)).force.y(), 5, 1e-9); // downwards, too
     for (int i = 0; i < 10; ++i)
         loop.tick(Wrench());
-    EXPECT_NEAR(loop.tick(push(0, 0.4)).torque.x(), 0.1, 1e-9); // 100 N m/s
+    EXPECT_NEAR(loop.tick(wrench_of(0, 0.4)).torque.x(), 0.1, 1e-9); // 100 N m/s
 }
 
 TEST(SafetyStage, APauseIsNoLicenceToJump)
@@ -198,33 +194,33 @@ TEST(SafetyStage, APauseIsNoLicenceToJump)
     Loop loop(limits);
     loop.settle(Wrench());
     loop.time += 3;
-    EXPECT_NEAR(loop.tick(push(7)).force.y(), 1, 1e-9); // as after 10 ms
-    loop.time -= 100;                                   // a clock that goes back gives no time
-    EXPECT_NEAR(loop.tick(push(7)).force.y(), 1, 1e-9);
-    EXPECT_NEAR(loop.tick(push(7)).force.y(), 1.1, 1e-9); // and goes on from there
+    EXPECT_NEAR(loop.tick(wrench_of(7)).force.y(), 1, 1e-9); // as after 10 ms
+    loop.time -= 100;                                        // a clock that goes back gives no time
+    EXPECT_NEAR(loop.tick(wrench_of(7)).force.y(), 1, 1e-9);
+    EXPECT_NEAR(loop.tick(wrench_of(7)).force.y(), 1.1, 1e-9); // and goes on from there
 }
 
 TEST(SafetyStage, LetsGoOfAHandThatIsTooFastAndComesBackSlowly)
 {
     Loop loop(test_limits());
-    loop.settle(push(3));
-    EXPECT_EQ(loop.tick(push(3), 1.499).force.y(), 3);
-    EXPECT_EQ(loop.tick(push(3), 1.501).force.y(), 0);
+    loop.settle(wrench_of(3));
+    EXPECT_EQ(loop.tick(wrench_of(3), 1.499).force.y(), 3);
+    EXPECT_EQ(loop.tick(wrench_of(3), 1.501).force.y(), 0);
     EXPECT_TRUE(loop.stage.report().began(SafetyAction::too_fast));
-    EXPECT_NEAR(loop.tick(push(3), 1.4).force.y(), 0.03, 1e-9);
+    EXPECT_NEAR(loop.tick(wrench_of(3), 1.4).force.y(), 0.03, 1e-9);
     for (int i = 0; i < 49; ++i)
-        loop.tick(push(3));
-    EXPECT_NEAR(loop.tick(push(3)).force.y(), 51 * 0.03, 1e-9);
-    EXPECT_EQ(loop.tick(push(3), 1e300).force.y(), 0); // whose square is too much for a double
+        loop.tick(wrench_of(3));
+    EXPECT_NEAR(loop.tick(wrench_of(3)).force.y(), 51 * 0.03, 1e-9);
+    EXPECT_EQ(loop.tick(wrench_of(3), 1e300).force.y(), 0); // whose square is too much for a double
 }
 
 TEST(SafetyStage, RampsInAfterTheStart)
 {
     Loop loop(test_limits());
-    EXPECT_EQ(loop.tick(push(0.2)).force.y(), 0);
+    EXPECT_EQ(loop.tick(wrench_of(0.2)).force.y(), 0);
     for (int i = 1; i < 100; ++i)
     {
-        EXPECT_NEAR(loop.tick(push(2)).force.y(), 2 * i * dt / 0.1, 1e-9);
+        EXPECT_NEAR(loop.tick(wrench_of(2)).force.y(), 2 * i * dt / 0.1, 1e-9);
         EXPECT_TRUE(loop.stage.report().did(SafetyAction::ramping));
     }
 }
@@ -234,21 +230,21 @@ TEST(SafetyStage, WaitsUntilTheForceWasSmallOnce)
     Loop loop(test_limits());
     for (int i = 0; i < 1000; ++i) // it starts with the probe in something
     {
-        EXPECT_EQ(loop.tick(push(5)).force.y(), 0);
+        EXPECT_EQ(loop.tick(wrench_of(5)).force.y(), 0);
         EXPECT_TRUE(loop.stage.report().did(SafetyAction::waiting));
     }
-    EXPECT_EQ(loop.tick(push(0.41)).force.y(), 0);
-    EXPECT_EQ(loop.tick(push(0.1, 0.03)).force.y(), 0); // the torque is not small
+    EXPECT_EQ(loop.tick(wrench_of(0.41)).force.y(), 0);
+    EXPECT_EQ(loop.tick(wrench_of(0.1, 0.03)).force.y(), 0); // the torque is not small
     EXPECT_TRUE(loop.stage.report().did(SafetyAction::waiting));
-    loop.tick(push(0.39, 0.019));
+    loop.tick(wrench_of(0.39, 0.019));
     EXPECT_FALSE(loop.stage.report().did(SafetyAction::waiting));
-    EXPECT_LT(loop.tick(push(5)).force.y(), 0.11);
+    EXPECT_LT(loop.tick(wrench_of(5)).force.y(), 0.11);
     for (int i = 0; i < 200; ++i)
-        loop.tick(push(5));
-    EXPECT_EQ(loop.tick(push(5)).force.y(), 5);
+        loop.tick(wrench_of(5));
+    EXPECT_EQ(loop.tick(wrench_of(5)).force.y(), 5);
 
     loop.stage.reset();
-    EXPECT_EQ(loop.tick(push(5)).force.y(), 0);
+    EXPECT_EQ(loop.tick(wrench_of(5)).force.y(), 0);
     EXPECT_TRUE(loop.stage.report().did(SafetyAction::waiting));
     EXPECT_EQ(loop.stage.report().count(SafetyAction::waiting), 1003u);
 }
@@ -261,7 +257,7 @@ TEST(SafetyStage, ADeviceThatCannotPushGetsNothing)
     Loop loop(SafetyLimits::of(mouse));
     loop.tick(Wrench());
     for (int i = 0; i < 1000; ++i)
-        EXPECT_EQ(loop.tick(push(3, 1)).force.norm(), 0);
+        EXPECT_EQ(loop.tick(wrench_of(3, 1)).force.norm(), 0);
     EXPECT_TRUE(loop.stage.report().did(SafetyAction::no_axes));
     EXPECT_EQ(loop.stage.report().count(SafetyAction::no_axes), 1000u);
 }
@@ -274,7 +270,7 @@ TEST(SafetyStage, ADeviceWithoutTorqueGetsNoneAndThatIsNoEvent)
     loop.tick(Wrench());
     Wrench wrench;
     for (int i = 0; i < 1000; ++i)
-        wrench = loop.tick(push(3, 1));
+        wrench = loop.tick(wrench_of(3, 1));
     EXPECT_EQ(wrench.force.y(), 3);
     EXPECT_EQ(wrench.torque.norm(), 0);
     EXPECT_EQ(loop.stage.report().now, 0u);
@@ -285,22 +281,22 @@ TEST(SafetyStage, HoldsBackWhatTheWatchdogDoesNotAllow)
     SafetyLimits limits = test_limits();
     limits.max_force_rate = 100; // 80 ms from everything to nothing
     Loop loop(limits);
-    loop.settle(push(8));
+    loop.settle(wrench_of(8));
     for (int i = 4; i >= 0; --i) // faster than the slew limit, when it must be
     {
-        EXPECT_LE(loop.tick(push(8), 0, i / 5.0).force.y(), 8 * i / 5.0);
+        EXPECT_LE(loop.tick(wrench_of(8), 0, i / 5.0).force.y(), 8 * i / 5.0);
         EXPECT_TRUE(loop.stage.report().did(SafetyAction::held_back));
     }
-    EXPECT_NEAR(loop.tick(push(8), 0, 1).force.y(), 0.1, 1e-9); // but never so on the way back
-    EXPECT_EQ(loop.tick(push(8), 0, -3).force.y(), 0);
+    EXPECT_NEAR(loop.tick(wrench_of(8), 0, 1).force.y(), 0.1, 1e-9); // but never so on the way back
+    EXPECT_EQ(loop.tick(wrench_of(8), 0, -3).force.y(), 0);
 
-    loop.settle(push(2));
+    loop.settle(wrench_of(2));
     for (int i = 0; i < 100; ++i)
-        loop.tick(push(2), 0, 0.25);
-    EXPECT_NEAR(loop.tick(push(2), 0, 0.25).force.y(), 0.5, 1e-9); // a part of the force, not of the maximum
+        loop.tick(wrench_of(2), 0, 0.25);
+    EXPECT_NEAR(loop.tick(wrench_of(2), 0, 0.25).force.y(), 0.5, 1e-9); // a part of the force, not of the maximum
     for (int i = 0; i < 100; ++i)
-        loop.tick(push(2), 0, 7); // more than all is all
-    EXPECT_EQ(loop.tick(push(2), 0, 7).force.y(), 2);
+        loop.tick(wrench_of(2), 0, 7); // more than all is all
+    EXPECT_EQ(loop.tick(wrench_of(2), 0, 7).force.y(), 2);
 }
 
 TEST(SafetyStage, OfAllThatItDoesItTellsWhy)
@@ -313,8 +309,8 @@ TEST(SafetyStage, OfAllThatItDoesItTellsWhy)
 
     Loop loop(test_limits());
     EXPECT_EQ(loop.stage.report().summary(), "");
-    loop.tick(push(nan));
-    loop.tick(push(nan));
+    loop.tick(wrench_of(nan));
+    loop.tick(wrench_of(nan));
     EXPECT_EQ(loop.stage.report().summary(),
               std::string("2 times: ") + explanation_of(SafetyAction::not_finite) + "\n");
 }
@@ -324,7 +320,7 @@ TEST(SafetyStage, AsksForNoMemory)
     Loop loop(test_limits());
     const std::uint64_t before = allocation_count();
     for (int i = 0; i < 100; ++i)
-        loop.tick(push(i % 7 == 0 ? nan : i), i % 5);
+        loop.tick(wrench_of(i % 7 == 0 ? nan : i), i % 5);
     EXPECT_EQ(allocation_count(), before);
 }
 } // namespace

@@ -22,6 +22,14 @@ inline Capabilities desktop_capabilities()
     return capabilities;
 }
 
+/// Along z.
+inline Wrench push(double newtons)
+{
+    Wrench wrench;
+    wrench.force.z() = newtons;
+    return wrench;
+}
+
 /// Nothing that the hand feels moves it.
 class ScriptedDevice : public SoftwareDevice
 {

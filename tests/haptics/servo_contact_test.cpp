@@ -9,8 +9,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double r = contact_radius;
-constexpr double k = contact_stiffness;
 constexpr double servo_rate = 4000; // Hz
 
 class ServoContactTest : public ContactTest
@@ -25,7 +23,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, ServoContactTest, testing::Combine(testing::Bool(
 /// Down to 3 mm in the ridges, then over them at 0.5 m/s, at an angle.
 Vector3 over_the_ridges(double t)
 {
-    const Vector3 above(-0.2, -0.05, 0.03), in(-0.2, -0.05, r - 0.003), end(0.2, 0.05, r - 0.003);
+    const Vector3 above(-0.2, -0.05, 0.03), in(-0.2, -0.05, radius - 0.003), end(0.2, 0.05, radius - 0.003);
     return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.5, 0.8, t);
 }
 
@@ -67,7 +65,7 @@ TEST_P(ServoContactTest, AMeshThatGetsOtherDataIsFeltAsItIsFromTheNextStepOn)
     const double step = 1 / physics_rate_;
     int steps = 0;
     const double pressed = 5e-5; // m; so little that the contact may begin at once
-    const auto samples = run([&](double) { return Vector3(0.01, 0.02, r - pressed); }, 1,
+    const auto samples = run([&](double) { return Vector3(0.01, 0.02, radius - pressed); }, 1,
                              [&](double) {
                                  ++steps;
                                  dGeomTriMeshSetData(geom, steps % 4 < 2 ? upper.data() : lower.data());
@@ -105,14 +103,14 @@ TEST_P(ServoContactTest, AnEdgeThatIsPassedBetweenTwoStepsEndsTheFloor)
 {
     world_.add_box({0.2, 0.4, 0.2}, {-0.1, 0, -0.1}); // its edge is at the origin
     const auto path = [](double t) {
-        const Vector3 above(-0.05, 0, 0.03), in(-0.05, 0, r - 0.003), end(0.05, 0, r - 0.003);
+        const Vector3 above(-0.05, 0, 0.03), in(-0.05, 0, radius - 0.003), end(0.05, 0, radius - 0.003);
         return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.503, 0.2, t);
     };
     for (const Sample &sample : run(path, 0.8))
     {
         const Vector3 nearest(std::min(0.0, sample.tool.x()), 0, 0);
         const double distance = (sample.tool - nearest).norm();
-        const Vector3 truth = k * std::max(0.0, r - distance) * (sample.tool - nearest) / distance;
+        const Vector3 truth = k * std::max(0.0, radius - distance) * (sample.tool - nearest) / distance;
         ASSERT_LE((sample.wished - truth).norm(), 1e-6) << sample.time << ": " << sample.wished.transpose();
     }
 }
@@ -131,11 +129,11 @@ TEST_P(ServoContactTest, APlateThatTurnsIsFeltWhereItIs)
     {
         const double angle = sample.time;
         const Vector3 normal(-std::sin(angle), 0, std::cos(angle));
-        const double depth = r - (normal.dot(place) - 0.0005);
+        const double depth = radius - (normal.dot(place) - 0.0005);
         const Vector3 truth = k * std::max(0.0, depth) * normal;
         ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 1e-6)
             << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
-        compared += depth > r ? 1 : 0;
+        compared += depth > radius ? 1 : 0;
     }
     EXPECT_GT(compared, 0.1 * servo_rate);
 }

@@ -10,8 +10,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double r = contact_radius;
-
 enum class Measure
 {
     boxes,
@@ -172,8 +170,8 @@ const Scene scenes[] = {
      0.2},
     {"five radii into a tilted sheet", [](Things &things) { turn(things.add_mesh(sheet_mesh(0.3, 8)), 1, 0, 0, 0.7); },
      [](double t) {
-         return t < 1 ? between({0, 0, 0.03}, {0, 0, -4 * r}, 0.1, 0.8, t)
-                      : between({0, 0, -4 * r}, {0, 0, 0.03}, 1.1, 0.8, t);
+         return t < 1 ? between({0, 0, 0.03}, {0, 0, -4 * radius}, 0.1, 0.8, t)
+                      : between({0, 0, -4 * radius}, {0, 0, 0.03}, 1.1, 0.8, t);
      },
      2},
     {"convexes", &add_convexes,
@@ -210,7 +208,7 @@ protected:
         Things things(measure);
         scene.build(things);
         SurfaceProperties properties;
-        properties.stiffness = contact_stiffness;
+        properties.stiffness = k;
         const auto proxy = std::make_shared<ProxyLaw>(properties);
         RenderSettings rendering;
         rendering.law = std::make_shared<PenaltyLaw>(properties);
@@ -219,9 +217,9 @@ protected:
             rendering.law = proxy;
         }
         ScriptedDevice device(scene.path);
-        const dGeomID capsule = own_geom ? dCreateCapsule(things.space(), 0.6 * r, 2 * r) : nullptr;
+        const dGeomID capsule = own_geom ? dCreateCapsule(things.space(), 0.6 * radius, 2 * radius) : nullptr;
         const auto probe = own_geom ? std::make_unique<HapticProbe>(device, capsule, rendering)
-                                    : std::make_unique<HapticProbe>(device, things.space(), r, rendering);
+                                    : std::make_unique<HapticProbe>(device, things.space(), radius, rendering);
         Outcome outcome;
         probe->set_recorder([&](const RenderedTick &tick) { note(tick, *probe, proxy->proxy(), outcome); });
         run(things, *probe, scene.duration, outcome);

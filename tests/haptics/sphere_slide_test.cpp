@@ -2,6 +2,7 @@
 
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 
+#include "tests/haptics/constants.h"
 #include "tests/haptics/mesh_maker.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/random_numbers.h"
@@ -13,8 +14,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double r = 0.01; // m
-
 TriangleCorners random_triangle(RandomNumbers &random, double size)
 {
     const Vector3 place = random.in_cube(0.05);
@@ -122,7 +121,6 @@ TEST(MeshTree, AFlatFloorIsOneFeatureHoweverManyTrianglesItHas)
 
 TEST(MeshTree, TrianglesThatAreNotNumbersAreNowhere)
 {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     std::vector<TriangleCorners> triangles(20, {Vector3(nan, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)});
     triangles.push_back({Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)});
     const MeshTree tree(triangles);
@@ -171,7 +169,7 @@ TEST(SphereSlide, NeverPassesAnything)
         SphereSlide slide;
         std::vector<SlidePlace> places = {{&*nearby, Vector3(0, 0, 0.2), 0}};
         SphereSlide::Task task;
-        task.radius = r;
+        task.radius = radius;
         for (int run = 0; run < 200; ++run)
         {
             task.goal = run % 20 == 0 ? random.in_cube(0.1) : Vector3(task.goal + random.in_cube(0.01));
@@ -180,15 +178,15 @@ TEST(SphereSlide, NeverPassesAnything)
             const Vector3 before = places[0].at;
             slide.run(task, places);
             SurfaceFeatures features;
-            ASSERT_GE(tree.collect(places[0].at, r, features), 0.9 * r) << scene << ' ' << run;
-            if (task.longest < r)
+            ASSERT_GE(tree.collect(places[0].at, radius, features), 0.9 * radius) << scene << ' ' << run;
+            if (task.longest < radius)
             {
                 for (const TriangleCorners &corners : triangles)
                 {
                     ASSERT_FALSE(crosses(before, places[0].at, corners)) << scene << ' ' << run;
                 }
             }
-            held += (places[0].at - task.goal).norm() > r ? 1 : 0;
+            held += (places[0].at - task.goal).norm() > radius ? 1 : 0;
         }
         dGeomDestroy(geom);
     }
@@ -209,7 +207,7 @@ TEST(SphereSlide, EndsWhereNoShortStepLeadsNearerToTheGoal)
         const Vector3 direction = random.direction();
         std::vector<SlidePlace> places = {{&*nearby, 0.06 * direction, 0}};
         SphereSlide::Task task;
-        task.radius = r;
+        task.radius = radius;
         task.goal = 0.035 * direction;
         task.longest = 1;
         SphereSlide slide;
@@ -218,7 +216,7 @@ TEST(SphereSlide, EndsWhereNoShortStepLeadsNearerToTheGoal)
         {
             const Vector3 other = places[0].at + 1e-4 * random.direction();
             SurfaceFeatures features;
-            if (nearby->collect(other, r, features) >= r)
+            if (nearby->collect(other, radius, features) >= radius)
             {
                 ASSERT_GE((other - task.goal).norm(), (places[0].at - task.goal).norm() - 1e-7) << run;
                 ++compared;

@@ -1,17 +1,14 @@
 #include "ode_predictive_space/haptics/stability.h"
 
 #include <gtest/gtest.h>
-#include <limits>
 
+#include "tests/haptics/constants.h"
 #include "tests/haptics/simulated_hand.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Capabilities desktop()
 {
     Capabilities capabilities;
@@ -23,7 +20,7 @@ Capabilities desktop()
     return capabilities;
 }
 
-Rendering spring(double stiffness, double rate = 1000)
+Rendering rendering_of(double stiffness, double rate = 1000)
 {
     Rendering rendering;
     rendering.stiffness = stiffness;
@@ -35,7 +32,7 @@ TEST(Stability, WhatTheDeviceCanRenderIsFine)
 {
     for (const double stiffness : {0.0, 500.0, 1000.0})
     {
-        const StabilityVerdict verdict = check_stability(desktop(), spring(stiffness));
+        const StabilityVerdict verdict = check_stability(desktop(), rendering_of(stiffness));
         EXPECT_EQ(verdict.outcome, StabilityOutcome::fine);
         EXPECT_EQ(verdict.stiffness, stiffness);
         EXPECT_EQ(verdict.reason, "");
@@ -44,7 +41,7 @@ TEST(Stability, WhatTheDeviceCanRenderIsFine)
 
 TEST(Stability, AStifferWallIsClampedToTheDevice)
 {
-    const StabilityVerdict verdict = check_stability(desktop(), spring(3000));
+    const StabilityVerdict verdict = check_stability(desktop(), rendering_of(3000));
     EXPECT_EQ(verdict.outcome, StabilityOutcome::clamped);
     EXPECT_EQ(verdict.stiffness, 1000);
     EXPECT_EQ(verdict.reason,
@@ -53,16 +50,16 @@ TEST(Stability, AStifferWallIsClampedToTheDevice)
 
 TEST(Stability, ASlowerLoopRendersLessAFasterOneNotMore)
 {
-    EXPECT_EQ(check_stability(desktop(), spring(3000, 500)).stiffness, 500);
+    EXPECT_EQ(check_stability(desktop(), rendering_of(3000, 500)).stiffness, 500);
     EXPECT_EQ(
-        check_stability(desktop(), spring(3000, 500)).reason,
+        check_stability(desktop(), rendering_of(3000, 500)).reason,
         "A stiffness of 3000 N/m is above the 500 N/m that PHANToM Desktop can render at 500 Hz; 500 N/m is used.");
-    EXPECT_EQ(check_stability(desktop(), spring(3000, 4000)).stiffness, 1000);
+    EXPECT_EQ(check_stability(desktop(), rendering_of(3000, 4000)).stiffness, 1000);
 }
 
 TEST(Stability, OfADampingThatIsKnownTheStiffnessIsPassive)
 {
-    Rendering rendering = spring(900);
+    Rendering rendering = rendering_of(900);
     rendering.device_damping = 0.4;
     StabilityVerdict verdict = check_stability(desktop(), rendering);
     EXPECT_EQ(verdict.outcome, StabilityOutcome::clamped);
@@ -79,14 +76,14 @@ TEST(Stability, OfADampingThatIsKnownTheStiffnessIsPassive)
     rendering.delay = 0.001; // a whole period: T / 2 becomes 3 T / 2
     EXPECT_NEAR(check_stability(desktop(), rendering).stiffness, 200, 1e-9);
 
-    rendering = spring(3000);
+    rendering = rendering_of(3000);
     rendering.device_damping = 100; // then the device's own limit is the lower one
     EXPECT_EQ(check_stability(desktop(), rendering).stiffness, 1000);
 }
 
 TEST(Stability, DampingIsClampedToo)
 {
-    Rendering rendering = spring(3000);
+    Rendering rendering = rendering_of(3000);
     rendering.damping = 12;
     const StabilityVerdict verdict = check_stability(desktop(), rendering);
     EXPECT_EQ(verdict.outcome, StabilityOutcome::clamped);
@@ -99,7 +96,7 @@ TEST(Stability, DampingIsClampedToo)
 
 TEST(Stability, LimitsThatAreNotKnownDoNotCount)
 {
-    Rendering rendering = spring(1e6);
+    Rendering rendering = rendering_of(1e6);
     rendering.damping = 1e3;
     const StabilityVerdict verdict = check_stability(Capabilities(), rendering);
     EXPECT_EQ(verdict.outcome, StabilityOutcome::fine);
@@ -110,7 +107,7 @@ TEST(Stability, ADeviceThatCannotPushRendersAnything)
 {
     Capabilities mouse = desktop();
     mouse.force_axes = 0;
-    EXPECT_EQ(check_stability(mouse, spring(3000)).outcome, StabilityOutcome::fine);
+    EXPECT_EQ(check_stability(mouse, rendering_of(3000)).outcome, StabilityOutcome::fine);
 }
 
 TEST(Stability, NonsenseIsRefusedWithTheReason)
@@ -125,28 +122,28 @@ TEST(Stability, NonsenseIsRefusedWithTheReason)
     };
     for (const double bad : {-1.0, nan, infinity})
     {
-        Rendering rendering = spring(500);
+        Rendering rendering = rendering_of(500);
         rendering.stiffness = bad;
         expect_refused(rendering, "stiffness");
-        rendering = spring(500);
+        rendering = rendering_of(500);
         rendering.damping = bad;
         expect_refused(rendering, "damping");
-        rendering = spring(500);
+        rendering = rendering_of(500);
         rendering.rate = bad;
         expect_refused(rendering, "rate");
-        rendering = spring(500);
+        rendering = rendering_of(500);
         rendering.delay = bad;
         expect_refused(rendering, "delay");
-        rendering = spring(500);
+        rendering = rendering_of(500);
         rendering.device_damping = bad;
         expect_refused(rendering, "device");
     }
-    expect_refused(spring(500, 0), "rate");
+    expect_refused(rendering_of(500, 0), "rate");
 }
 
 TEST(Stability, MoreDampingThanTheDeviceHasIsRefused)
 {
-    Rendering rendering = spring(500);
+    Rendering rendering = rendering_of(500);
     rendering.device_damping = 0.4;
     rendering.damping = 0.4;
     EXPECT_EQ(check_stability(desktop(), rendering).outcome, StabilityOutcome::refused);
@@ -181,7 +178,7 @@ TEST(Stability, UpToTheBoundAHandSettlesAndAboveItShakes)
     for (const double rate : {500.0, 1000.0, 4000.0})
         for (const int delay : {0, 1, 3})
         {
-            Rendering rendering = spring(1e9, rate);
+            Rendering rendering = rendering_of(1e9, rate);
             rendering.device_damping = SimulatedHand().damping;
             rendering.delay = delay / rate;
             const double bound = check_stability(Capabilities(), rendering).stiffness;

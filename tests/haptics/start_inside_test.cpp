@@ -8,8 +8,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double r = contact_radius;
-constexpr double k = contact_stiffness;
 const Vector3 far_away(0.02, 0.01, 1);
 
 /// A closed mesh with dents, about the origin, radius 0.1 m. Its highest place is flat enough to press on.
@@ -46,7 +44,7 @@ protected:
         return [=](double t) {
             return t < 1     ? between(start, far_away, 0.3, 0.5, t)
                    : t < 1.5 ? between(far_away, above, 1, 0.4, t)
-                             : between(above, {0, 0, r - 0.002}, 1.5, 0.5, t);
+                             : between(above, {0, 0, radius - 0.002}, 1.5, 0.5, t);
         };
     }
 
@@ -103,12 +101,12 @@ TEST_P(StartInsideTest, InAClosedMeshNothingOfItIsFeltUntilItWasLeft)
 
 TEST_P(StartInsideTest, InTheSurfaceOfAClosedMeshNothingOfItIsFeltUntilItWasLeft)
 {
-    for (const double depth : {0.3 * r, 1.5 * r}) // of the sphere, whose middle is outside and inside
+    for (const double depth : {0.3 * radius, 1.5 * radius}) // of the sphere, whose middle is outside and inside
     {
         const OdeMesh mesh(dented_mesh());
         const dGeomID geom = mesh.add_to(world_.space);
         dGeomSetPosition(geom, 0, 0, -0.1);
-        expect_felt_only_after_it_was_left({0, 0, r - depth});
+        expect_felt_only_after_it_was_left({0, 0, radius - depth});
         dGeomDestroy(geom);
     }
 }
@@ -126,7 +124,7 @@ TEST_P(StartInsideTest, InAMeshWithAHoleNothingOfItIsFeltUntilItWasLeft)
 
 TEST_P(StartInsideTest, InASolidNothingOfItIsFeltUntilItWasLeft)
 {
-    for (const double z : {-0.05, -0.5 * r, 0.5 * r})
+    for (const double z : {-0.05, -0.5 * radius, 0.5 * radius})
     {
         for (const bool is_box : {true, false})
         {
@@ -188,7 +186,7 @@ TEST_P(StartInsideTest, AllElseIsFelt)
     const OdeMesh mesh(dented_mesh());
     mesh.add_to(world_.space);
     world_.add_box({1, 1, 0.1}, {0, 0, -0.05}); // half of the mesh is in it
-    const Vector3 start(0, 0, 0.03), end(0, 0, r - 0.002);
+    const Vector3 start(0, 0, 0.03), end(0, 0, radius - 0.002);
     const Samples samples = run([&](double t) { return between(start, end, 0.2, 0.3, t); }, 0.7);
     EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 1e-6) << samples.back().wished.transpose();
 }
@@ -198,7 +196,7 @@ TEST_P(StartInsideTest, WhatMovesOntoTheProbeLaterPushes)
     const OdeMesh mesh(dented_mesh());
     mesh.add_to(world_.space);
     // At 0.6 s, 2 mm of it are in the probe, which is in the mesh.
-    add_kinematic_box({0.1, 0.1, 0.1}, {0.05 + r - 0.002 + 0.12, 0, 0}, {-0.2, 0, 0});
+    add_kinematic_box({0.1, 0.1, 0.1}, {0.05 + radius - 0.002 + 0.12, 0, 0}, {-0.2, 0, 0});
     const Samples samples = run([](double) { return Vector3(0, 0, 0); }, 0.601);
     EXPECT_LE((samples.back().wished - Vector3(-k * 0.002, 0, 0)).norm(), 0.1 * k * 0.002)
         << samples.back().wished.transpose();
@@ -210,7 +208,7 @@ TEST_P(StartInsideTest, WhatMovesAwayAndBackPushes)
     const Samples samples =
         run([](double) { return Vector3(0, 0, 0); }, 0.8, once(0.4, [&] { dBodySetLinearVel(box, 0, 0, 0.3); }));
     expect_nothing(samples, 0, 0.6);
-    const double depth = r + 0.05 + dBodyGetPosition(box)[2];
+    const double depth = radius + 0.05 + dBodyGetPosition(box)[2];
     EXPECT_LE((samples.back().wished - Vector3(0, 0, k * depth)).norm(), 0.1 * k * depth)
         << samples.back().wished.transpose();
 }
@@ -262,7 +260,7 @@ TEST_P(StartInsideTest, AMeshOrASolidThatIsPutOntoTheProbeIsAStart)
     {
         const dGeomID geom = is_mesh ? mesh.add_to(world_.space) : dCreateSphere(world_.space, 0.1);
         dGeomSetPosition(geom, 0, 0, -0.22); // touched from above, first
-        const auto path = out_and_back({0.01, 0.005, -0.1 - r - 0.002});
+        const auto path = out_and_back({0.01, 0.005, -0.1 - radius - 0.002});
         const Samples samples = run(
             [&](double t) {
                 return t < 0.3 ? between({0.01, 0.005, -0.06}, path(0), 0.05, 0.1, t) : path(t);

@@ -1,5 +1,6 @@
 #include "ode_predictive_space/haptics/touch_sensor.h"
 
+#include "tests/haptics/constants.h"
 #include "tests/haptics/probe_world.h"
 
 #include <gtest/gtest.h>
@@ -9,8 +10,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double radius = 0.01; // m; of the sensor's sphere
-
 ToolState at(const Vector3 &position)
 {
     ToolState tool;

@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/active_run.h"
 #include "ode_predictive_space/haptics/loop.h"
 
+#include "tests/haptics/constants.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/program_end_fixture.h"
 
@@ -15,8 +16,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double radius = 0.01; // m
-
 /// A probe that leans on the plane of a world of its own.
 class LeaningProbe
 {

@@ -1,13 +1,13 @@
 #include "ode_predictive_space/haptics/virtual_device.h"
 
+#include "tests/haptics/constants.h"
+
 #include <gtest/gtest.h>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double tick = 0.001; // s
-
 Vector3 origin(double)
 {
     return Vector3::Zero();
@@ -35,11 +35,11 @@ public:
     /// Largest less smallest position of the handle, in m, in `ticks` ticks from now on.
     double swing(int ticks)
     {
-        double least = std::numeric_limits<double>::infinity();
+        double least = infinity;
         double largest = -least;
         for (int i = 0; i < ticks; ++i)
         {
-            const DeviceState state = device_.read(tick * ++tick_);
+            const DeviceState state = device_.read(dt * ++tick_);
             device_.write({Vector3(std::max(0.0, -stiffness_ * state.position.x()), 0, 0), Vector3::Zero()});
             least = std::min(least, device_.true_position().x());
             largest = std::max(largest, device_.true_position().x());
@@ -58,7 +58,7 @@ private:
 /// The stiffness, in N/m, at which the wall begins to vibrate, all delays counted.
 double stable_bound(const VirtualDeviceSettings &settings)
 {
-    const double delay = tick * (0.5 + settings.force_delay + settings.position_delay);
+    const double delay = dt * (0.5 + settings.force_delay + settings.position_delay);
     return (settings.hand.damping + settings.hand.grip_damping) / delay;
 }
 
@@ -127,7 +127,7 @@ TEST(VirtualDevice, AMassUnderAForceMovesAsNewtonSays)
     device.write({Vector3(0.6, 0, -0.3), Vector3::Zero()});
     for (int i = 1; i <= 1000; ++i)
     {
-        const double time = i * tick;
+        const double time = i * dt;
         const Vector3 position = device.read(5 + time).position;
         ASSERT_LT((position - time * time / 2 * Vector3(3, 0, -1.5)).norm(), 1e-12) << "after " << time << " s";
     }
@@ -167,7 +167,7 @@ TEST(VirtualDevice, IsDrawnByATargetThatMovesAsTheEquationsSay)
     const double turn_rate = std::sqrt(250 / 0.1);
     for (int i = 0; i < 500; ++i)
     {
-        const double time = i * tick;
+        const double time = i * dt;
         const double truth = 0.3 * (time - std::sin(turn_rate * time) / turn_rate);
         ASSERT_NEAR(device.read(time).position.x(), truth, 1e-12) << "at " << time << " s";
     }
@@ -180,8 +180,8 @@ TEST(VirtualDevice, FollowsItsTarget)
     device.open();
     for (int i = 0; i < 3000; ++i)
     {
-        device.read(i * tick);
-        ASSERT_LT((device.true_position() - target(i * tick)).norm(), 0.003) << "at " << i * tick << " s";
+        device.read(i * dt);
+        ASSERT_LT((device.true_position() - target(i * dt)).norm(), 0.003) << "at " << i * dt << " s";
     }
 }
 
@@ -193,7 +193,7 @@ TEST(VirtualDevice, TellsWholeEncoderSteps)
     device.open();
     for (int i = 0; i < 1000; ++i)
     {
-        const Vector3 steps = device.read(i * tick).position / settings.encoder_step;
+        const Vector3 steps = device.read(i * dt).position / settings.encoder_step;
         ASSERT_NEAR(steps.x(), std::round(steps.x()), 1e-9);
         ASSERT_LE(std::abs(steps.x() - device.true_position().x() / settings.encoder_step), 0.5 + 1e-9);
         ASSERT_EQ(steps.y(), 0);
@@ -209,7 +209,7 @@ TEST(VirtualDevice, VelocityIsThatOfTheToldPositionsFiltered)
     double mean = 0;
     for (int i = 0; i < 2000; ++i)
     {
-        const double velocity = device.read(i * tick).linear_velocity.x();
+        const double velocity = device.read(i * dt).linear_velocity.x();
         mean += i >= 1000 ? velocity / 1000 : 0;
         // One step of the encoder in one tick would be 0.03 m/s, unfiltered.
         ASSERT_TRUE(i < 1000 || std::abs(velocity - 0.1) < 0.015) << velocity;
@@ -229,12 +229,12 @@ TEST(VirtualDevice, PositionsComeLateByTheirDelay)
     std::vector<DeviceState> states;
     for (int i = 0; i < 500; ++i)
     {
-        states.push_back(prompt.read(i * tick));
-        const DeviceState state = device.read(i * tick);
+        states.push_back(prompt.read(i * dt));
+        const DeviceState state = device.read(i * dt);
         const DeviceState &truth = states[static_cast<std::size_t>(std::max(0, i - 3))];
         ASSERT_EQ(state.position, truth.position);
         ASSERT_EQ(state.linear_velocity, truth.linear_velocity);
-        ASSERT_EQ(state.time, i * tick);
+        ASSERT_EQ(state.time, i * dt);
     }
 }
 
@@ -246,14 +246,14 @@ TEST(VirtualDevice, ForcesComeLateByTheirDelay)
     device.open();
     device.read(0);
     device.write({Vector3(1, 0, 0), Vector3::Zero()}); // stays until the next write
-    EXPECT_EQ(device.read(1 * tick).position.x(), 0);
-    EXPECT_EQ(device.read(2 * tick).position.x(), 0);
+    EXPECT_EQ(device.read(1 * dt).position.x(), 0);
+    EXPECT_EQ(device.read(2 * dt).position.x(), 0);
     EXPECT_EQ(device.rendered_force().x(), 1);
-    EXPECT_GT(device.read(3 * tick).position.x(), 0);
+    EXPECT_GT(device.read(3 * dt).position.x(), 0);
     device.write(Wrench());
-    device.read(4 * tick);
+    device.read(4 * dt);
     EXPECT_EQ(device.rendered_force().x(), 1);
-    device.read(5 * tick);
+    device.read(5 * dt);
     EXPECT_EQ(device.rendered_force().x(), 0);
 }
 
@@ -276,7 +276,7 @@ TEST(VirtualDevice, AForceThatIsNotFiniteIsRefusedAndEnds)
     EXPECT_THROW(device.write({Vector3(std::nan(""), 0, 0), Vector3::Zero()}), DeviceError);
     EXPECT_EQ(device.rendered_force(), Vector3::Zero());
     EXPECT_EQ(device.last_wrench().force, Vector3::Zero());
-    EXPECT_TRUE(device.read(tick).position.allFinite());
+    EXPECT_TRUE(device.read(dt).position.allFinite());
 }
 
 TEST(VirtualDevice, SameCallsSameStates)
@@ -286,7 +286,7 @@ TEST(VirtualDevice, SameCallsSameStates)
         device.open();
         for (int i = 0; i < 300; ++i)
         {
-            const DeviceState state = device.read(i * tick);
+            const DeviceState state = device.read(i * dt);
             device.write({-200 * state.position - 3 * state.linear_velocity, Vector3::Zero()});
             states.push_back(state.position);
             states.push_back(state.linear_velocity);

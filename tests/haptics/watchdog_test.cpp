@@ -9,14 +9,13 @@
 #include <thread>
 
 #include "tests/haptics/allocation_count.h"
+#include "tests/haptics/constants.h"
 #include "tests/haptics/random_numbers.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double dt = 0.001;
-
 /// A servo loop of 1 kHz with everything as it should be, unless told otherwise.
 struct Program
 {
