@@ -13,7 +13,7 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom
     GeomScene now = scene();
     const CandidatePair pair{proxy_of(first), proxy_of(second)};
     follow_shapes({pair.first, pair.second}, now);
-    return time_of_proximity(pair, now, apart_until);
+    return time_of_proximity(pair, broadphase_.forecast(now, pair.first), now, apart_until);
 }
 
 // By the shape test, answers are about shapes.
@@ -28,13 +28,14 @@ void dxPredictiveSpace::follow_shapes(const std::vector<ProxyId> &ids, GeomScene
     broadphase_.follow_shapes(now, wanted);
 }
 
-std::optional<double> dxPredictiveSpace::time_of_proximity(const CandidatePair &pair, GeomScene &now,
-                                                           double *apart_until)
+// @param first the forecast of the pair's first object.
+std::optional<double> dxPredictiveSpace::time_of_proximity(const CandidatePair &pair, const Forecast &first,
+                                                           GeomScene &now, double *apart_until)
 {
     *apart_until = 0;
     if (now.overlap(pair.first, pair.second) && (!by_shape() || broadphase_.may_touch(pair)))
         return 0.0;
-    const Forecast first = broadphase_.forecast(now, pair.first), second = broadphase_.forecast(now, pair.second);
+    const Forecast second = broadphase_.forecast(now, pair.second);
     *apart_until = std::min(first.ticks, second.ticks);
     const std::optional<double> near = broadphase_.time_of_proximity(first, second);
     if (!near || !by_shape())
@@ -49,11 +50,12 @@ std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *
     GeomScene now = scene();
     const std::vector<ProxyId> members = this->members();
     follow_shapes(members, now);
+    const Forecast own = broadphase_.forecast(now, self);
     std::vector<std::pair<double, ProxyId>> times;
     for (ProxyId other : members)
     {
         double apart_until;
-        const auto time = other == self ? std::nullopt : time_of_proximity({self, other}, now, &apart_until);
+        const auto time = other == self ? std::nullopt : time_of_proximity({self, other}, own, now, &apart_until);
         if (time)
             times.emplace_back(*time, other);
     }
