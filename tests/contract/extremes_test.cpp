@@ -174,12 +174,12 @@ TEST_F(Contract, 13_ExtremeGeomsInNestedSpaces)
 // The sides of their boxes are beyond single precision, where they would seem to overlap.
 TEST_F(Contract, 13_SizesBeyondSinglePrecision)
 {
-    for (const dReal radius : {1e39, 1e300})
+    if (sizeof(dReal) == sizeof(float))
+        return;
+    for (const double radius : {1e39, 1e300})
         expect_as_simple([radius](Scenario &scene) {
-            if (!(radius < dInfinity))
-                return;
-            for (const dReal x : {0.0, 1.9, 4.0, 7.0})
-                scene.sphere(radius, x * radius, 0, 0);
+            for (const double x : {0.0, 1.9, 4.0, 7.0})
+                scene.sphere(static_cast<dReal>(radius), static_cast<dReal>(x * radius), 0, 0);
             scene.tick();
             scene.tick();
         });
