@@ -180,7 +180,7 @@ public:
         };
         bool doubtful = false;
         for (int axis = 0; axis < 3; ++axis)
-            doubtful |= overflows(box.min()[axis], outer.low[axis]) | overflows(box.max()[axis], outer.high[axis]);
+            doubtful |= overflows(box.min()[axis], outer.low[axis]) || overflows(box.max()[axis], outer.high[axis]);
         state_ |= doubtful ? doubt_bit : 0;
     }
     /// Nothing is known of where the object is.
