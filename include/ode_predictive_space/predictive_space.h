@@ -42,7 +42,7 @@ extern "C" {
  * any length and may vary.
  *
  * Time is counted in ticks. A tick is one dSpaceCollide() on the space after something has moved: while nothing moves, no
- * time passes. Lengths are in the program's own unit (for instance metres), speeds in that unit per tick.
+ * time passes. In a program that only asks, the first question after a move counts as one, from the seventeenth in a row on. Lengths are in the program's own unit (for instance metres), speeds in that unit per tick.
  *
  * Several threads may ask one space by dSpaceCollide2() at once as long as nothing is moved, added, removed or set: the first
  * question brings the space up to date, later ones only read. Each thread needs a probe of its own, and ODE's data

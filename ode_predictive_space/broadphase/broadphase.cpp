@@ -20,7 +20,9 @@ void Broadphase::update(Scene &scene, bool is_tick)
         start_over();
     idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });
     clock_.unticked += clock_.moves;
-    const bool time_passes = is_tick && clock_.unticked > 0;
+    clock_.questions = is_tick ? 0 : clock_.questions + (clock_.moves > 0);
+    const bool asks_alone = clock_.questions > tuning::questions_to_ticks && clock_.moves > 0;
+    const bool time_passes = clock_.unticked > 0 && (is_tick || asks_alone);
     if (!looks_.listed.has_work() && clock_.moves == 0 && !time_passes && !near_.has_retired() &&
         !pairing_.waiting.has_work())
         return;

@@ -228,9 +228,10 @@ private:
     struct Clock
     {
         Tick now = 0;
-        UpdateNumber update = 1;  // that will see the moves that are noted now
-        std::size_t moves = 0;    // objects that have moved since the last update
-        std::size_t unticked = 0; // objects that had moved in updates since the last tick
+        UpdateNumber update = 1;     // that will see the moves that are noted now
+        std::size_t moves = 0;       // objects that have moved since the last update
+        std::size_t unticked = 0;    // objects that had moved in updates since the last tick
+        std::uint32_t questions = 0; // updates after moves since the last tick
     };
 
     // What the next look is to see. Maybe some that are gone, or have hardly moved.

@@ -55,6 +55,10 @@ constexpr float first_spread = 0.02f, least_spread = 0.002f, most_spread = 0.1f;
 /// The way, in sizes, from which that can be judged.
 constexpr float least_way = 0.05f;
 
+/// Questions after moves, one after the other without a tick, from which each such question counts as one: the program only asks, and
+/// its objects must be predicted, too. (ask)
+constexpr std::uint32_t questions_to_ticks = 16;
+
 /// How far a forecast that a program asks for reaches, in sizes.
 constexpr float forecast_reach = 9;
 /// And how often its horizon is halved where paths bend. (a hand that goes away)

@@ -128,6 +128,22 @@ TEST(Tick, PredictsSeldomInUniformMotion)
     EXPECT_EQ(gas.world.violated_invariant(), "");
 }
 
+// No tick tells such a program's space that time passes.
+TEST(Tick, PredictsWhatIsOnlyAskedAbout)
+{
+    CalmGas gas(500);
+    std::uint64_t before = 0;
+    for (int question = 0; question < 400; ++question)
+    {
+        if (question == 200)
+            before = gas.predictions();
+        gas.move();
+        gas.world.broadphase.catch_up(gas.world);
+    }
+    EXPECT_LT(static_cast<double>(gas.predictions() - before) / 200 / gas.objects(), 1.0 / 20);
+    EXPECT_GT(gas.world.broadphase.now(), 300u);
+}
+
 // Objects that were predicted together must not leave their envelopes together: haptics depends on the slowest tick.
 TEST(Tick, SpreadsThePredictions)
 {

@@ -21,10 +21,15 @@ public:
             world.add(ball(random_.vector(half_), 0.1, random_.vector(0.001)));
     }
 
-    Pairs tick()
+    void move()
     {
         world.advance();
         bounce();
+    }
+
+    Pairs tick()
+    {
+        move();
         return world.tick();
     }
 
