@@ -16,7 +16,8 @@ namespace ode_predictive_space
 
 void Broadphase::update(Scene &scene, bool is_tick)
 {
-    if (interrupted_)
+    const bool has_wrapped = clock_.update == 0; // from here on, old numbers could be taken for new ones
+    if (interrupted_ || has_wrapped)
         start_over();
     idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });
     clock_.unticked += clock_.moves;
@@ -151,7 +152,7 @@ void Broadphase::finish()
 {
     batch_.clear();
     clock_.update = (clock_.update + 1) & Place::last_update;
-    interrupted_ = clock_.update == 0; // from here on, old numbers could be taken for new ones
+    interrupted_ = false;
 }
 
 std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)

@@ -132,7 +132,7 @@ inline void dxPredictiveSpace::answer(const GeomScene &now, dxGeom *other, dxGeo
     (owner ? owner : this)->compute_box(geom);
 }
 
-// Geoms change at each tick; rays are asked for now and then.
+// Runs when a ray asks, not at each change: geoms change at every tick, and few programs send rays.
 [[gnu::noinline]] void dxPredictiveSpace::find_off_line()
 {
     const std::lock_guard<std::recursive_mutex> hold(upkeep_);

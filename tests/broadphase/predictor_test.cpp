@@ -271,7 +271,7 @@ TEST(Predictor, AFixedDeviationIsThatOfTheRole)
         lone.world.broadphase.set_settings(settings);
         lone.world.broadphase.set_role(0, role);
         lone.fly(50);
-        lone.world.broadphase.set_role(0, role); // predicted anew, here
+        lone.world.broadphase.set_role(0, role); // forces a new prediction
         lone.world.broadphase.catch_up(lone.world);
         const double y = lone.object().centre.y();
         EXPECT_NEAR(lone.envelope().high[1], y + radius + expected, 1e-4);
@@ -305,7 +305,7 @@ TEST(Predictor, AnEnvelopeReachesAsManyTicksAheadAsTheHorizonAllows)
         {
             lone.fly(1);
             const double before = lone.object().centre.x();
-            lone.world.broadphase.set_role(0, Role::fixed_environment); // predicted anew, here
+            lone.world.broadphase.set_role(0, Role::fixed_environment); // forces a new prediction
             lone.world.broadphase.catch_up(lone.world);
             const double ahead = lone.envelope().high[0] - radius - before, travel = 0.0005;
             const double slack = (tuning::slack + tuning::most_spread * tuning::most_reach) * 2 * radius;

@@ -205,7 +205,7 @@ const Theme themes[] = {
      140,
      147,
      {Action::wobble}},
-    // What has no body is foretold to go on; a body without a velocity, to stay.
+    // The forecast of a geom without a body extrapolates its motion; that of a body at rest stays in place.
     {"wobbling_bodies",
      {by_sphere | large_deviation | asking, by_shape | large_deviation | asking},
      {dSphereClass, dSphereClass, dBoxClass},

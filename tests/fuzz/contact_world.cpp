@@ -373,7 +373,7 @@ void ContactWorld::foretell(int slot, int other)
     forecast_.boxes = {resting_box(*one), resting_box(*second)};
 }
 
-// What rests is foretold to stay where it is.
+// The forecast of a body at rest stays in place.
 std::optional<ContactWorld::Bounds> ContactWorld::resting_box(const Slot &slot)
 {
     const dBodyID body = dGeomGetBody(slot.geom);
