@@ -390,7 +390,7 @@ def space_faults():
     # What throws in the middle.
     faults = lambda pattern: (("faults", pattern),)
     yield Fault(
-        "trusts_a_tick_that_was_broken_off", "space", BROADPHASE + "broadphase.cpp", "if (interrupted_)\n        start_over();", "",
+        "trusts_a_tick_that_was_broken_off", "space", BROADPHASE + "broadphase.cpp", "if (interrupted_ || has_wrapped)\n        start_over();", "",
         faults("*EveryCall*:*EverySituation*"))
     yield Fault(
         "linked_before_there_is_room", "space", space,
