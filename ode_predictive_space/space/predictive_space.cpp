@@ -227,12 +227,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     const auto visit = [&](std::size_t i) { call_back(pairs[i], data, callback); };
     if (geoms_.size() > tuning::cached_objects)
         for_each_prefetched(
-            count, tuning::turns_ahead, visit,
-            [&](std::size_t i) {
-                prefetch(&geoms_[pairs[i].first]);
-                prefetch(&geoms_[pairs[i].second]);
-            },
-            [&](std::size_t i) {
+            count, tuning::turns_ahead, visit, [&](std::size_t i) {
                 prefetch_filters(geoms_[pairs[i].first]);
                 prefetch_filters(geoms_[pairs[i].second]);
             });
@@ -265,15 +260,12 @@ inline void dxPredictiveSpace::call_back(const CandidatePair &pair, void *data, 
     dxGeom *one = geoms_[pair.first], *other = geoms_[pair.second];
     if (!bits_agree(one, other))
         return;
-    if (!enabled(one))
-        note_disabled(pair.first);
-    else if (!enabled(other))
-        note_disabled(pair.second);
-    else if (wants_callback(one, other))
-    {
-        ++reported_;
-        callback(data, one, other);
-    }
+    if (!both_enabled(one, other))
+        return note_disabled(enabled(one) ? pair.second : pair.first);
+    if (!wants_callback(one, other))
+        return;
+    ++reported_;
+    callback(data, one, other);
 }
 
 // Pairs of disabled geoms are not kept.

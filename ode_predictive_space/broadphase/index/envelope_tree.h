@@ -56,7 +56,9 @@ public:
     /// for a box that holds a box which it overlaps.
     template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
     {
-        walk_together(&probe, 1, [&](std::uint32_t, ProxyId proxy) { visit(proxy); });
+        if (nodes_.empty() || !probe.overlaps(nodes_[0].box))
+            return;
+        nodes_[0].leaf() ? visit(nodes_[0].proxy()) : walk_below(nodes_[0].content, probe, visit);
     }
 
     /// The same for several probes at once, which is faster where nodes are not in the cache: no probe waits for another's.
@@ -100,6 +102,7 @@ private:
     };
     static_assert(sizeof(Node) == 32, "two siblings share a cache line");
 
+    template <typename Probe, typename Visit> void walk_below(Index pair, const Probe &probe, Visit &visit) const;
     void make_room(ProxyId proxy);
     Index allocate_pair();
     void free_pair(Index first);
@@ -121,6 +124,32 @@ private:
     std::vector<Index> free_pairs_;
     std::vector<Index> leaf_node_; // by proxy
 };
+
+// Depth first. Whether the box of a branch overlaps is as good as random: store always, advance on a hit.
+template <typename Probe, typename Visit>
+void EnvelopeTree::walk_below(Index pair, const Probe &probe, Visit &visit) const
+{
+    Index waiting[walk_room]; // pairs of siblings whose parent overlaps
+    waiting[0] = pair;
+    for (std::size_t count = 1; count > 0;)
+    {
+        const Index next = waiting[--count];
+        if (count + 2 > walk_room)
+        {
+            walk_below(next, probe, visit);
+            continue;
+        }
+        const Node *const two = &nodes_[static_cast<std::size_t>(next)];
+        for (const Node *node = two; node < two + 2; ++node)
+        {
+            const bool overlaps = probe.overlaps(node->box);
+            waiting[count] = node->content;
+            count += overlaps & !node->leaf();
+            if (overlaps & node->leaf())
+                visit(node->proxy());
+        }
+    }
+}
 
 // Level by level, so that the processor can look at several pairs of siblings at once: their addresses are known long before
 // their boxes. Whether a box overlaps is as good as random, and a branch on it would often be mispredicted: store always,
