@@ -15,6 +15,9 @@ namespace ode_predictive_space::tuning
 /// Objects up to which everything that a tick reads of them stays in a cache from one tick to the next: prefetching would
 /// cost more than it saves. (gas 1,000, pile 1,000)
 constexpr std::size_t cached_objects = 300;
+/// The same of what is read of geoms for their callbacks, two lines each, most of which the notice or the measuring has just read.
+/// (floor 500, pile 1,000)
+constexpr std::size_t cached_filters = 2000;
 
 /// Turns of a loop over objects in which memory can be fetched. (gas 10,000)
 constexpr std::size_t turns_ahead = 8;

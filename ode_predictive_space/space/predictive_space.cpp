@@ -225,7 +225,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
         count = find_reported(nested_call, pairs);
     }
     const auto visit = [&](std::size_t i) { call_back(pairs[i], data, callback); };
-    if (geoms_.size() > tuning::cached_objects)
+    if (geoms_.size() > tuning::cached_filters)
         for_each_prefetched(
             count, tuning::turns_ahead, visit, [&](std::size_t i) {
                 prefetch_filters(geoms_[pairs[i].first]);
