@@ -200,6 +200,8 @@ void Broadphase::start_over()
 Forecast Broadphase::forecast(Scene &scene, ProxyId id)
 {
     const std::int32_t since = updates_between(proxies_.places[id].moved(), clock_.update);
+    if (!predictor_.is_asked())
+        request_all(); // a small scene has hardly been predicted so far
     return predictor_.forecast(scene, proxies_, id, since <= tuning::recent_ticks);
 }
 

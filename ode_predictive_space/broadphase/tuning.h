@@ -45,6 +45,10 @@ constexpr float cost_of_test = 20, cost_of_box = 50, cost_of_prediction = 2800;
 /// An object that is farther from its path than this, in sizes per tick, has leapt: nothing is known of where it will be.
 constexpr float leap = 1;
 
+/// Objects of a scene in which an envelope that broke early twice becomes the whole scene: to test all pairs costs less than to predict.
+/// (nested 22, teleport 10)
+constexpr std::size_t few_objects = 16;
+
 /// A step may be so many times as long as expected. (frames 80 %)
 constexpr float longest_step = 2;
 

@@ -308,12 +308,8 @@ void GeomScene::find_disabled(const ProxyId *ids, std::size_t count, std::vector
             disabled.push_back(ids[i]);
 }
 
-bool GeomScene::overlap(dxGeom *one, dxGeom *other) const
+bool GeomScene::spheres_overlap(dxGeom *one, dxGeom *other)
 {
-    compute_box_beside_others(one);
-    compute_box_beside_others(other);
-    if (!aabbs_overlap(one, other))
-        return false;
-    return !by_sphere_ || (spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one));
+    return spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one);
 }
 } // namespace ode_predictive_space

@@ -139,13 +139,24 @@ public:
     void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
 
     /// Do the geoms overlap by the test of proximity of the space?
-    bool overlap(dxGeom *one, dxGeom *other) const;
+    bool overlap(dxGeom *one, dxGeom *other) const
+    {
+        compute_box_beside_others(one);
+        compute_box_beside_others(other);
+        return overlap_as_known(one, other);
+    }
+    /// The same for geoms whose boxes are valid.
+    bool overlap_as_known(dxGeom *one, dxGeom *other) const
+    {
+        return aabbs_overlap(one, other) && (!by_sphere_ || spheres_overlap(one, other));
+    }
 
     /// Prefetches for reading a bounding box soon: call both in this order, some time apart.
     void prefetch_geom(ProxyId id) const;
     void prefetch_pose(ProxyId id) const;
 
 private:
+    static bool spheres_overlap(dxGeom *one, dxGeom *other);
     template <typename Visit, typename... Fetches>
     void for_each(std::size_t count, Visit visit, Fetches... fetches) const;
     Observation observation(ProxyId id);

@@ -110,11 +110,11 @@ inline void dxPredictiveSpace::answer(const GeomScene &now, dxGeom *other, dxGeo
                                       dNearCallback *callback)
 {
     const int flags = flags_beside_others(other);
-    if (!bits_agree(other, geom) || !enabled(flags))
+    if (!enabled(flags))
         return;
     if (flags & GEOM_AABB_BAD)
         compute_box(other);
-    if (now.overlap(other, geom) && wants_callback(other, geom))
+    if (now.overlap_as_known(other, geom) && bits_agree(other, geom) && wants_callback(other, geom))
         callback(data, other, geom);
 }
 

@@ -17,11 +17,18 @@ namespace
 constexpr double step = World::step;
 constexpr double radius = 0.1;
 
-// One object in a world of its own.
+// One object that moves. The others stand still, far away: in a scene of few objects not all are predicted.
 class Lone
 {
 public:
-    explicit Lone(const Object &object) { world.add(object); }
+    explicit Lone(const Object &object)
+    {
+        world.add(object);
+        for (std::size_t i = 0; i < tuning::few_objects; ++i)
+            world.add(ball({-1000, -1000, 1.0 * static_cast<double>(i)}, radius, {0, 0, 0}));
+        world.tick();
+        begun_ = world.broadphase.counters().repredictions;
+    }
 
     void tick()
     {
@@ -47,7 +54,7 @@ public:
     Object &object() { return world.object(0); }
     const ProxyRecord &record() const { return world.broadphase.proxies().records[0]; }
     FloatBox envelope() const { return world.broadphase.proxies().places[0].envelope(); }
-    std::uint64_t predictions() const { return world.broadphase.counters().repredictions; }
+    std::uint64_t predictions() const { return world.broadphase.counters().repredictions - begun_; }
     Forecast forecast()
     {
         world.broadphase.catch_up(world);
@@ -55,6 +62,9 @@ public:
     }
 
     World world;
+
+private:
+    std::uint64_t begun_ = 0; // predictions before it first moved
 };
 
 Object moving_ball(const Vector3 &velocity)
@@ -97,6 +107,39 @@ TEST(Predictor, ALeapIsNotExtrapolated)
         for (int axis = 0; axis < 3; ++axis)
             ASSERT_LT(box.high[axis] - box.low[axis], 0.25) << "tick " << tick;
     }
+}
+
+// Among few objects, to test all pairs costs less than to predict what cannot be predicted.
+TEST(Predictor, InASmallSceneAnEnvelopeThatBrokeEarlyTwiceIsTheWholeScene)
+{
+    World world;
+    const auto others = static_cast<int>(tuning::few_objects) - 1;
+    world.add(alone({0, 0, 0}));
+    for (int i = 0; i < others; ++i)
+        world.add(alone({2.0 + i, 0, 0}));
+    const auto leap = [&](int tick) {
+        world.object(0).centre = Vector3(10 * std::sin(tick * tick), 0.5, 0);
+        world.touch(0);
+        world.tick();
+        ASSERT_EQ(world.violated_invariant(), "");
+    };
+    world.tick();
+    for (int tick = 1; tick < 4; ++tick)
+        leap(tick);
+    const std::uint64_t before = world.broadphase.counters().repredictions;
+    for (int tick = 4; tick < 1000; ++tick)
+        leap(tick);
+    EXPECT_EQ(world.broadphase.counters().repredictions, before);
+    EXPECT_EQ(world.broadphase.near_pairs(), static_cast<std::size_t>(others)) << "those of the object with each other";
+
+    world.broadphase.catch_up(world);
+    world.broadphase.forecast(world, 0); // who asks wants predictions
+    leap(1000);
+    EXPECT_GT(world.broadphase.counters().repredictions, before);
+    world.add(alone({-2, 0, 0})); // not few any more
+    leap(1001);
+    leap(1002);
+    EXPECT_LT(world.broadphase.near_pairs(), static_cast<std::size_t>(others));
 }
 
 TEST(Predictor, AnObjectThatHasStoppedNeedsNoPredictions)

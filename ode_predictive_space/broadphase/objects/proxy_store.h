@@ -52,6 +52,7 @@ struct alignas(64) ProxyRecord
     Role role;             ///< set by the program; predict recognises Role::interactive
     Shelf shelf;           ///< written by the index
     bool predicted : 1;    ///< at least once
+    bool broke_early : 1;  ///< the last envelope did not repay its prediction
     bool has_body : 1;     ///< which tells the velocity
     bool by_radius : 1;    ///< its new envelope holds the object however it turns
 
