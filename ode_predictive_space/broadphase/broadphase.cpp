@@ -61,10 +61,12 @@ void Broadphase::look(Scene &scene)
     if (!looks_.listed.has_work())
         return;
     looks_.current.clear();
-    looks_.listed.for_each([this](ProxyId id) { looks_.current.add(id); });
+    looks_.listed.for_each([this](ProxyId id) {
+        if (!proxies_.places[id].watches_solid())
+            looks_.current.add(id);
+    });
     scene.measure(looks_.current.data(), looks_.current.size(), proxies_.places.data());
-    for (ProxyId id : looks_.current)
-    {
+    looks_.listed.for_each([this](ProxyId id) {
         Place &place = proxies_.places[id];
         place.note_doubtful_move(clock_.update);
         near_.disturb(id);
@@ -77,7 +79,7 @@ void Broadphase::look(Scene &scene)
         counters_.violations += !holds && place.has_envelope();
         if (!holds || looks_.requested.contains(id))
             batch_.add(id);
-    }
+    });
     looks_.listed.clear();
     looks_.requested.clear();
 }

@@ -237,7 +237,7 @@ private:
     // What the next look is to see. Maybe some that are gone, or have hardly moved.
     struct Looks
     {
-        Worklist listed;
+        Worklist listed; // those whose solid is watched were measured by the last notice
         IdSet requested; // of these, those that get new envelopes in any case
         IdList current;  // scratch
     };
@@ -274,6 +274,13 @@ template <typename Object> bool Broadphase::report_closely(ProxyId id, const Obj
         return place.watch() == Watch::centre ? object.radius() <= place.watched_radius()
                                               : place.solid() == object.solid();
     };
+    const bool is_measured = followed == Followed::left && object.has_pose() && place.watches_solid();
+    if (is_measured && is_finite(place.tight_lanes()) && same_size())
+    {
+        note_move(place);
+        looks_.listed.insert(id);
+        return true;
+    }
     if (followed != Followed::same || !same_size())
     {
         mark_moved(id);

@@ -117,6 +117,8 @@ public:
     // --- The tight box ---
 
     Watch watch() const { return static_cast<Watch>(state_ & watch_bits); }
+    /// Does each notice measure the tight box?
+    bool watches_solid() const { return watch() > Watch::centre; }
     void set_watch(Watch watch) { state_ = (state_ & ~watch_bits) | static_cast<std::uint32_t>(watch); }
     static constexpr UpdateNumber last_update = ~UpdateNumber{0} >> 5;
     UpdateNumber moved() const { return state_ >> bits_below_update; }
