@@ -226,11 +226,10 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     }
     const auto visit = [&](std::size_t i) { call_back(pairs[i], data, callback); };
     if (geoms_.size() > tuning::cached_filters)
-        for_each_prefetched(
-            count, tuning::turns_ahead, visit, [&](std::size_t i) {
-                prefetch_filters(geoms_[pairs[i].first]);
-                prefetch_filters(geoms_[pairs[i].second]);
-            });
+        for_each_prefetched(count, tuning::turns_ahead, visit, [&](std::size_t i) {
+            prefetch_filters(geoms_[pairs[i].first]);
+            prefetch_filters(geoms_[pairs[i].second]);
+        });
     else
         for (std::size_t i = 0; i < count; ++i)
             visit(i);

@@ -9,12 +9,13 @@
 #include "ode_predictive_space/prediction/proximity.h"
 #include "tests/prediction/first_contact.h"
 #include "tests/prediction/random_pairs.h"
+#include "tests/support/effort.h"
 
 using namespace ode_predictive_space;
 
 namespace
 {
-constexpr int pairs_of_a_kind = 75000;
+constexpr int pairs_of_a_kind = of_cases(75000);
 static_assert(pairs_of_a_kind * pair_kinds >= 1000000, "a million pairs for each measure");
 
 // How far before the true contact the prediction was, in horizons.
@@ -144,7 +145,7 @@ TEST(NeverLate, time_of_proximity_of_spheres)
         earliness.print(kind);
         encounters += earliness.encounters();
     }
-    EXPECT_GT(encounters, 200000U);
+    EXPECT_GT(encounters, static_cast<std::size_t>(of_cases(200000)));
 }
 
 TEST(NeverLate, time_of_proximity_of_boxes)
@@ -172,7 +173,7 @@ TEST(NeverLate, time_of_proximity_of_boxes)
         earliness.print(kind);
         encounters += earliness.encounters();
     }
-    EXPECT_GT(encounters, 200000U);
+    EXPECT_GT(encounters, static_cast<std::size_t>(of_cases(200000)));
 }
 
 TEST(NeverLate, time_in_halves)

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/shape/random_shapes.h"
+#include "tests/support/effort.h"
 
 namespace ode_predictive_space
 {
@@ -14,7 +15,7 @@ constexpr int pairs_of_classes = 20; // of six, but two planes
 #ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
 constexpr int poses = 1000000;
 #else
-constexpr int poses = 1500000 / pairs_of_classes;
+constexpr int poses = of_cases(1500000) / pairs_of_classes;
 #endif
 constexpr double rounding = 1e-13;
 
@@ -73,7 +74,7 @@ TEST(Gap, IsSeldomFarLessThanTheDistance)
     for_each_pair_of_classes([&](SolidKind one, SolidKind other) {
         ShapeMaker maker(seed++);
         int apart = 0, precise = 0;
-        for (int i = 0; i < 3000; ++i)
+        for (int i = 0; i < of_cases(3000); ++i)
         {
             const NearShapes shapes(maker, one, other);
             const double distance = distance_from_above(shapes.first, shapes.second, 100);
@@ -82,7 +83,7 @@ TEST(Gap, IsSeldomFarLessThanTheDistance)
             ++apart;
             precise += find_gap(shapes.first, shapes.second, Vector3::Zero(), 0).length > 0.5 * distance;
         }
-        EXPECT_GT(apart, 300);
+        EXPECT_GT(apart, of_cases(3000) / 10);
         EXPECT_GT(precise, 0.95 * apart) << "classes " << static_cast<int>(one) << " " << static_cast<int>(other);
     });
 }

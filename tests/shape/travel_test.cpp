@@ -7,6 +7,7 @@
 #include "ode_predictive_space/broadphase/near/shape_test.h"
 #include "ode_predictive_space/broadphase/objects/measured_shapes.h"
 #include "tests/shape/random_shapes.h"
+#include "tests/support/effort.h"
 
 namespace ode_predictive_space
 {
@@ -17,7 +18,7 @@ constexpr CandidatePair the_pair{0, 1};
 #ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
 constexpr unsigned seeds = 100000;
 #else
-constexpr unsigned seeds = 4000;
+constexpr unsigned seeds = of_cases(4000);
 #endif
 
 // Two shapes whose bounding boxes always overlap.

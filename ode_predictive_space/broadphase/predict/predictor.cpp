@@ -290,8 +290,8 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     const bool everywhere = is_finite(tight) && stays_everywhere(proxies, record, outcome);
     const bool by_radius = !everywhere && record.tests == 0 && std::isfinite(record.radius) && is_finite(tight);
     const TightBox box = by_radius ? TightBox::around(centre, Float4::all(record.radius)) : tight;
-    const TightBox envelope = everywhere ? around_scene(proxies)
-                                         : swept(box, motion, ticks, static_cast<float>(deviation.at(double{ticks})));
+    const TightBox envelope =
+        everywhere ? around_scene(proxies) : swept(box, motion, ticks, static_cast<float>(deviation.at(double{ticks})));
     place.set_envelope(envelope);
     record.by_radius = by_radius && place.has_end();
     note_farthest(envelope);
