@@ -221,10 +221,10 @@ constexpr Scene scenes[] = {
     {"few", 80, dPredictiveProximityBox, fly, 11052570338893645255u, 11052570338893645255u},
     {"calm", 400, dPredictiveProximityBox, fly, 12171163969677125561u, 12171163969677125561u},
     {"resting", 400, dPredictiveProximityBox, fly_and_rest, 10127260785428099367u, 10127260785428099367u},
-    {"teleports", 400, dPredictiveProximityBox, teleport, 7520097887806846376u, 8634622223801226972u},
+    {"teleports", 400, dPredictiveProximityBox, teleport, 7520097887806846376u, 14037710712843732512u},
     {"churn", 300, dPredictiveProximityBox, come_and_go, 17700972782655228108u, 17700972782655228108u},
     {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 16285715920809020603u, 16285715920809020603u},
-    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 5855052753203350708u, 6898293234350788578u},
+    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 5855052753203350708u, 12180830045029849170u},
 };
 
 class GoldenScene : public OdeTest, public testing::WithParamInterface<Scene>
