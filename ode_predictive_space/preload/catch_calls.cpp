@@ -200,6 +200,28 @@ const Ode *ode_by_jump(const char *function, const void *geom)
     return meet_ode(object);
 }
 
+// The library of the predictive space makes spaces of ODE's, to look at their layout.
+bool is_from_own_library(const void *return_address)
+{
+    const link_map *map = object_at(return_address);
+    const char *slash = map ? std::strrchr(map->l_name, '/') : nullptr;
+    return slash && std::strncmp(slash + 1, "libode_predictive_space.so", 26) == 0;
+}
+
+// A program may be linked with that library, too, which then looks at ODE for it. To load the substitute now, which asks the
+// same library to look at ODE, would be a circle.
+const Ode *ode_of_own_library(const char *function, const void *return_address)
+{
+    static const Ode *seen;
+    const Ode *ode = __atomic_load_n(&seen, __ATOMIC_ACQUIRE);
+    if (ode)
+        return ode;
+    const Object object = find_definition(function, object_at(return_address));
+    ode = object.map ? new_ode(object) : nullptr;
+    __atomic_store_n(&seen, ode, __ATOMIC_RELEASE);
+    return ode;
+}
+
 // The ODE that a call from this address was meant for.
 const Ode &ode_of(const char *function, const void *return_address, const void *geom = nullptr)
 {
@@ -209,22 +231,15 @@ const Ode &ode_of(const char *function, const void *return_address, const void *
         return *caller->ode;
     if (!caller && inside)
         return *inside;
-    const Ode *ode = ode_seen_by(function, map);
+    const bool is_own = is_from_own_library(return_address);
+    const Ode *ode = is_own ? ode_of_own_library(function, return_address) : ode_seen_by(function, map);
     return ode ? *ode : *ode_by_jump(function, geom);
 }
 
-// The library of the predictive space makes spaces of ODE's, to look at their layout.
-bool is_from_own_library(const void *return_address)
-{
-    const link_map *map = object_at(return_address);
-    const char *slash = map ? std::strrchr(map->l_name, '/') : nullptr;
-    return slash && std::strncmp(slash + 1, "libode_predictive_space.so", 26) == 0;
-}
-
 template <typename Native>
-dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, const void *return_address, Native native)
+dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, Native native)
 {
-    if (!ode.hooks || inside || is_from_own_library(return_address))
+    if (!ode.hooks || inside)
         return native(ode.calls);
     inside = &ode;
     dSpaceID space = ode.hooks->create(space_class, parent);
@@ -238,28 +253,27 @@ dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, const void *re
     return space;
 }
 
-dSpaceID create_simple(const Ode &ode, dSpaceID parent, const void *return_address)
+dSpaceID create_simple(const Ode &ode, dSpaceID parent)
 {
-    return create(ode, dSimpleSpaceClass, parent, return_address,
+    return create(ode, dSimpleSpaceClass, parent,
                   [=](const OdeCalls &calls) { return calls.simple_create(parent); });
 }
 
-dSpaceID create_hash(const Ode &ode, dSpaceID parent, const void *return_address)
+dSpaceID create_hash(const Ode &ode, dSpaceID parent)
 {
-    return create(ode, dHashSpaceClass, parent, return_address,
+    return create(ode, dHashSpaceClass, parent,
                   [=](const OdeCalls &calls) { return calls.hash_create(parent); });
 }
 
-dSpaceID create_quadtree(const Ode &ode, dSpaceID parent, const dReal *center, const dReal *extents, int depth,
-                         const void *return_address)
+dSpaceID create_quadtree(const Ode &ode, dSpaceID parent, const dReal *center, const dReal *extents, int depth)
 {
-    return create(ode, dQuadTreeSpaceClass, parent, return_address,
+    return create(ode, dQuadTreeSpaceClass, parent,
                   [=](const OdeCalls &calls) { return calls.quadtree_create(parent, center, extents, depth); });
 }
 
-dSpaceID create_sap(const Ode &ode, dSpaceID parent, int axis_order, const void *return_address)
+dSpaceID create_sap(const Ode &ode, dSpaceID parent, int axis_order)
 {
-    return create(ode, dSweepAndPruneSpaceClass, parent, return_address,
+    return create(ode, dSweepAndPruneSpaceClass, parent,
                   [=](const OdeCalls &calls) { return calls.sap_create(parent, axis_order); });
 }
 
@@ -283,22 +297,22 @@ const Ode &looked_up_ode()
 
 dSpaceID looked_up_simple_create(dSpaceID parent)
 {
-    return create_simple(looked_up_ode(), parent, RETURN_ADDRESS);
+    return create_simple(looked_up_ode(), parent);
 }
 
 dSpaceID looked_up_hash_create(dSpaceID parent)
 {
-    return create_hash(looked_up_ode(), parent, RETURN_ADDRESS);
+    return create_hash(looked_up_ode(), parent);
 }
 
 dSpaceID looked_up_quadtree_create(dSpaceID parent, const dReal *center, const dReal *extents, int depth)
 {
-    return create_quadtree(looked_up_ode(), parent, center, extents, depth, RETURN_ADDRESS);
+    return create_quadtree(looked_up_ode(), parent, center, extents, depth);
 }
 
 dSpaceID looked_up_sap_create(dSpaceID parent, int axis_order)
 {
-    return create_sap(looked_up_ode(), parent, axis_order, RETURN_ADDRESS);
+    return create_sap(looked_up_ode(), parent, axis_order);
 }
 
 void looked_up_collide(dSpaceID space, void *data, dNearCallback *callback)
@@ -361,22 +375,22 @@ __attribute__((destructor)) void tell_when_nothing_was_caught()
 
 CAUGHT dSpaceID dSimpleSpaceCreate(dSpaceID parent)
 {
-    return create_simple(ode_of(__func__, RETURN_ADDRESS), parent, RETURN_ADDRESS);
+    return create_simple(ode_of(__func__, RETURN_ADDRESS), parent);
 }
 
 CAUGHT dSpaceID dHashSpaceCreate(dSpaceID parent)
 {
-    return create_hash(ode_of(__func__, RETURN_ADDRESS), parent, RETURN_ADDRESS);
+    return create_hash(ode_of(__func__, RETURN_ADDRESS), parent);
 }
 
 CAUGHT dSpaceID dQuadTreeSpaceCreate(dSpaceID parent, const dVector3 center, const dVector3 extents, int depth)
 {
-    return create_quadtree(ode_of(__func__, RETURN_ADDRESS), parent, center, extents, depth, RETURN_ADDRESS);
+    return create_quadtree(ode_of(__func__, RETURN_ADDRESS), parent, center, extents, depth);
 }
 
 CAUGHT dSpaceID dSweepAndPruneSpaceCreate(dSpaceID parent, int axis_order)
 {
-    return create_sap(ode_of(__func__, RETURN_ADDRESS), parent, axis_order, RETURN_ADDRESS);
+    return create_sap(ode_of(__func__, RETURN_ADDRESS), parent, axis_order);
 }
 
 CAUGHT void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback)

@@ -164,6 +164,14 @@ TEST(Preload, LookingUpTheNextFunctionWorksAsWithoutIt)
     EXPECT_EQ(launch(NEXT_FUNCTION).output, native);
 }
 
+// It ended by an exception: to load the second half meant to initialise what was being initialised.
+TEST(Preload, AProgramMayMakeThePredictiveSpaceItself)
+{
+    for (const char *options : {"--compare ", "--space none --compare ", ""})
+        EXPECT_EQ(launch(options + std::string(SWAPPED)).status, 0) << options;
+    EXPECT_TRUE(contains(launch("--compare " SWAPPED).output, " 1 collides, 0 differences"));
+}
+
 TEST(Preload, RefusesAStaticOde)
 {
     EXPECT_TRUE(contains(one_line_refusal(STATIC_ODE), "has ODE built in"));

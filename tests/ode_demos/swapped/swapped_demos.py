@@ -64,10 +64,11 @@ def with_fewer_objects(name, text):
 
 class Demos:
     def __init__(self, options):
-        self.source = Path(options.ode_source)
-        self.build = Path(options.build)
-        self.work = Path(options.work)
-        self.library = Path(options.ode_library)
+        self.source = Path(options.ode_source).resolve()
+        self.build = Path(options.build).resolve()
+        self.work = Path(options.work).resolve()
+        self.library = Path(options.ode_library).resolve()
+        self.headers = options.ode_headers
         self.only = options.only
         self.environment = dict(os.environ, LD_LIBRARY_PATH=str(self.library.parent))
         self.launcher = self.build / "ode_predictive_space/preload/ode-predictive-run"
@@ -81,6 +82,8 @@ class Demos:
         shutil.rmtree(self.work, ignore_errors=True)
         for kind in ("original", "swapped"):
             shutil.copytree(self.source / "ode/demo", self.work / kind)
+        shutil.copytree(self.source / "include/drawstuff", self.work / "include/drawstuff")
+        (self.work / "include/drawstuff/version.h").write_text("#define DS_VERSION 2\n")
         subprocess.run(["cc", "-O1", "-c", HERE / "headless_drawstuff.c", "-o", self.work / "drawstuff.o"], check=True)
 
     def compile(self, kind, file):
@@ -90,8 +93,8 @@ class Demos:
             text, count = swapped(text)
         copy = self.work / kind / file.name
         copy.write_text(text, errors="surrogateescape")
-        command = ["cc" if file.suffix == ".c" else "c++", "-O1", "-w", f"-I{self.source}/include",
-                   f"-I{self.library.parent}/include", f"-I{HERE.parents[2]}/include", '-DDRAWSTUFF_TEXTURE_PATH=""', copy,
+        command = ["cc" if file.suffix == ".c" else "c++", "-O1", "-w", f"-I{self.work}/include",
+                   *(f"-I{folder}" for folder in self.headers), f"-I{HERE.parents[2]}/include", '-DDRAWSTUFF_TEXTURE_PATH=""', copy,
                    self.work / "drawstuff.o", "-o", self.work / kind / file.stem, self.library, f"-L{self.space_folder}",
                    "-lode_predictive_space", f"-Wl,-rpath,{self.space_folder}", "-lstdc++", "-lm", "-lpthread"]
         subprocess.run(command, check=True)
@@ -132,6 +135,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--ode-source", required=True, help="folder of ODE's source, with ode/demo")
     parser.add_argument("--ode-library", required=True, help="libode.so of that source")
+    parser.add_argument("--ode-headers", action="append", default=[], help="folder of that library's headers, unless installed")
     parser.add_argument("--build", required=True, help="folder that the project is built in")
     parser.add_argument("--work", required=True, help="scratch folder, emptied")
     parser.add_argument("only", nargs="*", help="names of demos; all of them unless named")
