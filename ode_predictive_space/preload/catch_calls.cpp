@@ -236,8 +236,7 @@ const Ode &ode_of(const char *function, const void *return_address, const void *
     return ode ? *ode : *ode_by_jump(function, geom);
 }
 
-template <typename Native>
-dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, Native native)
+template <typename Native> dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, Native native)
 {
     if (!ode.hooks || inside)
         return native(ode.calls);
@@ -255,14 +254,12 @@ dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, Native native)
 
 dSpaceID create_simple(const Ode &ode, dSpaceID parent)
 {
-    return create(ode, dSimpleSpaceClass, parent,
-                  [=](const OdeCalls &calls) { return calls.simple_create(parent); });
+    return create(ode, dSimpleSpaceClass, parent, [=](const OdeCalls &calls) { return calls.simple_create(parent); });
 }
 
 dSpaceID create_hash(const Ode &ode, dSpaceID parent)
 {
-    return create(ode, dHashSpaceClass, parent,
-                  [=](const OdeCalls &calls) { return calls.hash_create(parent); });
+    return create(ode, dHashSpaceClass, parent, [=](const OdeCalls &calls) { return calls.hash_create(parent); });
 }
 
 dSpaceID create_quadtree(const Ode &ode, dSpaceID parent, const dReal *center, const dReal *extents, int depth)

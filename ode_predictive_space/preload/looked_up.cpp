@@ -81,7 +81,7 @@ void *find_symbol(void *handle, const char *name)
 
 #ifdef ODE_PREDICTIVE_SPACE_CATCHES_DLSYM
 /// The function that is to answer a call of dlsym(). Called by the lines below, which jump there.
-extern "C" __attribute__((visibility("hidden"), used)) void *ode_predictive_space_lookup_for(void *handle, const char *name)
+extern "C" __attribute__((visibility("hidden"), used)) void *ode_predictive_lookup(void *handle, const char *name)
 {
     using namespace ode_predictive_space::preload;
     // Everything that all can see has our functions first.
@@ -106,7 +106,7 @@ dlsym:
     .cfi_adjust_cfa_offset 8
     sub $8, %rsp
     .cfi_adjust_cfa_offset 8
-    call ode_predictive_space_lookup_for
+    call ode_predictive_lookup
     add $8, %rsp
     .cfi_adjust_cfa_offset -8
     pop %rsi
@@ -131,7 +131,7 @@ dlsym:
     .cfi_offset 29, -32
     .cfi_offset 30, -24
     stp x0, x1, [sp, 16]
-    bl ode_predictive_space_lookup_for
+    bl ode_predictive_lookup
     mov x16, x0
     ldp x0, x1, [sp, 16]
     ldp x29, x30, [sp], 32

@@ -80,10 +80,8 @@ void dsDebug(const char *message, ...)
     abort();
 }
 
-#define DOES_NOTHING(function) \
-    void function(void) \
-    { \
-    }
+#define DOES_NOTHING(function)                                                                                         \
+    void function(void) {}
 DOES_NOTHING(dsPrint)
 DOES_NOTHING(dsSetViewpoint)
 DOES_NOTHING(dsGetViewpoint)
