@@ -17,6 +17,7 @@ static void (*collide)(dSpaceID, void *, dNearCallback *);
 static void (*collide2)(dGeomID, dGeomID, void *, dNearCallback *);
 static dGeomID (*create_sphere)(dSpaceID, dReal);
 static void (*destroy)(dSpaceID);
+static void (*destroy_geom)(dGeomID);
 static int (*class_of)(dSpaceID);
 
 static void *look_up(const char *name)
@@ -37,6 +38,7 @@ static void look_up_all(void)
     *(void **)&collide2 = look_up("dSpaceCollide2");
     *(void **)&create_sphere = look_up("dCreateSphere");
     *(void **)&destroy = look_up("dSpaceDestroy");
+    *(void **)&destroy_geom = look_up("dGeomDestroy");
     *(void **)&class_of = look_up("dSpaceGetClass");
 }
 
@@ -57,6 +59,7 @@ static void run_in(dSpaceID space)
     collide2(first, second, &pairs, count_pair);
     collide2((dGeomID)space, apart, &pairs, count_pair);
     printf("pairs: %d\n", pairs);
+    destroy_geom(apart);
     destroy(space);
 }
 
