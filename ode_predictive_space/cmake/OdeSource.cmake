@@ -5,7 +5,14 @@
 # ODE_SOURCE_DIR (a CMake variable or an environment variable) says where it is, and is empty to go without; `./run` puts the
 # source where it is looked for by default.
 
-find_package(ODE 0.15 REQUIRED GLOBAL)
+# Also for a project that this one is a part of, unless it has found ODE by itself. (find_package() can do so from CMake 3.24 on;
+# before, it takes GLOBAL for a component.)
+if(TARGET ODE::ODE)
+    find_package(ODE 0.15 REQUIRED)
+else()
+    find_package(ODE 0.15 REQUIRED)
+    set_target_properties(ODE::ODE PROPERTIES IMPORTED_GLOBAL TRUE)
+endif()
 
 set(default_folder "${PROJECT_SOURCE_DIR}/build/ode-source/ode-${ODE_VERSION}")
 if(DEFINED ENV{ODE_SOURCE_DIR})

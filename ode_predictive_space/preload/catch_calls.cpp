@@ -16,6 +16,7 @@
 
 #include "ode_predictive_space/preload/built_in_ode.h"
 #include "ode_predictive_space/preload/find_ode.h"
+#include "ode_predictive_space/preload/looked_up.h"
 #include "ode_predictive_space/preload/say.h"
 
 using namespace ode_predictive_space::preload;
@@ -50,6 +51,9 @@ constexpr int most_odes = 16;
 const Ode *odes[most_odes];
 int ode_count;
 
+// The ODE that is served: the only one whose functions answer a program's dlsym() as caught ones.
+const Ode *served_ode;
+
 // The substitute is at work: what it calls is meant for this ODE.
 __thread const Ode *inside;
 
@@ -79,7 +83,7 @@ Attach load_substitute(const Ode &ode)
     inside = &ode;
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     inside = nullptr;
-    return library ? reinterpret_cast<Attach>(dlsym(library, attach_name)) : nullptr;
+    return library ? reinterpret_cast<Attach>(find_symbol(library, attach_name)) : nullptr;
 }
 
 const Ode *known(const link_map *map)
@@ -112,6 +116,8 @@ const Ode *introduce(Ode *ode, bool served, Attach attach)
         say("%s; the program keeps its own spaces", dlerror());
     else
         ode->hooks = attach(&ode->calls);
+    if (ode->hooks)
+        __atomic_store_n(&served_ode, ode, __ATOMIC_RELEASE);
     odes[ode_count++] = ode;
     return ode;
 }
@@ -194,6 +200,28 @@ const Ode *ode_by_jump(const char *function, const void *geom)
     return meet_ode(object);
 }
 
+// The library of the predictive space makes spaces of ODE's, to look at their layout.
+bool is_from_own_library(const void *return_address)
+{
+    const link_map *map = object_at(return_address);
+    const char *slash = map ? std::strrchr(map->l_name, '/') : nullptr;
+    return slash && std::strncmp(slash + 1, "libode_predictive_space.so", 26) == 0;
+}
+
+// A program may be linked with that library, too, which then looks at ODE for it. To load the substitute now, which asks the
+// same library to look at ODE, would be a circle.
+const Ode *ode_of_own_library(const char *function, const void *return_address)
+{
+    static const Ode *seen;
+    const Ode *ode = __atomic_load_n(&seen, __ATOMIC_ACQUIRE);
+    if (ode)
+        return ode;
+    const Object object = find_definition(function, object_at(return_address));
+    ode = object.map ? new_ode(object) : nullptr;
+    __atomic_store_n(&seen, ode, __ATOMIC_RELEASE);
+    return ode;
+}
+
 // The ODE that a call from this address was meant for.
 const Ode &ode_of(const char *function, const void *return_address, const void *geom = nullptr)
 {
@@ -203,22 +231,14 @@ const Ode &ode_of(const char *function, const void *return_address, const void *
         return *caller->ode;
     if (!caller && inside)
         return *inside;
-    const Ode *ode = ode_seen_by(function, map);
+    const bool is_own = is_from_own_library(return_address);
+    const Ode *ode = is_own ? ode_of_own_library(function, return_address) : ode_seen_by(function, map);
     return ode ? *ode : *ode_by_jump(function, geom);
 }
 
-// The library of the predictive space makes spaces of ODE's, to look at their layout.
-bool is_from_own_library(const void *return_address)
+template <typename Native> dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, Native native)
 {
-    const link_map *map = object_at(return_address);
-    const char *slash = map ? std::strrchr(map->l_name, '/') : nullptr;
-    return slash && std::strncmp(slash + 1, "libode_predictive_space.so", 26) == 0;
-}
-
-template <typename Native>
-dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, const void *return_address, Native native)
-{
-    if (!ode.hooks || inside || is_from_own_library(return_address))
+    if (!ode.hooks || inside)
         return native(ode.calls);
     inside = &ode;
     dSpaceID space = ode.hooks->create(space_class, parent);
@@ -230,6 +250,101 @@ dSpaceID create(const Ode &ode, int space_class, dSpaceID parent, const void *re
     }
     inside = nullptr;
     return space;
+}
+
+dSpaceID create_simple(const Ode &ode, dSpaceID parent)
+{
+    return create(ode, dSimpleSpaceClass, parent, [=](const OdeCalls &calls) { return calls.simple_create(parent); });
+}
+
+dSpaceID create_hash(const Ode &ode, dSpaceID parent)
+{
+    return create(ode, dHashSpaceClass, parent, [=](const OdeCalls &calls) { return calls.hash_create(parent); });
+}
+
+dSpaceID create_quadtree(const Ode &ode, dSpaceID parent, const dReal *center, const dReal *extents, int depth)
+{
+    return create(ode, dQuadTreeSpaceClass, parent,
+                  [=](const OdeCalls &calls) { return calls.quadtree_create(parent, center, extents, depth); });
+}
+
+dSpaceID create_sap(const Ode &ode, dSpaceID parent, int axis_order)
+{
+    return create(ode, dSweepAndPruneSpaceClass, parent,
+                  [=](const OdeCalls &calls) { return calls.sap_create(parent, axis_order); });
+}
+
+void collide(const Ode &ode, dSpaceID space, void *data, dNearCallback *callback)
+{
+    (ode.hooks && ode.hooks->collide ? ode.hooks->collide : ode.calls.collide)(space, data, callback);
+}
+
+void collide2(const Ode &ode, dGeomID first, dGeomID second, void *data, dNearCallback *callback)
+{
+    (ode.hooks && ode.hooks->collide2 ? ode.hooks->collide2 : ode.calls.collide2)(first, second, data, callback);
+}
+
+#define RETURN_ADDRESS __builtin_return_address(0)
+
+// What a program gets from dlsym(), with the types of ODE's functions. There is one ODE that they can be meant for.
+const Ode &looked_up_ode()
+{
+    return *__atomic_load_n(&served_ode, __ATOMIC_ACQUIRE);
+}
+
+dSpaceID looked_up_simple_create(dSpaceID parent)
+{
+    return create_simple(looked_up_ode(), parent);
+}
+
+dSpaceID looked_up_hash_create(dSpaceID parent)
+{
+    return create_hash(looked_up_ode(), parent);
+}
+
+dSpaceID looked_up_quadtree_create(dSpaceID parent, const dReal *center, const dReal *extents, int depth)
+{
+    return create_quadtree(looked_up_ode(), parent, center, extents, depth);
+}
+
+dSpaceID looked_up_sap_create(dSpaceID parent, int axis_order)
+{
+    return create_sap(looked_up_ode(), parent, axis_order);
+}
+
+void looked_up_collide(dSpaceID space, void *data, dNearCallback *callback)
+{
+    collide(looked_up_ode(), space, data, callback);
+}
+
+void looked_up_collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
+{
+    collide2(looked_up_ode(), first, second, data, callback);
+}
+
+const OdeCalls looked_up_calls = {looked_up_simple_create, looked_up_hash_create, looked_up_quadtree_create,
+                                  looked_up_sap_create,    looked_up_collide,     looked_up_collide2};
+
+void *function_of(const OdeCalls &calls, CaughtFunction function)
+{
+    switch (function)
+    {
+    case simple_space_create:
+        return reinterpret_cast<void *>(calls.simple_create);
+    case hash_space_create:
+        return reinterpret_cast<void *>(calls.hash_create);
+    case quadtree_space_create:
+        return reinterpret_cast<void *>(calls.quadtree_create);
+    case sap_space_create:
+        return reinterpret_cast<void *>(calls.sap_create);
+    case space_collide:
+        return reinterpret_cast<void *>(calls.collide);
+    case space_collide2:
+        return reinterpret_cast<void *>(calls.collide2);
+    case caught_function_count:
+        break;
+    }
+    return nullptr;
 }
 
 bool is_asked_for(const char *variable)
@@ -247,58 +362,56 @@ __attribute__((constructor)) void look_at_program()
 // A question for statistics gets the reason why there are none.
 __attribute__((destructor)) void tell_when_nothing_was_caught()
 {
-    if (!callers && (is_asked_for("ODE_PREDICTIVE_STATS") || is_asked_for("ODE_PREDICTIVE_COMPARE")) &&
+    if (ode_count == 0 && (is_asked_for("ODE_PREDICTIVE_STATS") || is_asked_for("ODE_PREDICTIVE_COMPARE")) &&
         find_loaded(ODE_SONAME).map)
-        say("%s has %s, but made no space that can be seen (functions looked up by dlsym() are not seen)",
-            program_invocation_short_name, ODE_SONAME);
+        say("%s has %s, but made no space that can be seen", program_invocation_short_name, ODE_SONAME);
 }
 } // namespace
 
 #define CAUGHT extern "C" __attribute__((visibility("default")))
-#define RETURN_ADDRESS __builtin_return_address(0)
 
 CAUGHT dSpaceID dSimpleSpaceCreate(dSpaceID parent)
 {
-    const void *from = RETURN_ADDRESS;
-    return create(ode_of(__func__, from), dSimpleSpaceClass, parent, from,
-                  [=](const OdeCalls &ode) { return ode.simple_create(parent); });
+    return create_simple(ode_of(__func__, RETURN_ADDRESS), parent);
 }
 
 CAUGHT dSpaceID dHashSpaceCreate(dSpaceID parent)
 {
-    const void *from = RETURN_ADDRESS;
-    return create(ode_of(__func__, from), dHashSpaceClass, parent, from,
-                  [=](const OdeCalls &ode) { return ode.hash_create(parent); });
+    return create_hash(ode_of(__func__, RETURN_ADDRESS), parent);
 }
 
 CAUGHT dSpaceID dQuadTreeSpaceCreate(dSpaceID parent, const dVector3 center, const dVector3 extents, int depth)
 {
-    const void *from = RETURN_ADDRESS;
-    return create(ode_of(__func__, from), dQuadTreeSpaceClass, parent, from,
-                  [=](const OdeCalls &ode) { return ode.quadtree_create(parent, center, extents, depth); });
+    return create_quadtree(ode_of(__func__, RETURN_ADDRESS), parent, center, extents, depth);
 }
 
 CAUGHT dSpaceID dSweepAndPruneSpaceCreate(dSpaceID parent, int axis_order)
 {
-    const void *from = RETURN_ADDRESS;
-    return create(ode_of(__func__, from), dSweepAndPruneSpaceClass, parent, from,
-                  [=](const OdeCalls &ode) { return ode.sap_create(parent, axis_order); });
+    return create_sap(ode_of(__func__, RETURN_ADDRESS), parent, axis_order);
 }
 
 CAUGHT void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback)
 {
-    const Ode &ode = ode_of(__func__, RETURN_ADDRESS, space);
-    if (ode.hooks && ode.hooks->collide)
-        ode.hooks->collide(space, data, callback);
-    else
-        ode.calls.collide(space, data, callback);
+    collide(ode_of(__func__, RETURN_ADDRESS, space), space, data, callback);
 }
 
 CAUGHT void dSpaceCollide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
 {
-    const Ode &ode = ode_of(__func__, RETURN_ADDRESS, first);
-    if (ode.hooks && ode.hooks->collide2)
-        ode.hooks->collide2(first, second, data, callback);
-    else
-        ode.calls.collide2(first, second, data, callback);
+    collide2(ode_of(__func__, RETURN_ADDRESS, first), first, second, data, callback);
+}
+
+bool ode_predictive_space::preload::sees_ode_itself()
+{
+    return inside;
+}
+
+// A function that is our own already was found in everything that all can see.
+void *ode_predictive_space::preload::answer_to_lookup(CaughtFunction function, void *found)
+{
+    const link_map *map = object_at(found);
+    if (!map || map == object_at(reinterpret_cast<const void *>(&answer_to_lookup)))
+        return found;
+    const Object object = object_of(map);
+    const Ode *ode = object.map ? meet_ode(object) : nullptr;
+    return ode && ode->hooks ? function_of(looked_up_calls, function) : found;
 }

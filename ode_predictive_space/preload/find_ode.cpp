@@ -5,6 +5,8 @@
 
 #include <dlfcn.h>
 
+#include "ode_predictive_space/preload/looked_up.h"
+
 namespace ode_predictive_space::preload
 {
 namespace
@@ -27,7 +29,7 @@ const link_map *ourselves()
 // Where the function is defined that can be found from an object; 0 when nowhere, or here.
 link_map *defined_below(const Object &object, const char *function)
 {
-    const void *symbol = object.handle ? dlsym(object.handle, function) : nullptr;
+    const void *symbol = object.handle ? find_symbol(object.handle, function) : nullptr;
     link_map *map = symbol ? object_at(symbol) : nullptr;
     return map == ourselves() ? nullptr : map;
 }
@@ -51,7 +53,7 @@ int collect_name(dl_phdr_info *info, size_t, void *data)
 
 template <typename Function> void look_up(void *handle, const char *name, Function *&function)
 {
-    function = reinterpret_cast<Function *>(dlsym(handle, name));
+    function = reinterpret_cast<Function *>(find_symbol(handle, name));
 }
 } // namespace
 
@@ -63,7 +65,7 @@ link_map *object_at(const void *address)
 
 Object find_definition(const char *function, const link_map *caller)
 {
-    const void *next = dlsym(RTLD_NEXT, function);
+    const void *next = find_symbol(RTLD_NEXT, function);
     link_map *map = next ? object_at(next) : nullptr;
     if (!map && caller)
     {
@@ -109,6 +111,11 @@ OdeCalls calls_of(const Object &ode)
     look_up(ode.handle, "dSpaceCollide", calls.collide);
     look_up(ode.handle, "dSpaceCollide2", calls.collide2);
     return calls;
+}
+
+Object object_of(const link_map *map)
+{
+    return opened(map->l_name);
 }
 
 Object find_loaded(const char *soname)

@@ -35,6 +35,9 @@ Object find_only_definition(const char *function);
 /// The functions of an ODE, looked up in its object.
 OdeCalls calls_of(const Object &ode);
 
+/// A loaded object, kept loaded from now on.
+Object object_of(const link_map *map);
+
 /// The library, when it is loaded already.
 Object find_loaded(const char *soname);
 } // namespace ode_predictive_space::preload

@@ -69,9 +69,8 @@ options, PROGRAM takes the launcher's place.
 The program must use the shared library of ODE that this was built for. Others
 keep their own spaces, and a line on standard error says why: an ODE of another
 precision or layout, a second copy in the process, an ODE built into the
-program. Functions that a program looks up by dlsym(), and an ODE inside a
-program without symbols, are not seen and not replaced. LD_PRELOAD has no effect
-on set-user-ID programs and on statically linked ones.
+program. An ODE inside a program without symbols is not seen and not replaced.
+LD_PRELOAD has no effect on set-user-ID programs and on statically linked ones.
 
 Exit status: the program's, also when a signal ended it; 2 for a wrong option,
 and instead of 0 when some output of these options could not be written, which a

@@ -18,7 +18,8 @@ def found(file, pattern):
 version = found("CMakeLists.txt", r"^ +VERSION ([0-9.]+)$")
 others = {
     "CITATION.cff": found("CITATION.cff", r"^version: (.*)$"),
-    "CHANGELOG.md": found("CHANGELOG.md", r"^## ([0-9.]+)"),
+    "CHANGELOG.md": found("CHANGELOG.md", r"^## \[([0-9.]+)\]"),
+    "packaging/vcpkg/vcpkg.json": found("packaging/vcpkg/vcpkg.json", r'^  "version": "(.*)",$'),
 }
 wrong = {file: other for file, other in others.items() if other != version}
 for file, other in wrong.items():

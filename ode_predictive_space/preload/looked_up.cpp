@@ -1,0 +1,145 @@
+// dlsym(), caught: it comes before that of the C library.
+//
+// What dlsym() finds by RTLD_NEXT and RTLD_DEFAULT depends on who calls it, which it tells from the address that it returns to.
+// Every other question than one for a caught function of ODE is therefore passed on by a jump, which leaves that address as it
+// is. This needs a few lines for each processor. On other processors than these, dlsym() is not caught.
+//
+// It may be called before any constructor has run, as sanitizers do: nothing in this file is instrumented, and it must not be
+// optimised together with other files, because the compiler does not see the calls between the lines of assembler and the rest.
+
+#include "ode_predictive_space/preload/looked_up.h"
+
+#include <cstring>
+
+#include <dlfcn.h>
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+using Lookup = void *(*)(void *handle, const char *name);
+
+#if defined(__x86_64__) && !defined(__ILP32__)
+#define ODE_PREDICTIVE_SPACE_CATCHES_DLSYM 1
+constexpr const char *first_version = "GLIBC_2.2.5";
+#elif defined(__aarch64__)
+#define ODE_PREDICTIVE_SPACE_CATCHES_DLSYM 1
+constexpr const char *first_version = "GLIBC_2.17";
+#endif
+
+#ifdef ODE_PREDICTIVE_SPACE_CATCHES_DLSYM
+// Two threads may both ask for it: they find the same.
+Lookup next_lookup()
+{
+    static Lookup next;
+    Lookup known = __atomic_load_n(&next, __ATOMIC_RELAXED);
+    if (!known)
+    {
+        known = reinterpret_cast<Lookup>(dlvsym(RTLD_NEXT, "dlsym", first_version));
+        __atomic_store_n(&next, known, __ATOMIC_RELAXED);
+    }
+    return known;
+}
+
+CaughtFunction caught_function(const char *name)
+{
+    static const char *const names[] = {"dSimpleSpaceCreate",        "dHashSpaceCreate", "dQuadTreeSpaceCreate",
+                                        "dSweepAndPruneSpaceCreate", "dSpaceCollide",    "dSpaceCollide2"};
+    int number = 0;
+    // Most names are others, and at the start of a process strcmp() may be a sanitizer's that is not ready yet.
+    if (!name || name[0] != 'd')
+        return caught_function_count;
+    while (number < caught_function_count && std::strcmp(name, names[number]) != 0)
+        ++number;
+    return static_cast<CaughtFunction>(number);
+}
+
+void *look_up_for_program(void *handle, const char *name)
+{
+    void *found = find_symbol(handle, name);
+    if (!found)
+        return nullptr;
+    void *answer = answer_to_lookup(caught_function(name), found);
+    dlerror(); // the program's question had no error
+    return answer;
+}
+#endif
+} // namespace
+
+#ifdef ODE_PREDICTIVE_SPACE_CATCHES_DLSYM
+void *find_symbol(void *handle, const char *name)
+{
+    return next_lookup()(handle, name);
+}
+#else
+void *find_symbol(void *handle, const char *name)
+{
+    return dlsym(handle, name);
+}
+#endif
+} // namespace ode_predictive_space::preload
+
+#ifdef ODE_PREDICTIVE_SPACE_CATCHES_DLSYM
+/// The function that is to answer a call of dlsym(). Called by the lines below, which jump there.
+extern "C" __attribute__((visibility("hidden"), used)) void *ode_predictive_lookup(void *handle, const char *name)
+{
+    using namespace ode_predictive_space::preload;
+    // Everything that all can see has our functions first.
+    const bool is_one_library = handle != RTLD_NEXT && handle != RTLD_DEFAULT;
+    const bool is_ours = is_one_library && caught_function(name) != caught_function_count && !sees_ode_itself();
+    return reinterpret_cast<void *>(is_ours ? &look_up_for_program : next_lookup());
+}
+#endif
+
+#if defined(__x86_64__) && !defined(__ILP32__)
+asm(R"(
+    .text
+    .p2align 4
+    .globl dlsym
+    .type dlsym, @function
+dlsym:
+    .cfi_startproc
+    endbr64
+    push %rdi
+    .cfi_adjust_cfa_offset 8
+    push %rsi
+    .cfi_adjust_cfa_offset 8
+    sub $8, %rsp
+    .cfi_adjust_cfa_offset 8
+    call ode_predictive_lookup
+    add $8, %rsp
+    .cfi_adjust_cfa_offset -8
+    pop %rsi
+    .cfi_adjust_cfa_offset -8
+    pop %rdi
+    .cfi_adjust_cfa_offset -8
+    jmp *%rax
+    .cfi_endproc
+    .size dlsym, .-dlsym
+)");
+#elif defined(__aarch64__)
+asm(R"(
+    .text
+    .p2align 4
+    .globl dlsym
+    .type dlsym, %function
+dlsym:
+    .cfi_startproc
+    hint 34
+    stp x29, x30, [sp, -32]!
+    .cfi_def_cfa_offset 32
+    .cfi_offset 29, -32
+    .cfi_offset 30, -24
+    stp x0, x1, [sp, 16]
+    bl ode_predictive_lookup
+    mov x16, x0
+    ldp x0, x1, [sp, 16]
+    ldp x29, x30, [sp], 32
+    .cfi_restore 29
+    .cfi_restore 30
+    .cfi_def_cfa_offset 0
+    br x16
+    .cfi_endproc
+    .size dlsym, .-dlsym
+)");
+#endif
