@@ -131,7 +131,7 @@ Recorder::Event Recorder::finish_event(std::size_t before)
 
 void Recorder::Event::note(dGeomID first, dGeomID second)
 {
-    if (!recorder_)
+    if (!recorder_ || recorder_->over_)
         return;
     const std::lock_guard<std::mutex> guard(recorder_->mutex_);
     const auto one = recorder_->geoms_.find(first), other = recorder_->geoms_.find(second);
@@ -143,7 +143,7 @@ void Recorder::Event::note(dGeomID first, dGeomID second)
 
 void Recorder::Event::end()
 {
-    if (!recorder_)
+    if (!recorder_ || recorder_->over_)
         return;
     const std::lock_guard<std::mutex> guard(recorder_->mutex_);
     if (!recorder_->over_)
@@ -182,7 +182,8 @@ void Recorder::visit(dGeomID geom, bool is_collide)
     auto [place, is_new] = geoms_.try_emplace(geom, Known{next_geom_, 0, {}});
     Known &known = place->second;
     std::uint16_t fields = is_new ? geom_field::all : difference(known.state, state);
-    if (!is_new && (fields & geom_field::is_new)) // another geom where one was
+    // Another geom where one was, or one that has moved to another space: ODE's own leave things in it that others stumble over.
+    if (!is_new && (fields & (geom_field::is_new | geom_field::parent)))
     {
         Record(buffer_, RecordKind::gone).add(known.id);
         known.id = next_geom_;

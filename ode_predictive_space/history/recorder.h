@@ -5,6 +5,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HISTORY_RECORDER_H
 #define ODE_PREDICTIVE_SPACE_HISTORY_RECORDER_H
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -98,7 +99,7 @@ private:
     HistoryFile file_;
     std::uint64_t limit_;
     std::string buffer_; // whole records, not written yet
-    bool over_ = false;
+    std::atomic<bool> over_{false};
 
     ShapeData shape_data_;
     std::unordered_map<dGeomID, Known> geoms_;

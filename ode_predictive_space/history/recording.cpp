@@ -77,8 +77,7 @@ private:
         int geom_class;
         bool gone = false;
         bool has_body = false;
-        std::uint32_t parent = 0; // id + 1
-        std::uint32_t height = 0; // of the spaces that have been in it, one in the other, at least
+        std::uint32_t depth = 0;  // of the spaces around it
     };
     enum class Shape : std::uint8_t
     {
@@ -91,7 +90,7 @@ private:
     void take_convex(const Record &record);
     void take_body(const Record &record);
     void take_geom(const Record &record);
-    void check_parent(const Cursor &cursor, const GeomChange &change);
+    std::uint32_t depth_in(const Cursor &cursor, std::uint32_t parent) const;
     static void check_levels(const Cursor &cursor, const SpaceState &state);
     static void check_size(const Cursor &cursor, const GeomState &state);
     void take_gone(const Record &record);
@@ -318,25 +317,16 @@ void Recording::Check::check_levels(const Cursor &cursor, const SpaceState &stat
         cursor.refuse("a hash space has no such levels");
 }
 
-void Recording::Check::check_parent(const Cursor &cursor, const GeomChange &change)
+std::uint32_t Recording::Check::depth_in(const Cursor &cursor, std::uint32_t parent) const
 {
-    std::uint32_t depth = geoms_[change.id].height;
-    for (std::uint32_t above = change.state.parent; above != 0; above = geoms_[above - 1].parent)
-    {
-        if (above > geoms_.size() || !is_space_class(geoms_[above - 1].geom_class))
-            cursor.refuse("a geom is in something that is no space");
-        if (above - 1 == change.id)
-            cursor.refuse("a space is in itself");
-        if (geoms_[above - 1].gone)
-        {
-            if (above == change.state.parent)
-                cursor.refuse("a geom is in a space that is gone");
-            return;
-        }
-        if (++depth > deepest_nesting)
-            cursor.refuse("spaces are nested too deeply");
-        geoms_[above - 1].height = std::max(geoms_[above - 1].height, depth);
-    }
+    if (parent == 0)
+        return 0;
+    if (parent > geoms_.size() || !is_space_class(geoms_[parent - 1].geom_class) || geoms_[parent - 1].gone)
+        cursor.refuse("a geom is in something that is no space, or is gone");
+    const std::uint32_t depth = geoms_[parent - 1].depth + 1;
+    if (depth > deepest_nesting)
+        cursor.refuse("spaces are nested too deeply");
+    return depth;
 }
 
 void Recording::Check::take_geom(const Record &record)
@@ -352,7 +342,7 @@ void Recording::Check::take_geom(const Record &record)
     {
         if (change.fields != geom_field::all)
             cursor.refuse("a new geom is not described");
-        geoms_.push_back({state.geom_class});
+        geoms_.push_back({state.geom_class, false, false, depth_in(cursor, state.parent)});
         recording_.stand_ins_ += state.geom_class == stand_in;
         recording_.geom_count_ = static_cast<std::uint32_t>(geoms_.size());
     }
@@ -361,11 +351,8 @@ void Recording::Check::take_geom(const Record &record)
         cursor.refuse("the geom is gone");
     if (geom.geom_class != state.geom_class || is_new != bool(change.fields & geom_field::is_new))
         cursor.refuse("the geom has another class than before");
-    if (change.fields & geom_field::parent)
-    {
-        check_parent(cursor, change);
-        geom.parent = state.parent;
-    }
+    if ((change.fields & geom_field::parent) && !is_new)
+        cursor.refuse("a geom has moved to another space");
     if (change.fields & geom_field::size)
         check_size(cursor, state);
     if ((change.fields & geom_field::space) && geom.geom_class == dHashSpaceClass)

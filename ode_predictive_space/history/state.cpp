@@ -55,9 +55,8 @@ std::uint8_t flags_of(dGeomID geom)
     int flags = dGeomIsEnabled(geom) ? geom_enabled : 0;
     if (geom->type != dRayClass)
         return static_cast<std::uint8_t>(flags);
-    int first_contact, backface_cull;
-    dGeomRayGetParams(geom, &first_contact, &backface_cull);
-    flags |= (first_contact ? ray_first_contact : 0) | (backface_cull ? ray_backface_cull : 0) |
+    flags |= (dGeomRayGetFirstContact(geom) ? ray_first_contact : 0) |
+             (dGeomRayGetBackfaceCull(geom) ? ray_backface_cull : 0) |
              (dGeomRayGetClosestHit(geom) ? ray_closest_hit : 0);
     return static_cast<std::uint8_t>(flags);
 }

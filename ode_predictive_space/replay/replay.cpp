@@ -154,7 +154,7 @@ DifferentPairs differing_pairs(const Recording &recording, SpaceKind first, Spac
     struct Shared
     {
         std::uint64_t count;
-        IdPair pairs[16];
+        std::uint32_t pairs[16][2];
         bool first_has[16];
     };
     const SharedArray<Shared> shared(1);
@@ -177,14 +177,15 @@ DifferentPairs differing_pairs(const Recording &recording, SpaceKind first, Spac
                     if (Shared &result = shared[0]; result.count < 16)
                     {
                         result.first_has[result.count] = std::binary_search(in_first.begin(), in_first.end(), pair);
-                        result.pairs[result.count++] = pair;
+                        result.pairs[result.count][0] = pair.first;
+                        result.pairs[result.count++][1] = pair.second;
                     }
                 return false;
             });
     });
     DifferentPairs differing;
     for (std::uint64_t i = 0; i < shared[0].count; ++i)
-        differing.push_back({shared[0].pairs[i], shared[0].first_has[i]});
+        differing.push_back({{shared[0].pairs[i][0], shared[0].pairs[i][1]}, shared[0].first_has[i]});
     return differing;
 }
 

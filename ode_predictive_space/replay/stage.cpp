@@ -84,7 +84,8 @@ void set_flags(dGeomID geom, const GeomState &state)
         dGeomDisable(geom);
     if (state.geom_class != dRayClass)
         return;
-    dGeomRaySetParams(geom, (state.flags & ray_first_contact) != 0, (state.flags & ray_backface_cull) != 0);
+    dGeomRaySetFirstContact(geom, (state.flags & ray_first_contact) != 0);
+    dGeomRaySetBackfaceCull(geom, (state.flags & ray_backface_cull) != 0);
     dGeomRaySetClosestHit(geom, (state.flags & ray_closest_hit) != 0);
 }
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include <ode/common.h>
+#include <ode/collision.h>
 
 #include "ode_predictive_space/history/recording.h"
 #include "ode_predictive_space/replay/space_kind.h"
