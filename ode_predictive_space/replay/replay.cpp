@@ -75,11 +75,18 @@ IdPairs pairs_of(Stage &stage, const Record &record)
     return pairs;
 }
 
-EventPairs summary_of(const IdPairs &pairs)
+EventPairs summary_of(const Stage &stage, const IdPairs &pairs)
 {
-    EventPairs summary{static_cast<std::uint32_t>(pairs.size()), 0};
+    EventPairs summary{static_cast<std::uint32_t>(pairs.size()), 0, 0, 0};
     for (const IdPair &pair : pairs)
-        summary.hash += history::hash_of_pair(pair.first, pair.second);
+    {
+        const std::uint64_t hash = history::hash_of_pair(pair.first, pair.second);
+        summary.hash += hash;
+        if (!dGeomIsSpace(stage.geom(pair.first)) && !dGeomIsSpace(stage.geom(pair.second)))
+            continue;
+        ++summary.with_space;
+        summary.hash_with_space += hash;
+    }
     return summary;
 }
 
@@ -127,7 +134,7 @@ void find_pairs_here(const Recording &recording, SpaceKind kind, const SharedArr
         },
         [&](const Record &record, std::size_t number) {
             const IdPairs found = pairs_of(stage, record);
-            events[number] = summary_of(found);
+            events[number] = summary_of(stage, found);
             if (boxes)
                 find_left_out(*boxes, pairs_of(*boxes, record), found, result);
             result.events = number + 1;

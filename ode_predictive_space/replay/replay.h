@@ -17,8 +17,17 @@ namespace ode_predictive_space::replay
 struct EventPairs
 {
     std::uint32_t count;
-    std::uint64_t hash; ///< sum of history::hash_of_pair()
+    std::uint64_t hash;       ///< sum of history::hash_of_pair()
+    std::uint32_t with_space; ///< of the pairs, those with a space
+    std::uint64_t hash_with_space;
     bool operator==(const EventPairs &other) const { return count == other.count && hash == other.hash; }
+
+    /// But for pairs with a space: within others, ODE's quadtrees and sweep-and-prune spaces have no bounds.
+    bool same_without_spaces(const EventPairs &other) const
+    {
+        return count - with_space == other.count - other.with_space &&
+               hash - hash_with_space == other.hash - other.hash_with_space;
+    }
 };
 
 struct Pairs
