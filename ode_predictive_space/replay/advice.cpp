@@ -53,18 +53,18 @@ std::string sentence_for(const Findings &findings)
     case Advice::unknown:
         return formatted("Not known: only %zu collides and questions were recorded.", findings.events);
     case Advice::leave:
-        return formatted("Leave it: it does not pay here. A collide takes %.3g \xc2\xb5s in the program's own spaces (%s), "
-                         "%.3g \xc2\xb5s in predictive ones, ",
+        return formatted("Leave it: it does not pay here. A collide and the moves before it take %.3g \xc2\xb5s in the "
+                         "program's own spaces (%s), %.3g \xc2\xb5s in predictive ones, ",
                          findings.own, findings.own_name.c_str(), findings.box) +
                by_shape + ".";
     case Advice::use:
-        return formatted("Use it (ode-predictive-run%s): a collide takes %.3g \xc2\xb5s instead of %.3g \xc2\xb5s in the "
+        return formatted("Use it (ode-predictive-run%s): a collide and the moves before it take %.3g \xc2\xb5s instead of %.3g \xc2\xb5s in the "
                          "program's own spaces (%s); ",
                          option, findings.box, findings.own, findings.own_name.c_str()) +
                by_shape + ".";
     case Advice::use_by_shape:
-        return formatted("Use it by shape (ode-predictive-run%s --proximity shape): a collide takes %.3g \xc2\xb5s in the "
-                         "program's own spaces (%s), %.3g \xc2\xb5s in predictive ones, ",
+        return formatted("Use it by shape (ode-predictive-run%s --proximity shape): a collide and the moves before it take "
+                         "%.3g \xc2\xb5s in the program's own spaces (%s), %.3g \xc2\xb5s in predictive ones, ",
                          option, findings.own, findings.own_name.c_str(), findings.box) +
                by_shape + ".";
     }

@@ -47,20 +47,20 @@ Verdict compare(const Recording &recording, SpaceKind kind, const Pairs &pairs, 
     if (leaves_out_pairs(kind))
         return compare_left_out(pairs, simple);
     const std::size_t events = std::min(pairs.events.size(), simple.events.size());
-    const bool has_unbounded = kind == SpaceKind::own || kind == SpaceKind::quadtree || kind == SpaceKind::sap;
-    std::size_t differing = 0, first = 0, with_spaces = 0;
+    const bool may_have_more = kind == SpaceKind::own || kind == SpaceKind::quadtree || kind == SpaceKind::sap;
+    std::size_t differing = 0, first = 0, with_unbounded = 0;
     for (std::size_t i = events; i-- > 0;)
     {
         if (pairs.events[i] == simple.events[i])
             continue;
-        ++with_spaces;
-        if (has_unbounded && pairs.events[i].same_without_spaces(simple.events[i]))
+        ++with_unbounded;
+        if (may_have_more && pairs.events[i].same_but_more_unbounded(simple.events[i]))
             continue;
         ++differing;
         first = i;
     }
     if (differing == 0)
-        return {true, with_spaces == 0 ? "the same" : "the same, but more with nested spaces, which have no bounds there"};
+        return {true, with_unbounded == 0 ? "the same" : "the same, but more with geoms that have no bounds (planes, nested spaces)"};
     return {false, formatted("other pairs in %zu events, first in event %zu", differing, first) +
                        described(differing_pairs(recording, kind, SpaceKind::simple, first), name_of(kind))};
 }

@@ -18,15 +18,15 @@ struct EventPairs
 {
     std::uint32_t count;
     std::uint64_t hash;       ///< sum of history::hash_of_pair()
-    std::uint32_t with_space; ///< of the pairs, those with a space
-    std::uint64_t hash_with_space;
+    std::uint32_t unbounded;  ///< of the pairs, those with a space or with a geom whose box has no end on some side
+    std::uint64_t hash_of_unbounded;
     bool operator==(const EventPairs &other) const { return count == other.count && hash == other.hash; }
 
-    /// But for pairs with a space: within others, ODE's quadtrees and sweep-and-prune spaces have no bounds.
-    bool same_without_spaces(const EventPairs &other) const
+    /// ODE's sweep-and-prune spaces report what has no bounds with everything, and have no bounds within others, as quadtrees.
+    bool same_but_more_unbounded(const EventPairs &other) const
     {
-        return count - with_space == other.count - other.with_space &&
-               hash - hash_with_space == other.hash - other.hash_with_space;
+        return count - unbounded == other.count - other.unbounded &&
+               hash - hash_of_unbounded == other.hash - other.hash_of_unbounded && unbounded >= other.unbounded;
     }
 };
 
