@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <type_traits>
@@ -117,6 +118,9 @@ bool is_within(std::uint16_t fields, std::uint16_t all)
 
 Recording Recording::read(const std::string &path)
 {
+    std::error_code none;
+    if (std::filesystem::is_directory(path, none))
+        throw std::runtime_error("it is a folder");
     errno = 0;
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;

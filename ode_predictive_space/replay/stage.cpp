@@ -25,11 +25,22 @@ void box_of_stand_in(dGeomID geom, dReal *aabb)
         std::fill_n(aabb, 6, dReal{0});
 }
 
+int collide_nothing(dGeomID /*first*/, dGeomID /*second*/, int /*flags*/, dContactGeom * /*contacts*/, int /*skip*/)
+{
+    return 0;
+}
+
+dColliderFn *collider_of_stand_in(int /*other_class*/)
+{
+    return collide_nothing;
+}
+
 int class_of_stand_ins()
 {
     static const int number = [] {
         dGeomClass stand_in_class{};
         stand_in_class.bytes = sizeof(const dReal *);
+        stand_in_class.collider = collider_of_stand_in;
         stand_in_class.aabb = box_of_stand_in;
         return dCreateGeomClass(&stand_in_class);
     }();

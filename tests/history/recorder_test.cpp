@@ -326,7 +326,9 @@ TEST_F(RecorderTest, AMeshIsRecordedOnceAndAgainWhenItsVerticesChange)
     dGeomTriMeshDataDestroy(mesh);
 }
 
-TEST_F(RecorderTest, HeightfieldsTransformsAndUserClassesAreTheirBoxes)
+// ODE's own header calls transforms deprecated; programs have them.
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+TEST_F(RecorderTest, HeightfieldsAndTransformsAreTheirBoxes)
 {
     const float heights[4] = {0, 1, 2, 3};
     const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
