@@ -15,11 +15,12 @@
 #include "ode_predictive_space/replay/stage.h"
 #include "tests/fuzz/fuzz_target.h"
 
-using namespace ode_predictive_space;
-using namespace ode_predictive_space::history;
-
+namespace ode_predictive_space
+{
 namespace
 {
+using namespace history;
+
 void expect(bool holds, const char *what)
 {
     if (holds)
@@ -139,9 +140,7 @@ void replay_all(const Recording &recording)
             for (replay::Stage *stage : {&simple, &box, &shape})
                 stage->apply(record);
 }
-} // namespace
-
-int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+void take(const std::uint8_t *data, std::size_t size)
 {
     static const bool started = start_ode();
     static_cast<void>(started);
@@ -155,5 +154,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
     {
         expect(error.offset <= size, "a byte is named that the file does not have");
     }
+}
+} // namespace
+} // namespace ode_predictive_space
+
+int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+    ode_predictive_space::take(data, size);
     return 0;
 }
