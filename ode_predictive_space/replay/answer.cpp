@@ -128,13 +128,13 @@ std::string name_of_own_space(const Recording &recording)
 report::Answer answer_for(const Recording &recording, double seconds)
 {
     Costs costs;
-    costs.own = measure(recording, SpaceKind::own, recording.events().size(), seconds);
+    costs.own = measure_repeatedly(recording, SpaceKind::own, recording.events().size(), seconds);
     const bool own_ends = !costs.own.failure.empty();
     // One that ends itself is no measure for the others.
     const std::size_t most = own_ends ? recording.events().size() : costs.own.events;
     const double no_limit = own_ends ? seconds : 1e9;
-    costs.box = measure(recording, SpaceKind::box, most, no_limit);
-    costs.shape = measure(recording, SpaceKind::shape, most, no_limit);
+    costs.box = measure_repeatedly(recording, SpaceKind::box, most, no_limit);
+    costs.shape = measure_repeatedly(recording, SpaceKind::shape, most, no_limit);
     costs.callbacks = judge_callbacks(recording, most, no_limit);
     report::Answer answer;
     if (recording.events().empty())

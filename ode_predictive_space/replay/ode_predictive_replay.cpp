@@ -37,7 +37,7 @@ that they find the same pairs, and prints what they take.
                   otherwise counts instructions
   --answer        print, for a program to read, what the recorded program would
                   gain: lines of fields with tabs between them
-  --seconds S     with --answer: no replay takes much longer (default: 10)
+  --seconds S     with --answer: no replay takes much longer (default: 5)
   --help, --version
 
 An event is a dSpaceCollide() or a dSpaceCollide2(). Pairs are compared with
@@ -67,7 +67,7 @@ struct Options
     bool times = false;
     bool answer = false;
     const char *counted = nullptr; // for the process under callgrind
-    double seconds = 10;
+    double seconds = 5;
     std::string file;
 };
 
@@ -186,7 +186,7 @@ std::string cost_of(const Options &options, const history::Recording &recording,
         std::snprintf(text, sizeof text, "%.4g", 1e-3 * static_cast<double>(*count) / events);
         return text;
     }
-    const Cost cost = measure(recording, kind, recording.events().size(), 1e9);
+    const Cost cost = measure_repeatedly(recording, kind, recording.events().size(), 1e9);
     if (!cost.failure.empty())
         return "-";
     std::snprintf(text, sizeof text, "%.4g", 1e6 * (cost.collides + cost.notices) / events);

@@ -210,15 +210,26 @@ namespace
 {
 struct ByClock
 {
-    std::uint64_t events, callbacks;
-    double collides, notices;
+    std::uint64_t events;
 };
 
 struct ByClockOfEvent
 {
-    float seconds;
+    float seconds, notices;
     std::uint32_t callbacks;
 };
+
+void add_up(Cost &cost)
+{
+    cost.collides = cost.notices = 0;
+    cost.callbacks = 0;
+    for (std::size_t i = 0; i < cost.events; ++i)
+    {
+        cost.collides += static_cast<double>(cost.seconds[i]);
+        cost.notices += static_cast<double>(cost.seconds_of_notices[i]);
+        cost.callbacks += cost.callbacks_of[i];
+    }
+}
 
 void measure_here(const Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds,
                   const SharedArray<ByClockOfEvent> &events, ByClock &result)
@@ -235,12 +246,10 @@ void measure_here(const Recording &recording, SpaceKind kind, std::size_t most_e
                 return false;
             stage.ask(record, &callbacks, count_pair);
             const double end = now();
-            if (number > 0) // what is before the first is the making of all geoms
-                result.notices += start - told;
-            result.collides += end - start;
-            result.callbacks += callbacks;
+            // What is before the first is the making of all geoms.
+            const double notices = number > 0 ? start - told : 0;
             result.events = number + 1;
-            events[number] = {static_cast<float>(end - start), callbacks};
+            events[number] = {static_cast<float>(end - start), static_cast<float>(notices), callbacks};
             told = now();
             return true;
         });
@@ -255,15 +264,32 @@ Cost measure(const Recording &recording, SpaceKind kind, std::size_t most_events
     cost.failure =
         do_in_child([&] { measure_here(recording, kind, most_events, most_seconds, events, result[0]); });
     cost.events = result[0].events;
-    cost.collides = result[0].collides;
-    cost.notices = result[0].notices;
-    cost.callbacks = result[0].callbacks;
     for (std::size_t i = 0; i < cost.events; ++i)
     {
         cost.seconds.push_back(events[i].seconds);
+        cost.seconds_of_notices.push_back(events[i].notices);
         cost.callbacks_of.push_back(events[i].callbacks);
     }
+    add_up(cost);
     return cost;
+}
+
+Cost measure_repeatedly(const Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds)
+{
+    constexpr int more_times = 2;
+    Cost least = measure(recording, kind, most_events, most_seconds);
+    for (int i = 0; i < more_times && least.failure.empty(); ++i)
+    {
+        const Cost again = measure(recording, kind, least.events, 1e9);
+        for (std::size_t event = 0; event < std::min(again.events, least.events); ++event)
+        {
+            least.seconds[event] = std::min(least.seconds[event], again.seconds[event]);
+            least.seconds_of_notices[event] =
+                std::min(least.seconds_of_notices[event], again.seconds_of_notices[event]);
+        }
+    }
+    add_up(least);
+    return least;
 }
 
 namespace

@@ -54,7 +54,8 @@ struct Cost
     double collides = 0;    ///< of all events, with a callback that only counts
     double notices = 0;     ///< of all that is told between them
     std::uint64_t callbacks = 0;
-    std::vector<float> seconds;            ///< of each event
+    std::vector<float> seconds;             ///< of each event
+    std::vector<float> seconds_of_notices;  ///< before it
     std::vector<std::uint32_t> callbacks_of; ///< likewise
 };
 
@@ -62,6 +63,10 @@ struct Cost
 ///
 /// @param most_events no more than these. @param most_seconds no event begins later.
 Cost measure(const history::Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds);
+
+/// The same, several times; of each event the least time, for the machine does other things in between.
+Cost measure_repeatedly(const history::Recording &recording, SpaceKind kind, std::size_t most_events,
+                        double most_seconds);
 
 /// What the callbacks of spaces by boxes are good for. dCollide() is asked for 8 contacts.
 struct Callbacks
