@@ -57,14 +57,14 @@ namespace geom_field
 {
 constexpr std::uint16_t is_new = 1;   ///< nothing; with all others, when the geom first appears
 constexpr std::uint16_t space = 2;    ///< of a space: sublevel, minlevel, maxlevel (4 bytes each)
-constexpr std::uint16_t parent = 4;     ///< id of a space + 1; 0: it is in none; for good
-constexpr std::uint16_t bits = 8;       ///< category, collide (8 bytes each)
-constexpr std::uint16_t flags = 16;     ///< 1 byte: geom_enabled and three of rays
-constexpr std::uint16_t size = 32;      ///< as many reals as the class has: see size_count()
-constexpr std::uint16_t data = 64;      ///< id of a mesh or convex
-constexpr std::uint16_t body = 128;     ///< id of a body + 1; 0: none
-constexpr std::uint16_t offset = 256;   ///< has one (1 byte), 12 reals: from the body
-constexpr std::uint16_t pose = 512;     ///< 12 reals, in the world; not of a geom that is where its body is
+constexpr std::uint16_t parent = 4;   ///< id of a space + 1; 0: it is in none; for good
+constexpr std::uint16_t bits = 8;     ///< category, collide (8 bytes each)
+constexpr std::uint16_t flags = 16;   ///< 1 byte: geom_enabled and three of rays
+constexpr std::uint16_t size = 32;    ///< as many reals as the class has: see size_count()
+constexpr std::uint16_t data = 64;    ///< id of a mesh or convex
+constexpr std::uint16_t body = 128;   ///< id of a body + 1; 0: none
+constexpr std::uint16_t offset = 256; ///< has one (1 byte), 12 reals: from the body
+constexpr std::uint16_t pose = 512;   ///< 12 reals, in the world; not of a geom that is where its body is
 constexpr std::uint16_t all = 1023;
 } // namespace geom_field
 

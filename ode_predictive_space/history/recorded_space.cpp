@@ -99,7 +99,8 @@ bool begin_recording(dxPredictiveSpace *space, const char *path, std::uint64_t l
     HistoryFile file(path, false);
     if (!file.is_open())
     {
-        dMessage(d_ERR_UNKNOWN, "dPredictiveSpaceRecord(): %s cannot be written: %s", path, std::strerror(file.error()));
+        dMessage(d_ERR_UNKNOWN, "dPredictiveSpaceRecord(): %s cannot be written: %s", path,
+                 std::strerror(file.error()));
         return false;
     }
     auto recorder = std::make_unique<Recorder>(std::move(file), limit, note_of_process());

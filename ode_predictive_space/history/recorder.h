@@ -105,7 +105,7 @@ private:
     std::unordered_map<dGeomID, Known> geoms_;
     std::unordered_map<dBodyID, KnownBody> bodies_;
     std::unordered_map<std::uint32_t, std::size_t> member_counts_; // by GeomState::parent
-    bool has_absent_ = false; // in the present walk: a space has fewer geoms than are known in it
+    bool has_absent_ = false;           // in the present walk: a space has fewer geoms than are known in it
     std::vector<std::uint32_t> walked_; // ids of the spaces whose geoms have been visited
     std::uint32_t next_geom_ = 0, next_body_ = 0, next_event_ = 0;
     std::uint64_t walk_ = 0;

@@ -78,7 +78,7 @@ private:
         int geom_class;
         bool gone = false;
         bool has_body = false;
-        std::uint32_t depth = 0;  // of the spaces around it
+        std::uint32_t depth = 0; // of the spaces around it
     };
     enum class Shape : std::uint8_t
     {
@@ -363,8 +363,7 @@ void Recording::Check::take_geom(const Record &record)
         check_levels(cursor, state.space);
     const bool has_data = geom.geom_class == dTriMeshClass || geom.geom_class == dConvexClass;
     const Shape shape = geom.geom_class == dConvexClass ? Shape::convex : Shape::mesh;
-    if ((change.fields & geom_field::data) && has_data &&
-        (state.data >= data_.size() || data_[state.data] != shape))
+    if ((change.fields & geom_field::data) && has_data && (state.data >= data_.size() || data_[state.data] != shape))
         cursor.refuse("there are no such data of a mesh or convex");
     if (change.fields & geom_field::body)
     {

@@ -69,11 +69,11 @@ ODE_PREDICTIVE_TRACE=FILE, ODE_PREDICTIVE_RECORD=FILE,
 ODE_PREDICTIVE_RECORD_LIMIT=N; and LD_PRELOAD, the path of
 libode_predictive_space_preload.so.
 
-With --stats, --compare, --watch, --report, --record or --trace the launcher stays until
-PROGRAM has ended, passes signals on to it, and also reports on a program that
-ended by a signal, a crash or _exit(). Programs that outlive PROGRAM are named,
-not waited for; their statistics are written when they exit. Without these
-options, PROGRAM takes the launcher's place.
+With --stats, --compare, --watch, --report, --record or --trace the launcher
+stays until PROGRAM has ended, passes signals on to it, and also reports on a
+program that ended by a signal, a crash or _exit(). Programs that outlive
+PROGRAM are named, not waited for; their statistics are written when they exit.
+Without these options, PROGRAM takes the launcher's place.
 
 The program must use the shared library of ODE that this was built for. Others
 keep their own spaces, and a line on standard error says why: an ODE of another
@@ -237,12 +237,12 @@ RunOptions take_options(int argc, char **argv)
 {
     RunOptions chosen;
     const option options[] = {
-        {"space", required_argument, nullptr, 's'}, {"proximity", required_argument, nullptr, 'p'},
-        {"stats", optional_argument, nullptr, 'S'}, {"compare", no_argument, nullptr, 'c'},
-        {"trace", required_argument, nullptr, 't'}, {"report", required_argument, nullptr, 'r'},
+        {"space", required_argument, nullptr, 's'},  {"proximity", required_argument, nullptr, 'p'},
+        {"stats", optional_argument, nullptr, 'S'},  {"compare", no_argument, nullptr, 'c'},
+        {"trace", required_argument, nullptr, 't'},  {"report", required_argument, nullptr, 'r'},
         {"record", required_argument, nullptr, 'R'}, {"record-limit", required_argument, nullptr, 'L'},
-        {"watch", no_argument, nullptr, 'w'},       {"help", no_argument, nullptr, 'h'},
-        {"version", no_argument, nullptr, 'v'},     {}};
+        {"watch", no_argument, nullptr, 'w'},        {"help", no_argument, nullptr, 'h'},
+        {"version", no_argument, nullptr, 'v'},      {}};
     opterr = 0;
     for (;;)
     {

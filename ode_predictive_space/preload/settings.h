@@ -12,15 +12,15 @@ namespace ode_predictive_space::preload
 /// What the environment asks for.
 struct Settings
 {
-    std::set<int> replaced; ///< classes of spaces (dHashSpaceClass and so on) that predictive ones stand in for
-    int proximity;          ///< a dPredictiveProximity constant
-    bool stats = false;     ///< at exit, say what each space did
-    std::string stats_file; ///< where; empty: on standard error
-    bool compare = false;   ///< check every collide against all pairs
-    std::string trace_file; ///< a line for every collide; empty: none
-    bool counted = false;   ///< a launcher shows the counts
-    std::string record_file;              ///< what the program tells its spaces; empty: it is not recorded
-    std::uint64_t record_limit = 0;       ///< bytes
+    std::set<int> replaced;         ///< classes of spaces (dHashSpaceClass and so on) that predictive ones stand in for
+    int proximity;                  ///< a dPredictiveProximity constant
+    bool stats = false;             ///< at exit, say what each space did
+    std::string stats_file;         ///< where; empty: on standard error
+    bool compare = false;           ///< check every collide against all pairs
+    std::string trace_file;         ///< a line for every collide; empty: none
+    bool counted = false;           ///< a launcher shows the counts
+    std::string record_file;        ///< what the program tells its spaces; empty: it is not recorded
+    std::uint64_t record_limit = 0; ///< bytes
     bool watches() const { return stats || compare || counted || !trace_file.empty() || !record_file.empty(); }
 };
 

@@ -102,9 +102,12 @@ void Watch::collide(dSpaceID space, void *data, dNearCallback *callback)
 {
     if (!space || !callback)
         return ode_.collide(space, data, callback);
-    Call call{space, "dSpaceCollide", [=](void *d, dNearCallback *c) { ode_.collide(space, d, c); },
+    Call call{space,
+              "dSpaceCollide",
+              [=](void *d, dNearCallback *c) { ode_.collide(space, d, c); },
               [=] { return expected_pairs(space); },
-              [=](history::Recorder &recorder) { return recorder.begin_collide(space); }, &SpaceCounts::collide};
+              [=](history::Recorder &recorder) { return recorder.begin_collide(space); },
+              &SpaceCounts::collide};
     run(call, data, callback);
 }
 
@@ -113,7 +116,9 @@ void Watch::collide2(dGeomID first, dGeomID second, void *data, dNearCallback *c
     const dSpaceID space = first && second && callback ? asked_space(first, second) : nullptr;
     if (!space)
         return ode_.collide2(first, second, data, callback);
-    Call call{space, "dSpaceCollide2", [=](void *d, dNearCallback *c) { ode_.collide2(first, second, d, c); },
+    Call call{space,
+              "dSpaceCollide2",
+              [=](void *d, dNearCallback *c) { ode_.collide2(first, second, d, c); },
               [=] { return expected_pairs(first, second); },
               [=](history::Recorder &recorder) { return recorder.begin_collide2(first, second); },
               &SpaceCounts::collide2};
@@ -197,7 +202,8 @@ history::Recorder *Watch::recorder()
         records_ = false;
         return nullptr;
     }
-    recorder_ = std::make_unique<history::Recorder>(std::move(file), settings_.record_limit, history::note_of_process());
+    recorder_ =
+        std::make_unique<history::Recorder>(std::move(file), settings_.record_limit, history::note_of_process());
     return recorder_.get();
 }
 

@@ -46,8 +46,8 @@ private:
     Settings settings_;
     OdeCalls ode_;
     Ledger ledger_;
-    std::unique_ptr<OutputFile> trace_file_; // 0: there is no trace
-    std::mutex recording_; // of the next three
+    std::unique_ptr<OutputFile> trace_file_;      // 0: there is no trace
+    std::mutex recording_;                        // of the next three
     std::unique_ptr<history::Recorder> recorder_; // 0: nothing has been recorded yet
     std::string recorded_file_;
     bool records_ = false; // unless it could not

@@ -58,14 +58,16 @@ std::string sentence_for(const Findings &findings)
                          findings.own, findings.own_name.c_str(), findings.box) +
                by_shape + ".";
     case Advice::use:
-        return formatted("Use it (ode-predictive-run%s): a collide and the moves before it take %.3g \xc2\xb5s instead of %.3g \xc2\xb5s in the "
+        return formatted("Use it (ode-predictive-run%s): a collide and the moves before it take %.3g \xc2\xb5s instead "
+                         "of %.3g \xc2\xb5s in the "
                          "program's own spaces (%s); ",
                          option, findings.box, findings.own, findings.own_name.c_str()) +
                by_shape + ".";
     case Advice::use_by_shape:
-        return formatted("Use it by shape (ode-predictive-run%s --proximity shape): a collide and the moves before it take "
-                         "%.3g \xc2\xb5s in the program's own spaces (%s), %.3g \xc2\xb5s in predictive ones, ",
-                         option, findings.own, findings.own_name.c_str(), findings.box) +
+        return formatted(
+                   "Use it by shape (ode-predictive-run%s --proximity shape): a collide and the moves before it take "
+                   "%.3g \xc2\xb5s in the program's own spaces (%s), %.3g \xc2\xb5s in predictive ones, ",
+                   option, findings.own, findings.own_name.c_str(), findings.box) +
                by_shape + ".";
     }
     return "";

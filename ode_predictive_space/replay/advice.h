@@ -12,12 +12,12 @@ namespace ode_predictive_space::replay
 struct Findings
 {
     std::size_t events = 0;
-    std::string own_name; ///< of the program's own kind of space: "hash"
+    std::string own_name;       ///< of the program's own kind of space: "hash"
     bool own_is_simple = false; ///< the launcher replaces it only when it is told so
     double own = 0, box = 0, shape = 0;
-    double callbacks = 0;       ///< by boxes, per event
-    double spared = 0;          ///< of these, those that spaces by shape do not call
-    double spared_time = 0;     ///< what dCollide() takes to find nothing in these, per event
+    double callbacks = 0;   ///< by boxes, per event
+    double spared = 0;      ///< of these, those that spaces by shape do not call
+    double spared_time = 0; ///< what dCollide() takes to find nothing in these, per event
 };
 
 enum class Advice

@@ -56,11 +56,10 @@ Findings findings_of(const Recording &recording, const Costs &costs)
     findings.box = microseconds(costs.box);
     findings.shape = microseconds(costs.shape);
     findings.callbacks = per_event(static_cast<double>(costs.box.callbacks), costs.box);
-    findings.spared =
-        findings.callbacks - per_event(static_cast<double>(costs.shape.callbacks), costs.shape);
+    findings.spared = findings.callbacks - per_event(static_cast<double>(costs.shape.callbacks), costs.shape);
     if (costs.callbacks.nothing > 0)
-        findings.spared_time = 1e6 * findings.spared * costs.callbacks.seconds_for_nothing /
-                               static_cast<double>(costs.callbacks.nothing);
+        findings.spared_time =
+            1e6 * findings.spared * costs.callbacks.seconds_for_nothing / static_cast<double>(costs.callbacks.nothing);
     return findings;
 }
 
@@ -93,10 +92,10 @@ std::vector<std::string> notes_of(const Recording &recording, const Costs &costs
 {
     const Callbacks &callbacks = costs.callbacks;
     std::vector<std::string> notes;
-    notes.push_back(formatted("Replayed: %zu of %zu recorded collides and questions, %u geoms, %u bodies. The callbacks of "
-                              "the program, its contacts and its step are not part of these times.",
-                              costs.own.events, recording.events().size(), recording.geom_count(),
-                              recording.body_count()));
+    notes.push_back(
+        formatted("Replayed: %zu of %zu recorded collides and questions, %u geoms, %u bodies. The callbacks of "
+                  "the program, its contacts and its step are not part of these times.",
+                  costs.own.events, recording.events().size(), recording.geom_count(), recording.body_count()));
     if (!callbacks.failure.empty())
         notes.push_back("What the callbacks find is not known: " + callbacks.failure);
     else if (callbacks.all > 0)
@@ -105,7 +104,8 @@ std::vector<std::string> notes_of(const Recording &recording, const Costs &costs
                                   callbacks.unknown > 0 ? " Pairs with spaces, or with geoms of which only the box is "
                                                           "recorded, are not among them."
                                                         : ""));
-    notes.emplace_back("Only what had changed at a collide is replayed: a pose that was set to what it was costs nothing here.");
+    notes.emplace_back(
+        "Only what had changed at a collide is replayed: a pose that was set to what it was costs nothing here.");
     return notes;
 }
 } // namespace

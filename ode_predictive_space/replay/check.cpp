@@ -36,7 +36,8 @@ Verdict compare_left_out(const Pairs &pairs, const Pairs &simple)
     std::uint64_t left_out = 0;
     for (std::size_t i = 0; i < std::min(pairs.events.size(), simple.events.size()); ++i)
         left_out += simple.events[i].count - std::min(pairs.events[i].count, simple.events[i].count);
-    return {true, formatted("all with a contact; %llu without one left out", static_cast<unsigned long long>(left_out))};
+    return {true,
+            formatted("all with a contact; %llu without one left out", static_cast<unsigned long long>(left_out))};
 }
 } // namespace
 
@@ -60,7 +61,9 @@ Verdict compare(const Recording &recording, SpaceKind kind, const Pairs &pairs, 
         first = i;
     }
     if (differing == 0)
-        return {true, with_unbounded == 0 ? "the same" : "the same, but more with geoms that have no bounds (planes, nested spaces)"};
+        return {true, with_unbounded == 0
+                          ? "the same"
+                          : "the same, but more with geoms that have no bounds (planes, nested spaces)"};
     return {false, formatted("other pairs in %zu events, first in event %zu", differing, first) +
                        described(differing_pairs(recording, kind, SpaceKind::simple, first), name_of(kind))};
 }
@@ -82,9 +85,10 @@ std::string compared_with_program(const Recording &recording, const Pairs &simpl
         return "";
     if (differing == 0)
         return formatted("The program got the pairs of simple spaces in all of its %zu events.", known);
-    return formatted("The program got other pairs than simple spaces give here in %zu of %zu events, first in event %zu "
-                     "(%u instead of %u pairs): its callbacks move or remove geoms, or it leaves pairs out, or its spaces "
-                     "are wrong.",
-                     differing, known, first, recording.events()[first].pairs, simple.events[first].count);
+    return formatted(
+        "The program got other pairs than simple spaces give here in %zu of %zu events, first in event %zu "
+        "(%u instead of %u pairs): its callbacks move or remove geoms, it leaves pairs out, its spaces are of "
+        "a kind that reports more with what has no bounds, or they are wrong.",
+        differing, known, first, recording.events()[first].pairs, simple.events[first].count);
 }
 } // namespace ode_predictive_space::replay

@@ -204,14 +204,14 @@ bool replay_all(const Options &options, const history::Recording &recording)
     {
         const Pairs pairs = kind == SpaceKind::simple ? simple : find_pairs(recording, kind);
         const Verdict verdict = compare(recording, kind, pairs, simple);
-        const std::string name =
-            kind == SpaceKind::own ? "own (" + name_of_own_space(recording) + ")" : name_of(kind);
+        const std::string name = kind == SpaceKind::own ? "own (" + name_of_own_space(recording) + ")" : name_of(kind);
         std::printf("%-14s %12s  %s\n", name.c_str(), cost_of(options, recording, kind, instructions).c_str(),
                     verdict.text.c_str());
         all_agree &= verdict.agrees;
     }
-    std::printf("\n%s are means per event, with what is told before it. Pairs are compared with those of simple spaces.\n%s\n",
-                instructions ? "Instructions" : "Times", compared_with_program(recording, simple).c_str());
+    std::printf(
+        "\n%s are means per event, with what is told before it. Pairs are compared with those of simple spaces.\n%s\n",
+        instructions ? "Instructions" : "Times", compared_with_program(recording, simple).c_str());
     return all_agree;
 }
 } // namespace

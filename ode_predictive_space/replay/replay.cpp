@@ -14,22 +14,21 @@
 
 using namespace ode_predictive_space;
 using history::Record;
-using history::RecordKind;
 using history::Recording;
+using history::RecordKind;
 
 // By their names callgrind knows what to count; as they are exported, also in a program without symbols.
-extern "C"
+extern "C" {
+__attribute__((noinline, visibility("default"))) void counted_notices(replay::Stage &stage, const Record &record)
 {
-    __attribute__((noinline, visibility("default"))) void counted_notices(replay::Stage &stage, const Record &record)
-    {
-        stage.apply(record);
-    }
+    stage.apply(record);
+}
 
-    __attribute__((noinline, visibility("default"))) void counted_collide(replay::Stage &stage, const Record &record,
-                                                                          void *data, dNearCallback *callback)
-    {
-        stage.ask(record, data, callback);
-    }
+__attribute__((noinline, visibility("default"))) void counted_collide(replay::Stage &stage, const Record &record,
+                                                                      void *data, dNearCallback *callback)
+{
+    stage.ask(record, data, callback);
+}
 }
 
 namespace ode_predictive_space::replay
@@ -102,8 +101,8 @@ EventPairs summary_of(const Stage &stage, const IdPairs &pairs)
 
 bool can_be_collided(const Stage &stage, const IdPair &pair)
 {
-    return !stage.is_stand_in(pair.first) && !stage.is_stand_in(pair.second) &&
-           !dGeomIsSpace(stage.geom(pair.first)) && !dGeomIsSpace(stage.geom(pair.second));
+    return !stage.is_stand_in(pair.first) && !stage.is_stand_in(pair.second) && !dGeomIsSpace(stage.geom(pair.first)) &&
+           !dGeomIsSpace(stage.geom(pair.second));
 }
 
 bool touch(const Stage &stage, const IdPair &pair)
@@ -129,8 +128,7 @@ void find_left_out(const Stage &boxes, const IdPairs &expected, const IdPairs &f
         result.lost_contacts += !can_be_collided(boxes, pair) || touch(boxes, pair);
 }
 
-void find_pairs_here(const Recording &recording, SpaceKind kind, const SharedArray<EventPairs> &events,
-                     ByPairs &result)
+void find_pairs_here(const Recording &recording, SpaceKind kind, const SharedArray<EventPairs> &events, ByPairs &result)
 {
     Stage stage(recording, kind);
     const std::unique_ptr<Stage> boxes =
@@ -261,8 +259,7 @@ Cost measure(const Recording &recording, SpaceKind kind, std::size_t most_events
     const SharedArray<ByClockOfEvent> events(recording.events().size());
     const SharedArray<ByClock> result(1);
     Cost cost;
-    cost.failure =
-        do_in_child([&] { measure_here(recording, kind, most_events, most_seconds, events, result[0]); });
+    cost.failure = do_in_child([&] { measure_here(recording, kind, most_events, most_seconds, events, result[0]); });
     cost.events = result[0].events;
     for (std::size_t i = 0; i < cost.events; ++i)
     {

@@ -17,8 +17,8 @@ namespace ode_predictive_space::replay
 struct EventPairs
 {
     std::uint32_t count;
-    std::uint64_t hash;       ///< sum of history::hash_of_pair()
-    std::uint32_t unbounded;  ///< of the pairs, those with a space or with a geom whose box has no end on some side
+    std::uint64_t hash;      ///< sum of history::hash_of_pair()
+    std::uint32_t unbounded; ///< of the pairs, those with a space or with a geom whose box has no end on some side
     std::uint64_t hash_of_unbounded;
     bool operator==(const EventPairs &other) const { return count == other.count && hash == other.hash; }
 
@@ -54,8 +54,8 @@ struct Cost
     double collides = 0;    ///< of all events, with a callback that only counts
     double notices = 0;     ///< of all that is told between them
     std::uint64_t callbacks = 0;
-    std::vector<float> seconds;             ///< of each event
-    std::vector<float> seconds_of_notices;  ///< before it
+    std::vector<float> seconds;              ///< of each event
+    std::vector<float> seconds_of_notices;   ///< before it
     std::vector<std::uint32_t> callbacks_of; ///< likewise
 };
 

@@ -138,9 +138,7 @@ SpaceKind kind_of_class(int space_class)
 }
 } // namespace
 
-Stage::Stage(const Recording &recording, SpaceKind kind)
-    : recording_(recording), kind_(kind), world_(dWorldCreate())
-{}
+Stage::Stage(const Recording &recording, SpaceKind kind) : recording_(recording), kind_(kind), world_(dWorldCreate()) {}
 
 Stage::~Stage()
 {
@@ -272,8 +270,7 @@ dSpaceID Stage::make_space_of_kind(SpaceKind kind, const GeomState &state) const
 dSpaceID Stage::make_space(const GeomState &state) const
 {
     const bool stays_simple = state.geom_class == dSimpleSpaceClass && state.parent != 0;
-    const SpaceKind kind =
-        kind_ == SpaceKind::own || stays_simple ? kind_of_class(state.geom_class) : kind_;
+    const SpaceKind kind = kind_ == SpaceKind::own || stays_simple ? kind_of_class(state.geom_class) : kind_;
     const dSpaceID space = make_space_of_kind(kind, state);
     dSpaceSetCleanup(space, 0);
     return space;
@@ -287,9 +284,8 @@ dGeomID Stage::make_mesh(std::uint32_t data)
         mesh.data = dGeomTriMeshDataCreate();
         const std::size_t stride = 3 * (mesh.single ? sizeof(float) : sizeof(double));
         (mesh.single ? dGeomTriMeshDataBuildSingle : dGeomTriMeshDataBuildDouble)(
-            mesh.data, mesh.vertices.data(), static_cast<int>(stride),
-            static_cast<int>(mesh.vertices.size() / stride), mesh.triangles.data(),
-            static_cast<int>(mesh.triangles.size()), 3 * sizeof(dTriIndex));
+            mesh.data, mesh.vertices.data(), static_cast<int>(stride), static_cast<int>(mesh.vertices.size() / stride),
+            mesh.triangles.data(), static_cast<int>(mesh.triangles.size()), 3 * sizeof(dTriIndex));
     }
     return dCreateTriMesh(nullptr, mesh.data, nullptr, nullptr, nullptr);
 }
@@ -298,8 +294,7 @@ dGeomID Stage::make_convex(std::uint32_t data)
 {
     const Convex &convex = *shapes_[data].convex;
     return dCreateConvex(nullptr, convex.planes.data(), static_cast<unsigned>(convex.planes.size() / 4),
-                         convex.points.data(), static_cast<unsigned>(convex.points.size() / 3),
-                         convex.polygons.data());
+                         convex.points.data(), static_cast<unsigned>(convex.points.size() / 3), convex.polygons.data());
 }
 
 void Stage::make(Geom &geom, std::uint32_t id)

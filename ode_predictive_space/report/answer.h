@@ -13,7 +13,7 @@ namespace ode_predictive_space::report
 {
 struct Answer
 {
-    std::string sentence; ///< empty: there is no answer
+    std::string sentence;                        ///< empty: there is no answer
     std::vector<std::vector<std::string>> table; ///< the first row is the head
     std::vector<std::string> notes;
     std::vector<Plot> plots;

@@ -72,7 +72,8 @@ std::string html(const Page &page)
 {
     std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
                        escaped(page.title) + "</title>\n<style>\n" + style + "\n</style>\n</head>\n<body>\n<h1>" +
-                       escaped(page.title) + "</h1>\n" + html_of(page.answer) + "<pre>" + escaped(page.text) + "</pre>\n";
+                       escaped(page.title) + "</h1>\n" + html_of(page.answer) + "<pre>" + escaped(page.text) +
+                       "</pre>\n";
     for (const Plot &plot : page.plots)
     {
         text += svg(plot);

@@ -112,8 +112,7 @@ using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 void add(void *pairs, dGeomID first, dGeomID second)
 {
-    static_cast<Pairs *>(pairs)->push_back(
-        std::minmax(replay::Stage::id_of(first), replay::Stage::id_of(second)));
+    static_cast<Pairs *>(pairs)->push_back(std::minmax(replay::Stage::id_of(first), replay::Stage::id_of(second)));
 }
 
 Pairs pairs_of(replay::Stage &stage, const Record &record)

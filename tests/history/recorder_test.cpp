@@ -148,9 +148,12 @@ TEST_F(RecorderTest, EachClassComesBackToTheBit)
                                 3 * sizeof(dTriIndex));
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
     const std::vector<dGeomID> geoms = {
-        dCreateSphere(space, dReal(0.1)), dCreateBox(space, dReal(0.1), dReal(0.2), dReal(0.3)),
-        dCreateCapsule(space, dReal(0.3), dReal(0.7)), dCreateCylinder(space, dReal(0.3), dReal(0.7)),
-        dCreateRay(space, dReal(1.1)), dCreatePlane(space, dReal(0.1), dReal(0.2), dReal(0.3), dReal(-0.7)),
+        dCreateSphere(space, dReal(0.1)),
+        dCreateBox(space, dReal(0.1), dReal(0.2), dReal(0.3)),
+        dCreateCapsule(space, dReal(0.3), dReal(0.7)),
+        dCreateCylinder(space, dReal(0.3), dReal(0.7)),
+        dCreateRay(space, dReal(1.1)),
+        dCreatePlane(space, dReal(0.1), dReal(0.2), dReal(0.3), dReal(-0.7)),
         dCreateConvex(space, tetrahedron.planes, 4, tetrahedron.points, 4, tetrahedron.polygons),
         dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr)};
     for (std::size_t i = 0; i < geoms.size(); ++i)
@@ -235,7 +238,10 @@ TEST_F(RecorderTest, ChangesComeBackToTheBit)
         [&] { dGeomEnable(ray); },
         [&] { dGeomSetBody(box, nullptr); },
         [&] { dGeomBoxSetLengths(box, 9, dReal(0.1), 2); },
-        [&] { dGeomSetCollideBits(box, 0); dGeomSetCategoryBits(box, 0); },
+        [&] {
+            dGeomSetCollideBits(box, 0);
+            dGeomSetCategoryBits(box, 0);
+        },
         [&] { dGeomRaySetLength(ray, dReal(0.1)); },
         [&] { dGeomSetPosition(ray, std::numeric_limits<dReal>::infinity(), 0, 0); },
         [&] { dGeomSetPosition(ray, 0, 0, 0); },
@@ -439,9 +445,10 @@ TEST_F(RecorderTest, WhatCannotBeRecordedIsRefused)
     EXPECT_EQ(result, 0);
     EXPECT_NE(ode_complaint([&] { result = dPredictiveSpaceRecord(nullptr, "/dev/null", 0); }).find("null"),
               std::string::npos);
-    EXPECT_NE(
-        ode_complaint([&] { result = dPredictiveSpaceRecord(space, "/nonexistent/file", 0); }).find("/nonexistent/file"),
-        std::string::npos);
+    EXPECT_NE(ode_complaint([&] {
+                  result = dPredictiveSpaceRecord(space, "/nonexistent/file", 0);
+              }).find("/nonexistent/file"),
+              std::string::npos);
     EXPECT_EQ(result, 0);
     EXPECT_EQ(dPredictiveSpaceRecord(space, nullptr, 0), 1) << "there was none";
     dSpaceCollide(space, nullptr, ignore);

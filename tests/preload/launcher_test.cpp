@@ -10,9 +10,8 @@ TEST(Launcher, ExplainsItself)
 {
     const Outcome outcome = launch("--help");
     EXPECT_EQ(outcome.status, 0);
-    for (const char *word :
-         {"--space", "--proximity", "--stats", "--compare", "--trace", "--watch", "--report", "--record", "--record-limit",
-          "ODE_PREDICTIVE_SPACE"})
+    for (const char *word : {"--space", "--proximity", "--stats", "--compare", "--trace", "--watch", "--report",
+                             "--record", "--record-limit", "ODE_PREDICTIVE_SPACE"})
         EXPECT_TRUE(contains(outcome.output, word)) << word;
     std::istringstream lines(outcome.output);
     for (std::string line; std::getline(lines, line);)

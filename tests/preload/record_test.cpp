@@ -41,9 +41,8 @@ TEST(Record, AProgramGoesTheSameWayAndItsRecordingHasItsPairs)
         EXPECT_EQ(folder.files(), 1) << "the one of an earlier run is gone";
         const Outcome replayed = run(REPLAYER, "--times " + folder.file());
         EXPECT_EQ(replayed.status, 0) << replayed.output;
-        EXPECT_TRUE(contains(replayed.output, "7320 events")) << replayed.output;
-        EXPECT_EQ(contains(replayed.output, "in all of its 7320 events"), !contains(options, "shape"))
-            << replayed.output;
+        // ODE's own sweep-and-prune and quadtree spaces within others report these with everything; by shape there are fewer pairs.
+        EXPECT_EQ(contains(replayed.output, "in all of its"), std::string(options).empty()) << replayed.output;
     }
 }
 
@@ -67,7 +66,7 @@ TEST(Record, EachProcessHasAFileOfItsOwn)
 TEST(Record, AChildThatIsForkedLeavesTheRecordingToItsParent)
 {
     const RecordingFolder folder;
-    launch("--record " + folder.file() + " " FORKING);
+    launch("--record " + folder.file() + " " FORKING " 2");
     EXPECT_GT(folder.files(), 1);
     const Outcome replayed = run(REPLAYER, "--times --space box " + folder.file());
     EXPECT_EQ(replayed.status, 0) << replayed.output;
