@@ -1,7 +1,8 @@
 #include "ode_predictive_space/replay/advice.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "ode_predictive_space/replay/formatted.h"
 
 namespace ode_predictive_space::replay
 {
@@ -13,13 +14,6 @@ constexpr std::size_t fewest_events = 50;
 // What runs differ by on a busy machine, and what no program notices.
 constexpr double least_gain = 0.1;
 constexpr double least_microseconds = 1;
-
-template <typename... Arguments> std::string formatted(const char *format, Arguments... arguments)
-{
-    char text[700];
-    std::snprintf(text, sizeof text, format, arguments...);
-    return text;
-}
 
 double with_spared_callbacks(const Findings &findings)
 {

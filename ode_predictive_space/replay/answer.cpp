@@ -1,11 +1,11 @@
 #include "ode_predictive_space/replay/answer.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include <ode/collision.h>
 
 #include "ode_predictive_space/replay/advice.h"
+#include "ode_predictive_space/replay/formatted.h"
 #include "ode_predictive_space/replay/replay.h"
 #include "ode_predictive_space/report/curves.h"
 
@@ -15,13 +15,6 @@ using history::Recording;
 
 namespace
 {
-template <typename... Arguments> std::string formatted(const char *format, Arguments... arguments)
-{
-    char text[300];
-    std::snprintf(text, sizeof text, format, arguments...);
-    return text;
-}
-
 int class_of_first_space(const Recording &recording)
 {
     for (const history::Record &record : recording.records())

@@ -1,7 +1,8 @@
 #include "ode_predictive_space/replay/check.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "ode_predictive_space/replay/formatted.h"
 
 namespace ode_predictive_space::replay
 {
@@ -10,13 +11,6 @@ using history::Recording;
 
 namespace
 {
-template <typename... Arguments> std::string formatted(const char *format, Arguments... arguments)
-{
-    char text[700];
-    std::snprintf(text, sizeof text, format, arguments...);
-    return text;
-}
-
 std::string described(const DifferentPairs &pairs, const char *kind)
 {
     std::string text;
