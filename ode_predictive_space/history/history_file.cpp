@@ -6,7 +6,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "ode_predictive_space/preload/output_file.h"
+#include "ode_predictive_space/history/no_signal_of_writing.h"
 
 namespace ode_predictive_space::history
 {
@@ -28,7 +28,7 @@ HistoryFile::HistoryFile(HistoryFile &&other) noexcept
 
 bool HistoryFile::write(const std::string &records)
 {
-    const preload::NoSignalOfWriting quiet;
+    const NoSignalOfWriting quiet;
     for (std::size_t done = 0; done < records.size() && error_ == 0;)
     {
         const ssize_t written = ::write(file_, records.data() + done, records.size() - done);
