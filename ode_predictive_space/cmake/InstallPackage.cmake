@@ -36,6 +36,7 @@ install(
     FILES_MATCHING
     PATTERN "predictive_space.h"
     PATTERN "predictive_space.hpp"
+    PATTERN "history.h"
     PATTERN "haptics" EXCLUDE)
 install(
     DIRECTORY "${PROJECT_SOURCE_DIR}/include/ode_predictive_space/haptics"

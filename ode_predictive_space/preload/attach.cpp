@@ -55,8 +55,19 @@ void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback
 
 void keep_ledger_whole_in_children()
 {
-    pthread_atfork([] { watch->ledger().lock(); }, [] { watch->ledger().unlock(); },
-                   [] { watch->ledger().begin_in_child(); });
+    pthread_atfork(
+        [] {
+            watch->hold_recording();
+            watch->ledger().lock();
+        },
+        [] {
+            watch->ledger().unlock();
+            watch->resume_recording();
+        },
+        [] {
+            watch->ledger().begin_in_child();
+            watch->begin_recording_in_child();
+        });
 }
 
 // Both checks of ODE, ours and the plugin's, ask the dynamic linker for the objects of the process. Here it holds its lock

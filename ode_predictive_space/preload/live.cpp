@@ -38,30 +38,6 @@ report::Plot plot_of(std::vector<SpaceCounts *> pages)
                                             counts->collide_series, 1, 1e6));
     return plot;
 }
-
-// A run measures one kind of space. Beside the other kind there is nothing to compare it with.
-std::string what_is_not_known(const std::vector<SpaceCounts *> &pages)
-{
-    const auto collided = [&](int predictive) {
-        return std::any_of(pages.begin(), pages.end(), [=](const SpaceCounts *counts) {
-            return counts->predictive == predictive && counts->collide.calls + counts->collide2.calls > 0;
-        });
-    };
-    const std::string how = " To find out, run the program again with --space ";
-    const std::string compare =
-        " and a folder of its own, on an idle host, and compare the medians of both pages; they include "
-        "neither the callbacks nor what moving a geom costs.\n";
-    if (collided(1))
-        return "\nNot known from this run: what the program's own spaces would have cost in place of the predictive "
-               "ones." +
-               how + "none" + compare +
-               "Not known either: how many of the pairs had contacts. If few have, --proximity shape spares callbacks: "
-               "compare "
-               "the numbers of pairs.\n";
-    if (collided(0))
-        return "\nNot known from this run: what predictive spaces would have cost." + how + "all" + compare;
-    return "";
-}
 } // namespace
 
 Totals totals_of(const std::vector<SpaceCounts *> &pages)
@@ -128,6 +104,6 @@ report::Page page_of(const std::string &program, const std::vector<SpaceCounts *
     text = text.empty() ? "No space of ODE was seen.\n" : text;
     if (!still_running.empty())
         text += "\nStill running when the program had ended, and counted up to then: " + still_running + "\n";
-    return {"ode-predictive-run " + program, text + what_is_not_known(pages), {plot_of(pages)}};
+    return {"ode-predictive-run " + program, text, {plot_of(pages)}};
 }
 } // namespace ode_predictive_space::preload

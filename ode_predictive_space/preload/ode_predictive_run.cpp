@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ode_predictive_space/preload/counts_file.h"
+#include "ode_predictive_space/preload/gain.h"
 #include "ode_predictive_space/preload/live.h"
 #include "ode_predictive_space/preload/report.h"
 #include "ode_predictive_space/preload/run_options.h"
@@ -55,7 +56,7 @@ Settings wanted()
 bool asks_for_counts(const RunOptions &options, const Settings &settings)
 {
     return settings.stats || settings.compare || !settings.trace_file.empty() || options.watch ||
-           !options.report_folder.empty();
+           !options.report_folder.empty() || !options.record_file.empty();
 }
 
 // Of each process that is gone what it has not said itself. One that lives on will say it when it ends.
@@ -103,9 +104,9 @@ bool write_plots(const RunOptions &options, CountsFile &counts, const Settings &
         return true;
     try
     {
-        const std::string page = ode_predictive_space::report::write_page(
-            options.report_folder, page_of(options.command[0], counts.pages(), settings, list_of(left)));
-        say("report: %s", page.c_str());
+        ode_predictive_space::report::Page page = page_of(options.command[0], counts.pages(), settings, list_of(left));
+        page.answer = gain_of(options.record_file);
+        say("report: %s", ode_predictive_space::report::write_page(options.report_folder, page).c_str());
         return true;
     }
     catch (const std::exception &failure)

@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <ctime>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -11,38 +10,6 @@
 
 namespace ode_predictive_space::preload
 {
-namespace
-{
-constexpr int signals_of_writing[] = {SIGPIPE, SIGXFSZ};
-}
-
-NoSignalOfWriting::NoSignalOfWriting()
-{
-    sigset_t held;
-    sigemptyset(&held);
-    for (int signal : signals_of_writing)
-        sigaddset(&held, signal);
-    sigpending(&pending_);
-    pthread_sigmask(SIG_BLOCK, &held, &mask_);
-}
-
-// A signal that was pending before is the program's.
-NoSignalOfWriting::~NoSignalOfWriting()
-{
-    const int error = errno;
-    for (int signal : signals_of_writing)
-    {
-        sigset_t one;
-        sigemptyset(&one);
-        sigaddset(&one, signal);
-        const timespec at_once = {0, 0};
-        if (!sigismember(&pending_, signal))
-            sigtimedwait(&one, nullptr, &at_once);
-    }
-    pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
-    errno = error;
-}
-
 OutputFile::OutputFile(const std::string &path)
     : path_(path), file_(open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666))
 {

@@ -4,24 +4,13 @@
 #define ODE_PREDICTIVE_SPACE_PRELOAD_OUTPUT_FILE_H
 
 #include <atomic>
-#include <csignal>
 #include <string>
+
+#include "ode_predictive_space/history/no_signal_of_writing.h"
 
 namespace ode_predictive_space::preload
 {
-/// While it lives, a write by this thread that fails sends no signal: a file at its limit of size (SIGXFSZ) or a pipe without a
-/// reader (SIGPIPE) would end a program that does not expect them.
-class NoSignalOfWriting
-{
-public:
-    NoSignalOfWriting();
-    ~NoSignalOfWriting();
-    NoSignalOfWriting(const NoSignalOfWriting &) = delete;
-    NoSignalOfWriting &operator=(const NoSignalOfWriting &) = delete;
-
-private:
-    sigset_t mask_, pending_; // before
-};
+using history::NoSignalOfWriting;
 
 /// A file to append to. Without a buffer: a text is written at once and in one piece, also when other processes write to the same
 /// file, and when this one forks there is nothing left that its child would write again. Any number of threads may write.

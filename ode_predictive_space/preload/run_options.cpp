@@ -15,6 +15,7 @@
 
 #include <getopt.h>
 
+#include "ode_predictive_space/preload/settings.h"
 #include "ode_predictive_space/report/page.h"
 
 namespace ode_predictive_space::preload
@@ -42,8 +43,15 @@ order.
   --stats[=FILE]     at the end, write to standard error, or append to FILE,
                      what each space did and the time it took
   --watch            show live counters on standard error, twice a second
-  --report DIR       at the end, write a page with plots, DIR/index.html; the
-                     folder is made unless it exists
+  --report DIR       at the end, write a page that says what the program would
+                     gain, with plots, DIR/index.html; the folder is made
+                     unless it exists. For it the program is recorded, up to
+                     64 MB in DIR/recording.odehist, and the recording replayed
+  --record FILE      record what the program tells its spaces and asks them, for
+                     ode-predictive-replay FILE; each further process that
+                     collides gets a file of its own, FILE.<its number>
+  --record-limit N   bytes of a recording, as 100M; there it ends, at the end of
+                     a collide (default: 256M)
   --compare          check each collide against all pairs, and report
                      differences on standard error; slow
   --trace=FILE       add a line to FILE for each collide: how many pairs, and a
@@ -57,14 +65,15 @@ Each option but --watch and --report sets an environment variable, which the
 programs that PROGRAM starts inherit, and which can be set without this
 launcher: ODE_PREDICTIVE_SPACE=LIST, ODE_PREDICTIVE_PROXIMITY=KIND,
 ODE_PREDICTIVE_STATS=1 or FILE, ODE_PREDICTIVE_COMPARE=1,
-ODE_PREDICTIVE_TRACE=FILE; and LD_PRELOAD, the path of
+ODE_PREDICTIVE_TRACE=FILE, ODE_PREDICTIVE_RECORD=FILE,
+ODE_PREDICTIVE_RECORD_LIMIT=N; and LD_PRELOAD, the path of
 libode_predictive_space_preload.so.
 
-With --stats, --compare, --watch, --report or --trace the launcher stays until
-PROGRAM has ended, passes signals on to it, and also reports on a program that
-ended by a signal, a crash or _exit(). Programs that outlive PROGRAM are named,
-not waited for; their statistics are written when they exit. Without these
-options, PROGRAM takes the launcher's place.
+With --stats, --compare, --watch, --report, --record or --trace the launcher
+stays until PROGRAM has ended, passes signals on to it, and also reports on a
+program that ended by a signal, a crash or _exit(). Programs that outlive
+PROGRAM are named, not waited for; their statistics are written when they exit.
+Without these options, PROGRAM takes the launcher's place.
 
 The program must use the shared library of ODE that this was built for. Others
 keep their own spaces, and a line on standard error says why: an ODE of another
@@ -127,6 +136,24 @@ std::string writable(const char *file, const char *option)
     return path;
 }
 
+// The file of an earlier run goes: a program takes an existing one for that of another process.
+std::string recording(const char *file)
+{
+    const std::string path = writable(file, "--record");
+    std::error_code none;
+    if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none))
+        fail("--record: %s is no regular file", path.c_str());
+    std::filesystem::remove(path, none);
+    return path;
+}
+
+const char *checked_limit(const char *text)
+{
+    if (bytes_named(text) == 0)
+        fail("--record-limit: '%s' is no number of bytes, as 100M", text);
+    return text;
+}
+
 std::string report_folder(const char *folder)
 {
     const std::string path = absolute(folder, "--report");
@@ -164,6 +191,11 @@ void take_option(int option, const char *option_text, RunOptions &options)
         return set("ODE_PREDICTIVE_COMPARE", "1");
     case 't':
         return set("ODE_PREDICTIVE_TRACE", writable(optarg, "--trace"));
+    case 'R':
+        options.record_file = recording(optarg);
+        return set("ODE_PREDICTIVE_RECORD", options.record_file);
+    case 'L':
+        return set("ODE_PREDICTIVE_RECORD_LIMIT", checked_limit(optarg));
     case 'w':
         options.watch = true;
         return;
@@ -179,6 +211,13 @@ void take_option(int option, const char *option_text, RunOptions &options)
     default:
         fail("there is no option '%s'; --help lists them", option_text);
     }
+}
+// A page is not worth more: its replay takes as long as the recorded part did, several times.
+void record_for_report(RunOptions &options)
+{
+    options.record_file = recording((options.report_folder + "/recording.odehist").c_str());
+    set("ODE_PREDICTIVE_RECORD", options.record_file);
+    setenv("ODE_PREDICTIVE_RECORD_LIMIT", "64M", 0);
 }
 } // namespace
 
@@ -197,11 +236,12 @@ RunOptions take_options(int argc, char **argv)
 {
     RunOptions chosen;
     const option options[] = {
-        {"space", required_argument, nullptr, 's'}, {"proximity", required_argument, nullptr, 'p'},
-        {"stats", optional_argument, nullptr, 'S'}, {"compare", no_argument, nullptr, 'c'},
-        {"trace", required_argument, nullptr, 't'}, {"report", required_argument, nullptr, 'r'},
-        {"watch", no_argument, nullptr, 'w'},       {"help", no_argument, nullptr, 'h'},
-        {"version", no_argument, nullptr, 'v'},     {}};
+        {"space", required_argument, nullptr, 's'},  {"proximity", required_argument, nullptr, 'p'},
+        {"stats", optional_argument, nullptr, 'S'},  {"compare", no_argument, nullptr, 'c'},
+        {"trace", required_argument, nullptr, 't'},  {"report", required_argument, nullptr, 'r'},
+        {"record", required_argument, nullptr, 'R'}, {"record-limit", required_argument, nullptr, 'L'},
+        {"watch", no_argument, nullptr, 'w'},        {"help", no_argument, nullptr, 'h'},
+        {"version", no_argument, nullptr, 'v'},      {}};
     opterr = 0;
     for (;;)
     {
@@ -214,6 +254,8 @@ RunOptions take_options(int argc, char **argv)
     if (!argv[optind])
         fail("no program is named; --help explains");
     chosen.command = argv + optind;
+    if (!chosen.report_folder.empty() && chosen.record_file.empty())
+        record_for_report(chosen);
     return chosen;
 }
 } // namespace ode_predictive_space::preload

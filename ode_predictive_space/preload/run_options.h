@@ -16,6 +16,7 @@ struct RunOptions
     char **command = nullptr;  ///< the program and its arguments: the end of argv
     bool watch = false;        ///< show live counters
     std::string report_folder; ///< for a page with plots; empty: none
+    std::string record_file;   ///< the program is recorded there: for the user, or for the page; empty: it is not
 };
 
 /// Sets the environment variables that the other options stand for. Ends the launcher after --help and --version, and by fail() when an

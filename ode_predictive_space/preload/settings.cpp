@@ -80,6 +80,15 @@ public:
         return dPredictiveProximityBox;
     }
 
+    std::uint64_t bytes(const char *name, std::uint64_t otherwise)
+    {
+        const std::string text = value(name);
+        const std::uint64_t bytes = bytes_named(text);
+        if (!text.empty() && bytes == 0)
+            complain(name, text, "a number of bytes, as 100M", "256M");
+        return bytes ? bytes : otherwise;
+    }
+
     bool yes(const char *name)
     {
         const std::string text = value(name);
@@ -99,6 +108,19 @@ private:
 };
 } // namespace
 
+std::uint64_t bytes_named(const std::string &text)
+{
+    constexpr std::uint64_t most = std::uint64_t{1} << 60;
+    std::uint64_t bytes = 0;
+    std::size_t digits = 0;
+    for (; digits < text.size() && text[digits] >= '0' && text[digits] <= '9' && bytes <= most; ++digits)
+        bytes = 10 * bytes + static_cast<std::uint64_t>(text[digits] - '0');
+    const std::string unit = text.substr(digits);
+    const unsigned shift = unit == "K" ? 10 : unit == "M" ? 20 : unit == "G" ? 30 : 0;
+    const bool known = unit.empty() || shift > 0;
+    return known && bytes <= most >> shift ? bytes << shift : 0;
+}
+
 Settings read_settings(const std::function<const char *(const char *)> &variable, std::vector<std::string> &complaints)
 {
     Reader reader(variable, complaints);
@@ -111,6 +133,8 @@ Settings read_settings(const std::function<const char *(const char *)> &variable
     settings.counted = !reader.value("ODE_PREDICTIVE_COUNTS").empty();
     settings.compare = reader.yes("ODE_PREDICTIVE_COMPARE");
     settings.trace_file = reader.value("ODE_PREDICTIVE_TRACE");
+    settings.record_file = reader.value("ODE_PREDICTIVE_RECORD");
+    settings.record_limit = reader.bytes("ODE_PREDICTIVE_RECORD_LIMIT", default_record_limit);
     return settings;
 }
 

@@ -1,6 +1,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_SETTINGS_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_SETTINGS_H
 
+#include <cstdint>
 #include <functional>
 #include <set>
 #include <string>
@@ -11,17 +12,25 @@ namespace ode_predictive_space::preload
 /// What the environment asks for.
 struct Settings
 {
-    std::set<int> replaced; ///< classes of spaces (dHashSpaceClass and so on) that predictive ones stand in for
-    int proximity;          ///< a dPredictiveProximity constant
-    bool stats = false;     ///< at exit, say what each space did
-    std::string stats_file; ///< where; empty: on standard error
-    bool compare = false;   ///< check every collide against all pairs
-    std::string trace_file; ///< a line for every collide; empty: none
-    bool counted = false;   ///< a launcher shows the counts
-    bool watches() const { return stats || compare || counted || !trace_file.empty(); }
+    std::set<int> replaced;         ///< classes of spaces (dHashSpaceClass and so on) that predictive ones stand in for
+    int proximity;                  ///< a dPredictiveProximity constant
+    bool stats = false;             ///< at exit, say what each space did
+    std::string stats_file;         ///< where; empty: on standard error
+    bool compare = false;           ///< check every collide against all pairs
+    std::string trace_file;         ///< a line for every collide; empty: none
+    bool counted = false;           ///< a launcher shows the counts
+    std::string record_file;        ///< what the program tells its spaces; empty: it is not recorded
+    std::uint64_t record_limit = 0; ///< bytes
+    bool watches() const { return stats || compare || counted || !trace_file.empty() || !record_file.empty(); }
 };
 
-/// Reads the variables ODE_PREDICTIVE_SPACE, _PROXIMITY, _STATS, _COMPARE, _COUNTS and _TRACE.
+/// Bytes of a recording unless ODE_PREDICTIVE_RECORD_LIMIT says something else.
+constexpr std::uint64_t default_record_limit = std::uint64_t{256} << 20;
+
+/// A number of bytes, perhaps with K, M or G for 2^10, 2^20 or 2^30 of them; 0 when it is none or no more than 2^60.
+std::uint64_t bytes_named(const std::string &text);
+
+/// Reads the variables ODE_PREDICTIVE_SPACE, _PROXIMITY, _STATS, _COMPARE, _COUNTS, _TRACE, _RECORD and _RECORD_LIMIT.
 ///
 /// @param variable gives a variable's value, or 0.
 /// @param complaints gets a sentence for each value that is not known, for which the default is taken.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cinttypes>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 
 #include <cerrno>
@@ -56,6 +57,15 @@ std::string described(dGeomID geom)
                   b[2], b[3], b[4], b[5]);
     return text;
 }
+// A file of this name; with the number of this process when there is such a file already.
+history::HistoryFile new_file(const std::string &name, std::string &path)
+{
+    history::HistoryFile file(path = name, true);
+    if (file.error() != EEXIST)
+        return file;
+    path += "." + std::to_string(getpid());
+    return {path, true};
+}
 } // namespace
 
 // One call of dSpaceCollide() or dSpaceCollide2() on its way through the watch.
@@ -65,6 +75,7 @@ struct Watch::Call
     const char *function;
     std::function<void(void *, dNearCallback *)> native;
     std::function<std::vector<Pair>()> expected;
+    std::function<history::Recorder::Event(history::Recorder &)> recorded;
     CallTimes SpaceCounts::*times;
 
     void *data = nullptr;
@@ -73,6 +84,7 @@ struct Watch::Call
     double in_callbacks = 0;
     double seconds = 0;
     std::optional<Comparison> comparison = {};
+    std::optional<history::Recorder::Event> event = {};
     bool keep = false; // the pairs, for later, instead of calling back at once
     std::vector<Pair> kept = {};
 };
@@ -80,6 +92,7 @@ struct Watch::Call
 Watch::Watch(const Settings &settings, const OdeCalls &calls) : settings_(settings), ode_(calls)
 {
     cost_of_clock();
+    records_ = !settings.record_file.empty();
     if (!settings.trace_file.empty())
         trace_file_ = std::make_unique<OutputFile>(settings.trace_file);
 }
@@ -89,8 +102,12 @@ void Watch::collide(dSpaceID space, void *data, dNearCallback *callback)
 {
     if (!space || !callback)
         return ode_.collide(space, data, callback);
-    Call call{space, "dSpaceCollide", [=](void *d, dNearCallback *c) { ode_.collide(space, d, c); },
-              [=] { return expected_pairs(space); }, &SpaceCounts::collide};
+    Call call{space,
+              "dSpaceCollide",
+              [=](void *d, dNearCallback *c) { ode_.collide(space, d, c); },
+              [=] { return expected_pairs(space); },
+              [=](history::Recorder &recorder) { return recorder.begin_collide(space); },
+              &SpaceCounts::collide};
     run(call, data, callback);
 }
 
@@ -99,8 +116,12 @@ void Watch::collide2(dGeomID first, dGeomID second, void *data, dNearCallback *c
     const dSpaceID space = first && second && callback ? asked_space(first, second) : nullptr;
     if (!space)
         return ode_.collide2(first, second, data, callback);
-    Call call{space, "dSpaceCollide2", [=](void *d, dNearCallback *c) { ode_.collide2(first, second, d, c); },
-              [=] { return expected_pairs(first, second); }, &SpaceCounts::collide2};
+    Call call{space,
+              "dSpaceCollide2",
+              [=](void *d, dNearCallback *c) { ode_.collide2(first, second, d, c); },
+              [=] { return expected_pairs(first, second); },
+              [=](history::Recorder &recorder) { return recorder.begin_collide2(first, second); },
+              &SpaceCounts::collide2};
     run(call, data, callback);
 }
 
@@ -116,6 +137,9 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
     if (call.keep)
         call.kept.reserve(1000);
 
+    if (history::Recorder *const recorder = this->recorder())
+        call.event.emplace(call.recorded(*recorder));
+
     const double start = now();
     call.native(&call, &Watch::on_pair);
     const double inside = now() - start - call.in_callbacks;
@@ -123,6 +147,8 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
     const double readings = 1 + (call.keep ? 0 : static_cast<double>(call.reported));
     call.seconds = std::max(0.0, inside - readings * cost_of_clock());
 
+    if (call.event)
+        call.event->end();
     if (call.comparison)
         judge(call);
     if (call.keep)
@@ -154,8 +180,49 @@ void Watch::on_pair(void *data, dGeomID first, dGeomID second)
         return;
     }
     const double start = now();
+    if (call.event)
+        call.event->note(first, second);
     call.callback(call.data, first, second);
     call.in_callbacks += now() - start;
+}
+
+// The file is made at the first collide. Of several processes the first one to get there has it; each other one adds its number.
+history::Recorder *Watch::recorder()
+{
+    if (!records_)
+        return nullptr;
+    const std::lock_guard<std::mutex> guard(recording_);
+    if (recorder_)
+        return recorder_.get();
+    history::HistoryFile file = new_file(settings_.record_file, recorded_file_);
+    if (!file.is_open())
+    {
+        say("%s cannot be written: %s; nothing is recorded", recorded_file_.c_str(), std::strerror(file.error()));
+        ledger_.note_lost_output();
+        records_ = false;
+        return nullptr;
+    }
+    recorder_ =
+        std::make_unique<history::Recorder>(std::move(file), settings_.record_limit, history::note_of_process());
+    return recorder_.get();
+}
+
+void Watch::begin_recording_in_child()
+{
+    if (recorder_)
+        recorder_->leave_to_parent();
+    // The recorder may be in the middle of something, in another thread that this process does not have: it is not touched again.
+    static_cast<void>(recorder_.release());
+    recording_.unlock();
+}
+
+void Watch::end_recording()
+{
+    const std::lock_guard<std::mutex> guard(recording_);
+    if (!recorder_ || recorder_->close())
+        return;
+    say("%s could not be written to its end", recorded_file_.c_str());
+    ledger_.note_lost_output();
 }
 
 void Watch::judge(Call &call)
@@ -197,6 +264,7 @@ void Watch::trace(Call &call)
 
 void Watch::report()
 {
+    end_recording();
     const std::vector<SpaceCounts *> spaces = ledger_.all();
     const bool written =
         write_report(settings_, report_text(settings_, program_invocation_short_name, getpid(), spaces), spaces);

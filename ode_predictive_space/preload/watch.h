@@ -3,7 +3,10 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <string>
 
+#include "ode_predictive_space/history/recorder.h"
 #include "ode_predictive_space/preload/ledger.h"
 #include "ode_predictive_space/preload/output_file.h"
 #include "ode_predictive_space/preload/settings.h"
@@ -21,11 +24,20 @@ public:
     void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback);
     Ledger &ledger() { return ledger_; }
 
+    /// Before this process forks, and afterwards in the parent: no other thread records meanwhile.
+    void hold_recording() { recording_.lock(); }
+    void resume_recording() { recording_.unlock(); }
+
+    /// Afterwards in the child, which has a recording of its own.
+    void begin_recording_in_child();
+
     /// Writes what has been learnt to where it is wanted.
     void report();
 
 private:
     struct Call;
+    history::Recorder *recorder();
+    void end_recording();
     void run(Call &call, void *data, dNearCallback *callback);
     void judge(Call &call);
     void trace(Call &call);
@@ -34,7 +46,11 @@ private:
     Settings settings_;
     OdeCalls ode_;
     Ledger ledger_;
-    std::unique_ptr<OutputFile> trace_file_; // 0: there is no trace
+    std::unique_ptr<OutputFile> trace_file_;      // 0: there is no trace
+    std::mutex recording_;                        // of the next three
+    std::unique_ptr<history::Recorder> recorder_; // 0: nothing has been recorded yet
+    std::string recorded_file_;
+    bool records_ = false; // unless it could not
     unsigned long complaints_ = 0;
 };
 } // namespace ode_predictive_space::preload

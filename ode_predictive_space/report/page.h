@@ -6,42 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "ode_predictive_space/report/answer.h"
+#include "ode_predictive_space/report/plot.h"
+
 namespace ode_predictive_space::report
 {
-struct Point
-{
-    double x;
-    double y;
-};
-
-/// What is not a finite number has no place in a plot and is left out; with a logarithmic axis, so is what is not above 0.
-struct Curve
-{
-    enum class Style
-    {
-        line,
-        dots
-    };
-
-    std::string name;
-    std::vector<Point> points;
-    Style style = Style::line;
-};
-
-struct Plot
-{
-    std::string title;
-    std::string x_label; ///< with the unit
-    std::string y_label; ///< with the unit
-    std::vector<Curve> curves;
-    bool logarithmic = false; ///< the y axis
-};
-
 struct Page
 {
     std::string title;
     std::string text; ///< shown as it is, with its lines
     std::vector<Plot> plots;
+    Answer answer = {}; ///< comes first, with its table and its plots
 };
 
 /// The page as text. Curves and plots without points are left out.

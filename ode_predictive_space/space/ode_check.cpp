@@ -105,9 +105,19 @@ const char *find_mismatch()
 }
 } // namespace
 
+// To look at a space, ODE is asked for one. Under the launcher this may be the first call of the process to ODE, by which the other half
+// of the preload is loaded; it has checked ODE by itself when it makes a predictive space, in the middle of this check.
 const char *ode_mismatch()
 {
-    static const char *const mismatch = find_mismatch();
+    static thread_local bool checking = false;
+    if (checking)
+        return nullptr;
+    static const char *const mismatch = [] {
+        checking = true;
+        const char *found = find_mismatch();
+        checking = false;
+        return found;
+    }();
     return mismatch;
 }
 } // namespace ode_predictive_space

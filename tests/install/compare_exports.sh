@@ -1,11 +1,13 @@
 #!/bin/sh
-# Fails when the library exports other names than the header declares, or one without a version.
-# Usage: compare_exports.sh <library> <header>
+# Fails when the library exports other names than the headers declare, or one without a version.
+# Usage: compare_exports.sh <library> <header>...
 set -eu
 
-exported=$(nm --dynamic --defined-only "$1" |
+library=$1
+shift
+exported=$(nm --dynamic --defined-only "$library" |
     awk '$2 != "A" && $3 !~ /^__/ { sub(/@@ODE_PREDICTIVE_SPACE_[0-9.]+$/, " versioned", $3); print $3 }' | sort)
-declared=$(sed -nE 's/^ODE_PREDICTIVE_API .*[ *](d[A-Za-z]+)\(.*/\1 versioned/p' "$2" | sort)
+declared=$(sed -nE 's/^ODE_PREDICTIVE_API .*[ *](d[A-Za-z]+)\(.*/\1 versioned/p' "$@" | sort)
 
 if [ "$exported" != "$declared" ]; then
     printf 'exported:\n%s\n\ndeclared:\n%s\n' "$exported" "$declared"

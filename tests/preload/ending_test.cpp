@@ -353,6 +353,14 @@ TEST(Statistics, NameTheMeasureThatAProgramChose)
     EXPECT_TRUE(contains(outcome.output, "20 collides, 0 differences")) << outcome.output;
 }
 
+// The check of ODE in the plugin had the preload loaded, which had ODE checked by the plugin, and the program ended.
+TEST(Statistics, CountASpaceThatTheProgramItselfMakesPredictive)
+{
+    const Outcome outcome = launch("--stats " MEASURING " own");
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "hash, predictive by spheres; at most 2 geoms")) << outcome.output;
+}
+
 // The first processes use up the pages that outlive them; the others have their own.
 TEST(Statistics, AreBoundedAndCompleteForAnyNumberOfSpaces)
 {

@@ -10,8 +10,8 @@ TEST(Launcher, ExplainsItself)
 {
     const Outcome outcome = launch("--help");
     EXPECT_EQ(outcome.status, 0);
-    for (const char *word :
-         {"--space", "--proximity", "--stats", "--compare", "--trace", "--watch", "--report", "ODE_PREDICTIVE_SPACE"})
+    for (const char *word : {"--space", "--proximity", "--stats", "--compare", "--trace", "--watch", "--report",
+                             "--record", "--record-limit", "ODE_PREDICTIVE_SPACE"})
         EXPECT_TRUE(contains(outcome.output, word)) << word;
     std::istringstream lines(outcome.output);
     for (std::string line; std::getline(lines, line);)
@@ -23,7 +23,8 @@ TEST(Launcher, RefusesWrongOptions)
     for (const char *arguments :
          {"--space hsah true", "--space= true", "--proximity cube true", "--stats= true", "--trace", "--speed true",
           "--space all", "", "--report= true", "--report /proc/no_folder true", "--stats=/nonexistent/file true",
-          "--trace=/nonexistent/file true"})
+          "--trace=/nonexistent/file true", "--record", "--record= true", "--record /nonexistent/file true",
+          "--record /dev/null true", "--record-limit 0 true", "--record-limit 10X true", "--record-limit -1 true"})
     {
         const Outcome outcome = launch(arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
@@ -51,6 +52,7 @@ TEST(Launcher, SaysWhereTheReportIs)
         << outcome.output;
     EXPECT_FALSE(contains(outcome.output, "no process")) << outcome.output;
     unlink((folder + "/index.html").c_str());
+    EXPECT_EQ(unlink((folder + "/recording.odehist").c_str()), 0) << "what it rests on";
     rmdir(folder.c_str());
 }
 

@@ -59,24 +59,6 @@ TEST(LauncherPage, DrawsTheSpacesThatWereCollidedMostOften)
     EXPECT_NE(page.text.find("space 1"), std::string::npos) << "all are in the text";
 }
 
-// A reader took the page for an answer to what the program would gain.
-TEST(LauncherPage, SaysWhatIsNotKnownAndHowToFindOut)
-{
-    SpaceCounts predictive{}, own{}, unused{};
-    count(predictive, 1, 4);
-    count(own, 2, 4);
-    own.predictive = 0;
-    count(unused, 3, 0);
-    const auto text = [](const std::vector<SpaceCounts *> &pages) { return page_of("game", pages, {}, "").text; };
-    EXPECT_NE(text({&predictive}).find("what the program's own spaces would have cost"), std::string::npos);
-    EXPECT_NE(text({&predictive, &own}).find("run the program again with --space none"), std::string::npos);
-    EXPECT_NE(text({&own, &unused})
-                  .find("what predictive spaces would have cost. To find out, run the program again "
-                        "with --space all"),
-              std::string::npos);
-    EXPECT_EQ(text({&unused}).find("Not known"), std::string::npos) << "nothing was measured";
-}
-
 TEST(LauncherPage, NamesTheProgramsThatStillRun)
 {
     SpaceCounts counts{};

@@ -74,6 +74,19 @@ TEST(Settings, TheOthers)
     EXPECT_TRUE(read({{"ODE_PREDICTIVE_COMPARE", "1"}}).compare);
     EXPECT_FALSE(read({{"ODE_PREDICTIVE_COMPARE", "on"}}, 1).compare);
     EXPECT_TRUE(read({{"ODE_PREDICTIVE_TRACE", "file"}}).watches());
+    EXPECT_TRUE(read({{"ODE_PREDICTIVE_RECORD", "file"}}).watches());
+    EXPECT_EQ(read({{"ODE_PREDICTIVE_RECORD", "file"}}).record_limit, default_record_limit);
+    EXPECT_EQ(read({{"ODE_PREDICTIVE_RECORD_LIMIT", "3M"}}).record_limit, 3u << 20);
+    EXPECT_EQ(read({{"ODE_PREDICTIVE_RECORD_LIMIT", "3T"}}, 1).record_limit, default_record_limit);
+}
+
+TEST(Settings, BytesAreNumbersWithOrWithoutAUnit)
+{
+    EXPECT_EQ(bytes_named("1000"), 1000u);
+    EXPECT_EQ(bytes_named("2K"), 2048u);
+    EXPECT_EQ(bytes_named("1G"), 1u << 30);
+    for (const char *wrong : {"", "0", "K", "-1", "1.5M", "1 M", "1MB", "99999999999999999999", "2000000000G"})
+        EXPECT_EQ(bytes_named(wrong), 0u) << wrong;
 }
 } // namespace
 } // namespace ode_predictive_space::preload

@@ -83,6 +83,41 @@ TEST(Page, ShowsTextAsItIs)
     EXPECT_EQ(count_of("a &lt; b &amp; &quot;c&quot;", text), 1u);
 }
 
+TEST(Page, BeginsWithTheAnswer)
+{
+    Page page{"t", "details", {}};
+    page.answer = {"Leave < it.", {{"spaces", "time"}, {"hash", "1 & 2"}}, {"a note"}, {}};
+    const std::string text = html(page);
+    EXPECT_LT(text.find("Leave &lt; it."), text.find("<th>spaces</th>")) << text;
+    EXPECT_LT(text.find("<td>1 &amp; 2</td>"), text.find("a note")) << text;
+    EXPECT_LT(text.find("a note"), text.find("details")) << text;
+    EXPECT_EQ(count_of("<table", html({"t", "details", {}})), 0u) << "no answer, no table";
+}
+
+TEST(Answer, ComesBackFromItsLines)
+{
+    Answer answer{"Leave it.", {{"spaces", "time"}, {"a\tb", "2"}}, {"n"}, {{"p", "x", "y", {}, true}}};
+    answer.plots[0].curves = {{"c", {{0.5, 1}, {2, 3}}}};
+    const std::optional<Answer> back = answer_of(lines_of(answer));
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->sentence, "Leave it.");
+    EXPECT_EQ(back->table[1][0], "a b") << "a tab would be the end of a field";
+    EXPECT_EQ(back->notes.size(), 1u);
+    ASSERT_EQ(back->plots.size(), 1u);
+    EXPECT_TRUE(back->plots[0].logarithmic);
+    EXPECT_EQ(back->plots[0].curves[0].points[1].y, 3);
+}
+
+TEST(Answer, ThatIsNotWholeIsNone)
+{
+    const std::string lines = lines_of(Answer{"a", {{"b"}}, {}, {{"p", "x", "y", {{"c", {{1, 2}}}}}}});
+    for (std::size_t size = 0; size < lines.size() - 1; ++size)
+        EXPECT_FALSE(answer_of(lines.substr(0, size))) << lines.substr(0, size);
+    EXPECT_FALSE(answer_of("curve\tc\t1 2\nend\n")) << "a curve without a plot";
+    EXPECT_FALSE(answer_of("\nend\n"));
+    EXPECT_FALSE(answer_of("riddle\t1\nend\n"));
+}
+
 TEST(Page, IsWrittenIntoAFolder)
 {
     const std::filesystem::path folder =

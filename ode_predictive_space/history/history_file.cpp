@@ -1,0 +1,65 @@
+#include "ode_predictive_space/history/history_file.h"
+
+#include <cerrno>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "ode_predictive_space/history/no_signal_of_writing.h"
+
+namespace ode_predictive_space::history
+{
+HistoryFile::HistoryFile(const std::string &path, bool only_new)
+    : file_(open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (only_new ? O_EXCL : O_TRUNC), 0666))
+{
+    if (file_ < 0)
+        error_ = errno;
+}
+
+HistoryFile::~HistoryFile()
+{
+    close();
+}
+
+HistoryFile::HistoryFile(HistoryFile &&other) noexcept
+    : file_(std::exchange(other.file_, -1)), error_(other.error_), size_(other.size_)
+{}
+
+bool HistoryFile::write(const std::string &records)
+{
+    const NoSignalOfWriting quiet;
+    for (std::size_t done = 0; done < records.size() && error_ == 0;)
+    {
+        const ssize_t written = ::write(file_, records.data() + done, records.size() - done);
+        if (written >= 0)
+            done += static_cast<std::size_t>(written);
+        else if (errno != EINTR)
+            fail();
+    }
+    if (error_ == 0)
+        size_ += records.size();
+    return error_ == 0;
+}
+
+// The disk may be full: the part of a record that is written is taken back.
+void HistoryFile::fail()
+{
+    error_ = errno;
+    if (file_ >= 0 && ftruncate(file_, static_cast<off_t>(size_)) != 0)
+        error_ = errno;
+}
+
+bool HistoryFile::close()
+{
+    const int file = std::exchange(file_, -1);
+    if (file >= 0 && ::close(file) != 0 && error_ == 0)
+        error_ = errno;
+    return error_ == 0;
+}
+
+void HistoryFile::abandon()
+{
+    ::close(std::exchange(file_, -1));
+}
+} // namespace ode_predictive_space::history

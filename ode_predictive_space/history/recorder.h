@@ -1,0 +1,118 @@
+// Writes a history while it happens: before each collide and question, what has changed since the one before.
+//
+// It looks at the geoms as a program could and is told of nothing else, so that what is not recorded costs nothing.
+
+#ifndef ODE_PREDICTIVE_SPACE_HISTORY_RECORDER_H
+#define ODE_PREDICTIVE_SPACE_HISTORY_RECORDER_H
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <ode/common.h>
+
+#include "ode_predictive_space/history/history_file.h"
+#include "ode_predictive_space/history/shape_data.h"
+#include "ode_predictive_space/history/state.h"
+
+namespace ode_predictive_space::history
+{
+/// Any number of spaces, of any kind. Calls from several threads are safe; what they change meanwhile may be recorded in part.
+class Recorder
+{
+public:
+    /// @param file an empty one, taken over.
+    /// @param limit bytes; where the next collide would exceed it, the recording ends.
+    /// @param note where the recording comes from.
+    Recorder(HistoryFile file, std::uint64_t limit, const std::string &note);
+    ~Recorder();
+    Recorder(const Recorder &) = delete;
+    Recorder &operator=(const Recorder &) = delete;
+
+    /// A collide or question from before its first callback to after its last one.
+    class Event
+    {
+    public:
+        /// The callback is called for a pair.
+        void note(dGeomID first, dGeomID second);
+
+        /// No further pair.
+        void end();
+
+    private:
+        friend class Recorder;
+        Event(Recorder *recorder, std::uint32_t number) : recorder_(recorder), number_(number) {}
+        Recorder *recorder_; // 0: not recorded
+        std::uint32_t number_;
+        std::uint32_t pairs_ = 0;
+        std::uint64_t hash_ = 0;
+    };
+
+    /// dSpaceCollide(space) is about to begin.
+    Event begin_collide(dSpaceID space);
+
+    /// dSpaceCollide2(first, second), likewise.
+    Event begin_collide2(dGeomID first, dGeomID second);
+
+    /// Nothing more is written: the limit is reached, the file could not be written, or it is closed.
+    bool is_over() const { return over_; }
+
+    /// Ends the recording. @return whether all of it is in the file.
+    bool close();
+
+    /// In a process that was forked: the recording is its parent's.
+    void leave_to_parent();
+
+private:
+    struct Known
+    {
+        std::uint32_t id;
+        std::uint64_t seen; // in this walk
+        GeomState state;
+    };
+    struct KnownBody
+    {
+        std::uint32_t id;
+        std::uint64_t seen;
+        bool changed; // in the present walk
+        BodyState state;
+    };
+
+    class Record;
+    void look_at(dGeomID geom, bool is_collide);
+    bool is_known(dGeomID geom) const;
+    void visit(dGeomID geom, bool is_collide);
+    void visit_members(dSpaceID space, bool is_collide);
+    std::uint32_t body_of(dGeomID geom, bool &changed);
+    void take_shape_data(dGeomID geom, bool is_collide, GeomState &state);
+    void write_geom(const Known &known, std::uint16_t fields);
+    void write_body(const KnownBody &known, std::uint16_t fields);
+    void forget_absent();
+    void count_member(std::uint32_t parent, int change);
+    Event finish_event(std::size_t before);
+
+    std::mutex mutex_;
+    HistoryFile file_;
+    std::uint64_t limit_;
+    std::string buffer_; // whole records, not written yet
+    std::atomic<bool> over_{false};
+
+    ShapeData shape_data_;
+    std::unordered_map<dGeomID, Known> geoms_;
+    std::unordered_map<dBodyID, KnownBody> bodies_;
+    std::unordered_map<std::uint32_t, std::size_t> member_counts_; // by GeomState::parent
+    bool has_absent_ = false;           // in the present walk: a space has fewer geoms than are known in it
+    std::vector<std::uint32_t> walked_; // ids of the spaces whose geoms have been visited
+    std::uint32_t next_geom_ = 0, next_body_ = 0, next_event_ = 0;
+    std::uint64_t walk_ = 0;
+};
+
+/// "ode_predictive_space recorded <program>", and ODE's configuration.
+std::string note_of_process();
+} // namespace ode_predictive_space::history
+
+#endif

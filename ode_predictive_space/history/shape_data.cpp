@@ -1,0 +1,153 @@
+#include "ode_predictive_space/history/shape_data.h"
+
+#include <cmath>
+#include <cstring>
+#include <tuple>
+
+#include "ode_predictive_space/history/format.h"
+#include "ode_predictive_space/space/mesh_data.h"
+#include "ode_predictive_space/space/ode_internals.h"
+
+namespace ode_predictive_space::history
+{
+namespace
+{
+void append(std::string &content, const void *bytes, std::size_t size)
+{
+    content.append(static_cast<const char *>(bytes), size);
+}
+
+void append(std::string &content, std::uint32_t number)
+{
+    append(content, &number, sizeof number);
+}
+
+template <typename Real> bool append_vertices(std::string &content, const MeshData &mesh)
+{
+    for (unsigned i = 0; i < mesh.vertex_count; ++i)
+    {
+        Real vertex[3];
+        std::memcpy(vertex,
+                    static_cast<const char *>(mesh.vertices) +
+                        static_cast<std::ptrdiff_t>(i) * static_cast<std::ptrdiff_t>(mesh.vertex_stride),
+                    sizeof vertex);
+        if (!std::isfinite(vertex[0]) || !std::isfinite(vertex[1]) || !std::isfinite(vertex[2]))
+            return false;
+        append(content, vertex, sizeof vertex);
+    }
+    return true;
+}
+
+bool read_mesh(const MeshData &mesh, std::string &content)
+{
+    if (mesh.triangle_count == 0 || mesh.triangle_count > most_of_mesh || mesh.vertex_count > most_of_mesh)
+        return false;
+    content.push_back(mesh.single ? 1 : 0);
+    append(content, mesh.vertex_count);
+    append(content, mesh.triangle_count);
+    if (!(mesh.single ? append_vertices<float>(content, mesh) : append_vertices<double>(content, mesh)))
+        return false;
+    for (unsigned i = 0; i < mesh.triangle_count; ++i)
+    {
+        std::uint32_t corners[3];
+        std::memcpy(corners,
+                    static_cast<const char *>(mesh.triangles) +
+                        static_cast<std::ptrdiff_t>(i) * static_cast<std::ptrdiff_t>(mesh.triangle_stride),
+                    sizeof corners);
+        for (std::uint32_t corner : corners)
+            if (corner >= mesh.vertex_count)
+                return false;
+        append(content, corners, sizeof corners);
+    }
+    return true;
+}
+
+bool read_convex(const dxConvex &convex, std::string &content)
+{
+    std::uint32_t entries = 0;
+    for (unsigned i = 0; i < convex.planecount; ++i)
+    {
+        const unsigned corners = convex.polygons[entries];
+        if (corners < 3 || corners > most_polygon_entries - entries)
+            return false;
+        for (unsigned corner = 1; corner <= corners; ++corner)
+            if (convex.polygons[entries + corner] >= convex.pointcount)
+                return false;
+        entries += corners + 1;
+        if (entries > most_polygon_entries)
+            return false;
+    }
+    if (entries == 0 || convex.pointcount == 0 || convex.pointcount > most_polygon_entries)
+        return false;
+    append(content, convex.planecount);
+    append(content, convex.pointcount);
+    append(content, entries);
+    append(content, convex.planes, sizeof(dReal) * 4 * convex.planecount);
+    append(content, convex.points, sizeof(dReal) * 3 * convex.pointcount);
+    append(content, convex.polygons, sizeof(unsigned) * entries);
+    return true;
+}
+
+std::uint64_t hash_of(const std::string &content)
+{
+    std::uint64_t hash = content.size();
+    for (std::size_t i = 0; i < content.size(); i += sizeof(std::uint64_t))
+    {
+        std::uint64_t word = 0;
+        std::memcpy(&word, content.data() + i, std::min(sizeof word, content.size() - i));
+        hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
+        hash ^= hash >> 32;
+    }
+    return hash;
+}
+} // namespace
+
+bool ShapeData::Key::operator<(const Key &other) const
+{
+    return std::tie(first, second, counts) < std::tie(other.first, other.second, other.counts);
+}
+
+bool ShapeData::key_of(dGeomID geom, Key &key)
+{
+    if (geom->type == dConvexClass)
+    {
+        const auto *convex = static_cast<const dxConvex *>(geom);
+        key = {convex->points, convex->polygons, std::uint64_t{convex->planecount} << 32 | convex->pointcount};
+        return true;
+    }
+    const MeshData *mesh = mesh_data_of(geom);
+    if (!mesh)
+        return false;
+    key = {mesh->vertices, mesh->triangles, std::uint64_t{mesh->vertex_count} << 32 | mesh->triangle_count};
+    return true;
+}
+
+bool ShapeData::read(dGeomID geom, std::string &content)
+{
+    content.clear();
+    if (geom->type == dConvexClass)
+        return read_convex(*static_cast<const dxConvex *>(geom), content);
+    const MeshData *mesh = mesh_data_of(geom);
+    return mesh && read_mesh(*mesh, content);
+}
+
+bool ShapeData::find(dGeomID geom, std::uint64_t collide, Entry &entry, std::string &content)
+{
+    Key key{};
+    if (!key_of(geom, key))
+        return false;
+    const auto known = known_.find(key);
+    if (known != known_.end() && (collide == 0 || known->second.looked_at == collide))
+    {
+        entry = {known->second.id, false};
+        return true;
+    }
+    if (!read(geom, content))
+        return false;
+    const auto [same, is_new] = by_hash_.emplace(hash_of(content), next_);
+    next_ += is_new;
+    known_[key] = {same->second, collide};
+    entry = {same->second, is_new};
+    return true;
+}
+} // namespace ode_predictive_space::history

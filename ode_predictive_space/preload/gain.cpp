@@ -1,0 +1,98 @@
+#include "ode_predictive_space/preload/gain.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace ode_predictive_space::preload
+{
+namespace
+{
+// Beside the launcher; in a build, in the folder of its own sources.
+std::string path_of_replayer()
+{
+    std::error_code none;
+    const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
+    for (const char *folder : {".", REPLAY_BUILD_DIR})
+        if (const std::filesystem::path path = here / folder / REPLAY_FILE; exists(path, none))
+            return path;
+    return "";
+}
+
+[[noreturn]] void become_replayer(const std::string &program, const std::string &recording, int output)
+{
+    // The launcher has closed its standard output, for the sake of the program's pipes: the pipe may be in its place.
+    if (output == STDOUT_FILENO)
+        fcntl(output, F_SETFD, 0);
+    else
+        dup2(output, STDOUT_FILENO);
+    // It has blocked all signals, too.
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    unsetenv("LD_PRELOAD");
+    execl(program.c_str(), program.c_str(), "--answer", recording.c_str(), nullptr);
+    _exit(127);
+}
+
+std::string read_all(int file)
+{
+    std::string text;
+    char part[4096];
+    for (;;)
+    {
+        const ssize_t size = read(file, part, sizeof part);
+        if (size > 0)
+            text.append(part, static_cast<std::size_t>(size));
+        else if (size == 0 || errno != EINTR)
+            return text;
+    }
+}
+
+std::optional<report::Answer> asked_of(const std::string &program, const std::string &recording)
+{
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        return std::nullopt;
+    const pid_t child = fork();
+    if (child == 0)
+        become_replayer(program, recording, ends[1]);
+    close(ends[1]);
+    const std::string lines = read_all(ends[0]);
+    close(ends[0]);
+    int status = -1;
+    while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
+    {}
+    return status == 0 ? report::answer_of(lines) : std::nullopt;
+}
+
+report::Answer not_known(const std::string &why)
+{
+    report::Answer answer;
+    answer.sentence = "What the program would gain is not known: " + why;
+    return answer;
+}
+} // namespace
+
+report::Answer gain_of(const std::string &recording)
+{
+    std::error_code none;
+    if (!std::filesystem::exists(recording, none))
+        return not_known("it collided no space that could be recorded.");
+    const std::string program = path_of_replayer();
+    if (program.empty())
+        return not_known("ode-predictive-replay is missing.");
+    std::optional<report::Answer> answer = asked_of(program, recording);
+    if (!answer)
+        return not_known("ode-predictive-replay could not replay " + recording + ".");
+    answer->notes.push_back("Measured from the recording " + recording +
+                            "; ode-predictive-replay, given this file, checks and counts more.");
+    return *answer;
+}
+} // namespace ode_predictive_space::preload

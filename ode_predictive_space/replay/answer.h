@@ -1,0 +1,20 @@
+#ifndef ODE_PREDICTIVE_SPACE_REPLAY_ANSWER_H
+#define ODE_PREDICTIVE_SPACE_REPLAY_ANSWER_H
+
+#include <string>
+
+#include "ode_predictive_space/history/recording.h"
+#include "ode_predictive_space/report/answer.h"
+
+namespace ode_predictive_space::replay
+{
+/// What the program that was recorded would gain: replays it in its own kind of spaces and in predictive ones, by the clock.
+///
+/// @param seconds that each replay may take. All of them end where that of the program's own kind did.
+report::Answer answer_for(const history::Recording &recording, double seconds);
+
+/// "hash", or whatever class the space has that is collided first.
+std::string name_of_own_space(const history::Recording &recording);
+} // namespace ode_predictive_space::replay
+
+#endif

@@ -1,0 +1,23 @@
+#ifndef ODE_PREDICTIVE_SPACE_REPLAY_CHECK_H
+#define ODE_PREDICTIVE_SPACE_REPLAY_CHECK_H
+
+#include <string>
+
+#include "ode_predictive_space/history/recording.h"
+#include "ode_predictive_space/replay/replay.h"
+
+namespace ode_predictive_space::replay
+{
+/// How the pairs of one kind of spaces agree with those of simple spaces.
+struct Verdict
+{
+    bool agrees;
+    std::string text;
+};
+Verdict compare(const history::Recording &recording, SpaceKind kind, const Pairs &pairs, const Pairs &simple);
+
+/// How those of simple spaces agree with what the program got; empty when there is nothing to compare.
+std::string compared_with_program(const history::Recording &recording, const Pairs &simple);
+} // namespace ode_predictive_space::replay
+
+#endif

@@ -1,0 +1,98 @@
+#include "ode_predictive_space/replay/instructions.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace ode_predictive_space::replay
+{
+namespace
+{
+std::string path_of_valgrind()
+{
+    const char *path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (const std::string program = folder + "/valgrind"; access(program.c_str(), X_OK) == 0)
+            return program;
+    return "";
+}
+
+// Its standard error is wanted, its standard output is not.
+[[noreturn]] void become(const std::vector<std::string> &command, int error)
+{
+    dup2(open("/dev/null", O_WRONLY | O_CLOEXEC), STDOUT_FILENO);
+    dup2(error, STDERR_FILENO);
+    std::vector<char *> arguments;
+    for (const std::string &word : command)
+        arguments.push_back(const_cast<char *>(word.c_str()));
+    arguments.push_back(nullptr);
+    execv(arguments[0], arguments.data());
+    _exit(127);
+}
+
+std::string read_all(int file)
+{
+    std::string text;
+    char part[4096];
+    for (;;)
+    {
+        const ssize_t size = read(file, part, sizeof part);
+        if (size > 0)
+            text.append(part, static_cast<std::size_t>(size));
+        else if (size == 0 || errno != EINTR)
+            return text;
+    }
+}
+} // namespace
+
+bool has_valgrind()
+{
+    return !path_of_valgrind().empty();
+}
+
+std::optional<std::uint64_t> collected(const std::string &output)
+{
+    const std::string label = "Collected : ";
+    const std::size_t place = output.rfind(label);
+    if (place == std::string::npos)
+        return std::nullopt;
+    const char *digits = output.c_str() + place + label.size();
+    char *end = nullptr;
+    const std::uint64_t number = std::strtoull(digits, &end, 10);
+    return end == digits ? std::nullopt : std::optional<std::uint64_t>(number);
+}
+
+std::optional<std::uint64_t> count_instructions(const std::string &path, SpaceKind kind)
+{
+    std::error_code none;
+    const std::vector<std::string> command = {path_of_valgrind(),
+                                              "--tool=callgrind",
+                                              "--callgrind-out-file=/dev/null",
+                                              "--toggle-collect=counted_notices",
+                                              "--toggle-collect=counted_collide",
+                                              std::filesystem::read_symlink("/proc/self/exe", none).string(),
+                                              "--counted",
+                                              name_of(kind),
+                                              path};
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        return std::nullopt;
+    const pid_t child = fork();
+    if (child == 0)
+        become(command, ends[1]);
+    close(ends[1]);
+    const std::string output = read_all(ends[0]);
+    close(ends[0]);
+    int status = -1;
+    while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
+    {}
+    return status == 0 ? collected(output) : std::nullopt;
+}
+} // namespace ode_predictive_space::replay

@@ -1,0 +1,235 @@
+// Replays a recorded history: are the pairs the same in every kind of space, and what do they take?
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <getopt.h>
+
+#include <ode/ode.h>
+
+#include "ode_predictive_space/replay/answer.h"
+#include "ode_predictive_space/replay/check.h"
+#include "ode_predictive_space/replay/instructions.h"
+#include "ode_predictive_space/replay/replay.h"
+
+using namespace ode_predictive_space;
+using namespace ode_predictive_space::replay;
+
+namespace
+{
+constexpr char help[] = R"(Usage: ode-predictive-replay [options] FILE
+
+Replays what a program told its collision spaces and asked them, as
+ode-predictive-run --record FILE has written it, in spaces of every kind: checks
+that they find the same pairs, and prints what they take.
+
+  --space KIND    one kind of space; may be given several times. own: of the
+                  class that each space had in the program; simple, hash,
+                  quadtree, sap: ODE's; box, sphere, shape: predictive, by what
+                  --proximity of ode-predictive-run names (default: all)
+  --times         measure times also where valgrind is installed, which
+                  otherwise counts instructions
+  --answer        print, for a program to read, what the recorded program would
+                  gain: lines of fields with tabs between them
+  --seconds S     with --answer: no replay takes much longer (default: 5)
+  --help, --version
+
+An event is a dSpaceCollide() or a dSpaceCollide2(). Pairs are compared with
+those of simple spaces. By sphere and by shape, pairs are left out; then
+dCollide() must find no contact in any of them. ODE's own spaces may end by an
+assertion, which is said.
+
+Exit status: 0 when all pairs agree; 1 when some do not, or spaces ended; 2 for
+a wrong option and for a file that is no whole recording, which a line on
+standard error says, with the offset of the byte.
+)";
+
+[[noreturn]] __attribute__((format(printf, 1, 2))) void fail(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    std::fputs("ode-predictive-replay: ", stderr);
+    std::vfprintf(stderr, format, arguments);
+    std::fputs("\n", stderr);
+    va_end(arguments);
+    std::exit(2);
+}
+
+struct Options
+{
+    std::vector<SpaceKind> kinds;
+    bool times = false;
+    bool answer = false;
+    const char *counted = nullptr; // for the process under callgrind
+    double seconds = 5;
+    std::string file;
+};
+
+SpaceKind kind_of(const char *name)
+{
+    const auto kind = kind_named(name);
+    if (!kind)
+        fail("--space: '%s' is not own, simple, hash, quadtree, sap, box, sphere or shape", name);
+    return *kind;
+}
+
+double seconds_of(const char *text)
+{
+    char *end = nullptr;
+    const double seconds = std::strtod(text, &end);
+    if (end == text || *end || !(seconds > 0))
+        fail("--seconds: '%s' is no number above 0", text);
+    return seconds;
+}
+
+[[noreturn]] void show(const char *text)
+{
+    if (std::fputs(text, stdout) < 0 || std::fclose(stdout) != 0)
+        fail("standard output cannot be written: %s", std::strerror(errno));
+    std::exit(0);
+}
+
+void take_option(int option, const char *option_text, Options &options)
+{
+    switch (option)
+    {
+    case 's':
+        options.kinds.push_back(kind_of(optarg));
+        return;
+    case 't':
+        options.times = true;
+        return;
+    case 'a':
+        options.answer = true;
+        return;
+    case 'S':
+        options.seconds = seconds_of(optarg);
+        return;
+    case 'c':
+        options.counted = optarg;
+        return;
+    case 'h':
+        show(help);
+    case 'v':
+        show("ode-predictive-replay " VERSION "\n");
+    case ':':
+        fail("%s needs a value", option_text);
+    default:
+        fail("there is no option '%s'; --help lists them", option_text);
+    }
+}
+
+Options options_of(int argc, char **argv)
+{
+    const option known[] = {{"space", required_argument, nullptr, 's'},   {"times", no_argument, nullptr, 't'},
+                            {"answer", no_argument, nullptr, 'a'},        {"seconds", required_argument, nullptr, 'S'},
+                            {"counted", required_argument, nullptr, 'c'}, {"help", no_argument, nullptr, 'h'},
+                            {"version", no_argument, nullptr, 'v'},       {}};
+    Options options;
+    opterr = 0;
+    for (;;)
+    {
+        const char *option_text = argv[std::min(optind, argc - 1)];
+        const int option = getopt_long(argc, argv, ":h", known, nullptr);
+        if (option < 0)
+            break;
+        take_option(option, option_text, options);
+    }
+    if (argc - optind != 1)
+        fail(argc == optind ? "no file is named; --help explains" : "one file is replayed at a time");
+    options.file = argv[optind];
+    if (options.kinds.empty())
+        options.kinds.assign(all_kinds.begin(), all_kinds.end());
+    return options;
+}
+
+history::Recording read(const std::string &file)
+{
+    try
+    {
+        return history::Recording::read(file);
+    }
+    catch (const std::exception &failure)
+    {
+        fail("%s: %s", file.c_str(), failure.what());
+    }
+}
+
+void describe(const Options &options, const history::Recording &recording)
+{
+    std::printf("%s: %zu events, %u geoms (%u of them only as their boxes), %u bodies, %.3g MB; %s\n",
+                options.file.c_str(), recording.events().size(), recording.geom_count(), recording.stand_ins(),
+                recording.body_count(), 1e-6 * static_cast<double>(recording.bytes()), recording.note().c_str());
+    if (recording.reached_limit())
+        std::printf("It ends where it had as many bytes as it was to have.\n");
+    else if (!recording.has_end())
+        std::printf("It has no end: the program was killed, or has crashed.\n");
+}
+
+std::string cost_of(const Options &options, const history::Recording &recording, SpaceKind kind, bool instructions)
+{
+    char text[64];
+    if (recording.events().empty())
+        return "";
+    const double events = static_cast<double>(recording.events().size());
+    if (instructions)
+    {
+        const auto count = count_instructions(options.file, kind);
+        if (!count)
+            return "-";
+        std::snprintf(text, sizeof text, "%.4g", 1e-3 * static_cast<double>(*count) / events);
+        return text;
+    }
+    const Cost cost = measure_repeatedly(recording, kind, recording.events().size(), 1e9);
+    if (!cost.failure.empty())
+        return "-";
+    std::snprintf(text, sizeof text, "%.4g", 1e6 * (cost.collides + cost.notices) / events);
+    return text;
+}
+
+bool replay_all(const Options &options, const history::Recording &recording)
+{
+    const bool instructions = !options.times && has_valgrind();
+    describe(options, recording);
+    const Pairs simple = find_pairs(recording, SpaceKind::simple);
+    std::printf("\n%-14s %12s  %s\n", "spaces", instructions ? "1000 instr." : "microseconds", "pairs");
+    bool all_agree = true;
+    for (const SpaceKind kind : options.kinds)
+    {
+        const Pairs pairs = kind == SpaceKind::simple ? simple : find_pairs(recording, kind);
+        const Verdict verdict = compare(recording, kind, pairs, simple);
+        const std::string name = kind == SpaceKind::own ? "own (" + name_of_own_space(recording) + ")" : name_of(kind);
+        std::printf("%-14s %12s  %s\n", name.c_str(), cost_of(options, recording, kind, instructions).c_str(),
+                    verdict.text.c_str());
+        all_agree &= verdict.agrees;
+    }
+    std::printf(
+        "\n%s are means per event, with what is told before it. Pairs are compared with those of simple spaces.\n%s\n",
+        instructions ? "Instructions" : "Times", compared_with_program(recording, simple).c_str());
+    return all_agree;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const Options options = options_of(argc, argv);
+    const history::Recording recording = read(options.file);
+    dInitODE2(0);
+    int status = 0;
+    if (options.counted)
+        replay_to_be_counted(recording, kind_of(options.counted));
+    else if (options.answer)
+        std::fputs(report::lines_of(answer_for(recording, options.seconds)).c_str(), stdout);
+    else
+        status = replay_all(options, recording) ? 0 : 1;
+    dCloseODE();
+    if (std::fclose(stdout) != 0)
+        fail("standard output cannot be written: %s", std::strerror(errno));
+    return status;
+}

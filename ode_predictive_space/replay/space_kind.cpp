@@ -1,0 +1,23 @@
+#include "ode_predictive_space/replay/space_kind.h"
+
+namespace ode_predictive_space::replay
+{
+const char *name_of(SpaceKind kind)
+{
+    constexpr const char *names[] = {"own", "simple", "hash", "quadtree", "sap", "box", "sphere", "shape"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+std::optional<SpaceKind> kind_named(const std::string &name)
+{
+    for (const SpaceKind kind : all_kinds)
+        if (name == name_of(kind))
+            return kind;
+    return std::nullopt;
+}
+
+bool leaves_out_pairs(SpaceKind kind)
+{
+    return kind == SpaceKind::sphere || kind == SpaceKind::shape;
+}
+} // namespace ode_predictive_space::replay

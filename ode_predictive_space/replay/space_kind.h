@@ -1,0 +1,34 @@
+#ifndef ODE_PREDICTIVE_SPACE_REPLAY_SPACE_KIND_H
+#define ODE_PREDICTIVE_SPACE_REPLAY_SPACE_KIND_H
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace ode_predictive_space::replay
+{
+/// In which spaces a history is replayed. Spaces that were simple ones within others remain so, as with the launcher.
+enum class SpaceKind
+{
+    own, ///< of the class that each had in the program
+    simple,
+    hash,
+    quadtree,
+    sap,
+    box, ///< predictive, by boxes
+    sphere,
+    shape
+};
+
+constexpr std::array<SpaceKind, 8> all_kinds = {SpaceKind::own,      SpaceKind::simple, SpaceKind::hash,
+                                                SpaceKind::quadtree, SpaceKind::sap,    SpaceKind::box,
+                                                SpaceKind::sphere,   SpaceKind::shape};
+
+const char *name_of(SpaceKind kind);
+std::optional<SpaceKind> kind_named(const std::string &name);
+
+/// Calls the callback for fewer pairs than the others.
+bool leaves_out_pairs(SpaceKind kind);
+} // namespace ode_predictive_space::replay
+
+#endif

@@ -1,0 +1,89 @@
+// The spaces, geoms and bodies of a recording, made again.
+
+#ifndef ODE_PREDICTIVE_SPACE_REPLAY_STAGE_H
+#define ODE_PREDICTIVE_SPACE_REPLAY_STAGE_H
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include <ode/collision.h>
+
+#include "ode_predictive_space/history/recording.h"
+#include "ode_predictive_space/replay/space_kind.h"
+
+namespace ode_predictive_space::replay
+{
+/// ODE must be up. Any number of stages may stand beside each other.
+class Stage
+{
+public:
+    /// @param recording outlives the stage.
+    Stage(const history::Recording &recording, SpaceKind kind);
+    ~Stage();
+    Stage(const Stage &) = delete;
+    Stage &operator=(const Stage &) = delete;
+
+    /// Of all records but events and what tells of them, in their order: what they change.
+    void apply(const history::Record &record);
+
+    /// Of an event: dSpaceCollide() or dSpaceCollide2().
+    void ask(const history::Record &record, void *data, dNearCallback *callback);
+
+    /// The number of a geom in the recording.
+    static std::uint32_t id_of(dGeomID geom);
+
+    dGeomID geom(std::uint32_t id) const { return geoms_[id].geom; }
+
+    /// Of it only the box is known.
+    bool is_stand_in(std::uint32_t id) const { return geoms_[id].state.geom_class == history::stand_in; }
+
+private:
+    struct Mesh
+    {
+        std::vector<char> vertices;
+        std::vector<std::uint32_t> triangles;
+        dTriMeshDataID data = nullptr; // made when a geom first has it
+        bool single = false;
+    };
+    struct Convex
+    {
+        std::vector<dReal> planes, points;
+        std::vector<unsigned> polygons;
+    };
+    struct Shape // a mesh or a convex
+    {
+        std::unique_ptr<Mesh> mesh;
+        std::unique_ptr<Convex> convex;
+    };
+    struct Geom
+    {
+        dGeomID geom = nullptr;
+        history::GeomState state;
+        std::unique_ptr<dReal[]> box; // of a stand-in
+    };
+
+    void add_mesh(const history::MeshContent &content);
+    void add_convex(const history::ConvexContent &content);
+    void change_body(const history::BodyChange &change);
+    void change_geom(const history::GeomChange &change);
+    void make(Geom &geom, std::uint32_t id);
+    dSpaceID make_space(const history::GeomState &state) const;
+    dSpaceID make_space_of_kind(SpaceKind kind, const history::GeomState &state) const;
+    dGeomID make_mesh(std::uint32_t data);
+    dGeomID make_convex(std::uint32_t data);
+    void place_in_space(const Geom &geom) const;
+    void place(const Geom &geom, std::uint16_t fields) const;
+    void destroy(std::uint32_t id);
+
+    const history::Recording &recording_;
+    SpaceKind kind_;
+    dWorldID world_;
+    std::vector<dBodyID> bodies_;
+    std::deque<Geom> geoms_;
+    std::vector<Shape> shapes_;
+};
+} // namespace ode_predictive_space::replay
+
+#endif

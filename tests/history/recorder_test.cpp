@@ -1,0 +1,464 @@
+// What is recorded comes back, to the bit.
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <set>
+
+#include <ode/ode.h>
+
+#include <gtest/gtest.h>
+
+#include "ode_predictive_space/history.h"
+#include "ode_predictive_space/history/recorder.h"
+#include "ode_predictive_space/history/recording.h"
+#include "ode_predictive_space/replay/check.h"
+#include "ode_predictive_space/replay/replay.h"
+#include "ode_predictive_space/replay/stage.h"
+#include "tests/contract/support/ode_test.h"
+#include "tests/history/scratch_recording.h"
+
+namespace ode_predictive_space::history
+{
+namespace
+{
+using replay::SpaceKind;
+using replay::Stage;
+
+using RecorderTest = OdeTest;
+
+void ignore(void * /*data*/, dGeomID /*first*/, dGeomID /*second*/) {}
+
+void count(void *number, dGeomID /*first*/, dGeomID /*second*/)
+{
+    ++*static_cast<int *>(number);
+}
+
+// Records collides of a space of any kind, as the launcher does.
+class Recorded
+{
+public:
+    explicit Recorded(std::uint64_t limit = 1 << 24)
+        : recorder_(std::make_unique<Recorder>(HistoryFile(file_.path(), false), limit, "a test"))
+    {}
+
+    int collide(dSpaceID space)
+    {
+        Call call{recorder_->begin_collide(space), 0};
+        dSpaceCollide(space, &call, note);
+        call.event.end();
+        return call.pairs;
+    }
+
+    int ask(dGeomID first, dGeomID second)
+    {
+        Call call{recorder_->begin_collide2(first, second), 0};
+        dSpaceCollide2(first, second, &call, note);
+        call.event.end();
+        return call.pairs;
+    }
+
+    Recorder &recorder() { return *recorder_; }
+
+    Recording end()
+    {
+        EXPECT_TRUE(recorder_->close());
+        return Recording::read(file_.path());
+    }
+
+    /// As after a crash.
+    Recording so_far() const { return Recording::read(file_.path()); }
+
+private:
+    struct Call
+    {
+        Recorder::Event event;
+        int pairs;
+    };
+    static void note(void *data, dGeomID first, dGeomID second)
+    {
+        Call &call = *static_cast<Call *>(data);
+        call.event.note(first, second);
+        ++call.pairs;
+    }
+
+    ScratchRecording file_;
+    std::unique_ptr<Recorder> recorder_;
+};
+
+// After all of its records.
+std::unique_ptr<Stage> staged(const Recording &recording, SpaceKind kind = SpaceKind::box)
+{
+    auto stage = std::make_unique<Stage>(recording, kind);
+    for (const Record &record : recording.records())
+        if (record.kind == RecordKind::collide || record.kind == RecordKind::collide2)
+            stage->ask(record, nullptr, ignore);
+        else
+            stage->apply(record);
+    return stage;
+}
+
+// All that a space sees of a geom.
+void expect_same(dGeomID before, dGeomID now)
+{
+    EXPECT_EQ(dGeomGetCategoryBits(before), dGeomGetCategoryBits(now));
+    EXPECT_EQ(dGeomGetCollideBits(before), dGeomGetCollideBits(now));
+    EXPECT_EQ(dGeomIsEnabled(before), dGeomIsEnabled(now));
+    EXPECT_EQ(dGeomGetBody(before) != nullptr, dGeomGetBody(now) != nullptr);
+    dReal box_before[6], box_now[6];
+    dGeomGetAABB(before, box_before);
+    dGeomGetAABB(now, box_now);
+    EXPECT_EQ(std::memcmp(box_before, box_now, sizeof box_now), 0);
+}
+
+void expect_pairs_agree(const Recording &recording)
+{
+    const replay::Pairs simple = find_pairs(recording, SpaceKind::simple);
+    ASSERT_EQ(simple.failure, "");
+    ASSERT_EQ(simple.events.size(), recording.events().size());
+    for (const SpaceKind kind : replay::all_kinds)
+    {
+        const replay::Verdict verdict = compare(recording, kind, find_pairs(recording, kind), simple);
+        EXPECT_TRUE(verdict.agrees) << name_of(kind) << ": " << verdict.text;
+    }
+    for (std::size_t i = 0; i < simple.events.size(); ++i)
+    {
+        const EventSummary &event = recording.events()[i];
+        ASSERT_TRUE(event.has_pairs);
+        EXPECT_EQ(event.pairs, simple.events[i].count) << "event " << i;
+        EXPECT_EQ(event.hash, simple.events[i].hash) << "event " << i;
+    }
+}
+
+struct Tetrahedron
+{
+    dReal planes[16] = {0, 0, -1, 0.5f, 0, -1, 0, 0.5f, -1, 0, 0, 0.5f, 0.577350269f, 0.577350269f, 0.577350269f, 0.5f};
+    dReal points[12] = {-0.5f, -0.5f, -0.5f, 1, -0.5f, -0.5f, -0.5f, 1, -0.5f, -0.5f, -0.5f, 1};
+    unsigned polygons[16] = {3, 0, 2, 1, 3, 0, 1, 3, 3, 0, 3, 2, 3, 1, 2, 3};
+    float vertices[12] = {-0.5f, -0.5f, -0.5f, 1, -0.5f, -0.5f, -0.5f, 1, -0.5f, -0.5f, -0.5f, 1};
+    dTriIndex triangles[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+};
+
+TEST_F(RecorderTest, EachClassComesBackToTheBit)
+{
+    Tetrahedron tetrahedron;
+    const dTriMeshDataID mesh = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildSingle(mesh, tetrahedron.vertices, 3 * sizeof(float), 4, tetrahedron.triangles, 12,
+                                3 * sizeof(dTriIndex));
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const std::vector<dGeomID> geoms = {
+        dCreateSphere(space, dReal(0.1)),
+        dCreateBox(space, dReal(0.1), dReal(0.2), dReal(0.3)),
+        dCreateCapsule(space, dReal(0.3), dReal(0.7)),
+        dCreateCylinder(space, dReal(0.3), dReal(0.7)),
+        dCreateRay(space, dReal(1.1)),
+        dCreatePlane(space, dReal(0.1), dReal(0.2), dReal(0.3), dReal(-0.7)),
+        dCreateConvex(space, tetrahedron.planes, 4, tetrahedron.points, 4, tetrahedron.polygons),
+        dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr)};
+    for (std::size_t i = 0; i < geoms.size(); ++i)
+    {
+        dGeomSetCategoryBits(geoms[i], 3ul << i);
+        dGeomSetCollideBits(geoms[i], ~(1ul << i));
+        if (dGeomGetClass(geoms[i]) == dPlaneClass)
+            continue;
+        dMatrix3 rotation;
+        dRFromEulerAngles(rotation, dReal(0.1) * static_cast<dReal>(i), dReal(0.3), dReal(0.7));
+        dGeomSetRotation(geoms[i], rotation);
+        dGeomSetPosition(geoms[i], dReal(0.1) * static_cast<dReal>(i), dReal(0.3), dReal(1) / 3);
+    }
+    dGeomDisable(geoms[3]);
+    Recorded recorded;
+    recorded.collide(space);
+    const Recording recording = recorded.end();
+    ASSERT_EQ(recording.geom_count(), geoms.size() + 1);
+    EXPECT_EQ(recording.stand_ins(), 0u);
+    const auto stage = staged(recording);
+    for (std::size_t i = 0; i < geoms.size(); ++i)
+        expect_same(geoms[geoms.size() - 1 - i], stage->geom(static_cast<std::uint32_t>(geoms.size() - i)));
+    expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+    dGeomTriMeshDataDestroy(mesh);
+}
+
+TEST_F(RecorderTest, GeomsOnBodiesComeBackToTheBit)
+{
+    const dWorldID world = dWorldCreate();
+    const dSpaceID space = dHashSpaceCreate(nullptr);
+    std::vector<dGeomID> geoms;
+    std::vector<dBodyID> bodies;
+    for (int i = 0; i < 10; ++i)
+    {
+        bodies.push_back(dBodyCreate(world));
+        for (int part = 0; part < 2; ++part)
+        {
+            geoms.push_back(dCreateBox(space, 1, dReal(0.3), dReal(0.4)));
+            dGeomSetBody(geoms.back(), bodies.back());
+        }
+        dGeomSetOffsetPosition(geoms.back(), dReal(0.1), dReal(0.3), dReal(0.7));
+        dMatrix3 rotation;
+        dRFromEulerAngles(rotation, dReal(0.1), dReal(0.2), dReal(0.3));
+        dGeomSetOffsetRotation(geoms.back(), rotation);
+        dBodySetPosition(bodies.back(), dReal(0.9) * static_cast<dReal>(i), 0, dReal(i % 3));
+        dBodySetAngularVel(bodies.back(), 1, 2, dReal(i));
+        dBodySetLinearVel(bodies.back(), dReal(-0.3) * static_cast<dReal>(i), 0, 0);
+    }
+    Recorded recorded;
+    for (int tick = 0; tick < 50; ++tick)
+    {
+        dWorldQuickStep(world, dReal(0.013));
+        recorded.collide(space);
+    }
+    const Recording recording = recorded.end();
+    EXPECT_EQ(recording.body_count(), 10u);
+    const auto stage = staged(recording, SpaceKind::sap);
+    for (std::uint32_t id = 1; id <= geoms.size(); ++id)
+        expect_same(geoms[id - 1], stage->geom(id));
+    expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+    dWorldDestroy(world);
+}
+
+TEST_F(RecorderTest, ChangesComeBackToTheBit)
+{
+    const dWorldID world = dWorldCreate();
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dBodyID body = dBodyCreate(world);
+    const dGeomID ball = dCreateSphere(space, 1), box = dCreateBox(space, 1, 1, 1), ray = dCreateRay(space, 5);
+    Recorded recorded;
+    const std::vector<std::function<void()>> changes = {
+        [&] { dGeomSetPosition(box, dReal(0.7), 0, 0); },
+        [&] { dGeomSphereSetRadius(ball, dReal(0.1)); },
+        [&] { dGeomSetBody(ball, body); },
+        [&] { dBodySetPosition(body, dReal(0.1), dReal(0.7), 0); },
+        [&] { dGeomSetOffsetPosition(ball, 0, dReal(0.3), 0); },
+        [&] { dGeomSetBody(box, body); }, // no pair with the ball any more
+        [&] { dGeomClearOffset(ball); },
+        [&] { dGeomDisable(ray); },
+        [&] { dGeomEnable(ray); },
+        [&] { dGeomSetBody(box, nullptr); },
+        [&] { dGeomBoxSetLengths(box, 9, dReal(0.1), 2); },
+        [&] {
+            dGeomSetCollideBits(box, 0);
+            dGeomSetCategoryBits(box, 0);
+        },
+        [&] { dGeomRaySetLength(ray, dReal(0.1)); },
+        [&] { dGeomSetPosition(ray, std::numeric_limits<dReal>::infinity(), 0, 0); },
+        [&] { dGeomSetPosition(ray, 0, 0, 0); },
+        [&] { dGeomSetBody(ball, nullptr); },
+    };
+    recorded.collide(space);
+    for (const auto &change : changes)
+    {
+        change();
+        recorded.collide(space);
+        const Recording recording = recorded.so_far();
+        const auto stage = staged(recording);
+        expect_same(ball, stage->geom(1));
+        expect_same(box, stage->geom(2));
+        expect_same(ray, stage->geom(3));
+    }
+    dSpaceDestroy(space);
+    dWorldDestroy(world);
+}
+
+TEST_F(RecorderTest, GeomsComeAndGoAndChangeTheirSpace)
+{
+    const dSpaceID outer = dHashSpaceCreate(nullptr), inner = dSimpleSpaceCreate(outer);
+    std::vector<dGeomID> balls;
+    for (int i = 0; i < 20; ++i)
+    {
+        balls.push_back(dCreateSphere(i % 2 ? inner : outer, 1));
+        dGeomSetPosition(balls.back(), dReal(0.7) * static_cast<dReal>(i), 0, 0);
+    }
+    Recorded recorded;
+    recorded.collide(outer);
+    for (std::size_t i = 0; i < 5; ++i)
+    {
+        dGeomDestroy(balls[3 * i]);
+        dSpaceRemove(dGeomGetSpace(balls[3 * i + 1]), balls[3 * i + 1]);
+        dSpaceAdd(inner, balls[3 * i + 1]);
+        recorded.collide(outer);
+        recorded.ask(reinterpret_cast<dGeomID>(inner), balls[3 * i + 1]);
+        balls[3 * i] = dCreateCapsule(i % 2 ? outer : inner, 1, 1);
+        recorded.collide(outer);
+    }
+    expect_pairs_agree(recorded.end());
+    dSpaceDestroy(outer);
+}
+
+TEST_F(RecorderTest, ProbesOutsideOfSpacesAreRecorded)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    for (int i = 0; i < 30; ++i)
+        dGeomSetPosition(dCreateBox(space, 1, 1, 1), dReal(0.9) * static_cast<dReal>(i), 0, 0);
+    const dGeomID probe = dCreateSphere(nullptr, 2);
+    Recorded recorded;
+    int pairs = 0;
+    for (int i = 0; i < 10; ++i)
+    {
+        dGeomSetPosition(probe, dReal(2 * i), 0, 0);
+        pairs += recorded.ask(probe, reinterpret_cast<dGeomID>(space));
+    }
+    EXPECT_GT(pairs, 10);
+    expect_pairs_agree(recorded.end());
+    dGeomDestroy(probe);
+    dSpaceDestroy(space);
+}
+
+TEST_F(RecorderTest, AMeshIsRecordedOnceAndAgainWhenItsVerticesChange)
+{
+    Tetrahedron tetrahedron;
+    const dTriMeshDataID mesh = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildSingle(mesh, tetrahedron.vertices, 3 * sizeof(float), 4, tetrahedron.triangles, 12,
+                                3 * sizeof(dTriIndex));
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    for (int i = 0; i < 5; ++i)
+        dGeomSetPosition(dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr), dReal(i), 0, 0);
+    Recorded recorded;
+    const auto meshes = [&] {
+        const Recording recording = recorded.so_far();
+        return std::count_if(recording.records().begin(), recording.records().end(),
+                             [](const Record &record) { return record.kind == RecordKind::mesh; });
+    };
+    recorded.collide(space);
+    recorded.collide(space);
+    EXPECT_EQ(meshes(), 1);
+    tetrahedron.vertices[3] = 2;
+    dGeomTriMeshDataUpdate(mesh);
+    recorded.collide(space);
+    EXPECT_EQ(meshes(), 2);
+    dSpaceDestroy(space);
+    dGeomTriMeshDataDestroy(mesh);
+}
+
+// ODE's own header calls transforms deprecated; programs have them.
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+TEST_F(RecorderTest, HeightfieldsAndTransformsAreTheirBoxes)
+{
+    const float heights[4] = {0, 1, 2, 3};
+    const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildSingle(field, heights, 0, 10, 10, 2, 2, 1, 0, 1, 0);
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dGeomID ground = dCreateHeightfield(space, field, 1), transform = dCreateGeomTransform(space);
+    dGeomTransformSetGeom(transform, dCreateSphere(nullptr, 1));
+    dGeomTransformSetCleanup(transform, 1);
+    Recorded recorded;
+    for (int i = 0; i < 5; ++i)
+    {
+        dGeomSetPosition(transform, 0, dReal(i), 0);
+        recorded.collide(space);
+    }
+    const Recording recording = recorded.end();
+    EXPECT_EQ(recording.stand_ins(), 2u);
+    const auto stage = staged(recording);
+    expect_same(ground, stage->geom(1));
+    expect_same(transform, stage->geom(2));
+    expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+    dGeomHeightfieldDataDestroy(field);
+}
+
+TEST_F(RecorderTest, TheRecordingEndsAtItsLimitWithAWholeTick)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dGeomID ball = dCreateSphere(space, 1);
+    dCreateSphere(space, 1);
+    Recorded recorded(3000);
+    for (int i = 0; i < 100; ++i)
+    {
+        dGeomSetPosition(ball, dReal(0.1) * static_cast<dReal>(i), 0, 0);
+        recorded.collide(space);
+    }
+    EXPECT_TRUE(recorded.recorder().is_over());
+    const Recording recording = recorded.end();
+    EXPECT_TRUE(recording.reached_limit());
+    EXPECT_LE(recording.bytes(), 3000u);
+    EXPECT_GT(recording.events().size(), 5u);
+    EXPECT_LT(recording.events().size(), 100u);
+    dSpaceDestroy(space);
+}
+
+TEST_F(RecorderTest, WithoutAnEndTheLastCollideIsThere)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    dCreateSphere(space, 1);
+    Recorded recorded;
+    recorded.recorder().begin_collide(space);
+    const Recording recording = recorded.so_far();
+    ASSERT_EQ(recording.events().size(), 1u);
+    EXPECT_FALSE(recording.events()[0].has_pairs) << "the program did not survive it";
+    EXPECT_FALSE(recording.has_end());
+    dSpaceDestroy(space);
+}
+
+// --- dPredictiveSpaceRecord() -----------------------------------------------------------------------------------------
+
+TEST_F(RecorderTest, ASpaceRecordsItselfAndFindsTheSamePairs)
+{
+    const ScratchRecording file;
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr), twin = dPredictiveSpaceCreate(nullptr);
+    std::vector<std::array<dGeomID, 2>> geoms;
+    for (int i = 0; i < 40; ++i)
+        geoms.push_back({dCreateSphere(space, 1), dCreateSphere(twin, 1)});
+    ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
+    EXPECT_TRUE(dSpaceIsPredictive(space));
+    for (int tick = 0; tick < 30; ++tick)
+    {
+        for (std::size_t i = 0; i < geoms.size(); ++i)
+            for (const dGeomID geom : geoms[i])
+                dGeomSetPosition(geom, dReal(i % 7) * dReal(1.3), dReal(i) * dReal(0.4), dReal(tick * (i % 3)) / 10);
+        int pairs = 0, expected = 0;
+        dSpaceCollide(space, &pairs, count);
+        dSpaceCollide(twin, &expected, count);
+        EXPECT_EQ(pairs, expected);
+    }
+    EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
+    EXPECT_EQ(dPredictiveSpaceRecord(space, nullptr, 0), 1);
+    int pairs = 0;
+    dSpaceCollide(space, &pairs, count);
+    const Recording recording = Recording::read(file.path());
+    EXPECT_EQ(recording.events().size(), 30u) << "what came afterwards is not in it";
+    EXPECT_TRUE(recording.has_end());
+    expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+    dSpaceDestroy(twin);
+}
+
+TEST_F(RecorderTest, ADestroyedSpaceEndsItsRecording)
+{
+    const ScratchRecording file;
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    dCreateSphere(space, 1);
+    ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
+    dSpaceCollide(space, nullptr, ignore);
+    dSpaceDestroy(space);
+    EXPECT_TRUE(Recording::read(file.path()).has_end());
+}
+
+TEST_F(RecorderTest, WhatCannotBeRecordedIsRefused)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr), hash = dHashSpaceCreate(nullptr);
+    int result = 1;
+    EXPECT_NE(ode_complaint([&] { result = dPredictiveSpaceRecord(hash, "/dev/null", 0); }).find("not a predictive"),
+              std::string::npos);
+    EXPECT_EQ(result, 0);
+    EXPECT_NE(ode_complaint([&] { result = dPredictiveSpaceRecord(nullptr, "/dev/null", 0); }).find("null"),
+              std::string::npos);
+    EXPECT_NE(ode_complaint([&] {
+                  result = dPredictiveSpaceRecord(space, "/nonexistent/file", 0);
+              }).find("/nonexistent/file"),
+              std::string::npos);
+    EXPECT_EQ(result, 0);
+    EXPECT_EQ(dPredictiveSpaceRecord(space, nullptr, 0), 1) << "there was none";
+    dSpaceCollide(space, nullptr, ignore);
+    ASSERT_EQ(dPredictiveSpaceRecord(space, "/dev/full", 0), 1);
+    dSpaceCollide(space, nullptr, ignore);
+    EXPECT_NE(ode_complaint([&] { result = dPredictiveSpaceRecord(space, nullptr, 0); }).find("to its end"),
+              std::string::npos);
+    EXPECT_EQ(result, 0);
+    dSpaceDestroy(space);
+    dSpaceDestroy(hash);
+}
+} // namespace
+} // namespace ode_predictive_space::history

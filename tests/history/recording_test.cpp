@@ -1,0 +1,231 @@
+// Broken and hostile files: the offset of the record that is wrong, and nothing else.
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+#include <ode/ode.h>
+
+#include "ode_predictive_space/history/recording.h"
+#include "tests/history/scratch_recording.h"
+
+namespace ode_predictive_space::history
+{
+namespace
+{
+// The bytes of a file, record by record.
+class Bytes
+{
+public:
+    Bytes()
+    {
+        raw(magic, sizeof magic);
+        number<std::uint32_t>(format_version).number<std::uint32_t>(sizeof(dReal));
+    }
+
+    template <typename Number, typename Value> Bytes &number(Value value)
+    {
+        const auto exact = static_cast<Number>(value);
+        raw(&exact, sizeof exact);
+        return *this;
+    }
+
+    Bytes &reals(int count, dReal value = 1)
+    {
+        for (int i = 0; i < count; ++i)
+            raw(&value, sizeof value);
+        return *this;
+    }
+
+    Bytes &begin(RecordKind kind)
+    {
+        begin_ = bytes_.size();
+        return number<std::uint32_t>(0).number<std::uint8_t>(kind);
+    }
+
+    Bytes &end()
+    {
+        const auto size = static_cast<std::uint32_t>(bytes_.size() - begin_ - record_header_size);
+        std::memcpy(&bytes_[begin_], &size, sizeof size);
+        return *this;
+    }
+
+    Bytes &geom(std::uint32_t id, int geom_class, std::uint32_t parent = 0, std::uint32_t data = 0, dReal size = 1)
+    {
+        begin(RecordKind::geom).number<std::uint32_t>(id).number<std::uint8_t>(geom_class);
+        number<std::uint16_t>(geom_field::all).number<std::uint32_t>(0).number<std::uint32_t>(0);
+        number<std::uint32_t>(0).number<std::uint32_t>(parent).number<std::uint64_t>(1).number<std::uint64_t>(1);
+        number<std::uint8_t>(geom_enabled).reals(size_count(geom_class), size).number<std::uint32_t>(data);
+        number<std::uint32_t>(0).number<std::uint8_t>(0).reals(12).reals(12);
+        return end();
+    }
+
+    Bytes &event(RecordKind kind, std::initializer_list<std::uint32_t> ids)
+    {
+        begin(kind);
+        for (const std::uint32_t id : ids)
+            number<std::uint32_t>(id);
+        return end();
+    }
+
+    Bytes &mesh(std::uint32_t triangles, std::uint32_t corner, float coordinate = 0)
+    {
+        begin(RecordKind::mesh).number<std::uint32_t>(0).number<std::uint8_t>(1);
+        number<std::uint32_t>(3).number<std::uint32_t>(triangles);
+        for (int i = 0; i < 9; ++i)
+            number<float>(coordinate);
+        for (std::uint32_t i = 0; i < 3 * triangles; ++i)
+            number<std::uint32_t>(corner);
+        return end();
+    }
+
+    Bytes &convex(std::uint32_t corners, std::uint32_t corner)
+    {
+        begin(RecordKind::convex).number<std::uint32_t>(0).number<std::uint32_t>(1).number<std::uint32_t>(3);
+        number<std::uint32_t>(4).reals(4).reals(9).number<std::uint32_t>(corners);
+        for (int i = 0; i < 3; ++i)
+            number<std::uint32_t>(corner);
+        return end();
+    }
+
+    std::size_t size() const { return bytes_.size(); }
+    std::vector<char> &bytes() { return bytes_; }
+
+private:
+    void raw(const void *bytes, std::size_t size)
+    {
+        const auto *begin = static_cast<const char *>(bytes);
+        bytes_.insert(bytes_.end(), begin, begin + size);
+    }
+
+    std::vector<char> bytes_;
+    std::size_t begin_ = 0;
+};
+
+// What is wrong, "" when nothing is; and whether the offset is that of the last record.
+std::string complaint(Bytes bytes, std::size_t offset)
+{
+    try
+    {
+        Recording recording(bytes.bytes());
+        return "";
+    }
+    catch (const BadRecording &error)
+    {
+        EXPECT_EQ(error.offset, offset) << error.what();
+        return error.what();
+    }
+}
+
+void expect_refused(Bytes good, const std::function<void(Bytes &)> &go_on, const std::string &what)
+{
+    const std::size_t offset = good.size();
+    go_on(good);
+    EXPECT_NE(complaint(good, offset).find(what), std::string::npos) << complaint(good, offset);
+}
+
+TEST(Recording, TakesWhatIsWhole)
+{
+    Bytes bytes;
+    bytes.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1).mesh(1, 2).geom(2, dTriMeshClass, 1, 0);
+    bytes.event(RecordKind::collide, {0}).event(RecordKind::collide2, {1, 0}).event(RecordKind::gone, {1});
+    EXPECT_EQ(complaint(bytes, 0), "");
+    const Recording recording(bytes.bytes());
+    EXPECT_EQ(recording.events().size(), 2u);
+    EXPECT_EQ(recording.geom_count(), 3u);
+}
+
+TEST(Recording, RefusesOtherFiles)
+{
+    EXPECT_THROW(Recording(std::vector<char>()), BadRecording);
+    EXPECT_THROW(Recording(std::vector<char>(1000, 'x')), BadRecording);
+    EXPECT_THROW(Recording::read("/nonexistent/file"), std::runtime_error);
+    EXPECT_THROW(Recording::read(testing::TempDir()), std::runtime_error) << "a folder";
+    Bytes later;
+    later.bytes()[sizeof magic] = 2;
+    EXPECT_NE(complaint(later, 8).find("version 2"), std::string::npos);
+    Bytes precision;
+    precision.bytes()[sizeof magic + 4] = sizeof(dReal) == 8 ? 4 : 8;
+    EXPECT_NE(complaint(precision, 12).find("precision"), std::string::npos);
+}
+
+TEST(Recording, RefusesATruncatedOneAtTheRecordThatIsNotWhole)
+{
+    Bytes bytes;
+    bytes.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1);
+    const std::size_t last = bytes.size();
+    bytes.event(RecordKind::collide, {0});
+    for (std::size_t size = last + 1; size < bytes.size(); ++size)
+    {
+        Bytes cut = bytes;
+        cut.bytes().resize(size);
+        EXPECT_NE(complaint(cut, last).find("ends within a record"), std::string::npos) << size;
+    }
+}
+
+TEST(Recording, RefusesWhatAReplayWouldStumbleOver)
+{
+    Bytes good;
+    good.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1);
+    const auto refused = [&](const char *what, const std::function<void(Bytes &)> &go_on) {
+        SCOPED_TRACE(what);
+        expect_refused(good, go_on, what);
+    };
+    refused("not the next one", [](Bytes &b) { b.geom(3, dSphereClass); });
+    refused("negative or not a number", [](Bytes &b) { b.geom(2, dBoxClass, 0, 0, -1); });
+    refused("negative or not a number",
+            [](Bytes &b) { b.geom(2, dSphereClass, 0, 0, std::numeric_limits<dReal>::quiet_NaN()); });
+    refused("no such class", [](Bytes &b) { b.geom(2, dFirstUserClass); });
+    refused("recorded as their boxes", [](Bytes &b) { b.geom(2, dHeightfieldClass); });
+    refused("no space", [](Bytes &b) { b.geom(2, dSphereClass, 2); });
+    refused("no space", [](Bytes &b) { b.geom(2, dSphereClass, 77); });
+    refused("no space", [](Bytes &b) { b.geom(2, dSimpleSpaceClass, 3); }); // in itself
+    refused("no such data", [](Bytes &b) { b.geom(2, dTriMeshClass, 1, 0); });
+    refused("no such geom", [](Bytes &b) { b.event(RecordKind::collide, {5}); });
+    refused("no space", [](Bytes &b) { b.event(RecordKind::collide, {1}); });
+    refused("no space", [](Bytes &b) { b.event(RecordKind::collide2, {1, 1}); });
+    refused("shorter", [](Bytes &b) { b.event(RecordKind::collide2, {1}); });
+    refused("longer", [](Bytes &b) { b.event(RecordKind::collide, {0, 0}); });
+    refused("no such event", [](Bytes &b) { b.event(RecordKind::pairs, {0, 0, 0, 0}); });
+    refused("no such kind", [](Bytes &b) { b.event(static_cast<RecordKind>(77), {0}); });
+    refused("no triangle", [](Bytes &b) { b.mesh(0, 0); });
+    refused("no vertex", [](Bytes &b) { b.mesh(1, 3); });
+    refused("not finite", [](Bytes &b) { b.mesh(1, 0, std::numeric_limits<float>::infinity()); });
+    refused("shorter", [](Bytes &b) { b.event(RecordKind::mesh, {0, 0xffffff00, 0xffffffff, 0}); });
+    refused("corners", [](Bytes &b) { b.convex(2, 0); });
+    refused("corners", [](Bytes &b) { b.convex(0xffffffff, 0); });
+    refused("no point", [](Bytes &b) { b.convex(3, 3); });
+    refused("not described", [](Bytes &b) {
+        b.begin(RecordKind::body).number<std::uint32_t>(0).number<std::uint16_t>(1).number<std::uint8_t>(1).end();
+    });
+}
+
+TEST(Recording, RefusesWhatIsDoneWithAGeomThatIsGone)
+{
+    Bytes good;
+    good.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1).event(RecordKind::gone, {0});
+    expect_refused(
+        good, [](Bytes &b) { b.event(RecordKind::collide, {0}); }, "no such geom");
+    expect_refused(
+        good, [](Bytes &b) { b.geom(2, dSphereClass, 1); }, "gone");
+    expect_refused(
+        good, [](Bytes &b) { b.event(RecordKind::gone, {0}); }, "no such geom");
+}
+
+TEST(Recording, RefusesWhatFollowsTheEndAndSpacesThatAreTooDeep)
+{
+    Bytes ended;
+    ended.begin(RecordKind::end).number<std::uint8_t>(0).end();
+    expect_refused(
+        ended, [](Bytes &b) { b.geom(0, dSphereClass); }, "follows the end");
+    Bytes deep;
+    for (std::uint32_t id = 0; id <= deepest_nesting; ++id)
+        deep.geom(id, dSimpleSpaceClass, id);
+    expect_refused(
+        deep, [](Bytes &b) { b.geom(deepest_nesting + 1, dSimpleSpaceClass, deepest_nesting + 1); }, "too deeply");
+}
+} // namespace
+} // namespace ode_predictive_space::history
