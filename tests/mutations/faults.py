@@ -67,6 +67,9 @@ def notice_faults():
     yield Fault(
         "lost_notices", "notices", entry, "if (followed == Followed::moved)\n            note_move(place);", "", (("broadphase", "Tick.*:*ReportOfAMove.*"),))
     yield Fault(
+        "left_in_another_size", "notices", entry, "is_finite(place.tight_lanes()) && same_size())",
+        "is_finite(place.tight_lanes()))", reports)
+    yield Fault(
         "same_size_assumed", "notices", entry, "place.solid() == object.solid();", "true;", reports)
     yield Fault(
         "growth_of_a_sphere_ignored", "notices", entry, "object.radius() <= place.watched_radius()", "true", reports)
@@ -360,8 +363,8 @@ def space_faults():
         "new_geoms_missed_by_queries", "space", space, "unprepared_ = true;\n    forget_catching_up();", "unprepared_ = true;",
         contract("Contract.09_*"))
     yield Fault(
-        "query_reports_what_is_apart", "space", query, "if (now.overlap(other, geom) && wants_callback(other, geom))",
-        "if (wants_callback(other, geom))", contract("Contract.09_*"))
+        "query_reports_what_is_apart", "space", query, "if (now.overlap_as_known(other, geom) && bits_agree(other, geom)",
+        "if (bits_agree(other, geom)", contract("Contract.09_*"))
     yield Fault(
         "query_with_a_stale_box", "space", query,
         "if (flags_beside_others(geom) & GEOM_AABB_BAD)\n        compute_box_of_probe(geom);\n    const bool as_line",
