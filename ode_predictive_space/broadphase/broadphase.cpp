@@ -267,6 +267,8 @@ ProxyId Broadphase::add()
     const ProxyId id = proxies_.add();
     if (proxies_.count() >= tuning::least_trimmed)
         trim_below_ = std::max(trim_below_, proxies_.count() / 4);
+    if (proxies_.count() == tuning::few_objects + 1)
+        request_all(); // no envelope of a small scene is to stay as large as that
     mark_moved(id);
     return id;
 }

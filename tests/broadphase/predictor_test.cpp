@@ -109,37 +109,66 @@ TEST(Predictor, ALeapIsNotExtrapolated)
     }
 }
 
-// Among few objects, to test all pairs costs less than to predict what cannot be predicted.
-TEST(Predictor, InASmallSceneAnEnvelopeThatBrokeEarlyTwiceIsTheWholeScene)
+// So many objects that small scenes are not predicted, of which the first leaps.
+class FewObjects
 {
-    World world;
-    const auto others = static_cast<int>(tuning::few_objects) - 1;
-    world.add(alone({0, 0, 0}));
-    for (int i = 0; i < others; ++i)
-        world.add(alone({2.0 + i, 0, 0}));
-    const auto leap = [&](int tick) {
-        world.object(0).centre = Vector3(10 * std::sin(tick * tick), 0.5, 0);
-        world.touch(0);
+public:
+    FewObjects()
+    {
+        world.add(alone({0, 0, 0}));
+        for (std::size_t i = 0; i < others; ++i)
+            world.add(alone({2.0 + static_cast<double>(i), 0, 0}));
         world.tick();
-        ASSERT_EQ(world.violated_invariant(), "");
-    };
-    world.tick();
-    for (int tick = 1; tick < 4; ++tick)
-        leap(tick);
-    const std::uint64_t before = world.broadphase.counters().repredictions;
-    for (int tick = 4; tick < 1000; ++tick)
-        leap(tick);
-    EXPECT_EQ(world.broadphase.counters().repredictions, before);
-    EXPECT_EQ(world.broadphase.near_pairs(), static_cast<std::size_t>(others)) << "those of the object with each other";
+        leap(tuning::most_early_breaks + 1);
+    }
 
-    world.broadphase.catch_up(world);
-    world.broadphase.forecast(world, 0); // who asks wants predictions
-    leap(1000);
-    EXPECT_GT(world.broadphase.counters().repredictions, before);
-    world.add(alone({-2, 0, 0})); // not few any more
-    leap(1001);
-    leap(1002);
-    EXPECT_LT(world.broadphase.near_pairs(), static_cast<std::size_t>(others));
+    void leap(int ticks)
+    {
+        for (int i = 0; i < ticks; ++i)
+        {
+            ++tick_;
+            world.object(0).centre = Vector3(10 * std::sin(tick_ * tick_), 0.5, 0);
+            world.touch(0);
+            world.tick();
+            ASSERT_EQ(world.violated_invariant(), "");
+        }
+    }
+
+    std::uint64_t predictions() const { return world.broadphase.counters().repredictions; }
+    std::size_t near_pairs() const { return world.broadphase.near_pairs(); }
+
+    static constexpr std::size_t others = tuning::few_objects - 1;
+    World world;
+
+private:
+    int tick_ = 0;
+};
+
+// To test all pairs costs less than to predict what cannot be predicted.
+TEST(Predictor, InASmallSceneWhatBreaksEarlyAgainAndAgainGetsTheWholeScene)
+{
+    FewObjects few;
+    const std::uint64_t before = few.predictions();
+    few.leap(1000);
+    EXPECT_EQ(few.predictions(), before);
+    EXPECT_EQ(few.near_pairs(), FewObjects::others) << "those of the object with each other";
+}
+
+TEST(Predictor, InASmallSceneWhoAsksForForecastsGetsPredictions)
+{
+    FewObjects few;
+    few.world.broadphase.catch_up(few.world);
+    few.world.broadphase.forecast(few.world, 0);
+    few.leap(1);
+    EXPECT_LT(few.near_pairs(), FewObjects::others);
+}
+
+TEST(Predictor, ASceneThatIsNotSmallAnyMoreIsPredicted)
+{
+    FewObjects few;
+    few.world.add(alone({-1000, 0, 0}));
+    few.leap(1);
+    EXPECT_LT(few.near_pairs(), FewObjects::others);
 }
 
 TEST(Predictor, AnObjectThatHasStoppedNeedsNoPredictions)

@@ -51,8 +51,8 @@ struct alignas(64) ProxyRecord
     std::uint16_t useless; ///< of these, pairs that were apart at the end
     Role role;             ///< set by the program; predict recognises Role::interactive
     Shelf shelf;           ///< written by the index
+    std::uint8_t early_breaks; ///< so many envelopes, one after the other, have not repaid their predictions
     bool predicted : 1;    ///< at least once
-    bool broke_early : 1;  ///< the last envelope did not repay its prediction
     bool has_body : 1;     ///< which tells the velocity
     bool by_radius : 1;    ///< its new envelope holds the object however it turns
 
