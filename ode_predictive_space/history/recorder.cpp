@@ -25,7 +25,6 @@ std::string header()
 }
 
 constexpr std::size_t end_size = record_header_size + 1;
-constexpr std::size_t flush_size = std::size_t{1} << 20;
 } // namespace
 
 // Appends one record to the buffer; its length is known at the end.

@@ -231,7 +231,8 @@ bool Predictor::stays_everywhere(const ProxyStore &proxies, ProxyRecord &record,
     const auto others = static_cast<float>(proxies.count() - 1);
     const bool early = outcome.ticks > 0 && outcome.ticks * tuning::cost_of_test * others < tuning::cost_of_prediction;
     record.early_breaks = early ? std::min(record.early_breaks + 1, tuning::most_early_breaks) : 0;
-    return record.early_breaks == tuning::most_early_breaks && proxies.count() <= tuning::few_objects && !wants_samples_;
+    return record.early_breaks == tuning::most_early_breaks && proxies.count() <= tuning::few_objects &&
+           !wants_samples_;
 }
 
 // What is finite of the scene, and as much again on every side.
