@@ -16,7 +16,7 @@ using namespace ode_predictive_space;
 namespace
 {
 constexpr int pairs_of_a_kind = of_cases(75000);
-static_assert(pairs_of_a_kind * pair_kinds >= 1000000, "a million pairs for each measure");
+static_assert(pairs_of_a_kind * pair_kinds >= of_cases(1000000), "a million pairs for each measure");
 
 // How far before the true contact the prediction was, in horizons.
 class Earliness
