@@ -25,7 +25,7 @@ extern "C" {
 
 /**
  * Record from now on each dSpaceCollide() and dSpaceCollide2() of a space: before it, what has changed of the space's geoms
- * and of their bodies, to the bit, and after it, how many pairs there were. Not recorded: what is asked of spaces in this one, and what
+ * and of their bodies, to the bit, and after it, how many pairs there were. Not recorded: questions to nested spaces, and what
  * callbacks change during a collide. A space that is not recorded takes not one instruction more for it.
  *
  * The file is written before each collide. When the program crashes, it ends with the collide that the program did not survive.

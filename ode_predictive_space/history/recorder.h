@@ -1,6 +1,6 @@
 // Writes a history while it happens: before each collide and question, what has changed since the one before.
 //
-// It looks at the geoms as a program could and is told of nothing else, so that what is not recorded costs nothing.
+// It reads the geoms through ODE, like any program, and needs no notifications: a space that is not recorded costs nothing more.
 
 #ifndef ODE_PREDICTIVE_SPACE_HISTORY_RECORDER_H
 #define ODE_PREDICTIVE_SPACE_HISTORY_RECORDER_H

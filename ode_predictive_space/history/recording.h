@@ -1,4 +1,4 @@
-// Reads a recorded history. What it takes can be replayed without further checks, whoever wrote the file.
+// Reads and validates a recorded history. An accepted history can be replayed without further checks, even from a hostile file.
 
 #ifndef ODE_PREDICTIVE_SPACE_HISTORY_RECORDING_H
 #define ODE_PREDICTIVE_SPACE_HISTORY_RECORDING_H

@@ -13,7 +13,7 @@ struct Findings
 {
     std::size_t events = 0;
     std::string own_name;       ///< of the program's own kind of space: "hash"
-    bool own_is_simple = false; ///< the launcher replaces it only when it is told so
+    bool own_is_simple = false; ///< the launcher replaces simple spaces only with --space simple
     double own = 0, box = 0, shape = 0;
     double callbacks = 0;   ///< by boxes, per event
     double spared = 0;      ///< of these, those that spaces by shape do not call

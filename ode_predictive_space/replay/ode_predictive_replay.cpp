@@ -210,7 +210,7 @@ bool replay_all(const Options &options, const history::Recording &recording)
         all_agree &= verdict.agrees;
     }
     std::printf(
-        "\n%s are means per event, with what is told before it. Pairs are compared with those of simple spaces.\n%s\n",
+        "\n%s are means per event, with the changes before it. Pairs are compared with those of simple spaces.\n%s\n",
         instructions ? "Instructions" : "Times", compared_with_program(recording, simple).c_str());
     return all_agree;
 }

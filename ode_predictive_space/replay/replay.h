@@ -52,7 +52,7 @@ struct Cost
     std::string failure;
     std::size_t events = 0; ///< that were replayed
     double collides = 0;    ///< of all events, with a callback that only counts
-    double notices = 0;     ///< of all that is told between them
+    double notices = 0;     ///< of the changes between them: moves, sizes, bits, new geoms
     std::uint64_t callbacks = 0;
     std::vector<float> seconds;              ///< of each event
     std::vector<float> seconds_of_notices;   ///< before it
@@ -79,7 +79,7 @@ struct Callbacks
 };
 Callbacks judge_callbacks(const history::Recording &recording, std::size_t most_events, double most_seconds);
 
-/// Replays in this process and counts nothing: for callgrind, which is told the names of the two functions whose instructions
+/// Replays in this process and counts nothing: for callgrind, which gets the names of the two functions whose instructions
 /// count, counted_notices and counted_collide.
 void replay_to_be_counted(const history::Recording &recording, SpaceKind kind);
 } // namespace ode_predictive_space::replay

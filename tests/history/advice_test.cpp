@@ -30,7 +30,7 @@ TEST(Advice, FollowsTheLeastTime)
     EXPECT_EQ(advice_for(found(40, 60, 70, 50)), Advice::use_by_shape) << "by shape alone it pays";
 }
 
-TEST(Advice, LeavesWhatRunsDifferByAndWhatNobodyNotices)
+TEST(Advice, IgnoresDifferencesWithinNoiseAndUnnoticeableGains)
 {
     EXPECT_EQ(advice_for(found(40, 38, 38)), Advice::leave);
     EXPECT_EQ(advice_for(found(1.5, 0.7, 0.7)), Advice::leave);
