@@ -403,7 +403,7 @@ void Recording::Check::take_event(const Record &record)
     cursor.expect_end();
     const bool first_is_space = is_space_class(geoms_[first].geom_class);
     if (!first_is_space && !is_space_class(geoms_[second].geom_class))
-        cursor.refuse("the geom that is asked is not a space");
+        cursor.refuse("the geom that is asked is no space");
     if (is_collide ? !has_collide_ : !has_collide_ && !has_question_)
         recording_.first_space_ = first_is_space ? first : second;
     has_collide_ |= is_collide;
