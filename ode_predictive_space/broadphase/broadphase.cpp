@@ -281,6 +281,7 @@ void Broadphase::remove(ProxyId id)
     pairing_.waiting.erase(id);
     idle_.forget(id);
     shapes_.forget(id);
+    predictor_.forget(id);
     if (!interrupted_)
         attempt([&] { forget(id); });
     proxies_.remove(id);
@@ -304,7 +305,6 @@ void Broadphase::forget(ProxyId id)
 {
     near_.retire(id);
     index_.remove(proxies_, id);
-    predictor_.forget(id);
 }
 
 void Broadphase::resize_stages()
