@@ -10,7 +10,7 @@ test_variant() {
     read -ra programs <<<"$2"
     shift 2
     cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DODE_PREDICTIVE_SPACE_BUILD_DEMOS=OFF \
-        -DODE_SOURCE_DIR= "$@" >/dev/null
+        -DCMAKE_UNITY_BUILD=ON -DODE_SOURCE_DIR= "$@" >/dev/null
     cmake --build "$folder" --target "${programs[@]}"
     ctest --test-dir "$folder" --parallel "$(nproc)" --output-on-failure --no-tests=error \
         --label-regex '^(contract|differential)$'

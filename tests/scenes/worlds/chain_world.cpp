@@ -7,18 +7,18 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double step_seconds = 0.004;
+constexpr double chain_step = 0.004;
 constexpr int links = 17;
-constexpr double length = 0.2;      // of a link, metres
-constexpr double radius = 0.06;     // metres
-constexpr double torque = 8;        // N m
-constexpr double fastest = 2;       // rad/s
-constexpr double space_for_one = 2; // metres
+constexpr double length = 0.2;         // of a link, metres
+constexpr double radius = 0.06;        // metres
+constexpr double torque = 8;           // N m
+constexpr double fastest_in_chain = 2; // rad/s
+constexpr double space_for_one = 2;    // metres
 
 class ChainWorld : public WorldScene
 {
 public:
-    ChainWorld(const SceneSpec &spec, dSpaceID space) : WorldScene(spec, space, step_seconds)
+    ChainWorld(const SceneSpec &spec, dSpaceID space) : WorldScene(spec, space, chain_step)
     {
         objects_.add_geom(dCreatePlane(space, 0, 0, 1, 0));
         for (int i = 0; i < spec.objects; ++i)
@@ -61,7 +61,7 @@ private:
         time_ += step();
         for (std::size_t i = 0; i < hinges_.size(); ++i)
         {
-            drive(hinges_[i], fastest * std::sin(2 * time_ + 0.8 * static_cast<double>(i)), torque);
+            drive(hinges_[i], fastest_in_chain * std::sin(2 * time_ + 0.8 * static_cast<double>(i)), torque);
         }
     }
 
@@ -74,6 +74,6 @@ SceneRecipe chain_world(const SceneSpec &spec)
 {
     return {[](const SceneSpec &made, dSpaceID space) { return std::make_unique<ChainWorld>(made, space); },
             {{length * links / 2, space_for_one * spec.objects / 2, 0}, {5, space_for_one * spec.objects + 2, 2}},
-            step_seconds};
+            chain_step};
 }
 } // namespace ode_predictive_space::scenes

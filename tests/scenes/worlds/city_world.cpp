@@ -8,13 +8,13 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double step_seconds = 0.005;
+constexpr double city_step = 0.005;
 constexpr int samples = 65; // of the heightfield, along each side
 constexpr int trees_per_vehicle = 5;
 constexpr double tree_height = 3; // metres
 constexpr double tree_radius = 0.2;
 
-double half_side(int vehicles)
+double half_side_of_city(int vehicles)
 {
     return 6 * std::sqrt(vehicles) + 10;
 }
@@ -55,11 +55,11 @@ class CityWorld : private Hills, public WorldScene
 {
 public:
     CityWorld(const SceneSpec &spec, dSpaceID space)
-        : Hills(half_side(spec.objects)), WorldScene(spec, space, step_seconds)
+        : Hills(half_side_of_city(spec.objects)), WorldScene(spec, space, city_step)
     {
         set_orientation(add_scenery(objects_, dCreateHeightfield(space, data_, 1)),
                         Quaternion(Eigen::AngleAxisd(pi / 2, Vector3::UnitX())));
-        const double half = half_side(spec.objects);
+        const double half = half_side_of_city(spec.objects);
         for (int i = 0; i < trees_per_vehicle * spec.objects; ++i)
         {
             const Vector3 place = place_on_ground(half - 2, tree_height / 2);
@@ -85,9 +85,9 @@ private:
 
 SceneRecipe city_world(const SceneSpec &spec)
 {
-    const double half = half_side(spec.objects) + 1;
+    const double half = half_side_of_city(spec.objects) + 1;
     return {[](const SceneSpec &made, dSpaceID space) { return std::make_unique<CityWorld>(made, space); },
             {Vector3::Zero(), {half, half, 10}},
-            step_seconds};
+            city_step};
 }
 } // namespace ode_predictive_space::scenes

@@ -11,7 +11,7 @@ constexpr double rain_step = 0.1;      // seconds
 constexpr int objects_per_drop = 5;    // one in five falls
 constexpr double rain_density = 0.01;  // share of the volume
 constexpr double frame_density = 0.05; // the same
-constexpr double fastest = 11;         // m/s along each axis: a tenth of the radius in a tick
+constexpr double fastest_in_free = 11; // m/s along each axis: a tenth of the radius in a tick
 
 dGeomID make_geom(dSpaceID space, int number)
 {
@@ -87,7 +87,7 @@ public:
         for (int i = 0; i < spec.objects; ++i)
         {
             BodyState state = random_state();
-            state.velocity = random_.in_box(Vector3::Constant(fastest));
+            state.velocity = random_.in_box(Vector3::Constant(fastest_in_free));
             state.angular_velocity = random_.in_box(Vector3::Constant(2));
             bodies_.push_back(add_body(objects_, make_geom(space, i), 1, state));
         }
@@ -122,7 +122,7 @@ public:
             const BodyState state = random_state();
             set_orientation(objects_.add_geom(make_geom(space, i)), state.orientation);
             places_.push_back(state.position);
-            velocities_.push_back(random_.in_box(Vector3::Constant(fastest)));
+            velocities_.push_back(random_.in_box(Vector3::Constant(fastest_in_free)));
         }
     }
 

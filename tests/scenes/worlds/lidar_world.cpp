@@ -8,29 +8,29 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double step_seconds = 0.05;
+constexpr double lidar_step = 0.05;
 constexpr int robots = 10;
 constexpr int rays_per_robot = 360;
 constexpr double range = 10; // metres
 constexpr double speed = 1;  // m/s
 
-double half_side(int boxes)
+double half_side_of_lidar(int boxes)
 {
     return std::sqrt(boxes);
 }
 
-SceneBounds bounds_of(int boxes)
+SceneBounds bounds_of_lidar(int boxes)
 {
-    return {Vector3::Zero(), {half_side(boxes) + 1, half_side(boxes) + 1, 2}};
+    return {Vector3::Zero(), {half_side_of_lidar(boxes) + 1, half_side_of_lidar(boxes) + 1, 2}};
 }
 
 class LidarWorld : public WorldScene
 {
 public:
     LidarWorld(const SceneSpec &spec, dSpaceID space, bool nested)
-        : WorldScene(spec, space, step_seconds), nested_(nested)
+        : WorldScene(spec, space, lidar_step), nested_(nested)
     {
-        const double half = half_side(spec.objects);
+        const double half = half_side_of_lidar(spec.objects);
         for (int i = 0; i < spec.objects; ++i)
         {
             const Vector3 size = Vector3::Constant(0.7) + random_.in_box(Vector3::Constant(0.4));
@@ -42,7 +42,7 @@ public:
             const double heading = random_.uniform(-pi, pi);
             robots_.push_back(
                 {random_.in_box({half, half, 0.2}), speed * Vector3(std::cos(heading), std::sin(heading), 0)});
-            add_rays(nested ? add_space(bounds_of(spec.objects)) : nullptr);
+            add_rays(nested ? add_space(bounds_of_lidar(spec.objects)) : nullptr);
         }
         place_rays();
     }
@@ -108,6 +108,6 @@ SceneRecipe lidar_world(const SceneSpec &spec, bool nested)
 {
     return {
         [nested](const SceneSpec &made, dSpaceID space) { return std::make_unique<LidarWorld>(made, space, nested); },
-        bounds_of(spec.objects), step_seconds};
+        bounds_of_lidar(spec.objects), lidar_step};
 }
 } // namespace ode_predictive_space::scenes

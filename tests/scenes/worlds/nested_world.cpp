@@ -8,17 +8,17 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double step_seconds = 0.005;
+constexpr double nested_step = 0.005;
 constexpr int balls = 10; // beside the empty spaces
 
-double half_side(int robots)
+double half_side_of_nested(int robots)
 {
     return std::sqrt(robots) + 2;
 }
 
-SceneBounds bounds_of(int robots)
+SceneBounds bounds_of_nested(int robots)
 {
-    return {Vector3::Zero(), {half_side(robots), half_side(robots), 2}};
+    return {Vector3::Zero(), {half_side_of_nested(robots), half_side_of_nested(robots), 2}};
 }
 
 class SpacesWorld : public WorldScene
@@ -27,7 +27,7 @@ public:
     void collide(dSpaceID space, PairList &list) override { dSpaceCollide(space, &list, &PairList::collect_in_spaces); }
 
 protected:
-    SpacesWorld(const SceneSpec &spec, dSpaceID space) : WorldScene(spec, space, step_seconds)
+    SpacesWorld(const SceneSpec &spec, dSpaceID space) : WorldScene(spec, space, nested_step)
     {
         objects_.add_geom(dCreatePlane(space, 0, 0, 1, 0));
     }
@@ -39,13 +39,14 @@ class RobotSpacesWorld : public SpacesWorld
 public:
     RobotSpacesWorld(const SceneSpec &spec, dSpaceID space) : SpacesWorld(spec, space)
     {
-        const double half = half_side(spec.objects) - 1;
+        const double half = half_side_of_nested(spec.objects) - 1;
         const int side = static_cast<int>(std::ceil(std::sqrt(spec.objects)));
         for (int i = 0; i < spec.objects; ++i)
         {
             const Vector3 place(2 * half * (i % side + 0.5) / side - half, 2 * half * (i / side + 0.5) / side - half,
                                 0);
-            add_vehicle(objects_, add_space(bounds_of(spec.objects)), {}, place, random_.uniform(-pi, pi), random_);
+            add_vehicle(objects_, add_space(bounds_of_nested(spec.objects)), {}, place, random_.uniform(-pi, pi),
+                        random_);
         }
     }
 };
@@ -57,7 +58,7 @@ public:
     {
         for (int i = 0; i < spec.objects; ++i)
         {
-            add_space(bounds_of(spec.objects));
+            add_space(bounds_of_nested(spec.objects));
         }
         for (int i = 0; i < balls; ++i)
         {
@@ -73,12 +74,12 @@ public:
 SceneRecipe nested_world(const SceneSpec &spec)
 {
     return {[](const SceneSpec &made, dSpaceID space) { return std::make_unique<RobotSpacesWorld>(made, space); },
-            bounds_of(spec.objects), step_seconds};
+            bounds_of_nested(spec.objects), nested_step};
 }
 
 SceneRecipe empty_spaces_world(const SceneSpec &spec)
 {
     return {[](const SceneSpec &made, dSpaceID space) { return std::make_unique<EmptySpacesWorld>(made, space); },
-            bounds_of(spec.objects), step_seconds};
+            bounds_of_nested(spec.objects), nested_step};
 }
 } // namespace ode_predictive_space::scenes

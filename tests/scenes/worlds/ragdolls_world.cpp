@@ -8,7 +8,7 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double step_seconds = 0.005;
+constexpr double ragdolls_step = 0.005;
 constexpr int steps = 12;
 constexpr double depth = 0.6;       // of a step, metres
 constexpr double rise = 0.25;       // of a step, metres
@@ -19,7 +19,7 @@ constexpr double space_for_one = 2; // metres
 class RagdollsWorld : public WorldScene
 {
 public:
-    RagdollsWorld(const SceneSpec &spec, dSpaceID space) : WorldScene(spec, space, step_seconds)
+    RagdollsWorld(const SceneSpec &spec, dSpaceID space) : WorldScene(spec, space, ragdolls_step)
     {
         objects_.add_geom(dCreatePlane(space, 0, 0, 1, 0));
         for (int step = 0; step < steps; ++step)
@@ -43,6 +43,6 @@ SceneRecipe ragdolls_world(const SceneSpec &)
 {
     return {[](const SceneSpec &made, dSpaceID space) { return std::make_unique<RagdollsWorld>(made, space); },
             {{depth * steps / 2, 0, 5}, {depth * steps, 2 * half_width, 10}},
-            step_seconds};
+            ragdolls_step};
 }
 } // namespace ode_predictive_space::scenes

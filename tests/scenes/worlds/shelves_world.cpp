@@ -9,7 +9,7 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double step_seconds = 0.005;
+constexpr double shelves_step = 0.005;
 constexpr int robots = 50;
 constexpr int levels = 5;             // of a shelf
 constexpr double place_width = 0.5;   // of a box in its shelf, metres
@@ -23,7 +23,7 @@ int places(int boxes)
     return std::max(4, static_cast<int>(std::sqrt(boxes / levels * aisle / place_width)));
 }
 
-double half_side(int boxes)
+double half_side_of_shelves(int boxes)
 {
     return 0.5 * place_width * places(boxes) + 2 * aisle;
 }
@@ -37,9 +37,9 @@ struct Building
 class ShelvesWorld : private Building, public WorldScene
 {
 public:
-    ShelvesWorld(const SceneSpec &spec, dSpaceID space, bool one_mesh) : WorldScene(spec, space, step_seconds)
+    ShelvesWorld(const SceneSpec &spec, dSpaceID space, bool one_mesh) : WorldScene(spec, space, shelves_step)
     {
-        const double half = half_side(spec.objects);
+        const double half = half_side_of_shelves(spec.objects);
         add_ground(half, one_mesh);
         for (int i = 0; i < spec.objects; ++i)
         {
@@ -75,11 +75,11 @@ private:
 
 SceneRecipe shelves_world(const SceneSpec &spec, bool one_mesh)
 {
-    const double half = half_side(spec.objects) + 1;
+    const double half = half_side_of_shelves(spec.objects) + 1;
     return {[one_mesh](const SceneSpec &made, dSpaceID space) {
                 return std::make_unique<ShelvesWorld>(made, space, one_mesh);
             },
             {{0, 0, height / 2}, {half, half, height}},
-            step_seconds};
+            shelves_step};
 }
 } // namespace ode_predictive_space::scenes

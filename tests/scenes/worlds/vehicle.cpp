@@ -6,9 +6,9 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double slowest = 4;      // rad/s, of a wheel
-constexpr double fastest = 12;     // rad/s
-constexpr double difference = 0.1; // of the speeds left and right
+constexpr double slowest = 4;             // rad/s, of a wheel
+constexpr double fastest_in_vehicle = 12; // rad/s
+constexpr double difference = 0.1;        // of the speeds left and right
 
 void add_mast(SceneObjects &objects, dSpaceID space, const VehicleSize &size, dBodyID chassis)
 {
@@ -45,7 +45,7 @@ void add_vehicle(SceneObjects &objects, dSpaceID space, const VehicleSize &size,
     {
         add_mast(objects, space, size, chassis);
     }
-    const double speed = random.uniform(slowest, fastest);
+    const double speed = random.uniform(slowest, fastest_in_vehicle);
     const double turn = random.uniform(-difference, difference);
     for (const double front : {-1.0, 1.0})
     {
