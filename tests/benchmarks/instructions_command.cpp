@@ -80,6 +80,7 @@ const std::vector<CountedCase> &world_cases()
         {"heap_50", 500, 0, 100},
         {"drones", 300, 50, 100},
         {"drones", 1000, 50, 30},
+        {"room", 1000, 250, 30}, // the tree of the room is ready by then
         {"city", 100, 50, 50},
         {"rain", 1000, 100, 100},
         {"frames_0", 1000, 100, 40},
@@ -103,19 +104,19 @@ const std::vector<CountedCase> &world_cases()
     return all;
 }
 
-/// What the command line can name.
-std::vector<CountedCase> all_cases()
-{
-    std::vector<CountedCase> all = counted_cases();
-    all.insert(all.end(), world_cases().begin(), world_cases().end());
-    return all;
-}
-
 /// Of whole ticks, from the first one on: what a program needs that runs so long.
 const std::vector<CountedCase> &whole_cases()
 {
     static const std::vector<CountedCase> all = {
         {"mix", 100, 0, 200}, {"mix", 1000, 0, 200}, {"pile", 500, 0, 100}, {"stack", 1000, 0, 200}};
+    return all;
+}
+
+/// What the command line can name.
+std::vector<CountedCase> all_cases(bool whole)
+{
+    std::vector<CountedCase> all = whole ? whole_cases() : counted_cases();
+    all.insert(all.end(), world_cases().begin(), world_cases().end());
     return all;
 }
 
@@ -205,15 +206,11 @@ public:
 private:
     std::vector<CountedCase> chosen_cases() const
     {
-        if (whole_)
+        if (!scenes_.empty())
         {
-            return chosen(whole_cases(), scenes_);
+            return chosen(all_cases(whole_), scenes_);
         }
-        if (scenes_.empty())
-        {
-            return worlds_ ? world_cases() : counted_cases();
-        }
-        return chosen(all_cases(), scenes_);
+        return worlds_ ? world_cases() : whole_ ? whole_cases() : counted_cases();
     }
 
     CountedRun run_of(const CountedCase &one, const std::string &space, const Options &options) const

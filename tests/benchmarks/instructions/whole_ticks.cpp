@@ -80,7 +80,7 @@ private:
 
 nlohmann::json make_whole_ticks(const CountedRun &run)
 {
-    const SceneFactory factory(run.spec);
+    const SceneFactory factory = factory_of(run);
     WholeTicks whole(run.space, factory);
     for (int tick = 0; tick < run.warm_up_ticks; ++tick)
     {
