@@ -7,6 +7,7 @@
 
 #include "ode_predictive_space/broadphase/near/contact_forecast.h"
 #include "ode_predictive_space/broadphase/shape/gap.h"
+#include "ode_predictive_space/broadphase/shape/surface_gap.h"
 #include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/prediction/proximity.h"
 
@@ -235,7 +236,7 @@ bool Broadphase::may_touch(const CandidatePair &pair) const
 {
     const ConvexShape &one = shapes_[pair.first], &other = shapes_[pair.second];
     const double margin = touching_distance(one, other, shape_margin_);
-    return !(find_gap(one, other, Vector3::Zero(), margin).length > margin);
+    return !(find_gap(one, other, Vector3::Zero(), margin).length > margin || surface_gap(one, other, margin) > margin);
 }
 
 std::optional<double> Broadphase::time_of_contact(const Forecast &first, const Forecast &second,

@@ -116,8 +116,28 @@ constexpr double least_widths_per_slab = 4, least_boxes_per_slab = 1000;
 /// Reports between two looks for pairs that may rest. (gas 100,000, stack 1,000)
 constexpr unsigned reports_per_rest = 32;
 
+/// Looks of dropped pairs up to which their memory is kept.
+constexpr std::size_t kept_looks = 256;
+
 /// Reports between two looks at the gap of a pair that has had none for long.
 constexpr int longest_pause = 32;
+
+/// Reports for which a pair must be postponed to be worth the look and the following of both objects; and so many shorter ones in
+/// a row that the next looks are in vain. Of primitives: the contacts of convexes and meshes cost ten times as much. (ragdolls 20,
+/// chain 1)
+constexpr int least_wait = 4, most_short_waits = 4;
+
+/// How far from a shape the nearest triangle of a mesh is looked for, in radii of the shape. (room 1,000)
+constexpr double surface_search = 8;
+
+/// Triangles farther away than this part of the distance of the nearest one that was found are not looked at: the gap is less by
+/// as much. (room 1,000)
+constexpr double near_enough = 0.8;
+
+/// Triangles that are read at each report to build the trees of meshes: less than a millisecond. (a room of 215,000 triangles)
+constexpr std::size_t triangles_per_report = 20000;
+/// And reports until a pair that needs one is looked at again.
+constexpr int pause_while_built = 15;
 
 /// Points of a convex or mesh beyond which its box, in its own axes, stands for it. A mesh of more is mostly a landscape, which has
 /// the other objects within its hull, and a hull takes about a millisecond per thousand points to make.

@@ -22,23 +22,20 @@ void append(std::string &content, std::uint32_t number)
     append(content, &number, sizeof number);
 }
 
-template <typename Real> bool append_vertices(std::string &content, const MeshData &mesh)
+template <typename Real> bool append_vertices(std::string &content, const TriangleArrays &mesh)
 {
     for (unsigned i = 0; i < mesh.vertex_count; ++i)
     {
-        Real vertex[3];
-        std::memcpy(vertex,
-                    static_cast<const char *>(mesh.vertices) +
-                        static_cast<std::ptrdiff_t>(i) * static_cast<std::ptrdiff_t>(mesh.vertex_stride),
-                    sizeof vertex);
-        if (!std::isfinite(vertex[0]) || !std::isfinite(vertex[1]) || !std::isfinite(vertex[2]))
+        const Vector3 vertex = mesh.vertex(i);
+        if (!vertex.allFinite())
             return false;
-        append(content, vertex, sizeof vertex);
+        const Eigen::Matrix<Real, 3, 1> as_stored = vertex.cast<Real>();
+        append(content, as_stored.data(), 3 * sizeof(Real));
     }
     return true;
 }
 
-bool read_mesh(const MeshData &mesh, std::string &content)
+bool read_mesh(const TriangleArrays &mesh, std::string &content)
 {
     if (mesh.triangle_count == 0 || mesh.triangle_count > most_of_mesh || mesh.vertex_count > most_of_mesh)
         return false;
@@ -49,15 +46,11 @@ bool read_mesh(const MeshData &mesh, std::string &content)
         return false;
     for (unsigned i = 0; i < mesh.triangle_count; ++i)
     {
-        std::uint32_t corners[3];
-        std::memcpy(corners,
-                    static_cast<const char *>(mesh.triangles) +
-                        static_cast<std::ptrdiff_t>(i) * static_cast<std::ptrdiff_t>(mesh.triangle_stride),
-                    sizeof corners);
+        const TriangleArrays::Indices corners = mesh.indices(i);
         for (std::uint32_t corner : corners)
             if (corner >= mesh.vertex_count)
                 return false;
-        append(content, corners, sizeof corners);
+        append(content, corners.data(), sizeof corners);
     }
     return true;
 }
@@ -115,7 +108,7 @@ bool ShapeData::key_of(dGeomID geom, Key &key)
         key = {convex->points, convex->polygons, std::uint64_t{convex->planecount} << 32 | convex->pointcount};
         return true;
     }
-    const MeshData *mesh = mesh_data_of(geom);
+    const TriangleArrays *mesh = mesh_data_of(geom);
     if (!mesh)
         return false;
     key = {mesh->vertices, mesh->triangles, std::uint64_t{mesh->vertex_count} << 32 | mesh->triangle_count};
@@ -127,7 +120,7 @@ bool ShapeData::read(dGeomID geom, std::string &content)
     content.clear();
     if (geom->type == dConvexClass)
         return read_convex(*static_cast<const dxConvex *>(geom), content);
-    const MeshData *mesh = mesh_data_of(geom);
+    const TriangleArrays *mesh = mesh_data_of(geom);
     return mesh && read_mesh(*mesh, content);
 }
 

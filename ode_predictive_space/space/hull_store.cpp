@@ -1,7 +1,6 @@
 #include "ode_predictive_space/space/hull_store.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -28,7 +27,7 @@ DataKey key_of(const dxConvex *convex)
     return {word(convex->points), convex->pointcount, word(convex->planes), convex->planecount, word(convex->polygons)};
 }
 
-DataKey key_of(const MeshData &mesh)
+DataKey key_of(const TriangleArrays &mesh)
 {
     return {word(mesh.vertices),  mesh.vertex_count,   word(mesh.vertex_stride) << 1 | mesh.single,
             word(mesh.triangles), mesh.triangle_count, word(mesh.triangle_stride)};
@@ -39,7 +38,7 @@ DataKey key_of(dxGeom *geom)
 {
     if (geom->type == dConvexClass)
         return key_of(static_cast<const dxConvex *>(geom));
-    const MeshData *mesh = geom->type == dTriMeshClass ? mesh_data_of(geom) : nullptr;
+    const TriangleArrays *mesh = geom->type == dTriMeshClass ? mesh_data_of(geom) : nullptr;
     return mesh ? key_of(*mesh) : DataKey{};
 }
 
@@ -53,37 +52,12 @@ Points points_of(const dxConvex *convex)
     return points;
 }
 
-// An element of an array of the program, which may begin at any byte.
-template <typename T> std::array<T, 3> element(const void *array, int stride, unsigned index)
-{
-    std::array<T, 3> found;
-    const std::ptrdiff_t offset = std::ptrdiff_t{stride} * static_cast<std::ptrdiff_t>(index);
-    std::memcpy(&found, static_cast<const char *>(array) + offset, sizeof found);
-    return found;
-}
-
-template <typename Real> Vector3 vertex(const MeshData &mesh, unsigned index)
-{
-    const std::array<Real, 3> found = element<Real>(mesh.vertices, mesh.vertex_stride, index);
-    return Vector3(double{found[0]}, double{found[1]}, double{found[2]});
-}
-
-Vector3 vertex(const MeshData &mesh, unsigned index)
-{
-    return mesh.single ? vertex<float>(mesh, index) : vertex<double>(mesh, index);
-}
-
-std::array<dTriIndex, 3> triangle(const MeshData &mesh, unsigned index)
-{
-    return element<dTriIndex>(mesh.triangles, mesh.triangle_stride, index);
-}
-
 // Those that a triangle has; none when one has a vertex that is not there.
-Points points_of(const MeshData &mesh)
+Points points_of(const TriangleArrays &mesh)
 {
     std::vector<bool> used(mesh.vertex_count);
     for (unsigned i = 0; i < mesh.triangle_count; ++i)
-        for (dTriIndex index : triangle(mesh, i))
+        for (std::uint32_t index : mesh.indices(i))
         {
             if (index >= mesh.vertex_count)
                 return {};
@@ -92,17 +66,18 @@ Points points_of(const MeshData &mesh)
     Points points;
     for (unsigned i = 0; i < mesh.vertex_count; ++i)
         if (used[i])
-            points.push_back(vertex(mesh, i));
+            points.push_back(mesh.vertex(i));
     return points;
 }
 
 // Triangles whose corners coincide count for the least normal only: to ODE, they are never touched by other shapes than meshes.
-void take_triangles(const MeshData &mesh, DataHull &hull)
+void take_triangles(const TriangleArrays &mesh, DataHull &hull)
 {
+    hull.surface = std::make_shared<TriangleTree>(mesh);
     for (unsigned i = 0; i < mesh.triangle_count; ++i)
     {
-        const auto [a, b, c] = triangle(mesh, i);
-        const Vector3 corner = vertex(mesh, a), one = vertex(mesh, b) - corner, other = vertex(mesh, c) - corner;
+        const TriangleCorners corners = mesh.corners(i);
+        const Vector3 one = corners[1] - corners[0], other = corners[2] - corners[0];
         const double normal = one.cross(other).norm();
         hull.least_normal = std::min(hull.least_normal, normal);
         if (!one.isZero(0) && !other.isZero(0) && one != other)

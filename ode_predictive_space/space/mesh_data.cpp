@@ -6,9 +6,9 @@ namespace ode_predictive_space
 {
 namespace
 {
-const MeshData *laid_out(dTriMeshDataID data)
+const TriangleArrays *laid_out(dTriMeshDataID data)
 {
-    return reinterpret_cast<const MeshData *>(data);
+    return reinterpret_cast<const TriangleArrays *>(data);
 }
 
 // Data of a mesh with a value of its own in every member.
@@ -22,7 +22,7 @@ template <typename Real, typename Build> bool is_laid_out_as_expected(Build buil
     const std::array<dTriIndex, 4 * triangles> indices{0, 1, 2, 0, 2, 3, 4, 0};
     const dTriMeshDataID data = dGeomTriMeshDataCreate();
     build(data, coordinates.data(), vertex_stride, vertices, indices.data(), 3 * triangles, triangle_stride);
-    const MeshData &found = *laid_out(data);
+    const TriangleArrays &found = *laid_out(data);
     const bool as_expected = found.vertices == coordinates.data() && found.vertex_stride == vertex_stride &&
                              found.vertex_count == vertices && found.triangles == indices.data() &&
                              found.triangle_count == triangles && found.triangle_stride == triangle_stride &&
@@ -40,7 +40,7 @@ bool knows_layout()
 }
 } // namespace
 
-const MeshData *mesh_data_of(dGeomID mesh)
+const TriangleArrays *mesh_data_of(dGeomID mesh)
 {
     return knows_layout() ? laid_out(dGeomTriMeshGetData(mesh)) : nullptr;
 }

@@ -107,8 +107,8 @@ def predict_faults():
         "all_leave_together", "predict", predictor, "(0.75f + 0.5f * scrambled(id))", "(1 + 0 * scrambled(id))",
         (("broadphase", "Predictor.*:Tick.*"),))
     yield Fault(
-        "samples_outlive_the_object", "predict", tick, "index_.remove(proxies_, id);\n    predictor_.forget(id);",
-        "index_.remove(proxies_, id);", (("broadphase", "Predictor.*"),))
+        "samples_outlive_the_object", "predict", tick, "shapes_.forget(id);\n    predictor_.forget(id);",
+        "shapes_.forget(id);", (("broadphase", "Predictor.*:*Exceptions*"),))
     yield Fault(
         "tightened_too_far", "predict", BROADPHASE + "objects/place.h",
         "max(Float4::all(radius) - half - margin, Float4::all(0))", "Float4::all(radius) - Float4::all(0.9f) * half - margin",
@@ -259,7 +259,7 @@ def shape_faults():
         "gap_of_the_second_too_large", "shapes", gap, "- second.reach(-axis);", "- 0.9 * second.reach(-axis);",
         (("shapes", "Gap.*"),))
     yield Fault(
-        "wrong_pair_of_a_gap", "shapes", BROADPHASE + "near/near_set.h", "looks_[looks_left++] = looks_[i];", "looks_[looks_left++] = looks_[0];",
+        "wrong_pair_of_a_gap", "shapes", BROADPHASE + "near/near_set.h", "looks_[left] = looks_[i];", "looks_[left] = looks_[0];",
         proximity + contacts)
     yield Fault(
         "look_outlives_the_shape", "shapes", BROADPHASE + "near/near_set.cpp",
@@ -311,6 +311,26 @@ def shape_faults():
         "margin_does_not_grow_with_slivers", "shapes", test,
         "if (!beside_half_space)\n        of_sizes *= first.sliver_factor * second.sliver_factor;", "(void)beside_half_space;",
         (("shape_contract", "ShapeSlivers.*"),))
+    yield Fault(
+        "look_of_another_pair", "shapes", BROADPHASE + "near/dropped_looks.h",
+        "(one.first == other.first && one.second == other.second)", "one.first == other.first", contacts)
+    surface = BROADPHASE + "shape/surface_gap.cpp"
+    yield Fault(
+        "triangles_beside_the_nearest_ignored", "shapes", surface,
+        "        reach = gap + shape.radius();\n        return gap > least;", "        reach = gap;\n        return gap > least;",
+        (("shapes", "SurfaceGap.*"),))
+    yield Fault(
+        "capsule_beside_triangles_is_not_blunt", "shapes", surface,
+        "other.blunt_beside & surface->group ? gap_between(*surface, other.blunt(), least)\n", "false ? 0\n",
+        (("colliders", "*Surfaces*"),))
+    yield Fault(
+        "triangle_in_the_box_of_its_middle", "shapes", SOURCES + "surface/triangle_tree.cpp",
+        "    for (const Vector3 &corner : corners)\n        box.extend(corner);",
+        "    box.extend((corners[0] + corners[1] + corners[2]) / 3);", (("surface", "*"),))
+    yield Fault(
+        "surface_of_the_data_before", "shapes", hulls, "hull.surface = std::make_shared<TriangleTree>(mesh);",
+        "static const auto first_mesh = std::make_shared<TriangleTree>(mesh);\n    hull.surface = first_mesh;",
+        hull_data + contacts)
 
 
 def sweep_faults():

@@ -25,6 +25,7 @@ SUITES = {  # where the programs are; quick ones first
     "prediction": "tests/prediction/prediction_test",
     "broadphase": "tests/broadphase/broadphase_tests",
     "shapes": "tests/shape/shape_tests",
+    "surface": "tests/surface/surface_tests",
     "space": "tests/space/space_tests",
     "contract": "tests/contract/contract_tests",
     "faults": "tests/faults/fault_tests",

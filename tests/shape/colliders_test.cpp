@@ -10,6 +10,7 @@
 
 #include "ode_predictive_space/broadphase/near/shape_test.h"
 #include "ode_predictive_space/broadphase/shape/gap.h"
+#include "ode_predictive_space/broadphase/shape/surface_gap.h"
 #include "ode_predictive_space/space/geom_scene.h"
 #include "ode_predictive_space/space/geom_shape.h"
 #include "tests/contract/support/ode_test.h"
@@ -71,6 +72,61 @@ protected:
         slivers.faces = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {0, 3, 4}};
         meshes_.emplace_back(slivers, one_in(2));
         return dCreateTriMesh(nullptr, meshes_.back().id(), nullptr, nullptr, nullptr);
+    }
+
+    // Rough ground or a bowl, of many triangles that are up to a hundred times as long as wide.
+    dGeomID create_ground(double size)
+    {
+        constexpr unsigned side = 6, row = side + 1;
+        const double narrow = log_between(1e-2, 1);
+        const bool is_bowl = one_in(2);
+        Polyhedron ground;
+        for (unsigned i = 0; i < row * row; ++i)
+        {
+            const double x = 2.0 * (i % row) / side - 1, y = 2.0 * (i / row) / side - 1;
+            ground.corners.emplace_back(size * x, size * narrow * y,
+                                        size * (is_bowl ? x * x + y * y : between(0, 0.2)));
+        }
+        for (unsigned i = 0; i < row * side; ++i)
+            if (i % row < side)
+            {
+                ground.faces.push_back({i, i + 1, i + row});
+                ground.faces.push_back({i + 1, i + row + 1, i + row});
+            }
+        meshes_.emplace_back(ground, one_in(2));
+        return dCreateTriMesh(nullptr, meshes_.back().id(), nullptr, nullptr, nullptr);
+    }
+
+    // Of two shapes, also within the hull of a mesh.
+    double gap(dGeomID first, dGeomID second)
+    {
+        const ConvexShape one = shape_of(first, hulls_), other = shape_of(second, hulls_);
+        for (const ConvexShape *shape : {&one, &other})
+            if (shape->surface())
+                shape->surface()->build(10000);
+        return std::max(find_gap(one, other, Vector3::Zero(), 0).length, surface_gap(one, other, 0));
+    }
+
+    // Moves the geom away from a place on the mesh until there is hardly a gap, or hardly a contact, and then a little on or back.
+    void nearly_touch_surface(dGeomID mesh, dGeomID geom, double size)
+    {
+        dVector3 corner, second, third;
+        const auto triangle = random_() % static_cast<unsigned>(dGeomTriMeshGetTriangleCount(mesh));
+        dGeomTriMeshGetTriangle(mesh, static_cast<int>(triangle), &corner, &second, &third);
+        const double a = between(0, 1), b = between(0, 1 - a);
+        Vector3 place;
+        for (Eigen::Index i = 0; i < 3; ++i)
+            place[i] = corner[i] + a * (second[i] - corner[i]) + b * (third[i] - corner[i]);
+        const Vector3 towards = direction();
+        const bool by_contact = one_in(2);
+        double low = 0, high = 4 * size;
+        for (int i = 0; i < 50; ++i)
+        {
+            const double middle = 0.5 * (low + high);
+            put(geom, place, towards, middle);
+            ((by_contact ? !touch(mesh, geom) : gap(mesh, geom) > 0) ? high : low) = middle;
+        }
+        put(geom, place, towards, by_contact ? low : high + (one_in(4) ? -1 : 1) * size * log_between(1e-9, 1e-2));
     }
 
     // Thinner than the slivers, and smaller.
@@ -186,7 +242,7 @@ protected:
         const OverlapTest boxes{scene, proxies.places.data(), false, Float4::all(0)};
         Look look;
         std::uint64_t looks = 0;
-        return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).may_touch({0, 1}, look);
+        return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).looks_near({0, 1}, look, 0);
     }
 
     double thinnest_ = 0.03; // shortest side, as a part of the size
@@ -276,6 +332,30 @@ TEST_F(ShapeColliders, FindNoContactBesideSliversOfPairsThatAreLeftOut)
             look_at(mesh, other, counts);
         }
         EXPECT_GT(counts.contacts, poses / 40) << "class " << type;
+    }
+}
+
+// Where the hull of a mesh does not help: within it.
+TEST_F(ShapeColliders, FindNoContactBesideSurfacesOfPairsThatAreLeftOut)
+{
+    constexpr int poses = is_long ? 400000 : of_cases(2400);
+    for (int type : {dSphereClass, dBoxClass, dCapsuleClass, dCylinderClass, dTriMeshClass})
+    {
+        Counts counts;
+        for (int i = 0; i < poses && !HasFailure(); ++i)
+        {
+            thinnest_ = one_in(2) ? 0.03 : 1e-4;
+            const double size = log_between(1e-2, 1e2), size_of_other = size * log_between(1e-3, 1);
+            const dGeomID ground = create_ground(size), other = create(type, size_of_other);
+            turn(ground);
+            turn(other);
+            if (one_in(2))
+                put(ground, Vector3::Zero(), direction(), size * log_between(1, 1e3));
+            nearly_touch_surface(ground, other, size_of_other);
+            look_at(ground, other, counts);
+        }
+        EXPECT_GT(counts.contacts, poses / 20) << "class " << type;
+        EXPECT_GT(counts.left_out, poses / 60) << "class " << type;
     }
 }
 } // namespace

@@ -12,6 +12,7 @@
 
 #include "tests/contract/support/ode_test.h"
 #include "tests/shape/shape_history.h"
+#include "tests/support/effort.h"
 
 namespace ode_predictive_space
 {
@@ -111,6 +112,27 @@ TEST_F(ShapeContacts, AreThoseOfASimpleSpaceInAnyHistory)
             const long found = totals.contacts_of_classes[std::make_pair(one, other)];
             EXPECT_TRUE(one > other || !meet(one, other) || found > contacts_of_each) << one << " and " << other;
         }
+}
+
+TEST_F(ShapeContacts, AreThoseOfASimpleSpaceInAnyHistoryWithinARoom)
+{
+#ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
+    constexpr long ticks = 10000000;
+#else
+    constexpr long ticks = of_cases(20000);
+#endif
+    Totals totals;
+    const unsigned first = first_seed();
+    for (unsigned i = 0; totals.ticks < ticks && !HasFailure(); ++i)
+    {
+        ShapeHistory::Setting setting = history_of(first, i);
+        setting.with_room = true;
+        run(setting, 600, totals);
+    }
+    std::cout << "seeds from " << first << ": " << totals.ticks << " ticks, " << totals.overlapping
+              << " pairs whose boxes overlap, " << totals.contacts << " contacts, " << totals.calls << " calls\n";
+    EXPECT_GT(totals.contacts, totals.ticks);
+    EXPECT_GT(totals.postponed, 0u);
 }
 
 Totals in_sparse_scene(int proximity)

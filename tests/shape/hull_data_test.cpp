@@ -275,11 +275,19 @@ TEST_F(HullData, OfAMeshThatIsNotFiniteIsNone)
     EXPECT_EQ(pairs(), 1u) << "judged by its box";
 }
 
-TEST_F(HullData, OfARoomHasWhatIsInside)
+// Its triangles decide.
+TEST_F(HullData, OfARoomLeavesOutWhatIsInsideAndApartFromItsWalls)
 {
     MeshArrays arrays(Polyhedron::cube().changed(3 * same, here));
-    create_mesh(arrays);
-    EXPECT_EQ(pairs(), 1u);
+    const dGeomID mesh = create_mesh(arrays);
+    EXPECT_EQ(pairs(), 0u);
+    dGeomSetPosition(mesh, 0, 0, REAL(2.8));
+    EXPECT_EQ(pairs(), 1u) << "on the floor";
+    dGeomSetPosition(mesh, 0, 0, 0);
+    EXPECT_EQ(pairs_later(), 0u);
+    arrays.move_corners({0, 0, 2.8});
+    dPredictiveSpaceGeomChanged(space, mesh);
+    EXPECT_EQ(pairs(), 1u) << "on the floor of changed data";
 }
 
 TEST_F(HullData, OfVeryManyPointsIsTheBoxOfItsOwnAxes)

@@ -36,6 +36,18 @@ Polyhedron Polyhedron::square()
     return {{{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, {{0, 1, 2, 3}}};
 }
 
+void Polyhedron::add(const Polyhedron &other)
+{
+    const auto first = static_cast<unsigned>(corners.size());
+    corners.insert(corners.end(), other.corners.begin(), other.corners.end());
+    for (std::vector<unsigned> face : other.faces)
+    {
+        for (unsigned &corner : face)
+            corner += first;
+        faces.push_back(face);
+    }
+}
+
 Polyhedron Polyhedron::changed(const Eigen::Vector3d &factors, const Eigen::Vector3d &by) const
 {
     Polyhedron result = *this;

@@ -22,6 +22,9 @@ struct Polyhedron
     static Polyhedron tetrahedron(); ///< in the cube
     static Polyhedron square();      ///< of sides 2, with one face
 
+    /// Another one beside it.
+    void add(const Polyhedron &other);
+
     /// With all corners multiplied, along each axis by its own factor, and then moved.
     Polyhedron changed(const Eigen::Vector3d &factors, const Eigen::Vector3d &by) const;
 };

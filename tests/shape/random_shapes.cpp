@@ -24,9 +24,12 @@ std::vector<Vector3> points_of(const VertexHull &hull)
     return static_cast<const PointHull &>(hull).points;
 }
 
-void take_hull(const std::vector<Vector3> &points, ConvexShape &shape)
+void take_hull(const std::vector<Vector3> &points, ConvexShape &shape,
+               const std::shared_ptr<TriangleTree> &surface = nullptr)
 {
-    shape.hull = std::make_shared<PointHull>(points);
+    const auto hull = std::make_shared<PointHull>(points);
+    hull->surface = surface;
+    shape.hull = hull;
     shape.half_sides = shape.hull->half_sides();
     shape.size = 2 * shape.half_sides.minCoeff();
 }
@@ -130,10 +133,7 @@ ConvexShape ShapeMaker::hull()
     else
         for (int i = 0; i < 8; ++i)
             points.push_back(sides.cwiseProduct(Vector3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
-    ConvexShape shape;
-    shape.kind = ShapeKind::hull;
-    take_hull(points, shape);
-    return shape;
+    return hull_of(points);
 }
 
 ConvexShape ShapeMaker::shape(SolidKind solid)
@@ -162,6 +162,18 @@ ConvexShape ShapeMaker::shape(SolidKind solid)
     shape.size = 2 * (solid == SolidKind::box        ? shape.half_sides.minCoeff()
                       : solid == SolidKind::cylinder ? std::min(shape.radius, shape.half_sides[2])
                                                      : shape.radius);
+    return shape;
+}
+
+ConvexShape hull_of(const std::vector<Vector3> &points, const std::shared_ptr<TriangleTree> &surface)
+{
+    ConvexShape shape;
+    shape.kind = ShapeKind::hull;
+    shape.group = shape.partners = 1;
+    for (std::size_t i = 0; i < 3; ++i)
+        shape.axes[i] = Vector3::Unit(static_cast<Eigen::Index>(i));
+    take_hull(points, shape, surface);
+    shape.centre = shape.hull->centre();
     return shape;
 }
 

@@ -4,7 +4,9 @@
 #define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_RANDOM_SHAPES_H
 
 #include <array>
+#include <memory>
 #include <random>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -44,6 +46,9 @@ private:
 
     std::mt19937_64 random_;
 };
+
+/// The hull of points, in their place; of a mesh with its triangles.
+ConvexShape hull_of(const std::vector<Vector3> &points, const std::shared_ptr<TriangleTree> &surface = nullptr);
 
 /// The shape, turned about its centre and then moved.
 ConvexShape moved(const ConvexShape &shape, const Eigen::Matrix3d &turn, const Vector3 &by);

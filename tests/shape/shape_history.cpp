@@ -58,7 +58,9 @@ ShapeHistory::ShapeHistory(const Setting &setting)
         meshes_.emplace_back(polyhedron(), i % 2 == 0);
         convexes_.emplace_back(polyhedron());
     }
-    if (setting_.with_plane)
+    if (setting_.with_room)
+        create_room();
+    else if (setting_.with_plane)
         members_.push_back(
             {dCreatePlane(space_, 0, 0, 1, static_cast<dReal>(-0.7 * setting_.half_room)), GeomKind::plane});
     while (static_cast<int>(members_.size()) < setting_.geoms)
@@ -76,6 +78,21 @@ Polyhedron ShapeHistory::polyhedron()
     const std::array shapes{Polyhedron::cube(), Polyhedron::octahedron(), Polyhedron::tetrahedron()};
     const Eigen::Vector3d sides(between(0.1, 0.5), between(0.1, 0.5), between(0.1, 0.5));
     return shapes[any(shapes.size())].changed(sides, 0.1 * sides);
+}
+
+void ShapeHistory::create_room()
+{
+    Polyhedron room = Polyhedron::cube().changed(Eigen::Vector3d::Constant(1.05 * setting_.half_room), {0, 0, 0});
+    for (int i = 0; i < 6; ++i)
+    {
+        const double half = setting_.half_room;
+        room.add(Polyhedron::cube().changed({0.1, between(0.1, 0.5), between(0.1, half)},
+                                            {between(-half, half), between(-half, half), between(-half, half)}));
+    }
+    meshes_.emplace_back(room, any(2) == 0);
+    members_.push_back({dCreateTriMesh(space_, meshes_.back().id(), nullptr, nullptr, nullptr), GeomKind::trimesh});
+    if (any(2))
+        give_body(members_.back().geom);
 }
 
 dGeomID ShapeHistory::create_geom(GeomKind kind)
@@ -231,6 +248,8 @@ void ShapeHistory::change_in_place()
 void ShapeHistory::surprise()
 {
     const std::size_t index = any(members_.size());
+    if (setting_.with_room && index == 0 && any(10) > 0)
+        return; // a room lasts longer
     const dGeomID geom = members_[index].geom;
     const dBodyID body = dGeomGetBody(geom);
     const bool placeable = members_[index].kind != GeomKind::plane;

@@ -29,6 +29,7 @@ public:
         bool all_classes = true; ///< otherwise spheres, boxes and capsules, and these two:
         bool with_plane = true;
         bool with_cylinders = true;
+        bool with_room = false; ///< a mesh around all, with pillars, in place of the plane; half of the rooms move
         int proximity = 0;
         double deviation = 0; ///< fixed; 0 to have the space adapt it. With a large one, pairs stay near for long.
     };
@@ -74,6 +75,7 @@ private:
     std::size_t any(std::size_t count) { return random_() % count; }
 
     void create();
+    void create_room();
     void give_body(dGeomID geom);
     void set_velocity(dBodyID body);
     void place(dGeomID geom);
@@ -96,7 +98,7 @@ private:
     std::deque<ConvexArrays> convexes_;
     dWorldID world_;
     dSpaceID space_;
-    std::vector<Member> members_;
+    std::vector<Member> members_; // the plane or room first
 };
 } // namespace ode_predictive_space
 

@@ -48,7 +48,8 @@ public:
         ShapeTest test({*this, proxies_, shapes_}, boxes, margin, looks_);
         if (test.postpones(the_pair, look_))
             return false;
-        return look_.pause > 0 ? look_.pause-- > 0 : test.may_touch(the_pair, look_);
+        return look_.pause > 0 ? look_.pause-- > 0
+                               : test.looks_near(the_pair, look_, static_cast<std::uint8_t>(update_));
     }
 
     bool postponed() const { return shapes_.travel(the_pair) < look_.due; }

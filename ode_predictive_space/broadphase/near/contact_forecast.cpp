@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ode_predictive_space/broadphase/shape/gap.h"
+#include "ode_predictive_space/broadphase/shape/surface_gap.h"
 
 namespace ode_predictive_space
 {
@@ -36,10 +37,10 @@ double time_of_closing(double c, double b, double a)
 std::optional<double> time_of_contact(const PredictedShape &first, const PredictedShape &second, double margin,
                                       double duration)
 {
+    constexpr double next_tick = 1, rounds_down = 1 - 1e-9;
     const Gap gap = find_gap(first.shape, second.shape, Vector3::Zero(), margin);
     if (!(gap.length > margin))
-        return 0.0;
-    constexpr double next_tick = 1, rounds_down = 1 - 1e-9;
+        return surface_gap(first.shape, second.shape, margin) > margin ? std::optional(next_tick) : 0.0;
     const Path way = relative_path(first.envelope.path, second.envelope.path);
     // Verification keeps each coordinate within the deviation. Along a diagonal, the object may be farther off its path.
     const Deviation deviation = gap.axis.lpNorm<1>() * (first.envelope.deviation + second.envelope.deviation);

@@ -22,20 +22,18 @@ CandidatePair *NearSet::report(const OverlapTest &test, Place *places, UpdateNum
 CandidatePair *NearSet::report_by_shape(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room)
 {
     activate_disturbed();
-    looks_.resize(pairs_.size());
+    take_looks(test);
+    test.build();
+    renew_outdated(test);
     follow_postponed(test);
-    find_open(test);
-    CandidatePair *end = room;
-    for (std::uint32_t i : open_)
-    {
-        *end = pairs_[i];
-        end += looks_[i].pause > 0 ? looks_[i].pause-- > 0 : test.may_touch(pairs_[i], looks_[i]);
-    }
+    CandidatePair *end = find_open(test, room);
+    end = look_at_open(test, room, end);
     end = std::copy(overlapping_.begin(), overlapping_.end(), end);
     if (is_time_to_rest())
     {
         let_rest(places, update, [&](std::size_t i) {
-            return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]) && test.may_touch(pairs_[i], looks_[i]);
+            return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]) &&
+                   test.looks_near(pairs_[i], looks_[i], number_of_report());
         });
         wanted_.clear();
         for_each([this](const CandidatePair &pair, PairState) { want(pair); });
@@ -44,13 +42,37 @@ CandidatePair *NearSet::report_by_shape(ShapeTest &test, Place *places, UpdateNu
     return end;
 }
 
-// Brings the travels of postponed pairs up to date. A pair of an object whose shape is another one now is as good as new, also one
-// at rest: a hull may change without a move.
-void NearSet::follow_postponed(ShapeTest &test)
+// New pairs get the looks of dropped ones. An object has moved by now: the next look may find what the last ones did not.
+void NearSet::take_looks(const ShapeTest &test)
 {
+    const std::size_t known = looks_.size();
+    looks_.resize(pairs_.size());
+    if (dropped_.empty())
+        return;
+    dropped_.prepare();
+    for (std::size_t i = known; i < pairs_.size(); ++i)
+        if (const Look *look = dropped_.find(pairs_[i]); look && test.remembers(pairs_[i], *look))
+        {
+            looks_[i] = *look;
+            looks_[i].pause /= 2;
+        }
+    dropped_.clear();
+}
+
+// A hull may change without a move.
+void NearSet::renew_outdated(ShapeTest &test)
+{
+    if (!test.shapes().any_hulls())
+        return;
     wanted_.clear();
     for_each([this](const CandidatePair &pair, PairState) { want(pair); });
     test.renew_outdated(wanted_);
+}
+
+// Brings the travels of postponed pairs up to date. A pair of an object whose shape is another one now is as good as new, also one
+// at rest.
+void NearSet::follow_postponed(ShapeTest &test)
+{
     wanted_.clear();
     for (std::size_t i = 0; i < pairs_.size(); ++i)
         if (looks_[i].due > 0)
@@ -66,22 +88,48 @@ void NearSet::follow_postponed(ShapeTest &test)
             looks_[i] = {};
 }
 
-// The pairs that are not postponed and whose boxes overlap -> open_. Their shapes are up to date where they are looked at.
-void NearSet::find_open(ShapeTest &test)
+// Writes the pairs that are not postponed and whose boxes overlap. Those that are to be looked at are in open_, too; their shapes are
+// up to date.
+CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
 {
     wanted_.clear();
     open_.clear();
+    CandidatePair *end = room;
     for (std::size_t i = 0; i < pairs_.size(); ++i)
-        if (!test.postpones(pairs_[i], looks_[i]))
+    {
+        Look &look = looks_[i];
+        if (look.due > 0 && test.postpones(pairs_[i], look))
+            continue;
+        if (!test.boxes_overlap(pairs_[i]))
         {
-            looks_[i].due = 0;
-            if (!test.boxes_overlap(pairs_[i]))
-                continue;
-            open_.push_back(static_cast<std::uint32_t>(i));
-            if (looks_[i].pause == 0)
-                want(pairs_[i]);
+            look.due = 0;
+            continue;
         }
+        if (look.pause > 0)
+            --look.pause;
+        else
+        {
+            open_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end - room)});
+            want(pairs_[i]);
+        }
+        *end++ = pairs_[i];
+    }
     test.follow(wanted_);
+    return end;
+}
+
+// Takes those back whose shapes cannot touch.
+CandidatePair *NearSet::look_at_open(ShapeTest &test, CandidatePair *room, CandidatePair *end)
+{
+    constexpr CandidatePair none{0, 0};
+    CandidatePair *first_taken_back = end;
+    for (const auto &[i, place] : open_)
+        if (!test.looks_near(pairs_[i], looks_[i], number_of_report()))
+        {
+            room[place] = none;
+            first_taken_back = std::min(first_taken_back, room + place);
+        }
+    return std::remove_if(first_taken_back, end, [](const CandidatePair &pair) { return pair.first == pair.second; });
 }
 
 // Makes the pairs of all disturbed objects active.
@@ -140,6 +188,7 @@ void NearSet::clear()
     for (std::vector<CandidatePair> *pairs : {&pairs_, &overlapping_, &separated_})
         pairs->clear();
     looks_.clear();
+    dropped_.clear();
     resting_.clear();
     disturbed_.clear();
     std::fill(is_retired_.begin(), is_retired_.end(), std::uint8_t{0});
@@ -152,6 +201,7 @@ void NearSet::release()
     for (std::vector<CandidatePair> *pairs : {&pairs_, &overlapping_, &separated_})
         free_memory(*pairs);
     free_memory(looks_);
+    dropped_.release();
     free_memory(open_);
     free_memory(disturbed_);
 }

@@ -11,6 +11,7 @@
 
 #include "ode_predictive_space/broadphase/base/id_set.h"
 #include "ode_predictive_space/broadphase/base/memory.h"
+#include "ode_predictive_space/broadphase/near/dropped_looks.h"
 #include "ode_predictive_space/broadphase/near/overlap_test.h"
 #include "ode_predictive_space/broadphase/near/shape_test.h"
 
@@ -105,13 +106,24 @@ public:
 
     std::size_t bytes() const
     {
-        return bytes_of(pairs_) + bytes_of(looks_) + bytes_of(overlapping_) + bytes_of(separated_) +
+        return bytes_of(pairs_) + bytes_of(looks_) + dropped_.bytes() + bytes_of(overlapping_) + bytes_of(separated_) +
                bytes_of(is_retired_) + bytes_of(disturbed_) + resting_.bytes() + wanted_.bytes() + bytes_of(open_);
     }
 
 private:
+    /// A pair to look at.
+    struct Open
+    {
+        std::uint32_t number; ///< among pairs_
+        std::uint32_t place;  ///< among those that are written
+    };
+
+    void take_looks(const ShapeTest &test);
+    void renew_outdated(ShapeTest &test);
     void follow_postponed(ShapeTest &test);
-    void find_open(ShapeTest &test);
+    CandidatePair *find_open(ShapeTest &test, CandidatePair *room);
+    CandidatePair *look_at_open(ShapeTest &test, CandidatePair *room, CandidatePair *end);
+    std::uint8_t number_of_report() const { return static_cast<std::uint8_t>(reports_); }
     void want(const CandidatePair &pair)
     {
         wanted_.insert(pair.first);
@@ -150,8 +162,9 @@ private:
     UpdateNumber rested_ = 0;              // when that was last
     std::vector<std::uint8_t> is_retired_; // bytes, not bits: two are looked up for each pair
     bool has_retired_ = false;
-    IdSet wanted_;                    // scratch
-    std::vector<std::uint32_t> open_; // scratch
+    DroppedLooks dropped_;   // since the last report, when pairs are tested by shape
+    IdSet wanted_;           // scratch
+    std::vector<Open> open_; // scratch
 };
 
 template <typename Stays> void NearSet::keep_pairs(Stays stays)
@@ -162,9 +175,14 @@ template <typename Stays> void NearSet::keep_pairs(Stays stays)
     {
         if (!stays(pairs_[i], i))
             continue;
-        if (i < looks)
-            looks_[looks_left++] = looks_[i];
-        pairs_[left++] = pairs_[i];
+        if (left != i)
+        {
+            if (i < looks)
+                looks_[left] = looks_[i];
+            pairs_[left] = pairs_[i];
+        }
+        looks_left += i < looks;
+        ++left;
     }
     pairs_.resize(left);
     looks_.resize(looks_left);
@@ -175,8 +193,10 @@ template <typename Visit> void NearSet::drop_retired(Visit visit)
     activate_disturbed();
     if (!has_retired_)
         return;
-    keep_pairs([&](const CandidatePair &pair, std::size_t) {
+    keep_pairs([&](const CandidatePair &pair, std::size_t i) {
         const bool stays = !is_retired(pair);
+        if (!stays && i < looks_.size())
+            dropped_.add(pair, looks_[i]);
         if (!stays)
             visit(pair);
         return stays;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "ode_predictive_space/broadphase/shape/gap.h"
+#include "ode_predictive_space/broadphase/shape/surface_gap.h"
 
 namespace ode_predictive_space
 {
@@ -32,9 +33,23 @@ bool touch_within(const ConvexShape &first, const ConvexShape &second, double ma
     return has_ball(first) && has_ball(second) && (second.centre - first.centre).squaredNorm() <= reach * reach;
 }
 
+bool is_within_box(const Vector3 &point, const ConvexShape &mesh)
+{
+    return (mesh.along_axes(point - mesh.centre).cwiseAbs().array() <= mesh.half_sides.array()).all();
+}
+
+// The end of a postponement. A few short ones come before each contact; when there is no end of them, looks cost more than they save.
+void note_postponement(Look &look, std::uint8_t report)
+{
+    const bool was_short = static_cast<std::uint8_t>(report - look.since) < tuning::least_wait;
+    look.hasty =
+        was_short ? static_cast<std::uint8_t>(std::min(look.hasty + 1, tuning::most_short_waits)) : std::uint8_t{0};
+    look.last_pause = was_short ? look.last_pause : std::uint8_t{0};
+    look.due = 0;
+}
+
 void pause(Look &look)
 {
-    look.due = 0;
     look.last_pause = static_cast<std::uint8_t>(std::clamp(2 * look.last_pause, 2, tuning::longest_pause));
     look.pause = static_cast<std::uint8_t>(look.last_pause - 1);
 }
@@ -45,28 +60,56 @@ double touching_distance(const ConvexShape &first, const ConvexShape &second, do
     return margin + contact_slack * std::min(first.size, second.size) + slack(first, second);
 }
 
-bool ShapeTest::may_touch(const CandidatePair &pair, Look &look)
+// To the hulls, and where these have none, to the triangles of a mesh. A shape whose centre is in the box of the mesh is most likely
+// in its hull, too.
+Gap ShapeTest::gap_between(const ConvexShape &first, const ConvexShape &second, const Look &look, double margin)
+{
+    const ConvexShape *surface = surface_of(first, second);
+    Gap gap;
+    if (!surface || !is_within_box(surface == &first ? second.centre : first.centre, *surface))
+        gap = find_gap(first, second, Vector3(look.axis[0], look.axis[1], look.axis[2]), margin);
+    if (!surface || gap.length > margin)
+        return gap;
+    if (objects_.shapes.build(surface->surface()))
+        gap.improve({surface_gap(first, second, margin), Vector3::Zero()});
+    return gap;
+}
+
+// Of a convex or mesh contacts are dear to find, and of what a person holds the program asks for more than contacts.
+bool ShapeTest::pays_always(const CandidatePair &pair) const
+{
+    const std::vector<ProxyRecord> &records = objects_.proxies.records;
+    return shapes()[pair.first].hull || shapes()[pair.second].hull || is_interactive(records[pair.first].role) ||
+           is_interactive(records[pair.second].role);
+}
+
+bool ShapeTest::looks_near(const CandidatePair &pair, Look &look, std::uint8_t report)
 {
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
     const double margin = touching_distance(first, second, margin_);
-    if (touch_within(first, second, margin))
+    const bool was_postponed = look.due > 0;
+    if (was_postponed)
+        note_postponement(look, report);
+    const bool in_vain = was_postponed && look.hasty == tuning::most_short_waits && !pays_always(pair);
+    if (in_vain || touch_within(first, second, margin))
     {
         pause(look);
         return true;
     }
     ++looks_;
-    const Vector3 axis(look.axis[0], look.axis[1], look.axis[2]);
-    const Gap gap = find_gap(first, second, axis, margin);
+    const Gap gap = gap_between(first, second, look, margin);
     for (Eigen::Index i = 0; i < 3; ++i)
         look.axis[i] = static_cast<float>(gap.axis[i]);
-    if (gap.length > margin)
+    if (!(gap.length > margin))
     {
-        constexpr double rounds_down = 1 - 8 * std::numeric_limits<double>::epsilon();
-        look.due = rounds_down * (shapes().travel(pair) + (gap.length - margin));
-        look.last_pause = 0;
-        return false;
+        pause(look);
+        if (const ConvexShape *surface = surface_of(first, second); surface && !surface->surface()->is_ready())
+            look.pause = tuning::pause_while_built;
+        return true;
     }
-    pause(look);
-    return true;
+    constexpr double rounds_down = 1 - 8 * std::numeric_limits<double>::epsilon();
+    look.due = rounds_down * (shapes().travel(pair) + (gap.length - margin));
+    look.since = report;
+    return false;
 }
 } // namespace ode_predictive_space

@@ -8,6 +8,7 @@
 
 #include "ode_predictive_space/broadphase/near/overlap_test.h"
 #include "ode_predictive_space/broadphase/objects/measured_shapes.h"
+#include "ode_predictive_space/broadphase/shape/gap.h"
 #include "ode_predictive_space/broadphase/tuning.h"
 
 namespace ode_predictive_space
@@ -17,8 +18,10 @@ struct Look
 {
     double due = 0; ///< the pair is postponed until the travels of both objects together reach this; 0 when it is not
     float axis[3] = {};     ///< of the last look, from the first object to the second
-    std::uint8_t pause = 0; ///< reports until the next look, of a pair without a gap
+    std::uint8_t pause = 0; ///< reports until the next look, of a pair whose looks are in vain
     std::uint8_t last_pause = 0;
+    std::uint8_t since = 0; ///< number of the report at which it was postponed, modulo 256
+    std::uint8_t hasty = 0; ///< postponements in a row that were too short to be worth a look
 };
 static_assert(sizeof(Look) == 24, "there is one for each near pair");
 
@@ -51,6 +54,8 @@ public:
     {
         objects_.shapes.renew_outdated(objects_.scene, wanted, objects_.proxies.members());
     }
+    /// Goes on building the tree of a mesh that a look has needed.
+    void build() { objects_.shapes.build(); }
     /// Nothing need be known of the shapes of other objects.
     void keep_only(const IdSet &wanted) { objects_.shapes.keep_only(wanted); }
 
@@ -62,12 +67,27 @@ public:
 
     bool boxes_overlap(const CandidatePair &pair) const { return boxes_(pair); }
 
-    /// Looks at the gap of the pair, whose shapes are up to date.
-    bool may_touch(const CandidatePair &pair, Look &look);
+    /// Does what is known of the pair still say something? Not when an object is another one now, or has leapt. And a pair of which each
+    /// call that is spared pays is looked at when an object has left its envelope.
+    bool remembers(const CandidatePair &pair, const Look &look) const
+    {
+        return objects_.shapes.has_shape(pair.first) && objects_.shapes.has_shape(pair.second) &&
+               objects_.proxies.records[pair.first].reach > 0 && objects_.proxies.records[pair.second].reach > 0 &&
+               (look.due > 0 || !pays_always(pair));
+    }
+
+    /// Looks at the gap of the pair, whose shapes are up to date, and decides when the next look is due. A pair is also reported when
+    /// the looks at it cost more than they save.
+    ///
+    /// @param report its number.
+    bool looks_near(const CandidatePair &pair, Look &look, std::uint8_t report);
 
     const MeasuredShapes &shapes() const { return objects_.shapes; }
 
 private:
+    bool pays_always(const CandidatePair &pair) const;
+    Gap gap_between(const ConvexShape &first, const ConvexShape &second, const Look &look, double margin);
+
     Objects objects_;
     OverlapTest boxes_;
     double margin_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ode_predictive_space/broadphase/base/memory.h"
+#include "ode_predictive_space/broadphase/tuning.h"
 
 namespace ode_predictive_space
 {
@@ -134,6 +135,21 @@ void MeasuredShapes::clear_renewed()
         return;
     renewed_.clear();
     any_renewed_ = false;
+}
+
+void MeasuredShapes::build()
+{
+    steps_left_ = tuning::triangles_per_report;
+    if (building_ && build(building_))
+        building_ = nullptr;
+}
+
+bool MeasuredShapes::build(const std::shared_ptr<TriangleTree> &tree)
+{
+    steps_left_ = tree->build(steps_left_);
+    if (!tree->is_ready())
+        building_ = tree;
+    return tree->is_ready();
 }
 
 std::size_t MeasuredShapes::bytes() const

@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_MEASURED_SHAPES_H
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/base/id_list.h"
@@ -41,6 +42,9 @@ public:
     /// Looks at those wanted objects whose hulls no longer serve, although they may not have moved.
     void renew_outdated(Scene &scene, const IdSet &wanted, const IdSet &members);
 
+    /// Has any object that is known a hull?
+    bool any_hulls() const { return !hulls_.empty(); }
+
     /// Objects were seen for the first time, or resized, since the last clear_renewed(): their travels say nothing about the time
     /// before.
     bool any_renewed() const { return any_renewed_; }
@@ -51,6 +55,9 @@ public:
     }
     void clear_renewed();
 
+    /// Has the object been looked at, and not been dropped or forgotten since?
+    bool has_shape(ProxyId id) const { return places_[id] > 0; }
+
     /// Of an object that has been looked at, and not been dropped or forgotten since.
     const ConvexShape &operator[](ProxyId id) const { return shapes_[place_of(id)]; }
 
@@ -60,10 +67,16 @@ public:
     /// Of both objects together.
     double travel(const CandidatePair &pair) const { return travels_[pair.first] + travels_[pair.second]; }
 
+    /// Goes on building the tree of a surface. Once for each report.
+    void build();
+    /// The tree of a surface is needed.
+    ///
+    /// @return is it ready now? Otherwise it is built later, or has to be needed again.
+    bool build(const std::shared_ptr<TriangleTree> &tree);
+
     std::size_t bytes() const;
 
 private:
-    bool has_shape(ProxyId id) const { return places_[id] > 0; }
     std::size_t place_of(ProxyId id) const { return places_[id] - 1; }
     void make_places();
     void follow_stale(Scene &scene);
@@ -78,6 +91,8 @@ private:
     IdSet renewed_;
     IdSet hulls_; // objects whose shape is a hull
     bool any_renewed_ = false;
+    std::shared_ptr<TriangleTree> building_;
+    std::size_t steps_left_ = 0;          // of building, for this report
     IdList stale_;                        // scratch
     std::vector<ConvexShape *> followed_; // scratch: the shapes of these
     std::vector<double> moves_;           // scratch

@@ -48,6 +48,22 @@ struct ConvexShape : Pose
     double blunt_margin = 0; ///< ... larger by this on all sides
     std::shared_ptr<const VertexHull> hull; ///< of a hull; relative to centre and axes
 
+    Vector3 along_axes(const Vector3 &direction) const
+    {
+        return Vector3(axes[0].dot(direction), axes[1].dot(direction), axes[2].dot(direction));
+    }
+    Vector3 from_axes(const Vector3 &point) const
+    {
+        return point[0] * axes[0] + point[1] * axes[1] + point[2] * axes[2];
+    }
+
+    /// The triangles of a mesh, or null.
+    const std::shared_ptr<TriangleTree> &surface() const
+    {
+        static const std::shared_ptr<TriangleTree> none;
+        return hull ? hull->surface : none;
+    }
+
     bool known() const { return kind != ShapeKind::unknown; }
 
     /// How far the shape reaches from its centre in a direction of length 1. Not for half spaces.
@@ -127,22 +143,20 @@ struct ConvexShape : Pose
             const double half = blunt_half(), across = radius + blunt_margin;
             return sum + std::sqrt(half * half + across * across) * (axes[2] - before.axes[2]).norm();
         }
+        // By the means of squares, no less than half_side |change of axis|, summed up.
+        double squares = 0;
+        int sides = 0;
         for (std::size_t i = 0; i < 3; ++i)
-            sum += half_sides[static_cast<Eigen::Index>(i)] * (axes[i] - before.axes[i]).norm();
-        return sum;
+        {
+            const double side = half_sides[static_cast<Eigen::Index>(i)];
+            squares += side * side * (axes[i] - before.axes[i]).squaredNorm();
+            sides += side > 0;
+        }
+        return sum + std::sqrt(sides * squares);
     }
 
 private:
     double blunt_half() const { return half_sides[2] + (kind == ShapeKind::cylinder ? 0 : radius) + blunt_margin; }
-
-    Vector3 along_axes(const Vector3 &direction) const
-    {
-        return Vector3(axes[0].dot(direction), axes[1].dot(direction), axes[2].dot(direction));
-    }
-    Vector3 from_axes(const Vector3 &point) const
-    {
-        return point[0] * axes[0] + point[1] * axes[1] + point[2] * axes[2];
-    }
 };
 
 /// Do the shapes decide whether the two can touch?

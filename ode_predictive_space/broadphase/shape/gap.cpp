@@ -18,12 +18,6 @@ Vector3 nearest_along(const Vector3 &direction, const ConvexShape &first, const 
     return (second.centre + second.farthest_of_core(-direction)) - (first.centre + first.farthest_of_core(direction));
 }
 
-double rounding(const ConvexShape &shape)
-{
-    constexpr double units = 32 * std::numeric_limits<double>::epsilon();
-    return units * (shape.centre.lpNorm<1>() + shape.half_sides.lpNorm<1>() + shape.radius);
-}
-
 Gap gap_to_half_space(const ConvexShape &half_space, const ConvexShape &other)
 {
     if (other.kind == ShapeKind::half_space)
@@ -107,6 +101,12 @@ void search_beside_hull(const ConvexShape &first, const ConvexShape &second, dou
     approach_closest(first, second, towards, least, largest);
 }
 } // namespace
+
+double rounding(const ConvexShape &shape)
+{
+    constexpr double units = 32 * std::numeric_limits<double>::epsilon();
+    return units * (shape.centre.lpNorm<1>() + shape.half_sides.lpNorm<1>() + shape.radius);
+}
 
 Gap gap_along(const Vector3 &direction, const ConvexShape &first, const ConvexShape &second)
 {

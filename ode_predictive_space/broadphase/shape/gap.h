@@ -22,6 +22,9 @@ struct Gap
     }
 };
 
+/// By this, what is computed of a shape's place may be wrong.
+double rounding(const ConvexShape &shape);
+
 /// The gap along a direction of any length but 0, rounded down. One of the shapes may be a half space: then the axis is its own.
 Gap gap_along(const Vector3 &direction, const ConvexShape &first, const ConvexShape &second);
 

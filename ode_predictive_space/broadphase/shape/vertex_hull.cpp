@@ -103,6 +103,6 @@ void VertexHull::search(const Range &range, const Vector3 &direction, const Vect
 
 std::size_t VertexHull::bytes() const
 {
-    return sizeof *this + bytes_of(blocks_) + bytes_of(bounds_);
+    return sizeof *this + bytes_of(blocks_) + bytes_of(bounds_) + (surface ? surface->bytes() : 0);
 }
 } // namespace ode_predictive_space

@@ -4,11 +4,13 @@
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_VERTEX_HULL_H
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "ode_predictive_space/prediction/path.h"
+#include "ode_predictive_space/surface/triangle_tree.h"
 
 namespace ode_predictive_space
 {
@@ -32,6 +34,10 @@ public:
     double reach(const Vector3 &direction) const { return find(direction).reach; }
     /// That point.
     Vector3 farthest(const Vector3 &direction) const;
+
+    /// The triangles of a mesh, in the coordinates of the points that were given; not ready until they have been needed. Null for
+    /// other hulls.
+    std::shared_ptr<TriangleTree> surface;
 
     std::size_t bytes() const;
 

@@ -4,7 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MESH_TREE_H
 
 #include "ode_predictive_space/haptics/contact/surface_feature.h"
-#include "ode_predictive_space/haptics/contact/triangle.h"
+#include "ode_predictive_space/surface/triangle.h"
 
 #include <cstdint>
 

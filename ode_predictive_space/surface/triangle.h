@@ -1,13 +1,13 @@
 // The point of a triangle that is nearest to another point.
 
-#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_TRIANGLE_H
-#define ODE_PREDICTIVE_SPACE_HAPTICS_TRIANGLE_H
-
-#include "ode_predictive_space/haptics/touch.h"
+#ifndef ODE_PREDICTIVE_SPACE_SURFACE_TRIANGLE_H
+#define ODE_PREDICTIVE_SPACE_SURFACE_TRIANGLE_H
 
 #include <array>
 
-namespace ode_predictive_space::haptics
+#include "ode_predictive_space/prediction/path.h"
+
+namespace ode_predictive_space
 {
 using TriangleCorners = std::array<Vector3, 3>;
 
@@ -29,6 +29,6 @@ struct NearestOnTriangle
 
 /// For triangles of any shape, those without area included. Ericson, Real-Time Collision Detection, 5.1.5, has the regions.
 NearestOnTriangle nearest_on_triangle(const Vector3 &point, const TriangleCorners &corners);
-} // namespace ode_predictive_space::haptics
+} // namespace ode_predictive_space
 
 #endif

@@ -1,9 +1,9 @@
-#include "ode_predictive_space/haptics/contact/triangle.h"
+#include "ode_predictive_space/surface/triangle.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace ode_predictive_space::haptics
+namespace ode_predictive_space
 {
 namespace
 {
@@ -65,4 +65,4 @@ NearestOnTriangle nearest_on_triangle(const Vector3 &point, const TriangleCorner
     }
     return nearest;
 }
-} // namespace ode_predictive_space::haptics
+} // namespace ode_predictive_space

@@ -1,0 +1,144 @@
+#include "ode_predictive_space/broadphase/shape/surface_gap.h"
+
+#include "ode_predictive_space/broadphase/shape/gap.h"
+#include "ode_predictive_space/broadphase/tuning.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+// Two shapes are nearer to each other by this part of their distance than they seem, because rotation matrices are rotations to 1e-6
+// only.
+constexpr double skew = 1e-5;
+
+// Of the sphere around the centre that holds the shape.
+double bounding_radius(const ConvexShape &shape)
+{
+    if (shape.kind == ShapeKind::cylinder)
+        return std::hypot(shape.half_sides[2], shape.radius);
+    return shape.half_sides.norm() + shape.radius;
+}
+
+// A shape as the mesh sees it.
+class SeenFromMesh
+{
+public:
+    SeenFromMesh(const ConvexShape &shape, const ConvexShape &mesh)
+        : shape_(shape), mesh_(mesh), centre_(place_in(mesh, shape.centre)), radius_(bounding_radius(shape))
+    {}
+
+    const Vector3 &centre() const { return centre_; }
+    double radius() const { return radius_; }
+
+    // Between a triangle and the centre: no triangle is nearer than this.
+    double distance_to(const TriangleCorners &corners) const
+    {
+        const Vector3 way = way_from(corners);
+        const double length = way.norm();
+        return length > 0 ? (way.dot(centre_) - farthest(way, corners)) / length : 0;
+    }
+
+    // The largest gap to a triangle that a few axes find: the way to its nearest point, its normal, and the axes of a box.
+    double gap_to(const TriangleCorners &corners) const
+    {
+        const Vector3 way = way_from(corners);
+        const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        double largest = std::max(gap_along(way, corners), gap_along(towards(way, normal), corners));
+        for (std::size_t i = 0; i < 3; ++i)
+            if (shape_.half_sides[static_cast<Eigen::Index>(i)] > 0)
+                largest = std::max(largest, gap_along(towards(way, mesh_.along_axes(shape_.axes[i])), corners));
+        return largest;
+    }
+
+private:
+    // In the mesh's frame. The second step makes good what its matrix is off from a rotation.
+    static Vector3 place_in(const ConvexShape &mesh, const Vector3 &point)
+    {
+        const Vector3 way = point - mesh.centre;
+        const Vector3 nearly = mesh.along_axes(way);
+        return nearly + mesh.along_axes(way - mesh.from_axes(nearly)) + mesh.hull->centre();
+    }
+
+    Vector3 way_from(const TriangleCorners &corners) const
+    {
+        return centre_ - nearest_on_triangle(centre_, corners).point;
+    }
+
+    static Vector3 towards(const Vector3 &way, const Vector3 &axis)
+    {
+        return axis.dot(way) < 0 ? Vector3(-axis) : axis;
+    }
+
+    static double farthest(const Vector3 &direction, const TriangleCorners &corners)
+    {
+        return std::max({direction.dot(corners[0]), direction.dot(corners[1]), direction.dot(corners[2])});
+    }
+
+    // From the triangle, along a direction of any length.
+    double gap_along(const Vector3 &direction, const TriangleCorners &corners) const
+    {
+        const double length = direction.norm();
+        if (!(length > 0))
+            return -radius_;
+        const Vector3 axis = direction / length;
+        return axis.dot(centre_) - farthest(axis, corners) - shape_.reach(-mesh_.from_axes(axis));
+    }
+
+    const ConvexShape &shape_, &mesh_;
+    Vector3 centre_;
+    double radius_;
+};
+
+// Between the surface and the centre of the shape, but no more than `most`: what is nearly as near is not looked for.
+double distance_of(const TriangleTree &tree, const SeenFromMesh &shape, double most)
+{
+    double distance = tuning::near_enough * most;
+    tree.walk(shape.centre(), distance, [&](std::uint32_t triangle) {
+        distance = std::min(distance, tuning::near_enough * shape.distance_to(tree.corners(triangle)));
+        return true;
+    });
+    return distance;
+}
+
+// Between the surface and the shape, but no more than `most`.
+double gap_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, double least)
+{
+    double gap = most, reach = gap + shape.radius();
+    tree.walk(shape.centre(), reach, [&](std::uint32_t triangle) {
+        gap = std::min(gap, shape.gap_to(tree.corners(triangle)));
+        reach = gap + shape.radius();
+        return gap > least;
+    });
+    return gap;
+}
+
+double gap_between(const ConvexShape &surface, const ConvexShape &other, double least)
+{
+    const SeenFromMesh shape(other, surface);
+    const double radius = shape.radius(), far = tuning::surface_search * (radius + least);
+    double gap = distance_of(*surface.surface(), shape, far) - radius;
+    if (!(gap > radius + least))
+        gap = gap_of(*surface.surface(), shape, 2 * (radius + least), least);
+    return gap - skew * (std::abs(gap) + 2 * radius) - rounding(surface) - rounding(other);
+}
+} // namespace
+
+const ConvexShape *surface_of(const ConvexShape &first, const ConvexShape &second)
+{
+    if (!judged_by_shape(first, second) || first.kind == ShapeKind::half_space || second.kind == ShapeKind::half_space)
+        return nullptr;
+    const auto triangles = [](const ConvexShape &shape) { return shape.surface() ? shape.surface()->count() : 0; };
+    const ConvexShape &surface = triangles(first) < triangles(second) ? second : first;
+    return surface.surface() ? &surface : nullptr;
+}
+
+double surface_gap(const ConvexShape &first, const ConvexShape &second, double least)
+{
+    const ConvexShape *surface = surface_of(first, second);
+    if (!surface || !surface->surface()->is_ready())
+        return -std::numeric_limits<double>::infinity();
+    const ConvexShape &other = surface == &first ? second : first;
+    return other.blunt_beside & surface->group ? gap_between(*surface, other.blunt(), least)
+                                               : gap_between(*surface, other, least);
+}
+} // namespace ode_predictive_space

@@ -1,0 +1,107 @@
+// The triangles of a mesh in a tree of boxes. In: a point and a distance. Out: the triangles that may be so near.
+
+#ifndef ODE_PREDICTIVE_SPACE_SURFACE_TRIANGLE_TREE_H
+#define ODE_PREDICTIVE_SPACE_SURFACE_TRIANGLE_TREE_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "ode_predictive_space/surface/triangle_arrays.h"
+
+namespace ode_predictive_space
+{
+/// Built in slices, as large as the caller likes, so that no tick waits for a mesh of many triangles. Some 20 bytes per triangle; the
+/// corners stay in the arrays of the program, which must not change while the tree is in use. Lengths and points are in the mesh's
+/// frame.
+class TriangleTree
+{
+public:
+    /// @param mesh whose triangles have vertices that exist and are finite. Nothing of it is read yet.
+    explicit TriangleTree(const TriangleArrays &mesh);
+    ~TriangleTree();
+
+    std::size_t count() const { return mesh_.triangle_count; }
+    TriangleCorners corners(std::uint32_t triangle) const { return mesh_.corners(triangle); }
+
+    /// Goes on building, for so many steps; each reads one triangle.
+    ///
+    /// @return the steps that are left.
+    std::size_t build(std::size_t steps);
+    bool is_ready() const { return !builder_; }
+
+    /// Calls visit(number of the triangle) for all triangles whose boxes are within a distance of the point, and maybe some more,
+    /// until it returns false. Nearer boxes come first. The tree is ready.
+    ///
+    /// @param distance is read again after each visit, which may make it less.
+    template <typename Visit> void walk(const Vector3 &point, const double &distance, Visit visit) const;
+
+    std::size_t bytes() const;
+
+private:
+    class Builder;
+
+    /// Its children lie one behind the other.
+    struct Node
+    {
+        float low[3], high[3];   ///< rounded outwards
+        std::uint32_t first = 0; ///< of a leaf: in order_; else the first child
+        std::uint32_t count = 0; ///< of triangles; 0 when it is no leaf
+
+        double squared_distance(const Vector3 &point) const
+        {
+            double sum = 0;
+            for (Eigen::Index i = 0; i < 3; ++i)
+            {
+                const double outside = std::max(std::max(low[i] - point[i], point[i] - high[i]), 0.0);
+                sum += outside * outside;
+            }
+            return sum;
+        }
+    };
+
+    struct Waiting
+    {
+        std::uint32_t node;
+        double squared_distance;
+    };
+
+    static constexpr std::size_t deepest = 96; // the builder makes no deeper tree
+
+    TriangleArrays mesh_;
+    std::vector<std::uint32_t> order_; // triangles as the leaves have them
+    std::vector<Node> nodes_;
+    std::unique_ptr<Builder> builder_; // until the tree is ready
+};
+
+template <typename Visit> void TriangleTree::walk(const Vector3 &point, const double &distance, Visit visit) const
+{
+    std::array<Waiting, deepest> waiting;
+    std::size_t count = 0;
+    waiting[count++] = {0, nodes_[0].squared_distance(point)};
+    while (count > 0)
+    {
+        const Waiting next = waiting[--count];
+        if (!(next.squared_distance <= distance * distance))
+            continue;
+        const Node &node = nodes_[next.node];
+        for (std::uint32_t i = 0; i < node.count; ++i)
+            if (!visit(order_[node.first + i]))
+                return;
+        if (node.count > 0)
+            continue;
+        const Waiting one = {node.first, nodes_[node.first].squared_distance(point)},
+                      other = {node.first + 1, nodes_[node.first + 1].squared_distance(point)};
+        const bool other_first = other.squared_distance < one.squared_distance;
+        waiting[count++] = other_first ? one : other;
+        waiting[count++] = other_first ? other : one;
+    }
+}
+} // namespace ode_predictive_space
+
+#endif
