@@ -107,8 +107,8 @@ def predict_faults():
         "all_leave_together", "predict", predictor, "(0.75f + 0.5f * scrambled(id))", "(1 + 0 * scrambled(id))",
         (("broadphase", "Predictor.*:Tick.*"),))
     yield Fault(
-        "samples_outlive_the_object", "predict", tick, "index_.remove(proxies_, id);\n    predictor_.forget(id);",
-        "index_.remove(proxies_, id);", (("broadphase", "Predictor.*"),))
+        "samples_outlive_the_object", "predict", tick, "predictor_.forget(id);\n    if (!interrupted_)",
+        "if (!interrupted_)", (("broadphase", "Predictor.*"),))
     yield Fault(
         "tightened_too_far", "predict", BROADPHASE + "objects/place.h",
         "max(Float4::all(radius) - half - margin, Float4::all(0))", "Float4::all(radius) - Float4::all(0.9f) * half - margin",
