@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Does the project build in a new Debian of some release, with its GCC, its newest Clang, its ODE and its Eigen, and do programs
-# and the tests of the contract run there?
+# Does the project build in a new Debian of some release, with its GCC, its newest Clang, its ODE and its Eigen, do programs
+# and the tests of the contract run there, and are its packages to the liking of that release's lintian?
 # Usage: check_system.sh <suite> <folder of the sources> <scratch folder>
 
 set -euo pipefail
@@ -9,6 +9,18 @@ suite=$1
 chroot=$3/$suite
 # shellcheck source=chroot.sh
 . "$(dirname "${BASH_SOURCE[0]}")/chroot.sh"
+
+# With a history of one commit, for the script asks git which files there are.
+make_packages() {
+    say "The packages, which lintian judges"
+    install_in_chroot build-essential debhelper dpkg-dev git lintian libspnav-dev libx11-dev
+    inside sh -c 'cd /tmp/sources && git init -q && git add --all &&
+        git -c user.name=check -c user.email=check@localhost commit -q -m sources'
+    inside /tmp/sources/packaging/make_debian_packages.sh /tmp/sources /tmp/packages >"$chroot/tmp/packages.log" 2>&1 ||
+        { tail -n 40 "$chroot/tmp/packages.log" && return 1; }
+    inside sh -c 'lintian --fail-on error,warning /tmp/packages/*.changes'
+    inside dpkg-query --show lintian
+}
 
 newest_clang() { inside apt-cache pkgnames clang- | sed -nE 's/^clang-([0-9]+)$/\1/p' | sort -n | tail -n 1; }
 
@@ -32,4 +44,5 @@ inside cmake -S /tmp/sources -B /tmp/tests -G Ninja -DCMAKE_BUILD_TYPE=Release -
     -DODE_PREDICTIVE_SPACE_BUILD_TESTS=ON >/dev/null
 inside ninja -C /tmp/tests tests_of_contract | tail -n 1
 inside ctest --test-dir /tmp/tests --label-regex '^contract$' --parallel "$(nproc)" --output-on-failure | tail -n 5
+make_packages
 rm -rf "$chroot"

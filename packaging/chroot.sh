@@ -22,11 +22,21 @@ inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.U
 
 install_in_chroot() { inside apt-get -q install --yes --no-install-recommends "$@" >/dev/null; }
 
+# Options for mmdebstrap. Where this system's apt is told to take an archive that is out of date, as a snapshot is after some days,
+# that of the chroot is told so, too. Signatures are checked in any case.
+apt_options() {
+    local check=true
+    eval "$(apt-config shell check Acquire::Check-Valid-Until)" # nothing unless it is set
+    [[ ! $check =~ ^(false|no|off|without|disable|0)$ ]] || printf '%s\n' '--aptopt=Acquire::Check-Valid-Until "false"'
+}
+
 make_chroot() {
+    local options
+    mapfile -t options < <(apt_options)
     say "A new Debian: $1"
     rm -rf "$chroot"
     mkdir -p "$(dirname "$chroot")"
-    entries "$1" | mmdebstrap --quiet --variant=apt --include=ca-certificates "$1" "$chroot" -
+    entries "$1" | mmdebstrap --quiet --variant=apt --include=ca-certificates "${options[@]}" "$1" "$chroot" -
     inside apt-get -q update >/dev/null
 }
 

@@ -24,5 +24,5 @@ $name ($version-0upstream1) unstable; urgency=medium
  -- $(sed -n 's/^Maintainer: //p' "$sources/packaging/debian/control")  $(git -C "$sources" log -1 --format=%cD)
 END
 cd "$output/$name-$version"
-DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-} noautodbgsym" dpkg-buildpackage --no-sign
+DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:+$DEB_BUILD_OPTIONS }noautodbgsym" dpkg-buildpackage --no-sign
 rm -rf "${output:?}/$name-$version"

@@ -25,6 +25,7 @@ std::string header()
 }
 
 constexpr std::size_t end_size = record_header_size + 1;
+constexpr std::size_t pairs_size = record_header_size + 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t);
 } // namespace
 
 // Appends one record to the buffer; its length is known at the end.
@@ -116,7 +117,8 @@ Recorder::Event Recorder::begin_collide2(dGeomID first, dGeomID second)
 // Written before the collide, which may be the one that the program does not survive.
 Recorder::Event Recorder::finish_event(std::size_t before)
 {
-    if (file_.size() + buffer_.size() + end_size > limit_)
+    const std::size_t still_to_come = (unfinished_ + 1) * pairs_size + end_size;
+    if (file_.size() + buffer_.size() + still_to_come > limit_)
     {
         buffer_.resize(before);
         Record(buffer_, RecordKind::end).add(EndReason::limit);
@@ -125,7 +127,10 @@ Recorder::Event Recorder::finish_event(std::size_t before)
     if (!file_.write(buffer_))
         over_ = true;
     buffer_.clear();
-    return over_ ? Event(nullptr, 0) : Event(this, next_event_++);
+    if (over_)
+        return {nullptr, 0};
+    ++unfinished_;
+    return {this, next_event_++};
 }
 
 void Recorder::Event::note(dGeomID first, dGeomID second)
@@ -145,8 +150,10 @@ void Recorder::Event::end()
     if (!recorder_ || recorder_->over_)
         return;
     const std::lock_guard<std::mutex> guard(recorder_->mutex_);
-    if (!recorder_->over_)
-        Record(recorder_->buffer_, RecordKind::pairs).add(number_).add(pairs_).add(hash_);
+    if (recorder_->over_)
+        return;
+    --recorder_->unfinished_;
+    Record(recorder_->buffer_, RecordKind::pairs).add(number_).add(pairs_).add(hash_);
 }
 
 // Of a geom in a space that is not known, the outermost space comes first.

@@ -98,7 +98,8 @@ private:
     std::mutex mutex_;
     HistoryFile file_;
     std::uint64_t limit_;
-    std::string buffer_; // whole records, not written yet
+    std::string buffer_;         // whole records, not written yet
+    std::size_t unfinished_ = 0; // events whose pairs are not in the buffer yet; the limit has room for them
     std::atomic<bool> over_{false};
 
     ShapeData shape_data_;

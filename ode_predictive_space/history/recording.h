@@ -111,7 +111,6 @@ public:
 
 private:
     class Check;
-    class Cursor;
 
     std::vector<char> bytes_;
     std::vector<Record> records_;

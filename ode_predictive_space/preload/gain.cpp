@@ -1,14 +1,14 @@
 #include "ode_predictive_space/preload/gain.h"
 
-#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
 
 #include <fcntl.h>
-#include <sys/wait.h>
 #include <unistd.h>
+
+#include "ode_predictive_space/process/child_output.h"
 
 namespace ode_predictive_space::preload
 {
@@ -25,7 +25,7 @@ std::string path_of_replayer()
     return "";
 }
 
-[[noreturn]] void become_replayer(const std::string &program, const std::string &recording, int output)
+void become_replayer(const std::string &program, const std::string &recording, int output)
 {
     // The launcher has closed its standard output, for the sake of the program's pipes: the pipe may be in its place.
     if (output == STDOUT_FILENO)
@@ -38,38 +38,12 @@ std::string path_of_replayer()
     sigprocmask(SIG_SETMASK, &none, nullptr);
     unsetenv("LD_PRELOAD");
     execl(program.c_str(), program.c_str(), "--answer", recording.c_str(), nullptr);
-    _exit(127);
-}
-
-std::string read_all(int file)
-{
-    std::string text;
-    char part[4096];
-    for (;;)
-    {
-        const ssize_t size = read(file, part, sizeof part);
-        if (size > 0)
-            text.append(part, static_cast<std::size_t>(size));
-        else if (size == 0 || errno != EINTR)
-            return text;
-    }
 }
 
 std::optional<report::Answer> asked_of(const std::string &program, const std::string &recording)
 {
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0)
-        return std::nullopt;
-    const pid_t child = fork();
-    if (child == 0)
-        become_replayer(program, recording, ends[1]);
-    close(ends[1]);
-    const std::string lines = read_all(ends[0]);
-    close(ends[0]);
-    int status = -1;
-    while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
-    {}
-    return status == 0 ? report::answer_of(lines) : std::nullopt;
+    const auto lines = process::child_output([&](int pipe) { become_replayer(program, recording, pipe); });
+    return lines ? report::answer_of(*lines) : std::nullopt;
 }
 
 report::Answer not_known(const std::string &why)

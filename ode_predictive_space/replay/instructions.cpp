@@ -1,14 +1,14 @@
 #include "ode_predictive_space/replay/instructions.h"
 
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <vector>
 
 #include <fcntl.h>
-#include <sys/wait.h>
 #include <unistd.h>
+
+#include "ode_predictive_space/process/child_output.h"
 
 namespace ode_predictive_space::replay
 {
@@ -25,7 +25,7 @@ std::string path_of_valgrind()
 }
 
 // Its standard error is wanted, its standard output is not.
-[[noreturn]] void become(const std::vector<std::string> &command, int error)
+void become(const std::vector<std::string> &command, int error)
 {
     dup2(open("/dev/null", O_WRONLY | O_CLOEXEC), STDOUT_FILENO);
     dup2(error, STDERR_FILENO);
@@ -34,21 +34,6 @@ std::string path_of_valgrind()
         arguments.push_back(const_cast<char *>(word.c_str()));
     arguments.push_back(nullptr);
     execv(arguments[0], arguments.data());
-    _exit(127);
-}
-
-std::string read_all(int file)
-{
-    std::string text;
-    char part[4096];
-    for (;;)
-    {
-        const ssize_t size = read(file, part, sizeof part);
-        if (size > 0)
-            text.append(part, static_cast<std::size_t>(size));
-        else if (size == 0 || errno != EINTR)
-            return text;
-    }
 }
 } // namespace
 
@@ -81,18 +66,7 @@ std::optional<std::uint64_t> count_instructions(const std::string &path, SpaceKi
                                               "--counted",
                                               name_of(kind),
                                               path};
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0)
-        return std::nullopt;
-    const pid_t child = fork();
-    if (child == 0)
-        become(command, ends[1]);
-    close(ends[1]);
-    const std::string output = read_all(ends[0]);
-    close(ends[0]);
-    int status = -1;
-    while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
-    {}
-    return status == 0 ? collected(output) : std::nullopt;
+    const auto output = process::child_output([&](int pipe) { become(command, pipe); });
+    return output ? collected(*output) : std::nullopt;
 }
 } // namespace ode_predictive_space::replay

@@ -17,6 +17,7 @@
 #include "ode_predictive_space/replay/replay.h"
 #include "ode_predictive_space/replay/stage.h"
 #include "tests/contract/support/ode_test.h"
+#include "tests/history/recorded.h"
 #include "tests/history/scratch_recording.h"
 
 namespace ode_predictive_space::history
@@ -35,58 +36,6 @@ void count(void *number, dGeomID /*first*/, dGeomID /*second*/)
     ++*static_cast<int *>(number);
 }
 
-// Records collides of a space of any kind, as the launcher does.
-class Recorded
-{
-public:
-    explicit Recorded(std::uint64_t limit = 1 << 24)
-        : recorder_(std::make_unique<Recorder>(HistoryFile(file_.path(), false), limit, "a test"))
-    {}
-
-    int collide(dSpaceID space)
-    {
-        Call call{recorder_->begin_collide(space), 0};
-        dSpaceCollide(space, &call, note);
-        call.event.end();
-        return call.pairs;
-    }
-
-    int ask(dGeomID first, dGeomID second)
-    {
-        Call call{recorder_->begin_collide2(first, second), 0};
-        dSpaceCollide2(first, second, &call, note);
-        call.event.end();
-        return call.pairs;
-    }
-
-    Recorder &recorder() { return *recorder_; }
-
-    Recording end()
-    {
-        EXPECT_TRUE(recorder_->close());
-        return Recording::read(file_.path());
-    }
-
-    /// As after a crash.
-    Recording so_far() const { return Recording::read(file_.path()); }
-
-private:
-    struct Call
-    {
-        Recorder::Event event;
-        int pairs;
-    };
-    static void note(void *data, dGeomID first, dGeomID second)
-    {
-        Call &call = *static_cast<Call *>(data);
-        call.event.note(first, second);
-        ++call.pairs;
-    }
-
-    ScratchRecording file_;
-    std::unique_ptr<Recorder> recorder_;
-};
-
 // After all of its records.
 std::unique_ptr<Stage> staged(const Recording &recording, SpaceKind kind = SpaceKind::box)
 {
@@ -99,13 +48,18 @@ std::unique_ptr<Stage> staged(const Recording &recording, SpaceKind kind = Space
     return stage;
 }
 
-// All that a space sees of a geom.
+// All that a space sees of a geom, and all that is recorded of it and of its body.
 void expect_same(dGeomID before, dGeomID now)
 {
+    EXPECT_EQ(difference(state_of(before), state_of(now)), 0);
     EXPECT_EQ(dGeomGetCategoryBits(before), dGeomGetCategoryBits(now));
     EXPECT_EQ(dGeomGetCollideBits(before), dGeomGetCollideBits(now));
     EXPECT_EQ(dGeomIsEnabled(before), dGeomIsEnabled(now));
-    EXPECT_EQ(dGeomGetBody(before) != nullptr, dGeomGetBody(now) != nullptr);
+    ASSERT_EQ(dGeomGetBody(before) != nullptr, dGeomGetBody(now) != nullptr);
+    if (const dBodyID body = dGeomGetBody(now))
+    {
+        EXPECT_EQ(difference(state_of(dGeomGetBody(before)), state_of(body)), 0);
+    }
     dReal box_before[6], box_now[6];
     dGeomGetAABB(before, box_before);
     dGeomGetAABB(now, box_now);
@@ -231,11 +185,19 @@ TEST_F(RecorderTest, ChangesComeBackToTheBit)
         [&] { dGeomSphereSetRadius(ball, dReal(0.1)); },
         [&] { dGeomSetBody(ball, body); },
         [&] { dBodySetPosition(body, dReal(0.1), dReal(0.7), 0); },
+        [&] { dBodySetKinematic(body); },
+        [&] { dBodyDisable(body); },
+        [&] { dBodySetDynamic(body); },
         [&] { dGeomSetOffsetPosition(ball, 0, dReal(0.3), 0); },
         [&] { dGeomSetBody(box, body); }, // no pair with the ball any more
         [&] { dGeomClearOffset(ball); },
         [&] { dGeomDisable(ray); },
         [&] { dGeomEnable(ray); },
+        [&] { dGeomRaySetFirstContact(ray, 1); },
+        [&] { dGeomRaySetBackfaceCull(ray, 1); },
+        [&] { dGeomRaySetClosestHit(ray, 1); },
+        [&] { dGeomSetCollideBits(ball, 6); },
+        [&] { dGeomSetCategoryBits(ball, 5); },
         [&] { dGeomSetBody(box, nullptr); },
         [&] { dGeomBoxSetLengths(box, 9, dReal(0.1), 2); },
         [&] {
@@ -260,6 +222,30 @@ TEST_F(RecorderTest, ChangesComeBackToTheBit)
     }
     dSpaceDestroy(space);
     dWorldDestroy(world);
+}
+
+TEST_F(RecorderTest, SpacesComeBackWithTheirLevels)
+{
+    const dSpaceID outer = dHashSpaceCreate(nullptr);
+    const dVector3 centre{}, half{10, 10, 10};
+    const std::vector<dSpaceID> spaces = {outer, dHashSpaceCreate(outer), dSimpleSpaceCreate(outer),
+                                          dQuadTreeSpaceCreate(outer, centre, half, 2),
+                                          dSweepAndPruneSpaceCreate(outer, dSAP_AXES_XYZ)};
+    dHashSpaceSetLevels(spaces[1], -7, 5);
+    dSpaceSetSublevel(spaces[2], 3);
+    Recorded recorded;
+    recorded.collide(outer);
+    const Recording recording = recorded.end();
+    const auto own = staged(recording, SpaceKind::own), boxes = staged(recording);
+    for (std::uint32_t id = 0; id < spaces.size(); ++id)
+    {
+        EXPECT_EQ(difference(state_of(dGeomID(spaces[id])), state_of(own->geom(id))), 0) << id;
+        const auto space = reinterpret_cast<dSpaceID>(boxes->geom(id));
+        EXPECT_EQ(dSpaceIsPredictive(space), dSpaceGetClass(spaces[id]) != dSimpleSpaceClass)
+            << "as with the launcher, a simple space within another one stays";
+        EXPECT_EQ(dSpaceGetSublevel(space), dSpaceGetSublevel(spaces[id]));
+    }
+    dSpaceDestroy(outer);
 }
 
 TEST_F(RecorderTest, GeomsComeAndGoAndChangeTheirSpace)
@@ -328,6 +314,14 @@ TEST_F(RecorderTest, AMeshIsRecordedOnceAndAgainWhenItsVerticesChange)
     dGeomTriMeshDataUpdate(mesh);
     recorded.collide(space);
     EXPECT_EQ(meshes(), 2);
+    const Recording recording = recorded.so_far();
+    const auto stage = staged(recording);
+    for (std::uint32_t id = 1; id <= 5; ++id)
+    {
+        dVector3 corner;
+        dGeomTriMeshGetTriangle(stage->geom(id), 0, nullptr, nullptr, &corner);
+        EXPECT_EQ(corner[0], dReal(id + 1)) << "the geom has the new vertices";
+    }
     dSpaceDestroy(space);
     dGeomTriMeshDataDestroy(mesh);
 }
@@ -376,6 +370,28 @@ TEST_F(RecorderTest, TheRecordingEndsAtItsLimitWithAWholeTick)
     EXPECT_LE(recording.bytes(), 3000u);
     EXPECT_GT(recording.events().size(), 5u);
     EXPECT_LT(recording.events().size(), 100u);
+    dSpaceDestroy(space);
+}
+
+// Every limit within the size of a tick: there is always room for the end, and for the pairs of a collide that has begun.
+TEST_F(RecorderTest, NoLimitIsExceeded)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dGeomID ball = dCreateSphere(space, 1);
+    dCreateSphere(space, 1);
+    for (std::uint64_t limit = 2000; limit < 2150; ++limit)
+    {
+        Recorded recorded(limit);
+        for (int i = 0; i < 20 && !recorded.recorder().is_over(); ++i)
+        {
+            dGeomSetPosition(ball, dReal(0.1) * static_cast<dReal>(i), 0, 0);
+            recorded.collide(space);
+        }
+        const Recording recording = recorded.end();
+        EXPECT_LE(recording.bytes(), limit);
+        EXPECT_TRUE(recording.reached_limit());
+        EXPECT_TRUE(recording.events().back().has_pairs);
+    }
     dSpaceDestroy(space);
 }
 

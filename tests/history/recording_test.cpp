@@ -53,14 +53,66 @@ public:
         return *this;
     }
 
-    Bytes &geom(std::uint32_t id, int geom_class, std::uint32_t parent = 0, std::uint32_t data = 0, dReal size = 1)
+    // What a geom has to do with other records.
+    struct Links
+    {
+        std::uint32_t parent = 0, data = 0, body = 0;
+        bool has_offset = false;
+        std::int32_t min_level = 0, max_level = 0;
+    };
+
+    Bytes &geom(std::uint32_t id, int geom_class, const Links &links, dReal size = 1)
     {
         begin(RecordKind::geom).number<std::uint32_t>(id).number<std::uint8_t>(geom_class);
-        number<std::uint16_t>(geom_field::all).number<std::uint32_t>(0).number<std::uint32_t>(0);
-        number<std::uint32_t>(0).number<std::uint32_t>(parent).number<std::uint64_t>(1).number<std::uint64_t>(1);
-        number<std::uint8_t>(geom_enabled).reals(size_count(geom_class), size).number<std::uint32_t>(data);
-        number<std::uint32_t>(0).number<std::uint8_t>(0).reals(12).reals(12);
+        number<std::uint16_t>(geom_field::all).number<std::uint32_t>(0).number<std::int32_t>(links.min_level);
+        number<std::int32_t>(links.max_level).number<std::uint32_t>(links.parent);
+        number<std::uint64_t>(1).number<std::uint64_t>(1);
+        number<std::uint8_t>(geom_enabled).reals(size_count(geom_class), size).number<std::uint32_t>(links.data);
+        number<std::uint32_t>(links.body).number<std::uint8_t>(links.has_offset).reals(12).reals(12);
         return end();
+    }
+
+    Bytes &geom(std::uint32_t id, int geom_class, std::uint32_t parent = 0, std::uint32_t data = 0, dReal size = 1)
+    {
+        Links links;
+        links.parent = parent;
+        links.data = data;
+        return geom(id, geom_class, links, size);
+    }
+
+    Bytes &geom_on_body(std::uint32_t id, int geom_class, std::uint32_t body, bool has_offset = false)
+    {
+        Links links;
+        links.body = body;
+        links.has_offset = has_offset;
+        return geom(id, geom_class, links);
+    }
+
+    Bytes &hash_space(std::uint32_t id, std::int32_t min_level, std::int32_t max_level)
+    {
+        Links links;
+        links.min_level = min_level;
+        links.max_level = max_level;
+        return geom(id, dHashSpaceClass, links);
+    }
+
+    // A change of one field that is a number.
+    Bytes &change(std::uint32_t id, int geom_class, std::uint16_t field, std::uint32_t value)
+    {
+        begin(RecordKind::geom).number<std::uint32_t>(id).number<std::uint8_t>(geom_class);
+        return number<std::uint16_t>(field).number<std::uint32_t>(value).end();
+    }
+
+    Bytes &body(std::uint32_t id)
+    {
+        begin(RecordKind::body).number<std::uint32_t>(id).number<std::uint16_t>(body_field::all);
+        return number<std::uint8_t>(body_enabled).reals(12).reals(6).end();
+    }
+
+    Bytes &pairs(std::uint32_t event)
+    {
+        begin(RecordKind::pairs).number<std::uint32_t>(event).number<std::uint32_t>(1);
+        return number<std::uint64_t>(1).end();
     }
 
     Bytes &event(RecordKind kind, std::initializer_list<std::uint32_t> ids)
@@ -136,6 +188,21 @@ TEST(Recording, TakesWhatIsWhole)
     const Recording recording(bytes.bytes());
     EXPECT_EQ(recording.events().size(), 2u);
     EXPECT_EQ(recording.geom_count(), 3u);
+    bytes.body(0).geom_on_body(3, dBoxClass, 1, true).geom_on_body(4, dBoxClass, 1).hash_space(5, -7, 5).pairs(0);
+    EXPECT_EQ(complaint(bytes, 0), "");
+}
+
+// The launcher's answer is about this one.
+TEST(Recording, KnowsItsFirstSpace)
+{
+    Bytes bytes;
+    bytes.geom(0, dHashSpaceClass).geom(1, dSimpleSpaceClass).geom(2, dSphereClass, 1);
+    EXPECT_EQ(Recording(bytes.bytes()).first_space(), 0u) << "nothing is asked";
+    bytes.event(RecordKind::collide2, {2, 1}).event(RecordKind::collide2, {2, 0});
+    EXPECT_EQ(Recording(bytes.bytes()).first_space(), 1u) << "the first that is asked";
+    Bytes collided = bytes;
+    collided.event(RecordKind::collide, {0}).event(RecordKind::collide, {1}).event(RecordKind::collide2, {2, 1});
+    EXPECT_EQ(Recording(collided.bytes()).first_space(), 0u) << "the first that is collided";
 }
 
 TEST(Recording, RefusesOtherFiles)
@@ -201,6 +268,29 @@ TEST(Recording, RefusesWhatAReplayWouldStumbleOver)
     refused("not described", [](Bytes &b) {
         b.begin(RecordKind::body).number<std::uint32_t>(0).number<std::uint16_t>(1).number<std::uint8_t>(1).end();
     });
+}
+
+TEST(Recording, RefusesLinksThatOdeWouldStopAt)
+{
+    Bytes good;
+    good.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1).body(0).event(RecordKind::collide, {0}).pairs(0);
+    const auto refused = [&](const char *what, const std::function<void(Bytes &)> &go_on) {
+        SCOPED_TRACE(what);
+        expect_refused(good, go_on, what);
+    };
+    refused("no such body", [](Bytes &b) { b.geom_on_body(2, dSphereClass, 2); });
+    refused("no such body", [](Bytes &b) { b.geom_on_body(2, dPlaneClass, 1); });
+    refused("no such body", [](Bytes &b) { b.geom_on_body(2, dSimpleSpaceClass, 1); });
+    refused("not the next one", [](Bytes &b) { b.body(2); });
+    refused("without body", [](Bytes &b) { b.geom_on_body(2, dSphereClass, 0, true); });
+    refused("no such levels", [](Bytes &b) { b.hash_space(2, 3, 2); });
+    refused("no such levels", [](Bytes &b) { b.hash_space(2, -2000, 2); });
+    refused("no such levels", [](Bytes &b) { b.hash_space(2, 0, 2000); });
+    refused("moved to another space", [](Bytes &b) { b.change(1, dSphereClass, geom_field::parent, 0); });
+    refused("another class", [](Bytes &b) { b.change(1, dBoxClass, geom_field::body, 0); });
+    refused("pairs are known", [](Bytes &b) { b.pairs(0); });
+    refused("no such event", [](Bytes &b) { b.pairs(1); });
+    refused("no such reason", [](Bytes &b) { b.begin(RecordKind::end).number<std::uint8_t>(7).end(); });
 }
 
 TEST(Recording, RefusesWhatIsDoneWithAGeomThatIsGone)

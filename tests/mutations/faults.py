@@ -1,4 +1,4 @@
-"""The deliberate faults: for each stage of the tick, mistakes that its code could have.
+"""The deliberate faults: for each stage of the tick, and for recorded histories, mistakes that the code could have.
 
 `find` stands in the file exactly once. `first` names the tests that are likely to notice: (suite, GoogleTest filter), in
 the order in which they are run; a suite is one of run_mutations.SUITES. A fault that they do not notice goes on to all tests
@@ -7,7 +7,7 @@ of all suites. A fault with a text in `equivalent` changes nothing that a progra
 
 import dataclasses
 
-STAGES = ("notices", "predict", "index", "proximity", "near", "shapes", "sweep", "space")
+STAGES = ("notices", "predict", "index", "proximity", "near", "shapes", "sweep", "space", "history", "replay")
 SOURCES = "ode_predictive_space/"
 BROADPHASE = SOURCES + "broadphase/"
 
@@ -441,8 +441,87 @@ def space_faults():
         "if (ray->type != dRayClass || touched_off_line(other))", CONTACT_HISTORIES)
 
 
+def history_faults():
+    recorder = SOURCES + "history/recorder.cpp"
+    state = SOURCES + "history/state.cpp"
+    data = SOURCES + "history/shape_data.cpp"
+    check = SOURCES + "history/recording_check.cpp"
+    file = SOURCES + "history/history_file.cpp"
+    recorded = (("recordings", "RecorderTest.*"),)
+    read = (("recordings", "Recording.*"),)
+    yield Fault(
+        "recorded_from_the_first_to_the_last", "history", recorder,
+        "for (auto geom = members.rbegin(); geom != members.rend(); ++geom)",
+        "for (auto geom = members.begin(); geom != members.end(); ++geom)", recorded)
+    yield Fault(
+        "no_room_for_the_end", "history", recorder, "(unfinished_ + 1) * pairs_size + end_size;",
+        "(unfinished_ + 1) * pairs_size;", recorded)
+    yield Fault(
+        "no_room_for_pairs_to_come", "history", recorder, "(unfinished_ + 1) * pairs_size + end_size;", "end_size;", recorded)
+    yield Fault(
+        "pairs_hashed_in_their_order", "history", SOURCES + "history/format.cpp",
+        "std::uint64_t{std::min(first, second)} << 32 | std::max(first, second);",
+        "std::uint64_t{first} << 32 | std::max(second, std::min(first, second));", recorded)
+    yield Fault(
+        "collide_bits_alone_unnoticed", "history", state, "when(before.bits != now.bits, geom_field::bits)",
+        "when(before.bits[0] != now.bits[0], geom_field::bits)", recorded)
+    yield Fault("changed_vertices_unnoticed", "history", data, "(collide == 0 || known->second.looked_at == collide)",
+                "(collide == 0 || known->second.looked_at <= collide)", recorded)
+    yield Fault(
+        "part_of_a_record_left_in_a_full_file", "history", file,
+        "ftruncate(file_, static_cast<off_t>(size_)) != 0", "false", (("recordings", "HistoryFile.*"),))
+    yield Fault(
+        "any_levels", "history", check,
+        "state.min_level < -most || state.min_level > state.max_level || state.max_level > most",
+        "state.min_level < -most || state.max_level > most", read)
+    yield Fault(
+        "body_of_a_plane", "history", check, "|| (state.body != 0 && !may_have))", "|| !(may_have || !may_have))", read)
+    yield Fault(
+        "asked_before_it_is_collided", "history", check,
+        "if (is_collide ? !has_collide_ : !has_collide_ && !has_question_)", "if (!has_collide_ && !has_question_)", read)
+
+
+def replay_faults():
+    stage = SOURCES + "replay/stage.cpp"
+    replay = SOURCES + "replay/replay.cpp"
+    check = SOURCES + "replay/check.cpp"
+    child = SOURCES + "replay/child.cpp"
+    staged = (("recordings", "RecorderTest.*"),)
+    replayed = (("recordings", "Replay.*"),)
+    yield Fault(
+        "plane_scaled_again", "replay", stage,
+        "std::copy_n(size.begin(), 4, static_cast<dxPlane *>(geom)->p); // it has scaled them", "", staged)
+    yield Fault(
+        "velocities_swapped", "replay", stage, "dBodySetAngularVel(body, velocity[3], velocity[4], velocity[5]);",
+        "dBodySetAngularVel(body, velocity[0], velocity[1], velocity[2]);", staged)
+    yield Fault(
+        "old_mesh_kept", "replay", stage, "if (geom.geom && (fields & geom_field::data) && has_data(state))",
+        "if (geom.geom && (fields & geom_field::data) && !has_data(state))", staged)
+    yield Fault("levels_forgotten", "replay", stage, "dHashSpaceSetLevels(space, state.space.min_level, state.space.max_level);",
+                ";", staged)
+    yield Fault("sublevel_forgotten", "replay", stage,
+                "dSpaceSetSublevel(reinterpret_cast<dSpaceID>(geom.geom), state.space.sublevel);", ";", staged)
+    yield Fault("inner_simple_spaces_replaced", "replay", stage, "state.geom_class == dSimpleSpaceClass && state.parent != 0;",
+                "state.geom_class == dSimpleSpaceClass && state.parent == 0;", staged + replayed)
+    yield Fault(
+        "one_event_too_many", "replay", replay, "if (number >= most_events || start - begin > most_seconds)",
+        "if (number > most_events || start - begin > most_seconds)", replayed)
+    yield Fault(
+        "boxes_found_nothing_everywhere", "replay", replay, "        if (touch(stage, pair))\n            continue;\n        ++result.nothing;",
+        "        ++result.nothing;", replayed)
+    yield Fault(
+        "stand_ins_collided", "replay", replay,
+        "return !stage.is_stand_in(pair.first) && !stage.is_stand_in(pair.second) &&", "return", replayed)
+    yield Fault(
+        "predictive_spaces_may_have_more", "replay", check, "kind == SpaceKind::own || kind == SpaceKind::quadtree ||",
+        "kind == SpaceKind::own || kind == SpaceKind::box || kind == SpaceKind::quadtree ||", replayed)
+    yield Fault(
+        "failure_of_a_child_forgotten", "replay", child, "return WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) :",
+        "return WIFSIGNALED(status) ? \"\" :", replayed)
+
+
 FAULTS = tuple(
     fault
     for faults in (notice_faults, predict_faults, index_faults, proximity_faults, near_faults, shape_faults, sweep_faults,
-                   space_faults)
+                   space_faults, history_faults, replay_faults)
     for fault in faults())

@@ -32,6 +32,7 @@ SUITES = {  # where the programs are; quick ones first
     "shape_contract": "tests/shape/shape_contract_tests",
     "colliders": "tests/shape/shape_colliders_test",
     "differential": "tests/differential/differential_tests",
+    "recordings": "tests/history/history_tests",
     "histories": "tests/fuzz/contact_history_tests",
 }
 GOLDEN = "*TheSameToTheLastBit*:*Golden*"

@@ -1,0 +1,76 @@
+// The file of a recording on a full disk, which a limit of the process stands for.
+
+#include "ode_predictive_space/history/history_file.h"
+
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+
+#include <sys/resource.h>
+
+#include <gtest/gtest.h>
+
+#include "tests/history/scratch_recording.h"
+
+namespace ode_predictive_space::history
+{
+namespace
+{
+int signals_of_size;
+
+void count_signal(int /*number*/)
+{
+    ++signals_of_size;
+}
+
+/// While it lives, this process writes no file of more bytes, and counts the signals that say so.
+class LimitOfFiles
+{
+public:
+    explicit LimitOfFiles(rlim_t bytes) : handler_(std::signal(SIGXFSZ, count_signal))
+    {
+        signals_of_size = 0;
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit small{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~LimitOfFiles()
+    {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    LimitOfFiles(const LimitOfFiles &) = delete;
+    LimitOfFiles &operator=(const LimitOfFiles &) = delete;
+
+private:
+    void (*handler_)(int);
+    rlimit before_;
+};
+
+TEST(HistoryFile, EndsWithTheLastWholeRecordWhenTheDiskIsFull)
+{
+    const ScratchRecording scratch;
+    HistoryFile file(scratch.path(), false);
+    {
+        const LimitOfFiles limit(150);
+        EXPECT_TRUE(file.write(std::string(100, 'a')));
+        EXPECT_FALSE(file.write(std::string(100, 'b')));
+        EXPECT_EQ(signals_of_size, 0) << "the program may not expect it";
+    }
+    EXPECT_EQ(file.error(), EFBIG);
+    EXPECT_EQ(file.size(), 100u);
+    EXPECT_EQ(std::filesystem::file_size(scratch.path()), 100u) << "half of a record would make it a broken file";
+    EXPECT_FALSE(file.write("c")) << "what comes later would follow on what is missing";
+    EXPECT_FALSE(file.close());
+    EXPECT_EQ(std::filesystem::file_size(scratch.path()), 100u);
+}
+
+TEST(HistoryFile, LeavesAFileAloneThatIsThereAlready)
+{
+    const ScratchRecording scratch;
+    EXPECT_FALSE(HistoryFile(scratch.path(), true).is_open());
+    EXPECT_EQ(HistoryFile(scratch.path(), true).error(), EEXIST);
+    EXPECT_TRUE(HistoryFile(scratch.path(), false).is_open());
+}
+} // namespace
+} // namespace ode_predictive_space::history

@@ -1,0 +1,70 @@
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_HISTORY_RECORDED_H
+#define ODE_PREDICTIVE_SPACE_TESTS_HISTORY_RECORDED_H
+
+#include <cstdint>
+#include <memory>
+
+#include <ode/ode.h>
+
+#include <gtest/gtest.h>
+
+#include "ode_predictive_space/history/recorder.h"
+#include "ode_predictive_space/history/recording.h"
+#include "tests/history/scratch_recording.h"
+
+namespace ode_predictive_space::history
+{
+/// Records collides of a space of any kind, as the launcher does.
+class Recorded
+{
+public:
+    explicit Recorded(std::uint64_t limit = 1 << 24)
+        : recorder_(std::make_unique<Recorder>(HistoryFile(file_.path(), false), limit, "a test"))
+    {}
+
+    int collide(dSpaceID space)
+    {
+        Call call{recorder_->begin_collide(space), 0};
+        dSpaceCollide(space, &call, note);
+        call.event.end();
+        return call.pairs;
+    }
+
+    int ask(dGeomID first, dGeomID second)
+    {
+        Call call{recorder_->begin_collide2(first, second), 0};
+        dSpaceCollide2(first, second, &call, note);
+        call.event.end();
+        return call.pairs;
+    }
+
+    Recorder &recorder() { return *recorder_; }
+
+    Recording end()
+    {
+        EXPECT_TRUE(recorder_->close());
+        return Recording::read(file_.path());
+    }
+
+    /// As after a crash.
+    Recording so_far() const { return Recording::read(file_.path()); }
+
+private:
+    struct Call
+    {
+        Recorder::Event event;
+        int pairs;
+    };
+    static void note(void *data, dGeomID first, dGeomID second)
+    {
+        Call &call = *static_cast<Call *>(data);
+        call.event.note(first, second);
+        ++call.pairs;
+    }
+
+    ScratchRecording file_;
+    std::unique_ptr<Recorder> recorder_;
+};
+} // namespace ode_predictive_space::history
+
+#endif
