@@ -30,17 +30,6 @@ Box box_of(const TriangleCorners &corners)
     return box;
 }
 
-// Some triangles: the box around them, and that around the middles of theirs.
-struct Extent
-{
-    Box box, middles;
-
-    void extend(const Box &triangle)
-    {
-        box.extend(triangle);
-        middles.extend(triangle.center());
-    }
-};
 } // namespace
 
 // Divides ranges of triangles at the middle of their extent, one triangle at each step.
@@ -75,6 +64,18 @@ public:
     }
 
 private:
+    // Some triangles: the box around them, and that around the middles of theirs.
+    struct Extent
+    {
+        Box box, middles;
+
+        void extend(const Box &triangle)
+        {
+            box.extend(triangle);
+            middles.extend(triangle.center());
+        }
+    };
+
     // Triangles from begin to end in order_, that belong below a node.
     struct Range
     {
