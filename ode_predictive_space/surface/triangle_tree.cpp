@@ -12,8 +12,7 @@ namespace
 using Box = Eigen::AlignedBox3d;
 
 constexpr std::uint32_t leaf_size = 4;
-constexpr std::uint32_t least_part =
-    16; // a side with less than this part of the triangles, one over the number, is too small
+constexpr std::uint32_t least_part = 16; // of the triangles, one over the number: a side with less is too small
 
 float rounded(double value, float towards)
 {
@@ -29,7 +28,6 @@ Box box_of(const TriangleCorners &corners)
         box.extend(corner);
     return box;
 }
-
 } // namespace
 
 // Divides ranges of triangles at the middle of their extent, one triangle at each step.
