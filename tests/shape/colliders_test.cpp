@@ -126,7 +126,8 @@ protected:
             put(geom, place, towards, middle);
             ((by_contact ? !touch(mesh, geom) : gap(mesh, geom) > 0) ? high : low) = middle;
         }
-        put(geom, place, towards, by_contact ? low : high + (one_in(4) ? -1 : 1) * size * log_between(1e-9, 1e-2));
+        const double on = size * log_between(1e-9, one_in(2) ? 1e-2 : 1);
+        put(geom, place, towards, by_contact && one_in(2) ? low : high + (one_in(4) ? -on : on));
     }
 
     // Thinner than the slivers, and smaller.
@@ -238,6 +239,7 @@ protected:
         proxies.add();
         MeasuredShapes shapes;
         shapes.start(2);
+        shapes.build(); // what is needed, at once
         shapes.update(scene, proxies.members(), proxies);
         const OverlapTest boxes{scene, proxies.places.data(), false, Float4::all(0)};
         Look look;
@@ -355,7 +357,7 @@ TEST_F(ShapeColliders, FindNoContactBesideSurfacesOfPairsThatAreLeftOut)
             look_at(ground, other, counts);
         }
         EXPECT_GT(counts.contacts, poses / 20) << "class " << type;
-        EXPECT_GT(counts.left_out, poses / 60) << "class " << type;
+        EXPECT_GT(counts.left_out, poses / 10) << "class " << type;
     }
 }
 } // namespace
