@@ -357,7 +357,7 @@ TEST_F(ShapeColliders, FindNoContactBesideSurfacesOfPairsThatAreLeftOut)
             look_at(ground, other, counts);
         }
         EXPECT_GT(counts.contacts, poses / 20) << "class " << type;
-        EXPECT_GT(counts.left_out, poses / 20) << "class " << type;
+        EXPECT_GT(counts.left_out, poses / (type == dTriMeshClass ? 60 : 20)) << "class " << type;
     }
 }
 } // namespace
