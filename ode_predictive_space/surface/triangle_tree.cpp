@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    // Some triangles: the box around them, and that around the middles of theirs.
+    // Of several triangles: their bounding box, and that of the centres of their boxes.
     struct Extent
     {
         Box box, middles;

@@ -239,7 +239,7 @@ protected:
         proxies.add();
         MeasuredShapes shapes;
         shapes.start(2);
-        shapes.build(); // what is needed, at once
+        shapes.build(scene); // what is needed, at once
         shapes.update(scene, proxies.members(), proxies);
         const OverlapTest boxes{scene, proxies.places.data(), false, Float4::all(0)};
         Look look;

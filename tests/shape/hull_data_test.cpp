@@ -290,6 +290,20 @@ TEST_F(HullData, OfARoomLeavesOutWhatIsInsideAndApartFromItsWalls)
     EXPECT_EQ(pairs(), 1u) << "on the floor of changed data";
 }
 
+// The tree over its triangles takes several ticks to build.
+TEST_F(HullData, OfALargeMeshIsNotReadAfterItWasDestroyed)
+{
+    Polyhedron many;
+    for (unsigned i = 0; i < 3000; ++i)
+        many.add(Polyhedron::cube().changed(0.01 * same, Eigen::Vector3d(0.01 * (i % 100), 0.01 * (i / 100), 5)));
+    auto arrays = std::make_unique<MeshArrays>(many.changed(same, {0, 0, -4}));
+    const dGeomID mesh = create_mesh(*arrays);
+    pairs();
+    dGeomDestroy(mesh);
+    arrays.reset();
+    EXPECT_EQ(pairs(), 0u);
+}
+
 TEST_F(HullData, OfVeryManyPointsIsTheBoxOfItsOwnAxes)
 {
     // A sheet like a saddle: far from flat in its own axes, too.

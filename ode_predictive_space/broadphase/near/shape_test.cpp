@@ -62,15 +62,16 @@ double touching_distance(const ConvexShape &first, const ConvexShape &second, do
 
 // To the hulls, and where these have none, to the triangles of a mesh. A shape whose centre is in the box of the mesh is most likely
 // in its hull, too.
-Gap ShapeTest::gap_between(const ConvexShape &first, const ConvexShape &second, const Look &look, double margin)
+Gap ShapeTest::gap_between(const CandidatePair &pair, const Look &look, double margin)
 {
+    const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
     const ConvexShape *surface = surface_of(first, second);
     Gap gap;
     if (!surface || !is_within_box(surface == &first ? second.centre : first.centre, *surface))
         gap = find_gap(first, second, Vector3(look.axis[0], look.axis[1], look.axis[2]), margin);
     if (!surface || gap.length > margin)
         return gap;
-    if (objects_.shapes.build(surface->surface()))
+    if (objects_.shapes.build(surface == &first ? pair.first : pair.second))
         gap.improve({surface_gap(first, second, margin), Vector3::Zero()});
     return gap;
 }
@@ -97,7 +98,7 @@ bool ShapeTest::looks_near(const CandidatePair &pair, Look &look, std::uint8_t r
         return true;
     }
     ++looks_;
-    const Gap gap = gap_between(first, second, look, margin);
+    const Gap gap = gap_between(pair, look, margin);
     for (Eigen::Index i = 0; i < 3; ++i)
         look.axis[i] = static_cast<float>(gap.axis[i]);
     if (!(gap.length > margin))

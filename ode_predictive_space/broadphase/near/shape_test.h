@@ -55,7 +55,7 @@ public:
         objects_.shapes.renew_outdated(objects_.scene, wanted, objects_.proxies.members());
     }
     /// Goes on building the tree of a mesh that a look has needed.
-    void build() { objects_.shapes.build(); }
+    void build() { objects_.shapes.build(objects_.scene); }
     /// Nothing need be known of the shapes of other objects.
     void keep_only(const IdSet &wanted) { objects_.shapes.keep_only(wanted); }
 
@@ -86,7 +86,7 @@ public:
 
 private:
     bool pays_always(const CandidatePair &pair) const;
-    Gap gap_between(const ConvexShape &first, const ConvexShape &second, const Look &look, double margin);
+    Gap gap_between(const CandidatePair &pair, const Look &look, double margin);
 
     Objects objects_;
     OverlapTest boxes_;

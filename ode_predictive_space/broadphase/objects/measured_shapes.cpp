@@ -137,19 +137,24 @@ void MeasuredShapes::clear_renewed()
     any_renewed_ = false;
 }
 
-void MeasuredShapes::build()
+void MeasuredShapes::build(Scene &scene)
 {
     steps_left_ = tuning::triangles_per_report;
-    if (building_ && build(building_))
-        building_ = nullptr;
+    if (!building_)
+        return;
+    const ProxyId id = *building_;
+    building_.reset();
+    if (id < places_.size() && has_shape(id) && (*this)[id].surface() && !scene.hull_is_outdated(id, (*this)[id]))
+        build(id);
 }
 
-bool MeasuredShapes::build(const std::shared_ptr<TriangleTree> &tree)
+bool MeasuredShapes::build(ProxyId id)
 {
-    steps_left_ = tree->build(steps_left_);
-    if (!tree->is_ready())
-        building_ = tree;
-    return tree->is_ready();
+    TriangleTree &tree = *(*this)[id].surface();
+    steps_left_ = tree.build(steps_left_);
+    if (!tree.is_ready())
+        building_ = id;
+    return tree.is_ready();
 }
 
 std::size_t MeasuredShapes::bytes() const

@@ -4,7 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_MEASURED_SHAPES_H
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/base/id_list.h"
@@ -67,12 +67,12 @@ public:
     /// Of both objects together.
     double travel(const CandidatePair &pair) const { return travels_[pair.first] + travels_[pair.second]; }
 
-    /// Goes on building the tree of a surface. Once for each report.
-    void build();
-    /// The tree of a surface is needed.
+    /// Goes on building the tree of a surface, if its object still has the same data. Once for each report.
+    void build(Scene &scene);
+    /// The tree of an object with a surface is needed. Its shape is up to date.
     ///
     /// @return is it ready now? Otherwise it is built later, or has to be needed again.
-    bool build(const std::shared_ptr<TriangleTree> &tree);
+    bool build(ProxyId id);
 
     std::size_t bytes() const;
 
@@ -91,7 +91,7 @@ private:
     IdSet renewed_;
     IdSet hulls_; // objects whose shape is a hull
     bool any_renewed_ = false;
-    std::shared_ptr<TriangleTree> building_;
+    std::optional<ProxyId> building_;     // whose tree is; the arrays that it reads are the program's
     std::size_t steps_left_ = 0;          // of building, for this report
     IdList stale_;                        // scratch
     std::vector<ConvexShape *> followed_; // scratch: the shapes of these
