@@ -24,7 +24,7 @@ constexpr std::uint16_t group_of(int type)
 constexpr std::uint16_t spheres = group_of(dSphereClass), boxes = group_of(dBoxClass),
                         capsules = group_of(dCapsuleClass), cylinders = group_of(dCylinderClass),
                         planes = group_of(dPlaneClass), convexes = group_of(dConvexClass),
-                        meshes = group_of(dTriMeshClass);
+                        meshes = group_of(dTriMeshClass), heightfields = group_of(dHeightfieldClass);
 
 // ODE has libccd find the contacts of cylinders and convexes with capsules, with each other and, in some builds, with more. It
 // finds some between shapes that are apart by a tenth of their size and more.
@@ -33,16 +33,18 @@ std::uint16_t partners_of(int type)
     switch (type)
     {
     case dSphereClass:
-        return spheres | boxes | capsules | cylinders | planes | meshes;
+        return spheres | boxes | capsules | cylinders | planes | meshes | heightfields;
     case dBoxClass:
     case dCapsuleClass:
-        return spheres | boxes | capsules | planes | meshes;
+        return spheres | boxes | capsules | planes | meshes | heightfields;
     case dCylinderClass:
-        return spheres | planes | meshes;
+        return spheres | planes | meshes | heightfields;
     case dConvexClass:
-        return planes;
+        return planes | heightfields;
     case dTriMeshClass:
-        return spheres | boxes | capsules | cylinders | planes | meshes;
+        return spheres | boxes | capsules | cylinders | planes | meshes | heightfields;
+    case dHeightfieldClass:
+        return spheres | boxes | capsules | cylinders | convexes | meshes;
     default:
         return spheres | boxes | capsules | cylinders | convexes | meshes;
     }
@@ -87,16 +89,23 @@ void take_partners(dxGeom *geom, ConvexShape &shape)
         shape.blunt_margin = geom->type == dCapsuleClass ? left_out_of_capsule : left_out_of_cylinder;
     }
     else if (geom->type == dTriMeshClass && shape.sliver_factor > most_sliver_factor)
-        shape.partners = planes;
+        shape.partners = planes | heightfields;
     else if (geom->type == dTriMeshClass && !blunts_capsules_only(geom))
         shape.partners &= static_cast<std::uint16_t>(~capsules);
+}
+
+// ODE has no pose for geoms that cannot be placed.
+const dxPosR &pose_of(const dxGeom *geom)
+{
+    static const dxPosR none = {{0, 0, 0, 0}, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+    return geom->gflags & GEOM_PLACEABLE ? *geom->final_posr : none;
 }
 
 // False when the matrix is no rotation, or the place is too far away.
 bool take_pose(dxGeom *geom, ConvexShape &shape)
 {
     geom->recomputePosr();
-    const dxPosR &pose = *geom->final_posr;
+    const dxPosR &pose = pose_of(geom);
     shape.centre = Vector3(pose.pos[0], pose.pos[1], pose.pos[2]);
     for (std::size_t i = 0; i < 3; ++i)
         shape.axes[i] = Vector3(pose.R[i], pose.R[4 + i], pose.R[8 + i]);
@@ -141,6 +150,17 @@ bool take_hull(const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
     return true;
 }
 
+bool take_terrain(const std::shared_ptr<const DataHull> &ground, ConvexShape &shape)
+{
+    if (!ground)
+        return false;
+    shape.hull = ground;
+    shape.kind = ShapeKind::terrain;
+    shape.half_sides = ground->half_sides();
+    shape.size = std::numeric_limits<double>::infinity();
+    return true;
+}
+
 bool take_plane(const dxGeom *geom, ConvexShape &shape)
 {
     const dReal *plane = static_cast<const dxPlane *>(geom)->p;
@@ -152,15 +172,21 @@ bool take_plane(const dxGeom *geom, ConvexShape &shape)
     return std::abs(shape.axes[0].squaredNorm() - 1) <= most_skew && shape.centre.lpNorm<1>() <= largest_length;
 }
 
+bool take_form(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before, ConvexShape &shape)
+{
+    if (geom->type <= dCylinderClass)
+        return take_sizes(geom, shape);
+    const std::shared_ptr<const DataHull> hull = hulls.hull_of(geom, before);
+    return geom->type == dHeightfieldClass ? take_terrain(hull, shape) : take_hull(hull, shape);
+}
+
 bool take_all(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before, ConvexShape &shape)
 {
     if (geom->gflags & GEOM_ZERO_SIZED)
         return false;
     if (geom->type == dPlaneClass)
         return take_plane(geom, shape);
-    const bool has_form =
-        geom->type <= dCylinderClass ? take_sizes(geom, shape) : take_hull(hulls.hull_of(geom, before), shape);
-    return has_form && take_pose(geom, shape);
+    return take_form(geom, hulls, before, shape) && take_pose(geom, shape);
 }
 
 // Is the shape what it was, but for its pose?

@@ -1,25 +1,35 @@
 #include "ode_predictive_space/space/hull_store.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/prediction/envelope.h"
+#include "ode_predictive_space/space/height_data.h"
 #include "ode_predictive_space/space/mesh_data.h"
+#include "ode_predictive_space/surface/triangle_tree.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
-template <typename T> std::uintptr_t word(const T *pointer)
+template <typename T> std::uint64_t word(T *pointer)
 {
     return reinterpret_cast<std::uintptr_t>(pointer);
 }
 
-std::uintptr_t word(int number)
+std::uint64_t word(int number)
 {
-    return static_cast<std::uintptr_t>(static_cast<unsigned>(number));
+    return static_cast<unsigned>(number);
+}
+
+std::uint64_t word(double number)
+{
+    std::uint64_t bits;
+    std::memcpy(&bits, &number, sizeof bits);
+    return bits;
 }
 
 DataKey key_of(const dxConvex *convex)
@@ -33,13 +43,39 @@ DataKey key_of(const TriangleArrays &mesh)
             word(mesh.triangles), mesh.triangle_count, word(mesh.triangle_stride)};
 }
 
+DataKey key_of(const HeightSamples &heights)
+{
+    return {word(heights.samples),
+            word(heights.user_data),
+            word(heights.get_height),
+            word(heights.columns) << 32 | word(heights.rows),
+            word(heights.source) << 1 | (heights.repeats != 0),
+            word(double{heights.cell_x}),
+            word(double{heights.cell_z}),
+            word(double{heights.scale}),
+            word(double{heights.offset})};
+}
+
 // All zero for geoms that are not made of data, or without any.
 DataKey key_of(dxGeom *geom)
 {
-    if (geom->type == dConvexClass)
+    switch (geom->type)
+    {
+    case dConvexClass:
         return key_of(static_cast<const dxConvex *>(geom));
-    const TriangleArrays *mesh = geom->type == dTriMeshClass ? mesh_data_of(geom) : nullptr;
-    return mesh ? key_of(*mesh) : DataKey{};
+    case dTriMeshClass:
+    {
+        const TriangleArrays *mesh = mesh_data_of(geom);
+        return mesh ? key_of(*mesh) : DataKey{};
+    }
+    case dHeightfieldClass:
+    {
+        const HeightSamples *heights = height_data_of(geom);
+        return heights ? key_of(*heights) : DataKey{};
+    }
+    default:
+        return {};
+    }
 }
 
 using Points = std::vector<Vector3>;
@@ -86,9 +122,31 @@ void take_triangles(const TriangleArrays &mesh, DataHull &hull)
     }
 }
 
+// The corners of the grid, at no height: it lies around the origin.
+Points points_of(const HeightSamples &heights)
+{
+    const double x = 0.5 * heights.width, z = 0.5 * heights.depth;
+    return {Vector3(-x, 0, -z), Vector3(x, 0, z)};
+}
+
+// The data themselves may be destroyed before all heights are read, when others with the same samples are there.
+void take_heights(const HeightSamples &heights, DataHull &hull)
+{
+    hull.surface = std::make_shared<HeightGrid>(heights.size(),
+                                                [heights](int column, int row) { return heights.height(column, row); });
+}
+
 Points points_of(dxGeom *geom)
 {
-    return geom->type == dConvexClass ? points_of(static_cast<const dxConvex *>(geom)) : points_of(*mesh_data_of(geom));
+    switch (geom->type)
+    {
+    case dConvexClass:
+        return points_of(static_cast<const dxConvex *>(geom));
+    case dTriMeshClass:
+        return points_of(*mesh_data_of(geom));
+    default:
+        return points_of(*height_data_of(geom));
+    }
 }
 
 Points corners_of(const Box &box)
@@ -132,6 +190,8 @@ std::shared_ptr<const DataHull> HullStore::make_hull(dxGeom *geom, const DataKey
     const auto hull = std::make_shared<DataHull>(VertexHull(std::move(points)), key);
     if (geom->type == dTriMeshClass)
         take_triangles(*mesh_data_of(geom), *hull);
+    else if (geom->type == dHeightfieldClass)
+        take_heights(*height_data_of(geom), *hull);
     hulls_[key] = hull;
     return hull;
 }

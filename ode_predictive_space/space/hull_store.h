@@ -1,4 +1,4 @@
-// The convex hulls of convexes and meshes: one for all geoms that are made of the same data.
+// The convex hulls of convexes and meshes, and the ground of heightfields: one for all geoms that are made of the same data.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_HULL_STORE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_HULL_STORE_H
@@ -19,8 +19,8 @@ namespace ode_predictive_space
 /// Beyond this, squares of lengths may overflow.
 constexpr double largest_length = 1e100;
 
-/// Where a geom's data are and how many: pointers and counts.
-using DataKey = std::array<std::uintptr_t, 6>;
+/// Where a geom's data are and how many: pointers, counts and scales.
+using DataKey = std::array<std::uint64_t, 9>;
 
 /// The hull of a geom's data.
 struct DataHull : VertexHull
@@ -39,7 +39,7 @@ struct DataHull : VertexHull
 class HullStore
 {
 public:
-    /// The hull of a convex or mesh.
+    /// The hull of a convex or mesh. Of a heightfield the rectangle around its grid, with that as the surface.
     ///
     /// @param before the geom's last hull, or null; found again without a search when the geom is made of the same data.
     /// @return null for other classes, for data that cannot be read and for points that are not finite or too far away for

@@ -12,28 +12,25 @@
 
 #include <Eigen/Geometry>
 
+#include "ode_predictive_space/surface/surface.h"
 #include "ode_predictive_space/surface/triangle_arrays.h"
 
 namespace ode_predictive_space
 {
-/// Built in slices, as large as the caller likes, so that no tick waits for a mesh of many triangles. Some 20 bytes per triangle; the
-/// corners stay in the arrays of the program, which must not change while the tree is in use. Lengths and points are in the mesh's
-/// frame.
-class TriangleTree
+/// Some 20 bytes per triangle; the corners stay in the arrays of the program, which must not change while the tree is in use. Lengths
+/// and points are in the mesh's frame.
+class TriangleTree final : public Surface
 {
 public:
     /// @param mesh whose triangles have vertices that exist and are finite. Nothing of it is read yet.
     explicit TriangleTree(const TriangleArrays &mesh);
-    ~TriangleTree();
+    ~TriangleTree() override;
 
-    std::size_t count() const { return mesh_.triangle_count; }
+    std::size_t count() const override { return mesh_.triangle_count; }
     TriangleCorners corners(std::uint32_t triangle) const { return mesh_.corners(triangle); }
 
-    /// Goes on building, for so many steps; each reads one triangle.
-    ///
-    /// @return the steps that are left.
-    std::size_t build(std::size_t steps);
-    bool is_ready() const { return !builder_; }
+    std::size_t build(std::size_t steps) override;
+    bool is_ready() const override { return !builder_; }
 
     /// Calls visit(number of the triangle) for all triangles whose boxes are within a distance of the point, and maybe some more,
     /// until it returns false. Nearer boxes come first. The tree is ready.
@@ -41,7 +38,7 @@ public:
     /// @param distance is read again after each visit, which may make it less.
     template <typename Visit> void walk(const Vector3 &point, const double &distance, Visit visit) const;
 
-    std::size_t bytes() const;
+    std::size_t bytes() const override;
 
 private:
     class Builder;

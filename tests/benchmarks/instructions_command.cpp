@@ -81,6 +81,7 @@ const std::vector<CountedCase> &world_cases()
         {"drones", 300, 50, 100},
         {"drones", 1000, 50, 30},
         {"room", 1000, 250, 30}, // the tree of the room is ready by then
+        {"hills", 1000, 250, 30},
         {"city", 100, 50, 50},
         {"rain", 1000, 100, 100},
         {"frames_0", 1000, 100, 40},

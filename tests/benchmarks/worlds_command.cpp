@@ -49,6 +49,7 @@ const std::vector<WorldCase> &worlds_to_measure()
         {"drones", 300, 50, 1000},
         {"drones", 1000, 50, 500},
         {"room", 1000, 300, 500},
+        {"hills", 1000, 300, 500},
         {"city", 100, 50, 500},
         {"rain", 1000, 50, 600},
         {"frames_0", 1000, 100, 600},

@@ -1,28 +1,18 @@
 #!/bin/sh
 # Compiles each header of a folder of the prefix in a file of its own, with what pkg-config says. Nearly all of the time goes to
-# reading Eigen: with "precompiled" that is read once, and a header that forgets to include Eigen or what it includes from the
-# standard library is overlooked; "alone" overlooks nothing.
-# Usage: compile_headers_alone.sh precompiled|alone <libdir of the prefix> <package> <includedir of the prefix> <folder in it>
-#        <scratch folder> <compiler> <flags>
+# reading Eigen.
+# Usage: compile_headers_alone.sh <libdir of the prefix> <package> <includedir of the prefix> <folder in it> <compiler> <flags>
 set -eu
 
-manner=$1
-PKG_CONFIG_PATH=$2/pkgconfig${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
+PKG_CONFIG_PATH=$1/pkgconfig${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
 export PKG_CONFIG_PATH
-package=$3
-includedir=$4
-folder=$5
-scratch=$6
-shift 6
+package=$2
+includedir=$3
+folder=$4
+shift 4
 
 flags=$(pkg-config --cflags "$package")
 eval "set -- \"\$@\" $flags"
-mkdir -p "$scratch"
-if [ "$manner" = precompiled ]; then
-    echo '#include <Eigen/Geometry>' >"$scratch/eigen.h"
-    "$@" -x c++-header "$scratch/eigen.h" -o "$scratch/eigen.h.gch"
-    set -- "$@" -include "$scratch/eigen.h" -Wno-ignored-attributes # as Eigen asks for; the compiler does not keep it there
-fi
 failed=0
 count=0
 for header in "$includedir/$folder"/*.h; do

@@ -2,10 +2,13 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "ode_predictive_space/broadphase/near/contact_forecast.h"
+#include "ode_predictive_space/surface/triangle_tree.h"
 #include "tests/shape/random_shapes.h"
 #include "tests/support/effort.h"
 
@@ -95,6 +98,32 @@ TEST(ContactForecast, WhatMayTurnReachesAsFarAsItsSphere)
     EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 8, 1e-6) << "8 - 4, at 0.5";
     comes.about_centre = false;
     EXPECT_EQ(time_of_contact(still, comes, 0, for_long), 1) << "it may turn about any point";
+}
+
+// Two triangles, 10 apart, as one mesh: what is between them is within its hull.
+TEST(ContactForecast, WithinTheHullOfAMeshIsThatOfItsTriangles)
+{
+    const std::vector<Vector3> points = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}, {-9, -9, 10}, {9, -9, 10}, {0, 9, 10}};
+    const std::vector<TriangleArrays::Indices> triangles = {{0, 1, 2}, {3, 4, 5}};
+    const auto tree = std::make_shared<TriangleTree>(
+        TriangleArrays{points.data(), sizeof(Vector3), 6, triangles.data(), 2, sizeof triangles[0], false});
+    tree->build(1000);
+    ConvexShape mesh = hull_of(points, tree);
+    mesh.group = mesh.partners = 1;
+    ConvexShape inside = ball({0, -2, 4});
+    const PredictedShape room{mesh, going(mesh, Vector3::Zero()), true, true};
+    PredictedShape falls{inside, going(inside, {0, 0, -0.1}), false, true};
+    const double foretold = time_of_contact(room, falls, 0, for_long).value();
+    EXPECT_LE(foretold, 30);
+    EXPECT_GE(foretold, 20) << "a gap is only bounded";
+    EXPECT_EQ(time_of_contact(falls, room, 0, for_long), foretold);
+    EXPECT_FALSE(time_of_contact(room, falls, 0, 19));
+    falls.envelope.deviation = {0.1, 0.05, 0};
+    EXPECT_LT(time_of_contact(room, falls, 0, for_long).value(), 20);
+    EXPECT_EQ(time_of_contact({mesh, going(mesh, Vector3::Zero()), false, true}, falls, 0, for_long), 1)
+        << "a room that moves";
+    const ConvexShape touching = ball({0, -2, 0.5});
+    EXPECT_EQ(time_of_contact(room, {touching, going(touching, Vector3::Zero()), false, true}, 0, for_long), 0);
 }
 
 // The true objects turn as they like and leave their paths, as far as they may.

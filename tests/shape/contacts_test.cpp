@@ -114,7 +114,8 @@ TEST_F(ShapeContacts, AreThoseOfASimpleSpaceInAnyHistory)
         }
 }
 
-TEST_F(ShapeContacts, AreThoseOfASimpleSpaceInAnyHistoryWithinARoom)
+// Of objects in rooms or on hills.
+void run_on_surfaces(bool ShapeHistory::Setting::*surface)
 {
 #ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
     constexpr long ticks = 10000000;
@@ -123,16 +124,26 @@ TEST_F(ShapeContacts, AreThoseOfASimpleSpaceInAnyHistoryWithinARoom)
 #endif
     Totals totals;
     const unsigned first = first_seed();
-    for (unsigned i = 0; totals.ticks < ticks && !HasFailure(); ++i)
+    for (unsigned i = 0; totals.ticks < ticks && !testing::Test::HasFailure(); ++i)
     {
         ShapeHistory::Setting setting = history_of(first, i);
-        setting.with_room = true;
+        setting.*surface = true;
         run(setting, 600, totals);
     }
     std::cout << "seeds from " << first << ": " << totals.ticks << " ticks, " << totals.overlapping
               << " pairs whose boxes overlap, " << totals.contacts << " contacts, " << totals.calls << " calls\n";
     EXPECT_GT(totals.contacts, totals.ticks);
     EXPECT_GT(totals.postponed, 0u);
+}
+
+TEST_F(ShapeContacts, AreThoseOfASimpleSpaceInAnyHistoryWithinARoom)
+{
+    run_on_surfaces(&ShapeHistory::Setting::with_room);
+}
+
+TEST_F(ShapeContacts, AreThoseOfASimpleSpaceInAnyHistoryOnHills)
+{
+    run_on_surfaces(&ShapeHistory::Setting::with_hills);
 }
 
 Totals in_sparse_scene(int proximity)

@@ -60,6 +60,8 @@ ShapeHistory::ShapeHistory(const Setting &setting)
     }
     if (setting_.with_room)
         create_room();
+    else if (setting_.with_hills)
+        create_hills();
     else if (setting_.with_plane)
         members_.push_back(
             {dCreatePlane(space_, 0, 0, 1, static_cast<dReal>(-0.7 * setting_.half_room)), GeomKind::plane});
@@ -93,6 +95,16 @@ void ShapeHistory::create_room()
     members_.push_back({dCreateTriMesh(space_, meshes_.back().id(), nullptr, nullptr, nullptr), GeomKind::trimesh});
     if (any(2))
         give_body(members_.back().geom);
+}
+
+// The y axis of a heightfield is up; those that cannot be moved stay so, and all others fall beside them.
+void ShapeHistory::create_hills()
+{
+    const double half = setting_.half_room;
+    const Hills &hills = hills_.emplace_back(random_, between(1.5, 3) * half, between(0.2, 1) * half);
+    const bool is_placeable = any(2) == 0;
+    members_.push_back({dCreateHeightfield(space_, hills.id(), is_placeable),
+                        is_placeable ? GeomKind::heightfield : GeomKind::endless_heightfield});
 }
 
 dGeomID ShapeHistory::create_geom(GeomKind kind)
@@ -220,6 +232,9 @@ void ShapeHistory::resize(std::size_t index)
     case GeomKind::convex:
         give_other_data(member);
         break;
+    case GeomKind::endless_heightfield:
+        change_hills();
+        break;
     default:
         resize_geom(member.geom, member.kind, any(2) ? REAL(0.3) : REAL(1.0));
     }
@@ -245,14 +260,23 @@ void ShapeHistory::change_in_place()
             dPredictiveSpaceGeomChanged(space_, member.geom);
 }
 
+void ShapeHistory::change_hills()
+{
+    if (any(2))
+        hills_.back().rebuild(random_);
+    else
+        hills_.back().change_in_place(random_);
+    dPredictiveSpaceGeomChanged(space_, members_.front().geom);
+}
+
 void ShapeHistory::surprise()
 {
     const std::size_t index = any(members_.size());
-    if (setting_.with_room && index == 0 && any(10) > 0)
+    if ((setting_.with_room || setting_.with_hills) && index == 0 && any(10) > 0)
         return; // a room lasts longer
     const dGeomID geom = members_[index].geom;
-    const dBodyID body = dGeomGetBody(geom);
-    const bool placeable = members_[index].kind != GeomKind::plane;
+    const bool placeable = is_placeable(members_[index].kind);
+    const dBodyID body = placeable ? dGeomGetBody(geom) : nullptr;
     const auto kind_of_surprise = any(14);
     if (kind_of_surprise == 0 || !placeable)
         resize(index);

@@ -13,6 +13,7 @@
 #include <ode/ode.h>
 
 #include "tests/contract/support/geom_zoo.h"
+#include "tests/shape/hills_geom.h"
 #include "tests/shape/polyhedron_geom.h"
 
 namespace ode_predictive_space
@@ -29,7 +30,8 @@ public:
         bool all_classes = true; ///< otherwise spheres, boxes and capsules, and these two:
         bool with_plane = true;
         bool with_cylinders = true;
-        bool with_room = false; ///< a mesh around all, with pillars, in place of the plane; half of the rooms move
+        bool with_room = false;  ///< a mesh around all, with pillars, in place of the plane; half of the rooms move
+        bool with_hills = false; ///< a heightfield below all, in place of the plane; some can be moved
         int proximity = 0;
         double deviation = 0; ///< fixed; 0 to have the space adapt it. With a large one, pairs stay near for long.
     };
@@ -76,6 +78,7 @@ private:
 
     void create();
     void create_room();
+    void create_hills();
     void give_body(dGeomID geom);
     void set_velocity(dBodyID body);
     void place(dGeomID geom);
@@ -89,16 +92,18 @@ private:
     Polyhedron polyhedron();
     void give_other_data(const Member &member);
     void change_in_place();
+    void change_hills();
     void surprise();
     void keep_inside();
 
     Setting setting_;
     std::mt19937_64 random_;
     std::deque<MeshArrays> meshes_; // outlive the geoms
+    std::deque<Hills> hills_;
     std::deque<ConvexArrays> convexes_;
     dWorldID world_;
     dSpaceID space_;
-    std::vector<Member> members_; // the plane or room first
+    std::vector<Member> members_; // the plane, room or hills first
 };
 } // namespace ode_predictive_space
 

@@ -19,11 +19,11 @@ namespace
 constexpr std::size_t all_at_once = 1000000;
 
 // Triangles with the arrays of a program, at a place of their own.
-class Surface
+class Ground
 {
 public:
     // A bowl, a piece of rough ground, or a few triangles anywhere. With sides from 0.1 to 2.
-    Surface(ShapeMaker &maker, int side)
+    Ground(ShapeMaker &maker, int side)
     {
         const Vector3 size = Vector3(maker.between(0.1, 2), maker.between(0.1, 2), maker.between(0.1, 2));
         const bool is_bowl = maker.one_in(2);
@@ -75,7 +75,7 @@ private:
     std::vector<TriangleArrays::Indices> triangles_;
 };
 
-double distance_from_above(const ConvexShape &shape, const Surface &surface, const Eigen::Matrix3d &turn,
+double distance_from_above(const ConvexShape &shape, const Ground &surface, const Eigen::Matrix3d &turn,
                            const Vector3 &by)
 {
     double distance = std::numeric_limits<double>::infinity();
@@ -94,7 +94,7 @@ TEST(SurfaceGap, IsNeverMoreThanTheDistance)
     for (unsigned seed = 0; seed < of_cases(1500); ++seed)
     {
         ShapeMaker maker(seed);
-        const Surface surface(maker, 1 + static_cast<int>(seed % 6));
+        const Ground surface(maker, 1 + static_cast<int>(seed % 6));
         const Eigen::Matrix3d turn = maker.rotation();
         const Vector3 by = maker.one_in(3) ? Vector3(100 * maker.vector()) : maker.vector();
         ConvexShape mesh = surface.shape();
@@ -125,7 +125,7 @@ TEST(SurfaceGap, OfASphereIsItsDistance)
     ShapeMaker maker(3);
     for (int i = 0; i < 200; ++i)
     {
-        const Surface surface(maker, 8);
+        const Ground surface(maker, 8);
         const ConvexShape mesh = surface.shape();
         ConvexShape sphere = maker.shape(SolidKind::sphere);
         sphere.centre = surface.any_place(maker) + 3 * sphere.radius * maker.direction();
@@ -143,7 +143,7 @@ TEST(SurfaceGap, OfASphereIsItsDistance)
 TEST(SurfaceGap, IsNoneWithoutASurfaceAndBeforeItsTreeIsReady)
 {
     ShapeMaker maker(4);
-    const Surface surface(maker, 4);
+    const Ground surface(maker, 4);
     ConvexShape mesh = surface.shape(), sphere = maker.shape(SolidKind::sphere);
     sphere.centre = Vector3(0, 0, 50);
     EXPECT_GT(surface_gap(mesh, sphere, 0), 0);
@@ -160,7 +160,7 @@ TEST(SurfaceGap, IsNoneWithoutASurfaceAndBeforeItsTreeIsReady)
 TEST(SurfaceGap, IsToTheMeshOfMoreTriangles)
 {
     ShapeMaker maker(5);
-    const Surface small(maker, 2), large(maker, 3);
+    const Ground small(maker, 2), large(maker, 3);
     const ConvexShape one = small.shape(), other = large.shape();
     EXPECT_EQ(surface_of(one, other), &other);
     EXPECT_EQ(surface_of(other, one), &other);

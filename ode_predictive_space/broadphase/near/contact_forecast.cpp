@@ -12,6 +12,7 @@ namespace ode_predictive_space
 namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double next_tick = 1, rounds_down = 1 - 1e-9;
 
 // How much farther the object may reach along the axis after any turn.
 double reach_by_turning(const PredictedShape &object, const PredictedShape &other, const Vector3 &axis)
@@ -32,24 +33,55 @@ double time_of_closing(double c, double b, double a)
     const double divisor = half + std::sqrt(discriminant);
     return divisor > 0 ? c / divisor : infinity;
 }
+// How far one object may be nearer than the gap says: it has turned by any angle, about its centre.
+double nearer_by_turning(const PredictedShape &object)
+{
+    if (object.still || (object.shape.kind == ShapeKind::rounded && object.shape.half_sides.isZero(0)))
+        return 0;
+    return object.about_centre && !object.shape.blunt_beside ? object.envelope.radius - 0.5 * object.shape.size
+                                                             : infinity;
+}
+
+// In ticks, if a gap of `left` is closed in this way; none when it lasts for the duration.
+std::optional<double> at_least_next_tick(double left, double speed, double half_acceleration, double duration)
+{
+    if (!(left > 0))
+        return next_tick;
+    const double time = rounds_down * time_of_closing(left, speed, half_acceleration);
+    return time <= duration ? std::optional(std::max(next_tick, time)) : std::nullopt;
+}
+
+// Beside a surface the gap has no axis: it may close along any. A surface that moves may be anywhere at the next tick.
+std::optional<double> time_beside_surface(const PredictedShape &first, const PredictedShape &second, double margin,
+                                          double duration)
+{
+    const double gap = surface_gap(first.shape, second.shape, margin);
+    if (!(gap > margin))
+        return 0;
+    const bool first_is_surface = surface_of(first.shape, second.shape) == &first.shape;
+    const PredictedShape &surface = first_is_surface ? first : second, &other = first_is_surface ? second : first;
+    if (!surface.still)
+        return next_tick;
+    const Path &path = other.envelope.path;
+    const Deviation deviation = std::sqrt(3.0) * (surface.envelope.deviation + other.envelope.deviation);
+    const double left = rounds_down * (gap - margin) - nearer_by_turning(other) - 2 * deviation.a;
+    return at_least_next_tick(left, -path.velocity.norm() - deviation.b, -0.5 * path.acceleration.norm() - deviation.c,
+                              duration);
+}
 } // namespace
 
 std::optional<double> time_of_contact(const PredictedShape &first, const PredictedShape &second, double margin,
                                       double duration)
 {
-    constexpr double next_tick = 1, rounds_down = 1 - 1e-9;
     const Gap gap = find_gap(first.shape, second.shape, Vector3::Zero(), margin);
     if (!(gap.length > margin))
-        return surface_gap(first.shape, second.shape, margin) > margin ? std::optional(next_tick) : 0.0;
+        return time_beside_surface(first, second, margin, duration);
     const Path way = relative_path(first.envelope.path, second.envelope.path);
     // Verification keeps each coordinate within the deviation. Along a diagonal, the object may be farther off its path.
     const Deviation deviation = gap.axis.lpNorm<1>() * (first.envelope.deviation + second.envelope.deviation);
     const double left = rounds_down * (gap.length - margin) - reach_by_turning(first, second, gap.axis) -
                         reach_by_turning(second, first, -gap.axis) - 2 * deviation.a;
-    if (!(left > 0))
-        return next_tick;
-    const double time = rounds_down * time_of_closing(left, gap.axis.dot(way.velocity) - deviation.b,
-                                                      0.5 * gap.axis.dot(way.acceleration) - deviation.c);
-    return time <= duration ? std::optional<double>(std::max(next_tick, time)) : std::nullopt;
+    return at_least_next_tick(left, gap.axis.dot(way.velocity) - deviation.b,
+                              0.5 * gap.axis.dot(way.acceleration) - deviation.c, duration);
 }
 } // namespace ode_predictive_space

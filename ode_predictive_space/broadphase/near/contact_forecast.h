@@ -21,7 +21,8 @@ struct PredictedShape
 };
 
 /// The gap along the axis on which two shapes are apart now is closed by their predicted motion along that axis, by both
-/// deviations, and by turning: an object that may turn is taken to reach as far as its bounding sphere.
+/// deviations, and by turning: an object that may turn is taken to reach as far as its bounding sphere. The gap to the surface of a
+/// mesh or heightfield, where its hull has none, may close along any axis.
 ///
 /// @param margin up to this distance the shapes count as touching.
 /// @param duration for how long both predictions are valid, in ticks; may be infinite.

@@ -33,9 +33,11 @@ bool touch_within(const ConvexShape &first, const ConvexShape &second, double ma
     return has_ball(first) && has_ball(second) && (second.centre - first.centre).squaredNorm() <= reach * reach;
 }
 
-bool is_within_box(const Vector3 &point, const ConvexShape &mesh)
+// Is a hull of no use there? Terrain has none.
+bool is_within_hull(const Vector3 &point, const ConvexShape &mesh)
 {
-    return (mesh.along_axes(point - mesh.centre).cwiseAbs().array() <= mesh.half_sides.array()).all();
+    return mesh.kind == ShapeKind::terrain ||
+           (mesh.along_axes(point - mesh.centre).cwiseAbs().array() <= mesh.half_sides.array()).all();
 }
 
 // The end of a postponement. A few short ones come before each contact; when there is no end of them, looks cost more than they save.
@@ -60,14 +62,14 @@ double touching_distance(const ConvexShape &first, const ConvexShape &second, do
     return margin + contact_slack * std::min(first.size, second.size) + slack(first, second);
 }
 
-// To the hulls, and where these have none, to the triangles of a mesh. A shape whose centre is in the box of the mesh is most likely
-// in its hull, too.
+// To the hulls, and where these have none, to the surface of one. A shape whose centre is in the box of a mesh is most likely in its
+// hull, too.
 Gap ShapeTest::gap_between(const CandidatePair &pair, const Look &look, double margin)
 {
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
     const ConvexShape *surface = surface_of(first, second);
     Gap gap;
-    if (!surface || !is_within_box(surface == &first ? second.centre : first.centre, *surface))
+    if (!surface || !is_within_hull(surface == &first ? second.centre : first.centre, *surface))
         gap = find_gap(first, second, Vector3(look.axis[0], look.axis[1], look.axis[2]), margin);
     if (!surface || gap.length > margin)
         return gap;

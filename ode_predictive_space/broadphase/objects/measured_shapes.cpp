@@ -150,11 +150,11 @@ void MeasuredShapes::build(Scene &scene)
 
 bool MeasuredShapes::build(ProxyId id)
 {
-    TriangleTree &tree = *(*this)[id].surface();
-    steps_left_ = tree.build(steps_left_);
-    if (!tree.is_ready())
+    Surface &surface = *(*this)[id].surface();
+    steps_left_ = surface.build(steps_left_);
+    if (!surface.is_ready())
         building_ = id;
-    return tree.is_ready();
+    return surface.is_ready();
 }
 
 std::size_t MeasuredShapes::bytes() const

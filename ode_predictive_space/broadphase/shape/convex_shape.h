@@ -21,6 +21,7 @@ enum class ShapeKind : std::uint8_t
     rounded,  ///< all points up to `radius` away from a box; the sides of the box may be 0: spheres, capsules, boxes
     cylinder, ///< around axes[2]; half_sides[2] and `radius`
     hull,     ///< of many points, within the box of half_sides
+    terrain,  ///< a heightfield: no hull holds it; its grid lies around the centre, axes[1] is up
     half_space
 };
 
@@ -30,7 +31,7 @@ struct Pose
     std::array<Vector3, 3> axes{};    ///< unit vectors; of a half space, axes[0] points out of it
 };
 
-/// A convex shape, in coordinates of the scene. Finite, if its kind is known.
+/// A convex shape, or one that has a surface(), in coordinates of the scene. Finite, if its kind is known.
 struct ConvexShape : Pose
 {
     ShapeKind kind = ShapeKind::unknown;
@@ -46,7 +47,7 @@ struct ConvexShape : Pose
     std::uint16_t blunt_beside =
         0;                   ///< the groups beside which a capsule or cylinder counts as the cylinder around it, ...
     double blunt_margin = 0; ///< ... larger by this on all sides
-    std::shared_ptr<const VertexHull> hull; ///< of a hull; relative to centre and axes
+    std::shared_ptr<const VertexHull> hull; ///< of a hull or terrain; relative to centre and axes
 
     Vector3 along_axes(const Vector3 &direction) const
     {
@@ -57,16 +58,22 @@ struct ConvexShape : Pose
         return point[0] * axes[0] + point[1] * axes[1] + point[2] * axes[2];
     }
 
-    /// The triangles of a mesh, or null.
-    const std::shared_ptr<TriangleTree> &surface() const
+    /// What is touched of a mesh or heightfield, or null.
+    const std::shared_ptr<Surface> &surface() const
     {
-        static const std::shared_ptr<TriangleTree> none;
+        static const std::shared_ptr<Surface> none;
         return hull ? hull->surface : none;
     }
 
     bool known() const { return kind != ShapeKind::unknown; }
 
-    /// How far the shape reaches from its centre in a direction of length 1. Not for half spaces.
+    /// Of the sphere around the centre that holds the shape. Not for half spaces and terrain.
+    double bounding_radius() const
+    {
+        return kind == ShapeKind::cylinder ? std::hypot(half_sides[2], radius) : half_sides.norm() + radius;
+    }
+
+    /// How far the shape reaches from its centre in a direction of length 1. Not for half spaces and terrain.
     double reach(const Vector3 &direction) const
     {
         if (kind == ShapeKind::cylinder)
@@ -80,7 +87,7 @@ struct ConvexShape : Pose
     }
 
     /// The point of the shape's core that is farthest in a direction of any length, from the centre. The shape is the set of all
-    /// points up to core_distance() away from its core.
+    /// points up to core_distance() away from its core. Not for half spaces and terrain.
     Vector3 farthest_of_core(const Vector3 &direction) const
     {
         if (kind == ShapeKind::cylinder)
@@ -130,14 +137,17 @@ struct ConvexShape : Pose
     }
 
     /// An upper bound of the distance that any point of the surface has moved from `before`, its own former pose, if each
-    /// is taken to the nearest point that serves: turning about an axis of symmetry moves nothing. Not for half spaces.
+    /// is taken to the nearest point that serves: turning about an axis of symmetry moves nothing. Terrain that moves has moved
+    /// infinitely far, as it is solid however deep. Not for half spaces.
     ///
     /// The reach in any direction changes by no more: the sum of half_side |axis . direction| by half_side |change of axis|
     /// each, that of a cylinder by the chord of its farthest points, and a point of a hull by its coordinates, which are no
     /// larger than the half sides, times the changes of the axes.
     double moved_from(const Pose &before) const
     {
-        double sum = (centre - before.centre).norm();
+        if (kind == ShapeKind::terrain)
+            return centre == before.centre && axes == before.axes ? 0 : std::numeric_limits<double>::infinity();
+        const double sum = (centre - before.centre).norm();
         if (kind == ShapeKind::cylinder || blunt_beside)
         {
             const double half = blunt_half(), across = radius + blunt_margin;

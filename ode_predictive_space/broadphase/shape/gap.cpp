@@ -124,7 +124,7 @@ Gap gap_along(const Vector3 &direction, const ConvexShape &first, const ConvexSh
 
 Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 &axis, double least)
 {
-    if (!judged_by_shape(first, second))
+    if (!judged_by_shape(first, second) || first.kind == ShapeKind::terrain || second.kind == ShapeKind::terrain)
         return {};
     if (first.blunt_beside & second.group)
         return find_gap(first.blunt(), second, axis, least);

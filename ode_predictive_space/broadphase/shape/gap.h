@@ -22,6 +22,10 @@ struct Gap
     }
 };
 
+/// Two shapes are nearer to each other by this part of their distance than they seem in the frame of one of them, because rotation
+/// matrices are rotations to 1e-6 only.
+constexpr double skew_of_distances = 1e-5;
+
 /// By this, what is computed of a shape's place may be wrong.
 double rounding(const ConvexShape &shape);
 

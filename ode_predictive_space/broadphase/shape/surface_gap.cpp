@@ -1,30 +1,20 @@
 #include "ode_predictive_space/broadphase/shape/surface_gap.h"
 
 #include "ode_predictive_space/broadphase/shape/gap.h"
+#include "ode_predictive_space/broadphase/shape/terrain_gap.h"
 #include "ode_predictive_space/broadphase/tuning.h"
+#include "ode_predictive_space/surface/triangle_tree.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
-// Two shapes are nearer to each other by this part of their distance than they seem, because rotation matrices are rotations to 1e-6
-// only.
-constexpr double skew = 1e-5;
-
-// Of the sphere around the centre that holds the shape.
-double bounding_radius(const ConvexShape &shape)
-{
-    if (shape.kind == ShapeKind::cylinder)
-        return std::hypot(shape.half_sides[2], shape.radius);
-    return shape.half_sides.norm() + shape.radius;
-}
-
 // A shape as the mesh sees it.
 class SeenFromMesh
 {
 public:
     SeenFromMesh(const ConvexShape &shape, const ConvexShape &mesh)
-        : shape_(shape), mesh_(mesh), centre_(place_in(mesh, shape.centre)), radius_(bounding_radius(shape))
+        : shape_(shape), mesh_(mesh), centre_(place_in(mesh, shape.centre)), radius_(shape.bounding_radius())
     {}
 
     const Vector3 &centre() const { return centre_; }
@@ -112,14 +102,26 @@ double gap_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, 
     return gap;
 }
 
+double gap_to_triangles(const ConvexShape &mesh, const ConvexShape &other, double least)
+{
+    const TriangleTree &tree = static_cast<const TriangleTree &>(*mesh.surface());
+    const SeenFromMesh shape(other, mesh);
+    const double radius = shape.radius(), far = tuning::surface_search * (radius + least);
+    double gap = distance_of(tree, shape, far) - radius;
+    if (!(gap > radius + least))
+        gap = gap_of(tree, shape, 2 * (radius + least), least);
+    return gap - skew_of_distances * (std::abs(gap) + 2 * radius) - rounding(mesh) - rounding(other);
+}
+
 double gap_between(const ConvexShape &surface, const ConvexShape &other, double least)
 {
-    const SeenFromMesh shape(other, surface);
-    const double radius = shape.radius(), far = tuning::surface_search * (radius + least);
-    double gap = distance_of(*surface.surface(), shape, far) - radius;
-    if (!(gap > radius + least))
-        gap = gap_of(*surface.surface(), shape, 2 * (radius + least), least);
-    return gap - skew * (std::abs(gap) + 2 * radius) - rounding(surface) - rounding(other);
+    return surface.kind == ShapeKind::terrain ? terrain_gap(surface, other, least)
+                                              : gap_to_triangles(surface, other, least);
+}
+
+bool is_terrain(const ConvexShape &shape)
+{
+    return shape.kind == ShapeKind::terrain;
 }
 } // namespace
 
@@ -127,6 +129,8 @@ const ConvexShape *surface_of(const ConvexShape &first, const ConvexShape &secon
 {
     if (!judged_by_shape(first, second) || first.kind == ShapeKind::half_space || second.kind == ShapeKind::half_space)
         return nullptr;
+    if (is_terrain(first) || is_terrain(second))
+        return is_terrain(first) ? &first : &second;
     const auto triangles = [](const ConvexShape &shape) { return shape.surface() ? shape.surface()->count() : 0; };
     const ConvexShape &surface = triangles(first) < triangles(second) ? second : first;
     return surface.surface() ? &surface : nullptr;

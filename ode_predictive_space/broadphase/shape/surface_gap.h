@@ -1,4 +1,4 @@
-// How far a convex shape is from the triangles of a mesh, from below: also within the mesh's hull, as in a room.
+// How far a convex shape is from the triangles of a mesh or from a heightfield, from below: also within a mesh's hull, as in a room.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_SURFACE_GAP_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_SURFACE_GAP_H
@@ -7,12 +7,12 @@
 
 namespace ode_predictive_space
 {
-/// Which of two shapes is the surface, whose triangles the other one is held against: of two meshes the one with more triangles.
+/// Which of two shapes is the surface that the other one is held against: terrain, or of two meshes the one with more triangles.
 /// Null when none is, when the pair is not judged_by_shape(), and beside a half space, which touches a mesh where it touches its hull.
 const ConvexShape *surface_of(const ConvexShape &first, const ConvexShape &second);
 
-/// No triangle of the surface_of() two shapes is nearer to the other one than this, rounded down: as far as a few axes for each
-/// triangle tell, and no more than a few sizes of the other one. Minus infinity without a surface, or when its tree is not ready.
+/// Nothing of the surface_of() two shapes is nearer to the other one than this, rounded down: as far as a few axes for each triangle
+/// tell, and no more than a few sizes of the other one. Minus infinity without a surface, or when it is not ready.
 ///
 /// @param least no smaller gap is of use: the search ends with the first triangle that is no farther away.
 double surface_gap(const ConvexShape &first, const ConvexShape &second, double least);

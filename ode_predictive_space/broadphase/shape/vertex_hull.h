@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "ode_predictive_space/prediction/path.h"
-#include "ode_predictive_space/surface/triangle_tree.h"
+#include "ode_predictive_space/surface/surface.h"
 
 namespace ode_predictive_space
 {
@@ -35,9 +35,9 @@ public:
     /// That point.
     Vector3 farthest(const Vector3 &direction) const;
 
-    /// The triangles of a mesh, in the coordinates of the points that were given; not ready until they have been needed. Null for
-    /// other hulls.
-    std::shared_ptr<TriangleTree> surface;
+    /// The triangles of a mesh or the heights of a heightfield, in the coordinates of the points that were given; not ready until they
+    /// have been needed. Null for other hulls.
+    std::shared_ptr<Surface> surface;
 
     std::size_t bytes() const;
 

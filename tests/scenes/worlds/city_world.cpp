@@ -1,5 +1,6 @@
 // Vehicles that drive over hills among trees.
 
+#include "tests/scenes/worlds/hills.h"
 #include "tests/scenes/worlds/makers.h"
 #include "tests/scenes/worlds/vehicle.h"
 #include "tests/scenes/worlds/world_scene.h"
@@ -24,41 +25,13 @@ double height(double x, double y)
     return 2 * std::sin(0.1 * x) * std::cos(0.13 * y);
 }
 
-/// ODE keeps pointers into the heights: before the scene.
-class Hills
-{
-protected:
-    explicit Hills(double half) : heights_(samples * samples), data_(dGeomHeightfieldDataCreate())
-    {
-        for (int row = 0; row < samples; ++row)
-        {
-            for (int column = 0; column < samples; ++column)
-            {
-                // The heightfield's z is our -y.
-                const double x = half * (2.0 * column / (samples - 1) - 1);
-                const double y = -half * (2.0 * row / (samples - 1) - 1);
-                heights_[static_cast<std::size_t>(row * samples + column)] = height(x, y);
-            }
-        }
-        dGeomHeightfieldDataBuildDouble(data_, heights_.data(), 0, 2 * half, 2 * half, samples, samples, 1, 0, 1, 0);
-        dGeomHeightfieldDataSetBounds(data_, -2, 2);
-    }
-    ~Hills() { dGeomHeightfieldDataDestroy(data_); }
-    Hills(const Hills &) = delete;
-    Hills &operator=(const Hills &) = delete;
-
-    std::vector<double> heights_;
-    dHeightfieldDataID data_;
-};
-
 class CityWorld : private Hills, public WorldScene
 {
 public:
     CityWorld(const SceneSpec &spec, dSpaceID space)
-        : Hills(half_side_of_city(spec.objects)), WorldScene(spec, space, city_step)
+        : Hills(half_side_of_city(spec.objects), samples, &height, 2), WorldScene(spec, space, city_step)
     {
-        set_orientation(add_scenery(objects_, dCreateHeightfield(space, data_, 1)),
-                        Quaternion(Eigen::AngleAxisd(pi / 2, Vector3::UnitX())));
+        add_to(objects_);
         const double half = half_side_of_city(spec.objects);
         for (int i = 0; i < trees_per_vehicle * spec.objects; ++i)
         {

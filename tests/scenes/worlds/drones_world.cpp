@@ -1,6 +1,7 @@
 // Free bodies that fly in a room with pillars, which is one mesh.
 
 #include "tests/scenes/worlds/box_mesh.h"
+#include "tests/scenes/worlds/flyer.h"
 #include "tests/scenes/worlds/makers.h"
 #include "tests/scenes/worlds/world_scene.h"
 
@@ -12,7 +13,6 @@ constexpr double drones_step = 0.005;
 constexpr double half_height_of_drones = 3; // metres
 constexpr double half_pillar = 0.3;         // metres
 constexpr int pillars = 4;                  // along each side
-constexpr double fastest_in_drones = 3;     // m/s
 
 double half_side_of_drones(int drones)
 {
@@ -29,10 +29,7 @@ class DronesWorld : private Building, public WorldScene
 public:
     DronesWorld(const SceneSpec &spec, dSpaceID space) : WorldScene(spec, space, drones_step)
     {
-        dWorldSetGravity(objects_.world(), 0, 0, 0);
-        surface_.mode = dContactApprox1 | dContactBounce;
-        surface_.mu = 0;
-        surface_.bounce = 1;
+        let_fly(objects_.world(), surface_);
         const double half = half_side_of_drones(spec.objects);
         mesh.add_room({half, half, half_height_of_drones}, true);
         for (int i = 0; i < pillars * pillars; ++i)
@@ -42,7 +39,7 @@ public:
         add_scenery(objects_, mesh.make_geom(space));
         for (int i = 0; i < spec.objects; ++i)
         {
-            add_drone(i, half);
+            add_flyer(objects_, i, {{0.3, 0.3, 0.1}, 0.15}, free_place(half), random_);
         }
     }
 
@@ -66,18 +63,14 @@ private:
         return true;
     }
 
-    void add_drone(int number, double half)
+    Vector3 free_place(double half)
     {
-        BodyState state;
+        Vector3 place;
         do
         {
-            state.position = random_.in_box({half - 0.5, half - 0.5, half_height_of_drones - 0.5});
-        } while (!is_free(state.position, half));
-        state.velocity = random_.uniform(0, fastest_in_drones) * random_.direction();
-        state.angular_velocity = random_.uniform(0, 2) * random_.direction();
-        add_body(objects_,
-                 number % 2 == 0 ? dCreateBox(objects_.space(), 0.3, 0.3, 0.1) : dCreateSphere(objects_.space(), 0.15),
-                 1, state);
+            place = random_.in_box({half - 0.5, half - 0.5, half_height_of_drones - 0.5});
+        } while (!is_free(place, half));
+        return place;
     }
 };
 } // namespace

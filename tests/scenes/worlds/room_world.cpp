@@ -1,5 +1,6 @@
 // Free bodies that fly in a room with rough walls, which is one mesh of many triangles: a scan, or a level of a game.
 
+#include "tests/scenes/worlds/flyer.h"
 #include "tests/scenes/worlds/makers.h"
 #include "tests/scenes/worlds/world_scene.h"
 
@@ -13,7 +14,6 @@ namespace
 constexpr double room_step = 0.001;
 constexpr int squares_along_wall = 134; // two triangles each: 215,472 in the room
 constexpr double roughness = 0.02;      // metres
-constexpr double fastest_in_room = 3;   // m/s
 
 double half_side_of_room(int objects)
 {
@@ -96,27 +96,13 @@ public:
     RoomWorld(const SceneSpec &spec, dSpaceID space)
         : RoughRoom(half_side_of_room(spec.objects), spec.seed), WorldScene(spec, space, room_step)
     {
-        dWorldSetGravity(objects_.world(), 0, 0, 0);
-        surface_.mode = dContactApprox1 | dContactBounce;
-        surface_.mu = 0;
-        surface_.bounce = 1;
+        let_fly(objects_.world(), surface_);
         add_scenery(objects_, make_geom(space));
+        const Vector3 half = Vector3::Constant(half_side_of_room(spec.objects) - 0.3);
         for (int i = 0; i < spec.objects; ++i)
         {
-            add_flyer(i, half_side_of_room(spec.objects) - 0.3);
+            add_flyer(objects_, i, {{0.15, 0.15, 0.1}, 0.1}, random_.in_box(half), random_);
         }
-    }
-
-private:
-    void add_flyer(int number, double half)
-    {
-        BodyState state;
-        state.position = random_.in_box(Vector3::Constant(half));
-        state.velocity = random_.uniform(0, fastest_in_room) * random_.direction();
-        state.angular_velocity = random_.uniform(0, 2) * random_.direction();
-        add_body(objects_,
-                 number % 2 == 0 ? dCreateBox(objects_.space(), 0.15, 0.15, 0.1) : dCreateSphere(objects_.space(), 0.1),
-                 1, state);
     }
 };
 } // namespace

@@ -1,0 +1,114 @@
+#include "ode_predictive_space/broadphase/shape/terrain_gap.h"
+
+#include <limits>
+
+#include "ode_predictive_space/broadphase/shape/gap.h"
+#include "ode_predictive_space/broadphase/tuning.h"
+#include "ode_predictive_space/surface/height_grid.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+using Box = Eigen::AlignedBox3d;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double most_periods = 4; // of a terrain that repeats: more are not searched
+
+// A shape as the terrain sees it: in the frame of its grid.
+class SeenFromTerrain
+{
+public:
+    SeenFromTerrain(const ConvexShape &shape, const ConvexShape &terrain, const HeightGrid &grid)
+        : shape_(shape), terrain_(terrain), grid_(grid),
+          centre_(terrain.along_axes(shape.centre - terrain.centre) + 0.5 * Vector3(grid.width(), 0, grid.depth()))
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+            half_box_[static_cast<Eigen::Index>(i)] = half_box_along(terrain.axes[i]);
+        if (shape.kind != ShapeKind::rounded)
+            sure_of_planes_ = -infinity;
+        else if (!grid.size().repeats)
+            sure_of_planes_ = distance_to_edge();
+    }
+
+    Box box() const { return Box(centre_ - half_box_, centre_ + half_box_); }
+
+    // Between the shape and what is solid below a cell. ODE finds contacts of spheres, boxes and capsules where they are below the
+    // plane of a triangle and in its column; of all other shapes, where their boxes are below the highest corner of a cell. At the
+    // edge of the terrain the plane of a flat part goes on.
+    double gap_to(const HeightGrid::Cell &cell) const
+    {
+        if (!(sure_of_planes_ > cell.distance))
+            return cell.distance;
+        const int column = cell.column, row = cell.row;
+        const double b = grid_.height(column + 1, row), c = grid_.height(column, row + 1);
+        const Vector3 at_b(cell.x + grid_.size().cell_x, b, cell.z);
+        const double low = gap_to_plane(at_b, b - grid_.height(column, row), c - grid_.height(column, row));
+        const double a_away = grid_.height(column + 1, row + 1);
+        const double high = gap_to_plane(at_b, a_away - c, a_away - b);
+        return std::max(cell.distance, std::min({low, high, sure_of_planes_}));
+    }
+
+private:
+    // Half the side of the bounding box that ODE gives the shape when it is turned into this frame. That of a cylinder changes when it
+    // turns about its axis, which is no travel: so the largest there can be.
+    double half_box_along(const Vector3 &axis) const
+    {
+        if (shape_.kind == ShapeKind::cylinder)
+            return std::hypot(shape_.half_sides[2], shape_.radius, shape_.radius);
+        return shape_.radius + shape_.half_sides.dot(shape_.along_axes(axis).cwiseAbs());
+    }
+
+    double distance_to_edge() const
+    {
+        const Vector3 beyond = Vector3(grid_.width(), 0, grid_.depth()) - centre_;
+        return std::min({centre_.x() - half_box_.x(), centre_.z() - half_box_.z(), beyond.x() - half_box_.x(),
+                         beyond.z() - half_box_.z()});
+    }
+
+    // Above the plane through a point that rises by so much along x and z in a cell.
+    double gap_to_plane(const Vector3 &point, double along_x, double along_z) const
+    {
+        const Vector3 up = Vector3(-along_x / grid_.size().cell_x, 1, -along_z / grid_.size().cell_z).normalized();
+        return up.dot(centre_ - point) - shape_.reach(-terrain_.from_axes(up));
+    }
+
+    const ConvexShape &shape_, &terrain_;
+    const HeightGrid &grid_;
+    Vector3 centre_, half_box_;
+    double sure_of_planes_ = infinity; // gaps to planes up to this are gaps to the terrain
+};
+
+bool repeats_too_often(const HeightGrid &grid, const Box &box, double most)
+{
+    const Vector3 sides = box.sizes() + Vector3::Constant(2 * most);
+    return grid.size().repeats && (sides.x() > most_periods * grid.width() || sides.z() > most_periods * grid.depth());
+}
+
+// Heights are rounded to single precision, by us and maybe by ODE.
+double rounding_of_heights(const HeightGrid &grid)
+{
+    constexpr double roundings = 16;
+    return roundings * double{std::numeric_limits<float>::epsilon()} * grid.largest();
+}
+} // namespace
+
+double terrain_gap(const ConvexShape &terrain, const ConvexShape &other, double least)
+{
+    const HeightGrid &grid = static_cast<const HeightGrid &>(*terrain.surface());
+    const double radius = other.bounding_radius();
+    double gap = tuning::surface_search * (radius + least);
+    if (!grid.is_finite())
+        return -infinity;
+    const SeenFromTerrain shape(other, terrain, grid);
+    const Box box = shape.box();
+    if (repeats_too_often(grid, box, gap))
+        return -infinity;
+    grid.walk(box, gap, [&](const HeightGrid::Cell &cell) {
+        gap = std::min(gap, shape.gap_to(cell));
+        return gap > least;
+    });
+    return gap - skew_of_distances * (std::abs(gap) + 2 * radius) - rounding(terrain) - rounding(other) -
+           rounding_of_heights(grid);
+}
+} // namespace ode_predictive_space

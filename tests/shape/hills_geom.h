@@ -1,0 +1,54 @@
+// Heightfields of random hills, from every source of samples that ODE has.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_HILLS_GEOM_H
+#define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_HILLS_GEOM_H
+
+#include <random>
+#include <vector>
+
+#include <Eigen/Core>
+#include <ode/ode.h>
+
+namespace ode_predictive_space
+{
+/// The data of a heightfield; they must outlive the geom. Some repeat without end, some have flat parts or are flat, some stand on
+/// their heads.
+class Hills
+{
+public:
+    /// @param width of all cells, about; as deep.
+    /// @param height from the lowest to the highest sample, about.
+    Hills(std::mt19937_64 &random, double width, double height, bool may_repeat = true);
+    ~Hills();
+    Hills(const Hills &) = delete;
+    Hills &operator=(const Hills &) = delete;
+
+    dHeightfieldDataID id() const { return id_; }
+    /// A place near the ground, or a little beyond its edge, seen from the geom.
+    Eigen::Vector3d place(std::mt19937_64 &random) const;
+
+    /// Other samples in the same place. ODE's bounds stay those of the old ones.
+    void change_in_place(std::mt19937_64 &random);
+    /// Other samples in other places, of another source, under the same id.
+    void rebuild(std::mt19937_64 &random);
+
+private:
+    static dReal callback(void *hills, int column, int row);
+    void fill(std::mt19937_64 &random);
+    void build(std::mt19937_64 &random);
+
+    dHeightfieldDataID id_ = dGeomHeightfieldDataCreate();
+    double width_, depth_, height_;
+    bool repeats_;
+    int columns_, rows_;
+    int source_ = 0;
+    dReal scale_ = 1, offset_ = 0;
+    std::vector<unsigned char> bytes_;
+    std::vector<short> shorts_;
+    std::vector<float> floats_;
+    std::vector<double> doubles_;
+    std::vector<dReal> computed_; // what the callback returns
+};
+} // namespace ode_predictive_space
+
+#endif
