@@ -64,9 +64,9 @@ enum
         1, /**< when the bounding spheres overlap too, and for a ray in dSpaceCollide2() when it passes through the box:
                 never a contact less, fewer useless calls */
     dPredictiveProximityShape =
-        2 /**< when the shapes of spheres, boxes, capsules, cylinders, planes, convexes and meshes may touch, of the last two
-               their convex hulls; of other classes, and of a few pairs of these (docs/shapes.md lists them), when the boxes
-               overlap. Never a contact less than dCollide() finds with ODE's own colliders, hardly a useless call. For
+        2 /**< when the shapes of spheres, boxes, capsules, cylinders, planes, convexes, meshes and heightfields may touch, of
+               convexes their convex hulls; of other classes, and of a few pairs of these (docs/shapes.md lists them), when the
+               boxes overlap, and also where looking at shapes would cost more than it spares. Never a contact less than dCollide() finds with ODE's own colliders, hardly a useless call. For
                dSpaceCollide() and for the times of dPredictiveSpaceGetTimeOfProximity() and dPredictiveSpaceGetEncounters();
                dSpaceCollide2() goes by boxes. Not for programs that replace colliders with dSetColliderOverride().
                @see dPredictiveSpaceGeomChanged */
@@ -153,7 +153,8 @@ ODE_PREDICTIVE_API dReal dPredictiveSpaceGetShapeMargin(dSpaceID space);
 
 /**
  * Tell that the data which a geom is made of have been changed in place: the points of a convex, the vertices or triangles of a
- * mesh. With dPredictiveProximityShape, contacts may be missed without this call. One call serves for all geoms of this space
+ * mesh, the samples of a heightfield, or what its callback returns. With dPredictiveProximityShape, contacts may be missed without this
+ * call: heights, for one, are read once. One call serves for all geoms of this space
  * with the same data, except that the bounding box is computed anew for this geom alone. Not needed when a geom is given other
  * arrays, by dGeomSetConvex(), dGeomTriMeshSetData() or dGeomTriMeshDataBuild...(), unless these had been given to a geom of the space
  * before and were changed since.

@@ -112,7 +112,7 @@ void Broadphase::find_pairs(Scene &scene)
     make_tight(scene);
     for (const CandidatePair &pair : pairing_.found)
         if (!envelopes_apart(proxies_.places[pair.first], proxies_.places[pair.second]))
-            near_.add(pair);
+            near_.add(pair, proxies_.is_dear(pair.first) || proxies_.is_dear(pair.second));
     pairing_.waiting.clear();
     pairing_.batch.clear();
     clear_scratch(pairing_.found);
@@ -167,7 +167,9 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
     CandidatePair *end = nullptr;
     const OverlapTest test{scene, proxies_.places.data(), proximity_test_ == ProximityTest::sphere,
                            Float4::all(Place::rounding * predictor_.farthest() + Place::least_rounding)};
-    if (proximity_test_ == ProximityTest::shape)
+    if (proximity_test_ == ProximityTest::shape && near_.are_boxes_enough())
+        end = near_.report_cheap(test, proxies_.places.data(), last, room.data());
+    else if (proximity_test_ == ProximityTest::shape)
     {
         ShapeTest of_shapes({scene, proxies_, shapes_}, test, shape_margin_, counters_.looks);
         end = near_.report_by_shape(of_shapes, proxies_.places.data(), last, room.data());

@@ -116,16 +116,13 @@ constexpr double least_widths_per_slab = 4, least_boxes_per_slab = 1000;
 /// Reports between two looks for pairs that may rest. (gas 100,000, stack 1,000)
 constexpr unsigned reports_per_rest = 32;
 
-/// Looks of dropped pairs up to which their memory is kept.
-constexpr std::size_t kept_looks = 256;
-
 /// Reports between two looks at the gap of a pair that has had none for long.
 constexpr int longest_pause = 32;
 
-/// Reports for which a pair must be postponed to be worth the look and the following of both objects; and so many shorter ones in
-/// a row that the next looks are in vain. Of primitives: the contacts of convexes and meshes cost ten times as much. (ragdolls 20,
-/// chain 1)
-constexpr int least_wait = 4, most_short_waits = 4;
+/// Reports for which a look must postpone pairs of primitives, in the mean, to pay: for the look, and to follow both objects. Counted
+/// in so many reports, after as many that are not; when it does not pay, it is tried again after so many. (chain 1; hills 1,000;
+/// ragdolls 20)
+constexpr int least_wait = 2, reports_of_trial = 32, reports_between_trials = 2048;
 
 /// How far from a shape the nearest triangle of a mesh is looked for, in radii of the shape. (room 1,000)
 constexpr double surface_search = 8;
@@ -138,6 +135,9 @@ constexpr double near_enough = 0.8;
 constexpr std::size_t triangles_per_report = 20000;
 /// And reports until a pair that needs one is looked at again.
 constexpr int pause_while_built = 15;
+
+/// Samples of a heightfield beyond which its box stands for it: 160 MB.
+constexpr int most_heights = 1 << 24;
 
 /// Points of a convex or mesh beyond which its box, in its own axes, stands for it. A mesh of more is mostly a landscape, which has
 /// the other objects within its hull, and a hull takes about a millisecond per thousand points to make.

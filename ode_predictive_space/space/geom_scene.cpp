@@ -293,6 +293,7 @@ Observation GeomScene::observation(ProxyId id)
     Observation seen;
     seen.centre = pivot(id);
     seen.radius = seen.centre ? bounding_sphere(geom) : std::numeric_limits<double>::infinity();
+    seen.is_dear = geom->type == dConvexClass || geom->type == dTriMeshClass;
     if (geom->body && !dBodyIsKinematic(geom->body))
     {
         seen.velocity = velocity_of(geom);

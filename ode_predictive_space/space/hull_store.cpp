@@ -122,9 +122,11 @@ void take_triangles(const TriangleArrays &mesh, DataHull &hull)
     }
 }
 
-// The corners of the grid, at no height: it lies around the origin.
+// The corners of the grid, at no height: it lies around the origin. None of one without cells, or with too many.
 Points points_of(const HeightSamples &heights)
 {
+    if (heights.columns < 2 || heights.rows < 2 || heights.columns > tuning::most_heights / heights.rows)
+        return {};
     const double x = 0.5 * heights.width, z = 0.5 * heights.depth;
     return {Vector3(-x, 0, -z), Vector3(x, 0, z)};
 }

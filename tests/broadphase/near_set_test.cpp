@@ -41,7 +41,7 @@ protected:
         for (Place &place : places)
             place.set_tight(Box(Vector3::Zero(), Vector3::Zero()));
         for (ProxyId id = 0; id + 1 < objects; ++id)
-            set.add({id, id + 1});
+            set.add({id, id + 1}, false);
     }
 
     // First objects of the reported pairs.
@@ -210,7 +210,7 @@ TEST_F(NearSetTest, PairsAddedSinceAreNot)
 {
     set.retire(1);
     drop_retired();
-    set.add({1, 3});
+    set.add({1, 3}, false);
     EXPECT_EQ(states().size(), 3u);
     EXPECT_TRUE(drop_retired().empty());
     EXPECT_EQ(tested(), (std::vector<ProxyId>{2, 3, 1}));
@@ -222,7 +222,7 @@ TEST_F(NearSetTest, PairsAtRestAreStaleToo)
     set.retire(1);
     EXPECT_EQ(states(), (States{{2, overlapping}, {3, separated}}));
     drop_retired();
-    set.add({1, 2});
+    set.add({1, 2}, false);
     set.retire(4);
     drop_retired();
     EXPECT_EQ(states(), (States{{1, active}, {2, overlapping}}));
@@ -264,7 +264,7 @@ TEST_F(NearSetTest, NothingIsLeftAfterClearing)
     EXPECT_TRUE(report().empty());
     EXPECT_TRUE(states().empty());
     EXPECT_FALSE(set.rests(0));
-    set.add({0, 1});
+    set.add({0, 1}, false);
     move({0});
     EXPECT_EQ(states().size(), 1u);
     EXPECT_EQ(tested(), (std::vector<ProxyId>{0}));

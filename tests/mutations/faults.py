@@ -263,7 +263,7 @@ def shape_faults():
         proximity + contacts)
     yield Fault(
         "look_outlives_the_shape", "shapes", BROADPHASE + "near/near_set.cpp",
-        "if (test.shapes().renewed(pairs_[i]))\n            looks_[i] = {};", ";", proximity + hull_data)
+        "            looks_[i] = {};\n", "", proximity + hull_data)
     yield Fault(
         "lost_travel", "shapes", BROADPHASE + "objects/measured_shapes.cpp",
         "rounds_up * (travels_[id] + move)", "rounds_up * (travels_[id] + 0.5 * move)",
@@ -276,9 +276,10 @@ def shape_faults():
         "return true;\n    case dBox", proximity)
     yield Fault(
         "capsules_and_cylinders_by_shape", "shapes", geoms,
-        "return spheres | boxes | capsules | planes | meshes;\n    case dCylinderClass:\n        return spheres | planes | meshes;",
-        "return spheres | boxes | capsules | cylinders | planes | meshes;\n    case dCylinderClass:\n"
-        "        return spheres | capsules | planes | meshes;", (("colliders", "*"),))
+        "return spheres | boxes | capsules | planes | meshes | heightfields;\n    case dCylinderClass:\n"
+        "        return spheres | planes | meshes | heightfields;",
+        "return spheres | boxes | capsules | cylinders | planes | meshes | heightfields;\n    case dCylinderClass:\n"
+        "        return spheres | capsules | planes | meshes | heightfields;", (("colliders", "*"),))
     yield Fault(
         "stale_hull", "shapes", hulls, "return made.outdated || made.key != key_of(geom);",
         "return made.outdated || !geom;", hull_data)
@@ -306,14 +307,36 @@ def shape_faults():
         CONTACT_HISTORIES)
     yield Fault(
         "deviation_counted_once", "shapes", BROADPHASE + "near/contact_forecast.cpp",
-        "- 2 * deviation.a;", "- deviation.a;", CONTACT_HISTORIES)
+        "- 2 * deviation.a;\n    return at_least_next_tick(left, gap", "- deviation.a;\n    return at_least_next_tick(left, gap",
+        CONTACT_HISTORIES)
     yield Fault(
         "margin_does_not_grow_with_slivers", "shapes", test,
         "if (!beside_half_space)\n        of_sizes *= first.sliver_factor * second.sliver_factor;", "(void)beside_half_space;",
         (("shape_contract", "ShapeSlivers.*"),))
+    terrain = BROADPHASE + "shape/terrain_gap.cpp"
+    heightfields = (("colliders", "*Heightfields*"),)
     yield Fault(
-        "look_of_another_pair", "shapes", BROADPHASE + "near/dropped_looks.h",
-        "(one.first == other.first && one.second == other.second)", "one.first == other.first", contacts)
+        "planes_beyond_the_edge_of_a_heightfield", "shapes", terrain,
+        "        sure_of_planes_ = distance_to_edge();", "        sure_of_planes_ = infinity;", heightfields)
+    yield Fault(
+        "planes_for_all_shapes_on_a_heightfield", "shapes", terrain,
+        "if (shape.kind != ShapeKind::rounded)", "if (shape.kind == ShapeKind::half_space)", heightfields)
+    yield Fault(
+        "upper_triangles_of_a_heightfield_ignored", "shapes", terrain,
+        "std::min({low, high, sure_of_planes_})", "std::min({low, low + 0 * high, sure_of_planes_})", heightfields)
+    yield Fault(
+        "last_column_of_a_heightfield_that_repeats", "shapes", SOURCES + "surface/height_grid.cpp",
+        "            column %= size_.columns - 1;\n", "", (("surface", "HeightGrids.*"),) + heightfields)
+    yield Fault(
+        "pyramid_without_the_last_square", "shapes", SOURCES + "surface/height_grid.cpp",
+        "j < std::min(2 * row + 2, below.rows)", "j < std::min(2 * row + 1, below.rows)", (("surface", "HeightGrids.*"),))
+    yield Fault(
+        "heights_changed_in_place_ignored", "shapes", hulls, "return made.outdated || made.key != key_of(geom);",
+        "return (made.outdated && geom->type != dHeightfieldClass) || made.key != key_of(geom);",
+        (("shape_contract", "ShapeContacts.*OnHills"),))
+    yield Fault(
+        "looks_that_do_not_pay_go_on", "shapes", BROADPHASE + "near/look_payoff.h",
+        "pays_ = !paid || postponed_", "pays_ = true || postponed_", (("broadphase", "LookPayoffs.*"),))
     surface = BROADPHASE + "shape/surface_gap.cpp"
     yield Fault(
         "triangles_beside_the_nearest_ignored", "shapes", surface,

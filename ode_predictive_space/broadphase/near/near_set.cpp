@@ -22,41 +22,52 @@ CandidatePair *NearSet::report(const OverlapTest &test, Place *places, UpdateNum
 CandidatePair *NearSet::report_by_shape(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room)
 {
     activate_disturbed();
-    take_looks(test);
+    make_looks(test);
     test.build();
     renew_outdated(test);
     follow_postponed(test);
     CandidatePair *end = find_open(test, room);
     end = look_at_open(test, room, end);
     end = std::copy(overlapping_.begin(), overlapping_.end(), end);
+    if (payoff_.end_report())
+        begin_anew();
     if (is_time_to_rest())
     {
         let_rest(places, update, [&](std::size_t i) {
             return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]) &&
-                   test.looks_near(pairs_[i], looks_[i], number_of_report());
+                   test.looks_near(pairs_[i], looks_[i], payoff_);
         });
         wanted_.clear();
-        for_each([this](const CandidatePair &pair, PairState) { want(pair); });
+        has_dear_ = false;
+        for_each([&](const CandidatePair &pair, PairState) {
+            want(pair);
+            has_dear_ |= !test.is_cheap(pair);
+        });
         test.keep_only(wanted_);
     }
     return end;
 }
 
-// New pairs get the looks of dropped ones. An object has moved by now: the next look may find what the last ones did not.
-void NearSet::take_looks(const ShapeTest &test)
+// While only cheap pairs are near, and looks at these do not pay, nothing of shapes is needed.
+CandidatePair *NearSet::report_cheap(const OverlapTest &boxes, Place *places, UpdateNumber update, CandidatePair *room)
+{
+    looks_.clear();
+    CandidatePair *end = report(boxes, places, update, room);
+    if (!payoff_.end_report())
+        return end;
+    Look cheap;
+    cheap.is_cheap = true;
+    looks_.assign(pairs_.size(), cheap);
+    begin_anew();
+    return end;
+}
+
+void NearSet::make_looks(const ShapeTest &test)
 {
     const std::size_t known = looks_.size();
     looks_.resize(pairs_.size());
-    if (dropped_.empty())
-        return;
-    dropped_.prepare();
     for (std::size_t i = known; i < pairs_.size(); ++i)
-        if (const Look *look = dropped_.find(pairs_[i]); look && test.remembers(pairs_[i], *look))
-        {
-            looks_[i] = *look;
-            looks_[i].pause /= 2;
-        }
-    dropped_.clear();
+        looks_[i].is_cheap = test.is_cheap(pairs_[i]);
 }
 
 // A hull may change without a move.
@@ -85,7 +96,10 @@ void NearSet::follow_postponed(ShapeTest &test)
     looks_.resize(pairs_.size());
     for (std::size_t i = 0; i < pairs_.size(); ++i)
         if (test.shapes().renewed(pairs_[i]))
+        {
             looks_[i] = {};
+            looks_[i].is_cheap = test.is_cheap(pairs_[i]);
+        }
 }
 
 // Writes the pairs that are not postponed and whose boxes overlap. Those that are to be looked at are in open_, too; their shapes are
@@ -99,7 +113,11 @@ CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
     {
         Look &look = looks_[i];
         if (look.due > 0 && test.postpones(pairs_[i], look))
+        {
+            if (look.is_cheap)
+                payoff_.note_postponed();
             continue;
+        }
         if (!test.boxes_overlap(pairs_[i]))
         {
             look.due = 0;
@@ -107,7 +125,7 @@ CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
         }
         if (look.pause > 0)
             --look.pause;
-        else
+        else if (!look.is_cheap || payoff_.pays())
         {
             open_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end - room)});
             want(pairs_[i]);
@@ -124,12 +142,23 @@ CandidatePair *NearSet::look_at_open(ShapeTest &test, CandidatePair *room, Candi
     constexpr CandidatePair none{0, 0};
     CandidatePair *first_taken_back = end;
     for (const auto &[i, place] : open_)
-        if (!test.looks_near(pairs_[i], looks_[i], number_of_report()))
+        if (!test.looks_near(pairs_[i], looks_[i], payoff_))
         {
             room[place] = none;
             first_taken_back = std::min(first_taken_back, room + place);
         }
     return std::remove_if(first_taken_back, end, [](const CandidatePair &pair) { return pair.first == pair.second; });
+}
+
+// The cheap pairs, when it has changed whether looks at these pay: their next looks are spread.
+void NearSet::begin_anew()
+{
+    for (std::size_t i = 0; i < looks_.size(); ++i)
+        if (looks_[i].is_cheap)
+        {
+            looks_[i].due = 0;
+            looks_[i].pause = static_cast<std::uint8_t>(i % tuning::longest_pause);
+        }
 }
 
 // Makes the pairs of all disturbed objects active.
@@ -188,7 +217,6 @@ void NearSet::clear()
     for (std::vector<CandidatePair> *pairs : {&pairs_, &overlapping_, &separated_})
         pairs->clear();
     looks_.clear();
-    dropped_.clear();
     resting_.clear();
     disturbed_.clear();
     std::fill(is_retired_.begin(), is_retired_.end(), std::uint8_t{0});
@@ -201,7 +229,6 @@ void NearSet::release()
     for (std::vector<CandidatePair> *pairs : {&pairs_, &overlapping_, &separated_})
         free_memory(*pairs);
     free_memory(looks_);
-    dropped_.release();
     free_memory(open_);
     free_memory(disturbed_);
 }

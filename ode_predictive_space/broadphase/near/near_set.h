@@ -11,7 +11,6 @@
 
 #include "ode_predictive_space/broadphase/base/id_set.h"
 #include "ode_predictive_space/broadphase/base/memory.h"
-#include "ode_predictive_space/broadphase/near/dropped_looks.h"
 #include "ode_predictive_space/broadphase/near/overlap_test.h"
 #include "ode_predictive_space/broadphase/near/shape_test.h"
 
@@ -38,7 +37,12 @@ public:
         resize_array(is_retired_, count);
     }
 
-    void add(const CandidatePair &pair) { pairs_.push_back(pair); }
+    /// @param is_dear its contacts are dear to find.
+    void add(const CandidatePair &pair, bool is_dear)
+    {
+        pairs_.push_back(pair);
+        has_dear_ |= is_dear;
+    }
 
     /// The object is getting another envelope, or is gone.
     void retire(ProxyId id)
@@ -75,6 +79,9 @@ public:
 
     /// The same for pairs that overlap and whose shapes may touch. Shapes are brought up to date where they are needed.
     CandidatePair *report_by_shape(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room);
+    CandidatePair *report_cheap(const OverlapTest &boxes, Place *places, UpdateNumber update, CandidatePair *room);
+    /// Would the shapes of no near pair be looked at?
+    bool are_boxes_enough() const { return !has_dear_ && !payoff_.pays(); }
 
     /// Drops all pairs.
     void clear();
@@ -106,7 +113,7 @@ public:
 
     std::size_t bytes() const
     {
-        return bytes_of(pairs_) + bytes_of(looks_) + dropped_.bytes() + bytes_of(overlapping_) + bytes_of(separated_) +
+        return bytes_of(pairs_) + bytes_of(looks_) + bytes_of(overlapping_) + bytes_of(separated_) +
                bytes_of(is_retired_) + bytes_of(disturbed_) + resting_.bytes() + wanted_.bytes() + bytes_of(open_);
     }
 
@@ -118,12 +125,12 @@ private:
         std::uint32_t place;  ///< among those that are written
     };
 
-    void take_looks(const ShapeTest &test);
+    void make_looks(const ShapeTest &test);
     void renew_outdated(ShapeTest &test);
     void follow_postponed(ShapeTest &test);
     CandidatePair *find_open(ShapeTest &test, CandidatePair *room);
     CandidatePair *look_at_open(ShapeTest &test, CandidatePair *room, CandidatePair *end);
-    std::uint8_t number_of_report() const { return static_cast<std::uint8_t>(reports_); }
+    void begin_anew();
     void want(const CandidatePair &pair)
     {
         wanted_.insert(pair.first);
@@ -162,7 +169,8 @@ private:
     UpdateNumber rested_ = 0;              // when that was last
     std::vector<std::uint8_t> is_retired_; // bytes, not bits: two are looked up for each pair
     bool has_retired_ = false;
-    DroppedLooks dropped_;   // since the last report, when pairs are tested by shape
+    LookPayoff payoff_;
+    bool has_dear_ = false;  // since pairs could last rest, there was a pair with contacts that are dear to find
     IdSet wanted_;           // scratch
     std::vector<Open> open_; // scratch
 };
@@ -193,10 +201,8 @@ template <typename Visit> void NearSet::drop_retired(Visit visit)
     activate_disturbed();
     if (!has_retired_)
         return;
-    keep_pairs([&](const CandidatePair &pair, std::size_t i) {
+    keep_pairs([&](const CandidatePair &pair, std::size_t) {
         const bool stays = !is_retired(pair);
-        if (!stays && i < looks_.size())
-            dropped_.add(pair, looks_[i]);
         if (!stays)
             visit(pair);
         return stays;

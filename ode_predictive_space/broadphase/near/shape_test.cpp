@@ -40,14 +40,11 @@ bool is_within_hull(const Vector3 &point, const ConvexShape &mesh)
            (mesh.along_axes(point - mesh.centre).cwiseAbs().array() <= mesh.half_sides.array()).all();
 }
 
-// The end of a postponement. A few short ones come before each contact; when there is no end of them, looks cost more than they save.
-void note_postponement(Look &look, std::uint8_t report)
+// Is there a surface that cannot be asked yet?
+bool is_being_built(const ConvexShape &first, const ConvexShape &second)
 {
-    const bool was_short = static_cast<std::uint8_t>(report - look.since) < tuning::least_wait;
-    look.hasty =
-        was_short ? static_cast<std::uint8_t>(std::min(look.hasty + 1, tuning::most_short_waits)) : std::uint8_t{0};
-    look.last_pause = was_short ? look.last_pause : std::uint8_t{0};
-    look.due = 0;
+    const ConvexShape *surface = surface_of(first, second);
+    return surface && !surface->surface()->is_ready();
 }
 
 void pause(Look &look)
@@ -78,23 +75,16 @@ Gap ShapeTest::gap_between(const CandidatePair &pair, const Look &look, double m
     return gap;
 }
 
-// Of a convex or mesh contacts are dear to find, and of what a person holds the program asks for more than contacts.
-bool ShapeTest::pays_always(const CandidatePair &pair) const
-{
-    const std::vector<ProxyRecord> &records = objects_.proxies.records;
-    return shapes()[pair.first].hull || shapes()[pair.second].hull || is_interactive(records[pair.first].role) ||
-           is_interactive(records[pair.second].role);
-}
-
-bool ShapeTest::looks_near(const CandidatePair &pair, Look &look, std::uint8_t report)
+bool ShapeTest::looks_near(const CandidatePair &pair, Look &look, LookPayoff &payoff)
 {
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
+    if (look.due > 0)
+        look.last_pause = 0;
+    look.due = 0;
+    if (look.is_cheap && !payoff.pays())
+        return true;
     const double margin = touching_distance(first, second, margin_);
-    const bool was_postponed = look.due > 0;
-    if (was_postponed)
-        note_postponement(look, report);
-    const bool in_vain = was_postponed && look.hasty == tuning::most_short_waits && !pays_always(pair);
-    if (in_vain || touch_within(first, second, margin))
+    if (touch_within(first, second, margin))
     {
         pause(look);
         return true;
@@ -103,16 +93,21 @@ bool ShapeTest::looks_near(const CandidatePair &pair, Look &look, std::uint8_t r
     const Gap gap = gap_between(pair, look, margin);
     for (Eigen::Index i = 0; i < 3; ++i)
         look.axis[i] = static_cast<float>(gap.axis[i]);
+    if (!(gap.length > margin) && is_being_built(first, second))
+    {
+        look.pause = tuning::pause_while_built;
+        payoff.note_waiting();
+        return true;
+    }
+    if (look.is_cheap)
+        payoff.note_look();
     if (!(gap.length > margin))
     {
         pause(look);
-        if (const ConvexShape *surface = surface_of(first, second); surface && !surface->surface()->is_ready())
-            look.pause = tuning::pause_while_built;
         return true;
     }
     constexpr double rounds_down = 1 - 8 * std::numeric_limits<double>::epsilon();
     look.due = rounds_down * (shapes().travel(pair) + (gap.length - margin));
-    look.since = report;
     return false;
 }
 } // namespace ode_predictive_space

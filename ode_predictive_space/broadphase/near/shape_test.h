@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "ode_predictive_space/broadphase/near/look_payoff.h"
 #include "ode_predictive_space/broadphase/near/overlap_test.h"
 #include "ode_predictive_space/broadphase/objects/measured_shapes.h"
 #include "ode_predictive_space/broadphase/shape/gap.h"
@@ -20,8 +21,7 @@ struct Look
     float axis[3] = {};     ///< of the last look, from the first object to the second
     std::uint8_t pause = 0; ///< reports until the next look, of a pair whose looks are in vain
     std::uint8_t last_pause = 0;
-    std::uint8_t since = 0; ///< number of the report at which it was postponed, modulo 256
-    std::uint8_t hasty = 0; ///< postponements in a row that were too short to be worth a look
+    bool is_cheap = false; ///< contacts of the pair cost little to find
 };
 static_assert(sizeof(Look) == 24, "there is one for each near pair");
 
@@ -67,25 +67,19 @@ public:
 
     bool boxes_overlap(const CandidatePair &pair) const { return boxes_(pair); }
 
-    /// Does what is known of the pair still say something? Not when an object is another one now, or has leapt. And a pair of which each
-    /// call that is spared pays is looked at when an object has left its envelope.
-    bool remembers(const CandidatePair &pair, const Look &look) const
+    /// Do the contacts of the pair cost little to find?
+    bool is_cheap(const CandidatePair &pair) const
     {
-        return objects_.shapes.has_shape(pair.first) && objects_.shapes.has_shape(pair.second) &&
-               objects_.proxies.records[pair.first].reach > 0 && objects_.proxies.records[pair.second].reach > 0 &&
-               (look.due > 0 || !pays_always(pair));
+        return !objects_.proxies.is_dear(pair.first) && !objects_.proxies.is_dear(pair.second);
     }
 
-    /// Looks at the gap of the pair, whose shapes are up to date, and decides when the next look is due. A pair is also reported when
-    /// the looks at it cost more than they save.
-    ///
-    /// @param report its number.
-    bool looks_near(const CandidatePair &pair, Look &look, std::uint8_t report);
+    /// Looks at the gap of the pair, whose shapes are up to date, and decides when the next look is due. A cheap pair is reported
+    /// without a look when looks do not pay.
+    bool looks_near(const CandidatePair &pair, Look &look, LookPayoff &payoff);
 
     const MeasuredShapes &shapes() const { return objects_.shapes; }
 
 private:
-    bool pays_always(const CandidatePair &pair) const;
     Gap gap_between(const CandidatePair &pair, const Look &look, double margin);
 
     Objects objects_;

@@ -55,6 +55,7 @@ struct alignas(64) ProxyRecord
     bool predicted : 1;        ///< at least once
     bool has_body : 1;         ///< which tells the velocity
     bool by_radius : 1;        ///< its new envelope holds the object however it turns
+    bool is_dear : 1;          ///< the contacts of its shape are dear to find
 
     bool had_overlap() const { return useless < tests; }
 };
@@ -66,6 +67,9 @@ class ProxyStore
 public:
     std::vector<Place, CacheLineAllocator<Place>> places;
     std::vector<ProxyRecord> records;
+
+    /// Are contacts of the object dear to find? Also those of what a person holds: of these the program asks for more.
+    bool is_dear(ProxyId id) const { return records[id].is_dear || is_interactive(records[id].role); }
 
     /// Numbers in use are below this.
     std::size_t size() const { return records.size(); }

@@ -18,6 +18,7 @@ struct Observation
     double radius = 0;             ///< of a sphere around the centre that holds the object; infinite when none is known
     std::optional<Vector3> velocity; ///< in the program's unit, if the object has a body that tells
     double spin = 0;                 ///< angular speed of that body, in the same unit
+    bool is_dear = false;            ///< the contacts of its shape are dear to find: many points or triangles
 };
 
 struct ConvexShape;
