@@ -313,7 +313,8 @@ def shape_faults():
         (("shape_contract", "ShapeSlivers.*"),))
     yield Fault(
         "look_of_another_pair", "shapes", BROADPHASE + "near/dropped_looks.h",
-        "(one.first == other.first && one.second == other.second)", "one.first == other.first", contacts)
+        "(one.first == other.first && one.second == other.second)", "one.first == other.first",
+        (("broadphase", "DroppedLooks*"),))
     surface = BROADPHASE + "shape/surface_gap.cpp"
     yield Fault(
         "triangles_beside_the_nearest_ignored", "shapes", surface,
