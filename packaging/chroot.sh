@@ -47,13 +47,17 @@ copy_sources() {
 }
 
 # build_with <folder in /tmp> <C compiler> <C++ compiler> [options of cmake]: the libraries and the launcher, installed into a prefix
-# beside them. Warnings are errors, and many files are compiled as one for the sake of time.
+# beside them. Warnings are errors, those of CMake, too, and many files are compiled as one for the sake of time.
 build_with() {
+    local said=$chroot/tmp/configuring
     say "The sources, built by $3 with libode-dev alone"
     inside cmake -S /tmp/sources -B "/tmp/$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER="$2" \
         -DCMAKE_CXX_COMPILER="$3" -DODE_PREDICTIVE_SPACE_BUILD_TESTS=OFF -DODE_PREDICTIVE_SPACE_BUILD_DEMOS=OFF \
         -DODE_PREDICTIVE_SPACE_WARNINGS_AS_ERRORS=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_UNITY_BUILD=ON \
-        -DCMAKE_UNITY_BUILD_BATCH_SIZE=20 "${@:4}" >/dev/null
+        -DCMAKE_UNITY_BUILD_BATCH_SIZE=20 "${@:4}" 2>"$said" >/dev/null || { cat "$said" >&2 && return 1; }
+    if grep --after-context=5 'CMake .*Warning' "$said" >&2; then
+        return 1
+    fi
     inside ninja -C "/tmp/$1" | tail -n 1
     inside cmake --install "/tmp/$1" --prefix "/tmp/$1/prefix" >/dev/null
 }

@@ -102,8 +102,11 @@ function(ode_predictive_space_precompile target)
     endif()
 endfunction()
 
-# Those of another target that is compiled with the same options.
+# Those of another target that is compiled with the same options. Newer CMake warns where that one has none.
 function(ode_predictive_space_reuse_precompiled target from)
+    if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
+        return()
+    endif()
     target_precompile_headers(${target} REUSE_FROM ${from})
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
         target_compile_options(${target} PRIVATE -fpch-preprocess)

@@ -24,6 +24,14 @@ bool is_worth(double before, double now)
 {
     return before - now >= std::max(least_gain * before, least_microseconds);
 }
+
+std::string said_of_shape(const Findings &findings)
+{
+    if (findings.spared == 0)
+        return formatted("%.3g \xc2\xb5s by shape, which spares no callback", findings.shape);
+    return formatted("%.3g \xc2\xb5s by shape, which also spares %.3g of %.3g callbacks (%.3g \xc2\xb5s in dCollide)",
+                     findings.shape, findings.spared, findings.callbacks, findings.spared_time);
+}
 } // namespace
 
 Advice advice_for(const Findings &findings)
@@ -39,9 +47,7 @@ Advice advice_for(const Findings &findings)
 std::string sentence_for(const Findings &findings)
 {
     const char *option = findings.own_is_simple ? " --space all" : "";
-    const std::string by_shape =
-        formatted("%.3g \xc2\xb5s by shape, which also spares %.3g of %.3g callbacks (%.3g \xc2\xb5s in dCollide)",
-                  findings.shape, findings.spared, findings.callbacks, findings.spared_time);
+    const std::string by_shape = said_of_shape(findings);
     switch (advice_for(findings))
     {
     case Advice::unknown:

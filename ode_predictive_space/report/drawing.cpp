@@ -10,8 +10,8 @@ namespace ode_predictive_space::report
 namespace
 {
 // In pixels of the drawing.
-constexpr double width = 800, height = 300;
-constexpr double left = 70, right = 10, top = 10, bottom = 45;
+constexpr double width = 820, height = 300;
+constexpr double left = 70, right = 30, top = 10, bottom = 45;
 
 // Okabe and Ito's colours, which people who confuse colours tell apart.
 constexpr const char *colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};

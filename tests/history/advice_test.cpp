@@ -58,6 +58,15 @@ TEST(Advice, SaysWhatToDoAndWhy)
     EXPECT_EQ(sentence_for(found(1, 2, 3)).find("Leave it: it does not pay here."), 0u);
 }
 
+TEST(Advice, NamesSparedCallbacksWhereThereAreAny)
+{
+    Findings findings = found(400, 40, 45);
+    EXPECT_NE(sentence_for(findings).find("which also spares 60 of 100 callbacks"), std::string::npos);
+    findings.spared = 0;
+    EXPECT_NE(sentence_for(findings).find("by shape, which spares no callback."), std::string::npos)
+        << sentence_for(findings);
+}
+
 TEST(Instructions, AreReadFromWhatCallgrindWrites)
 {
     EXPECT_EQ(collected("==7== Events    : Ir\n==7== Collected : 1234567\n==7== \n"), 1234567u);

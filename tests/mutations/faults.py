@@ -477,10 +477,15 @@ def history_faults():
         "for (auto geom = members.rbegin(); geom != members.rend(); ++geom)",
         "for (auto geom = members.begin(); geom != members.end(); ++geom)", recorded)
     yield Fault(
+        "geoms_that_left_still_recorded", "history", recorder, "has_absent_ |= member_counts_[id + 1] != members.size();",
+        "(void)id;", recorded)
+    yield Fault(
         "no_room_for_the_end", "history", recorder, "(unfinished_ + 1) * pairs_size + end_size;",
         "(unfinished_ + 1) * pairs_size;", recorded)
     yield Fault(
         "no_room_for_pairs_to_come", "history", recorder, "(unfinished_ + 1) * pairs_size + end_size;", "end_size;", recorded)
+    yield Fault(
+        "half_of_a_tick_at_the_limit", "history", recorder, "buffer_.resize(before);", "(void)before;", recorded)
     yield Fault(
         "pairs_hashed_in_their_order", "history", SOURCES + "history/format.cpp",
         "std::uint64_t{std::min(first, second)} << 32 | std::max(first, second);",
@@ -488,17 +493,33 @@ def history_faults():
     yield Fault(
         "collide_bits_alone_unnoticed", "history", state, "when(before.bits != now.bits, geom_field::bits)",
         "when(before.bits[0] != now.bits[0], geom_field::bits)", recorded)
+    yield Fault(
+        "half_of_the_velocity", "history", state,
+        "std::copy_n(dBodyGetAngularVel(body), 3, state.velocity.begin() + 3);", "", recorded)
     yield Fault("changed_vertices_unnoticed", "history", data, "(collide == 0 || known->second.looked_at == collide)",
                 "(collide == 0 || known->second.looked_at <= collide)", recorded)
     yield Fault(
+        "meshes_told_apart_by_their_first_bytes", "history", data, "i < content.size(); i += sizeof(std::uint64_t)",
+        "i < 1; i += sizeof(std::uint64_t)", recorded)
+    yield Fault(
         "part_of_a_record_left_in_a_full_file", "history", file,
         "ftruncate(file_, static_cast<off_t>(size_)) != 0", "false", (("recordings", "HistoryFile.*"),))
+    yield Fault(
+        "corner_behind_the_last_vertex", "history", check, "if (number_at(mesh.triangles, i) >= mesh.vertex_count)",
+        "if (number_at(mesh.triangles, i) > mesh.vertex_count)", read)
     yield Fault(
         "any_levels", "history", check,
         "state.min_level < -most || state.min_level > state.max_level || state.max_level > most",
         "state.min_level < -most || state.max_level > most", read)
     yield Fault(
         "body_of_a_plane", "history", check, "|| (state.body != 0 && !may_have))", "|| !(may_have || !may_have))", read)
+    yield Fault("offset_without_a_body", "history", check, "(!geom.has_body || !is_placeable_class(geom.geom_class)))",
+                "!is_placeable_class(geom.geom_class))", read)
+    yield Fault(
+        "moved_to_another_space", "history", check, "if ((change.fields & geom_field::parent) && !is_new)", "if (!is_new && is_new)",
+        read)
+    yield Fault(
+        "pairs_of_an_event_twice", "history", check, " || recording_.events_[number].has_pairs)", ")", read)
     yield Fault(
         "asked_before_it_is_collided", "history", check,
         "if (is_collide ? !has_collide_ : !has_collide_ && !has_question_)", "if (!has_collide_ && !has_question_)", read)
@@ -514,6 +535,8 @@ def replay_faults():
     yield Fault(
         "plane_scaled_again", "replay", stage,
         "std::copy_n(size.begin(), 4, static_cast<dxPlane *>(geom)->p); // it has scaled them", "", staged)
+    yield Fault(
+        "offset_without_its_rotation", "replay", stage, "dGeomSetOffsetRotation(geom.geom, rotation);", "", staged)
     yield Fault(
         "velocities_swapped", "replay", stage, "dBodySetAngularVel(body, velocity[3], velocity[4], velocity[5]);",
         "dBodySetAngularVel(body, velocity[0], velocity[1], velocity[2]);", staged)

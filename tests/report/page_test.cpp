@@ -57,6 +57,16 @@ TEST(Page, DrawsLinesAndDots)
     EXPECT_EQ(count_of("<circle cx=\"790.0\" cy=\"132.5\"", text), 1u) << text;
 }
 
+TEST(Page, HasRoomForTheLabelAtTheEndOfAnAxis)
+{
+    const std::string text = html({"t", "", {{"plot", "x", "y", {{"a", {{0, 0}, {20000, 2}}}}}}});
+    EXPECT_EQ(count_of("<text x=\"790\" y=\"272\" text-anchor=\"middle\">20000</text>", text), 1u) << text;
+    const std::size_t box = text.find("viewBox=\"0 0 ");
+    ASSERT_NE(box, std::string::npos);
+    constexpr double half_of_the_label = 5 * 7.0 / 2; // five digits of 12 pixels' height
+    EXPECT_GE(std::stod(text.substr(box + 13)), 790 + half_of_the_label);
+}
+
 TEST(Page, ALogarithmicAxisHasWholeDecades)
 {
     const std::string text = html({"t", "", {{"plot", "x", "y", {{"a", {{0, 1}, {1, 50}}}}, true}}});
