@@ -264,7 +264,7 @@ class SceneLoop
 public:
     SceneLoop(LoopParts &parts, Servo &servo, const SceneWork &work)
         : parts_(parts), servo_(servo), work_(work), sensor_(*parts.probe.sensor()),
-          dt_(1 / parts.settings.physics_rate), motion_(sensor_, parts.probe.geom())
+          dt_(1 / parts.settings.physics_rate), motion_(sensor_)
     {}
 
     void run();

@@ -1,7 +1,7 @@
 #include "ode_predictive_space/haptics/island_roll_out.h"
 
 #include "ode_predictive_space/haptics/ode_vector.h"
-#include "ode_predictive_space/haptics/scene_geoms.h"
+#include "ode_predictive_space/haptics/world_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,7 @@ bool is_falling_asleep(dBodyID body)
     return dBodyGetAutoDisableFlag(body) != 0 && speed < dBodyGetAutoDisableLinearThreshold(body) &&
            spin < dBodyGetAutoDisableAngularThreshold(body);
 }
+
 /// @return false for one that does not go through a point.
 bool anchor_of(dJointID joint, Vector3 &anchor)
 {
@@ -58,21 +59,14 @@ double square_of_swing(dBodyID body, const Eigen::Matrix3d &stiffness)
 }
 } // namespace
 
-IslandRollOut::IslandRollOut(const std::vector<dBodyID> &touched, const std::vector<dSpaceID> &scene)
-    : seed_(dRandGetSeed())
+IslandRollOut::IslandRollOut(const std::vector<dBodyID> &touched) : seed_(dRandGetSeed())
 {
     for (const dBodyID body : touched)
     {
         add(body);
     }
     add_connected(0);
-    for (const dSpaceID space : scene)
-    {
-        if (space != nullptr)
-        {
-            hold_others(space);
-        }
-    }
+    hold_others();
 }
 
 void IslandRollOut::add(dBodyID body)
@@ -120,25 +114,24 @@ void IslandRollOut::add_connected(std::size_t first)
     }
 }
 
-void IslandRollOut::hold_others(dSpaceID scene)
+void IslandRollOut::hold_others()
 {
-    const dWorldID world = dBodyGetWorld(states_.front().body);
-    for_each_geom(scene, [&](dGeomID geom) {
-        const dBodyID body = dGeomGetBody(geom);
-        if (body == nullptr || dBodyGetWorld(body) != world || dBodyIsEnabled(body) == 0 || known_.count(body) != 0)
+    for (const dBodyID body : bodies_of(dBodyGetWorld(states_.front().body)))
+    {
+        if (dBodyIsEnabled(body) == 0 || known_.count(body) != 0)
         {
-            return;
+            continue;
         }
         if (is_falling_asleep(body))
         {
             const std::size_t first = states_.size();
             add(body);
             add_connected(first);
-            return;
+            continue;
         }
         dBodyDisable(body);
         held_.push_back(body);
-    });
+    }
 }
 
 IslandRollOut::~IslandRollOut()

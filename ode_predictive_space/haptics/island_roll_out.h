@@ -23,15 +23,14 @@ struct BodyImpulse
 /// Steps the bodies that hang together with some touched ones by joints and contacts, by ODE's own stepper and with the joints that
 /// there are, then puts all back: poses, velocities, forces, joints' feedback, ODE's random numbers. Other bodies of the scene do not take
 /// part. What it cannot put back: callbacks of moved bodies are called; a body that hangs together with a touched one does not fall
-/// asleep; a body of the world that is in none of the scene's spaces, and that no joint connects, is moved.
+/// asleep.
 ///
 /// Used from the scene's thread, after the program has made its contact joints and before it steps the world.
 class IslandRollOut
 {
 public:
     /// @param touched dynamic bodies of one world, at least one.
-    /// @param scene the spaces with the other bodies of that world; they may be 0.
-    IslandRollOut(const std::vector<dBodyID> &touched, const std::vector<dSpaceID> &scene);
+    explicit IslandRollOut(const std::vector<dBodyID> &touched);
 
     /// Puts everything back.
     ~IslandRollOut();
@@ -73,7 +72,7 @@ private:
 
     void add(dBodyID body);
     void add_connected(std::size_t first);
-    void hold_others(dSpaceID scene);
+    void hold_others();
     void restore() const;
 
     std::unordered_set<dBodyID> known_;

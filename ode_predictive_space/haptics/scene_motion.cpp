@@ -1,7 +1,6 @@
 #include "ode_predictive_space/haptics/scene_motion.h"
 
 #include "ode_predictive_space/haptics/ode_vector.h"
-#include "ode_predictive_space/haptics/scene_geoms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +27,7 @@ Quaternion orientation_of(dBodyID body)
 }
 } // namespace
 
-SceneMotion::SceneMotion(TouchSensor &sensor, dGeomID probe) : sensor_(sensor), probe_(probe) {}
+SceneMotion::SceneMotion(TouchSensor &sensor) : sensor_(sensor) {}
 
 void SceneMotion::push(double a, double h)
 {
@@ -84,7 +83,7 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double step, 
     {
         bodies.push_back(touched.body);
     }
-    IslandRollOut island(bodies, spaces_of(bodies));
+    IslandRollOut island(bodies);
     has_joints_ = island.has_joints();
     choose_steps(island, step);
     const double h = step / inner_steps_;
@@ -102,19 +101,6 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double step, 
     {
         find_response(island, i, h, forecast);
     }
-}
-
-/// Those around the probe, and those of the touched bodies.
-std::vector<dSpaceID> SceneMotion::spaces_of(const std::vector<dBodyID> &bodies) const
-{
-    std::vector<dSpaceID> spaces = {outermost_space_of(probe_)};
-    for (const dBodyID body : bodies)
-    {
-        spaces.push_back(outermost_space_of(dBodyGetFirstGeom(body)));
-    }
-    std::sort(spaces.begin(), spaces.end());
-    spaces.erase(std::unique(spaces.begin(), spaces.end()), spaces.end());
-    return spaces;
 }
 
 void SceneMotion::note_step(bool drew_numbers)

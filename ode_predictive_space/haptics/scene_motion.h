@@ -17,8 +17,7 @@ namespace ode_predictive_space::haptics
 class SceneMotion
 {
 public:
-    /// @param probe the geom in whose space the other bodies are.
-    SceneMotion(TouchSensor &sensor, dGeomID probe);
+    explicit SceneMotion(TouchSensor &sensor);
 
     /// To be pushed by the steps that it belongs to.
     void receive(const Impulse &impulse) { waiting_.push_back(impulse); }
@@ -69,7 +68,6 @@ private:
     using Pushes = std::array<Push, MotionForecast::tried_pushes>;
     using Courses = std::array<MotionForecast::Course<BodyMotion>, MotionForecast::most_touches>;
 
-    std::vector<dSpaceID> spaces_of(const std::vector<dBodyID> &bodies) const;
     void find_touched(const ContactModel &planes, MotionForecast &forecast);
     static Touched touched_of(dBodyID body, const Touch &touch);
     static Pushes pushes_of(const Touched &touched);
@@ -83,7 +81,6 @@ private:
     double last_impulse_on(std::uintptr_t object) const;
 
     TouchSensor &sensor_;
-    dGeomID probe_;
     std::vector<Impulse> waiting_;
     std::vector<Impulse> rest_; ///< of the impulses of the last step: for the next one
     std::vector<Impulse> last_; ///< pushed in the last step
