@@ -164,6 +164,11 @@ void HapticRun::collide()
     collide_series_.add(seconds);
     pair_count_ += pairs_.size() + near_.size();
     adjust_stiffness();
+    stands_still_ = control_.paused.load(std::memory_order_relaxed);
+    if (!stands_still_)
+    {
+        scene_->respond(pairs_.sorted()); // a loop of two threads foresees motion by the contacts that there are
+    }
 }
 
 /// After the forces of this step have been rendered.
@@ -172,13 +177,12 @@ void HapticRun::advance()
     const Clock::time_point begin = Clock::now();
     find_touched();
     look_ahead();
-    if (control_.paused.load(std::memory_order_relaxed))
+    if (stands_still_)
     {
         hold_still();
     }
     else
     {
-        scene_->respond(pairs_.sorted());
         scene_->advance();
     }
     ++steps_;

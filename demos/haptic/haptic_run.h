@@ -116,6 +116,7 @@ private:
     const Options &options_;
     DemoDevice &device_;
     RunControl &control_;
+    bool stands_still_ = false; ///< in this step
     double tick_seconds_;
     bool decoupled_;
     double servo_rate_;

@@ -3,19 +3,17 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MODEL_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MODEL_H
 
-#include "ode_predictive_space/haptics/mobility.h"
 #include "ode_predictive_space/haptics/touch.h"
 
 #include <array>
-#include <limits>
 
 namespace ode_predictive_space::haptics
 {
 /// The surfaces around the probe as planes that move: one for each touch, as it was when the scene was looked at last. Of
 /// fixed size, to be handed from thread to thread; what it costs does not depend on the scene.
 ///
-/// A plane moves with the velocity that the surface had at the contact, and by what impulses have moved it that the scene had not
-/// got yet (see PendingMotion). Depth changes by how the tool moves along the normal: that is exact for a flat surface, whatever the
+/// A plane moves with the velocity that the surface had at the contact, and by what else was forecast of it (see
+/// MotionForecast). Depth changes by how the tool moves along the normal: that is exact for a flat surface, whatever the
 /// shape of the probe, as long as the probe does not turn.
 class ContactModel
 {
@@ -23,18 +21,17 @@ public:
     /// If there are more touches than that, the deepest are kept.
     static constexpr std::size_t capacity = 32;
 
-    /// A plane.
-    struct Surface
-    {
-        Touch touch;
-        Mobility mobility; ///< what an impulse at the touch does to it
-    };
-
-    /// What a surface did that the scene does not know yet.
+    /// What a surface's body did besides going on with its velocity.
     struct Shift
     {
-        Vector3 moved = Vector3::Zero();    ///< m
-        Vector3 velocity = Vector3::Zero(); ///< m/s
+        Vector3 moved = Vector3::Zero();    ///< m; its centre of mass
+        Vector3 velocity = Vector3::Zero(); ///< m/s; of that
+        Vector3 turned = Vector3::Zero();   ///< rad; the vector of a rotation about the centre
+        Vector3 spin = Vector3::Zero();     ///< rad/s
+        Vector3 centre = Vector3::Zero();   ///< m; before that
+
+        Vector3 moved_at(const Vector3 &point) const { return moved + turned.cross(point - centre); }
+        Vector3 velocity_at(const Vector3 &point) const { return velocity + spin.cross(point - centre); }
     };
     using Shifts = std::array<Shift, capacity>;
 
@@ -44,13 +41,6 @@ public:
     /// @param time s; when this was so.
     void set(const std::vector<Touch> &touches, bool all_known, const Vector3 &tool, double time);
 
-    /// Which impulses have moved what the model shows: those up to this number, from this time on (s).
-    void set_included(std::uint64_t last, double since)
-    {
-        last_included_ = last;
-        included_since_ = since;
-    }
-
     /// What a probe touches that is at another place at another time. Touches from the side of entry are left out: they are
     /// those of geoms that the servo knows better.
     ///
@@ -59,20 +49,15 @@ public:
     void evaluate(const Vector3 &tool, double time, const Shifts &shifts, std::vector<Touch> &touches) const;
 
     std::size_t count() const { return count_; }
-    const Surface &surface(std::size_t index) const { return surfaces_[index]; }
-    Mobility &mobility(std::size_t index) { return surfaces_[index].mobility; }
+    const Touch &touch(std::size_t index) const { return touches_[index]; }
     bool all_known() const { return all_known_; }
-    std::uint64_t last_included() const { return last_included_; }
-    double included_since() const { return included_since_; }
 
 private:
-    std::array<Surface, capacity> surfaces_;
+    std::array<Touch, capacity> touches_;
     std::size_t count_ = 0;
     bool all_known_ = true;
     Vector3 tool_ = Vector3::Zero();
     double time_ = 0;
-    std::uint64_t last_included_ = 0;
-    double included_since_ = -std::numeric_limits<double>::infinity();
 };
 } // namespace ode_predictive_space::haptics
 

@@ -1,23 +1,29 @@
 // The loop of two threads: the scene at its own rate, and the servo, which feels a local model of the scene around the
 // probe.
 //
-//     scene's thread                           servo's thread
-//     --------------                           --------------
-//                      <--- ContactMemory ---
+//     scene's thread, at t                     servo's thread
+//     --------------------                     --------------
+//     push the bodies  <---- impulses --------  what the hand got up to t
+//     advance to t     <--- ContactMemory ----
 //     pose the probe   <--- RenderedTick -----  read the device
-//     collide          ---- Surroundings ---->  proxy, touches, law, safety, write
-//     push the bodies  <---- impulses --------  what the hand got since
-//     advance
+//     collide
+//     roll out         ---- Surroundings ---->  proxy, touches, law, safety, write
+//
+// The scene steps the interval that has just passed, in which it knows what the hand did. Then it tries out how the touched bodies
+// will go on and how they answer a push, through all joints and contacts, and the servo moves them by that.
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "ode_predictive_space/haptics/contact_model.h"
 #include "ode_predictive_space/haptics/loop_parts.h"
-#include "ode_predictive_space/haptics/pending_motion.h"
-#include "ode_predictive_space/haptics/push_response.h"
+#include "ode_predictive_space/haptics/motion_forecast.h"
+#include "ode_predictive_space/haptics/scene_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <exception>
+#include <ode/misc.h>
 #include <optional>
 #include <utility>
 
@@ -25,21 +31,13 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// What the hand got of an object: it owes the object the opposite.
-struct Impulse
-{
-    std::uintptr_t object;
-    Vector3 point;   ///< m
-    Vector3 impulse; ///< N s
-    std::uint64_t number = 0;
-};
-
 /// What the servo knows of the scene, as it was at the last step.
 struct Surroundings
 {
     ContactModel planes; ///< of what only dCollide() knows
     NearbyGeoms geoms;   ///< all others
-    int tool_jumps = 0;  ///< as RenderedTick has it: with more of them, the tool is somewhere else by now
+    MotionForecast forecast;
+    int tool_jumps = 0; ///< as RenderedTick has it: with more of them, the tool is somewhere else by now
 };
 
 /// Impulses that can be on their way before the watchdog has taken the force away from a scene that does not fetch them.
@@ -57,12 +55,13 @@ class Servo
 public:
     Servo(LoopParts &parts)
         : parts_(parts), renderer_(parts.probe.renderer()), impulses_(most_impulses(parts.settings)),
-          pending_(most_impulses(parts.settings)), rendered_due_(parts.start)
+          rendered_due_(parts.start)
     {
         if (parts.probe.sensor()->tracker() != nullptr)
         {
             tracker_.emplace(parts.probe.sensor()->radius());
         }
+        given_.reserve(most_impulses(parts.settings) + 2 * ContactModel::capacity);
         touches_.reserve(reserved_touches);
         held_.reserve(2 * ContactModel::capacity);
     }
@@ -82,13 +81,15 @@ public:
 
 private:
     void render(double due);
-    void give(const Impulse &impulse);
+    void give(const ForceShare &share, double seconds);
+    void foresee(const Surroundings &scene, double due);
     bool feel(const Surroundings &scene, double due);
     bool feel_geoms(const Surroundings &scene, double due);
     ContactModel::Shift shift_of(std::uintptr_t object, const ContactModel &planes) const;
     void end();
 
     static constexpr std::size_t reserved_touches = 256; ///< before the deepest are chosen
+    static constexpr std::uint64_t unnumbered = ~std::uint64_t{0};
 
     LoopParts &parts_;
     Renderer &renderer_;
@@ -97,7 +98,8 @@ private:
     std::optional<ContactTracker> tracker_; ///< of the probe's own sphere
     int tool_jumps_ = 0;                    ///< as RenderedTick has it
     Queue<Impulse> impulses_;
-    PendingMotion pending_;
+    std::vector<Impulse> given_; ///< what the latest surroundings do not include
+    ContactModel::Shifts shifts_;
     std::uint64_t numbered_ = 0; ///< impulses so far
     double rendered_due_;        ///< s, on the clock; when the tick of the last write was due
     std::vector<Touch> touches_;
@@ -138,13 +140,28 @@ void Servo::tick(double due)
 
 void Servo::render(double due)
 {
-    const bool is_new = surroundings_.take();
+    surroundings_.take();
     const Surroundings &scene = surroundings_.latest();
-    pending_.update(scene.planes, is_new, held_, rendered_due_, due);
+    foresee(scene, due);
     renderer_.read(parts_.first_time + (due - parts_.start), parts_.clock.now());
     const bool all_known = feel(scene, due);
     renderer_.render(touches_, all_known, 1 / parts_.settings.rate);
     parts_.note_rendered(renderer_.last_tick());
+}
+
+/// The force that is being held counts as long as nothing else is known.
+void Servo::foresee(const Surroundings &scene, double due)
+{
+    given_.erase(given_.begin(), std::find_if(given_.begin(), given_.end(), [&](const Impulse &impulse) {
+                     return impulse.number > scene.forecast.last_included();
+                 }));
+    const std::size_t known = given_.size();
+    for (const ForceShare &share : held_)
+    {
+        given_.push_back({share.object, share.point, (due - rendered_due_) * share.force, rendered_due_, unnumbered});
+    }
+    scene.forecast.shift(given_, due, scene.planes, shifts_);
+    given_.resize(known);
 }
 
 /// @return whether the touches are all there are.
@@ -156,7 +173,7 @@ bool Servo::feel(const Surroundings &scene, double due)
     }
     else
     {
-        scene.planes.evaluate(renderer_.tool().position, due, pending_.shifts(), touches_);
+        scene.planes.evaluate(renderer_.tool().position, due, shifts_, touches_);
     }
     const bool all_known = !tracker_ || feel_geoms(scene, due);
     if (touches_.size() > ContactModel::capacity)
@@ -173,9 +190,9 @@ ContactModel::Shift Servo::shift_of(std::uintptr_t object, const ContactModel &p
 {
     for (std::size_t i = 0; i < planes.count(); ++i)
     {
-        if (planes.surface(i).touch.object == object)
+        if (planes.touch(i).object == object)
         {
-            return pending_.shifts()[i];
+            return shifts_[i];
         }
     }
     return {};
@@ -196,7 +213,7 @@ bool Servo::feel_geoms(const Surroundings &scene, double due)
     {
         NearbyGeom geom = nearby.geoms[i].later(due - nearby.time);
         const ContactModel::Shift shift = shift_of(geom.object(), scene.planes);
-        geom.shift(shift.moved, shift.velocity);
+        geom.shift(shift.moved, shift.turned, shift.velocity, shift.spin);
         tracker_->add(std::move(geom));
     }
     tracker_->follow();
@@ -213,7 +230,7 @@ void Servo::settle()
     const double held_until = guard_took_it ? std::clamp(renderer_.gate().last_zero(), settled_, now) : now;
     for (const ForceShare &share : held_)
     {
-        give({share.object, share.point, (held_until - settled_) * share.force});
+        give(share, held_until - settled_);
     }
     zeros_ = zeros;
     settled_ = now;
@@ -224,14 +241,13 @@ void Servo::settle()
     }
 }
 
-/// The pending motion is of the body, which gets the opposite.
-void Servo::give(const Impulse &impulse)
+/// The tick began when it was due: then the scene's semi-implicit steps and the forecast are of one kind, and create no energy.
+void Servo::give(const ForceShare &share, double seconds)
 {
-    Impulse numbered = impulse;
-    numbered.number = ++numbered_;
-    if (impulses_.give(numbered))
+    const Impulse impulse = {share.object, share.point, seconds * share.force, rendered_due_, ++numbered_};
+    if (impulses_.give(impulse) && given_.size() + held_.size() < given_.capacity())
     {
-        pending_.add(impulse.object, impulse.point, -impulse.impulse, rendered_due_, numbered_);
+        given_.push_back(impulse);
     }
 }
 
@@ -248,96 +264,148 @@ class SceneLoop
 public:
     SceneLoop(LoopParts &parts, Servo &servo, const SceneWork &work)
         : parts_(parts), servo_(servo), work_(work), sensor_(*parts.probe.sensor()),
-          dt_(1 / parts.settings.physics_rate), response_(dt_)
+          dt_(1 / parts.settings.physics_rate), motion_(sensor_)
     {}
 
     void run();
 
-    /// What the hand got since the last step: the bodies get it with the next one.
-    void push();
+    /// All that the hand got and the bodies have not got yet.
+    void push_rest();
 
 private:
-    void step(double due);
-    void publish(const RenderedTick &tick, double due);
+    void advance(double due);
+    void look(double due);
+    void find_touches();
+    void receive();
+    void tell_of_inner_steps();
+    void tell_of_surprise();
 
     LoopParts &parts_;
     Servo &servo_;
     const SceneWork &work_;
     TouchSensor &sensor_;
     double dt_; ///< s
-    PushResponse response_;
-    std::vector<ForceShare> shares_;
-    std::uint64_t received_ = 0; ///< the number of the last impulse that has moved a body
-    double pushed_at_ = 0;       ///< s, on the clock; from when on
+    SceneMotion motion_;
+    bool surprised_ = false; ///< and it has been told
 };
 
 void SceneLoop::run()
 {
     Pacer pacer(parts_.start, dt_, parts_.settings.most_steps_behind);
-    for (std::uint64_t steps = 0;
-         static_cast<double>(steps) * dt_ < parts_.settings.duration && !parts_.must_end() && !servo_.ended(); ++steps)
+    const auto goes_on = [this](std::uint64_t steps) {
+        return static_cast<double>(steps) * dt_ < parts_.settings.duration && !parts_.must_end() && !servo_.ended();
+    };
+    for (std::uint64_t steps = 0; goes_on(steps); ++steps)
     {
+        if (steps == 0)
+        {
+            look(pacer.due());
+        }
+        parts_.dropped += pacer.go_on(parts_.clock.now());
         parts_.clock.sleep_until(pacer.due());
         parts_.scene.begin(parts_.clock.now());
         parts_.guard->begin_step(parts_.clock.now());
-        step(pacer.due());
+        advance(pacer.due());
         parts_.simulated = static_cast<double>(steps + 1) * dt_;
-        parts_.dropped += pacer.go_on(parts_.clock.now());
-        parts_.scene.end(parts_.clock.now(), pacer.due());
+        if (goes_on(steps + 1))
+        {
+            look(pacer.due());
+        }
+        parts_.scene.end(parts_.clock.now(), pacer.due() + dt_);
     }
     parts_.guard->end_steps();
 }
 
-void SceneLoop::step(double due)
+/// The interval that ends now, with what the hand got in it.
+void SceneLoop::advance(double due)
+{
+    const int parts = motion_.inner_steps();
+    const double length = dt_ / parts;
+    for (int part = 0; part < parts; ++part)
+    {
+        if (part > 0)
+        {
+            find_touches();
+        }
+        receive();
+        motion_.push(due - dt_ + part * length, length);
+        const unsigned long seed = dRandGetSeed();
+        work_.advance(length);
+        motion_.note_step(dRandGetSeed() != seed);
+        if (!motion_.repeats() && !surprised_)
+        {
+            tell_of_surprise();
+        }
+    }
+}
+
+void SceneLoop::receive()
+{
+    Impulse impulse;
+    while (servo_.impulses().receive(impulse))
+    {
+        motion_.receive(impulse);
+    }
+}
+
+void SceneLoop::find_touches()
 {
     parts_.rendered.take();
-    const RenderedTick &tick = parts_.rendered.latest();
     sensor_.clear();
     if (sensor_.tracker() != nullptr)
     {
         servo_.memory().take();
         sensor_.tracker()->adopt(servo_.memory().latest());
     }
-    parts_.probe.place(tick);
+    parts_.probe.place(parts_.rendered.latest());
     parts_.collide(work_);
-    publish(tick, due);
-    parts_.probe.renderer().physics_fresh(parts_.clock.now());
-    push();
-    pushed_at_ = due;
-    work_.advance(dt_);
 }
 
-void SceneLoop::publish(const RenderedTick &tick, double due)
+void SceneLoop::look(double due)
 {
+    find_touches();
+    const RenderedTick &tick = parts_.rendered.latest();
     Surroundings &surroundings = servo_.surroundings().draft();
     surroundings.tool_jumps = tick.tool_jumps;
-    ContactModel &model = surroundings.planes;
-    model.set(sensor_.touches(), !sensor_.saw_nonsense(), tick.tool.position, due);
-    model.set_included(received_, pushed_at_);
-    response_.begin();
-    for (std::size_t i = 0; i < model.count(); ++i)
+    surroundings.planes.set(sensor_.touches(), !sensor_.saw_nonsense(), tick.tool.position, due);
+    const int inner_steps = motion_.inner_steps();
+    motion_.foresee(surroundings.planes, due, dt_, surroundings.forecast);
+    if (motion_.inner_steps() != inner_steps)
     {
-        const Touch &touch = model.surface(i).touch;
-        model.mobility(i) = response_.look(touch, sensor_.body_of(touch.object));
+        tell_of_inner_steps();
     }
     if (sensor_.tracker() != nullptr)
     {
         sensor_.tracker()->hand_over(surroundings.geoms, due);
     }
     servo_.surroundings().publish();
+    parts_.probe.renderer().physics_fresh(parts_.clock.now());
 }
 
-void SceneLoop::push()
+void SceneLoop::tell_of_inner_steps()
 {
-    shares_.clear();
-    Impulse impulse;
-    while (servo_.impulses().receive(impulse))
-    {
-        shares_.push_back({impulse.object, impulse.point, impulse.impulse / dt_});
-        received_ = impulse.number;
-    }
-    response_.note_pushes(shares_);
-    sensor_.push(shares_);
+    std::array<char, std::tuple_size_v<decltype(Notice::text)>> text;
+    std::snprintf(text.data(), text.size(),
+                  "The scene is stepped %d times as often, at %.0f Hz: what the probe is near to has joints that are "
+                  "too stiff and "
+                  "light for steps of %.1f ms.",
+                  motion_.inner_steps(), motion_.inner_steps() / dt_, 1000 * dt_);
+    parts_.guard->post_of_scene(Notice(NoticeKind::coupling, parts_.now(), text.data()));
+}
+
+void SceneLoop::tell_of_surprise()
+{
+    surprised_ = true;
+    parts_.guard->post_of_scene(Notice(NoticeKind::coupling, parts_.now(),
+                                       "The program's step does more than ODE's, or less: what is touched is taken to "
+                                       "go on with its velocity. Step such a "
+                                       "scene at 200 Hz or more, or in one thread."));
+}
+
+void SceneLoop::push_rest()
+{
+    receive();
+    motion_.push_all(dt_);
 }
 } // namespace
 
@@ -356,7 +424,7 @@ void LoopParts::run_decoupled(const SceneWork &work)
     }
     probe.renderer().relax();
     servo_side.settle();
-    scene_side.push();
+    scene_side.push_rest();
     if (servo_side.error())
     {
         std::rethrow_exception(servo_side.error());

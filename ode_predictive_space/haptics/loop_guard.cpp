@@ -60,7 +60,7 @@ void LoopGuard::deliver(const Notice &notice)
 
 void LoopGuard::deliver_all()
 {
-    for (Queue<Notice> *queue : {&posted_, &seen_})
+    for (Queue<Notice> *queue : {&posted_, &told_, &seen_})
     {
         Notice notice;
         while (queue->receive(notice))

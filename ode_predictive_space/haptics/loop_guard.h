@@ -48,6 +48,8 @@ public:
 
     /// Of the servo; neither allocates nor waits. Lost when a hundred others are on their way.
     void post(const Notice &notice) { posted_.give(notice); }
+    /// The same, from the thread of a decoupled loop's scene.
+    void post_of_scene(const Notice &notice) { told_.give(notice); }
 
     /// Of the thread that made it, when the servo has ended: the watch is over, and what was posted is delivered.
     void end();
@@ -74,6 +76,7 @@ private:
     DeviceGate &gate_;
     GuardDuties duties_;
     Queue<Notice> posted_{most_notices}; ///< by the servo
+    Queue<Notice> told_{most_notices};   ///< by the scene
     Queue<Notice> seen_{most_notices};   ///< by the watch
     std::atomic<double> last_beat_;
     double stopped_beat_; ///< the last beat before a stall that has been dealt with

@@ -17,8 +17,9 @@ namespace ode_predictive_space::haptics
 /// What a program does in each step of its scene. Exceptions end the loop, with zero force, and come out of run().
 struct SceneWork
 {
-    std::function<void()> collide;          ///< dSpaceCollide(), with HapticProbe::touch() in the near callback
-    std::function<void(double dt)> advance; ///< dWorldStep() and what else is to happen in dt seconds
+    std::function<void()>
+        collide; ///< dSpaceCollide(), with HapticProbe::touch() in the near callback, and all contact joints
+    std::function<void(double dt)> advance; ///< dWorldStep() and what else is to happen in dt seconds; dt may change
 };
 
 /// How a loop runs.
@@ -64,9 +65,11 @@ class LoopParts;
 /// Single-threaded, the default: all in the caller's thread, at the servo's rate: read, collide, force, write, step.
 ///
 /// Decoupled: the caller's thread steps the scene at its own rate and publishes the geoms around the probe; a servo thread
-/// reads the device, feels those geoms, extrapolated with their velocities, and writes the force. Its cost depends on what
+/// reads the device, feels those geoms, moved on as they will move, and writes the force. Its cost depends on what
 /// is near the probe, not on the size of the scene. What it gave to the hand comes back to the scene as impulses, none lost
-/// and none twice. The probe's tool must not be a body then.
+/// and none twice. Between collide() and advance() the library steps what hangs together with the touched bodies on trial, and puts it
+/// back: docs/haptics/loop.md has what that asks of a program. Where light joints need it, collide() and advance() are called several
+/// times in a step, with a shorter dt. The probe's tool must not be a body then.
 ///
 /// A body whose position, rotation, velocity, spin, force or torque is not finite ends the loop before the scene is collided or
 /// stepped with it, with a std::runtime_error that names the body. This is looked at for all bodies with a geom in the spaces around

@@ -12,15 +12,16 @@ namespace ode_predictive_space::haptics
 /// What a notice is about.
 enum class NoticeKind
 {
-    device,    ///< a device failed, or is back
-    contact,   ///< a contact is not a number
-    safety,    ///< the safety stage takes the force away or clamps it
-    watchdog,  ///< something does not keep up: the force decays
-    stability, ///< what was asked for is too stiff for the device
-    guard,     ///< the loop hung: its guard has taken the force away
-    exception, ///< the program's callback threw
-    stop,      ///< the loop was asked to end
-    scheduling ///< the system refused what makes a loop punctual
+    device,     ///< a device failed, or is back
+    contact,    ///< a contact is not a number
+    safety,     ///< the safety stage takes the force away or clamps it
+    watchdog,   ///< something does not keep up: the force decays
+    stability,  ///< what was asked for is too stiff for the device
+    guard,      ///< the loop hung: its guard has taken the force away
+    exception,  ///< the program's callback threw
+    stop,       ///< the loop was asked to end
+    scheduling, ///< the system refused what makes a loop punctual
+    coupling    ///< how a loop of two threads steps its scene, or that it cannot tell how that will move
 };
 
 /// One sentence. Of fixed size, so that a servo loop can make one: what is too long is cut off.

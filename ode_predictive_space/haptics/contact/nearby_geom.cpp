@@ -67,21 +67,29 @@ NearbyGeom NearbyGeom::later(double dt) const
     }
     geom.centre_ += dt * linear_;
     geom.position_ += dt * linear_;
-    const double angle = dt * angular_.norm();
-    if (angle != 0)
-    {
-        const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, angular_.normalized()).toRotationMatrix();
-        geom.rotation_ = turn * rotation_;
-        geom.position_ = geom.centre_ + turn * (position_ - centre_);
-    }
+    geom.turn(dt * angular_);
     return geom;
 }
 
-void NearbyGeom::shift(const Vector3 &moved, const Vector3 &velocity)
+/// About the centre, by a rotation vector.
+void NearbyGeom::turn(const Vector3 &vector)
+{
+    const double angle = vector.norm();
+    if (angle != 0)
+    {
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
+        rotation_ = turn * rotation_;
+        position_ = centre_ + turn * (position_ - centre_);
+    }
+}
+
+void NearbyGeom::shift(const Vector3 &moved, const Vector3 &turned, const Vector3 &velocity, const Vector3 &spin)
 {
     position_ += moved;
     centre_ += moved;
+    turn(turned);
     linear_ += velocity;
+    angular_ += spin;
 }
 
 double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures &features) const

@@ -49,8 +49,8 @@ public:
     /// @param dt s.
     NearbyGeom later(double dt) const;
 
-    /// It has moved by this (m), and has this much more velocity (m/s).
-    void shift(const Vector3 &moved, const Vector3 &velocity);
+    /// Its body has moved by this (m), has turned by this vector about its centre (rad), and has this much more velocity (m/s) and spin (rad/s).
+    void shift(const Vector3 &moved, const Vector3 &turned, const Vector3 &velocity, const Vector3 &spin);
 
     void set_material(const std::optional<Material> &material) { material_ = material; }
     const std::optional<Material> &material() const { return material_; }
@@ -81,6 +81,7 @@ public:
     bool is_solid() const { return solid_.is_known(); }
 
 private:
+    void turn(const Vector3 &vector);
     void move_to_scene(SurfaceFeature &feature) const;
 
     dGeomID id_ = nullptr;

@@ -1,0 +1,89 @@
+// What the scene around a touch would do, with and without a push: tried out, and undone.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_ISLAND_ROLL_OUT_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_ISLAND_ROLL_OUT_H
+
+#include "ode_predictive_space/haptics/device.h"
+
+#include <functional>
+#include <ode/ode.h>
+#include <unordered_set>
+#include <vector>
+
+namespace ode_predictive_space::haptics
+{
+/// An impulse on a body, at a point: N s and m, the world's frame.
+struct BodyImpulse
+{
+    dBodyID body;
+    Vector3 point;
+    Vector3 impulse;
+};
+
+/// Steps the bodies that hang together with some touched ones by joints and contacts, by ODE's own stepper and with the joints that
+/// there are, then puts all back: poses, velocities, forces, joints' feedback, ODE's random numbers. Other bodies of the scene do not take
+/// part. What it cannot put back: callbacks of moved bodies are called; a body that hangs together with a touched one does not fall
+/// asleep.
+///
+/// Used from the scene's thread, after the program has made its contact joints and before it steps the world.
+class IslandRollOut
+{
+public:
+    /// @param touched dynamic bodies of one world, at least one.
+    explicit IslandRollOut(const std::vector<dBodyID> &touched);
+
+    /// Puts everything back.
+    ~IslandRollOut();
+    IslandRollOut(const IslandRollOut &) = delete;
+    IslandRollOut &operator=(const IslandRollOut &) = delete;
+
+    /// Steps several times from where all is now, then puts the bodies back there.
+    ///
+    /// @param quick whether by dWorldQuickStep(), else by dWorldStep().
+    /// @param impulses given to the bodies in the first step. @param look called after each step, with its number from 1 on.
+    void run(bool quick, std::size_t steps, double dt, const std::vector<BodyImpulse> &impulses,
+             const std::function<void(std::size_t)> &look);
+
+    /// rad/s; of the fastest swing of a body by the forces of the joints that hang it up, such as a rope's. Steps that are longer than
+    /// 2 / that make ODE itself unstable.
+    double fastest_swing(bool quick, double dt);
+
+    /// Whether a joint holds one of the bodies, contacts included.
+    bool has_joints() const { return has_joints_; }
+
+private:
+    struct State
+    {
+        dBodyID body;
+        Vector3 position;
+        Quaternion orientation;
+        Vector3 linear_velocity;
+        Vector3 angular_velocity;
+        Vector3 force;
+        Vector3 torque;
+        bool awake;
+    };
+
+    struct Feedback
+    {
+        dJointID joint;
+        dJointFeedback *feedback;
+    };
+
+    void add(dBodyID body);
+    void add_connected(std::size_t first);
+    void hold_others();
+    void restore() const;
+
+    std::unordered_set<dBodyID> known_;
+    std::vector<State> states_;
+    std::vector<Feedback> feedbacks_;
+    std::vector<dJointID> joints_; ///< those that last
+    std::vector<dBodyID> held_;    ///< awake, but not to be stepped
+    unsigned long seed_;
+    bool has_joints_ = false;
+};
+
+} // namespace ode_predictive_space::haptics
+
+#endif

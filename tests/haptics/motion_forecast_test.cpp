@@ -1,0 +1,74 @@
+#include "ode_predictive_space/haptics/motion_forecast.h"
+
+#include <gtest/gtest.h>
+#include <memory>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double node = 0.01; // s
+
+/// A body of 2 kg without moments of inertia to speak of, touched at one place.
+class MotionForecastTest : public testing::Test
+{
+protected:
+    MotionForecastTest()
+    {
+        Touch touch;
+        touch.object = 1;
+        touch.normal = -Vector3::UnitX();
+        planes_.set({touch}, true, Vector3::Zero(), 1);
+        MotionForecast::Place place;
+        place.touch = touch;
+        place.centre = Vector3(0.1, 0, 0);
+        place.velocity << 0.5, 0, 0, 0, 0, 0;
+        MotionForecast::PushWrenches pushes = MotionForecast::PushWrenches::Zero();
+        pushes.topLeftCorner<3, 3>().setIdentity();
+        forecast_->begin(1);
+        forecast_->set_nodes(2, node);
+        forecast_->add(place, pushes);
+        for (int i = 0; i <= 2; ++i)
+        {
+            forecast_->free(0)[i] << 0.5 * node * i, 0, 0.001 * i * i, 0, 0, 0;
+            forecast_->response(0, 0)[i] = pushes * (node * i / 2.0);
+        }
+    }
+
+    ContactModel::Shift shift_at(double time, const std::vector<Impulse> &impulses = {})
+    {
+        ContactModel::Shifts shifts;
+        forecast_->shift(impulses, time, planes_, shifts);
+        return shifts[0];
+    }
+
+    std::unique_ptr<MotionForecast> forecast_ = std::make_unique<MotionForecast>();
+    ContactModel planes_;
+};
+
+TEST_F(MotionForecastTest, ABodyGoesWhereItWasRolledOutTo)
+{
+    EXPECT_LE((shift_at(1 + node).moved - Vector3(0, 0, 0.001)).norm(), 1e-12) << "its own velocity left out";
+    EXPECT_LE((shift_at(1 + 1.5 * node).moved - Vector3(0, 0, 0.0025)).norm(), 1e-12);
+    EXPECT_LE((shift_at(1 + 3 * node).moved - Vector3(0, 0, 0.007)).norm(), 1e-12) << "straight on beyond the last";
+    EXPECT_LE((shift_at(1 + 1.5 * node).velocity - Vector3(0, 0, 0.3)).norm(), 1e-12);
+}
+
+TEST_F(MotionForecastTest, WhatTheHandGotMovesItTheOtherWay)
+{
+    const Impulse impulse = {1, Vector3(0.1, 0, 0), Vector3(-4, 0, 0), 1 + 0.5 * node, 1};
+    const ContactModel::Shift without = shift_at(1 + node);
+    const ContactModel::Shift with = shift_at(1 + node, {impulse});
+    EXPECT_LE((with.moved - without.moved - Vector3(0.5 * node * 2, 0, 0)).norm(), 1e-12);
+    EXPECT_LE((with.velocity - without.velocity - Vector3(2, 0, 0)).norm(), 1e-12);
+}
+
+TEST_F(MotionForecastTest, ImpulsesThatTheSceneHasGotAndThoseOfOthersAreLeftOut)
+{
+    const Impulse old = {1, Vector3(0.1, 0, 0), Vector3(-4, 0, 0), 1, 7};
+    const Impulse other = {2, Vector3(0.1, 0, 0), Vector3(-4, 0, 0), 1, 8};
+    forecast_->set_included(7);
+    EXPECT_LE((shift_at(1 + node, {old, other}).moved - shift_at(1 + node).moved).norm(), 1e-15);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics
