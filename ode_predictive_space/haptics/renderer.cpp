@@ -2,6 +2,8 @@
 
 #include "ode_predictive_space/haptics/renderer.h"
 
+#include "ode_predictive_space/haptics/contact/contact_manifold.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -219,6 +221,7 @@ void Renderer::begin_anew()
     safety_.reset();
     law_->reset();
     birth_.reset();
+    manifold_->reset();
     motion_.forget();
     split_.clear();
     if (passivity_)
@@ -262,7 +265,10 @@ void Renderer::feel(const std::vector<Touch> &touches, double dt)
 {
     const Material own = rendered(law_->material());
     felt_ = touches;
+    const TouchView view = law_->view();
+    manifold_->recognise(tick_.tool.position, view, dt, felt_);
     birth_.limit(tick_.tool, std::max(dt, 1 / settings_.physics_rate), safety_.engaged(), dt, felt_);
+    manifold_->solve(tick_.tool.position, view, felt_);
     for (Touch &touch : felt_)
     {
         if (!touch.material)

@@ -1,5 +1,6 @@
 // How the hand's side of a probe is set up, and what the device can bear of what is asked for.
 
+#include "ode_predictive_space/haptics/contact/contact_manifold.h"
 #include "ode_predictive_space/haptics/open_gates.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/renderer.h"
@@ -76,7 +77,7 @@ Renderer::Renderer(Device &device, RenderSettings settings)
       mapping_(settings_.placement), law_(settings_.law ? settings_.law : usual_law(device.capabilities(), mapping_)),
       safety_(settings_.safety ? *settings_.safety : usual_limits(device.capabilities())), doubted_since_(never),
       next_try_(never), last_state_time_(std::numeric_limits<double>::quiet_NaN()), last_answer_(never),
-      motion_(rate_of(device.capabilities()))
+      manifold_(std::make_unique<ContactManifold>()), motion_(rate_of(device.capabilities()))
 {
     told_.fill({never, 0, {}});
     forces_.reserve(usual_touches);

@@ -23,6 +23,8 @@
 
 namespace ode_predictive_space::haptics
 {
+class ContactManifold;
+
 /// How a device is rendered to.
 struct RenderSettings
 {
@@ -235,6 +237,7 @@ private:
     double last_answer_;      ///< s, simulated; of the device
     std::vector<Touch> felt_; ///< touches with the materials that are rendered
     ContactBirth birth_;
+    std::unique_ptr<ContactManifold> manifold_;
     DeviceMotion motion_;
     TouchForces forces_;
     ForceSplit split_;

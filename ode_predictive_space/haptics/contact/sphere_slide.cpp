@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/closest_point.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ode_predictive_space::haptics
@@ -82,6 +83,21 @@ double longest_step(const SlidePlace &place, double look, double radius)
     return within ? radius + look
                   : std::min(look, std::max(part_of_clearance * place.clearance, smallest_step * radius));
 }
+
+/// What part of a step stays in a ball; all of it, if it begins outside.
+double part_within(const Vector3 &centre, double radius, const Vector3 &from, const Vector3 &to)
+{
+    const Vector3 start = from - centre;
+    const Vector3 way = to - from;
+    const double within = radius * radius - start.squaredNorm();
+    if (!(within >= 0) || (to - centre).norm() <= radius)
+    {
+        return 1;
+    }
+    const double along = start.dot(way);
+    const double square = way.squaredNorm();
+    return std::clamp((std::sqrt(along * along + square * within) - along) / square, 0.0, 1.0);
+}
 } // namespace
 
 SphereSlide::SphereSlide()
@@ -141,6 +157,10 @@ double SphereSlide::go(bool common, double look, double left, const Task &task, 
         const double way = (targets_[i] - places[i].at).norm();
         const double allowed = std::min(left, longest_step(places[i], look, task.radius));
         part = way > allowed ? std::min(part, allowed / way) : part;
+        if (common && task.reach < std::numeric_limits<double>::infinity())
+        {
+            part = std::min(part, part_within(task.reach_centre, task.reach, places[i].at, targets_[i]));
+        }
         longest = std::max(longest, way);
     }
     for (std::size_t i = 0; i < places.size(); ++i)

@@ -7,6 +7,8 @@
 #include "ode_predictive_space/haptics/constraint_plane.h"
 #include "ode_predictive_space/haptics/contact/nearby_geom.h"
 
+#include <limits>
+
 namespace ode_predictive_space::haptics
 {
 /// Where the sphere's centre is, as one geom sees it. All see the same place but while geoms move or squeeze the sphere.
@@ -42,6 +44,8 @@ public:
         Vector3 start = Vector3::Zero(); ///< m; where the centre is: each geom has a place around there
         double look = 0;                 ///< m; how far ahead surfaces are looked for at first
         double longest = 0;              ///< m; the longest way altogether
+        Vector3 reach_centre = Vector3::Zero(); ///< m; a place that all geoms see stays in this ball
+        double reach = std::numeric_limits<double>::infinity(); ///< m; its radius
         double margin = 0;               ///< m; planes() has what is so far from the sphere, too
     };
 
