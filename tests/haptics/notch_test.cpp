@@ -165,10 +165,13 @@ std::vector<Opening> openings()
     return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Openings, NotchTest, testing::ValuesIn(openings()), [](const auto &info) {
+std::string name_of_opening(const testing::TestParamInfo<Opening> &info)
+{
     const char *names[] = {"Mesh", "BoxesOfOneBody", "BoxesOfTwoBodies", "CornerOfAMesh", "CornerOfBoxes"};
     return std::string(names[static_cast<int>(info.param.notch)]) + std::to_string(info.param.degrees) + "Degrees";
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Openings, NotchTest, testing::ValuesIn(openings()), name_of_opening);
 
 TEST_P(NotchTest, TheProxyLawPressesTheProbeOut)
 {

@@ -60,8 +60,9 @@ public:
     const std::vector<SlidePlane> &planes() const { return planes_; }
 
 private:
-    double go(bool common, double look, double left, const Task &task, std::vector<SlidePlace> &places);
+    double go(bool common, double look, double most, const Task &task, std::vector<SlidePlace> &places);
     void gather(const Task &task, double look, std::vector<SlidePlace> &places);
+    bool enters(const Task &task, const std::vector<SlidePlace> &places) const;
     bool find_target(const Vector3 &goal);
     bool turn_planes(const Task &task, const std::vector<SlidePlace> &places);
     bool is_short_step(const std::vector<SlidePlace> &places) const;
@@ -69,6 +70,8 @@ private:
     Vector3 target_of(std::size_t place, const Task &task, const std::vector<SlidePlace> &places);
 
     std::vector<SlidePlane> planes_;
+    std::vector<SlidePlane> planes_before_; ///< the last step
+    std::vector<SlidePlace> places_before_; ///< the same
     std::vector<ConstraintPlane> constraints_;
     SurfaceFeatures features_;
     std::vector<Vector3> targets_;
