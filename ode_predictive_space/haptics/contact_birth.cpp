@@ -27,7 +27,7 @@ void ContactBirth::limit(const ToolState &tool, double gap, bool watches, double
         }
     }
     for (Touch &touch : touches)
-        touch.carry = all_of_it ? touch.carry : std::nullopt; // solved for other depths
+        touch.is_solved = touch.is_solved && all_of_it; // else it was solved for other depths
 }
 
 double ContactBirth::part_of(const Touch &touch, const ToolState &tool, double gap, bool watches, double dt) const

@@ -32,7 +32,8 @@ struct Touch
     std::uintptr_t object = 0; ///< which object: the same from tick to tick, different for different ones
     unsigned feature = 0; ///< which plane of the object: the same from tick to tick, different for those of one object
     bool from_entry_side = false; ///< the normal is that of the side by which the probe came, however deep it is by now
-    std::optional<Carry> carry;   ///< the solved constraint: laws get it with each touch
+    bool is_solved = false;       ///< whether the next one is known: laws get it with each touch
+    Carry carry;                  ///< the solved constraint
     std::uint32_t id = 0;         ///< which touch: the same from tick to tick; 0 before it is recognised
     std::uint32_t takes_over = 0; ///< the id of the one that carried the tool here in the tick before: its own, or that of
                                   ///< the surface that it goes on from; 0: nothing did
@@ -59,7 +60,7 @@ struct ToolState
 /// What a touch carries the tool by. Of one whose constraint was not solved: its depth, as if it were alone.
 inline Carry carry_of(const Touch &touch)
 {
-    return touch.carry ? *touch.carry : Carry{touch.depth, Vector3::Zero()};
+    return touch.is_solved ? touch.carry : Carry{touch.depth, Vector3::Zero()};
 }
 
 /// The forces on the probe, in N, one per touch and in their order: what each of the objects gets is minus that.

@@ -93,7 +93,7 @@ const ContactManifold::Known *ContactManifold::carrier_before(const Touch &touch
 
 void ContactManifold::solve(const Vector3 &tool, TouchView view, std::vector<Touch> &touches)
 {
-    const auto is_solved = [](const Touch &touch) { return touch.carry.has_value(); };
+    const auto is_solved = [](const Touch &touch) { return touch.is_solved; };
     if (!std::all_of(touches.begin(), touches.end(), is_solved))
     {
         if (view == TouchView::all_together)
@@ -126,7 +126,7 @@ void ContactManifold::solve_together(std::vector<Touch> &touches)
     for (const Touch &touch : touches)
     {
         planes_.push_back(plane_of(touch));
-        lag += touch.carry ? touch.carry->lag : Vector3::Zero();
+        lag += touch.is_solved ? touch.carry.lag : Vector3(Vector3::Zero());
     }
     find_closest_point(planes_);
     double carried = 0;
@@ -137,7 +137,8 @@ void ContactManifold::solve_together(std::vector<Touch> &touches)
     for (std::size_t i = 0; i < touches.size(); ++i)
     {
         const double share = planes_[i].share;
-        touches[i].carry = Carry{share, carried > 0 ? Vector3(share / carried * lag) : Vector3::Zero()};
+        touches[i].carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
+        touches[i].is_solved = true;
     }
 }
 
@@ -168,7 +169,8 @@ void ContactManifold::solve_alone(std::vector<Touch> &touches, std::size_t first
     {
         if (same_object(touches[i]))
         {
-            touches[i].carry = Carry{planes_[plane++].share, Vector3::Zero()};
+            touches[i].carry = {planes_[plane++].share, Vector3::Zero()};
+            touches[i].is_solved = true;
         }
     }
 }
@@ -178,14 +180,14 @@ void ContactManifold::remember(const Vector3 &tool, const std::vector<Touch> &to
     before_.clear();
     for (const Touch &touch : touches)
     {
-        before_.push_back({touch.object, touch.feature, touch.id, touch.carry->carries(), touch.normal, touch.point,
+        before_.push_back({touch.object, touch.feature, touch.id, touch.carry.carries(), touch.normal, touch.point,
                            touch.normal.dot(tool) + touch.depth});
     }
 }
 
 void count_flush_touches_once(std::vector<Touch> &touches)
 {
-    const auto counts = [](const Touch &touch) { return touch.from_entry_side && touch.carry->carries(); };
+    const auto counts = [](const Touch &touch) { return touch.from_entry_side && touch.carry.carries(); };
     for (Touch &touch : touches)
     {
         if (!counts(touch))

@@ -26,7 +26,7 @@ bool is_finite(const Touch &touch)
 {
     return touch.point.allFinite() && touch.normal.allFinite() && std::isfinite(touch.depth) &&
            touch.surface_velocity.allFinite() &&
-           (!touch.carry || (std::isfinite(touch.carry->share) && touch.carry->lag.allFinite()));
+           std::isfinite(touch.carry.share) && touch.carry.lag.allFinite();
 }
 
 ContactTracker::ContactTracker(double radius) : radius_(radius)
@@ -368,7 +368,8 @@ double ContactTracker::tell_planes(const Vector3 &lag, std::vector<Touch> &touch
         touch.surface_velocity = geom.velocity_at(touch.point);
         touch.object = geom.object();
         touch.from_entry_side = true;
-        touch.carry = Carry{plane.share, carried > 0 ? Vector3(plane.share / carried * lag) : Vector3::Zero()};
+        touch.carry = {plane.share, carried > 0 ? Vector3(plane.share / carried * lag) : Vector3(Vector3::Zero())};
+        touch.is_solved = true;
         touch.material = geom.material();
         touches.push_back(touch);
         told_.push_back(geom.id());
@@ -382,13 +383,13 @@ void ContactTracker::carry_on(const Vector3 &lag, std::vector<Touch> &touches)
     double sum = 0;
     for (const Carrier &carrier : carriers_)
     {
-        sum += (carrier.touch.carry->share * carrier.touch.normal + carrier.touch.carry->lag).norm();
+        sum += (carrier.touch.carry.share * carrier.touch.normal + carrier.touch.carry.lag).norm();
     }
     for (const Carrier &carrier : carriers_)
     {
         Touch touch = carrier.touch;
-        const double part = (touch.carry->share * touch.normal + touch.carry->lag).norm() / sum;
-        touch.carry = Carry{0, part * lag};
+        const double part = (touch.carry.share * touch.normal + touch.carry.lag).norm() / sum;
+        touch.carry = {0, part * lag};
         touch.depth = std::max(0.0, part * lag.dot(touch.normal));
         touches.push_back(touch);
         told_.push_back(carrier.geom);
@@ -400,7 +401,7 @@ void ContactTracker::note_carriers(const std::vector<Touch> &touches, std::size_
     carriers_.clear();
     for (std::size_t i = first; i < touches.size(); ++i)
     {
-        if (touches[i].carry->carries())
+        if (touches[i].carry.carries())
         {
             carriers_.push_back({told_[i - first], touches[i]});
         }
