@@ -95,6 +95,8 @@ void ContactTracker::aim(const Vector3 &tool)
     }
     start_ = proxy_;
     longest_ = std::max(radius_, catching_up * moved_);
+    gently_ = !carriers_.empty() && !released_ && !adopts_;
+    reach_ = gently_ ? std::min(longest_, catching_up * moved_ + catch_up_) : longest_;
 }
 
 /// m; how far the proxy may go in a tick, beyond what the tool's way makes of it.
@@ -114,7 +116,7 @@ ContactTracker::Region ContactTracker::region() const
 {
     const Vector3 way = tool_ - start_;
     const double length = way.norm();
-    const double step = std::min(length, longest_);
+    const double step = std::min(length, reach_);
     Region region;
     region.centre = step < length ? Vector3(start_ + way * (step / length)) : tool_;
     double drift = 0;
@@ -207,8 +209,7 @@ SphereSlide::Task ContactTracker::task() const
     task.look = ahead * moved_;
     task.longest = longest_;
     task.margin = margin_;
-    const bool carried = !carriers_.empty() && !released_ && !adopts_;
-    if (carried)
+    if (gently_)
     {
         double drift = 0;
         for (const Held &held : near_)
@@ -216,7 +217,7 @@ SphereSlide::Task ContactTracker::task() const
             drift = std::max(drift, held.place.drift);
         }
         task.reach_centre = start_ + travel_;
-        task.reach = moved_ + drift + catch_up();
+        task.reach = moved_ + drift + catch_up_;
     }
     return task;
 }
@@ -240,6 +241,7 @@ void ContactTracker::follow()
     }
     choose_pace();
     common_ = slide_.run(task(), places_);
+    catch_up_ = catch_up();
     settle(common_);
 }
 

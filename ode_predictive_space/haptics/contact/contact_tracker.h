@@ -138,8 +138,11 @@ private:
     Vector3 start_ = Vector3::Zero();  ///< m; the proxy when the tick began
     Vector3 proxy_ = Vector3::Zero(); ///< m; when it was over
     double moved_ = 0;                ///< m; how far that is
+    double catch_up_ = 0;             ///< m; see catch_up(), by what was near in the tick before
+    double reach_ = 0;                ///< m; how far the proxy may come in this tick
+    bool gently_ = false;             ///< a force is rendered, which is not to jump
     double ahead_ = 0;                ///< m; how far the proxy may go until geoms are looked for again
-    double longest_ = 0;              ///< m; how far the proxy may go in this tick
+    double longest_ = 0;              ///< m; how long the proxy's way may be in this tick
     std::vector<Held> near_;
     std::vector<ContactMemory::Place> before_;
     std::vector<SlidePlace> places_;

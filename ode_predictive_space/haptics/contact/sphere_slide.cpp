@@ -137,7 +137,7 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
         if (common && enters(task, places))
         {
             places = places_before_;
-            planes_.swap(planes_before_);
+            keep_entered(task);
             longest = way / 2;
             continue;
         }
@@ -155,6 +155,19 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
         planes_[i].share = common ? constraints_[i].share : std::max(0.0, planes_[i].depth);
     }
     return common;
+}
+
+/// Back to the planes before the step, and with them those of what it entered: the next try goes around these.
+void SphereSlide::keep_entered(const Task &task)
+{
+    for (const SlidePlane &plane : planes_)
+    {
+        if (plane.feature.distance < task.radius)
+        {
+            planes_before_.push_back(plane);
+        }
+    }
+    planes_.swap(planes_before_);
 }
 
 /// Whether the last step brought the sphere into a surface, deeper than it was. What is no local minimum of the distance before

@@ -63,6 +63,7 @@ private:
     double go(bool common, double look, double most, const Task &task, std::vector<SlidePlace> &places);
     void gather(const Task &task, double look, std::vector<SlidePlace> &places);
     bool enters(const Task &task, const std::vector<SlidePlace> &places) const;
+    void keep_entered(const Task &task);
     bool find_target(const Vector3 &goal);
     bool turn_planes(const Task &task, const std::vector<SlidePlace> &places);
     bool is_short_step(const std::vector<SlidePlace> &places) const;
