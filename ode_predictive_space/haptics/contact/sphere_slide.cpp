@@ -117,12 +117,13 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
     double look = std::max(task.look, shortest_look * task.radius);
     double left = task.longest;
     double longest = std::numeric_limits<double>::infinity(); // m; of a step
+    bool retries = false; // the last step entered a surface
     targets_.resize(places.size());
     gather(task, look, places);
     for (int step = 0; step < most_steps && left > 0 && longest > shortest_try * task.radius; ++step)
     {
         const bool common = find_target(task.goal);
-        if (common)
+        if (common && !retries)
         {
             refine_target(task, places);
         }
@@ -134,7 +135,8 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
         }
         planes_.swap(planes_before_);
         gather(task, arrives_ ? look : 2 * look, places);
-        if (common && enters(task, places))
+        retries = common && enters(task, places);
+        if (retries)
         {
             places = places_before_;
             keep_entered(task);
