@@ -2,7 +2,7 @@
 
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
 #include "ode_predictive_space/haptics/open_gates.h"
-#include "ode_predictive_space/haptics/penalty_law.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
 #include "ode_predictive_space/haptics/renderer.h"
 #include "ode_predictive_space/haptics/usual_touches.h"
 
@@ -24,7 +24,7 @@ std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const Work
     Material material;
     const double stiffness = capabilities.max_stiffness > 0 ? capabilities.max_stiffness / 2 : usual_stiffness;
     material.stiffness = mapping.stiffness_in_scene(stiffness);
-    return std::make_shared<PenaltyLaw>(material);
+    return std::make_shared<ProxyLaw>(material);
 }
 
 double rate_of(const Capabilities &capabilities)

@@ -117,6 +117,20 @@ TEST(Recorder, KeepsWhatTheDeviceCanDo)
     EXPECT_EQ(recording.device->workspace.max(), Vector3(0.1, 0.2, 1 / 7.0));
 }
 
+TEST(Recorder, KeepsTheNameOfTheLaw)
+{
+    const TemporaryFile file;
+    for (const std::string law : {"proxy", "penalty", ""})
+    {
+        Recorder recorder(file.name(), any_device(), law, Flush::by_caller);
+        add(recorder, 0);
+        recorder.close();
+        const Recording recording = read_recording(file.name());
+        EXPECT_EQ(recording.law, law);
+        EXPECT_EQ(recording.ticks.size(), 1U);
+    }
+}
+
 TEST(Recorder, AFullBufferLosesTicksAndSaysHowManyAndWhere)
 {
     const TemporaryFile file;

@@ -39,6 +39,9 @@ public:
 
     /// Of what has no material of its own.
     virtual Material material() const = 0;
+
+    /// For people and recordings: one word. A law that wraps another one forwards it, as it does view().
+    virtual const char *name() const { return "custom"; }
 };
 
 /// What the probe feels of several touches: the sum of their forces.

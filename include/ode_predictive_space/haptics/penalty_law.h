@@ -35,6 +35,7 @@ public:
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override;
     void reset() override;
     Material material() const override { return material_; }
+    const char *name() const override { return "penalty"; }
 
 private:
     /// Where friction's spring hangs: how far the tool has moved over the surface of an object since it took hold.

@@ -35,6 +35,7 @@ public:
     TouchView view() const override { return TouchView::all_together; }
     void reset() override;
     Material material() const override { return material_; }
+    const char *name() const override { return "proxy"; }
 
     /// m, in the scene's frame; where the last call left it. The tool's position when nothing is touched.
     const Vector3 &proxy() const { return proxy_; }
