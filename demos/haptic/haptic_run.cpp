@@ -107,6 +107,7 @@ double HapticRun::stiffest() const
     rendering.stiffness = more_than_any_device;
     rendering.damping = options_.damping;
     rendering.rate = servo_rate_;
+    rendering.delay = device_.capabilities().delay;
     return haptics::check_stability(device_.capabilities(), rendering).stiffness;
 }
 

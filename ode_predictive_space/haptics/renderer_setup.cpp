@@ -1,5 +1,6 @@
 // How the hand's side of a probe is set up, and what the device can bear of what is asked for.
 
+#include "ode_predictive_space/haptics/check_argument.h"
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
 #include "ode_predictive_space/haptics/open_gates.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
@@ -86,6 +87,10 @@ Renderer::Renderer(Device &device, RenderSettings settings)
     {
         passivity_.emplace(device.capabilities().max_damping);
     }
+    if (settings_.delay && !is_amount(*settings_.delay))
+    {
+        throw std::invalid_argument("The delay of a device must be finite and not negative");
+    }
     set_rates(settings_.rate, settings_.physics_rate);
 }
 
@@ -151,7 +156,13 @@ Rendering Renderer::rendering(double stiffness, double damping) const
     rendering.damping = mapping_.stiffness_at_device(damping);
     rendering.rate = settings_.rate;
     rendering.device_damping = settings_.device_damping;
+    rendering.delay = delay();
     return rendering;
+}
+
+double Renderer::delay() const
+{
+    return std::max(settings_.delay.value_or(gate_.device().capabilities().delay), delay_meter_.delay());
 }
 
 void Renderer::check(double stiffness, double damping)
