@@ -58,7 +58,9 @@ void declare_probe_options(CLI::App &app, Options &options)
     app.add_option("--device", options.device,
                    "What moves the probe and feels the force: " + joined(haptics::device_names()))
         ->capture_default_str();
-    app.add_option("--law", options.law, "How a touch becomes a force: proxy (god object) or penalty (F = k d n for each object); a replay has that of "
+    app.add_option("--law", options.law,
+                   "How a touch becomes a force: proxy (god object) or penalty (F = k d n for each object); a replay "
+                   "has that of "
                    "the recording")
         ->check(CLI::IsMember({"penalty", "proxy"}))
         ->capture_default_str();

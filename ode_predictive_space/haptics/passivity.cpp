@@ -20,7 +20,8 @@ void PassivityController::set_delay(int ticks)
 Vector3 PassivityController::control(const DeviceState &state, const Vector3 &wished, double dt)
 {
     if (has_position_)
-        energy_ -= written_[(newest_ + written_.size() - delay_) % written_.size()].dot(state.position - last_position_);
+        energy_ -=
+            written_[(newest_ + written_.size() - delay_) % written_.size()].dot(state.position - last_position_);
     if (!std::isfinite(energy_))
         energy_ = 0; // a fault that others look for; it must not stay here
     last_position_ = state.position;

@@ -167,6 +167,11 @@ void Recorder::write_header(const Capabilities &device, const std::string &law)
     std::replace(name.begin(), name.end(), '\n', ' ');
     text_ += ' ' + name;
     text_.resize(std::min(text_.size(), longest_recorded_line)); // the reader takes no longer one
+    if (device.delay > 0)
+    {
+        text_ += std::string("\n") + delay_line_mark;
+        append(text_, device.delay);
+    }
     if (!law.empty())
     {
         std::string line = '\n' + (law_line_mark + (' ' + law));

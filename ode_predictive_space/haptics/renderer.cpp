@@ -340,8 +340,8 @@ Wrench Renderer::limited(const Wrench &wished, double dt)
     Wrench at_device = mapping_.to_device(wished);
     if (passivity_ && !mapping_.clutched())
     {
-        passivity_->set_delay(static_cast<int>(std::lround(std::min(1.0, delay() / dt / PassivityController::most_delay) *
-                                                           PassivityController::most_delay)));
+        passivity_->set_delay(static_cast<int>(std::lround(
+            std::min(1.0, delay() / dt / PassivityController::most_delay) * PassivityController::most_delay)));
         at_device.force = passivity_->control(tick_.state, at_device.force, dt);
     }
     Vector3 velocity = tick_.state.linear_velocity;

@@ -55,7 +55,8 @@ double stiffest_of_device(const Capabilities &capabilities, const Rendering &ren
     if (!(capabilities.max_stiffness > 0))
         return unlimited;
     if (!(rendering.delay > 0) || rendering.device_damping || !(capabilities.rate > 0))
-        return capabilities.max_stiffness * (rendering.rate < capabilities.rate ? rendering.rate / capabilities.rate : 1);
+        return capabilities.max_stiffness *
+               (rendering.rate < capabilities.rate ? rendering.rate / capabilities.rate : 1);
     const double part = 1 / (capabilities.rate * (1 / rendering.rate + 2 * rendering.delay));
     return capabilities.max_stiffness * std::min(1.0, part);
 }
@@ -91,9 +92,9 @@ Bound bound_of_passivity(const Rendering &rendering, double damping)
     if (!rendering.device_damping)
         return {};
     const double most = stiffest_passive(rendering, damping);
-    return {most, sentence("the ", most, " N/m that are passive at ", rendering.rate, " Hz with ",
-                           *rendering.device_damping, " N s/m in the device",
-                           rendering.delay > 0 ? " and" + and_delay(rendering).substr(5) : "")};
+    return {most,
+            sentence("the ", most, " N/m that are passive at ", rendering.rate, " Hz with ", *rendering.device_damping,
+                     " N s/m in the device", rendering.delay > 0 ? " and" + and_delay(rendering).substr(5) : "")};
 }
 
 void clamp_damping(const Capabilities &capabilities, StabilityVerdict &verdict)

@@ -25,9 +25,7 @@ protected:
         const double height = radius - pressed;
         const Vector3 above(-0.03, 0, 0.03), in(-0.03, 0, height), beyond(0.03, 0, height);
         return run(
-            [=](double t) {
-                return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, beyond, 0.5, 0.6, t);
-            },
+            [=](double t) { return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, beyond, 0.5, 0.6, t); },
             1.2);
     }
 };

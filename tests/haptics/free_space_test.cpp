@@ -32,8 +32,7 @@ private:
 };
 
 class FreeSpaceTest : public HapticProbeTest
-{
-};
+{};
 
 TEST_F(FreeSpaceTest, OnTheHandDoesNotPushTheBodyThatIsTouched)
 {

@@ -70,7 +70,8 @@ protected:
         dGeomSetBody(box, body);
         const Vector3 up = up_the_wall(i), n = normal(i), across = n.cross(up);
         const Vector3 centre = 0.4 * wall * up - thick / 2 * n;
-        const dMatrix3 turn = {up.x(), across.x(), n.x(), 0, up.y(), across.y(), n.y(), 0, up.z(), across.z(), n.z(), 0};
+        const dMatrix3 turn = {up.x(), across.x(), n.x(),  0,          up.y(), across.y(),
+                               n.y(),  0,          up.z(), across.z(), n.z(),  0};
         dGeomSetOffsetPosition(box, centre.x(), centre.y(), centre.z());
         dGeomSetOffsetRotation(box, turn);
     }
@@ -154,8 +155,8 @@ protected:
 std::vector<Opening> openings()
 {
     std::vector<Opening> all;
-    for (const Notch notch : {Notch::mesh, Notch::boxes_of_one_body, Notch::boxes_of_two_bodies, Notch::mesh_corner,
-                              Notch::box_corner})
+    for (const Notch notch :
+         {Notch::mesh, Notch::boxes_of_one_body, Notch::boxes_of_two_bodies, Notch::mesh_corner, Notch::box_corner})
     {
         for (const int degrees : {30, 10, 8, 5, 2})
         {

@@ -14,9 +14,9 @@ constexpr std::uintptr_t free_space = 0;
 struct ForceShare
 {
     std::uintptr_t object = free_space; ///< Touch::object
-    Vector3 point = Vector3::Zero(); ///< m, the scene's frame; where it was touched last
-    Vector3 force = Vector3::Zero(); ///< N, the scene's frame; on the hand
-    unsigned feature = 0;            ///< Touch::feature; in free space, which of the entries, from 0 on
+    Vector3 point = Vector3::Zero();    ///< m, the scene's frame; where it was touched last
+    Vector3 force = Vector3::Zero();    ///< N, the scene's frame; on the hand
+    unsigned feature = 0;               ///< Touch::feature; in free space, which of the entries, from 0 on
 };
 
 /// Divides the force that the hand really got among the objects that made it, so that each of them gets the opposite of its part.

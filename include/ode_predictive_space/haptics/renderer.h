@@ -4,8 +4,8 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
 
 #include "ode_predictive_space/haptics/contact_birth.h"
-#include "ode_predictive_space/haptics/device_gate.h"
 #include "ode_predictive_space/haptics/delay_meter.h"
+#include "ode_predictive_space/haptics/device_gate.h"
 #include "ode_predictive_space/haptics/device_motion.h"
 #include "ode_predictive_space/haptics/force_shares.h"
 #include "ode_predictive_space/haptics/notice.h"
@@ -36,7 +36,7 @@ struct RenderSettings
     double rate = 1000;                    ///< Hz; how often the device is read and written
     double physics_rate = 1000;            ///< Hz; how often the scene is stepped
     std::optional<double> device_damping;  ///< N s/m; of device and hand, where it is known: see check_stability()
-    std::optional<double> delay; ///< s; as Capabilities::delay, where it is known better than by the device
+    std::optional<double> delay;           ///< s; as Capabilities::delay, where it is known better than by the device
     std::optional<unsigned> clutch_button; ///< which of the device's buttons moves the workspace instead of the tool
     bool passivity_control = false; ///< whether a PassivityController adds damping when energy comes from nowhere
     NoticeSink notice;              ///< what to do with messages; by default nothing

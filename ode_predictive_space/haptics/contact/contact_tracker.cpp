@@ -12,10 +12,10 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr std::size_t usual_geoms = NearbyGeoms::capacity;
-constexpr double ahead = 1.5;          // times the tool's way: how far ahead surfaces are looked for
-constexpr double catching_up = 2;      // times the tool's way: how far the proxy may go in a tick
-constexpr double gentle = 0.09;        // N; by how much the force may change in a tick beyond what the tool's way makes of it
-constexpr double around = 1.5;         // times the proxy's way: the ball that holds all that it may reach, and more
+constexpr double ahead = 1.5;     // times the tool's way: how far ahead surfaces are looked for
+constexpr double catching_up = 2; // times the tool's way: how far the proxy may go in a tick
+constexpr double gentle = 0.09; // N; by how much the force may change in a tick beyond what the tool's way makes of it
+constexpr double around = 1.5;  // times the proxy's way: the ball that holds all that it may reach, and more
 constexpr double steps_ahead = 2;      // times the tool's way: how far it may go until geoms come from another thread
 constexpr double farthest_apart = 4;   // times the radius; geoms that squeeze the sphere more have passed each other
 constexpr double in_contact = 1e-6;    // of the radius
@@ -25,8 +25,7 @@ constexpr double same_direction = 0.5; // cosine; below, it is another plane of 
 bool is_finite(const Touch &touch)
 {
     return touch.point.allFinite() && touch.normal.allFinite() && std::isfinite(touch.depth) &&
-           touch.surface_velocity.allFinite() &&
-           std::isfinite(touch.carry.share) && touch.carry.lag.allFinite();
+           touch.surface_velocity.allFinite() && std::isfinite(touch.carry.share) && touch.carry.lag.allFinite();
 }
 
 ContactTracker::ContactTracker(double radius) : radius_(radius)

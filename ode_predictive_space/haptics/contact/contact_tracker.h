@@ -136,13 +136,13 @@ private:
     Vector3 tool_ = Vector3::Zero();
     Vector3 travel_ = Vector3::Zero(); ///< m; of the tool, since the tick before
     Vector3 start_ = Vector3::Zero();  ///< m; the proxy when the tick began
-    Vector3 proxy_ = Vector3::Zero(); ///< m; when it was over
-    double moved_ = 0;                ///< m; how far that is
-    double catch_up_ = 0;             ///< m; see catch_up(), by what was near in the tick before
-    double reach_ = 0;                ///< m; how far the proxy may come in this tick
-    bool gently_ = false;             ///< a force is rendered, which is not to jump
-    double ahead_ = 0;                ///< m; how far the proxy may go until geoms are looked for again
-    double longest_ = 0;              ///< m; how long the proxy's way may be in this tick
+    Vector3 proxy_ = Vector3::Zero();  ///< m; when it was over
+    double moved_ = 0;                 ///< m; how far that is
+    double catch_up_ = 0;              ///< m; see catch_up(), by what was near in the tick before
+    double reach_ = 0;                 ///< m; how far the proxy may come in this tick
+    bool gently_ = false;              ///< a force is rendered, which is not to jump
+    double ahead_ = 0;                 ///< m; how far the proxy may go until geoms are looked for again
+    double longest_ = 0;               ///< m; how long the proxy's way may be in this tick
     std::vector<Held> near_;
     std::vector<ContactMemory::Place> before_;
     std::vector<SlidePlace> places_;
@@ -152,7 +152,8 @@ private:
     std::vector<Carrier> carriers_;
     std::vector<dGeomID> told_; ///< of each touch of the last touches()
     bool common_ = true;        ///< all geoms see the proxy at the same place
-    bool released_ = false;     ///< what carried the proxy is gone, and it has not come to rest since: no force but by what it touches
+    bool released_ =
+        false; ///< what carried the proxy is gone, and it has not come to rest since: no force but by what it touches
 };
 } // namespace ode_predictive_space::haptics
 

@@ -17,8 +17,8 @@ constexpr double arrived = 1e-9;       // of the radius: a step that is shorter 
 constexpr double shortest_look = 0.05; // of the radius
 constexpr double part_of_clearance = 0.9;
 constexpr double smallest_step = 1e-6; // of the radius; away from a surface that the centre lies on
-constexpr double allowed_entry = 5e-4;   // of the radius; how deep a step may bring the sphere into a surface
-constexpr double shortest_try = 1e-5;    // of the radius; of a step that entered a surface and is tried again
+constexpr double allowed_entry = 5e-4; // of the radius; how deep a step may bring the sphere into a surface
+constexpr double shortest_try = 1e-5;  // of the radius; of a step that entered a surface and is tried again
 constexpr int most_sweeps = 200;
 constexpr std::size_t usual_planes = 256;
 constexpr double allowed_violation = 1e-6; // of the deepest plane
@@ -117,7 +117,7 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
     double look = std::max(task.look, shortest_look * task.radius);
     double left = task.longest;
     double longest = std::numeric_limits<double>::infinity(); // m; of a step
-    bool retries = false; // the last step entered a surface
+    bool retries = false;                                     // the last step entered a surface
     targets_.resize(places.size());
     gather(task, look, places);
     for (int step = 0; step < most_steps && left > 0 && longest > shortest_try * task.radius; ++step)

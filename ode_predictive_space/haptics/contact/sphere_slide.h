@@ -41,12 +41,12 @@ public:
     {
         double radius = 0; ///< m
         Vector3 goal = Vector3::Zero();
-        Vector3 start = Vector3::Zero(); ///< m; where the centre is: each geom has a place around there
-        double look = 0;                 ///< m; how far ahead surfaces are looked for at first
-        double longest = 0;              ///< m; the longest way altogether
+        Vector3 start = Vector3::Zero();        ///< m; where the centre is: each geom has a place around there
+        double look = 0;                        ///< m; how far ahead surfaces are looked for at first
+        double longest = 0;                     ///< m; the longest way altogether
         Vector3 reach_centre = Vector3::Zero(); ///< m; a place that all geoms see stays in this ball
         double reach = std::numeric_limits<double>::infinity(); ///< m; its radius
-        double margin = 0;               ///< m; planes() has what is so far from the sphere, too
+        double margin = 0;                                      ///< m; planes() has what is so far from the sphere, too
     };
 
     /// Makes room for what a tick usually needs: up to that run() does not allocate.
