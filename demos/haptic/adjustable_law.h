@@ -26,6 +26,7 @@ public:
     }
 
     haptics::TouchView view() const override { return law_->view(); }
+    const char *name() const override { return law_->name(); }
     void reset() override { law_->reset(); }
 
     haptics::Material material() const override

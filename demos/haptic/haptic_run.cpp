@@ -78,11 +78,23 @@ haptics::WorkspacePlacement HapticRun::placement()
     return placement;
 }
 
+// Recordings that name no law were made when the penalty law was the usual one.
+std::string HapticRun::law_name() const
+{
+    const auto *replay = dynamic_cast<const haptics::ReplayDevice *>(&device_.inner());
+    if (replay == nullptr || options_.law_given)
+    {
+        return options_.law;
+    }
+    const std::string &recorded = replay->recording().law;
+    return recorded.empty() ? "penalty" : recorded;
+}
+
 // A newton in the scene is one at the hand, but the probe moves farther than the hand, by the scale of the workspace.
 std::shared_ptr<AdjustableLaw> HapticRun::make_law() const
 {
     const haptics::SurfaceProperties surface{options_.stiffness / scale_, options_.damping / scale_, options_.friction};
-    if (options_.law == "proxy")
+    if (law_name() == "proxy")
     {
         return std::make_shared<AdjustableLaw>(std::make_unique<haptics::ProxyLaw>(surface));
     }
@@ -95,13 +107,15 @@ double HapticRun::stiffest() const
     rendering.stiffness = more_than_any_device;
     rendering.damping = options_.damping;
     rendering.rate = servo_rate_;
+    rendering.delay = device_.capabilities().delay;
     return haptics::check_stability(device_.capabilities(), rendering).stiffness;
 }
 
 void HapticRun::make_probe(const haptics::NoticeSink &notice)
 {
     device_.open(); // its capabilities and workspace are known only then
-    servo_log_.emplace(servo_rate_, options_.record_file, device_.capabilities(), !options_.replay_file.empty());
+    servo_log_.emplace(servo_rate_, options_.record_file, device_.capabilities(), law_name(),
+                       !options_.replay_file.empty());
     haptics::RenderSettings settings;
     settings.placement = placement();
     scale_ = settings.placement.scale;

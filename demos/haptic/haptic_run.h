@@ -102,6 +102,7 @@ private:
     void make_loop(const haptics::NoticeSink &notice);
     haptics::WorkspacePlacement placement();
     Vector3 free_start(const Vector3 &wish, const Eigen::AlignedBox3d &room) const;
+    std::string law_name() const;
     std::shared_ptr<AdjustableLaw> make_law() const;
     double stiffest() const;
     void collide();

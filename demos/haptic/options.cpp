@@ -58,7 +58,10 @@ void declare_probe_options(CLI::App &app, Options &options)
     app.add_option("--device", options.device,
                    "What moves the probe and feels the force: " + joined(haptics::device_names()))
         ->capture_default_str();
-    app.add_option("--law", options.law, "How a touch becomes a force: penalty (F = k d n) or proxy (god object)")
+    app.add_option("--law", options.law,
+                   "How a touch becomes a force: proxy (god object) or penalty (F = k d n for each object); a replay "
+                   "has that of "
+                   "the recording")
         ->check(CLI::IsMember({"penalty", "proxy"}))
         ->capture_default_str();
     app.add_option("--stiffness", options.stiffness, "Stiffness of touched objects, as felt by the hand, in N/m")
@@ -122,6 +125,7 @@ void complete(Options &options, const CLI::App &app)
             }
         }
     }
+    options.law_given = given("--law");
     options.compare = options.compare || options.spaces.size() > 1;
     options.wants_one_run = options.wants_one_run || (!options.compare && options.spaces.size() == 1);
     if (options.headless && given("--screenshot"))

@@ -15,7 +15,8 @@ struct Options
     std::string scene = "mix";
     std::vector<std::string> spaces; ///< empty: predictive alone, or all in a comparison
     std::string device = "virtual";
-    std::string law = "penalty";
+    std::string law = "proxy";
+    bool law_given = false; ///< otherwise a replay has that of the recording
     double stiffness = 500; ///< N/m, at the hand
     double damping = 0;     ///< N s/m, at the hand
     double friction = 0;

@@ -5,12 +5,13 @@
 
 namespace ode_predictive_space::demo
 {
-ServoLog::ServoLog(double rate, const std::string &record_file, const haptics::Capabilities &device, bool keep_forces)
+ServoLog::ServoLog(double rate, const std::string &record_file, const haptics::Capabilities &device,
+                   const std::string &law, bool keep_forces)
     : ticks_per_column_(std::max(1, static_cast<int>(std::lround(rate * column_seconds)))), keep_forces_(keep_forces)
 {
     if (!record_file.empty())
     {
-        recorder_ = std::make_unique<haptics::Recorder>(record_file, device);
+        recorder_ = std::make_unique<haptics::Recorder>(record_file, device, law);
     }
 }
 

@@ -49,9 +49,11 @@ public:
     static constexpr double column_seconds = 0.01;
 
     /// @param rate Hz; of the servo. @param record_file empty: no recording. @param device the recorded device.
+    /// @param law the recorded law's name.
     /// @param keep_forces whether forces() is needed.
     /// @throws haptics::DeviceError when the file cannot be created.
-    ServoLog(double rate, const std::string &record_file, const haptics::Capabilities &device, bool keep_forces);
+    ServoLog(double rate, const std::string &record_file, const haptics::Capabilities &device, const std::string &law,
+             bool keep_forces);
 
     /// A tick was rendered.
     void add(const haptics::RenderedTick &tick);

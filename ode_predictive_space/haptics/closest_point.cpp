@@ -9,7 +9,7 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr double tolerance = 1e-9;              // of the deepest plane
-constexpr double farthest = 10;                 // times the deepest plane
+constexpr double farthest = 100;                // times the deepest plane; a groove of 1.15 degrees
 constexpr double smallest_squared_sine = 1e-10; // of two normals' angle; below, one plane stands for both
 constexpr double smallest_volume = 1e-9;        // of three normals
 constexpr int most_rounds = 64;                 // rounding could let the search go round in circles

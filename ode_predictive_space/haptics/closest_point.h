@@ -12,8 +12,8 @@ namespace ode_predictive_space::haptics
 /// Finds the shortest x, from the tool, with normal . x >= depth for all planes, and writes it as the sum of share * normal:
 /// at most three shares are above zero, none is below. With one plane alone, its share is its depth, exactly.
 ///
-/// False, and the shares are the depths, when there is no such point, or only one that is more than ten times as far
-/// as the deepest plane: between two nearly opposite planes, x grows without bounds. Likewise when something is not
+/// False, and the shares are the depths, when there is no such point, or only one that is more than a hundred times as
+/// far as the deepest plane: between two nearly opposite planes, x grows without bounds. Likewise when something is not
 /// finite, so that checks for it still find it.
 ///
 /// Planes that miss their depth by 1e-9 of the deepest one are taken as kept.

@@ -15,13 +15,19 @@ void ContactBirth::limit(const ToolState &tool, double gap, bool watches, double
 {
     now_.swap(before_);
     now_.clear();
+    bool all_of_it = true;
     for (Touch &touch : touches)
     {
         const double part = part_of(touch, tool, gap, watches, dt);
         now_.push_back({touch.object, touch.normal, touch.depth, part});
         if (part < 1)
+        {
             touch.depth *= part;
+            all_of_it = false;
+        }
     }
+    for (Touch &touch : touches)
+        touch.is_solved = touch.is_solved && all_of_it; // else it was solved for other depths
 }
 
 double ContactBirth::part_of(const Touch &touch, const ToolState &tool, double gap, bool watches, double dt) const

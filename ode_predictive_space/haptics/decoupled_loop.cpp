@@ -208,6 +208,7 @@ bool Servo::feel_geoms(const Surroundings &scene, double due)
         tracker_->forget();
     }
     tracker_->aim(renderer_.tool().position);
+    tracker_->set_stiffness(renderer_.law().material().stiffness);
     const std::size_t count = scene.tool_jumps == tool_jumps_ ? nearby.count : 0;
     for (std::size_t i = 0; i < count; ++i)
     {

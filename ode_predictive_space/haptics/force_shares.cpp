@@ -73,6 +73,11 @@ void ForceSplit::split(const std::vector<Touch> &touches, const TouchForces &wis
     {
         shares_.push_back({touches[i].object, touches[i].point, mix.wished * wished[i], touches[i].feature});
     }
+    for (std::size_t i = touches.size(); i < wished.size(); ++i)
+    {
+        const auto entry = static_cast<unsigned>(i - touches.size());
+        shares_.push_back({free_space, Vector3::Zero(), mix.wished * wished[i], entry});
+    }
     for (const ForceShare &share : before_)
     {
         const Vector3 force = mix.before * share.force;

@@ -100,6 +100,7 @@ void HapticProbe::begin(double time, double clock_time)
     if (sensor_)
     {
         sensor_->set_view(renderer_.law().view());
+        sensor_->set_stiffness(renderer_.law().material().stiffness);
         sensor_->clear();
         place(renderer_.last_tick());
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "ode_predictive_space/haptics/closest_point.h"
 #include "ode_predictive_space/haptics/normal_force.h"
 
 namespace ode_predictive_space::haptics
@@ -19,20 +18,16 @@ ProxyLaw::ProxyLaw(const Material &material) : material_(material)
 
 void ProxyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces)
 {
-    planes_.swap(last_planes_);
-    planes_.clear();
-    for (const Touch &touch : touches)
-        planes_.push_back(plane_of(tool.position, touch, dt));
-    find_closest_point(planes_);
-
+    carries_.clear();
     Vector3 lifted = tool.position;
     double carried = 0; // m; what all planes lift together
-    for (const ConstraintPlane &plane : planes_)
+    for (const Touch &touch : touches)
     {
-        lifted += plane.share * plane.normal;
-        carried += plane.share;
+        carries_.push_back(carry_of(touch));
+        lifted += carries_.back().share * touch.normal + carries_.back().lag;
+        carried += carries_.back().share;
     }
-    follow_materials(touches, dt);
+    materials_.follow(touches, material_, dt);
     const Vector3 along = friction(tool.position, lifted, carried, touches, dt);
     proxy_ = lifted + along;
     has_proxy_ = proxy_.allFinite();
@@ -40,67 +35,25 @@ void ProxyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, 
     forces.resize(touches.size());
     for (std::size_t i = 0; i < touches.size(); ++i)
     {
-        const ConstraintPlane &plane = planes_[i];
-        forces[i] =
-            normal_force(tool, touches[i], materials_[i], plane.normal, plane.share, plane.share != 0) * plane.normal;
+        const Touch &touch = touches[i];
+        const Carry &carry = carries_[i];
+        const Material &material = materials_[i];
+        forces[i] = normal_force(tool, touch, material, touch.normal, carry.share, carry.share != 0) * touch.normal +
+                    material.stiffness * carry.lag;
         if (carried > 0)
-            forces[i] += materials_[i].stiffness * plane.share / carried * along;
+            forces[i] += material.stiffness * carry.share / carried * along;
     }
-}
-
-ConstraintPlane ProxyLaw::plane_of(const Vector3 &tool, const Touch &touch, double dt) const
-{
-    ConstraintPlane plane;
-    plane.object = touch.object;
-    plane.feature = touch.feature;
-    plane.normal = touch.normal;
-    plane.depth = touch.depth;
-    plane.height = touch.normal.dot(tool) + touch.depth;
-
-    if (touch.from_entry_side)
-        return plane;
-
-    const auto same_plane = [&](const ConstraintPlane &other) {
-        return other.object == touch.object && other.feature == touch.feature;
-    };
-    const auto last = std::find_if(last_planes_.begin(), last_planes_.end(), same_plane);
-    if (last == last_planes_.end() || !(last->normal.dot(touch.normal) < 0))
-        return plane;
-
-    // The back of the object is nearer now: the tool came through it. The surface in front has moved with the object.
-    const double height = last->height + last->normal.dot(touch.surface_velocity) * dt;
-    const double depth = height - last->normal.dot(tool);
-    if (depth > 0)
-    {
-        plane.normal = last->normal;
-        plane.depth = depth;
-        plane.height = height;
-    }
-    return plane;
-}
-
-void ProxyLaw::follow_materials(const std::vector<Touch> &touches, double dt)
-{
-    carries_.clear();
-    for (const ConstraintPlane &plane : planes_)
-        carries_.push_back(plane.share > 0 ? 1 : 0);
-    materials_.follow(touches, carries_, material_, dt);
-}
-
-bool ProxyLaw::has_friction() const
-{
-    return most_friction(false) > 0;
 }
 
 /// m; how far friction holds the proxy off the place above the tool.
 double ProxyLaw::most_friction(bool slides) const
 {
     double most = 0;
-    for (std::size_t i = 0; i < planes_.size(); ++i)
+    for (std::size_t i = 0; i < carries_.size(); ++i)
     {
         const Material &material = materials_[i];
         const double coefficient = slides ? material.friction : std::max(material.friction, material.static_friction);
-        most += coefficient * planes_[i].share;
+        most += coefficient * carries_[i].share;
     }
     return most;
 }
@@ -110,40 +63,40 @@ Vector3 ProxyLaw::friction(const Vector3 &tool, const Vector3 &lifted, double ca
 {
     const bool slid = slides_;
     slides_ = false;
-    if (!has_friction() || !has_proxy_ || !(carried > 0))
+    if (!(most_friction(false) > 0) || !has_proxy_ || !(carried > 0))
         return Vector3::Zero();
 
     // Where the proxy would be had it stayed on the surfaces that carry it.
     Vector3 along = proxy_ - lifted;
     for (std::size_t i = 0; i < touches.size(); ++i)
-        along += planes_[i].share / carried * dt * touches[i].surface_velocity;
-    along = along_the_carriers(along);
+        along += carries_[i].share / carried * dt * touches[i].surface_velocity;
+    along = along_the_carriers(touches, along);
 
     // As far as friction holds it, and nothing else is in the way.
     slides_ = along.norm() > most_friction(slid);
     double part = slides_ ? most_friction(true) / along.norm() : 1;
-    for (const ConstraintPlane &plane : planes_)
+    for (std::size_t i = 0; i < touches.size(); ++i)
     {
-        const double into = -plane.normal.dot(along);
-        const double room = std::max(0.0, plane.normal.dot(lifted - tool) - plane.depth);
-        if (plane.share == 0 && into > rounding_of_planes * along.norm())
+        const double into = -touches[i].normal.dot(along);
+        const double room = std::max(0.0, touches[i].normal.dot(lifted - tool) - touches[i].depth);
+        if (carries_[i].share == 0 && into > rounding_of_planes * along.norm())
             part = std::min(part, room / into);
     }
     return part * along;
 }
 
-Vector3 ProxyLaw::along_the_carriers(Vector3 vector) const
+Vector3 ProxyLaw::along_the_carriers(const std::vector<Touch> &touches, Vector3 vector) const
 {
     // Gram and Schmidt: a third normal leaves nothing, one that depends on those before it says nothing new.
     Vector3 axes[3];
     int count = 0;
-    for (const ConstraintPlane &plane : planes_)
+    for (std::size_t i = 0; i < touches.size(); ++i)
     {
-        if (plane.share == 0 || count == 3)
+        if (carries_[i].share == 0 || count == 3)
             continue;
-        Vector3 axis = plane.normal;
-        for (int i = 0; i < count; ++i)
-            axis -= axis.dot(axes[i]) * axes[i];
+        Vector3 axis = touches[i].normal;
+        for (int j = 0; j < count; ++j)
+            axis -= axis.dot(axes[j]) * axes[j];
         if (axis.squaredNorm() < 1e-10)
             continue;
         axes[count++] = axis.normalized();
@@ -154,8 +107,6 @@ Vector3 ProxyLaw::along_the_carriers(Vector3 vector) const
 
 void ProxyLaw::reset()
 {
-    planes_.clear();
-    last_planes_.clear();
     materials_.reset();
     has_proxy_ = false;
     slides_ = false;

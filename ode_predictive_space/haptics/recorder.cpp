@@ -58,6 +58,11 @@ bool can_be_read_back(const DeviceState &state, const Vector3 &force)
 } // namespace
 
 Recorder::Recorder(const std::string &file, const Capabilities &device, Flush flush, std::size_t capacity)
+    : Recorder(file, device, std::string(), flush, capacity)
+{}
+
+Recorder::Recorder(const std::string &file, const Capabilities &device, const std::string &law, Flush flush,
+                   std::size_t capacity)
     : name_(file), last_time_(-std::numeric_limits<double>::infinity())
 {
     if (capacity == 0)
@@ -70,7 +75,7 @@ Recorder::Recorder(const std::string &file, const Capabilities &device, Flush fl
     {
         throw file_error(file, errno);
     }
-    write_header(device);
+    write_header(device, law);
     if (flush == Flush::by_itself)
     {
         thread_ = std::thread([this] { flush_often(); });
@@ -147,7 +152,7 @@ void Recorder::close_file()
     }
 }
 
-void Recorder::write_header(const Capabilities &device)
+void Recorder::write_header(const Capabilities &device, const std::string &law)
 {
     text_ = device_line_mark;
     append(text_, device.input_axes);
@@ -162,6 +167,18 @@ void Recorder::write_header(const Capabilities &device)
     std::replace(name.begin(), name.end(), '\n', ' ');
     text_ += ' ' + name;
     text_.resize(std::min(text_.size(), longest_recorded_line)); // the reader takes no longer one
+    if (device.delay > 0)
+    {
+        text_ += std::string("\n") + delay_line_mark;
+        append(text_, device.delay);
+    }
+    if (!law.empty())
+    {
+        std::string line = '\n' + (law_line_mark + (' ' + law));
+        std::replace(line.begin() + 1, line.end(), '\n', ' ');
+        line.resize(std::min(line.size(), longest_recorded_line));
+        text_ += line;
+    }
     text_ += "\n# t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz\n"
              "# s, m, quaternion, N, bits, m/s, rad/s; in the device's own frame\n";
 }

@@ -127,6 +127,15 @@ public:
         {
             recording_.device = device_in(line.substr(mark.size()));
         }
+        else if (const std::string_view delay_mark = delay_line_mark;
+                 recording_.device && line.substr(0, delay_mark.size()) == delay_mark)
+        {
+            recording_.device->delay = finite_in(Words(line.substr(delay_mark.size())).next());
+        }
+        else if (const std::string_view law_mark = law_line_mark; line.substr(0, law_mark.size()) == law_mark)
+        {
+            recording_.law = Words(line.substr(law_mark.size())).next();
+        }
         else if (const std::string_view first = Words(line).next(); !first.empty() && first[0] != '#')
         {
             add(tick_in(line));

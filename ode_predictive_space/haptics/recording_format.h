@@ -9,6 +9,12 @@ namespace ode_predictive_space::haptics
 /// up to the end of the line, the name.
 constexpr const char *device_line_mark = "# ode_predictive_space device:";
 
+/// Then, up to the end of the line: the name of the force law.
+constexpr const char *law_line_mark = "# ode_predictive_space law:";
+
+/// Then the device's delay in s. Only where there is one.
+constexpr const char *delay_line_mark = "# ode_predictive_space delay:";
+
 /// How far from 1 the length of a quaternion may be that is recorded and read as it is.
 constexpr double exact_length_tolerance = 1e-6;
 } // namespace ode_predictive_space::haptics

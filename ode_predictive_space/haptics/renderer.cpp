@@ -2,6 +2,8 @@
 
 #include "ode_predictive_space/haptics/renderer.h"
 
+#include "ode_predictive_space/haptics/contact/contact_manifold.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -122,6 +124,7 @@ bool Renderer::read_device(double time)
             fail("The device has told nothing new for too long.");
             return false;
         }
+        measure_delay(time - state.time);
         follow(state);
         return true;
     }
@@ -134,6 +137,24 @@ bool Renderer::read_device(double time)
     {
         fail(unknown_exception);
         return false;
+    }
+}
+
+/// What is rendered from now on is as soft as the delay wants it: rendered() goes by that. The law itself is not changed.
+void Renderer::measure_delay(double age)
+{
+    const double rate = std::min(gate_.device().capabilities().rate, settings_.rate);
+    const double before = delay();
+    if (!delay_meter_.note(age, rate > 0 ? 1 / rate : 0) || delay() <= before)
+    {
+        return;
+    }
+    const Material material = law_->material();
+    const StabilityVerdict verdict =
+        check_stability(gate_.device().capabilities(), rendering(material.stiffness, material.damping));
+    if (verdict.outcome != StabilityOutcome::fine)
+    {
+        tell(NoticeKind::stability, verdict.reason);
     }
 }
 
@@ -219,6 +240,7 @@ void Renderer::begin_anew()
     safety_.reset();
     law_->reset();
     birth_.reset();
+    manifold_->reset();
     motion_.forget();
     split_.clear();
     if (passivity_)
@@ -262,7 +284,10 @@ void Renderer::feel(const std::vector<Touch> &touches, double dt)
 {
     const Material own = rendered(law_->material());
     felt_ = touches;
+    const TouchView view = law_->view();
+    manifold_->recognise(tick_.tool.position, view, dt, felt_);
     birth_.limit(tick_.tool, std::max(dt, 1 / settings_.physics_rate), safety_.engaged(), dt, felt_);
+    manifold_->solve(tick_.tool.position, view, felt_);
     for (Touch &touch : felt_)
     {
         if (!touch.material)
@@ -315,6 +340,8 @@ Wrench Renderer::limited(const Wrench &wished, double dt)
     Wrench at_device = mapping_.to_device(wished);
     if (passivity_ && !mapping_.clutched())
     {
+        passivity_->set_delay(static_cast<int>(std::lround(
+            std::min(1.0, delay() / dt / PassivityController::most_delay) * PassivityController::most_delay)));
         at_device.force = passivity_->control(tick_.state, at_device.force, dt);
     }
     Vector3 velocity = tick_.state.linear_velocity;

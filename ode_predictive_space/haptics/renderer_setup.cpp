@@ -1,7 +1,9 @@
 // How the hand's side of a probe is set up, and what the device can bear of what is asked for.
 
+#include "ode_predictive_space/haptics/check_argument.h"
+#include "ode_predictive_space/haptics/contact/contact_manifold.h"
 #include "ode_predictive_space/haptics/open_gates.h"
-#include "ode_predictive_space/haptics/penalty_law.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
 #include "ode_predictive_space/haptics/renderer.h"
 #include "ode_predictive_space/haptics/usual_touches.h"
 
@@ -23,7 +25,7 @@ std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const Work
     Material material;
     const double stiffness = capabilities.max_stiffness > 0 ? capabilities.max_stiffness / 2 : usual_stiffness;
     material.stiffness = mapping.stiffness_in_scene(stiffness);
-    return std::make_shared<PenaltyLaw>(material);
+    return std::make_shared<ProxyLaw>(material);
 }
 
 double rate_of(const Capabilities &capabilities)
@@ -76,7 +78,7 @@ Renderer::Renderer(Device &device, RenderSettings settings)
       mapping_(settings_.placement), law_(settings_.law ? settings_.law : usual_law(device.capabilities(), mapping_)),
       safety_(settings_.safety ? *settings_.safety : usual_limits(device.capabilities())), doubted_since_(never),
       next_try_(never), last_state_time_(std::numeric_limits<double>::quiet_NaN()), last_answer_(never),
-      motion_(rate_of(device.capabilities()))
+      manifold_(std::make_unique<ContactManifold>()), motion_(rate_of(device.capabilities()))
 {
     told_.fill({never, 0, {}});
     forces_.reserve(usual_touches);
@@ -84,6 +86,10 @@ Renderer::Renderer(Device &device, RenderSettings settings)
     if (settings_.passivity_control)
     {
         passivity_.emplace(device.capabilities().max_damping);
+    }
+    if (settings_.delay && !is_amount(*settings_.delay))
+    {
+        throw std::invalid_argument("The delay of a device must be finite and not negative");
     }
     set_rates(settings_.rate, settings_.physics_rate);
 }
@@ -150,7 +156,13 @@ Rendering Renderer::rendering(double stiffness, double damping) const
     rendering.damping = mapping_.stiffness_at_device(damping);
     rendering.rate = settings_.rate;
     rendering.device_damping = settings_.device_damping;
+    rendering.delay = delay();
     return rendering;
+}
+
+double Renderer::delay() const
+{
+    return std::max(settings_.delay.value_or(gate_.device().capabilities().delay), delay_meter_.delay());
 }
 
 void Renderer::check(double stiffness, double damping)

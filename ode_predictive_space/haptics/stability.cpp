@@ -48,12 +48,17 @@ std::string nonsense(const Rendering &rendering)
     return "";
 }
 
-/// N/m; by what was found by trial, for a nominal rate or a faster one.
-double stiffest_of_device(const Capabilities &capabilities, double rate)
+/// N/m; by what was found by trial, for a nominal rate or a faster one. It stands for a damping, by which a delay counts as a slower
+/// loop does, unless the damping itself is known.
+double stiffest_of_device(const Capabilities &capabilities, const Rendering &rendering)
 {
     if (!(capabilities.max_stiffness > 0))
         return unlimited;
-    return capabilities.max_stiffness * (rate < capabilities.rate ? rate / capabilities.rate : 1);
+    if (!(rendering.delay > 0) || rendering.device_damping || !(capabilities.rate > 0))
+        return capabilities.max_stiffness *
+               (rendering.rate < capabilities.rate ? rendering.rate / capabilities.rate : 1);
+    const double part = 1 / (capabilities.rate * (1 / rendering.rate + 2 * rendering.delay));
+    return capabilities.max_stiffness * std::min(1.0, part);
 }
 
 /// N/m; by passivity, with the law's damping.
@@ -64,15 +69,22 @@ double stiffest_passive(const Rendering &rendering, double damping)
     return 2 * (*rendering.device_damping - damping) / (1 / rendering.rate + 2 * rendering.delay);
 }
 
-Bound bound_of_device(const Capabilities &capabilities, double rate)
+/// What makes a bound lower than the loop alone would.
+std::string and_delay(const Rendering &rendering)
+{
+    return rendering.delay > 0 ? sentence(" with a delay of ", 1000 * rendering.delay, " ms") : "";
+}
+
+Bound bound_of_device(const Capabilities &capabilities, const Rendering &rendering)
 {
     if (!(capabilities.max_stiffness > 0))
         return {};
-    if (!(rate < capabilities.rate))
-        return {capabilities.max_stiffness,
-                sentence("the ", capabilities.max_stiffness, " N/m that ", capabilities.name, " can render")};
-    const double slower = stiffest_of_device(capabilities, rate);
-    return {slower, sentence("the ", slower, " N/m that ", capabilities.name, " can render at ", rate, " Hz")};
+    const double most = stiffest_of_device(capabilities, rendering);
+    if (!(most < capabilities.max_stiffness))
+        return {most, sentence("the ", most, " N/m that ", capabilities.name, " can render")};
+    const std::string late = rendering.device_damping ? "" : and_delay(rendering);
+    return {most,
+            sentence("the ", most, " N/m that ", capabilities.name, " can render at ", rendering.rate, " Hz", late)};
 }
 
 Bound bound_of_passivity(const Rendering &rendering, double damping)
@@ -80,8 +92,9 @@ Bound bound_of_passivity(const Rendering &rendering, double damping)
     if (!rendering.device_damping)
         return {};
     const double most = stiffest_passive(rendering, damping);
-    return {most, sentence("the ", most, " N/m that are passive at ", rendering.rate, " Hz with ",
-                           *rendering.device_damping, " N s/m in the device")};
+    return {most,
+            sentence("the ", most, " N/m that are passive at ", rendering.rate, " Hz with ", *rendering.device_damping,
+                     " N s/m in the device", rendering.delay > 0 ? " and" + and_delay(rendering).substr(5) : "")};
 }
 
 void clamp_damping(const Capabilities &capabilities, StabilityVerdict &verdict)
@@ -97,7 +110,7 @@ void clamp_damping(const Capabilities &capabilities, StabilityVerdict &verdict)
 
 void clamp_stiffness(const Capabilities &capabilities, const Rendering &rendering, StabilityVerdict &verdict)
 {
-    const Bound device = bound_of_device(capabilities, rendering.rate);
+    const Bound device = bound_of_device(capabilities, rendering);
     const Bound passivity = bound_of_passivity(rendering, verdict.damping);
     const Bound &bound = passivity.value < device.value ? passivity : device;
     if (verdict.stiffness <= bound.value)
@@ -153,7 +166,7 @@ Rendering renderable(const Capabilities &capabilities, const Rendering &renderin
     if (rendering.device_damping && !(result.damping < *rendering.device_damping))
         result.damping = 0;
     const double stiffest =
-        std::min(stiffest_of_device(capabilities, rendering.rate), stiffest_passive(rendering, result.damping));
+        std::min(stiffest_of_device(capabilities, rendering), stiffest_passive(rendering, result.damping));
     result.stiffness = std::min(result.stiffness, stiffest);
     return result;
 }

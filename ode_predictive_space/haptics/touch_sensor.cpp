@@ -134,6 +134,14 @@ void TouchSensor::set_margin(double margin)
     }
 }
 
+void TouchSensor::set_stiffness(double stiffness)
+{
+    if (own_)
+    {
+        tracker_->set_stiffness(stiffness);
+    }
+}
+
 void TouchSensor::prepare(dGeomID mesh)
 {
     if (own_ && dGeomGetClass(mesh) == dTriMeshClass && dGeomTriMeshGetData(mesh) != nullptr)

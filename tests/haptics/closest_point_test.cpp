@@ -156,9 +156,9 @@ TEST(ClosestPoint, ThatIsTooFarIsNone)
         const double sine = std::sin(half_angle), cosine = std::cos(half_angle);
         return std::vector<ConstraintPlane>{plane({cosine, sine, 0}, 0.01), plane({-cosine, sine, 0}, 0.01)};
     };
-    std::vector<ConstraintPlane> blunt = wedge(std::asin(1 / 9.0)), sharp = wedge(std::asin(1 / 11.0));
+    std::vector<ConstraintPlane> blunt = wedge(std::asin(1 / 99.0)), sharp = wedge(std::asin(1 / 101.0));
     EXPECT_TRUE(find_closest_point(blunt));
-    EXPECT_NEAR(point_of(blunt).norm(), 0.09, 1e-9);
+    EXPECT_NEAR(point_of(blunt).norm(), 0.99, 1e-9);
     EXPECT_FALSE(find_closest_point(sharp));
     EXPECT_EQ(sharp[0].share, 0.01);
 }

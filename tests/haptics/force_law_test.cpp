@@ -8,6 +8,7 @@
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/allocation_count.h"
 #include "tests/haptics/constants.h"
+#include "tests/haptics/felt_law.h"
 #include "tests/haptics/random_numbers.h"
 
 namespace ode_predictive_space::haptics
@@ -21,8 +22,8 @@ protected:
     std::unique_ptr<ForceLaw> make(const SurfaceProperties &properties)
     {
         if (GetParam() == std::string("penalty"))
-            return std::make_unique<PenaltyLaw>(properties);
-        return std::make_unique<ProxyLaw>(properties);
+            return std::make_unique<Felt<PenaltyLaw>>(properties);
+        return std::make_unique<Felt<ProxyLaw>>(properties);
     }
 
     /// A law at work for the first time, and k d n beside it.

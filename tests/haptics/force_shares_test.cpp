@@ -98,6 +98,33 @@ TEST(ForceSplit, TheSumIsAlwaysWhatWasGiven)
     }
 }
 
+/// What an object gets of 2 N, with 1 N of free space beside it.
+TEST(ForceSplit, AForceInFreeSpaceHasAShareOfItsOwn)
+{
+    ForceSplit split;
+    const TouchForces wished = {{0, 0, 2}, {-1, 0, 0}, {0, 0, -0.5}};
+    for (int tick = 0; tick < 3; ++tick)
+    {
+        split.split({touch_of(1)}, wished, {-1, 0, 1.5});
+        EXPECT_LE((share_of(split, 1) - wished[0]).norm(), 1e-15);
+        EXPECT_LE((total(split) - Vector3(-1, 0, 1.5)).norm(), 1e-15);
+    }
+    // Clamped, all are shortened alike.
+    split.clear();
+    split.split({touch_of(1)}, wished, {-0.5, 0, 0.75});
+    split.split({touch_of(1)}, wished, {-0.5, 0, 0.75});
+    EXPECT_LE((share_of(split, 1) - 0.5 * wished[0]).norm(), 1e-12);
+}
+
+TEST(ForceSplit, WithoutATouchFreeSpaceAloneHasAShare)
+{
+    ForceSplit split;
+    split.split({}, {{0, 3, 0}}, {0, 3, 0});
+    ASSERT_EQ(split.shares().size(), 1U);
+    EXPECT_EQ(split.shares()[0].object, free_space);
+    EXPECT_EQ(split.shares()[0].force, Vector3(0, 3, 0));
+}
+
 TEST(ForceSplit, WithoutATouchNobodyGetsAnything)
 {
     ForceSplit split;

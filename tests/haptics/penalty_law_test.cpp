@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/haptics/constants.h"
+#include "tests/haptics/felt_law.h"
 #include "tests/haptics/random_numbers.h"
 
 namespace ode_predictive_space::haptics
@@ -14,7 +15,7 @@ TEST(PenaltyLaw, TakesEachTouchAsIfItWereAlone)
     RandomNumbers random(1);
     for (int i = 0; i < 500; ++i)
     {
-        PenaltyLaw law({800, 0, 0});
+        Felt<PenaltyLaw> law({800, 0, 0});
         const std::vector<Touch> touches = random.touches(5);
         TouchForces forces;
         law.forces(random.tool(), touches, dt, forces);
@@ -25,7 +26,7 @@ TEST(PenaltyLaw, TakesEachTouchAsIfItWereAlone)
 
 TEST(PenaltyLaw, TheHoldOnAnObjectGoesWithTheObjectNotWithItsPlaceInTheList)
 {
-    PenaltyLaw law({500, 0, 0.5});
+    Felt<PenaltyLaw> law({500, 0, 0.5});
     Touch floor, wall;
     floor.object = 1;
     floor.depth = 0.004;
@@ -43,7 +44,7 @@ TEST(PenaltyLaw, TheHoldOnAnObjectGoesWithTheObjectNotWithItsPlaceInTheList)
 
 TEST(PenaltyLaw, ANewTouchTakesHoldWhereItIs)
 {
-    PenaltyLaw law({500, 0, 0.5});
+    Felt<PenaltyLaw> law({500, 0, 0.5});
     Touch floor;
     floor.depth = 0.004;
     ToolState tool;

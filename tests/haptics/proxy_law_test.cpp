@@ -5,6 +5,7 @@
 
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "tests/haptics/constants.h"
+#include "tests/haptics/felt_law.h"
 #include "tests/haptics/random_numbers.h"
 
 namespace ode_predictive_space::haptics
@@ -42,8 +43,8 @@ TEST(ProxyLaw, OnOnePlaneWithoutFrictionIsThePenaltyLaw)
     for (int i = 0; i < 2000; ++i)
     {
         const double stiffness = random.between(0, 3000);
-        ProxyLaw proxy({stiffness, 3, 0});
-        PenaltyLaw penalty({stiffness, 3, 0});
+        Felt<ProxyLaw> proxy({stiffness, 3, 0});
+        Felt<PenaltyLaw> penalty({stiffness, 3, 0});
         const ToolState tool = random.tool();
         const std::vector<Touch> touches = random.touches(1);
         TouchForces ours, theirs;
@@ -60,7 +61,7 @@ TEST(ProxyLaw, TheProxyIsOutsideOfEverythingAndAsNearAsCanBe)
     int carriers_seen[5] = {};
     for (int i = 0; i < 5000; ++i)
     {
-        ProxyLaw law({1000, 0, 0});
+        Felt<ProxyLaw> law({1000, 0, 0});
         const ToolState tool = random.tool();
         const std::vector<Touch> touches = roomy_touches(random, 1 + random.below(8));
         TouchForces forces;
@@ -95,7 +96,7 @@ TEST(ProxyLaw, TheOrderOfTouchesDoesNotMatter)
     RandomNumbers random(3);
     for (int i = 0; i < 1000; ++i)
     {
-        ProxyLaw law({1000, 0, 0}), other({1000, 0, 0});
+        Felt<ProxyLaw> law({1000, 0, 0}), other({1000, 0, 0});
         std::vector<Touch> touches = roomy_touches(random, 5);
         TouchForces forces, reversed;
         law.forces({}, touches, dt, forces);
@@ -108,7 +109,7 @@ TEST(ProxyLaw, TheOrderOfTouchesDoesNotMatter)
 
 TEST(ProxyLaw, InACornerEachWallPushesByItsOwnDepth)
 {
-    ProxyLaw law({1000, 0, 0});
+    Felt<ProxyLaw> law({1000, 0, 0});
     TouchForces forces;
     law.forces({},
                {touch_of(1, Vector3::UnitX(), 0.001), touch_of(2, Vector3::UnitY(), 0.002),
@@ -121,7 +122,7 @@ TEST(ProxyLaw, InACornerEachWallPushesByItsOwnDepth)
 
 TEST(ProxyLaw, OnASeamOfTwoTilesFeelsOneFloor)
 {
-    ProxyLaw law({1000, 0, 0});
+    Felt<ProxyLaw> law({1000, 0, 0});
     TouchForces forces;
     law.forces({}, {touch_of(1, Vector3::UnitZ(), 0.002), touch_of(2, Vector3::UnitZ(), 0.002)}, dt, forces);
     EXPECT_NEAR(sum_of(forces).z(), 2, 1e-12);
@@ -132,7 +133,7 @@ TEST(ProxyLaw, InASlitThatIsTooNarrowEachWallPushesAsIfAlone)
     TouchForces forces;
     for (const double tilt : {0.0, 1e-9, 0.001}) // a wedge of so small an angle has its edge far away
     {
-        ProxyLaw law({1000, 0, 0});
+        Felt<ProxyLaw> law({1000, 0, 0});
         const Vector3 left = Vector3::UnitX();
         const Vector3 right = Vector3(-1, tilt, 0).normalized();
         law.forces({}, {touch_of(1, left, 0.003), touch_of(2, right, 0.001)}, dt, forces);
@@ -144,7 +145,7 @@ TEST(ProxyLaw, InASlitThatIsTooNarrowEachWallPushesAsIfAlone)
 TEST(ProxyLaw, ForcesAddUpToTheProxysSpringWithFriction)
 {
     RandomNumbers random(4);
-    ProxyLaw law({800, 0, 0.7});
+    Felt<ProxyLaw> law({800, 0, 0.7});
     TouchForces forces;
     for (int run = 0; run < 300; ++run)
     {
@@ -163,7 +164,7 @@ TEST(ProxyLaw, ForcesAddUpToTheProxysSpringWithFriction)
 TEST(ProxyLaw, FrictionNeverDragsTheProxyIntoAnotherSurface)
 {
     RandomNumbers random(5);
-    ProxyLaw law({800, 0, 1.5});
+    Felt<ProxyLaw> law({800, 0, 1.5});
     TouchForces forces;
     for (int run = 0; run < 500; ++run)
     {
@@ -184,7 +185,7 @@ TEST(ProxyLaw, InAGrooveFrictionActsAlongItOnly)
 {
     const Vector3 left = Vector3(1, 0, 1).normalized(), right = Vector3(-1, 0, 1).normalized();
     const std::vector<Touch> groove = {touch_of(1, left, 0.002), touch_of(2, right, 0.002)};
-    ProxyLaw law({1000, 0, 0.1});
+    Felt<ProxyLaw> law({1000, 0, 0.1});
     ToolState tool;
     TouchForces forces;
     law.forces(tool, groove, dt, forces);
@@ -205,7 +206,7 @@ Touch touch_of_plate(double height, double top)
 
 TEST(ProxyLaw, IsNotPushedOutAtTheBackOfAThinObject)
 {
-    ProxyLaw law({1000, 0, 0.3});
+    Felt<ProxyLaw> law({1000, 0, 0.3});
     ToolState tool;
     TouchForces forces;
     for (int tick = 1; tick < 40; ++tick)
@@ -226,7 +227,7 @@ TEST(ProxyLaw, IsNotPushedOutAtTheBackOfAThinObject)
 
 TEST(ProxyLaw, TheFrontOfAThinObjectMovesWithIt)
 {
-    ProxyLaw law({1000, 0, 0});
+    Felt<ProxyLaw> law({1000, 0, 0});
     TouchForces forces;
     const double speed = 0.1;
     for (int tick = 1; tick < 40; ++tick) // the plate rises over the tool, which rests
@@ -241,7 +242,7 @@ TEST(ProxyLaw, TheFrontOfAThinObjectMovesWithIt)
 
 TEST(ProxyLaw, AfterLeavingAnObjectBelievesEitherSideOfIt)
 {
-    ProxyLaw law({1000, 0, 0});
+    Felt<ProxyLaw> law({1000, 0, 0});
     TouchForces forces;
     const Touch front = touch_of(7, Vector3::UnitZ(), 0.001), back = touch_of(7, -Vector3::UnitZ(), 0.001);
     law.forces({}, {front}, dt, forces);
@@ -255,7 +256,7 @@ TEST(ProxyLaw, AfterLeavingAnObjectBelievesEitherSideOfIt)
 
 TEST(ProxyLaw, TakesHoldWhereTheToolCameIn)
 {
-    ProxyLaw law({1000, 0, 0.5});
+    Felt<ProxyLaw> law({1000, 0, 0.5});
     ToolState tool;
     TouchForces forces;
     law.forces(tool, {}, dt, forces);

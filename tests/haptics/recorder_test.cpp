@@ -100,6 +100,7 @@ TEST(Recorder, KeepsWhatTheDeviceCanDo)
     device.max_stiffness = 700;
     device.max_damping = 0.1;
     device.rate = 4000;
+    device.delay = 1 / 300.0;
     device.workspace = {Vector3(-0.1, -0.2, -0.3), Vector3(0.1, 0.2, 1 / 7.0)};
     Recorder recorder(file.name(), device, Flush::by_caller);
     add(recorder, 0);
@@ -113,8 +114,23 @@ TEST(Recorder, KeepsWhatTheDeviceCanDo)
     EXPECT_EQ(recording.device->max_stiffness, 700);
     EXPECT_EQ(recording.device->max_damping, 0.1);
     EXPECT_EQ(recording.device->rate, 4000);
+    EXPECT_EQ(recording.device->delay, 1 / 300.0);
     EXPECT_EQ(recording.device->workspace.min(), Vector3(-0.1, -0.2, -0.3));
     EXPECT_EQ(recording.device->workspace.max(), Vector3(0.1, 0.2, 1 / 7.0));
+}
+
+TEST(Recorder, KeepsTheNameOfTheLaw)
+{
+    const TemporaryFile file;
+    for (const std::string law : {"proxy", "penalty", ""})
+    {
+        Recorder recorder(file.name(), any_device(), law, Flush::by_caller);
+        add(recorder, 0);
+        recorder.close();
+        const Recording recording = read_recording(file.name());
+        EXPECT_EQ(recording.law, law);
+        EXPECT_EQ(recording.ticks.size(), 1U);
+    }
 }
 
 TEST(Recorder, AFullBufferLosesTicksAndSaysHowManyAndWhere)

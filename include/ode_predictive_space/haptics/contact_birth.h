@@ -15,7 +15,7 @@ namespace ode_predictive_space::haptics
 class ContactBirth
 {
 public:
-    /// One tick: makes depths less where they have to be.
+    /// One tick: makes depths less where they have to be. Constraints are to be solved after that.
     ///
     /// @param gap s; how long a contact may have gone unnoticed.
     /// @param watches whether new contacts are looked at. Those that are not are taken as they are.

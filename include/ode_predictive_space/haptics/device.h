@@ -28,6 +28,8 @@ struct Capabilities
     double max_damping = 0;   ///< N s/m; the same
     double rate = 1000;       ///< Hz; nominal rate of its servo loop
     Eigen::AlignedBox3d workspace{Vector3::Constant(-0.1), Vector3::Constant(0.1)}; ///< m; within reach of the hand
+    double delay =
+        0; ///< s; from a position to the force that answers it, by device and driver, beyond the loop's own period
 };
 
 /// Where the handle of a device is. SI units, the device's own frame.

@@ -7,23 +7,13 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The material by which a law renders each touch: its own, reached gradually when it takes over from another touch or has
-/// changed (see blended()). Does not allocate when it has seen as many touches before.
+/// The material by which a law renders each touch: its own, reached gradually when it takes over from another touch (Touch::takes_over) or
+/// has changed (see blended()). Does not allocate when it has seen as many touches before.
 class FeltMaterials
 {
 public:
-    /// Whose place a new touch can take: that of a touch of the same object, or of any. The normals differ by less than 60 degrees then.
-    enum class Successor
-    {
-        same_object,
-        any_object
-    };
-
-    /// @param successor from which touch a new one takes over its material.
-    explicit FeltMaterials(Successor successor) : successor_(successor) {}
-
-    /// One tick. @param own what touches without a material are of. @param pressed whether a touch carries the tool; in their order.
-    void follow(const std::vector<Touch> &touches, const std::vector<char> &pressed, const Material &own, double dt);
+    /// One tick. @param own what touches without a material are of.
+    void follow(const std::vector<Touch> &touches, const Material &own, double dt);
 
     /// Of each touch, in their order.
     const Material &operator[](std::size_t touch) const { return now_[touch].material; }
@@ -34,16 +24,10 @@ public:
 private:
     struct Felt
     {
-        std::uintptr_t object;
-        unsigned feature;
-        bool pressed;
-        Vector3 normal;
+        std::uint32_t id; ///< Touch::id
         Material material;
     };
 
-    const Felt *predecessor(const Touch &touch) const;
-
-    Successor successor_;
     std::vector<Felt> now_;
     std::vector<Felt> before_;
 };

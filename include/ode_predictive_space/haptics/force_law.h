@@ -26,7 +26,9 @@ public:
     /// @param touches as view() asks for; the order does not matter. Several of one object hold off the tool together: of the way
     ///        out of the object, which is the shortest behind none of their planes, each contributes a part along its normal.
     /// @param dt seconds since the call before, > 0.
-    /// @param forces is made as long as touches: forces[i] is the force on the probe by touches[i].
+    /// @param forces is made as long as touches: forces[i] is the force on the probe by touches[i]. It may be longer: each further entry is
+    ///        a force in free space, such as that of a magnet, of a viscous medium or of a guide. The hand feels it as the others, limits
+    ///        shorten it as the others, and no body gets the opposite. An entry keeps its place from tick to tick.
     virtual void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) = 0;
 
     /// Which touches the law is to be given.
@@ -37,6 +39,9 @@ public:
 
     /// Of what has no material of its own.
     virtual Material material() const = 0;
+
+    /// For people and recordings: one word. A law that wraps another one forwards it, as it does view().
+    virtual const char *name() const { return "custom"; }
 };
 
 /// What the probe feels of several touches: the sum of their forces.

@@ -7,13 +7,16 @@
 
 namespace ode_predictive_space::haptics
 {
+/// ForceShare::object of a force in free space: see ForceLaw::forces().
+constexpr std::uintptr_t free_space = 0;
+
 /// The part of the force on the hand that one object made.
 struct ForceShare
 {
-    std::uintptr_t object = 0;       ///< Touch::object
-    Vector3 point = Vector3::Zero(); ///< m, the scene's frame; where it was touched last
-    Vector3 force = Vector3::Zero(); ///< N, the scene's frame; on the hand
-    unsigned feature = 0;            ///< Touch::feature
+    std::uintptr_t object = free_space; ///< Touch::object
+    Vector3 point = Vector3::Zero();    ///< m, the scene's frame; where it was touched last
+    Vector3 force = Vector3::Zero();    ///< N, the scene's frame; on the hand
+    unsigned feature = 0;               ///< Touch::feature; in free space, which of the entries, from 0 on
 };
 
 /// Divides the force that the hand really got among the objects that made it, so that each of them gets the opposite of its part.
@@ -27,11 +30,11 @@ class ForceSplit
 public:
     ForceSplit();
 
-    /// @param wished N; one for each touch.
+    /// @param wished N; one for each touch, and then those in free space, each of which has a share of its own.
     /// @param given N; what was written of their sum. All finite, the scene's frame.
     void split(const std::vector<Touch> &touches, const TouchForces &wished, const Vector3 &given);
 
-    /// One for each touch, in their order, then those of objects that were left but whose force is not gone yet. Their sum is
+    /// One for each touch, in their order, those in free space, then those of objects that were left but whose force is not gone yet. Their sum is
     /// what was given; there are none when nothing is touched or was before.
     const std::vector<ForceShare> &shares() const { return shares_; }
 

@@ -5,6 +5,8 @@
 
 #include "ode_predictive_space/haptics/device.h"
 
+#include <array>
+
 namespace ode_predictive_space::haptics
 {
 /// Passivity observer and passivity controller (Hannaford and Ryu, "Time-domain passivity control of haptic interfaces", 2002),
@@ -15,6 +17,9 @@ namespace ode_predictive_space::haptics
 /// it is negative, energy was created out of nothing, as by a wall that is too stiff or late, and the controller adds damping so
 /// that one tick takes the surplus out again, or as much of it as max_damping permits.
 ///
+/// Where device and driver are late (see set_delay()), the observer compares each motion with the force under which it came about. The
+/// damping is late, too; so a delay has to make walls softer first (see check_stability()).
+///
 /// While no force is wished, nothing is stored that could be given back: then a credit ends, so that it cannot hide later
 /// activity; a debt stays.
 class PassivityController
@@ -24,6 +29,14 @@ public:
     /// @throws std::invalid_argument
     explicit PassivityController(double max_damping);
 
+    /// How many ticks late a position is told after the force that was written for it has acted: the force of as many ticks ago
+    /// is what the hand has moved under.
+    ///
+    /// @param ticks up to most_delay.
+    void set_delay(int ticks);
+
+    static constexpr int most_delay = 63; ///< ticks
+
     /// One tick, before the safety stage.
     ///
     /// @param wished N; the law's force on the hand.
@@ -32,7 +45,7 @@ public:
     Vector3 control(const DeviceState &state, const Vector3 &wished, double dt);
 
     /// What was really written after control(), where that differs.
-    void written(const Vector3 &force) { written_ = force; }
+    void written(const Vector3 &force) { written_[newest_] = force; }
 
     double energy() const { return energy_; }   ///< J; into what is rendered, up to the last control()
     double damping() const { return damping_; } ///< N s/m; what the controller added in the last control()
@@ -44,7 +57,9 @@ private:
     double max_damping_;
     double energy_ = 0;
     double damping_ = 0;
-    Vector3 written_ = Vector3::Zero();
+    std::array<Vector3, most_delay + 1> written_; ///< N; a ring
+    std::size_t newest_ = 0;
+    std::size_t delay_ = 0; ///< ticks
     Vector3 last_position_ = Vector3::Zero();
     bool has_position_ = false;
 };

@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PENALTY_LAW_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PENALTY_LAW_H
 
-#include "ode_predictive_space/haptics/constraint_plane.h"
 #include "ode_predictive_space/haptics/felt_materials.h"
 #include "ode_predictive_space/haptics/force_law.h"
 
@@ -25,8 +24,8 @@ namespace ode_predictive_space::haptics
 /// d is the depth, for an object that is touched in one place. Several planes of one object share the shortest way out of it, and
 /// d is the part of each: in a right corner that is its depth again.
 ///
-/// Objects know nothing of each other: on the seam of two equal surfaces the probe feels both, hence twice the stiffness. The
-/// proxy law does not have this.
+/// Objects know nothing of each other: in a notch between two of them, each pushes as if it were alone. But touches of objects
+/// that go on in one plane count once: flush tiles are one floor. The proxy law is right in both.
 class PenaltyLaw final : public ForceLaw
 {
 public:
@@ -36,28 +35,23 @@ public:
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override;
     void reset() override;
     Material material() const override { return material_; }
+    const char *name() const override { return "penalty"; }
 
 private:
     /// Where friction's spring hangs: how far the tool has moved over the surface of an object since it took hold.
     struct Hold
     {
-        std::uintptr_t object;
-        unsigned feature;
-        Vector3 normal;
-        Vector3 stretch; // m, in the tangent plane
+        std::uint32_t touch; // Touch::id
+        Vector3 stretch;     // m, in the tangent plane
         bool slides;
     };
 
-    void share_ways_out(const std::vector<Touch> &touches);
     const Hold *hold_before(const Touch &touch) const;
     Vector3 friction_force(const Touch &touch, const Material &material, double normal_force, const Vector3 &moved,
                            double dt);
 
     Material material_;
-    FeltMaterials materials_{FeltMaterials::Successor::same_object};
-    std::vector<double> depths_;              // of this tick: what of each touch's depth counts
-    std::vector<char> pressed_;               // whether that is above 0
-    std::vector<ConstraintPlane> planes_;     // of one object
+    FeltMaterials materials_;
     std::vector<Hold> holds_;                 // of this tick
     std::vector<Hold> last_holds_;            // of the tick before
     Vector3 last_position_ = Vector3::Zero(); // of the tool; means nothing while last_holds_ is empty

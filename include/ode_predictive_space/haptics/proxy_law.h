@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PROXY_LAW_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PROXY_LAW_H
 
-#include "ode_predictive_space/haptics/constraint_plane.h"
 #include "ode_predictive_space/haptics/felt_materials.h"
 #include "ode_predictive_space/haptics/force_law.h"
 
@@ -36,25 +35,21 @@ public:
     TouchView view() const override { return TouchView::all_together; }
     void reset() override;
     Material material() const override { return material_; }
+    const char *name() const override { return "proxy"; }
 
     /// m, in the scene's frame; where the last call left it. The tool's position when nothing is touched.
     const Vector3 &proxy() const { return proxy_; }
 
 private:
-    ConstraintPlane plane_of(const Vector3 &tool, const Touch &touch, double dt) const;
-    void follow_materials(const std::vector<Touch> &touches, double dt);
     Vector3 friction(const Vector3 &tool, const Vector3 &lifted, double carried, const std::vector<Touch> &touches,
                      double dt);
-    bool has_friction() const;
     double most_friction(bool slides) const;
-    Vector3 along_the_carriers(Vector3 vector) const;
+    Vector3 along_the_carriers(const std::vector<Touch> &touches, Vector3 vector) const;
 
     Material material_;
-    FeltMaterials materials_{FeltMaterials::Successor::any_object};
-    std::vector<char> carries_; // of each plane
+    FeltMaterials materials_;
+    std::vector<Carry> carries_; // of each touch
     bool slides_ = false;
-    std::vector<ConstraintPlane> planes_;      // of this tick, in the order of the touches
-    std::vector<ConstraintPlane> last_planes_; // of the tick before
     Vector3 proxy_ = Vector3::Zero();
     bool has_proxy_ = false;
 };

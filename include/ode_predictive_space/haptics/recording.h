@@ -23,7 +23,8 @@ namespace ode_predictive_space::haptics
 ///     t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz
 /// s, m, quaternion, N, bits, m/s, rad/s, in the device's own frame. The first 8 are the TUM trajectory format, and a file of
 /// only these, or of the first 12, can be read, too. Lines that begin with # are comments, but for one that begins with
-/// "# ode_predictive_space device:" and tells what the device can do. Numbers are printed so that reading gives back the same
+/// "# ode_predictive_space device:" and tells what the device can do, and one that begins with "# ode_predictive_space law:" and
+/// names the force law. Numbers are printed so that reading gives back the same
 /// doubles.
 struct RecordedTick
 {
@@ -35,6 +36,7 @@ struct RecordedTick
 struct Recording
 {
     std::optional<Capabilities> device; ///< of which it is a run, if the file tells
+    std::string law;                    ///< ForceLaw::name(); empty if the file does not tell
     std::vector<RecordedTick> ticks;    ///< at least one; their times increase
     bool has_forces = false;            ///< and buttons; otherwise these are zero
     bool has_velocities = false;        ///< otherwise these are zero
@@ -80,6 +82,12 @@ public:
     Recorder(const std::string &file, const Capabilities &device, Flush flush = Flush::by_itself,
              std::size_t capacity = 60000);
 
+    /// The same, and the file names the law, too: without it, a replay does not know by which one the forces were made.
+    ///
+    /// @param law ForceLaw::name(): one line.
+    Recorder(const std::string &file, const Capabilities &device, const std::string &law,
+             Flush flush = Flush::by_itself, std::size_t capacity = 60000);
+
     /// As close(), but what cannot be written is lost without a word.
     ~Recorder();
     Recorder(const Recorder &) = delete;
@@ -117,7 +125,7 @@ private:
         void operator()(std::FILE *file) const { std::fclose(file); }
     };
 
-    void write_header(const Capabilities &device);
+    void write_header(const Capabilities &device, const std::string &law);
     void write_entries();
     void append_loss(std::size_t lost);
     void write_text();

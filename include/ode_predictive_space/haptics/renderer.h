@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
 
 #include "ode_predictive_space/haptics/contact_birth.h"
+#include "ode_predictive_space/haptics/delay_meter.h"
 #include "ode_predictive_space/haptics/device_gate.h"
 #include "ode_predictive_space/haptics/device_motion.h"
 #include "ode_predictive_space/haptics/force_shares.h"
@@ -23,16 +24,19 @@
 
 namespace ode_predictive_space::haptics
 {
+class ContactManifold;
+
 /// How a device is rendered to.
 struct RenderSettings
 {
     std::shared_ptr<ForceLaw>
-        law; ///< 0: PenaltyLaw with what is half of the device's stiffness in the hand, 500 N/m if that is not known
+        law; ///< 0: ProxyLaw with what is half of the device's stiffness in the hand, 500 N/m if that is not known
     WorkspacePlacement placement;          ///< of the device's workspace in the scene
     std::optional<SafetyLimits> safety;    ///< nothing: SafetyLimits::of() the device
     double rate = 1000;                    ///< Hz; how often the device is read and written
     double physics_rate = 1000;            ///< Hz; how often the scene is stepped
     std::optional<double> device_damping;  ///< N s/m; of device and hand, where it is known: see check_stability()
+    std::optional<double> delay;           ///< s; as Capabilities::delay, where it is known better than by the device
     std::optional<unsigned> clutch_button; ///< which of the device's buttons moves the workspace instead of the tool
     bool passivity_control = false; ///< whether a PassivityController adds damping when energy comes from nowhere
     NoticeSink notice;              ///< what to do with messages; by default nothing
@@ -123,6 +127,10 @@ public:
     /// @throws std::invalid_argument as the constructor does.
     void set_law(std::shared_ptr<ForceLaw> law);
 
+    /// s; from a position to the force that answers it, beyond the loop's own period: what the settings say, or else the device; or
+    /// more, if the time stamps of its states are older. What is stiff depends on it.
+    double delay() const;
+
     /// For virtual couplings, as set_law() for laws: says what render() makes softer.
     void check(const VirtualCoupling &coupling);
 
@@ -189,6 +197,7 @@ private:
     void release_device() noexcept;
     void begin_anew();
     void move_clutch();
+    void measure_delay(double age);
     Wrench write(const Wrench &wished, double dt);
     Wrench limited(const Wrench &wished, double dt);
     Wrench delivered(const Wrench &safe);
@@ -235,7 +244,9 @@ private:
     double last_answer_;      ///< s, simulated; of the device
     std::vector<Touch> felt_; ///< touches with the materials that are rendered
     ContactBirth birth_;
+    std::unique_ptr<ContactManifold> manifold_;
     DeviceMotion motion_;
+    DelayMeter delay_meter_;
     TouchForces forces_;
     ForceSplit split_;
     RenderedTick tick_;

@@ -47,7 +47,8 @@ struct StabilityVerdict
 /// a plain spring. Besides, K is at most the device's max_stiffness, B at most its max_damping, if they are known (above 0); the
 /// former holds for the device's nominal rate, and is less in proportion when the loop is slower.
 ///
-/// Without a known b, only the device's limits count: they were found by trial with a hand that damps.
+/// Without a known b, only the device's limits count: they were found by trial with a hand that damps, and without delay. Then a
+/// delay makes K less as it does above: at most max_stiffness T0 / (T + 2 D), with T0 the device's nominal period.
 StabilityVerdict check_stability(const Capabilities &capabilities, const Rendering &rendering);
 
 /// The same without words, for where something has to be rendered: neither allocates nor throws. Damping that nothing would make passive

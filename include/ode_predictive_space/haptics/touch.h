@@ -11,6 +11,16 @@
 
 namespace ode_predictive_space::haptics
 {
+/// What a touch adds to the way from the tool to its proxy: share times the touch's normal, and its part of the lag. All
+/// touches together make that way, exactly.
+struct Carry
+{
+    double share = 0;              ///< m, >= 0
+    Vector3 lag = Vector3::Zero(); ///< m; while the proxy has not come to where the planes let it go
+
+    bool carries() const { return share > 0 || !lag.isZero(0); }
+};
+
 /// A contact of the probe with an object, in the scene's frame, SI units: a plane of it that holds off the probe, or nearly. An
 /// object may have several at once: the floor and the walls of a channel.
 struct Touch
@@ -22,6 +32,12 @@ struct Touch
     std::uintptr_t object = 0; ///< which object: the same from tick to tick, different for different ones
     unsigned feature = 0; ///< which plane of the object: the same from tick to tick, different for those of one object
     bool from_entry_side = false; ///< the normal is that of the side by which the probe came, however deep it is by now
+    bool is_solved = false;       ///< whether the next one is known: laws get it with each touch
+    Carry carry;                  ///< the solved constraint
+    std::uint32_t id = 0;         ///< which touch: the same from tick to tick; 0 before it is recognised
+    std::uint32_t takes_over =
+        0; ///< the id of the one that carried the tool here in the tick before: its own, or that of
+           ///< the surface that it goes on from; 0: nothing did
     std::optional<Material>
         material; ///< nothing: the force law's own. A renderer fills it in with what the device can render
 };
@@ -41,6 +57,12 @@ struct ToolState
     Vector3 linear_velocity = Vector3::Zero();       ///< m/s
     Vector3 angular_velocity = Vector3::Zero();      ///< rad/s
 };
+
+/// What a touch carries the tool by. Of one whose constraint was not solved: its depth, as if it were alone.
+inline Carry carry_of(const Touch &touch)
+{
+    return touch.is_solved ? touch.carry : Carry{touch.depth, Vector3::Zero()};
+}
 
 /// The forces on the probe, in N, one per touch and in their order: what each of the objects gets is minus that.
 using TouchForces = std::vector<Vector3>;

@@ -92,6 +92,9 @@ public:
     /// Which touches to tell of: the force law's view().
     void set_view(TouchView view) { view_ = view; }
 
+    /// N/m; the force law's: of what has no material of its own.
+    void set_stiffness(double stiffness);
+
     /// What to ask for the materials of what is touched, in touch(). Empty: nothing.
     void set_materials(MaterialOf materials) { materials_ = std::move(materials); }
 

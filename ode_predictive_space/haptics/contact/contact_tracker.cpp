@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ode_predictive_space::haptics
@@ -11,9 +12,10 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr std::size_t usual_geoms = NearbyGeoms::capacity;
-constexpr double ahead = 1.5;          // times the tool's way: how far ahead surfaces are looked for
-constexpr double catching_up = 2;      // times the tool's way: how far the proxy may go in a tick, at least its radius
-constexpr double around = 1.5;         // times the proxy's way: the ball that holds all that it may reach, and more
+constexpr double ahead = 1.5;     // times the tool's way: how far ahead surfaces are looked for
+constexpr double catching_up = 2; // times the tool's way: how far the proxy may go in a tick
+constexpr double gentle = 0.09; // N; by how much the force may change in a tick beyond what the tool's way makes of it
+constexpr double around = 1.5;  // times the proxy's way: the ball that holds all that it may reach, and more
 constexpr double steps_ahead = 2;      // times the tool's way: how far it may go until geoms come from another thread
 constexpr double farthest_apart = 4;   // times the radius; geoms that squeeze the sphere more have passed each other
 constexpr double in_contact = 1e-6;    // of the radius
@@ -23,7 +25,7 @@ constexpr double same_direction = 0.5; // cosine; below, it is another plane of 
 bool is_finite(const Touch &touch)
 {
     return touch.point.allFinite() && touch.normal.allFinite() && std::isfinite(touch.depth) &&
-           touch.surface_velocity.allFinite();
+           touch.surface_velocity.allFinite() && std::isfinite(touch.carry.share) && touch.carry.lag.allFinite();
 }
 
 ContactTracker::ContactTracker(double radius) : radius_(radius)
@@ -33,6 +35,8 @@ ContactTracker::ContactTracker(double radius) : radius_(radius)
     places_.reserve(usual_geoms);
     features_.reserve(usual_geoms);
     features_before_.reserve(usual_geoms);
+    carriers_.reserve(usual_geoms);
+    told_.reserve(usual_geoms);
 }
 
 void ContactTracker::begin()
@@ -54,6 +58,8 @@ void ContactTracker::forget()
     before_.clear();
     near_.clear();
     features_before_.clear();
+    carriers_.clear();
+    released_ = false;
 }
 
 void ContactTracker::adopt(const ContactMemory &memory)
@@ -77,7 +83,8 @@ void ContactTracker::remember_in(ContactMemory &memory) const
 
 void ContactTracker::aim(const Vector3 &tool)
 {
-    moved_ = has_proxy_ ? (tool - tool_).norm() : 0;
+    travel_ = has_proxy_ ? Vector3(tool - tool_) : Vector3::Zero();
+    moved_ = travel_.norm();
     ahead_ = adopts_ ? steps_ahead * moved_ : 0;
     tool_ = tool;
     if (!has_proxy_)
@@ -87,6 +94,19 @@ void ContactTracker::aim(const Vector3 &tool)
     }
     start_ = proxy_;
     longest_ = std::max(radius_, catching_up * moved_);
+    gently_ = !carriers_.empty() && !released_ && !adopts_;
+    reach_ = gently_ ? std::min(longest_, catching_up * moved_ + catch_up_) : longest_;
+}
+
+/// m; how far the proxy may go in a tick, beyond what the tool's way makes of it.
+double ContactTracker::catch_up() const
+{
+    double stiffest = stiffness_;
+    for (const Held &held : near_)
+    {
+        stiffest = held.geom.material() ? std::max(stiffest, held.geom.material()->stiffness) : stiffest;
+    }
+    return stiffest > 0 ? gentle / stiffest : radius_;
 }
 
 // All that the proxy may reach lies between two balls: one about where it is, and one about the tool that goes through
@@ -95,7 +115,7 @@ ContactTracker::Region ContactTracker::region() const
 {
     const Vector3 way = tool_ - start_;
     const double length = way.norm();
-    const double step = std::min(length, longest_);
+    const double step = std::min(length, reach_);
     Region region;
     region.centre = step < length ? Vector3(start_ + way * (step / length)) : tool_;
     double drift = 0;
@@ -188,7 +208,27 @@ SphereSlide::Task ContactTracker::task() const
     task.look = ahead * moved_;
     task.longest = longest_;
     task.margin = margin_;
+    if (gently_)
+    {
+        double drift = 0;
+        for (const Held &held : near_)
+        {
+            drift = std::max(drift, held.place.drift);
+        }
+        task.reach_centre = start_ + travel_;
+        task.reach = moved_ + drift + catch_up_;
+    }
     return task;
+}
+
+/// What carried the proxy and is told no more has let go of it.
+void ContactTracker::choose_pace()
+{
+    const bool all_there = std::all_of(carriers_.begin(), carriers_.end(), [&](const Carrier &carrier) {
+        return std::any_of(near_.begin(), near_.end(),
+                           [&](const Held &held) { return held.geom.id() == carrier.geom; });
+    });
+    released_ = released_ || !all_there;
 }
 
 void ContactTracker::follow()
@@ -198,7 +238,10 @@ void ContactTracker::follow()
     {
         places_.push_back({&held.geom, held.start, 0});
     }
-    settle(slide_.run(task(), places_));
+    choose_pace();
+    common_ = slide_.run(task(), places_);
+    catch_up_ = catch_up();
+    settle(common_);
 }
 
 void ContactTracker::settle(bool common)
@@ -254,15 +297,21 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
     const bool several = std::any_of(near_.begin(), near_.end(), [&](const Held &held) {
         return held.geom.object() != near_.front().geom.object();
     });
-    if (view == TouchView::all_together || !several || proxy_ == tool_)
+    told_.clear();
+    if (near_.empty())
     {
-        tell_planes(touches);
+        released_ = released_ && proxy_ != tool_;
+    }
+    else if (view == TouchView::all_together || !several || proxy_ == tool_)
+    {
+        tell_together(touches);
     }
     else
     {
         tell_each_object(touches);
     }
     number(touches, first);
+    note_carriers(touches, first);
     const auto first_nonsense = std::remove_if(touches.begin() + static_cast<std::ptrdiff_t>(first), touches.end(),
                                                [](const Touch &touch) { return !is_finite(touch); });
     const bool all = first_nonsense == touches.end();
@@ -270,13 +319,43 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
     return all;
 }
 
-/// What the last slide found.
-void ContactTracker::tell_planes(std::vector<Touch> &touches)
+/// m; from where the planes of the last slide let the sphere go, to the place to which it came.
+Vector3 ContactTracker::lag_at(const Vector3 &place) const
 {
+    Vector3 lag = place - tool_;
+    for (const SlidePlane &plane : slide_.planes())
+    {
+        lag -= plane.share * plane.feature.normal;
+    }
+    return lag.norm() <= in_contact * radius_ ? Vector3(Vector3::Zero()) : lag;
+}
+
+void ContactTracker::tell_together(std::vector<Touch> &touches)
+{
+    Vector3 lag = common_ ? lag_at(proxy_) : Vector3(Vector3::Zero());
+    released_ = released_ && !lag.isZero(0);
+    if (released_)
+    {
+        lag.setZero();
+    }
+    if (tell_planes(lag, touches) == 0 && !lag.isZero(0))
+    {
+        carry_on(lag, touches);
+    }
+}
+
+/// What the last slide found. @return m; what the planes carry together.
+double ContactTracker::tell_planes(const Vector3 &lag, std::vector<Touch> &touches)
+{
+    double carried = 0;
+    for (const SlidePlane &plane : slide_.planes())
+    {
+        carried += plane.share;
+    }
     for (const SlidePlane &plane : slide_.planes())
     {
         const bool touched =
-            plane.depth > 0 && (plane.share > 0 || plane.feature.distance <= radius_ * (1 + in_contact));
+            plane.share > 0 || (plane.depth > 0 && plane.feature.distance <= radius_ * (1 + in_contact));
         const bool near = plane.depth > -margin_ && plane.feature.distance <= radius_ + margin_;
         if (!touched && !(near && margin_ > 0))
         {
@@ -286,12 +365,47 @@ void ContactTracker::tell_planes(std::vector<Touch> &touches)
         Touch touch;
         touch.point = plane.feature.point;
         touch.normal = plane.feature.normal;
-        touch.depth = plane.depth;
+        touch.depth = touched ? std::max(0.0, plane.depth) : plane.depth;
         touch.surface_velocity = geom.velocity_at(touch.point);
         touch.object = geom.object();
         touch.from_entry_side = true;
+        touch.carry = {plane.share, carried > 0 ? Vector3(plane.share / carried * lag) : Vector3(Vector3::Zero())};
+        touch.is_solved = true;
         touch.material = geom.material();
         touches.push_back(touch);
+        told_.push_back(geom.id());
+    }
+    return carried;
+}
+
+/// The proxy has left all surfaces, and is on its way to the tool: what it left lets go of it no faster than it comes there.
+void ContactTracker::carry_on(const Vector3 &lag, std::vector<Touch> &touches)
+{
+    double sum = 0;
+    for (const Carrier &carrier : carriers_)
+    {
+        sum += (carrier.touch.carry.share * carrier.touch.normal + carrier.touch.carry.lag).norm();
+    }
+    for (const Carrier &carrier : carriers_)
+    {
+        Touch touch = carrier.touch;
+        const double part = (touch.carry.share * touch.normal + touch.carry.lag).norm() / sum;
+        touch.carry = {0, part * lag};
+        touch.depth = std::max(0.0, part * lag.dot(touch.normal));
+        touches.push_back(touch);
+        told_.push_back(carrier.geom);
+    }
+}
+
+void ContactTracker::note_carriers(const std::vector<Touch> &touches, std::size_t first)
+{
+    carriers_.clear();
+    for (std::size_t i = first; i < touches.size(); ++i)
+    {
+        if (touches[i].carry.carries())
+        {
+            carriers_.push_back({told_[i - first], touches[i]});
+        }
     }
 }
 
@@ -317,8 +431,9 @@ void ContactTracker::tell_each_object(std::vector<Touch> &touches)
         }
         SphereSlide::Task alone = task();
         alone.longest = std::max(alone.longest, 2 * (proxy_ - tool_).norm());
-        slide_.run(alone, places_);
-        tell_planes(touches);
+        alone.reach = std::numeric_limits<double>::infinity();
+        const bool common = slide_.run(alone, places_);
+        tell_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()), touches);
     }
 }
 

@@ -36,6 +36,9 @@ public:
 
     void set_margin(double margin) { margin_ = margin; }
 
+    /// N/m; of what has no material of its own. While a force is rendered, the proxy catches up no faster than the force may change.
+    void set_stiffness(double stiffness) { stiffness_ = stiffness; }
+
     /// Forget what is near, but not on which side of it the proxy is.
     void begin();
 
@@ -81,6 +84,8 @@ public:
     /// Of the servo's tracker, after follow(): for adopt().
     void remember_in(ContactMemory &memory) const;
 
+    static constexpr double usual_stiffness = 1000; ///< N/m; unless another is set
+
 private:
     /// A geom, and where the proxy is with respect to it.
     struct Held
@@ -99,12 +104,25 @@ private:
         Vector3 normal;
     };
 
+    /// What carried the proxy in the tick before, and which geom it belongs to.
+    struct Carrier
+    {
+        dGeomID geom;
+        Touch touch;
+    };
+
     void insert(NearbyGeom geom, double distance);
+    void choose_pace();
+    double catch_up() const;
+    void carry_on(const Vector3 &lag, std::vector<Touch> &touches);
+    void note_carriers(const std::vector<Touch> &touches, std::size_t first);
     SphereSlide::Task task() const;
     const ContactMemory::Place *known(const NearbyGeom &geom) const;
     void settle(bool common);
     void bring_together();
-    void tell_planes(std::vector<Touch> &touches);
+    Vector3 lag_at(const Vector3 &place) const;
+    void tell_together(std::vector<Touch> &touches);
+    double tell_planes(const Vector3 &lag, std::vector<Touch> &touches);
     void tell_each_object(std::vector<Touch> &touches);
     void number(std::vector<Touch> &touches, std::size_t first);
     bool recognise_one(std::vector<Touch> &touches, std::size_t first) const;
@@ -112,20 +130,30 @@ private:
 
     double radius_;
     double margin_ = 0;
+    double stiffness_ = usual_stiffness; ///< N/m
     bool has_proxy_ = false;
     bool adopts_ = false; ///< another tracker has the proxy
     Vector3 tool_ = Vector3::Zero();
-    Vector3 start_ = Vector3::Zero(); ///< m; the proxy when the tick began
-    Vector3 proxy_ = Vector3::Zero(); ///< m; when it was over
-    double moved_ = 0;                ///< m; the tool, since the tick before
-    double ahead_ = 0;                ///< m; how far the proxy may go until geoms are looked for again
-    double longest_ = 0;              ///< m; how far the proxy may go in this tick
+    Vector3 travel_ = Vector3::Zero(); ///< m; of the tool, since the tick before
+    Vector3 start_ = Vector3::Zero();  ///< m; the proxy when the tick began
+    Vector3 proxy_ = Vector3::Zero();  ///< m; when it was over
+    double moved_ = 0;                 ///< m; how far that is
+    double catch_up_ = 0;              ///< m; see catch_up(), by what was near in the tick before
+    double reach_ = 0;                 ///< m; how far the proxy may come in this tick
+    bool gently_ = false;              ///< a force is rendered, which is not to jump
+    double ahead_ = 0;                 ///< m; how far the proxy may go until geoms are looked for again
+    double longest_ = 0;               ///< m; how long the proxy's way may be in this tick
     std::vector<Held> near_;
     std::vector<ContactMemory::Place> before_;
     std::vector<SlidePlace> places_;
     SphereSlide slide_;
     std::vector<KnownFeature> features_;
     std::vector<KnownFeature> features_before_;
+    std::vector<Carrier> carriers_;
+    std::vector<dGeomID> told_; ///< of each touch of the last touches()
+    bool common_ = true;        ///< all geoms see the proxy at the same place
+    bool released_ =
+        false; ///< what carried the proxy is gone, and it has not come to rest since: no force but by what it touches
 };
 } // namespace ode_predictive_space::haptics
 

@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/closest_point.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ode_predictive_space::haptics
@@ -16,6 +17,8 @@ constexpr double arrived = 1e-9;       // of the radius: a step that is shorter 
 constexpr double shortest_look = 0.05; // of the radius
 constexpr double part_of_clearance = 0.9;
 constexpr double smallest_step = 1e-6; // of the radius; away from a surface that the centre lies on
+constexpr double allowed_entry = 5e-4; // of the radius; how deep a step may bring the sphere into a surface
+constexpr double shortest_try = 1e-5;  // of the radius; of a step that entered a surface and is tried again
 constexpr int most_sweeps = 200;
 constexpr std::size_t usual_planes = 256;
 constexpr double allowed_violation = 1e-6; // of the deepest plane
@@ -82,6 +85,21 @@ double longest_step(const SlidePlace &place, double look, double radius)
     return within ? radius + look
                   : std::min(look, std::max(part_of_clearance * place.clearance, smallest_step * radius));
 }
+
+/// What part of a step that begins in a ball ends in it.
+double part_within(const Vector3 &centre, double radius, const Vector3 &from, const Vector3 &to)
+{
+    const Vector3 start = from - centre;
+    const Vector3 way = to - from;
+    const double within = radius * radius - start.squaredNorm();
+    const double square = way.squaredNorm();
+    if (square == 0 || (to - centre).norm() <= radius)
+    {
+        return 1;
+    }
+    const double along = start.dot(way);
+    return std::clamp((std::sqrt(along * along + square * std::max(0.0, within)) - along) / square, 0.0, 1.0);
+}
 } // namespace
 
 SphereSlide::SphereSlide()
@@ -90,35 +108,48 @@ SphereSlide::SphereSlide()
     constraints_.reserve(usual_planes);
     features_.reserve(usual_planes);
     targets_.reserve(usual_planes);
+    planes_before_.reserve(usual_planes);
+    places_before_.reserve(usual_planes);
 }
 
 bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
 {
     double look = std::max(task.look, shortest_look * task.radius);
     double left = task.longest;
-    bool stays = false; // the planes are those of where the sphere is
+    double longest = std::numeric_limits<double>::infinity(); // m; of a step
+    bool retries = false;                                     // the last step entered a surface
     targets_.resize(places.size());
-    for (int step = 0; step < most_steps && left > 0; ++step)
+    gather(task, look, places);
+    for (int step = 0; step < most_steps && left > 0 && longest > shortest_try * task.radius; ++step)
     {
-        gather(task, look, places);
         const bool common = find_target(task.goal);
-        if (common)
+        if (common && !retries)
         {
             refine_target(task, places);
         }
-        const double way = go(common, look, left, task, places);
-        left -= way;
+        places_before_ = places;
+        const double way = go(common, look, std::min(left, longest), task, places);
         if (way <= arrived * task.radius)
         {
-            stays = look >= task.margin;
-            look = shortest_look * task.radius;
             break;
         }
+        planes_.swap(planes_before_);
+        gather(task, arrives_ ? look : 2 * look, places);
+        retries = common && enters(task, places);
+        if (retries)
+        {
+            places = places_before_;
+            keep_entered(task);
+            longest = way / 2;
+            continue;
+        }
         look *= arrives_ ? 1 : 2;
+        left -= way;
+        longest *= 2;
     }
-    if (!stays)
+    if (look < task.margin)
     {
-        gather(task, std::max(task.margin, look), places); // on its way still, it is carried by what it goes to
+        gather(task, task.margin, places);
     }
     const bool common = find_target(task.goal);
     for (std::size_t i = 0; i < planes_.size(); ++i)
@@ -128,10 +159,38 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
     return common;
 }
 
+/// Back to the planes before the step, and with them those of what it entered: the next try goes around these.
+void SphereSlide::keep_entered(const Task &task)
+{
+    for (const SlidePlane &plane : planes_)
+    {
+        if (plane.feature.distance < task.radius)
+        {
+            planes_before_.push_back(plane);
+        }
+    }
+    planes_.swap(planes_before_);
+}
+
+/// Whether the last step brought the sphere into a surface, deeper than it was. What is no local minimum of the distance before
+/// a step is no plane, and may be one after it: then a shorter step is due.
+bool SphereSlide::enters(const Task &task, const std::vector<SlidePlace> &places) const
+{
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        const double clearance = places[i].clearance;
+        if (clearance < (1 - allowed_entry) * task.radius && clearance < places_before_[i].clearance)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// A step of all, to the targets or as far towards them as is safe.
 ///
 /// @return m; the longest way.
-double SphereSlide::go(bool common, double look, double left, const Task &task, std::vector<SlidePlace> &places)
+double SphereSlide::go(bool common, double look, double most, const Task &task, std::vector<SlidePlace> &places)
 {
     double part = 1;
     double longest = 0;
@@ -139,8 +198,12 @@ double SphereSlide::go(bool common, double look, double left, const Task &task, 
     {
         targets_[i] = common ? target_ : target_of(i, task, places);
         const double way = (targets_[i] - places[i].at).norm();
-        const double allowed = std::min(left, longest_step(places[i], look, task.radius));
+        const double allowed = std::min(most, longest_step(places[i], look, task.radius));
         part = way > allowed ? std::min(part, allowed / way) : part;
+        if (common && task.reach < std::numeric_limits<double>::infinity())
+        {
+            part = std::min(part, part_within(task.reach_centre, task.reach, places[i].at, targets_[i]));
+        }
         longest = std::max(longest, way);
     }
     for (std::size_t i = 0; i < places.size(); ++i)

@@ -7,6 +7,8 @@
 #include "ode_predictive_space/haptics/constraint_plane.h"
 #include "ode_predictive_space/haptics/contact/nearby_geom.h"
 
+#include <limits>
+
 namespace ode_predictive_space::haptics
 {
 /// Where the sphere's centre is, as one geom sees it. All see the same place but while geoms move or squeeze the sphere.
@@ -39,10 +41,12 @@ public:
     {
         double radius = 0; ///< m
         Vector3 goal = Vector3::Zero();
-        Vector3 start = Vector3::Zero(); ///< m; where the centre is: each geom has a place around there
-        double look = 0;                 ///< m; how far ahead surfaces are looked for at first
-        double longest = 0;              ///< m; the longest way altogether
-        double margin = 0;               ///< m; planes() has what is so far from the sphere, too
+        Vector3 start = Vector3::Zero();        ///< m; where the centre is: each geom has a place around there
+        double look = 0;                        ///< m; how far ahead surfaces are looked for at first
+        double longest = 0;                     ///< m; the longest way altogether
+        Vector3 reach_centre = Vector3::Zero(); ///< m; a place that all geoms see stays in this ball
+        double reach = std::numeric_limits<double>::infinity(); ///< m; its radius
+        double margin = 0;                                      ///< m; planes() has what is so far from the sphere, too
     };
 
     /// Makes room for what a tick usually needs: up to that run() does not allocate.
@@ -56,8 +60,10 @@ public:
     const std::vector<SlidePlane> &planes() const { return planes_; }
 
 private:
-    double go(bool common, double look, double left, const Task &task, std::vector<SlidePlace> &places);
+    double go(bool common, double look, double most, const Task &task, std::vector<SlidePlace> &places);
     void gather(const Task &task, double look, std::vector<SlidePlace> &places);
+    bool enters(const Task &task, const std::vector<SlidePlace> &places) const;
+    void keep_entered(const Task &task);
     bool find_target(const Vector3 &goal);
     bool turn_planes(const Task &task, const std::vector<SlidePlace> &places);
     bool is_short_step(const std::vector<SlidePlace> &places) const;
@@ -65,6 +71,8 @@ private:
     Vector3 target_of(std::size_t place, const Task &task, const std::vector<SlidePlace> &places);
 
     std::vector<SlidePlane> planes_;
+    std::vector<SlidePlane> planes_before_; ///< the last step
+    std::vector<SlidePlace> places_before_; ///< the same
     std::vector<ConstraintPlane> constraints_;
     SurfaceFeatures features_;
     std::vector<Vector3> targets_;

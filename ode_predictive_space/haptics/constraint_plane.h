@@ -3,17 +3,14 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONSTRAINT_PLANE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONSTRAINT_PLANE_H
 
-#include "ode_predictive_space/haptics/touch.h"
+#include "ode_predictive_space/haptics/device.h"
 
 namespace ode_predictive_space::haptics
 {
 /// What a touch forbids to the proxy: all behind a plane.
 struct ConstraintPlane
 {
-    std::uintptr_t object = 0;         ///< Touch::object
-    unsigned feature = 0;              ///< of the object
     Vector3 normal = Vector3::UnitZ(); ///< of length 1, towards where the proxy may be
-    double height = 0;                 ///< m; where the plane is: normal . (a point on it)
     double depth = 0;                  ///< m; how far the tool is behind it
     double share = 0;                  ///< m, >= 0; how far it lifts the proxy off the tool, along its normal
 };
