@@ -69,6 +69,7 @@ KEYS = {
     "table1.csv": ["block", "objects", "other"],
     "ticks.csv": ["scene", "n"],
     "whole_ticks.csv": ["scene", "n", "space"],
+    "worlds_by_shape.csv": ["scene", "n"],
 }
 
 NAMING = ("line", "scene", "objects", "n", "what", "space")  # columns of pages that name a row
