@@ -65,6 +65,13 @@ lacks "libgtest|libcli11|lintian|mmdebstrap|$games"
 has 'apt-get install .*debhelper'
 has 'make_debian_packages\.sh'
 
+# What the benchmark prints can be kept in a file: nothing of its build is in it.
+for ode in installed release; do
+    command="bench --ode $ode scene"
+    done_by=$("$copy/run" bench --ode "$ode" scene 2>/dev/null)
+    [[ -z $done_by ]] || complain 'what is built is in the output'
+done
+
 # What asks for certain tests gets them, in one go.
 calls_of test --preset asan --long -R Contract
 count 1 '^ctest'

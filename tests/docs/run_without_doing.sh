@@ -1,4 +1,4 @@
-# For tests of `./run`: a copy of it whose tools are stand-ins, which write down how they were called and do nothing.
+# For tests of `./run`: a copy of it whose tools are stand-ins, which write down how they were called, say a line and do nothing.
 # Usage, in a script: . run_without_doing.sh; run_without_doing SOURCE_DIR; "$copy/run" ...; the calls are in $calls
 
 # Sets copy to a folder with `run` and what it reads itself, and calls to the file that the stand-ins write to. As seen by `run`,
@@ -26,6 +26,7 @@ dpkg-query) [ "\$2" = '--showformat=\${source:Package}=\${source:Version}' ]; ex
 pkg-config) echo 0.16.2; exit ;;
 esac
 echo "$tool \$*" >>"$calls"
+echo "$tool is at work"
 TOOL
         chmod +x "$work/tools/$tool"
     done
