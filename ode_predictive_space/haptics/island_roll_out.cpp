@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 namespace ode_predictive_space::haptics
@@ -20,8 +21,8 @@ bool is_falling_asleep(dBodyID body)
            spin < dBodyGetAutoDisableAngularThreshold(body);
 }
 
-/// @return false for one that does not go through a point.
-bool anchor_of(dJointID joint, Vector3 &anchor)
+/// None for a joint that does not go through a point.
+std::optional<Vector3> anchor_of(dJointID joint)
 {
     dVector3 place = {};
     switch (dJointGetType(joint))
@@ -36,10 +37,9 @@ bool anchor_of(dJointID joint, Vector3 &anchor)
         dJointGetUniversalAnchor(joint, place);
         break;
     default:
-        return false;
+        return std::nullopt;
     }
-    anchor = from_ode(place);
-    return true;
+    return from_ode(place);
 }
 
 /// 1/s^2; by how much a force at the end of an arm turns the body back, against its inertia.
@@ -97,9 +97,8 @@ void IslandRollOut::add_connected(std::size_t first)
         for (int n = 0; n < dBodyGetNumJoints(body); ++n)
         {
             const dJointID joint = dBodyGetJoint(body, n);
-            Vector3 anchor;
             has_joints_ = has_joints_ || dJointGetType(joint) != dJointTypeNull;
-            if (anchor_of(joint, anchor) && dJointGetBody(joint, 0) == body)
+            if (anchor_of(joint) && dJointGetBody(joint, 0) == body)
             {
                 joints_.push_back(joint);
             }
@@ -186,8 +185,7 @@ double IslandRollOut::fastest_swing(bool quick, double dt)
     for (std::size_t i = 0; i < joints_.size(); ++i)
     {
         dJointSetFeedback(joints_[i], nullptr);
-        Vector3 anchor;
-        anchor_of(joints_[i], anchor);
+        const Vector3 anchor = anchor_of(joints_[i]).value();
         for (int side = 0; side < 2; ++side)
         {
             const dBodyID body = dJointGetBody(joints_[i], side);

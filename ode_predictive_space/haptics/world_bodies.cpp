@@ -25,8 +25,8 @@ bool keeps_bodies_as_expected()
     const dWorldID world = dWorldCreate();
     const dBodyID first = dBodyCreate(world);
     const dBodyID second = dBodyCreate(world);
-    const bool as_expected = listed(second).world == world && listed(second).next == first && listed(first).next == nullptr &&
-                             listed(first).tome == &listed(second).next;
+    const bool as_expected = listed(second).world == world && listed(second).next == first &&
+                             listed(first).next == nullptr && listed(first).tome == &listed(second).next;
     dWorldDestroy(world);
     return as_expected;
 }
