@@ -10,7 +10,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double pressed = 0.01; // m; of the hand's target, below the floor
+constexpr double target_depth = 0.01; // m; of the hand's target, below the floor
 
 class DelayTest : public testing::TestWithParam<bool>
 {
@@ -22,7 +22,7 @@ protected:
         hand.position_delay = position_delay;
         hand.force_delay = force_delay;
         VirtualDevice device(hand, [](double t) -> Vector3 {
-            return {0, 0, radius + 0.01 - std::min(1.0, t / 0.5) * (0.01 + pressed)};
+            return {0, 0, radius + 0.01 - std::min(1.0, t / 0.5) * (0.01 + target_depth)};
         });
         ProbeWorld world;
         dCreatePlane(world.space, 0, 0, 1, 0);

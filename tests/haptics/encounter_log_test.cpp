@@ -106,7 +106,7 @@ EncounterSummary meet_some(int proximity, int &near)
         dGeomSetRotation(geom, rotation);
     }
     HandPathDevice hand;
-    HapticProbe probe(hand, world.space, 0.01);
+    HapticProbe probe(hand, world.space, 0.01, with_stiffness(500));
     EncounterLog log;
     near = 0;
     for (int tick = 0; tick < 6000; ++tick)

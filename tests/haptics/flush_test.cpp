@@ -8,7 +8,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double pressed = 0.005; // m
+constexpr double depth_on_tiles = 0.005; // m
 
 class FlushTest : public ContactTest
 {
@@ -22,7 +22,7 @@ protected:
     /// Down beside the seam and across it.
     std::vector<Sample> cross()
     {
-        const double height = radius - pressed;
+        const double height = radius - depth_on_tiles;
         const Vector3 above(-0.03, 0, 0.03), in(-0.03, 0, height), beyond(0.03, 0, height);
         return run(
             [=](double t) { return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, beyond, 0.5, 0.6, t); },
@@ -39,7 +39,7 @@ TEST_P(FlushTest, TwoTilesAreOneFloor)
     {
         if (sample.time > 0.45)
         {
-            ASSERT_LE((sample.wished - Vector3(0, 0, k * pressed)).norm(), 0.01)
+            ASSERT_LE((sample.wished - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
                 << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
         }
     }
@@ -53,8 +53,8 @@ TEST_P(FlushTest, OverTheSeamFrictionGoesOn)
     {
         if (sample.time > 0.6 && sample.time < 1.1)
         {
-            ASSERT_NEAR(sample.wished.z(), k * pressed, 0.01) << sample.time;
-            ASSERT_NEAR(sample.wished.x(), -0.4 * k * pressed, 0.01) << sample.time;
+            ASSERT_NEAR(sample.wished.z(), k * depth_on_tiles, 0.01) << sample.time;
+            ASSERT_NEAR(sample.wished.x(), -0.4 * k * depth_on_tiles, 0.01) << sample.time;
         }
     }
 }
@@ -68,7 +68,7 @@ TEST_P(FlushTest, ATableOfSixteenTilesIsOne)
             world_.add_box({0.02, 0.02, 0.05}, {0.02 * x - 0.03, 0.02 * y - 0.03, -0.025});
         }
     }
-    const double height = radius - pressed;
+    const double height = radius - depth_on_tiles;
     const auto samples = run(
         [=](double t) {
             const double turn = 8 * (t - 0.5);
@@ -81,7 +81,7 @@ TEST_P(FlushTest, ATableOfSixteenTilesIsOne)
     {
         if (sample.time > 0.45)
         {
-            ASSERT_LE((sample.wished - Vector3(0, 0, k * pressed)).norm(), 0.01)
+            ASSERT_LE((sample.wished - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
                 << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
         }
     }
@@ -94,11 +94,11 @@ TEST(Flush, AWallOnAFloorIsNotOneWithIt)
     world.add_box({0.4, 0.4, 0.1}, {0, 0, -0.05});
     world.add_box({0.1, 0.4, 0.2}, {0.05, 0, 0.1});
     ScriptedDevice device([](double t) {
-        return between({-0.03, 0, 0.03}, {-radius + 0.003, 0, radius - pressed}, 0.1, 0.3, t);
+        return between({-0.03, 0, 0.03}, {-radius + 0.003, 0, radius - depth_on_tiles}, 0.1, 0.3, t);
     });
     HapticProbe probe(device, world.space, radius, with_stiffness(k));
     world.run(probe, 600);
-    EXPECT_LE((probe.last_tick().wished - Vector3(-k * 0.003, 0, k * pressed)).norm(), 1e-9);
+    EXPECT_LE((probe.last_tick().wished - Vector3(-k * 0.003, 0, k * depth_on_tiles)).norm(), 1e-9);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -11,7 +11,7 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr int ticks = 8000;
-constexpr double side = 0.2; // m; of the sheet
+constexpr double sheet_side = 0.2; // m; of the sheet
 
 std::vector<TriangleCorners> triangles_of(const MeshShape &shape)
 {
@@ -45,7 +45,7 @@ class MeantForceTest : public testing::TestWithParam<Course>
 protected:
     const OdeUse ode_;
     ProbeWorld world_;
-    const MeshShape shape_ = rough_sheet(side, 200, 0.004, 0.0002, 5);
+    const MeshShape shape_ = rough_sheet(sheet_side, 200, 0.004, 0.0002, 5);
     const OdeMesh mesh_{shape_};
     const MeshTree tree_{triangles_of(shape_)};
 };

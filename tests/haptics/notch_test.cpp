@@ -9,9 +9,9 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double small = 0.003; // m; of the probe
-constexpr double wall = 0.4;    // m; from the bottom along it
-constexpr double thick = 0.05;  // m
+constexpr double probe_in_notch = 0.003; // m; of the probe
+constexpr double wall = 0.4;             // m; from the bottom along it
+constexpr double wall_thickness = 0.05;  // m
 
 enum class Notch
 {
@@ -34,7 +34,10 @@ protected:
     NotchTest() { build(); }
 
     double half() const { return GetParam().degrees * M_PI / 360; }
-    double resting() const { return small / std::sin(half()); } ///< m; the height of the probe that lies in the notch
+    double resting() const
+    {
+        return probe_in_notch / std::sin(half());
+    } ///< m; the height of the probe that lies in the notch
     bool is_corner() const { return GetParam().notch == Notch::mesh_corner || GetParam().notch == Notch::box_corner; }
     int walls() const { return is_corner() ? 3 : 2; }
 
@@ -66,10 +69,10 @@ protected:
 
     void add_wall(dBodyID body, int i)
     {
-        const dGeomID box = dCreateBox(world_.space, wall, 0.3, thick);
+        const dGeomID box = dCreateBox(world_.space, wall, 0.3, wall_thickness);
         dGeomSetBody(box, body);
         const Vector3 up = up_the_wall(i), n = normal(i), across = n.cross(up);
-        const Vector3 centre = 0.4 * wall * up - thick / 2 * n;
+        const Vector3 centre = 0.4 * wall * up - wall_thickness / 2 * n;
         const dMatrix3 turn = {up.x(), across.x(), n.x(),  0,          up.y(), across.y(),
                                n.y(),  0,          up.z(), across.z(), n.z(),  0};
         dGeomSetOffsetPosition(box, centre.x(), centre.y(), centre.z());
@@ -120,7 +123,7 @@ protected:
         ScriptedDevice device(press(depth));
         RenderSettings rendering;
         rendering.law = std::move(law);
-        HapticProbe probe(device, world_.space, small, rendering);
+        HapticProbe probe(device, world_.space, probe_in_notch, rendering);
         Vector3 last = Vector3::Zero(), tool = Vector3::Zero();
         const Vector3 proxy = Vector3(0, 0, resting());
         probe.set_recorder([&](const RenderedTick &tick) {

@@ -95,7 +95,6 @@ void ContactTracker::aim(const Vector3 &tool)
     start_ = proxy_;
     longest_ = std::max(radius_, catching_up * moved_);
     gently_ = !carriers_.empty() && !released_ && !adopts_;
-    reach_ = gently_ ? std::min(longest_, catching_up * moved_ + catch_up_) : longest_;
 }
 
 /// m; how far the proxy may go in a tick, beyond what the tool's way makes of it.
@@ -115,7 +114,7 @@ ContactTracker::Region ContactTracker::region() const
 {
     const Vector3 way = tool_ - start_;
     const double length = way.norm();
-    const double step = std::min(length, reach_);
+    const double step = std::min(length, longest_);
     Region region;
     region.centre = step < length ? Vector3(start_ + way * (step / length)) : tool_;
     double drift = 0;

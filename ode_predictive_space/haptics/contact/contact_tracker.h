@@ -139,7 +139,6 @@ private:
     Vector3 proxy_ = Vector3::Zero();  ///< m; when it was over
     double moved_ = 0;                 ///< m; how far that is
     double catch_up_ = 0;              ///< m; see catch_up(), by what was near in the tick before
-    double reach_ = 0;                 ///< m; how far the proxy may come in this tick
     bool gently_ = false;              ///< a force is rendered, which is not to jump
     double ahead_ = 0;                 ///< m; how far the proxy may go until geoms are looked for again
     double longest_ = 0;               ///< m; how long the proxy's way may be in this tick
