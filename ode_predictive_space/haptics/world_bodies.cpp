@@ -9,6 +9,7 @@ namespace
 /// The first members of a body. A world has its bodies in a list, the last one made first.
 struct ListedBody
 {
+    const void *virtual_functions;
     dWorldID world;
     dBodyID next;
     dBodyID *tome; ///< the pointer in this list that points here

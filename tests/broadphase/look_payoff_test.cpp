@@ -31,7 +31,7 @@ protected:
 
 TEST_F(LookPayoffs, GoOnWhereLooksSpareReports)
 {
-    pass(100 * trial, 1, tuning::least_wait);
+    pass(100 * trial, 2, 5);
     EXPECT_TRUE(payoff.pays());
     pass(100 * trial, 0, 0);
     EXPECT_TRUE(payoff.pays()) << "nothing is near";
@@ -56,8 +56,15 @@ TEST_F(LookPayoffs, EndWhereTheySpareNoneAndAreTriedAgain)
 TEST_F(LookPayoffs, EndLaterWhenTheSceneChanges)
 {
     pass(10 * trial, 1, 10);
-    pass(2 * trial, 1, 1);
+    pass(20 * trial, 1, 1);
     EXPECT_FALSE(payoff.pays());
+}
+
+TEST_F(LookPayoffs, GoOnAfterAFewBadReports)
+{
+    pass(100 * trial, 1, 10);
+    pass(trial, 1, 1);
+    EXPECT_TRUE(payoff.pays());
 }
 
 TEST_F(LookPayoffs, OfTheFirstReportsSayNothing)

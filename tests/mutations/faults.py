@@ -336,7 +336,7 @@ def shape_faults():
         (("shape_contract", "ShapeContacts.*OnHills"),))
     yield Fault(
         "looks_that_do_not_pay_go_on", "shapes", BROADPHASE + "near/look_payoff.h",
-        "pays_ = !paid || postponed_", "pays_ = true || postponed_", (("broadphase", "LookPayoffs.*"),))
+        "if (pays_ && postponed_ >=", "if (pays_ || postponed_ >=", (("broadphase", "LookPayoffs.*"),))
     surface = BROADPHASE + "shape/surface_gap.cpp"
     yield Fault(
         "triangles_beside_the_nearest_ignored", "shapes", surface,

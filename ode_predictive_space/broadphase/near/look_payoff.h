@@ -3,8 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_LOOK_PAYOFF_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_LOOK_PAYOFF_H
 
-#include <cstdint>
-
 #include "ode_predictive_space/broadphase/tuning.h"
 
 namespace ode_predictive_space
@@ -32,17 +30,23 @@ public:
             looks_ = postponed_ = 0; // the first looks, at all pairs, say little
         if (reports_ < (pays_ ? 2 * tuning::reports_of_trial : tuning::reports_between_trials))
             return false;
+        if (pays_ && postponed_ + tuning::few_reports >= tuning::least_wait * looks_)
+        {
+            reports_ = tuning::reports_of_trial;
+            looks_ *= tuning::memory_of_trials;
+            postponed_ *= tuning::memory_of_trials;
+            return false;
+        }
         const bool paid = pays_;
-        pays_ = !paid || postponed_ >= std::uint64_t{tuning::least_wait} * looks_;
-        reports_ = paid && pays_ ? tuning::reports_of_trial : 0;
-        looks_ = postponed_ = 0;
-        return pays_ != paid;
+        *this = {};
+        pays_ = !paid;
+        return true;
     }
 
 private:
     bool pays_ = true;
-    int reports_ = 0;                         // since the decision
-    std::uint64_t looks_ = 0, postponed_ = 0; // in as many reports as a trial has
+    int reports_ = 0;                  // since the decision
+    double looks_ = 0, postponed_ = 0; // those of earlier trials count less
 };
 } // namespace ode_predictive_space
 
