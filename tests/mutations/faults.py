@@ -317,7 +317,7 @@ def shape_faults():
     heightfields = (("colliders", "*Heightfields*"),)
     yield Fault(
         "planes_beyond_the_edge_of_a_heightfield", "shapes", terrain,
-        "        sure_of_planes_ = distance_to_edge();", "        sure_of_planes_ = infinity;", heightfields)
+        "        sure_of_planes_ = distance_to_edge();", "        sure_of_planes_ = no_limit;", heightfields)
     yield Fault(
         "planes_for_all_shapes_on_a_heightfield", "shapes", terrain,
         "if (shape.kind != ShapeKind::rounded)", "if (shape.kind == ShapeKind::half_space)", heightfields)
@@ -336,7 +336,7 @@ def shape_faults():
         (("shape_contract", "ShapeContacts.*OnHills"),))
     yield Fault(
         "looks_that_do_not_pay_go_on", "shapes", BROADPHASE + "near/look_payoff.h",
-        "if (pays_ && postponed_ >=", "if (pays_ || postponed_ >=", (("broadphase", "LookPayoffs.*"),))
+        "if (pays_ && postponed_", "if (pays_ || postponed_", (("broadphase", "LookPayoffs.*"),))
     surface = BROADPHASE + "shape/surface_gap.cpp"
     yield Fault(
         "triangles_beside_the_nearest_ignored", "shapes", surface,

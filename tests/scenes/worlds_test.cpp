@@ -20,8 +20,9 @@ int ticks_of(const std::string &name)
 
 int objects_of(const std::string &name)
 {
-    const std::map<std::string, int> few = {{"ragdolls", 3},     {"chain", 1}, {"city", 5},   {"nested", 6},
-                                            {"nested_empty", 8}, {"many", 17}, {"lidar", 40}, {"lidar_nested", 40}};
+    const std::map<std::string, int> few = {{"ragdolls", 3}, {"chain", 1},         {"city", 5},
+                                            {"nested", 6},   {"nested_empty", 8},  {"many", 17},
+                                            {"lidar", 40},   {"lidar_nested", 40}, {"hills", 250}};
     const auto found = few.find(name);
     return found == few.end() ? 60 : found->second;
 }

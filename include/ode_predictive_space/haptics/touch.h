@@ -18,6 +18,7 @@ struct Carry
     double share = 0;              ///< m, >= 0
     Vector3 lag = Vector3::Zero(); ///< m; while the proxy has not come to where the planes let it go
 
+    /// Is there anything to carry the tool by?
     bool carries() const { return share > 0 || !lag.isZero(0); }
 };
 

@@ -12,7 +12,7 @@ namespace
 {
 using Box = Eigen::AlignedBox3d;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr double most_periods = 4; // of a terrain that repeats: more are not searched
 
 // A shape as the terrain sees it: in the frame of its grid.
@@ -26,7 +26,7 @@ public:
         for (std::size_t i = 0; i < 3; ++i)
             half_box_[static_cast<Eigen::Index>(i)] = half_box_along(terrain.axes[i]);
         if (shape.kind != ShapeKind::rounded)
-            sure_of_planes_ = -infinity;
+            sure_of_planes_ = -no_limit;
         else if (!grid.size().repeats)
             sure_of_planes_ = distance_to_edge();
     }
@@ -76,7 +76,7 @@ private:
     const ConvexShape &shape_, &terrain_;
     const HeightGrid &grid_;
     Vector3 centre_, half_box_;
-    double sure_of_planes_ = infinity; // gaps to planes up to this are gaps to the terrain
+    double sure_of_planes_ = no_limit; // gaps to planes up to this are gaps to the terrain
 };
 
 bool repeats_too_often(const HeightGrid &grid, const Box &box, double most)
@@ -99,11 +99,11 @@ double terrain_gap(const ConvexShape &terrain, const ConvexShape &other, double 
     const double radius = other.bounding_radius();
     double gap = tuning::surface_search * (radius + least);
     if (!grid.is_finite())
-        return -infinity;
+        return -no_limit;
     const SeenFromTerrain shape(other, terrain, grid);
     const Box box = shape.box();
     if (repeats_too_often(grid, box, gap))
-        return -infinity;
+        return -no_limit;
     grid.walk(box, gap, [&](const HeightGrid::Cell &cell) {
         gap = std::min(gap, shape.gap_to(cell));
         return gap > least;
