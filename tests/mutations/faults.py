@@ -316,9 +316,6 @@ def shape_faults():
     terrain = BROADPHASE + "shape/terrain_gap.cpp"
     heightfields = (("colliders", "*Heightfields*"),)
     yield Fault(
-        "planes_beyond_the_edge_of_a_heightfield", "shapes", terrain,
-        "        sure_of_planes_ = distance_to_edge();", "        sure_of_planes_ = no_limit;", heightfields)
-    yield Fault(
         "planes_for_all_shapes_on_a_heightfield", "shapes", terrain,
         "if (shape.kind != ShapeKind::rounded)", "if (shape.kind == ShapeKind::half_space)", heightfields)
     yield Fault(
