@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Courses, MeantForceTest,
 TEST_P(MeantForceTest, IsTheProxysSpringInEachTickAndDoesNotJump)
 {
     mesh_.add_to(world_.space);
-    const auto [size, speed] = GetParam();
+    const double size = GetParam().radius, speed = GetParam().speed;
     ScriptedDevice device(scrub(speed, 0.01));
     RenderSettings rendering;
     rendering.law = std::make_shared<ProxyLaw>(Material{k});
