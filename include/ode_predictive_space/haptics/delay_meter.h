@@ -5,8 +5,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The delay by which a device tells its position, from the time stamps of its states. Means of some hundred readings count, so that
-/// single late states do not; and the largest of them, so that what is rendered does not get stiffer and softer by turns.
+/// The delay by which a device tells its position, from the time stamps of its states. It is the largest mean over some
+/// hundred readings: a mean, so that a single late state does not change it; the largest, so that the rendered stiffness does not vary.
 class DelayMeter
 {
 public:

@@ -29,8 +29,7 @@ public:
     /// @throws std::invalid_argument
     explicit PassivityController(double max_damping);
 
-    /// How many ticks late a position is told after the force that was written for it has acted: the force of as many ticks ago
-    /// is what the hand has moved under.
+    /// Sets the round-trip delay: a position that is read now is the result of the force that was written so many ticks ago.
     ///
     /// @param ticks up to most_delay.
     void set_delay(int ticks);

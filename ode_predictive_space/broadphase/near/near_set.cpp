@@ -30,7 +30,7 @@ CandidatePair *NearSet::report_by_shape(ShapeTest &test, Place *places, UpdateNu
     end = look_at_open(test, room, end);
     end = std::copy(overlapping_.begin(), overlapping_.end(), end);
     if (payoff_.end_report())
-        begin_anew();
+        reset_cheap_looks();
     if (is_time_to_rest())
     {
         let_rest(places, update, [&](std::size_t i) {
@@ -58,7 +58,7 @@ CandidatePair *NearSet::report_cheap(const OverlapTest &boxes, Place *places, Up
     Look cheap;
     cheap.is_cheap = true;
     looks_.assign(pairs_.size(), cheap);
-    begin_anew();
+    reset_cheap_looks();
     return end;
 }
 
@@ -151,7 +151,7 @@ CandidatePair *NearSet::look_at_open(ShapeTest &test, CandidatePair *room, Candi
 }
 
 // The cheap pairs, when it has changed whether looks at these pay: their next looks are spread.
-void NearSet::begin_anew()
+void NearSet::reset_cheap_looks()
 {
     for (std::size_t i = 0; i < looks_.size(); ++i)
         if (looks_[i].is_cheap)

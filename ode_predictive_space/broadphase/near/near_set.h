@@ -130,7 +130,7 @@ private:
     void follow_postponed(ShapeTest &test);
     CandidatePair *find_open(ShapeTest &test, CandidatePair *room);
     CandidatePair *look_at_open(ShapeTest &test, CandidatePair *room, CandidatePair *end);
-    void begin_anew();
+    void reset_cheap_looks();
     void want(const CandidatePair &pair)
     {
         wanted_.insert(pair.first);

@@ -15,7 +15,7 @@ namespace
 constexpr double same_surface = 0.5;
 
 /// m; how far the place of a touch may be off another one's plane and yet be a place of it. Bodies that rest beside each other differ
-/// by less, and nobody feels a step of that height.
+/// by less, and a step of that height cannot be felt.
 constexpr double flush = 2e-5;
 
 ConstraintPlane plane_of(const Touch &touch)

@@ -220,7 +220,7 @@ SphereSlide::Task ContactTracker::task() const
     return task;
 }
 
-/// What carried the proxy and is told no more has let go of it.
+/// A touch that held the proxy at the last tick and is not reported at this one has released it.
 void ContactTracker::choose_pace()
 {
     const bool all_there = std::all_of(carriers_.begin(), carriers_.end(), [&](const Carrier &carrier) {
