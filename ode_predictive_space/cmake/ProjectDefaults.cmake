@@ -35,6 +35,10 @@ if(ODE_PREDICTIVE_SPACE_SANITIZERS)
     add_compile_options(-fsanitize=${ODE_PREDICTIVE_SPACE_SANITIZERS} -fno-sanitize-recover=all
                         -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${ODE_PREDICTIVE_SPACE_SANITIZERS})
+    # A driver's functions are called by declarations of our own, not by those of its header.
+    if(CMAKE_CXX_COMPILER_ID MATCHES Clang AND ODE_PREDICTIVE_SPACE_SANITIZERS MATCHES "undefined")
+        add_compile_options(-fno-sanitize=function)
+    endif()
     # A library that is preloaded brings the sanitizer into programs that have none; Clang would leave it to the programs.
     if(CMAKE_CXX_COMPILER_ID MATCHES Clang AND ODE_PREDICTIVE_SPACE_SANITIZERS STREQUAL "address,undefined")
         execute_process(
