@@ -78,6 +78,12 @@ bool blunts_capsules_only(dGeomID mesh)
            dGeomTriMeshDataGet2(dGeomTriMeshGetData(mesh), dTRIMESHDATA_USE_FLAGS, nullptr) == nullptr;
 }
 
+// Beside a heightfield, ODE goes by the box of a mesh.
+bool has_old_box(const ConvexShape &mesh)
+{
+    return static_cast<const DataHull &>(*mesh.hull).has_old_box;
+}
+
 // With whom the geom is judged by its shape, and how.
 void take_partners(dxGeom *geom, ConvexShape &shape)
 {
@@ -92,6 +98,8 @@ void take_partners(dxGeom *geom, ConvexShape &shape)
         shape.partners = planes | heightfields;
     else if (geom->type == dTriMeshClass && !blunts_capsules_only(geom))
         shape.partners &= static_cast<std::uint16_t>(~capsules);
+    if (geom->type == dTriMeshClass && has_old_box(shape))
+        shape.partners &= static_cast<std::uint16_t>(~heightfields);
 }
 
 // ODE has no pose for geoms that cannot be placed.

@@ -9,7 +9,13 @@
 
 namespace ode_predictive_space
 {
-/// The shape of a sphere, box, capsule, cylinder, plane, convex or mesh that has a size, a finite place and an orthonormal rotation
+/// Is the geom made of points, triangles or heights, from which its contacts are dear to find?
+inline bool has_data(const dxGeom *geom)
+{
+    return geom->type == dConvexClass || geom->type == dTriMeshClass || geom->type == dHeightfieldClass;
+}
+
+/// The shape of a sphere, box, capsule, cylinder, plane, convex, mesh or heightfield that has a size, a finite place and an orthonormal rotation
 /// matrix; unknown otherwise. Two shapes are judged together where ODE's own collider finds no contact between shapes that are
 /// apart by more than a tolerance.
 ///

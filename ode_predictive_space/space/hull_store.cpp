@@ -7,6 +7,7 @@
 
 #include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/prediction/envelope.h"
+#include "ode_predictive_space/space/geom_scene.h"
 #include "ode_predictive_space/space/height_data.h"
 #include "ode_predictive_space/space/mesh_data.h"
 #include "ode_predictive_space/surface/triangle_tree.h"
@@ -122,6 +123,22 @@ void take_triangles(const TriangleArrays &mesh, DataHull &hull)
     }
 }
 
+// ODE keeps the box of a mesh's data from when they were built. A geom that is nowhere has it.
+Box kept_box(dGeomID mesh)
+{
+    const dGeomID unplaced = dCreateTriMesh(nullptr, dGeomTriMeshGetData(mesh), nullptr, nullptr, nullptr);
+    const Box box = to_box(valid_aabb(unplaced));
+    dGeomDestroy(unplaced);
+    return box;
+}
+
+bool has_old_box(dGeomID mesh, const Box &box)
+{
+    constexpr double rounding = 1e-6;
+    const Vector3 slack = Vector3::Constant(rounding * box.diagonal().norm());
+    return !Box(box.min() - slack, box.max() + slack).contains(kept_box(mesh));
+}
+
 // The corners of the grid, at no height: it lies around the origin. None of one without cells, or with too many.
 Points points_of(const HeightSamples &heights)
 {
@@ -191,7 +208,10 @@ std::shared_ptr<const DataHull> HullStore::make_hull(dxGeom *geom, const DataKey
     forget_unused();
     const auto hull = std::make_shared<DataHull>(VertexHull(std::move(points)), key);
     if (geom->type == dTriMeshClass)
+    {
         take_triangles(*mesh_data_of(geom), *hull);
+        hull->has_old_box = has_old_box(geom, box);
+    }
     else if (geom->type == dHeightfieldClass)
         take_heights(*height_data_of(geom), *hull);
     hulls_[key] = hull;

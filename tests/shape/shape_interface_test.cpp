@@ -73,6 +73,24 @@ TEST_F(ShapeProximity, LeavesOutPairsWhoseBoxesAloneOverlap)
     EXPECT_EQ(counters().postponed, 0u);
 }
 
+// ODE goes by the box of the mesh there, which stays that of the old corners.
+TEST_F(ShapeProximity, JudgesMeshesChangedInPlaceByBoxesBesideHeightfields)
+{
+    const double flat[4] = {};
+    const dHeightfieldDataID heights = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildDouble(heights, flat, 0, 2, 2, 2, 2, 1, 0, 1, 0);
+    const dGeomID ground = dCreateHeightfield(space, heights, 0);
+    MeshArrays cube(Polyhedron::cube().changed(Eigen::Vector3d::Constant(0.2), {0, 0, 0}));
+    const dGeomID mesh = dCreateTriMesh(space, cube.id(), nullptr, nullptr, nullptr);
+    dGeomSetPosition(mesh, 0, REAL(-0.4), REAL(1.1));
+    cube.move_corners({0, 0, 0.3});
+    dContactGeom contact;
+    EXPECT_GT(dCollide(ground, mesh, 1, &contact, sizeof contact), 0) << "beside the ground's edge";
+    EXPECT_EQ(pairs(), 1u);
+    dGeomDestroy(ground);
+    dGeomHeightfieldDataDestroy(heights);
+}
+
 // Such a mesh tells a capsule of triangles that it no longer reaches.
 TEST_F(ShapeProximity, JudgesCapsulesByBoxesBesideMeshesThatKeepTheirTriangles)
 {
