@@ -66,10 +66,12 @@ enum
     dPredictiveProximityShape =
         2 /**< when the shapes of spheres, boxes, capsules, cylinders, planes, convexes, meshes and heightfields may touch, of
                convexes their convex hulls; of other classes, and of a few pairs of these (docs/shapes.md lists them), when the
-               boxes overlap, and also where looking at shapes would cost more than it spares. Never a contact less than dCollide() finds with ODE's own colliders, hardly a useless call. For
-               dSpaceCollide() and for the times of dPredictiveSpaceGetTimeOfProximity() and dPredictiveSpaceGetEncounters();
-               dSpaceCollide2() goes by boxes. Not for programs that replace colliders with dSetColliderOverride().
-               @see dPredictiveSpaceGeomChanged */
+               boxes overlap, and also where looking at shapes would cost more than it spares. Never a contact less than dCollide()
+               finds with ODE's own colliders, hardly a useless call. In dSpaceCollide2(), a ray is followed as by
+               dPredictiveProximitySphere, and other probes are judged by shape beside convexes, meshes and heightfields; those
+               that are one themselves only in the space that they are in. Also for the times of
+               dPredictiveSpaceGetTimeOfProximity() and dPredictiveSpaceGetEncounters(). Not for programs that replace colliders
+               with dSetColliderOverride(). @see dPredictiveSpaceGeomChanged */
 };
 
 /** How the motion of a geom is estimated. */

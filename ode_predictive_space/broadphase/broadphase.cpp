@@ -236,9 +236,7 @@ void Broadphase::follow_shapes(Scene &scene, const IdSet &wanted)
 
 bool Broadphase::may_touch(const CandidatePair &pair) const
 {
-    const ConvexShape &one = shapes_[pair.first], &other = shapes_[pair.second];
-    const double margin = touching_distance(one, other, shape_margin_);
-    return !(find_gap(one, other, Vector3::Zero(), margin).length > margin || surface_gap(one, other, margin) > margin);
+    return shapes_may_touch(shapes_[pair.first], shapes_[pair.second], shape_margin_);
 }
 
 std::optional<double> Broadphase::time_of_contact(const Forecast &first, const Forecast &second,

@@ -119,15 +119,6 @@ bool spheres_may_touch(const dxGeom *one, const dxGeom *other)
 {
     return JudgedSphere(one, to_box(one->aabb)).may_touch(JudgedSphere(other, to_box(other->aabb)));
 }
-
-// A sphere around a ray is hardly ever tight. So the line is tested, too.
-bool ray_may_touch(dxGeom *ray, const dxGeom *other)
-{
-    if (ray->type != dRayClass || touched_off_line(other) || is_skewed(ray))
-        return true;
-    const std::optional<RayProbe> line = line_of_ray(ray);
-    return !line || line->overlaps(FloatBox::around(to_box(other->aabb)));
-}
 } // namespace
 
 bool is_skewed(const dxGeom *geom)
@@ -157,6 +148,14 @@ std::optional<RayProbe> line_of_ray(dxGeom *ray)
     // this happens up to the root of an epsilon, times the length of the ray, beside it.
     constexpr double miss = sizeof(dReal) == sizeof(double) ? 0 : 1e-3;
     return RayProbe(begin, end, miss * length);
+}
+
+bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
+{
+    if (probe->type != dRayClass || touched_off_line(geom) || is_skewed(probe))
+        return true;
+    const std::optional<RayProbe> line = line_of_ray(probe);
+    return !line || line->overlaps(FloatBox::around(to_box(geom->aabb)));
 }
 
 double bounding_sphere(const dxGeom *geom)

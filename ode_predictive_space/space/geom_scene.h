@@ -104,6 +104,9 @@ bool touched_off_line(const dxGeom *geom);
 /// The line of a ray; none when it is not finite.
 std::optional<RayProbe> line_of_ray(dxGeom *ray);
 
+/// Can a ray touch the geom? Any other probe can. The boxes must be valid.
+bool ray_may_touch(dxGeom *probe, const dxGeom *geom);
+
 /// Do the bounding boxes, which must be valid, overlap? The comparisons are those of ODE's collideAABBs(), so that touching
 /// and NaN mean the same.
 inline bool aabbs_overlap(const dxGeom *one, const dxGeom *other)

@@ -82,6 +82,7 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     off_line_.erase(id);
     line_unknown_.erase(id);
     unclassified_.erase(id);
+    asked_hulls_.erase(id);
     geom->next_ex = nullptr;
     // In this space a geom with a bad box need not be dirty (see listen_to()), nor a space that holds such a geom. In any other
     // space it must be.
@@ -126,10 +127,10 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
     forget_catching_up();
 }
 
-// By the sphere test alone rays are followed along their lines. (The matrix of a geom with a body stays a rotation.)
+// But by the box test, rays are followed along their lines. (The matrix of a geom with a body stays a rotation.)
 inline void dxPredictiveSpace::note_changed_line(const dxGeom *geom)
 {
-    if (!by_sphere())
+    if (by_box())
         return;
     line_unknown_.insert(proxy_of(geom));
     lines_known_.store(false, std::memory_order_release);
@@ -277,7 +278,8 @@ void dxPredictiveSpace::note_disabled(ProxyId id)
 void dxPredictiveSpace::set_proximity_test(ProximityTest test)
 {
     broadphase_.set_proximity_test(test);
-    if (by_sphere())
+    asked_hulls_.clear();
+    if (!by_box())
         for (dxGeom *geom = first; geom; geom = geom->next)
             note_changed_line(geom);
     forget_catching_up();

@@ -4,6 +4,8 @@
 #define ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
 
 #include <atomic>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -109,7 +111,10 @@ private:
     void compute_box_of_probe(dxGeom *geom);
     void find_off_line();
     void find_near(dxGeom *geom, std::vector<ProxyId> &found);
+    bool may_touch(dxGeom *geom, dxGeom *probe);
+    ode_predictive_space::ConvexShape shape_now(dxGeom *geom);
 
+    bool by_box() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::box; }
     bool by_sphere() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::sphere; }
 
     // inquiry.cpp
@@ -142,7 +147,7 @@ private:
     ode_predictive_space::IdSet polled_;       // geoms whose class changes them without notice
     std::size_t polled_count_ = 0;
     ode_predictive_space::IdSet
-        off_line_; // by the sphere test: those that a ray may touch where it does not meet their box
+        off_line_; // but by the box test: those that a ray may touch where it does not meet their box
     std::size_t off_line_count_ = 0;
     ode_predictive_space::IdSet line_unknown_; // may have come or gone there since a ray was last asked for
     std::atomic<bool> lines_known_{true};      // there are none of these
@@ -159,7 +164,9 @@ private:
     std::vector<ProxyId> found_;
 
     mutable ode_predictive_space::HullStore hulls_; // a scene may make hulls
-    bool unprepared_ = false;                       // geoms are unclassified
+    // Of geoms that were asked about: they are kept from one question to the next.
+    std::map<ProxyId, std::shared_ptr<const ode_predictive_space::VertexHull>> asked_hulls_;
+    bool unprepared_ = false; // geoms are unclassified
 
     unsigned long ticks_ = 0;
     unsigned long reported_ = 0;

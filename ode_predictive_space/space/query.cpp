@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ode_predictive_space/broadphase/near/shape_test.h"
+#include "ode_predictive_space/space/geom_shape.h"
 #include "ode_predictive_space/space/one_at_a_time.h"
 #include "ode_predictive_space/space/pair_filter.h"
 #include "ode_predictive_space/space/predictive_space.h"
@@ -64,7 +66,8 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
 {
     dAASSERT(geom && callback);
     const Lock lock(this);
-    if (static_cast<std::size_t>(count) <= tuning::few_to_ask)
+    // By the shape test, data that were changed in place have to be noticed first.
+    if (static_cast<std::size_t>(count) <= tuning::few_to_ask && !by_shape())
         return ask_each(data, geom, callback);
     if (!catch_up("dSpaceCollide2"))
         return;
@@ -114,8 +117,36 @@ inline void dxPredictiveSpace::answer(const GeomScene &now, dxGeom *other, dxGeo
         return;
     if (flags & GEOM_AABB_BAD)
         compute_box(other);
-    if (now.overlap_as_known(other, geom) && bits_agree(other, geom) && wants_callback(other, geom))
+    if (now.overlap_as_known(other, geom) && bits_agree(other, geom) && wants_callback(other, geom) &&
+        (!by_shape() || may_touch(other, geom)))
         callback(data, other, geom);
+}
+
+// By the shape test: can a probe touch a geom of this space? A look costs as much as ODE takes to find the contacts of two primitives:
+// it is for what is made of data. A ray is followed along its line.
+bool dxPredictiveSpace::may_touch(dxGeom *geom, dxGeom *probe)
+{
+    if (probe->type == dRayClass)
+        return ray_may_touch(probe, geom);
+    const bool probe_is_member = probe->parent_space == this;
+    if (has_data(probe) ? !probe_is_member : !has_data(geom))
+        return true;
+    return shapes_may_touch(shape_now(geom), shape_now(probe), broadphase_.shape_margin());
+}
+
+// None when it is not known, or made of data that are not ready for looks. Each question goes on with these.
+ConvexShape dxPredictiveSpace::shape_now(dxGeom *geom)
+{
+    if (!has_data(geom))
+        return shape_of(geom, hulls_, nullptr);
+    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    std::shared_ptr<const VertexHull> &hull = asked_hulls_[proxy_of(geom)];
+    ConvexShape shape = shape_of(geom, hulls_, hull);
+    hull = shape.hull;
+    const std::shared_ptr<Surface> &surface = shape.surface();
+    if (surface && !surface->is_ready())
+        surface->build(tuning::triangles_per_report);
+    return !surface || surface->is_ready() ? shape : ConvexShape();
 }
 
 // Boxes that no tick has needed are computed when they are first asked for.
@@ -149,13 +180,13 @@ inline void dxPredictiveSpace::answer(const GeomScene &now, dxGeom *other, dxGeo
     lines_known_.store(true, std::memory_order_release);
 }
 
-// All geoms whose bounding box may overlap that of `geom`. By the sphere test, a ray is followed along its line; only geoms that
+// All geoms whose bounding box may overlap that of `geom`. But by the box test, a ray is followed along its line; only geoms that
 // a ray can touch without meeting their box are looked for in the box of the ray.
 void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
 {
     if (flags_beside_others(geom) & GEOM_AABB_BAD)
         compute_box_of_probe(geom);
-    const bool as_line = geom->type == dRayClass && by_sphere() && !is_skewed(geom);
+    const bool as_line = geom->type == dRayClass && !by_box() && !is_skewed(geom);
     const std::optional<RayProbe> line = as_line ? line_of_ray(geom) : std::nullopt;
     const FloatBox box = FloatBox::around(to_box(geom->aabb));
     if (!line)

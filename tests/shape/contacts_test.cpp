@@ -30,9 +30,27 @@ dPredictiveSpaceCounters counters_of(dSpaceID space)
 struct Totals
 {
     long overlapping = 0, contacts = 0, calls = 0, ticks = 0;
+    long asked = 0, contacts_of_asked = 0, calls_of_asked = 0; // pairs in questions whose boxes overlap
     unsigned long looks = 0, postponed = 0;
     std::map<std::pair<int, int>, long> contacts_of_classes;
 };
+
+void ask(ShapeHistory &history, const std::string &where, Totals &totals)
+{
+    for (dGeomID probe : history.probes())
+    {
+        const ShapeHistory::Collision found = history.ask(probe);
+        const ShapeHistory::Truth truth = history.brute_force(probe);
+        ASSERT_EQ(found.repeated, 0) << where;
+        // Of rays, contacts are found that need not be.
+        ASSERT_TRUE(
+            std::includes(found.contacts.begin(), found.contacts.end(), truth.contacts.begin(), truth.contacts.end()))
+            << where << ", a probe of class " << dGeomGetClass(probe);
+        totals.asked += truth.overlapping;
+        totals.contacts_of_asked += static_cast<long>(found.contacts.size());
+        totals.calls_of_asked += found.calls;
+    }
+}
 
 // Compares with brute force at each tick.
 void run(const ShapeHistory::Setting &setting, int ticks, Totals &totals)
@@ -41,8 +59,12 @@ void run(const ShapeHistory::Setting &setting, int ticks, Totals &totals)
     for (int tick = 0; tick < ticks; ++tick)
     {
         history.advance();
-        const ShapeHistory::Collision found = history.collide();
         const std::string where = "seed " + std::to_string(setting.seed) + ", tick " + std::to_string(tick);
+        if (tick % 4 == 0)
+            ask(history, where + ", before it", totals);
+        const ShapeHistory::Collision found = history.collide();
+        if (tick % 4 == 2)
+            ask(history, where, totals);
         ASSERT_EQ(found.repeated, 0) << where;
         const ShapeHistory::Truth truth = history.brute_force();
         ASSERT_EQ(found.contacts, truth.contacts) << where;
@@ -131,9 +153,11 @@ void run_on_surfaces(bool ShapeHistory::Setting::*surface)
         run(setting, 600, totals);
     }
     std::cout << "seeds from " << first << ": " << totals.ticks << " ticks, " << totals.overlapping
-              << " pairs whose boxes overlap, " << totals.contacts << " contacts, " << totals.calls << " calls\n";
+              << " pairs whose boxes overlap, " << totals.contacts << " contacts, " << totals.calls << " calls; asked "
+              << totals.asked << ", " << totals.contacts_of_asked << ", " << totals.calls_of_asked << "\n";
     EXPECT_GT(totals.contacts, totals.ticks);
     EXPECT_GT(totals.postponed, 0u);
+    EXPECT_LT(totals.calls_of_asked, totals.asked);
 }
 
 TEST_F(ShapeContacts, AreThoseOfASimpleSpaceInAnyHistoryWithinARoom)

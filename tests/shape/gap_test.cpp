@@ -15,7 +15,7 @@ constexpr int pairs_of_classes = 20; // of six, but two planes
 #ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
 constexpr int poses = 1000000;
 #else
-constexpr int poses = of_cases(1500000) / pairs_of_classes;
+constexpr int poses = of_cases(600000) / pairs_of_classes;
 #endif
 constexpr double rounding = 1e-13;
 

@@ -36,6 +36,19 @@ bool boxes_overlap(dGeomID one, dGeomID other)
     return !(a[0] > b[1] || a[1] < b[0] || a[2] > b[3] || a[3] < b[2] || a[4] > b[5] || a[5] < b[4]);
 }
 
+bool touch_within_box(dGeomID ray, dGeomID geom)
+{
+    dReal box[6];
+    dGeomGetAABB(geom, box);
+    dContactGeom contacts[8];
+    const int count = dCollide(ray, geom, 8, contacts, sizeof(dContactGeom));
+    return std::any_of(contacts, contacts + count, [&](const dContactGeom &contact) {
+        const dReal *place = contact.pos;
+        return place[0] >= box[0] && place[0] <= box[1] && place[1] >= box[2] && place[1] <= box[3] &&
+               place[2] >= box[4] && place[2] <= box[5];
+    });
+}
+
 void note_contact(void *data, dGeomID one, dGeomID other)
 {
     auto &[collision, seen] = *static_cast<std::pair<ShapeHistory::Collision, ShapeHistory::GeomPairs> *>(data);
@@ -48,7 +61,8 @@ void note_contact(void *data, dGeomID one, dGeomID other)
 } // namespace
 
 ShapeHistory::ShapeHistory(const Setting &setting)
-    : setting_(setting), random_(setting.seed), world_(dWorldCreate()), space_(dPredictiveSpaceCreate(nullptr))
+    : setting_(setting), random_(setting.seed), world_(dWorldCreate()), space_(dPredictiveSpaceCreate(nullptr)),
+      ball_(dCreateSphere(nullptr, REAL(0.3))), ray_(dCreateRay(nullptr, 1))
 {
     dPredictiveSpaceSetProximity(space_, setting_.proximity);
     for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
@@ -71,6 +85,8 @@ ShapeHistory::ShapeHistory(const Setting &setting)
 
 ShapeHistory::~ShapeHistory()
 {
+    dGeomDestroy(ball_);
+    dGeomDestroy(ray_);
     dSpaceDestroy(space_);
     dWorldDestroy(world_);
 }
@@ -346,22 +362,51 @@ ShapeHistory::Collision ShapeHistory::collide()
     return collected.first;
 }
 
+void ShapeHistory::compare(dGeomID one, dGeomID other, Truth &truth)
+{
+    const bool same_body = dGeomGetBody(one) && dGeomGetBody(one) == dGeomGetBody(other);
+    const bool bits = (dGeomGetCategoryBits(one) & dGeomGetCollideBits(other)) |
+                      (dGeomGetCategoryBits(other) & dGeomGetCollideBits(one));
+    if (!dGeomIsEnabled(one) || same_body || !bits || !boxes_overlap(one, other))
+        return;
+    ++truth.overlapping;
+    if (touch(one, other))
+        truth.contacts.insert(std::minmax(one, other));
+}
+
 ShapeHistory::Truth ShapeHistory::brute_force() const
 {
     Truth truth;
     for (std::size_t i = 0; i < members_.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-        {
-            const dGeomID one = members_[i].geom, other = members_[j].geom;
-            const bool same_body = dGeomGetBody(one) && dGeomGetBody(one) == dGeomGetBody(other);
-            const bool bits = (dGeomGetCategoryBits(one) & dGeomGetCollideBits(other)) |
-                              (dGeomGetCategoryBits(other) & dGeomGetCollideBits(one));
-            if (!dGeomIsEnabled(one) || !dGeomIsEnabled(other) || same_body || !bits || !boxes_overlap(one, other))
-                continue;
-            ++truth.overlapping;
-            if (touch(one, other))
-                truth.contacts.insert(std::minmax(one, other));
-        }
+            if (dGeomIsEnabled(members_[j].geom))
+                compare(members_[i].geom, members_[j].geom, truth);
     return truth;
+}
+
+ShapeHistory::Collision ShapeHistory::ask(dGeomID probe)
+{
+    std::pair<Collision, GeomPairs> collected;
+    dSpaceCollide2(probe, reinterpret_cast<dGeomID>(space_), &collected, note_contact);
+    return collected.first;
+}
+
+// A mesh whose corners were changed in place keeps its old box: a ray may touch it where it does not meet that.
+ShapeHistory::Truth ShapeHistory::brute_force(dGeomID probe) const
+{
+    Truth truth;
+    for (const Member &member : members_)
+        if (probe != ray_ || member.kind != GeomKind::trimesh || touch_within_box(probe, member.geom))
+            compare(member.geom, probe, truth);
+    return truth;
+}
+
+std::vector<dGeomID> ShapeHistory::probes()
+{
+    const double half = setting_.half_room;
+    dGeomSetPosition(ball_, real(-half, half), real(-half, half), real(-half, half));
+    dGeomRaySetLength(ray_, real(0, 2 * half));
+    dGeomRaySet(ray_, real(-half, half), real(-half, half), real(-half, half), real(-1, 1), real(-1, 1), real(-1, 1));
+    return {ball_, ray_, members_[any(members_.size())].geom};
 }
 } // namespace ode_predictive_space

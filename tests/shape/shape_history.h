@@ -63,6 +63,13 @@ public:
     };
     Truth brute_force() const;
 
+    /// A dSpaceCollide2() of a probe, of this space or of none, with the space.
+    Collision ask(dGeomID probe);
+    /// What a simple space would answer.
+    Truth brute_force(dGeomID probe) const;
+    /// Somewhere where the geoms are: a ball, a ray, or one of the geoms. The first two go elsewhere each time.
+    std::vector<dGeomID> probes();
+
     dSpaceID space() const { return space_; }
 
 private:
@@ -95,6 +102,7 @@ private:
     void change_hills();
     void surprise();
     void keep_inside();
+    static void compare(dGeomID one, dGeomID other, Truth &truth);
 
     Setting setting_;
     std::mt19937_64 random_;
@@ -103,6 +111,7 @@ private:
     std::deque<ConvexArrays> convexes_;
     dWorldID world_;
     dSpaceID space_;
+    dGeomID ball_, ray_;          // in no space
     std::vector<Member> members_; // the plane, room or hills first
 };
 } // namespace ode_predictive_space

@@ -59,6 +59,13 @@ double touching_distance(const ConvexShape &first, const ConvexShape &second, do
     return margin + contact_slack * std::min(first.size, second.size) + slack(first, second);
 }
 
+bool shapes_may_touch(const ConvexShape &first, const ConvexShape &second, double margin)
+{
+    const double distance = touching_distance(first, second, margin);
+    return !(find_gap(first, second, Vector3::Zero(), distance).length > distance ||
+             surface_gap(first, second, distance) > distance);
+}
+
 // To the hulls, and where these have none, to the surface of one. A shape whose centre is in the box of a mesh is most likely in its
 // hull, too.
 Gap ShapeTest::gap_between(const CandidatePair &pair, const Look &look, double margin)

@@ -28,6 +28,9 @@ static_assert(sizeof(Look) == 24, "there is one for each near pair");
 /// Up to this distance a pair counts as touching. @param margin what the program adds.
 double touching_distance(const ConvexShape &first, const ConvexShape &second, double margin);
 
+/// Is there no gap of more than the touching distance?
+bool shapes_may_touch(const ConvexShape &first, const ConvexShape &second, double margin);
+
 /// Looks at travels and gaps, each when it is needed.
 class ShapeTest
 {

@@ -1,0 +1,189 @@
+// Questions by shape: dSpaceCollide2() of a space whose proximity is judged by shapes.
+
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include <ode_predictive_space/predictive_space.hpp>
+
+#include "tests/contract/support/scenario.h"
+#include "tests/shape/polyhedron_geom.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+// A sphere of some 40,000 triangles seen from within: more than are read for one question.
+Polyhedron dome(double radius)
+{
+    constexpr unsigned rings = 100, segments = 200;
+    Polyhedron dome;
+    for (unsigned ring = 0; ring <= rings; ++ring)
+        for (unsigned segment = 0; segment < segments; ++segment)
+        {
+            const double up = M_PI * (ring + 0.5) / (rings + 1), around = 2 * M_PI * segment / segments;
+            dome.corners.push_back(radius * Eigen::Vector3d(std::sin(up) * std::cos(around),
+                                                            std::sin(up) * std::sin(around), std::cos(up)));
+        }
+    for (unsigned ring = 0; ring < rings; ++ring)
+        for (unsigned segment = 0; segment < segments; ++segment)
+        {
+            const unsigned here = ring * segments + segment, next = ring * segments + (segment + 1) % segments;
+            dome.faces.push_back({here, next, next + segments, here + segments});
+        }
+    return dome;
+}
+
+class ShapeQuery : public OdeTest
+{
+protected:
+    ShapeQuery() { dPredictiveSpaceSetProximity(space, dPredictiveProximityShape); }
+    ~ShapeQuery() override { dSpaceDestroy(space); }
+
+    dGeomID mesh(dSpaceID of, const Polyhedron &polyhedron)
+    {
+        meshes_.push_back(std::make_unique<MeshArrays>(polyhedron));
+        return dCreateTriMesh(of, meshes_.back()->id(), nullptr, nullptr, nullptr);
+    }
+    MeshArrays &last_mesh() { return *meshes_.back(); }
+
+    std::size_t answers(dGeomID probe) const { return collide2(probe, as_geom(space)).size(); }
+    std::size_t answers_at(dGeomID probe, dReal x, dReal y, dReal z) const
+    {
+        dGeomSetPosition(probe, x, y, z);
+        return answers(probe);
+    }
+
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+
+private:
+    std::vector<std::unique_ptr<MeshArrays>> meshes_;
+};
+
+// A probe beside the space, which is destroyed with the test.
+class Probe
+{
+public:
+    explicit Probe(dGeomID geom) : geom_(geom) {}
+    ~Probe() { dGeomDestroy(geom_); }
+    Probe(const Probe &) = delete;
+    Probe &operator=(const Probe &) = delete;
+    operator dGeomID() const { return geom_; }
+
+private:
+    dGeomID geom_;
+};
+
+TEST_F(ShapeQuery, IsToldOfARoomWhereItsWallsAre)
+{
+    mesh(space, Polyhedron::cube().changed(Eigen::Vector3d::Constant(5), {0, 0, 0}));
+    const Probe ball(dCreateSphere(nullptr, 1)), box(dCreateBox(nullptr, 1, 1, 1));
+    for (dGeomID probe : {dGeomID(ball), dGeomID(box)})
+    {
+        EXPECT_EQ(answers_at(probe, 0, 0, 0), 0u) << "in the middle";
+        EXPECT_EQ(answers_at(probe, 0, REAL(4.5), 0), 1u) << "at a wall";
+        EXPECT_EQ(answers_at(probe, 0, 2, 0), 0u);
+    }
+}
+
+TEST_F(ShapeQuery, ALargeRoomIsReadBySeveralQuestions)
+{
+    mesh(space, dome(5));
+    const Probe ball(dCreateSphere(nullptr, 1));
+    int in_vain = 0;
+    while (in_vain < 100 && answers(ball) == 1)
+        ++in_vain;
+    EXPECT_GT(in_vain, 0) << "it is large";
+    EXPECT_LT(in_vain, 100) << "it is ready at some time";
+    EXPECT_EQ(answers_at(ball, 0, REAL(4.5), 0), 1u);
+    for (int tick = 0; tick < 3; ++tick)
+        collide(space); // nothing is near the room: its shape is not needed
+    EXPECT_EQ(answers_at(ball, 0, 0, 0), 0u) << "it is kept";
+}
+
+TEST_F(ShapeQuery, AMemberThatIsAMeshAsksByItsShape)
+{
+    const dGeomID octahedron = mesh(space, Polyhedron::octahedron());
+    const dGeomID ball = dCreateSphere(space, REAL(0.3));
+    dGeomSetBody(octahedron, dBodyCreate(dWorldCreate())); // does not meet itself
+    dGeomSetPosition(ball, REAL(0.9), REAL(0.9), REAL(0.9));
+    EXPECT_EQ(answers(octahedron), 0u) << "the boxes alone overlap";
+    dGeomSetPosition(ball, REAL(0.4), REAL(0.4), REAL(0.4));
+    EXPECT_EQ(answers(octahedron), 1u);
+    dWorldDestroy(dBodyGetWorld(dGeomGetBody(octahedron)));
+}
+
+// A mesh outside of the space may be made of other data at the same place: nobody would tell.
+TEST_F(ShapeQuery, AMeshOfAnotherSpaceAsksByItsBox)
+{
+    const dGeomID ball = dCreateSphere(space, REAL(0.3));
+    dGeomSetPosition(ball, REAL(0.9), REAL(0.9), REAL(0.9));
+    const Probe octahedron(mesh(nullptr, Polyhedron::octahedron()));
+    EXPECT_EQ(answers(octahedron), 1u);
+}
+
+// A look costs as much as finding their contacts.
+TEST_F(ShapeQuery, PrimitivesAskEachOtherByBoxes)
+{
+    dCreateSphere(space, 1);
+    const Probe ball(dCreateSphere(nullptr, 1));
+    EXPECT_EQ(answers_at(ball, REAL(1.5), REAL(1.5), 0), 1u);
+}
+
+TEST_F(ShapeQuery, ARayIsFollowedAlongItsLine)
+{
+    for (int i = 0; i < 40; ++i) // more than are asked one by one
+        dGeomSetPosition(dCreateBox(space, REAL(0.1), REAL(0.1), REAL(0.1)), i % 7, i / 7, 0);
+    const Probe ray(dCreateRay(nullptr, 10));
+    dGeomRaySet(ray, REAL(-0.5), REAL(-0.5), 0, 1, 1, 0);
+    EXPECT_EQ(answers(ray), 5u) << "those on the diagonal";
+    dGeomRaySet(ray, REAL(-0.5), 0, 0, 1, 1, 0);
+    EXPECT_EQ(answers(ray), 0u) << "between them";
+}
+
+TEST_F(ShapeQuery, NoticesDataThatWereChangedInPlace)
+{
+    const dGeomID room = mesh(space, Polyhedron::cube().changed(Eigen::Vector3d::Constant(5), {0, 0, 0}));
+    const Probe ball(dCreateSphere(nullptr, 1));
+    EXPECT_EQ(answers(ball), 0u);
+    last_mesh().move_corners({0, REAL(4.5), 0});
+    dPredictiveSpaceGeomChanged(space, room);
+    EXPECT_EQ(answers(ball), 1u) << "a wall has come";
+    dGeomDestroy(room);
+    EXPECT_EQ(answers(ball), 0u);
+    dGeomTriMeshSetData(mesh(space, Polyhedron::octahedron()), last_mesh().id());
+    EXPECT_EQ(answers(ball), 1u);
+}
+
+TEST_F(ShapeQuery, AMarginCounts)
+{
+    mesh(space, Polyhedron::cube().changed(Eigen::Vector3d::Constant(5), {0, 0, 0}));
+    const Probe ball(dCreateSphere(nullptr, 1));
+    EXPECT_EQ(answers_at(ball, 0, REAL(3.5), 0), 0u);
+    dPredictiveSpaceSetShapeMargin(space, REAL(0.6));
+    EXPECT_EQ(answers_at(ball, 0, REAL(3.5), 0), 1u);
+}
+
+// While the room is being read, it is told of.
+TEST_F(ShapeQuery, SeveralThreadsMayAsk)
+{
+    mesh(space, dome(5));
+    for (int i = 0; i < 50; ++i)
+        dGeomSetPosition(dCreateSphere(space, REAL(0.1)), 100, i, 0);
+    std::atomic<int> wrong{0};
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i)
+        threads.emplace_back([&] {
+            const OdeThread ode;
+            const Probe ball(dCreateSphere(nullptr, 1));
+            for (int round = 0; round < 200; ++round)
+                wrong += answers_at(ball, 0, REAL(4.5), REAL(0.001) * round) != 1 ||
+                         (answers_at(ball, 0, 0, 0) != 0 && round > 20);
+        });
+    for (std::thread &thread : threads)
+        thread.join();
+    EXPECT_EQ(wrong, 0);
+}
+} // namespace
+} // namespace ode_predictive_space
