@@ -49,8 +49,7 @@ demo::RunResult run(const Options &options, demo::DemoDevice &device, bool in_wi
     spec.name = options.scene;
     spec.objects = options.objects;
     spec.seed = options.seed;
-    spec.own_probe = false;
-    const scenes::SceneFactory factory(spec);
+    const scenes::SceneFactory factory = demo::factory_for_probe(spec);
     const auto notice = [](const haptics::Notice &told) { std::cerr << "-- " << told.sentence() << std::endl; };
 #ifdef HAPTIC_DEMO_HAS_WINDOW
     if (in_window)

@@ -39,11 +39,69 @@ void read_bounds(dGeomID geom, window::DrawnGeom &drawn)
     drawn.rotation = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     drawn.radius = box.diagonal().norm() / 2;
 }
+
+/// Where a ray that falls from the top of the box meets the geom; the bottom where it does not.
+Vector3 below(dGeomID ray, const Eigen::AlignedBox3d &box, double x, double y, dGeomID geom)
+{
+    dGeomRaySet(ray, x, y, box.max().z(), 0, 0, -1);
+    dContactGeom contact;
+    const bool meets = dCollide(ray, geom, 1, &contact, sizeof contact) > 0;
+    return {x, y, meets ? contact.pos[2] : box.min().z()};
+}
+
+constexpr int cells_of_hills = 96; ///< drawn along each side
+
+/// A lattice on the ground: ODE does not tell the heights.
+std::vector<Vector3> lattice_on(dGeomID heightfield)
+{
+    Eigen::AlignedBox3d box = bounds_of(heightfield);
+    box.max().z() += 1;
+    const Vector3 cell = box.sizes() / cells_of_hills;
+    const dGeomID ray = dCreateRay(nullptr, box.sizes().z());
+    std::vector<Vector3> lattice;
+    for (int i = 0; i <= cells_of_hills; ++i)
+    {
+        for (int j = 0; j <= cells_of_hills; ++j)
+        {
+            lattice.push_back(below(ray, box, box.min().x() + i * cell.x(), box.min().y() + j * cell.y(), heightfield));
+        }
+    }
+    dGeomDestroy(ray);
+    return lattice;
+}
+
+/// Two for each cell of the lattice.
+Triangles triangles_between(const std::vector<Vector3> &lattice)
+{
+    constexpr int corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+    Triangles triangles;
+    for (int i = 0; i < cells_of_hills; ++i)
+    {
+        for (int j = 0; j < cells_of_hills; ++j)
+        {
+            for (const auto &[along, across] : corners)
+            {
+                const int number = (i + along) * (cells_of_hills + 1) + j + across;
+                const Vector3 &corner = lattice[static_cast<std::size_t>(number)];
+                triangles.insert(triangles.end(), corner.data(), corner.data() + 3);
+            }
+        }
+    }
+    return triangles;
+}
 } // namespace
 
 GeomReader::GeomReader(const scenes::Scene &scene, const Eigen::AlignedBox3d &room)
     : scene_(scene), wall_size_(room.sizes().minCoeff() / 2)
-{}
+{
+    for (const dGeomID geom : scene.geoms())
+    {
+        if (geom != nullptr && dGeomGetClass(geom) == dHeightfieldClass)
+        {
+            hills_[geom] = std::make_shared<const Triangles>(triangles_between(lattice_on(geom)));
+        }
+    }
+}
 
 bool GeomReader::read(std::size_t most, std::vector<window::DrawnGeom> &geoms)
 {
@@ -74,6 +132,14 @@ window::DrawnGeom GeomReader::drawn(dGeomID geom)
 {
     window::DrawnGeom result;
     result.id = id_of(geom);
+    if (const auto hills = hills_.find(geom); hills != hills_.end())
+    {
+        read_bounds(geom, result);
+        result.position = {};
+        result.solid = Solid::mesh;
+        result.triangles = hills->second;
+        return result;
+    }
     if (dGeomGetClass(geom) == dPlaneClass || is_wall(geom))
     {
         result.part = Part::wall;

@@ -42,6 +42,7 @@ private:
     double wall_size_; ///< m
     std::size_t next_ = 0;
     std::map<dTriMeshDataID, std::shared_ptr<const window::Triangles>> meshes_;
+    std::map<dGeomID, std::shared_ptr<const window::Triangles>> hills_; ///< in the scene's frame
 };
 } // namespace ode_predictive_space::demo
 

@@ -1,7 +1,7 @@
 #include "demos/haptic/options.h"
 
+#include "demos/haptic/probe_scenes.h"
 #include "demos/scenes/command_line.h"
-#include "demos/scenes/scene.h"
 #include "demos/scenes/spaces.h"
 #include "ode_predictive_space/haptics/device_factory.h"
 
@@ -146,14 +146,6 @@ void complete(Options &options, const CLI::App &app)
     }
 }
 } // namespace
-
-const std::vector<std::string> &scenes_for_probes()
-{
-    // Not the scenes with a probe or queries of their own, of kilometres, or with objects too fast to touch.
-    static const std::vector<std::string> names = {"mix",  "pile",  "stack", "gas",
-                                                   "game", "still", "churn", "explosion"};
-    return names;
-}
 
 std::optional<int> parse_command_line(int argc, char **argv, Options &options)
 {

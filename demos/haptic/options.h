@@ -37,9 +37,6 @@ struct Options
     bool wants_one_run = false; ///< an option was given that only a run of one probe in one space has
 };
 
-/// The scenes that are fit for a probe.
-const std::vector<std::string> &scenes_for_probes();
-
 /// Reads the command line of the program.
 ///
 /// @return the exit status when the program has to end without a run: it has printed its help, or what is wrong.

@@ -21,8 +21,15 @@ Eigen::AlignedBox3d room_inside_walls(const Scene &scene, const SceneBounds &bou
             continue;
         }
         const Eigen::AlignedBox3d box = bounds_of(geom);
-        if (dGeomGetBody(geom) != nullptr || dGeomGetClass(geom) != dBoxClass ||
-            box.sizes().maxCoeff() < bounds.half_extent.minCoeff())
+        if (dGeomGetBody(geom) != nullptr || box.sizes().maxCoeff() < bounds.half_extent.minCoeff())
+        {
+            continue;
+        }
+        if (dGeomGetClass(geom) == dTriMeshClass && box.contains(bounds.centre))
+        {
+            room = room.intersection(box); // it is within the mesh
+        }
+        if (dGeomGetClass(geom) != dBoxClass)
         {
             continue;
         }

@@ -1,6 +1,7 @@
 // Where the probe of the demo begins.
 
 #include "demos/haptic/haptic_run.h"
+#include "demos/haptic/probe_scenes.h"
 #include "ode_predictive_space/haptics/device_factory.h"
 
 #include <gtest/gtest.h>
@@ -42,8 +43,7 @@ Start start_of(const std::string &scene, int objects, std::uint64_t seed, const 
     spec.name = scene;
     spec.objects = objects;
     spec.seed = seed;
-    spec.own_probe = false;
-    const scenes::SceneFactory factory(spec);
+    const scenes::SceneFactory factory = factory_for_probe(spec);
     Options options;
     options.spaces = {"predictive"};
     DemoDevice device(haptics::make_device(device_name, seed));

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "demos/haptic/options.h"
+#include "demos/haptic/probe_scenes.h"
 #include "demos/haptic/run_summary.h"
 #include "demos/scenes/narrow_output.h"
 #include "tests/support/program.h"

@@ -2,7 +2,7 @@
 // own in the space of the boxes.
 
 #include "tests/scenes/worlds/makers.h"
-#include "tests/scenes/worlds/world_scene.h"
+#include "demos/scenes/world_scene.h"
 
 namespace ode_predictive_space::scenes
 {

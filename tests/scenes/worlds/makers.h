@@ -20,8 +20,6 @@ SceneRecipe chain_world(const SceneSpec &spec);
 /// @param one_mesh ground and walls are one mesh; otherwise the ground is a plane.
 SceneRecipe shelves_world(const SceneSpec &spec, bool one_mesh);
 SceneRecipe drones_world(const SceneSpec &spec);
-SceneRecipe room_world(const SceneSpec &spec);
-SceneRecipe hills_world(const SceneSpec &spec);
 SceneRecipe city_world(const SceneSpec &spec);
 SceneRecipe rain_world(const SceneSpec &spec);
 SceneRecipe many_world(const SceneSpec &spec);

@@ -1,6 +1,6 @@
 #include "tests/scenes/worlds/ragdoll.h"
 
-#include "tests/scenes/worlds/world_scene.h"
+#include "demos/scenes/world_scene.h"
 
 #include <algorithm>
 #include <array>

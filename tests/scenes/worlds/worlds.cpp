@@ -53,8 +53,8 @@ std::vector<Entry> make_entries()
         {"heap_lies", "the same from 1.5 s on", varied<&heap_world>(0)},
         {"heap_50", "the same from the drop on in steps that vary by 50 %", varied<&heap_world>(0.5)},
         {"drones", "n bodies that fly in a room with pillars, which is one mesh", &drones_world},
-        {"room", "n bodies that fly in a room with rough walls, which is one mesh of 215,472 triangles", &room_world},
-        {"hills", "n bodies that fly over hills, which are a heightfield", &hills_world},
+        {"room", "n bodies that fly in a room with rough walls, which is one mesh of 215,472 triangles", &room_scene},
+        {"hills", "n bodies that fly over hills, which are a heightfield", &hills_scene},
         {"city", "n vehicles with four wheels on a heightfield, and 5 n trees", &city_world},
         {"rain", "n objects of which a fifth falls for ever, in steps of 0.1 s", &rain_world},
     };
