@@ -2,6 +2,7 @@
 
 #include "demos/haptic/comparison.h"
 #include "demos/haptic/haptic_run.h"
+#include "demos/haptic/probe_scenes.h"
 #include "demos/haptic/run_page.h"
 #include "demos/haptic/run_summary.h"
 #include "demos/scenes/check_writable.h"

@@ -40,30 +40,27 @@ void read_bounds(dGeomID geom, window::DrawnGeom &drawn)
     drawn.radius = box.diagonal().norm() / 2;
 }
 
-/// Where a ray that falls from the top of the box meets the geom; the bottom where it does not.
-Vector3 below(dGeomID ray, const Eigen::AlignedBox3d &box, double x, double y, dGeomID geom)
-{
-    dGeomRaySet(ray, x, y, box.max().z(), 0, 0, -1);
-    dContactGeom contact;
-    const bool meets = dCollide(ray, geom, 1, &contact, sizeof contact) > 0;
-    return {x, y, meets ? contact.pos[2] : box.min().z()};
-}
-
 constexpr int cells_of_hills = 96; ///< drawn along each side
 
-/// A lattice on the ground: ODE does not tell the heights.
+/// A lattice on the ground: ODE does not tell the heights. Rays find them, though not each one on a line between samples.
 std::vector<Vector3> lattice_on(dGeomID heightfield)
 {
-    Eigen::AlignedBox3d box = bounds_of(heightfield);
-    box.max().z() += 1;
-    const Vector3 cell = box.sizes() / cells_of_hills;
-    const dGeomID ray = dCreateRay(nullptr, box.sizes().z());
+    constexpr double within = 0.997;
+    const Eigen::AlignedBox3d box = bounds_of(heightfield);
+    const Vector3 corner = box.center() - within / 2 * box.sizes(), cell = within * box.sizes() / cells_of_hills;
+    const double above = box.max().z() + 1;
+    const dGeomID ray = dCreateRay(nullptr, above - box.min().z());
     std::vector<Vector3> lattice;
+    double height = box.center().z();
     for (int i = 0; i <= cells_of_hills; ++i)
     {
         for (int j = 0; j <= cells_of_hills; ++j)
         {
-            lattice.push_back(below(ray, box, box.min().x() + i * cell.x(), box.min().y() + j * cell.y(), heightfield));
+            const double x = corner.x() + i * cell.x(), y = corner.y() + j * cell.y();
+            dGeomRaySet(ray, x, y, above, 0, 0, -1);
+            dContactGeom contact;
+            height = dCollide(ray, heightfield, 1, &contact, sizeof contact) > 0 ? contact.pos[2] : height;
+            lattice.emplace_back(x, y, height);
         }
     }
     dGeomDestroy(ray);
@@ -136,6 +133,7 @@ window::DrawnGeom GeomReader::drawn(dGeomID geom)
     {
         read_bounds(geom, result);
         result.position = {};
+        result.part = Part::ground;
         result.solid = Solid::mesh;
         result.triangles = hills->second;
         return result;

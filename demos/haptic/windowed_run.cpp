@@ -92,7 +92,7 @@ WindowedRun::WindowedRun(const Options &options, const scenes::SceneFactory &fac
       picture_time_(options.screenshot_file.empty() ? never : options.screenshot_time)
 {
     view_.heading = options.scene + ", " + scenes::grouped(static_cast<std::uint64_t>(options.objects)) + " objects, " +
-                    options.spaces.front() + " space";
+                    options.spaces.front();
     view_.chart_seconds = ServoLog::column_seconds;
 }
 

@@ -6,7 +6,7 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double fastest = 3; // m/s
+constexpr double fastest_flyer = 3; // m/s
 } // namespace
 
 void let_fly(dWorldID world, dSurfaceParameters &surface)
@@ -22,7 +22,7 @@ dBodyID add_flyer(SceneObjects &objects, int number, const FlyerSize &size, cons
 {
     BodyState state;
     state.position = place;
-    state.velocity = random.uniform(0, fastest) * random.direction();
+    state.velocity = random.uniform(0, fastest_flyer) * random.direction();
     state.angular_velocity = random.uniform(0, 2) * random.direction();
     const dGeomID geom = number % 2 == 0 ? dCreateBox(objects.space(), size.box.x(), size.box.y(), size.box.z())
                                          : dCreateSphere(objects.space(), size.radius);

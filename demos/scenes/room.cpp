@@ -29,6 +29,10 @@ Eigen::AlignedBox3d room_inside_walls(const Scene &scene, const SceneBounds &bou
         {
             room = room.intersection(box); // it is within the mesh
         }
+        if (dGeomGetClass(geom) == dHeightfieldClass)
+        {
+            room.min().z() = std::max(room.min().z(), box.min().z());
+        }
         if (dGeomGetClass(geom) != dBoxClass)
         {
             continue;

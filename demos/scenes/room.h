@@ -10,8 +10,8 @@ namespace ode_predictive_space::scenes
 /// The box that ODE reports for a geom, metres.
 Eigen::AlignedBox3d bounds_of(dGeomID geom);
 
-/// The room inside the walls of a scene: its bounds without the large boxes without a body at their sides, and within a large mesh
-/// without a body. Metres.
+/// The room inside the walls of a scene: its bounds without the large boxes without a body at their sides, within a large mesh
+/// without a body, and above a heightfield. Metres.
 Eigen::AlignedBox3d room_inside_walls(const Scene &scene, const SceneBounds &bounds);
 } // namespace ode_predictive_space::scenes
 

@@ -6,7 +6,7 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-constexpr double gravity = 9.81; // m/s^2
+constexpr double standard_gravity = 9.81; // m/s^2
 constexpr unsigned long scenery_category = 2;
 constexpr int nested_quadtree_depth = 3;
 } // namespace
@@ -49,7 +49,7 @@ WorldScene::WorldScene(const SceneSpec &spec, dSpaceID space, double step_second
     : ContactScene(space, step_seconds, spec.seed), random_(spec.seed), mean_step_(step_seconds), step_(step_seconds),
       step_random_(haptics::mix_bits(spec.seed))
 {
-    dWorldSetGravity(objects_.world(), 0, 0, -gravity);
+    dWorldSetGravity(objects_.world(), 0, 0, -standard_gravity);
     dWorldSetCFM(objects_.world(), 1e-5);
     dWorldSetContactSurfaceLayer(objects_.world(), 0.001);
     dWorldSetContactMaxCorrectingVel(objects_.world(), 1);

@@ -34,6 +34,10 @@ bool may_be_met_soon(const ProbeView &probe, std::uintptr_t id)
 
 Colour colour_of(const DrawnGeom &geom, const ProbeView &probe)
 {
+    if (geom.part == Part::ground)
+    {
+        return palette::still;
+    }
     if (contains(probe.touched, geom.id))
     {
         return palette::touched;
@@ -49,6 +53,7 @@ Colour colour_of(const DrawnGeom &geom, const ProbeView &probe)
     case Part::asleep:
         return palette::asleep;
     case Part::still:
+    case Part::ground:
     case Part::wall:
         break;
     }

@@ -34,6 +34,7 @@ enum class Part
     still,
     moving,
     asleep, ///< its body is disabled
+    ground, ///< below all: drawn in one colour, whatever touches it
     wall    ///< of the room: it would hide what is inside
 };
 

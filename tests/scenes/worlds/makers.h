@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SCENES_WORLDS_MAKERS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SCENES_WORLDS_MAKERS_H
 
-#include "demos/scenes/scene.h"
+#include "demos/scenes/surface_scenes.h"
 
 #include <algorithm>
 #include <cmath>
