@@ -150,6 +150,9 @@ TEST_F(ShapeQuery, NoticesDataThatWereChangedInPlace)
     last_mesh().move_corners({0, REAL(4.5), 0});
     dPredictiveSpaceGeomChanged(space, room);
     EXPECT_EQ(answers(ball), 1u) << "a wall has come";
+    last_mesh().move_corners({0, REAL(-4.5), 0});
+    dGeomTriMeshSetData(room, last_mesh().id()); // ODE tells nobody
+    EXPECT_EQ(answers(ball), 0u) << "it has gone";
     dGeomDestroy(room);
     EXPECT_EQ(answers(ball), 0u);
     dGeomTriMeshSetData(mesh(space, Polyhedron::octahedron()), last_mesh().id());
