@@ -142,6 +142,28 @@ TEST_F(ShapeQuery, ARayIsFollowedAlongItsLine)
     EXPECT_EQ(answers(ray), 0u) << "between them";
 }
 
+// Where an object is going to be is no place where it is.
+TEST_F(ShapeQuery, ARayThatMeetsAnEnvelopeAloneIsNotAnswered)
+{
+    const dWorldID world = dWorldCreate();
+    const dBodyID body = dBodyCreate(world);
+    dGeomSetBody(dCreateBox(space, REAL(0.1), REAL(0.1), REAL(0.1)), body);
+    dBodySetGravityMode(body, 0);
+    dBodySetPosition(body, REAL(0.5), REAL(0.2), 0);
+    dBodySetLinearVel(body, 0, REAL(0.2), 0);
+    for (int i = 0; i < 40; ++i)
+        dGeomSetPosition(dCreateBox(space, REAL(0.1), REAL(0.1), REAL(0.1)), 10 + i, 0, 0);
+    for (int tick = 0; tick < 80; ++tick)
+    {
+        dWorldQuickStep(world, REAL(0.01));
+        collide(space);
+    }
+    const Probe ray(dCreateRay(nullptr, 10));
+    dGeomRaySet(ray, -1, -1, 0, 1, 1, 0);
+    EXPECT_EQ(answers(ray), 0u) << "it goes by ahead of the box";
+    dWorldDestroy(world);
+}
+
 TEST_F(ShapeQuery, NoticesDataThatWereChangedInPlace)
 {
     const dGeomID room = mesh(space, Polyhedron::cube().changed(Eigen::Vector3d::Constant(5), {0, 0, 0}));
