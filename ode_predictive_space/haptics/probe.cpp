@@ -1,7 +1,7 @@
 #include "ode_predictive_space/haptics/probe.h"
 
-#include "ode_predictive_space/haptics/active_run.h"
-#include "ode_predictive_space/haptics/with_lock.h"
+#include "ode_predictive_space/haptics/device/with_lock.h"
+#include "ode_predictive_space/haptics/safety/active_run.h"
 
 #include <algorithm>
 #include <array>

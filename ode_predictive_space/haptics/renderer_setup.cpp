@@ -1,11 +1,11 @@
 // How the hand's side of a probe is set up, and what the device can bear of what is asked for.
 
-#include "ode_predictive_space/haptics/check_argument.h"
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
-#include "ode_predictive_space/haptics/open_gates.h"
+#include "ode_predictive_space/haptics/contact/usual_touches.h"
+#include "ode_predictive_space/haptics/device/check_argument.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "ode_predictive_space/haptics/renderer.h"
-#include "ode_predictive_space/haptics/usual_touches.h"
+#include "ode_predictive_space/haptics/safety/open_gates.h"
 
 #include <algorithm>
 #include <limits>

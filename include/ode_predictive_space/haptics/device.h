@@ -43,6 +43,15 @@ struct DeviceState
     double time = 0;                                 ///< s; when this was so, on the clock that read() was given
 };
 
+/// The probe, in the scene's frame, SI units.
+struct ToolState
+{
+    Vector3 position = Vector3::Zero();              ///< m
+    Quaternion orientation = Quaternion::Identity(); ///< of length 1
+    Vector3 linear_velocity = Vector3::Zero();       ///< m/s
+    Vector3 angular_velocity = Vector3::Zero();      ///< rad/s
+};
+
 /// What a device is to push the hand with. The device's own frame.
 struct Wrench
 {

@@ -7,18 +7,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// ForceShare::object of a force in free space: see ForceLaw::forces().
-constexpr std::uintptr_t free_space = 0;
-
-/// The part of the force on the hand that one object made.
-struct ForceShare
-{
-    std::uintptr_t object = free_space; ///< Touch::object
-    Vector3 point = Vector3::Zero();    ///< m, the scene's frame; where it was touched last
-    Vector3 force = Vector3::Zero();    ///< N, the scene's frame; on the hand
-    unsigned feature = 0;               ///< Touch::feature; in free space, which of the entries, from 0 on
-};
-
 /// Divides the force that the hand really got among the objects that made it, so that each of them gets the opposite of its part.
 ///
 /// What a law wishes is limited on its way to the device: clamped, scaled, and kept from changing too fast. The last of these

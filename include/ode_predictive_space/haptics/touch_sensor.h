@@ -4,7 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_TOUCH_SENSOR_H
 
 #include "ode_predictive_space/haptics/body_watch.h"
-#include "ode_predictive_space/haptics/force_shares.h"
+#include "ode_predictive_space/haptics/touch.h"
 
 #include <functional>
 #include <memory>
@@ -20,19 +20,6 @@ class ExcludedGeoms;
 class GeomWatch;
 class MeshStore;
 struct ProbePlace;
-
-/// The heights of a heightfield, as it was built of them by dGeomHeightfieldDataBuildDouble() or the like. Its frame's y
-/// axis points up.
-struct HeightfieldSamples
-{
-    double width = 0;            ///< m, > 0; along x
-    double depth = 0;            ///< m, > 0; along z
-    int width_samples = 0;       ///< >= 2
-    int depth_samples = 0;       ///< >= 2
-    double scale = 1;            ///< m; of a height of 1
-    double offset = 0;           ///< m; of a height of 0
-    std::vector<double> heights; ///< that of column x and row z is at x + z * width_samples
-};
 
 /// What a geom is made of; nothing: what the force law says.
 using MaterialOf = std::function<std::optional<Material>(dGeomID)>;
@@ -206,9 +193,6 @@ private:
     BodyWatch bodies_;
     std::vector<dContactGeom> contacts_; ///< most_contacts of them, for dCollide() to write to
 };
-
-/// What Touch::object is for a geom: its body, or itself if it has none.
-std::uintptr_t object_of(dGeomID geom);
 
 /// What a body's motion is to force laws.
 ToolState tool_state_of(dBodyID body);

@@ -1,7 +1,7 @@
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
 
-#include "ode_predictive_space/haptics/closest_point.h"
-#include "ode_predictive_space/haptics/usual_touches.h"
+#include "ode_predictive_space/haptics/contact/closest_point.h"
+#include "ode_predictive_space/haptics/contact/usual_touches.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MANIFOLD_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MANIFOLD_H
 
-#include "ode_predictive_space/haptics/constraint_plane.h"
+#include "ode_predictive_space/haptics/contact/constraint_plane.h"
 #include "ode_predictive_space/haptics/touch.h"
 
 #include <vector>
