@@ -1,7 +1,7 @@
 // Where the probe of the demo begins.
 
 #include "demos/haptic/haptic_run.h"
-#include "ode_predictive_space/haptics/device_factory.h"
+#include "ode_predictive_space/haptics/drivers.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@ import re
 import sys
 
 LIBRARY = "ode_predictive_space/haptics"
-WITHOUT_SOURCE = {"exchange.h": "device/", "random.h": "device/", "touch.h": "contact/"}
+WITHOUT_SOURCE = {"exchange.h": "device/"}
 HEADING = "## The code in rooms"
 ROW = re.compile(r"^\| `([a-z]+/|\*)` \|.*\|([^|]*)\|$", re.MULTILINE)
 INCLUDE = re.compile(rf'^#include "{LIBRARY}/(.*)"', re.MULTILINE)

@@ -3,7 +3,7 @@
 
 #include "ode_predictive_space/haptics/device/hd_servo.h"
 
-#include "ode_predictive_space/haptics/openhaptics_device.h"
+#include "ode_predictive_space/haptics/drivers.h"
 #include "tests/haptics/stand_ins/fake_hd_control.h"
 #include "tests/support/eventually.h"
 

@@ -4,7 +4,6 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_TOUCH_H
 
 #include "ode_predictive_space/haptics/device.h"
-#include "ode_predictive_space/haptics/material.h"
 
 #include <ode/common.h>
 #include <optional>
@@ -12,6 +11,18 @@
 
 namespace ode_predictive_space::haptics
 {
+/// What the hand feels of a surface, in the scene's frame. All finite and >= 0.
+struct Material
+{
+    double stiffness = 500;     ///< N/m; along the normal, and of friction's hold
+    double damping = 0;         ///< N s/m; along the normal
+    double friction = 0;        ///< Coulomb's coefficient while the probe slides
+    double static_friction = 0; ///< the same until it begins to slide; less than friction counts as friction
+};
+
+/// The same, by its first name.
+using SurfaceProperties = Material;
+
 /// What a touch adds to the way from the tool to its proxy: share times the touch's normal, and its part of the lag. All
 /// touches together make that way, exactly.
 struct Carry

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/contact_birth.h"
+#include "ode_predictive_space/haptics/contact/contact_birth.h"
 
 #include <algorithm>
 

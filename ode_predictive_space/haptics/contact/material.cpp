@@ -1,7 +1,8 @@
-#include "ode_predictive_space/haptics/material.h"
+#include "ode_predictive_space/haptics/touch.h"
 
 #include <algorithm>
 
+#include "ode_predictive_space/haptics/contact/material.h"
 #include "ode_predictive_space/haptics/device/check_argument.h"
 
 namespace ode_predictive_space::haptics

@@ -1,4 +1,5 @@
-#include "ode_predictive_space/haptics/safe_collide.h"
+#include "ode_predictive_space/haptics/contact/safe_collide.h"
+#include "ode_predictive_space/haptics/touch_sensor.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/delay_meter.h"
+#include "ode_predictive_space/haptics/device/delay_meter.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/device_motion.h"
+#include "ode_predictive_space/haptics/device/device_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/hand_path_device.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 namespace ode_predictive_space::haptics
 {

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/openhaptics_device.h"
+#include "ode_predictive_space/haptics/drivers.h"
 
 #include "ode_predictive_space/haptics/device/hd_session.h"
 

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/spacenav_device.h"
+#include "ode_predictive_space/haptics/drivers.h"
 
 #include "ode_predictive_space/haptics/device/check_argument.h"
 #include "ode_predictive_space/haptics/device/spnav_connection.h"

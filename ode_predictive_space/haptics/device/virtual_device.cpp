@@ -1,7 +1,7 @@
 #include "ode_predictive_space/haptics/virtual_device.h"
 
 #include "ode_predictive_space/haptics/device/check_argument.h"
-#include "ode_predictive_space/haptics/random.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 #include <algorithm>
 

@@ -1,4 +1,5 @@
-#include "ode_predictive_space/haptics/felt_materials.h"
+#include "ode_predictive_space/haptics/law/felt_materials.h"
+#include "ode_predictive_space/haptics/contact/material.h"
 
 #include <algorithm>
 

@@ -1,15 +1,19 @@
 #include "ode_predictive_space/haptics/penalty_law.h"
 
-#include <algorithm>
-
+#include "ode_predictive_space/haptics/contact/material.h"
+#include "ode_predictive_space/haptics/law/felt_materials.h"
 #include "ode_predictive_space/haptics/law/normal_force.h"
+
+#include <algorithm>
 
 namespace ode_predictive_space::haptics
 {
-PenaltyLaw::PenaltyLaw(const Material &material) : material_(material)
+PenaltyLaw::PenaltyLaw(const Material &material) : material_(material), materials_(std::make_unique<FeltMaterials>())
 {
     check(material);
 }
+
+PenaltyLaw::~PenaltyLaw() = default;
 
 void PenaltyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces)
 {
@@ -18,11 +22,11 @@ void PenaltyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches
     holds_.swap(last_holds_);
     holds_.clear();
 
-    materials_.follow(touches, material_, dt);
+    materials_->follow(touches, material_, dt);
     forces.resize(touches.size());
     for (std::size_t i = 0; i < touches.size(); ++i)
     {
-        const Material &material = materials_[i];
+        const Material &material = (*materials_)[i];
         const Carry carry = carry_of(touches[i]);
         const bool carried_by_others = !carry.carries() && touches[i].depth > 0;
         const double pressure =
@@ -70,7 +74,6 @@ void PenaltyLaw::reset()
 {
     last_holds_.clear();
     holds_.clear();
-    materials_.reset();
+    materials_->reset();
 }
-
 } // namespace ode_predictive_space::haptics

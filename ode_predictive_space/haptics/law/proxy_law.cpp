@@ -1,8 +1,10 @@
 #include "ode_predictive_space/haptics/proxy_law.h"
 
-#include <algorithm>
-
+#include "ode_predictive_space/haptics/contact/material.h"
+#include "ode_predictive_space/haptics/law/felt_materials.h"
 #include "ode_predictive_space/haptics/law/normal_force.h"
+
+#include <algorithm>
 
 namespace ode_predictive_space::haptics
 {
@@ -11,10 +13,12 @@ namespace
 constexpr double rounding_of_planes = 1e-9; // of a plane that lies in the one that carries
 } // namespace
 
-ProxyLaw::ProxyLaw(const Material &material) : material_(material)
+ProxyLaw::ProxyLaw(const Material &material) : material_(material), materials_(std::make_unique<FeltMaterials>())
 {
     check(material);
 }
+
+ProxyLaw::~ProxyLaw() = default;
 
 void ProxyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces)
 {
@@ -27,7 +31,7 @@ void ProxyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, 
         lifted += carries_.back().share * touch.normal + carries_.back().lag;
         carried += carries_.back().share;
     }
-    materials_.follow(touches, material_, dt);
+    materials_->follow(touches, material_, dt);
     const Vector3 along = friction(tool.position, lifted, carried, touches, dt);
     proxy_ = lifted + along;
     has_proxy_ = proxy_.allFinite();
@@ -37,7 +41,7 @@ void ProxyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, 
     {
         const Touch &touch = touches[i];
         const Carry &carry = carries_[i];
-        const Material &material = materials_[i];
+        const Material &material = (*materials_)[i];
         forces[i] = normal_force(tool, touch, material, touch.normal, carry.share, carry.share != 0) * touch.normal +
                     material.stiffness * carry.lag;
         if (carried > 0)
@@ -51,7 +55,7 @@ double ProxyLaw::most_friction(bool slides) const
     double most = 0;
     for (std::size_t i = 0; i < carries_.size(); ++i)
     {
-        const Material &material = materials_[i];
+        const Material &material = (*materials_)[i];
         const double coefficient = slides ? material.friction : std::max(material.friction, material.static_friction);
         most += coefficient * carries_[i].share;
     }
@@ -107,9 +111,8 @@ Vector3 ProxyLaw::along_the_carriers(const std::vector<Touch> &touches, Vector3 
 
 void ProxyLaw::reset()
 {
-    materials_.reset();
+    materials_->reset();
     has_proxy_ = false;
     slides_ = false;
 }
-
 } // namespace ode_predictive_space::haptics

@@ -2,7 +2,7 @@
 
 #include "ode_predictive_space/haptics/loop/coupled_loop.h"
 #include "ode_predictive_space/haptics/loop/decoupled_loop.h"
-#include "ode_predictive_space/haptics/stop_request.h"
+#include "ode_predictive_space/haptics/safety.h"
 
 #include <algorithm>
 #include <optional>

@@ -10,7 +10,6 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr double watch_period = 0.001; // s
-constexpr double speaker_period = 0.01;
 
 DeviceGate &guarded(DeviceGate &gate)
 {
@@ -21,9 +20,11 @@ DeviceGate &guarded(DeviceGate &gate)
 
 LoopGuard::LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties)
     : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)), last_beat_(no_beat), stopped_beat_(no_beat),
-      busy_beat_(no_beat), watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }})),
-      speaker_(clock.start({speaker_period, {}, [this](double) { deliver_all(); }}))
-{}
+      busy_beat_(no_beat), speaker_(duties_.sink),
+      watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }}))
+{
+    speaker_.start(clock);
+}
 
 LoopGuard::~LoopGuard()
 {
@@ -37,37 +38,7 @@ void LoopGuard::end()
         gate_.set_guarded(false);
     }
     watch_.reset();
-    speaker_.reset();
-    deliver_all();
-}
-
-void LoopGuard::deliver(const Notice &notice)
-{
-    if (!duties_.sink || sink_failed())
-    {
-        return;
-    }
-    try
-    {
-        duties_.sink(notice);
-    }
-    catch (...)
-    {
-        sink_error_ = std::current_exception();
-        sink_failed_.store(true, std::memory_order_release);
-    }
-}
-
-void LoopGuard::deliver_all()
-{
-    for (Queue<Notice> *queue : {&posted_, &told_, &seen_})
-    {
-        Notice notice;
-        while (queue->receive(notice))
-        {
-            deliver(notice);
-        }
-    }
+    speaker_.end();
 }
 
 void LoopGuard::look()
@@ -124,7 +95,8 @@ void LoopGuard::stop_force(double now, double beat)
 
 void LoopGuard::tell(std::string_view sentence)
 {
-    seen_.give(Notice(NoticeKind::guard, duties_.time ? duties_.time() : clock_.now(), sentence));
+    const double time = duties_.time ? duties_.time() : clock_.now();
+    speaker_.post(NoticeSpeaker::Side::watch, Notice(NoticeKind::guard, time, sentence));
 }
 
 /// @return false when it could not, and is to be tried again.

@@ -3,12 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_GUARD_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_GUARD_H
 
-#include "ode_predictive_space/haptics/device_gate.h"
-#include "ode_predictive_space/haptics/exchange.h"
-#include "ode_predictive_space/haptics/loop_clock.h"
-#include "ode_predictive_space/haptics/notice.h"
-
-#include <exception>
+#include "ode_predictive_space/haptics/loop/notice_speaker.h"
+#include "ode_predictive_space/haptics/safety/device_gate.h"
 
 namespace ode_predictive_space::haptics
 {
@@ -46,19 +42,19 @@ public:
     /// Of the same: there are no more steps.
     void end_steps() { last_step_.store(no_beat, std::memory_order_relaxed); }
 
-    /// Of the servo; neither allocates nor waits. Lost when a hundred others are on their way.
-    void post(const Notice &notice) { posted_.give(notice); }
+    /// See NoticeSpeaker. Of the servo.
+    void post(const Notice &notice) { speaker_.post(NoticeSpeaker::Side::servo, notice); }
     /// The same, from the thread of a decoupled loop's scene.
-    void post_of_scene(const Notice &notice) { told_.give(notice); }
+    void post_of_scene(const Notice &notice) { speaker_.post(NoticeSpeaker::Side::scene, notice); }
 
     /// Of the thread that made it, when the servo has ended: the watch is over, and what was posted is delivered.
     void end();
 
     /// Whether the sink threw; it is not called any more, then. From any thread.
-    bool sink_failed() const { return sink_failed_.load(std::memory_order_acquire); }
+    bool sink_failed() const { return speaker_.sink_failed(); }
 
     /// What it threw. After sink_failed().
-    std::exception_ptr sink_error() const { return sink_error_; }
+    std::exception_ptr sink_error() const { return speaker_.sink_error(); }
 
 private:
     void look();
@@ -66,18 +62,12 @@ private:
     void stop_force(double now, double beat);
     void tell(std::string_view sentence);
     bool take_force(double now);
-    void deliver_all();
-    void deliver(const Notice &notice);
 
-    static constexpr std::size_t most_notices = 100; ///< on their way
     static constexpr double no_beat = -1;
 
     LoopClock &clock_;
     DeviceGate &gate_;
     GuardDuties duties_;
-    Queue<Notice> posted_{most_notices}; ///< by the servo
-    Queue<Notice> told_{most_notices};   ///< by the scene
-    Queue<Notice> seen_{most_notices};   ///< by the watch
     std::atomic<double> last_beat_;
     double stopped_beat_; ///< the last beat before a stall that has been dealt with
     double busy_beat_;    ///< the same, told that the driver hangs
@@ -85,10 +75,8 @@ private:
     double stopped_step_ = no_beat; ///< the last step before a stall that has been dealt with
     std::atomic<std::thread::id> scene_thread_{};
     bool ended_ = false; ///< must_end() has been dealt with
-    std::atomic<bool> sink_failed_{false};
-    std::exception_ptr sink_error_;
-    std::unique_ptr<RunningTask> watch_; ///< last: they use the others
-    std::unique_ptr<RunningTask> speaker_;
+    NoticeSpeaker speaker_;
+    std::unique_ptr<RunningTask> watch_; ///< last: it uses the others
 };
 } // namespace ode_predictive_space::haptics
 

@@ -1,8 +1,9 @@
 #include "ode_predictive_space/haptics/loop/loop_parts.h"
 
+#include "ode_predictive_space/haptics/contact/safe_collide.h"
 #include "ode_predictive_space/haptics/loop/body_check.h"
-#include "ode_predictive_space/haptics/safe_collide.h"
-#include "ode_predictive_space/haptics/stop_request.h"
+#include "ode_predictive_space/haptics/safety.h"
+#include "ode_predictive_space/haptics/touch_sensor.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/device_gate.h"
+#include "ode_predictive_space/haptics/safety/device_gate.h"
 
 #include <chrono>
 #include <thread>

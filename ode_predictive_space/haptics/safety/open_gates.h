@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_OPEN_GATES_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_OPEN_GATES_H
 
-#include "ode_predictive_space/haptics/device_gate.h"
+#include "ode_predictive_space/haptics/safety/device_gate.h"
 
 namespace ode_predictive_space::haptics
 {

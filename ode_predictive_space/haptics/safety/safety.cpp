@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ode_predictive_space/haptics/device/check_argument.h"
+#include "ode_predictive_space/haptics/safety/safety_stage.h"
 
 namespace ode_predictive_space::haptics
 {

@@ -1,6 +1,7 @@
-#include "ode_predictive_space/haptics/stability.h"
+#include "ode_predictive_space/haptics/safety.h"
 
 #include "ode_predictive_space/haptics/device/check_argument.h"
+#include "ode_predictive_space/haptics/safety/stability.h"
 
 #include <algorithm>
 #include <cmath>

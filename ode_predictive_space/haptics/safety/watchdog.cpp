@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/watchdog.h"
+#include "ode_predictive_space/haptics/safety/watchdog.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,22 +1,12 @@
-// What a surface feels like.
+// Which materials there can be, and how one goes over into another.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MATERIAL_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MATERIAL_H
 
+#include "ode_predictive_space/haptics/touch.h"
+
 namespace ode_predictive_space::haptics
 {
-/// What the hand feels of a surface, in the scene's frame. All finite and >= 0.
-struct Material
-{
-    double stiffness = 500;     ///< N/m; along the normal, and of friction's hold
-    double damping = 0;         ///< N s/m; along the normal
-    double friction = 0;        ///< Coulomb's coefficient while the probe slides
-    double static_friction = 0; ///< the same until it begins to slide; less than friction counts as friction
-};
-
-/// The same, by its first name.
-using SurfaceProperties = Material;
-
 /// @throws std::invalid_argument that names the property which is negative or not finite.
 void check(const Material &material);
 

@@ -3,19 +3,10 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_VIRTUAL_COUPLING_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_VIRTUAL_COUPLING_H
 
-#include "ode_predictive_space/haptics/touch.h"
+#include "ode_predictive_space/haptics/force_law.h"
 
 namespace ode_predictive_space::haptics
 {
-/// What a virtual coupling can be set to; all >= 0.
-struct CouplingProperties
-{
-    double stiffness = 500;         ///< N/m
-    double damping = 1;             ///< N s/m
-    double angular_stiffness = 0.5; ///< N m/rad
-    double angular_damping = 0.005; ///< N m s/rad
-};
-
 /// Holds a dynamic body (the tool) to the device by a spring and a damper, for position and for orientation
 /// (Colgate, Stanley and Brown, "Issues in the haptic display of tool use", 1995). The body collides as any other; the hand feels
 /// only the coupling, which therefore bounds what stiffness the device has to render, whatever the tool hits.
