@@ -258,7 +258,7 @@ void Renderer::Parts::tell_of_safety()
     }
 }
 
-// A device that does not answer has been told of, and who asked for a stop knows.
+// A device that does not answer has been told of.
 void Renderer::Parts::tell_of_watchdog()
 {
     const WatchdogReason reason = watchdog->reason();

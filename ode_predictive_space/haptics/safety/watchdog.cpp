@@ -19,8 +19,6 @@ const char *explanation_of(WatchdogReason reason)
     {
     case WatchdogReason::none:
         return "All is well.";
-    case WatchdogReason::stop_requested:
-        return "The force is taken away, as the program is to end.";
     case WatchdogReason::device_lost:
         return "The force is taken away, as the device does not answer.";
     case WatchdogReason::physics_stale:
@@ -79,8 +77,6 @@ Watchdog::Fault Watchdog::find_fault(double time, double elapsed)
     const double stale_for = time - physics_time_.load(std::memory_order_relaxed) - limits_.stale_after;
     const double late_for = elapsed - limits_.late_after;
 
-    if (stop_requested_.load(std::memory_order_relaxed))
-        return {WatchdogReason::stop_requested, elapsed};
     if (!device_answers_)
         return {WatchdogReason::device_lost, elapsed};
     if (!(stale_for <= 0))
@@ -96,16 +92,5 @@ bool Watchdog::missed_too_many(double elapsed)
 {
     missed_in_a_row_ = elapsed > limits_.late_period ? std::min(missed_in_a_row_ + 1, limits_.late_in_a_row) : 0;
     return missed_in_a_row_ == limits_.late_in_a_row;
-}
-
-void Watchdog::reset()
-{
-    physics_time_.store(no_time_yet, std::memory_order_relaxed);
-    stop_requested_.store(false, std::memory_order_relaxed);
-    device_answers_ = false;
-    has_ticked_ = false;
-    missed_in_a_row_ = 0;
-    factor_ = 0;
-    reason_ = WatchdogReason::device_lost;
 }
 } // namespace ode_predictive_space::haptics

@@ -13,14 +13,13 @@ namespace ode_predictive_space::haptics
 enum class WatchdogReason
 {
     none,
-    stop_requested, ///< the program is to end
     device_lost,    ///< the device does not answer
     physics_stale,  ///< the scene has not been stepped for too long
     servo_late      ///< the servo loop missed its deadline by much, or many of them in a row
 };
 
 /// Of WatchdogReason.
-constexpr int watchdog_reason_count = 5;
+constexpr int watchdog_reason_count = 4;
 
 /// One sentence for people.
 const char *explanation_of(WatchdogReason reason);
@@ -46,8 +45,8 @@ struct WatchdogLimits
 /// It falls to 0 within decay_time from the moment of a fault (as a straight line: a deadline missed by little costs little) and
 /// comes back within ramp_time. It begins at 0, and rises when everything has shown that it lives.
 ///
-/// physics_fresh() and request_stop() may be called from any thread, the latter in a signal handler, too; all else belongs to the
-/// servo loop. Neither allocates nor locks. Times are in seconds on one clock.
+/// physics_fresh() may be called from any thread; all else belongs to the servo loop. Neither allocates nor locks. Times are in seconds
+/// on one clock.
 ///
 /// A servo loop that hangs cannot be helped by what runs in it: then the device's own watchdog has to act.
 class Watchdog
@@ -58,9 +57,6 @@ public:
 
     /// The scene was stepped, or its state found to be as of this time.
     void physics_fresh(double time) { physics_time_.store(time, std::memory_order_relaxed); }
-
-    /// The program is to end: the force decays to zero and stays there.
-    void request_stop() { stop_requested_.store(true, std::memory_order_relaxed); }
 
     /// Whether the device answered in this tick. It counts as lost before the first call.
     void device_answered(bool answered) { device_answers_ = answered; }
@@ -77,9 +73,6 @@ public:
     /// In how many ticks this was the reason so far.
     std::uint64_t count(WatchdogReason reason) const { return counts_[static_cast<std::size_t>(reason)]; }
 
-    /// As at the start, a requested stop included.
-    void reset();
-
     /// As they were given.
     const WatchdogLimits &limits() const { return limits_; }
 
@@ -93,12 +86,10 @@ private:
     Fault find_fault(double time, double elapsed);
     bool missed_too_many(double elapsed);
 
-    static_assert(std::atomic<double>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
-                  "nothing may lock in a servo loop or in a signal handler");
+    static_assert(std::atomic<double>::is_always_lock_free, "nothing may lock in a servo loop");
 
     WatchdogLimits limits_;
     std::atomic<double> physics_time_;
-    std::atomic<bool> stop_requested_{false};
     bool device_answers_ = false;
     double last_tick_ = 0;
     bool has_ticked_ = false;
