@@ -102,7 +102,7 @@ struct DeviceStatus
 /// A haptic device, or something that stands for one.
 ///
 /// Call order: open(); then read() and write() in each tick, from the servo loop's thread; close(). When that thread hangs
-/// elsewhere, another one may write() zero, or close(): never two at once (see DeviceGate). A force that was written stays
+/// elsewhere, another one may write() zero, or close(): never two at once. A force that was written stays
 /// until the next write() or close().
 ///
 /// When the program ends, by exit(), an exception that is not caught or abort(), zero is written from there: within a call of the
@@ -129,7 +129,7 @@ public:
     /// @throws DeviceError (lost, failed, not_open). The last force that was written may still be there: write zero.
     virtual DeviceState read(double time) = 0;
 
-    /// Push the hand. What goes beyond the device's capabilities is the caller's fault: see SafetyStage.
+    /// Push the hand. What goes beyond the device's capabilities is the caller's fault: see SafetyLimits.
     ///
     /// @throws DeviceError (lost, failed, not_open).
     virtual void write(const Wrench &wrench) = 0;

@@ -196,7 +196,7 @@ class LoopParts;
 /// - a servo, and with it the scene of a single-threaded loop, by a guard, a thread of the loop, that sets the force to zero within 5 ms
 ///   of the time at which the next tick should have begun: 6 ms after the last one at 1 kHz and above, 10 ms at 200 Hz, 15 ms at 100 Hz;
 /// - the scene of a decoupled loop by the servo's watchdog: the force is gone 8 ms after the next step should have begun: 9 ms after
-///   the last one at 1 kHz and above, 10 ms at 500 Hz, 18 ms at 100 Hz (see WatchdogLimits::of()).
+///   the last one at 1 kHz and above, 10 ms at 500 Hz, 18 ms at 100 Hz.
 /// Only where a device's driver hangs in read() or write() nothing here can help: this is told.
 class HapticLoop
 {

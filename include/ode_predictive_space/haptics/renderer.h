@@ -28,8 +28,8 @@ struct RenderSettings
     std::optional<double> device_damping;  ///< N s/m; of device and hand, where it is known: see check_stability()
     std::optional<double> delay;           ///< s; as Capabilities::delay, where it is known better than by the device
     std::optional<unsigned> clutch_button; ///< which of the device's buttons moves the workspace instead of the tool
-    bool passivity_control = false; ///< whether a PassivityController adds damping when energy comes from nowhere
-    NoticeSink notice;              ///< what to do with messages; by default nothing
+    bool passivity_control = false;        ///< whether damping is added when energy comes from nowhere
+    NoticeSink notice;                     ///< what to do with messages; by default nothing
 };
 
 /// What was rendered in a tick: for recordings, and for who wants to show it.

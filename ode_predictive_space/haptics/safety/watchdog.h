@@ -13,9 +13,9 @@ namespace ode_predictive_space::haptics
 enum class WatchdogReason
 {
     none,
-    device_lost,    ///< the device does not answer
-    physics_stale,  ///< the scene has not been stepped for too long
-    servo_late      ///< the servo loop missed its deadline by much, or many of them in a row
+    device_lost,   ///< the device does not answer
+    physics_stale, ///< the scene has not been stepped for too long
+    servo_late     ///< the servo loop missed its deadline by much, or many of them in a row
 };
 
 /// Of WatchdogReason.
