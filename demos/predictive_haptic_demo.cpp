@@ -8,8 +8,8 @@
 #include "demos/scenes/check_writable.h"
 #include "demos/scenes/narrow_output.h"
 #include "demos/scenes/result_records.h"
-#include "ode_predictive_space/haptics/device_factory.h"
-#include "ode_predictive_space/haptics/stop_request.h"
+#include "ode_predictive_space/haptics/drivers.h"
+#include "ode_predictive_space/haptics/safety.h"
 #ifdef HAPTIC_DEMO_HAS_WINDOW
 #include "demos/haptic/windowed_run.h"
 #include "demos/window/window.h"

@@ -5,8 +5,8 @@
 #include "demos/scenes/scene_run.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
-#include "ode_predictive_space/haptics/replay_device.h"
-#include "ode_predictive_space/haptics/stability.h"
+#include "ode_predictive_space/haptics/recording.h"
+#include "ode_predictive_space/haptics/safety.h"
 
 #include <algorithm>
 

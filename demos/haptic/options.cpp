@@ -3,7 +3,7 @@
 #include "demos/haptic/probe_scenes.h"
 #include "demos/scenes/command_line.h"
 #include "demos/scenes/spaces.h"
-#include "ode_predictive_space/haptics/device_factory.h"
+#include "ode_predictive_space/haptics/drivers.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "demos/ode/census.h"
 #include "demos/ode/hand.h"
 #include "demos/ode/options.h"
-#include "ode_predictive_space/haptics/stop_request.h"
+#include "ode_predictive_space/haptics/safety.h"
 
 #include <cstdlib>
 #include <iostream>

@@ -1,6 +1,6 @@
 #include "demos/ode/hand.h"
 
-#include "ode_predictive_space/haptics/device_factory.h"
+#include "ode_predictive_space/haptics/drivers.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "demos/scenes/pair_list.h"
 
-#include "ode_predictive_space/haptics/random.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 #include <algorithm>
 

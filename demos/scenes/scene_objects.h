@@ -5,7 +5,7 @@
 
 #include "demos/scenes/scene.h"
 #include "demos/scenes/shapes.h"
-#include "ode_predictive_space/haptics/random.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 #include <memory>
 #include <vector>

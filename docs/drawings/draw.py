@@ -9,6 +9,7 @@ chord.svg      an encounter that the paper's error of a chord misses (docs/metho
 gap.svg        the gap between two shapes along an axis (docs/shapes.md)
 tick.svg       the stages of a tick (docs/tick.md)
 servo.svg      the two threads of the servo (docs/haptics/method.md)
+rooms.svg      the rooms of the haptics library (docs/haptics/method.md)
 
 The same matplotlib makes the same pictures, byte by byte.
 """
@@ -340,6 +341,34 @@ def draw_servo(folder):
     save(figure, folder, "servo.svg")
 
 
+# --- rooms.svg --------------------------------------------------------------------------------------------------------
+
+
+def draw_rooms(folder):
+    figure, axes = sheet(700, 300)
+    width, height = 140, 44
+    for middle, y, title, text in (
+        (350, 244, "loop/", "one thread, two threads"),
+        (350, 166, "probe, renderer", "of one device in a world"),
+        (110, 88, "contact/", "what is touched"),
+        (270, 88, "law/", "forces of touches"),
+        (430, 88, "safety/", "limits, zero at the end"),
+        (590, 88, "record/", "runs, replay"),
+    ):
+        box(axes, middle - width / 2, y, width, height, title, text)
+    box(axes, 40, 14, 620, 40, "device/", "", PALE_GREY, GREY)
+    arrow(axes, (350, 244), (350, 210))
+    for start, middle in ((300, 110), (335, 270), (365, 430), (400, 590)):
+        arrow(axes, (start, 166), (middle + (20 if middle < 350 else -20), 132))
+    route(axes, (280, 266), (80, 266), (80, 132))
+    route(axes, (420, 266), (470, 266), (470, 132))
+    arrow(axes, (200, 110), (180, 110))
+    for middle in (110, 270, 430, 590):
+        arrow(axes, (middle, 88), (middle, 54))
+    note(axes, 690, 188, "loop/, probe and renderer\nuse device/, too", ha="right", colour=GREY)
+    save(figure, folder, "rooms.svg")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument(
@@ -352,7 +381,7 @@ def main():
     folder = parser.parse_args().output
     folder.mkdir(parents=True, exist_ok=True)
     with plt.rc_context(STYLE):
-        for draw in (draw_path, draw_proximity, draw_chord, draw_gap, draw_tick, draw_servo):
+        for draw in (draw_path, draw_proximity, draw_chord, draw_gap, draw_tick, draw_servo, draw_rooms):
             draw(folder)
 
 

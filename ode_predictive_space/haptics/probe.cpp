@@ -1,11 +1,12 @@
 #include "ode_predictive_space/haptics/probe.h"
 
-#include "ode_predictive_space/haptics/active_run.h"
-#include "ode_predictive_space/haptics/with_lock.h"
+#include "ode_predictive_space/haptics/contact/body_watch.h"
+#include "ode_predictive_space/haptics/device/with_lock.h"
+#include "ode_predictive_space/haptics/law/virtual_coupling.h"
+#include "ode_predictive_space/haptics/safety/active_run.h"
 
-#include <algorithm>
 #include <array>
-#include <ode/collision_space.h>
+#include <mutex>
 #include <ode_predictive_space/predictive_space.h>
 #include <stdexcept>
 #include <utility>
@@ -15,33 +16,74 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr int most_encounters = 64;
+
+void add_wrench(dBodyID body, const Wrench &wrench)
+{
+    if (wrench.force.isZero(0) && wrench.torque.isZero(0))
+    {
+        return;
+    }
+    dBodyEnable(body);
+    dBodyAddForce(body, static_cast<dReal>(wrench.force.x()), static_cast<dReal>(wrench.force.y()),
+                  static_cast<dReal>(wrench.force.z()));
+    dBodyAddTorque(body, static_cast<dReal>(wrench.torque.x()), static_cast<dReal>(wrench.torque.y()),
+                   static_cast<dReal>(wrench.torque.z()));
 }
+} // namespace
+
+class HapticProbe::Parts
+{
+public:
+    Parts(Device &device, RenderSettings settings) : renderer(device, std::move(settings)) {}
+
+    void render_tool_body(double dt);
+    void tell_if_gone();
+    void tell(std::string_view sentence);
+
+    std::mutex run_mutex; ///< of the one below
+    std::shared_ptr<ActiveRun> run;
+    Renderer renderer;
+    std::unique_ptr<TouchSensor> sensor;
+    dBodyID tool_body = nullptr;
+    BodyWatch tool_watch; ///< has the tool's body as long as there is one
+    VirtualCoupling coupling;
+    double tick_length = 0; ///< s
+    int tool_jumps = 0;     ///< as RenderedTick has it
+    bool told_of_loss = false;
+    std::vector<Encounter> encounters;
+};
 
 HapticProbe::HapticProbe(Device &device, dSpaceID space, double radius, RenderSettings settings)
-    : renderer_(device, std::move(settings)), sensor_(std::make_unique<TouchSensor>(space, radius))
-{}
+    : parts_(std::make_unique<Parts>(device, std::move(settings)))
+{
+    parts_->sensor = std::make_unique<TouchSensor>(space, radius);
+}
 
 HapticProbe::HapticProbe(Device &device, dGeomID geom, RenderSettings settings)
-    : renderer_(device, std::move(settings)), sensor_(std::make_unique<TouchSensor>(geom))
-{}
+    : parts_(std::make_unique<Parts>(device, std::move(settings)))
+{
+    parts_->sensor = std::make_unique<TouchSensor>(geom);
+}
 
 HapticProbe::HapticProbe(Device &device, dBodyID tool, const CouplingProperties &coupling, RenderSettings settings)
-    : renderer_(device, std::move(settings)), tool_body_(tool), coupling_(coupling)
+    : parts_(std::make_unique<Parts>(device, std::move(settings)))
 {
-    renderer_.check(coupling_);
+    parts_->tool_body = tool;
+    parts_->coupling = VirtualCoupling(coupling);
+    parts_->renderer.check(parts_->coupling);
     if (tool == nullptr)
     {
         throw std::invalid_argument("The virtual coupling needs a body to hold");
     }
-    tool_watch_.keep(tool);
+    parts_->tool_watch.keep(tool);
 }
 
 HapticProbe::~HapticProbe()
 {
     std::shared_ptr<ActiveRun> run;
     {
-        const std::lock_guard<std::mutex> lock(run_mutex_);
-        run = run_;
+        const std::lock_guard<std::mutex> lock(parts_->run_mutex);
+        run = parts_->run;
     }
     if (run)
     {
@@ -49,7 +91,7 @@ HapticProbe::~HapticProbe()
     }
     try
     {
-        tell_if_gone();
+        parts_->tell_if_gone();
     }
     catch (...)
     {
@@ -57,132 +99,178 @@ HapticProbe::~HapticProbe()
     }
 }
 
-void HapticProbe::tell_if_gone()
+void HapticProbe::Parts::tell_if_gone()
 {
-    if (sensor_ && sensor_->is_gone() && !told_of_loss_)
+    if (sensor && sensor->is_gone() && !told_of_loss)
     {
-        told_of_loss_ = true;
-        if (const NoticeSink &sink = renderer_.notice_sink())
-        {
-            sink(Notice(NoticeKind::contact, last_tick().time,
-                        "No force: the probe's geom was destroyed with its space. The probe has to go first."));
-        }
+        told_of_loss = true;
+        tell("No force: the probe's geom was destroyed with its space. The probe has to go first.");
+    }
+}
+
+void HapticProbe::Parts::tell(std::string_view sentence)
+{
+    if (const NoticeSink &sink = renderer.notice_sink())
+    {
+        sink(Notice(NoticeKind::contact, renderer.last_tick().time, sentence));
     }
 }
 
 void HapticProbe::take(std::shared_ptr<ActiveRun> run)
 {
-    with_lock(run_mutex_, [&] {
-        if (run_)
+    with_lock(parts_->run_mutex, [&] {
+        if (parts_->run)
         {
             throw std::logic_error("Another haptic loop runs the probe");
         }
-        run_ = std::move(run);
+        parts_->run = std::move(run);
     });
 }
 
 void HapticProbe::give_back() noexcept
 {
-    const std::lock_guard<std::mutex> lock(run_mutex_);
-    run_.reset();
+    const std::lock_guard<std::mutex> lock(parts_->run_mutex);
+    parts_->run.reset();
 }
 
 bool HapticProbe::is_taken() const
 {
-    const std::lock_guard<std::mutex> lock(run_mutex_);
-    return run_ != nullptr;
+    const std::lock_guard<std::mutex> lock(parts_->run_mutex);
+    return parts_->run != nullptr;
 }
 
 void HapticProbe::begin(double time, double clock_time)
 {
-    renderer_.read(time, clock_time);
-    tell_if_gone();
-    if (sensor_)
+    Renderer &renderer = parts_->renderer;
+    renderer.read(time, clock_time);
+    parts_->tell_if_gone();
+    if (TouchSensor *sensor = parts_->sensor.get())
     {
-        sensor_->set_view(renderer_.law().view());
-        sensor_->set_stiffness(renderer_.law().material().stiffness);
-        sensor_->clear();
-        place(renderer_.last_tick());
+        sensor->set_view(renderer.law().view());
+        sensor->set_stiffness(renderer.law().material().stiffness);
+        sensor->clear();
+        place(renderer.last_tick());
     }
 }
 
 void HapticProbe::place(const RenderedTick &tick)
 {
-    if (tick.tool_jumps != tool_jumps_)
+    TouchSensor &sensor = *parts_->sensor;
+    if (tick.tool_jumps != parts_->tool_jumps)
     {
-        tool_jumps_ = tick.tool_jumps;
-        sensor_->forget_sides();
+        parts_->tool_jumps = tick.tool_jumps;
+        sensor.forget_sides();
     }
-    sensor_->set_tick_length(tick_length_);
-    sensor_->pose(tick.tool);
+    sensor.set_tick_length(parts_->tick_length);
+    sensor.pose(tick.tool);
 }
 
 void HapticProbe::set_materials(MaterialOf materials)
 {
-    if (sensor_)
+    if (parts_->sensor)
     {
-        sensor_->set_materials(std::move(materials));
+        parts_->sensor->set_materials(std::move(materials));
     }
 }
 
 bool HapticProbe::touch(dGeomID first, dGeomID second)
 {
-    return sensor_ && sensor_->touch(first, second);
+    return parts_->sensor && parts_->sensor->touch(first, second);
 }
 
 void HapticProbe::render(double dt)
 {
-    tick_length_ = dt;
-    renderer_.note_fresh_physics();
-    if (sensor_)
+    Renderer &renderer = parts_->renderer;
+    parts_->tick_length = dt;
+    renderer.note_fresh_physics();
+    if (TouchSensor *sensor = parts_->sensor.get())
     {
-        renderer_.render(sensor_->touches(), !sensor_->saw_nonsense(), dt);
-        sensor_->push(renderer_.shares());
+        renderer.render(sensor->touches(), !sensor->saw_nonsense(), dt);
+        sensor->push(renderer.shares());
     }
     else
     {
-        render_tool_body(dt);
+        parts_->render_tool_body(dt);
     }
 }
 
-void HapticProbe::render_tool_body(double dt)
+void HapticProbe::Parts::render_tool_body(double dt)
 {
-    if (tool_body_ != nullptr && !tool_watch_.has(tool_body_))
+    if (tool_body != nullptr && !tool_watch.has(tool_body))
     {
-        tool_body_ = nullptr;
-        if (const NoticeSink &sink = renderer_.notice_sink())
-        {
-            sink(Notice(NoticeKind::contact, last_tick().time, "No force: the tool's body was destroyed."));
-        }
+        tool_body = nullptr;
+        tell("No force: the tool's body was destroyed.");
     }
-    if (tool_body_ == nullptr)
+    if (tool_body == nullptr)
     {
-        renderer_.render({}, true, dt);
+        renderer.render({}, true, dt);
         return;
     }
-    add_wrench(tool_body_, renderer_.render(coupling_, tool_state_of(tool_body_), dt));
+    add_wrench(tool_body, renderer.render(coupling, tool_state_of(tool_body), dt));
 }
 
 const std::vector<Encounter> &HapticProbe::encounters()
 {
-    encounters_.clear();
+    std::vector<Encounter> &encounters = parts_->encounters;
+    encounters.clear();
     const dSpaceID space = geom() != nullptr ? dGeomGetSpace(geom()) : nullptr;
     if (space == nullptr || dSpaceIsPredictive(space) == 0)
     {
-        return encounters_;
+        return encounters;
     }
     std::array<dPredictiveEncounter, most_encounters> found;
-    const int count = dPredictiveSpaceGetEncounters(space, sensor_->geom(), found.data(), most_encounters);
+    const int count = dPredictiveSpaceGetEncounters(space, geom(), found.data(), most_encounters);
     for (int i = 0; i < count; ++i)
     {
-        encounters_.push_back({found[i].geom, static_cast<double>(found[i].ticks) * tick_length_});
+        encounters.push_back({found[i].geom, static_cast<double>(found[i].ticks) * parts_->tick_length});
     }
-    return encounters_;
+    return encounters;
+}
+
+void HapticProbe::set_tick_length(double seconds)
+{
+    parts_->tick_length = seconds;
+}
+
+const RenderedTick &HapticProbe::last_tick() const
+{
+    return parts_->renderer.last_tick();
 }
 
 const std::vector<Touch> &HapticProbe::touches() const
 {
     static const std::vector<Touch> none;
-    return sensor_ ? sensor_->touches() : none;
+    return parts_->sensor ? parts_->sensor->touches() : none;
+}
+
+const ToolState &HapticProbe::tool() const
+{
+    return parts_->renderer.tool();
+}
+
+dGeomID HapticProbe::geom() const
+{
+    return parts_->sensor ? parts_->sensor->geom() : nullptr;
+}
+
+void HapticProbe::set_recorder(std::function<void(const RenderedTick &)> recorder)
+{
+    parts_->renderer.set_recorder(std::move(recorder));
+}
+
+Renderer &HapticProbe::renderer()
+{
+    return parts_->renderer;
+}
+
+TouchSensor *HapticProbe::sensor()
+{
+    return parts_->sensor.get();
+}
+
+dBodyID HapticProbe::tool_body() const
+{
+    const dBodyID body = parts_->tool_body;
+    return body != nullptr && parts_->tool_watch.has(body) ? body : nullptr;
 }
 } // namespace ode_predictive_space::haptics

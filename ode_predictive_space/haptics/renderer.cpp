@@ -2,39 +2,30 @@
 
 #include "ode_predictive_space/haptics/renderer.h"
 
-#include "ode_predictive_space/haptics/contact/contact_manifold.h"
+#include "ode_predictive_space/haptics/law/virtual_coupling.h"
+#include "ode_predictive_space/haptics/renderer_parts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <string>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double try_again_after = 0.1;    // s
-constexpr double shortest_silence = 0.004; // s
-constexpr double periods_of_silence = 4;
-constexpr double tell_again_after = 1; // s
-constexpr double longest_gap = 0.5;    // s; after that, a device that answers again can be anywhere
-constexpr double longest_doubt = 0.01; // s; after that, a device that tells nonsense is one that does not answer
-constexpr double jump = 10;            // times the maximum of speed
-constexpr const char *unknown_exception = "The device has thrown something that is no std::exception.";
+constexpr double jump = 10; // times the maximum of speed
 
-bool is_finite(const DeviceState &state)
+/// Of notices: each is told once a second at most.
+enum Topic : std::size_t
 {
-    return std::isfinite(state.time) && state.position.allFinite() && state.orientation.coeffs().allFinite() &&
-           state.linear_velocity.allFinite() && state.angular_velocity.allFinite();
-}
-
-/// Beyond its workspace by a metre and by twice its size: where no device can be, even one whose workspace is told too small.
-bool is_far_off(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
-{
-    return !workspace.isEmpty() &&
-           workspace.exteriorDistance(state.position) > std::max(1.0, 2 * workspace.diagonal().norm());
-}
+    topic_contact,
+    topic_material,
+    topic_jump,
+    topic_safety,                                        ///< and one for each of its actions
+    topic_watchdog = topic_safety + safety_action_count, ///< and one for each of its reasons
+    topic_count = topic_watchdog + watchdog_reason_count
+};
+static_assert(topic_count <= NoticeDesk::most_topics);
 
 bool is_held(const std::optional<unsigned> &button, const DeviceState &state)
 {
@@ -46,249 +37,135 @@ constexpr SafetyAction worth_telling[] = {SafetyAction::not_finite, SafetyAction
                                           SafetyAction::no_axes, SafetyAction::clamped};
 } // namespace
 
-enum class Renderer::Topic
-{
-    contact,
-    material,
-    jump,
-    safety,                                  ///< and one for each of its actions
-    watchdog = safety + safety_action_count, ///< and one for each of its reasons
-    count = watchdog + watchdog_reason_count
-};
-
 void Renderer::read(double time, double clock_time)
 {
-    tick_.time = time;
-    clock_time_ = clock_time;
-    guard_acted_ = gate_.notice_closing();
-    if (guard_acted_ || relaxed_)
+    parts_->tick.time = time;
+    parts_->notices.set_time(time);
+    parts_->clock_time = clock_time;
+    if (parts_->link.notice_guard() || parts_->relaxed)
     {
+        parts_->begin_anew();
+    }
+    const double delay_before = delay();
+    const DeviceLink::News news =
+        parts_->link.read(time, parts_->settings.rate, jump * parts_->safety.limits().max_speed);
+    if (delay() > delay_before)
+    {
+        parts_->tell_of_delay();
+    }
+    if (parts_->link.answers())
+    {
+        parts_->take_in(news);
+    }
+}
+
+void Renderer::Parts::take_in(const DeviceLink::News &news)
+{
+    tick.state = link.state();
+    if (news.has_jumped)
+    {
+        ++tick.tool_jumps;
         begin_anew();
+        notices.tell_once_a_second(topic_jump, NoticeKind::device,
+                                   "No force until the probe is free: the device's position has jumped.");
     }
-    const bool answered = answers_;
-    answers_ = time >= next_try_ && read_device(time);
-    if (!answers_)
+    if (news.came_back)
     {
-        return;
+        news.only_doubted ? safety.restart_ramp() : begin_anew();
     }
-    if (!answered)
+    if (news.had_failed)
     {
-        come_back();
+        notices.tell(NoticeKind::device, link.capabilities().name + " answers again; the force comes back slowly.");
     }
-    if (failed_)
+    if (news.was_away)
     {
-        failed_ = false;
-        tell(NoticeKind::device, gate_.device().capabilities().name + " answers again; the force comes back slowly.");
+        ++tick.tool_jumps;
     }
-    if (!(time - last_answer_ <= longest_gap))
-    {
-        ++tick_.tool_jumps;
-    }
-    last_answer_ = time;
     move_clutch();
-    tick_.tool = mapping_.to_scene(tick_.state);
+    tick.tool = mapping.to_scene(tick.state);
 }
 
 // Where the clutch is let go, the tool may be deep in something: no force jumps at the hand.
-void Renderer::move_clutch()
+void Renderer::Parts::move_clutch()
 {
-    const bool was_held = mapping_.clutched();
-    mapping_.clutch(is_held(settings_.clutch_button, tick_.state), tick_.state);
-    if (was_held && !mapping_.clutched())
+    const bool was_held = mapping.clutched();
+    mapping.clutch(is_held(settings.clutch_button, tick.state), tick.state);
+    if (was_held && !mapping.clutched())
     {
-        safety_.reset();
-    }
-}
-
-bool Renderer::read_device(double time)
-{
-    try
-    {
-        DeviceState state = tick_.state;
-        if (!gate_.read(time, state))
-        {
-            return answers_; // the guard is in it, just now: what it told before will do
-        }
-        if (!is_finite(state))
-        {
-            doubt("The device tells a position, a velocity or a time that is not a number.");
-            return false;
-        }
-        if (is_far_off(state, gate_.device().capabilities().workspace))
-        {
-            doubt("The device tells a position far outside of its workspace.");
-            return false;
-        }
-        if (is_silent(state, time))
-        {
-            fail("The device has told nothing new for too long.");
-            return false;
-        }
-        measure_delay(time - state.time);
-        follow(state);
-        return true;
-    }
-    catch (const std::exception &error)
-    {
-        fail(error.what());
-        return false;
-    }
-    catch (...)
-    {
-        fail(unknown_exception);
-        return false;
+        safety.reset();
     }
 }
 
 /// What is rendered from now on is as soft as the delay wants it: rendered() goes by that. The law itself is not changed.
-void Renderer::measure_delay(double age)
+void Renderer::Parts::tell_of_delay()
 {
-    const double rate = std::min(gate_.device().capabilities().rate, settings_.rate);
-    const double before = delay();
-    if (!delay_meter_.note(age, rate > 0 ? 1 / rate : 0) || delay() <= before)
-    {
-        return;
-    }
-    const Material material = law_->material();
+    const Material material = law->material();
     const StabilityVerdict verdict =
-        check_stability(gate_.device().capabilities(), rendering(material.stiffness, material.damping));
+        check_stability(link.capabilities(), rendering(material.stiffness, material.damping));
     if (verdict.outcome != StabilityOutcome::fine)
     {
-        tell(NoticeKind::stability, verdict.reason);
+        notices.tell(NoticeKind::stability, verdict.reason);
     }
 }
 
-void Renderer::follow(DeviceState state)
+void Renderer::Parts::begin_anew()
 {
-    motion_.follow(state);
-    tick_.state = state;
-    if (motion_.speed() > jump * safety_.limits().max_speed)
+    relaxed = false;
+    safety.reset();
+    law->reset();
+    felt.birth.reset();
+    felt.manifold.reset();
+    felt.split.clear();
+    link.forget_motion();
+    if (passivity)
     {
-        ++tick_.tool_jumps;
-        begin_anew();
-        tell_once_a_second(Topic::jump, NoticeKind::device,
-                           "No force until the probe is free: the device's position has jumped.");
-    }
-}
-
-bool Renderer::is_silent(const DeviceState &state, double time)
-{
-    if (state.time != last_state_time_)
-    {
-        last_state_time_ = state.time;
-        last_news_ = time;
-    }
-    const double rate = std::min(gate_.device().capabilities().rate, settings_.rate);
-    return time - last_news_ > std::max(shortest_silence, periods_of_silence / rate);
-}
-
-void Renderer::fail(std::string_view why)
-{
-    answers_ = false;
-    next_try_ = tick_.time + try_again_after;
-    release_device();
-    if (!failed_)
-    {
-        failed_ = true;
-        tell(NoticeKind::device, "No force: " + std::string(why));
-    }
-}
-
-/// Of one state that cannot be: the next may be right again, and the hand still lean on what it leant on.
-void Renderer::doubt(std::string_view why)
-{
-    if (!failed_)
-    {
-        doubted_since_ = tick_.time;
-    }
-    fail(why);
-    if (tick_.time - doubted_since_ < longest_doubt)
-    {
-        next_try_ = tick_.time;
-    }
-}
-
-void Renderer::come_back()
-{
-    if (tick_.time - doubted_since_ <= longest_doubt)
-    {
-        safety_.restart_ramp();
-    }
-    else
-    {
-        begin_anew();
-    }
-}
-
-// Zero, before anything else that might fail.
-void Renderer::release_device() noexcept
-{
-    split_.clear();
-    try
-    {
-        gate_.write(Wrench());
-    }
-    catch (...)
-    {
-        gate_.close_device();
-    }
-}
-
-void Renderer::begin_anew()
-{
-    relaxed_ = false;
-    safety_.reset();
-    law_->reset();
-    birth_.reset();
-    manifold_->reset();
-    motion_.forget();
-    split_.clear();
-    if (passivity_)
-    {
-        passivity_->reset();
+        passivity->reset();
     }
 }
 
 void Renderer::relax() noexcept
 {
-    release_device();
-    relaxed_ = true;
+    parts_->felt.split.clear();
+    parts_->link.release();
+    parts_->relaxed = true;
 }
 
 void Renderer::render(const std::vector<Touch> &touches, bool all_known, double dt)
 {
-    feel(touches, dt);
-    law_->forces(tick_.tool, felt_, dt, forces_);
+    FeltTouches &felt = parts_->felt;
+    parts_->feel(touches, dt);
+    parts_->law->forces(tool(), felt.touches, dt, felt.forces);
     Wrench wished;
-    wished.force = sum_of(forces_);
+    wished.force = sum_of(felt.forces);
     if (!all_known)
     {
         wished.force.setConstant(std::numeric_limits<double>::quiet_NaN());
-        tell_once_a_second(Topic::contact, NoticeKind::contact,
-                           "No force: a contact of the probe, or the velocity of what it touches, is not a number.");
+        parts_->notices.tell_once_a_second(
+            topic_contact, NoticeKind::contact,
+            "No force: a contact of the probe, or the velocity of what it touches, is not a number.");
     }
-    const Vector3 given = write(wished, dt).force;
+    const Vector3 given = parts_->write(wished, dt).force;
     if (given.isZero(0))
     {
-        split_.clear();
+        felt.split.clear();
     }
     else
     {
-        split_.split(felt_, forces_, given);
+        felt.split.split(felt.touches, felt.forces, given);
     }
-    close_tick(wished.force, given);
+    parts_->close_tick(wished.force, given);
 }
 
 /// The touches as they are rendered: with what the device can render of their materials.
-void Renderer::feel(const std::vector<Touch> &touches, double dt)
+void Renderer::Parts::feel(const std::vector<Touch> &touches, double dt)
 {
-    const Material own = rendered(law_->material());
-    felt_ = touches;
-    const TouchView view = law_->view();
-    manifold_->recognise(tick_.tool.position, view, dt, felt_);
-    birth_.limit(tick_.tool, std::max(dt, 1 / settings_.physics_rate), safety_.engaged(), dt, felt_);
-    manifold_->solve(tick_.tool.position, view, felt_);
-    for (Touch &touch : felt_)
+    const Material own = rendered(law->material());
+    felt.touches = touches;
+    const TouchView view = law->view();
+    felt.manifold.recognise(tick.tool.position, view, dt, felt.touches);
+    felt.birth.limit(tick.tool, std::max(dt, 1 / settings.physics_rate), safety.engaged(), dt, felt.touches);
+    felt.manifold.solve(tick.tool.position, view, felt.touches);
+    for (Touch &touch : felt.touches)
     {
         if (!touch.material)
         {
@@ -299,166 +176,143 @@ void Renderer::feel(const std::vector<Touch> &touches, double dt)
         touch.material = rendered(asked);
         if (touch.material->stiffness < asked.stiffness || touch.material->damping < asked.damping)
         {
-            tell_once_a_second(Topic::material, NoticeKind::stability,
-                               "A material is softer or less damped than asked for: the device cannot render more.");
+            notices.tell_once_a_second(
+                topic_material, NoticeKind::stability,
+                "A material is softer or less damped than asked for: the device cannot render more.");
         }
     }
 }
 
 Wrench Renderer::render(const VirtualCoupling &coupling, const ToolState &body, double dt)
 {
-    const Wrench wished = softened(coupling).on_device(tick_.tool, body);
-    Wrench given = write(wished, dt);
-    if (gate_.device().capabilities().force_axes < 6 && answers_)
+    VirtualCoupling softened = coupling;
+    softened.set_stiffness(rendered({coupling.stiffness(), coupling.damping()}).stiffness);
+    const Wrench wished = softened.on_device(tool(), body);
+    Wrench given = parts_->write(wished, dt);
+    if (parts_->link.capabilities().force_axes < 6 && parts_->link.answers())
     {
-        given.torque = watchdog_->factor() * wished.torque;
+        given.torque = parts_->watchdog->factor() * wished.torque;
     }
-    close_tick(wished.force, given.force);
+    parts_->close_tick(wished.force, given.force);
     return opposite(given);
 }
 
 /// @return what was written, in the scene's frame.
-Wrench Renderer::write(const Wrench &wished, double dt)
+Wrench Renderer::Parts::write(const Wrench &wished, double dt)
 {
-    watchdog_->device_answered(answers_);
-    watchdog_->servo_ticked(clock_time_);
-    const Wrench written = answers_ ? delivered(limited(wished, dt)) : Wrench();
+    watchdog->device_answered(link.answers());
+    watchdog->servo_ticked(clock_time);
+    tick.wrench = link.answers() ? link.write(limited(wished, dt)) : Wrench();
     tell_of_watchdog();
-    tell_what_was_held_back(tell_again_after);
-    if (passivity_)
+    notices.tell_held_back();
+    if (passivity)
     {
-        passivity_->written(written.force);
+        passivity->written(tick.wrench.force);
     }
-    const WorkspacePlacement &placement = mapping_.placement();
-    tick_.wrench = written;
-    return {placement.rotation * written.force / placement.force_scale,
-            placement.rotation * written.torque / placement.force_scale};
+    const WorkspacePlacement &placement = mapping.placement();
+    return {placement.rotation * tick.wrench.force / placement.force_scale,
+            placement.rotation * tick.wrench.torque / placement.force_scale};
 }
 
-Wrench Renderer::limited(const Wrench &wished, double dt)
+Wrench Renderer::Parts::limited(const Wrench &wished, double dt)
 {
-    Wrench at_device = mapping_.to_device(wished);
-    if (passivity_ && !mapping_.clutched())
+    Wrench at_device = mapping.to_device(wished);
+    if (passivity && !mapping.clutched())
     {
-        passivity_->set_delay(static_cast<int>(std::lround(
+        passivity->set_delay(static_cast<int>(std::lround(
             std::min(1.0, delay() / dt / PassivityController::most_delay) * PassivityController::most_delay)));
-        at_device.force = passivity_->control(tick_.state, at_device.force, dt);
+        at_device.force = passivity->control(tick.state, at_device.force, dt);
     }
-    Vector3 velocity = tick_.state.linear_velocity;
-    if (motion_.speed() > safety_.limits().max_speed) // whatever the device tells
+    Vector3 velocity = tick.state.linear_velocity;
+    if (link.speed() > safety.limits().max_speed) // whatever the device tells
     {
-        velocity = motion_.speed() * Vector3::UnitX();
+        velocity = link.speed() * Vector3::UnitX();
     }
-    Wrench safe = safety_.limit(at_device, velocity, tick_.time, watchdog_->factor());
+    Wrench safe = safety.limit(at_device, velocity, tick.time, watchdog->factor());
     tell_of_safety();
     return safe;
 }
 
-/// @return zero when it could not be.
-Wrench Renderer::delivered(const Wrench &safe)
+void Renderer::Parts::close_tick(const Vector3 &wished, const Vector3 &force)
 {
-    if (gate_.device().capabilities().force_axes == 0)
+    tick.wished = wished;
+    tick.force = force;
+    tick.allowance = watchdog->factor();
+    tick.device_answers = link.answers();
+    tick.saturated = link.answers() && safety.report().did(SafetyAction::clamped);
+    if (recorder)
     {
-        return safe;
-    }
-    try
-    {
-        if (gate_.write(safe))
-        {
-            return safe;
-        }
-    }
-    catch (const std::exception &error)
-    {
-        fail(error.what());
-    }
-    catch (...)
-    {
-        fail(unknown_exception);
-    }
-    return {};
-}
-
-void Renderer::close_tick(const Vector3 &wished, const Vector3 &force)
-{
-    tick_.wished = wished;
-    tick_.force = force;
-    tick_.allowance = watchdog_->factor();
-    tick_.device_answers = answers_;
-    tick_.saturated = answers_ && safety_.report().did(SafetyAction::clamped);
-    if (recorder_)
-    {
-        recorder_(tick_);
+        recorder(tick);
     }
 }
 
-void Renderer::tell_of_safety()
+void Renderer::Parts::tell_of_safety()
 {
     for (const SafetyAction action : worth_telling)
     {
-        if (safety_.report().began(action))
+        if (safety.report().began(action))
         {
-            const auto topic = static_cast<int>(Topic::safety) + static_cast<int>(action);
-            tell_once_a_second(static_cast<Topic>(topic), NoticeKind::safety, explanation_of(action));
+            notices.tell_once_a_second(topic_safety + static_cast<std::size_t>(action), NoticeKind::safety,
+                                       explanation_of(action));
         }
     }
 }
 
-// A device that does not answer has been told of, and who asked for a stop knows.
-void Renderer::tell_of_watchdog()
+// A device that does not answer has been told of.
+void Renderer::Parts::tell_of_watchdog()
 {
-    const WatchdogReason reason = watchdog_->reason();
+    const WatchdogReason reason = watchdog->reason();
     const bool worth = reason == WatchdogReason::physics_stale || reason == WatchdogReason::servo_late;
-    if (worth && reason != last_reason_ && !guard_acted_) // of that, the guard has told
+    if (worth && reason != last_reason && !link.guard_acted()) // of that, the guard has told
     {
-        const auto topic = static_cast<int>(Topic::watchdog) + static_cast<int>(reason);
-        tell_once_a_second(static_cast<Topic>(topic), NoticeKind::watchdog, explanation_of(reason));
+        notices.tell_once_a_second(topic_watchdog + static_cast<std::size_t>(reason), NoticeKind::watchdog,
+                                   explanation_of(reason));
     }
-    last_reason_ = reason;
+    last_reason = reason;
 }
 
-void Renderer::tell_once_a_second(Topic topic, NoticeKind kind, std::string_view sentence)
+void Renderer::note_fresh_physics()
 {
-    static_assert(static_cast<std::size_t>(Topic::count) <= most_topics);
-    Told &told = told_[static_cast<std::size_t>(topic)];
-    if (tick_.time - told.last >= tell_again_after)
-    {
-        told.last = tick_.time;
-        tell(kind, sentence);
-        return;
-    }
-    ++told.times;
-    ++held_back_;
-    told.notice = Notice(kind, tick_.time, sentence);
+    physics_fresh(parts_->clock_time);
+}
+
+void Renderer::physics_fresh(double clock_time)
+{
+    parts_->watchdog->physics_fresh(clock_time);
 }
 
 void Renderer::tell_held_back()
 {
-    tell_what_was_held_back(0);
+    parts_->notices.tell_all_held_back();
 }
 
-void Renderer::tell_what_was_held_back(double quiet_for)
+const ToolState &Renderer::tool() const
 {
-    for (Told &told : told_)
-    {
-        if (told.times == 0 || tick_.time - told.last < quiet_for)
-        {
-            continue;
-        }
-        std::array<char, std::tuple_size_v<decltype(Notice::text)>> text;
-        std::snprintf(text.data(), text.size(), "%s (%d more times, the last at %.3f s)", told.notice.text.data(),
-                      told.times, told.notice.time);
-        told.times = 0;
-        told.last = tick_.time;
-        tell(told.notice.kind, text.data());
-    }
+    return parts_->tick.tool;
 }
 
-void Renderer::tell(NoticeKind kind, std::string_view sentence) const
+const std::vector<ForceShare> &Renderer::shares() const
 {
-    if (settings_.notice)
-    {
-        settings_.notice(Notice(kind, tick_.time, sentence));
-    }
+    return parts_->felt.split.shares();
+}
+
+const RenderedTick &Renderer::last_tick() const
+{
+    return parts_->tick;
+}
+
+const SafetyReport &Renderer::safety_report() const
+{
+    return parts_->safety.report();
+}
+
+std::uint64_t Renderer::held_back() const
+{
+    return parts_->notices.held_back();
+}
+
+DeviceGate &Renderer::gate()
+{
+    return parts_->link.gate();
 }
 } // namespace ode_predictive_space::haptics

@@ -1,7 +1,7 @@
 #include "tests/benchmarks/servo_measurement.h"
 
 #include "demos/scenes/kinematic_scenes.h"
-#include "ode_predictive_space/haptics/hand_path_device.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 namespace ode_predictive_space::benchmarks
 {

@@ -2,7 +2,7 @@
 
 #include "demos/haptic/haptic_run.h"
 #include "demos/haptic/probe_scenes.h"
-#include "ode_predictive_space/haptics/device_factory.h"
+#include "ode_predictive_space/haptics/drivers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/body_watch.h"
+#include "ode_predictive_space/haptics/contact/body_watch.h"
 
 #include "tests/haptics/probe_world.h"
 

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/closest_point.h"
+#include "ode_predictive_space/haptics/contact/closest_point.h"
 
 #include <gtest/gtest.h>
 #include <limits>

@@ -1,6 +1,6 @@
 // Connects to the server of 3D mice and writes what came of it: the program that set_user_id_test.sh gives set-user-ID.
 
-#include "ode_predictive_space/haptics/devices/spnav_connection.h"
+#include "ode_predictive_space/haptics/device/spnav_connection.h"
 
 #include <cstdio>
 

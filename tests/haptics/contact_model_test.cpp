@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/contact_model.h"
+#include "ode_predictive_space/haptics/loop/contact_model.h"
 
 #include <gtest/gtest.h>
 

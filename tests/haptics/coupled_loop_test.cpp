@@ -3,7 +3,6 @@
 #include "ode_predictive_space/haptics/loop.h"
 
 #include "ode_predictive_space/haptics/recording.h"
-#include "ode_predictive_space/haptics/replay_device.h"
 #include "ode_predictive_space/haptics/virtual_device.h"
 #include "tests/haptics/constants.h"
 #include "tests/haptics/probe_world.h"

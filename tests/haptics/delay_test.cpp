@@ -1,6 +1,6 @@
 // A device that is late: how late it is enters what is rendered, so that the hand does not shake.
 
-#include "ode_predictive_space/haptics/delay_meter.h"
+#include "ode_predictive_space/haptics/device/delay_meter.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "ode_predictive_space/haptics/virtual_device.h"
 #include "tests/haptics/probe_fixture.h"

@@ -1,8 +1,8 @@
-#include "ode_predictive_space/haptics/device_factory.h"
+#include "ode_predictive_space/haptics/drivers.h"
 
-#include "ode_predictive_space/haptics/hand_path_device.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 #include "ode_predictive_space/haptics/mouse_device.h"
-#include "ode_predictive_space/haptics/replay_device.h"
+#include "ode_predictive_space/haptics/recording.h"
 #include "ode_predictive_space/haptics/virtual_device.h"
 
 #include "tests/haptics/allocation_count.h"

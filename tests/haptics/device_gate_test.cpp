@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/device_gate.h"
+#include "ode_predictive_space/haptics/safety/device_gate.h"
 
 #include "tests/haptics/faulty_device.h"
 #include "tests/haptics/scripted_device.h"

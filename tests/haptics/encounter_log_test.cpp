@@ -1,6 +1,6 @@
 #include "ode_predictive_space/haptics/encounter_log.h"
 
-#include "ode_predictive_space/haptics/hand_path_device.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 #include "tests/haptics/probe_world.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "tests/haptics/faulty_device.h"
 
-#include "ode_predictive_space/haptics/hand_path_device.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 #include <gtest/gtest.h>
 

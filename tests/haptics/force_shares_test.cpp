@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/force_shares.h"
+#include "ode_predictive_space/haptics/law/force_shares.h"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/hand_path_device.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/devices/hd_library.h"
+#include "ode_predictive_space/haptics/device/hd_library.h"
 
 #include <gtest/gtest.h>
 #include <set>

@@ -1,9 +1,9 @@
 // Forces and errors in the servo thread, frame by frame: through the device, against a stand-in for the vendor's
 // library.
 
-#include "ode_predictive_space/haptics/devices/hd_servo.h"
+#include "ode_predictive_space/haptics/device/hd_servo.h"
 
-#include "ode_predictive_space/haptics/openhaptics_device.h"
+#include "ode_predictive_space/haptics/drivers.h"
 #include "tests/haptics/stand_ins/fake_hd_control.h"
 #include "tests/support/eventually.h"
 

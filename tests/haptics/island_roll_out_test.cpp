@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/island_roll_out.h"
+#include "ode_predictive_space/haptics/loop/island_roll_out.h"
 
 #include "tests/haptics/coupling_scene.h"
 

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/loop_clock.h"
+#include "ode_predictive_space/haptics/loop.h"
 
 #include <atomic>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/loop_guard.h"
+#include "ode_predictive_space/haptics/loop/loop_guard.h"
 
 #include "tests/haptics/faulty_device.h"
 #include "tests/haptics/probe_world.h"

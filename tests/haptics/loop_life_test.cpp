@@ -1,6 +1,6 @@
 // What goes while a loop runs, two loops on one probe, and exceptions that come through ODE's spaces.
 
-#include "ode_predictive_space/haptics/safe_collide.h"
+#include "ode_predictive_space/haptics/touch_sensor.h"
 #include "tests/haptics/loop_fixture.h"
 #include "tests/support/eventually.h"
 

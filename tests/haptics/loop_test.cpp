@@ -1,6 +1,6 @@
 #include "ode_predictive_space/haptics/loop.h"
 
-#include "ode_predictive_space/haptics/stop_request.h"
+#include "ode_predictive_space/haptics/safety.h"
 #include "tests/haptics/loop_fixture.h"
 
 #include <csignal>

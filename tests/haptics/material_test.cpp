@@ -1,7 +1,8 @@
 // Materials of single geoms, through all of the probe: both laws, in one thread and in two.
 
-#include "ode_predictive_space/haptics/material.h"
+#include "ode_predictive_space/haptics/touch.h"
 
+#include "ode_predictive_space/haptics/contact/material.h"
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/proxy_law.h"

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/motion_forecast.h"
+#include "ode_predictive_space/haptics/loop/motion_forecast.h"
 
 #include <gtest/gtest.h>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/notice.h"
+#include "ode_predictive_space/haptics/safety.h"
 
 #include "tests/haptics/allocation_count.h"
 

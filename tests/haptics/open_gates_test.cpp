@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/open_gates.h"
+#include "ode_predictive_space/haptics/safety/open_gates.h"
 
 #include "tests/haptics/program_end_fixture.h"
 

@@ -1,6 +1,6 @@
 // Opening and closing, and what goes through: against a stand-in for the vendor's library.
 
-#include "ode_predictive_space/haptics/openhaptics_device.h"
+#include "ode_predictive_space/haptics/drivers.h"
 
 #include "tests/haptics/stand_ins/fake_hd_control.h"
 

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/passivity.h"
+#include "ode_predictive_space/haptics/safety/passivity.h"
 
 #include <gtest/gtest.h>
 

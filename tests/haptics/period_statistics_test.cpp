@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/period_statistics.h"
+#include "ode_predictive_space/haptics/loop.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/replay_device.h"
+#include "ode_predictive_space/haptics/recording.h"
 
 #include "ode_predictive_space/haptics/virtual_device.h"
 #include "tests/haptics/constants.h"

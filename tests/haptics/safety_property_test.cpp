@@ -1,6 +1,7 @@
 // What must hold of the safety stage for every input.
 
 #include "ode_predictive_space/haptics/safety.h"
+#include "ode_predictive_space/haptics/safety/safety_stage.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #include "ode_predictive_space/haptics/safety.h"
+#include "ode_predictive_space/haptics/safety/safety_stage.h"
 
 #include <gtest/gtest.h>
 #include <set>

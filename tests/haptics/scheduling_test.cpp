@@ -1,6 +1,6 @@
 // What the system grants and refuses. Each test is a process of its own, which may give its rights away.
 
-#include "ode_predictive_space/haptics/scheduling.h"
+#include "ode_predictive_space/haptics/loop/scheduling.h"
 
 #include "ode_predictive_space/haptics/loop.h"
 #include "tests/haptics/probe_world.h"

@@ -3,8 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SCRIPTED_DEVICE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SCRIPTED_DEVICE_H
 
-#include "ode_predictive_space/haptics/loop_clock.h"
-#include "ode_predictive_space/haptics/software_device.h"
+#include "ode_predictive_space/haptics/device.h"
+#include "ode_predictive_space/haptics/loop.h"
 
 #include <functional>
 #include <vector>

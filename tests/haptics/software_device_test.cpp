@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/software_device.h"
+#include "ode_predictive_space/haptics/device.h"
 
 #include <cmath>
 #include <functional>

@@ -1,6 +1,6 @@
 // A 3D mouse, against a stand-in for its server.
 
-#include "ode_predictive_space/haptics/spacenav_device.h"
+#include "ode_predictive_space/haptics/drivers.h"
 
 #include "tests/haptics/stand_ins/fake_spacenavd.h"
 

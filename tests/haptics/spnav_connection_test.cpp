@@ -1,6 +1,6 @@
 // How the connection to the server of 3D mice comes about, and how it does not.
 
-#include "ode_predictive_space/haptics/devices/spnav_connection.h"
+#include "ode_predictive_space/haptics/device/spnav_connection.h"
 
 #include "tests/haptics/stand_ins/fake_spacenavd.h"
 

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/stability.h"
+#include "ode_predictive_space/haptics/safety.h"
 
 #include <gtest/gtest.h>
 

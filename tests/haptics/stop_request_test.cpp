@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/stop_request.h"
+#include "ode_predictive_space/haptics/safety.h"
 
 #include <csignal>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Ends of programs with two probes, and handlers of the program's own: there must be no force after them, and an end.
 
-#include "ode_predictive_space/haptics/active_run.h"
 #include "ode_predictive_space/haptics/loop.h"
+#include "ode_predictive_space/haptics/safety/active_run.h"
 
 #include "tests/haptics/constants.h"
 #include "tests/haptics/probe_world.h"

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/virtual_coupling.h"
+#include "ode_predictive_space/haptics/law/virtual_coupling.h"
 
 #include <gtest/gtest.h>
 #include <limits>

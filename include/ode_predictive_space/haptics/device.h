@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -41,6 +42,15 @@ struct DeviceState
     Vector3 angular_velocity = Vector3::Zero();      ///< rad/s
     std::uint32_t buttons = 0;                       ///< bit i set: button i is held
     double time = 0;                                 ///< s; when this was so, on the clock that read() was given
+};
+
+/// The probe, in the scene's frame, SI units.
+struct ToolState
+{
+    Vector3 position = Vector3::Zero();              ///< m
+    Quaternion orientation = Quaternion::Identity(); ///< of length 1
+    Vector3 linear_velocity = Vector3::Zero();       ///< m/s
+    Vector3 angular_velocity = Vector3::Zero();      ///< rad/s
 };
 
 /// What a device is to push the hand with. The device's own frame.
@@ -92,7 +102,7 @@ struct DeviceStatus
 /// A haptic device, or something that stands for one.
 ///
 /// Call order: open(); then read() and write() in each tick, from the servo loop's thread; close(). When that thread hangs
-/// elsewhere, another one may write() zero, or close(): never two at once (see DeviceGate). A force that was written stays
+/// elsewhere, another one may write() zero, or close(): never two at once. A force that was written stays
 /// until the next write() or close().
 ///
 /// When the program ends, by exit(), an exception that is not caught or abort(), zero is written from there: within a call of the
@@ -119,13 +129,58 @@ public:
     /// @throws DeviceError (lost, failed, not_open). The last force that was written may still be there: write zero.
     virtual DeviceState read(double time) = 0;
 
-    /// Push the hand. What goes beyond the device's capabilities is the caller's fault: see SafetyStage.
+    /// Push the hand. What goes beyond the device's capabilities is the caller's fault: see SafetyLimits.
     ///
     /// @throws DeviceError (lost, failed, not_open).
     virtual void write(const Wrench &wrench) = 0;
 
     /// May be called at any time, from the servo loop's thread.
     virtual DeviceStatus status() const = 0;
+};
+
+/// A device that is made of software: it can always be opened, unless start() objects, and moves by the time that read() is
+/// given. Its motion begins at the first read() after open(), whatever the loop's clock shows then.
+class SoftwareDevice : public Device
+{
+public:
+    void open() override;
+    void close() noexcept override;
+    const Capabilities &capabilities() const override { return capabilities_; }
+
+    /// @throws std::invalid_argument for a time that is not finite; DeviceError (not_open).
+    DeviceState read(double time) override;
+
+    /// @throws DeviceError: not_open; failed for a wrench that is not finite. The last wrench is zero then.
+    void write(const Wrench &wrench) override;
+
+    DeviceStatus status() const override;
+
+    /// What was written last; zero before that and after close().
+    const Wrench &last_wrench() const { return last_wrench_; }
+
+protected:
+    /// Not open.
+    explicit SoftwareDevice(Capabilities capabilities) : capabilities_(std::move(capabilities)) {}
+
+    /// Go back to the beginning of the motion. The device is not open if this throws.
+    virtual void start() {}
+
+    /// Move on to `seconds` after the first read(), for which it is 0; never less than in the call before. The caller sets
+    /// the state's time.
+    virtual DeviceState move_to(double seconds) = 0;
+
+    /// Why the device, open, is not ready; empty when it is.
+    virtual std::string idle_reason() const { return {}; }
+
+    Capabilities capabilities_; ///< what capabilities() tells
+
+private:
+    void check_open(const char *call) const;
+
+    bool open_ = false;
+    std::optional<double> first_time_; ///< s; of the first read()
+    double last_seconds_ = 0;          ///< since then
+    Wrench last_wrench_;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -46,6 +46,15 @@ public:
 
 /// What the probe feels of several touches: the sum of their forces.
 Vector3 sum_of(const TouchForces &forces);
+
+/// What a virtual coupling can be set to; all >= 0.
+struct CouplingProperties
+{
+    double stiffness = 500;         ///< N/m
+    double damping = 1;             ///< N s/m
+    double angular_stiffness = 0.5; ///< N m/rad
+    double angular_damping = 0.005; ///< N m s/rad
+};
 } // namespace ode_predictive_space::haptics
 
 #endif

@@ -3,17 +3,132 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_H
 
-#include "ode_predictive_space/haptics/loop_clock.h"
-#include "ode_predictive_space/haptics/period_statistics.h"
 #include "ode_predictive_space/haptics/probe.h"
 
+#include <array>
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace ode_predictive_space::haptics
 {
+/// Something to do again and again.
+struct PeriodicTask
+{
+    double period = 0.001;                 ///< s, > 0
+    std::function<void()> prepare;         ///< once, before the first time, where the task runs; may be empty
+    std::function<void(double)> carry_out; ///< gets the time, in s, at which it was due. Must not throw
+};
+
+/// A periodic task. It runs until this is destroyed; the destructor returns when the task has ended.
+class RunningTask
+{
+public:
+    virtual ~RunningTask() = default;
+};
+
+/// Seconds since some fixed moment; never goes back.
+class LoopClock
+{
+public:
+    virtual ~LoopClock() = default;
+
+    /// From any thread.
+    virtual double now() const = 0;
+
+    /// Returns at once when that time has passed already.
+    virtual void sleep_until(double time) = 0;
+
+    /// Carry out the task a period from now, and each period from then on, beside whatever the caller does. A time that is
+    /// missed because the task took too long is left out.
+    ///
+    /// @throws std::system_error when there can be no thread for it.
+    virtual std::unique_ptr<RunningTask> start(PeriodicTask task) = 0;
+};
+
+/// The machine's monotonic clock. Sleeps until absolute deadlines, so that periods do not drift; each task has its thread.
+class MonotonicClock : public LoopClock
+{
+public:
+    double now() const override;
+    void sleep_until(double time) override;
+    std::unique_ptr<RunningTask> start(PeriodicTask task) override;
+};
+
+/// A clock whose time passes only in sleep_until() and advance(). Then the tasks that are due are carried out, in the
+/// order of their times and, among those of the same time, of their start: all in the one thread, the same in each run.
+class SimulatedClock : public LoopClock
+{
+public:
+    SimulatedClock();
+    ~SimulatedClock() override;
+    double now() const override;
+    void sleep_until(double time) override;
+
+    /// Let time pass, as something does that takes long. Meanwhile the tasks are carried out that are not being carried out
+    /// already.
+    ///
+    /// @param seconds >= 0.
+    void advance(double seconds);
+
+    /// The clock must outlive the task.
+    std::unique_ptr<RunningTask> start(PeriodicTask task) override;
+
+private:
+    class Entry;
+    Entry *next_due(double until) const;
+    void carry_out(Entry &entry);
+
+    double now_ = 0;               ///< s
+    std::vector<Entry *> entries_; ///< in the order of their start
+};
+
+/// Of many times, in seconds. All 0 when there were none.
+struct TimeSummary
+{
+    std::uint64_t count = 0; ///< how many times
+    double mean = 0;         ///< of all
+    double p50 = 0;          ///< half of the times are not longer
+    double p99 = 0;          ///< 99 % are not longer
+    double p999 = 0;         ///< 99.9 % are not longer
+    double max = 0;          ///< the longest
+};
+
+/// Times, by their size, in buckets of constant relative width. Nothing is allocated after the constructor.
+///
+/// One thread adds; any thread may ask at any time, and then sees all but the very last.
+class TimeHistogram
+{
+public:
+    /// @param seconds >= 0. What is shorter than a nanosecond counts as one, what is longer than 10,000 s as that.
+    void add(double seconds);
+
+    /// How many times were added.
+    std::uint64_t count() const { return count_.load(std::memory_order_relaxed); }
+
+    /// The time that the given share of all times, 0 to 1, does not exceed: never too short, and too long by less than 2 %.
+    double quantile(double share) const;
+
+    /// Of all times that were added.
+    TimeSummary summary() const;
+
+private:
+    static constexpr int steps_per_octave = 64;
+    static constexpr int octaves = 44; // 2^44 ns are 4.9 hours
+
+    static std::size_t bucket_of(double nanoseconds);
+    static double upper_end(std::size_t bucket); // nanoseconds
+
+    std::array<std::atomic<std::uint64_t>, std::size_t{octaves} * steps_per_octave> buckets_{};
+    std::atomic<std::uint64_t> count_{0};
+    std::atomic<double> sum_{0}; // seconds
+    std::atomic<double> max_{0}; // seconds
+};
+
 /// What a program does in each step of its scene. Exceptions end the loop, with zero force, and come out of run().
 struct SceneWork
 {
@@ -81,7 +196,7 @@ class LoopParts;
 /// - a servo, and with it the scene of a single-threaded loop, by a guard, a thread of the loop, that sets the force to zero within 5 ms
 ///   of the time at which the next tick should have begun: 6 ms after the last one at 1 kHz and above, 10 ms at 200 Hz, 15 ms at 100 Hz;
 /// - the scene of a decoupled loop by the servo's watchdog: the force is gone 8 ms after the next step should have begun: 9 ms after
-///   the last one at 1 kHz and above, 10 ms at 500 Hz, 18 ms at 100 Hz (see WatchdogLimits::of()).
+///   the last one at 1 kHz and above, 10 ms at 500 Hz, 18 ms at 100 Hz.
 /// Only where a device's driver hangs in read() or write() nothing here can help: this is told.
 class HapticLoop
 {

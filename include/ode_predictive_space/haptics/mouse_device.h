@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MOUSE_DEVICE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MOUSE_DEVICE_H
 
-#include "ode_predictive_space/haptics/software_device.h"
+#include "ode_predictive_space/haptics/device.h"
 
 #include <array>
 #include <atomic>

@@ -3,11 +3,14 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PENALTY_LAW_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PENALTY_LAW_H
 
-#include "ode_predictive_space/haptics/felt_materials.h"
 #include "ode_predictive_space/haptics/force_law.h"
+
+#include <memory>
 
 namespace ode_predictive_space::haptics
 {
+class FeltMaterials;
+
 /// F = k d n for each touch: stiffness times depth, along the normal. Exactly that when damping and friction are 0. All three are
 /// the touch's material's.
 ///
@@ -29,8 +32,9 @@ namespace ode_predictive_space::haptics
 class PenaltyLaw final : public ForceLaw
 {
 public:
-    /// @throws std::invalid_argument as check() does.
+    /// @throws std::invalid_argument for a property that is negative or not finite.
     explicit PenaltyLaw(const Material &material = {});
+    ~PenaltyLaw() override;
 
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override;
     void reset() override;
@@ -51,7 +55,7 @@ private:
                            double dt);
 
     Material material_;
-    FeltMaterials materials_;
+    std::unique_ptr<FeltMaterials> materials_;
     std::vector<Hold> holds_;                 // of this tick
     std::vector<Hold> last_holds_;            // of the tick before
     Vector3 last_position_ = Vector3::Zero(); // of the tool; means nothing while last_holds_ is empty

@@ -8,7 +8,6 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 namespace ode_predictive_space::haptics
@@ -98,33 +97,30 @@ public:
     const std::vector<Encounter> &encounters();
 
     /// s; how much time passes from one dSpaceCollide() to the next. render() sets it to its dt; for loops that do without.
-    void set_tick_length(double seconds) { tick_length_ = seconds; }
+    void set_tick_length(double seconds);
 
     /// What was rendered last.
-    const RenderedTick &last_tick() const { return renderer_.last_tick(); }
+    const RenderedTick &last_tick() const;
 
     /// What is touched now, between the collision and the next begin(). Nothing with a tool body.
     const std::vector<Touch> &touches() const;
 
     /// The probe in the scene.
-    const ToolState &tool() const { return renderer_.tool(); }
+    const ToolState &tool() const;
 
     /// 0 with a tool body, and when it was destroyed with its space.
-    dGeomID geom() const { return sensor_ ? sensor_->geom() : nullptr; }
+    dGeomID geom() const;
 
     /// Called at the end of each render(): for recordings. Empty: nothing.
-    void set_recorder(std::function<void(const RenderedTick &)> recorder)
-    {
-        renderer_.set_recorder(std::move(recorder));
-    }
+    void set_recorder(std::function<void(const RenderedTick &)> recorder);
 
     /// The parts, for loops that run them in different threads. The sensor is 0 with a tool body.
-    Renderer &renderer() { return renderer_; }
+    Renderer &renderer();
     /// The same.
-    TouchSensor *sensor() { return sensor_.get(); }
+    TouchSensor *sensor();
 
     /// For the same: 0 without a tool body, and when that was destroyed.
-    dBodyID tool_body() const { return tool_body_ != nullptr && tool_watch_.has(tool_body_) ? tool_body_ : nullptr; }
+    dBodyID tool_body() const;
 
     /// For the same: a loop takes the probe, and gives it back. From any thread.
     ///
@@ -139,20 +135,8 @@ public:
     void place(const RenderedTick &tick);
 
 private:
-    void render_tool_body(double dt);
-    void tell_if_gone();
-
-    mutable std::mutex run_mutex_; ///< of the one below
-    std::shared_ptr<ActiveRun> run_;
-    Renderer renderer_;
-    std::unique_ptr<TouchSensor> sensor_;
-    dBodyID tool_body_ = nullptr;
-    BodyWatch tool_watch_; ///< has the tool's body as long as there is one
-    VirtualCoupling coupling_;
-    double tick_length_ = 0; ///< s
-    int tool_jumps_ = 0;     ///< as RenderedTick has it
-    bool told_of_loss_ = false;
-    std::vector<Encounter> encounters_;
+    class Parts;
+    std::unique_ptr<Parts> parts_;
 };
 } // namespace ode_predictive_space::haptics
 

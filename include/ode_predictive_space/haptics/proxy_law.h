@@ -3,11 +3,14 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PROXY_LAW_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PROXY_LAW_H
 
-#include "ode_predictive_space/haptics/felt_materials.h"
 #include "ode_predictive_space/haptics/force_law.h"
+
+#include <memory>
 
 namespace ode_predictive_space::haptics
 {
+class FeltMaterials;
+
 /// F = k (proxy - tool), with the stiffness of the touched material; of several, each plane has its own. The proxy is where the tool would be if no surface could be entered: the point nearest to the tool
 /// that no touch forbids (Zilles and Salisbury, "A constraint-based god-object method for haptic display", 1995).
 ///
@@ -28,8 +31,9 @@ namespace ode_predictive_space::haptics
 class ProxyLaw final : public ForceLaw
 {
 public:
-    /// @throws std::invalid_argument as check() does.
+    /// @throws std::invalid_argument for a property that is negative or not finite.
     explicit ProxyLaw(const Material &material = {});
+    ~ProxyLaw() override;
 
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override;
     TouchView view() const override { return TouchView::all_together; }
@@ -47,7 +51,7 @@ private:
     Vector3 along_the_carriers(const std::vector<Touch> &touches, Vector3 vector) const;
 
     Material material_;
-    FeltMaterials materials_;
+    std::unique_ptr<FeltMaterials> materials_;
     std::vector<Carry> carries_; // of each touch
     bool slides_ = false;
     Vector3 proxy_ = Vector3::Zero();

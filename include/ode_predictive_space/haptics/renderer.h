@@ -3,28 +3,18 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
 
-#include "ode_predictive_space/haptics/contact_birth.h"
-#include "ode_predictive_space/haptics/delay_meter.h"
-#include "ode_predictive_space/haptics/device_gate.h"
-#include "ode_predictive_space/haptics/device_motion.h"
-#include "ode_predictive_space/haptics/force_shares.h"
-#include "ode_predictive_space/haptics/notice.h"
-#include "ode_predictive_space/haptics/passivity.h"
+#include "ode_predictive_space/haptics/force_law.h"
 #include "ode_predictive_space/haptics/safety.h"
-#include "ode_predictive_space/haptics/stability.h"
-#include "ode_predictive_space/haptics/virtual_coupling.h"
-#include "ode_predictive_space/haptics/watchdog.h"
 #include "ode_predictive_space/haptics/workspace.h"
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace ode_predictive_space::haptics
 {
-class ContactManifold;
+class DeviceGate;
+class VirtualCoupling;
 
 /// How a device is rendered to.
 struct RenderSettings
@@ -38,8 +28,8 @@ struct RenderSettings
     std::optional<double> device_damping;  ///< N s/m; of device and hand, where it is known: see check_stability()
     std::optional<double> delay;           ///< s; as Capabilities::delay, where it is known better than by the device
     std::optional<unsigned> clutch_button; ///< which of the device's buttons moves the workspace instead of the tool
-    bool passivity_control = false; ///< whether a PassivityController adds damping when energy comes from nowhere
-    NoticeSink notice;              ///< what to do with messages; by default nothing
+    bool passivity_control = false;        ///< whether damping is added when energy comes from nowhere
+    NoticeSink notice;                     ///< what to do with messages; by default nothing
 };
 
 /// What was rendered in a tick: for recordings, and for who wants to show it.
@@ -85,7 +75,7 @@ public:
     void read(double time, double clock_time);
 
     /// Where the tool is since the last read().
-    const ToolState &tool() const { return tick_.tool; }
+    const ToolState &tool() const;
 
     /// Render what is touched, with the law.
     ///
@@ -96,7 +86,7 @@ public:
     /// What the hand really got of each object in the last render(): N, the scene's frame. The sum is the force that was
     /// written, whatever limits shortened it, as long as something is touched. An object that was left may still be in it:
     /// the force that the safety stage takes away slowly belongs to it. Empty when there was no force.
-    const std::vector<ForceShare> &shares() const { return split_.shares(); }
+    const std::vector<ForceShare> &shares() const;
 
     /// Render a coupling to a tool body, as stiff as the device can.
     ///
@@ -108,16 +98,16 @@ public:
     void relax() noexcept;
 
     /// The scene's state is as of the last read().
-    void note_fresh_physics() { physics_fresh(clock_time_); }
+    void note_fresh_physics();
 
     /// The scene's state is as of this time, on the watchdog's clock. From any thread.
-    void physics_fresh(double clock_time) { watchdog_->physics_fresh(clock_time); }
+    void physics_fresh(double clock_time);
 
     /// Of the servo: the tick that was rendered last.
-    const RenderedTick &last_tick() const { return tick_; }
+    const RenderedTick &last_tick() const;
 
     /// The default law is another one after set_placement().
-    ForceLaw &law() { return *law_; }
+    ForceLaw &law();
 
     /// What the device can render of a material of the scene: the same, or with less stiffness or damping. This is what the law gets
     /// with each touch, as scale and rate are now.
@@ -134,136 +124,39 @@ public:
     /// For virtual couplings, as set_law() for laws: says what render() makes softer.
     void check(const VirtualCoupling &coupling);
 
-    /// What the device can render of a coupling, as scale and rate are now.
-    VirtualCoupling softened(VirtualCoupling coupling) const;
-
     /// Between two ticks; the force comes back slowly. @throws std::invalid_argument as the constructor does: what is stiff depends
     /// on the scale.
     void set_placement(const WorkspacePlacement &placement);
     /// Between the device's frame and the scene's.
-    const WorkspaceMapping &mapping() const { return mapping_; }
+    const WorkspaceMapping &mapping() const;
 
     /// Between two ticks: how often the device is read and written, and the scene is stepped, in Hz.
     /// @throws std::invalid_argument as the constructor does: what is stiff depends on the rate.
     void set_rates(double rate, double physics_rate);
 
     /// Called at the end of each render(). Empty: nothing.
-    void set_recorder(std::function<void(const RenderedTick &)> recorder) { recorder_ = std::move(recorder); }
+    void set_recorder(std::function<void(const RenderedTick &)> recorder);
 
     /// Where notices go; in the thread of the call that has something to tell.
-    void set_notice_sink(NoticeSink sink) { settings_.notice = std::move(sink); }
+    void set_notice_sink(NoticeSink sink);
     /// The same.
-    const NoticeSink &notice_sink() const { return settings_.notice; }
+    const NoticeSink &notice_sink() const;
 
     /// What the safety stage did in the last tick and so far.
-    const SafetyReport &safety_report() const { return safety_.report(); }
+    const SafetyReport &safety_report() const;
 
     /// Tell now what was held back because it had just been told: at the end of a run.
     void tell_held_back();
 
     /// How many notices were held back, so far. Those of a second are told as one, with their number.
-    std::uint64_t held_back() const { return held_back_; }
+    std::uint64_t held_back() const;
 
     /// For the guard of a loop.
-    DeviceGate &gate() { return gate_; }
+    DeviceGate &gate();
 
 private:
-    enum class Topic; ///< of notices: each is told once a second at most
-
-    /// Open as long as this lives, or for longer if it was open before.
-    class Opening
-    {
-    public:
-        explicit Opening(Device &device);
-        ~Opening();
-        Opening(const Opening &) = delete;
-        Opening &operator=(const Opening &) = delete;
-
-    private:
-        Device &device_;
-        bool opened_;
-    };
-
-    void check_law();
-    void check(double stiffness, double damping);
-    Rendering rendering(double stiffness, double damping) const;
-    void feel(const std::vector<Touch> &touches, double dt);
-    bool read_device(double time);
-    bool is_silent(const DeviceState &state, double time);
-    void follow(DeviceState state);
-    void come_back();
-    void fail(std::string_view why);
-    void doubt(std::string_view why);
-    void release_device() noexcept;
-    void begin_anew();
-    void move_clutch();
-    void measure_delay(double age);
-    Wrench write(const Wrench &wished, double dt);
-    Wrench limited(const Wrench &wished, double dt);
-    Wrench delivered(const Wrench &safe);
-    void close_tick(const Vector3 &wished, const Vector3 &force);
-    void tell_of_safety();
-    void tell_of_watchdog();
-    void tell_once_a_second(Topic topic, NoticeKind kind, std::string_view sentence);
-    void tell_what_was_held_back(double quiet_for);
-    void tell(NoticeKind kind, std::string_view sentence) const;
-
-    /// Known to what takes the force away when the program ends.
-    class Registration
-    {
-    public:
-        explicit Registration(DeviceGate &gate);
-        ~Registration();
-        Registration(const Registration &) = delete;
-        Registration &operator=(const Registration &) = delete;
-
-    private:
-        DeviceGate &gate_;
-    };
-
-    DeviceGate gate_;
-    Opening opening_;
-    Registration registration_;
-    RenderSettings settings_; ///< its law is 0 as long as that is the default
-    WorkspaceMapping mapping_;
-    std::shared_ptr<ForceLaw> law_;
-    SafetyStage safety_;
-    std::optional<Watchdog> watchdog_; ///< always there: made anew when the rates change
-    std::optional<PassivityController> passivity_;
-    std::function<void(const RenderedTick &)> recorder_;
-
-    bool answers_ = false;
-    bool failed_ = false;      ///< and has not answered since
-    bool guard_acted_ = false; ///< since the last tick
-    double doubted_since_;     ///< s, simulated; since when the device tells nonsense, if it does
-    bool relaxed_ = false;     ///< and has not been read since
-    double next_try_;          ///< s, simulated; when a device that failed is tried again
-    double last_news_ = 0;     ///< s, simulated; when the device's state was a new one
-    double last_state_time_;   ///< s; of the last state, by the device
-    double clock_time_ = 0;
-    double last_answer_;      ///< s, simulated; of the device
-    std::vector<Touch> felt_; ///< touches with the materials that are rendered
-    ContactBirth birth_;
-    std::unique_ptr<ContactManifold> manifold_;
-    DeviceMotion motion_;
-    DelayMeter delay_meter_;
-    TouchForces forces_;
-    ForceSplit split_;
-    RenderedTick tick_;
-    WatchdogReason last_reason_ = WatchdogReason::none;
-    std::string stability_told_; ///< why the law is rendered softer; empty when it is not
-
-    /// What was told of a topic, and what was not.
-    struct Told
-    {
-        double last;   ///< s, simulated; when it was told
-        int times = 0; ///< held back since
-        Notice notice; ///< the last of those
-    };
-
-    static constexpr std::size_t most_topics = 20;
-    std::array<Told, most_topics> told_;
-    std::uint64_t held_back_ = 0;
+    class Parts;
+    std::unique_ptr<Parts> parts_;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -1,4 +1,4 @@
-// The last stage before a device: it limits what is written.
+// What keeps the hand safe, as programs see it: notices, limits, what can be rendered stably, and requests to stop.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SAFETY_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SAFETY_H
@@ -6,10 +6,47 @@
 #include "ode_predictive_space/haptics/device.h"
 
 #include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace ode_predictive_space::haptics
 {
+/// What a notice is about.
+enum class NoticeKind
+{
+    device,     ///< a device failed, or is back
+    contact,    ///< a contact is not a number
+    safety,     ///< the safety stage takes the force away or clamps it
+    watchdog,   ///< something does not keep up: the force decays
+    stability,  ///< what was asked for is too stiff for the device
+    guard,      ///< the loop hung: its guard has taken the force away
+    exception,  ///< the program's callback threw
+    stop,       ///< the loop was asked to end
+    scheduling, ///< the system refused what makes a loop punctual
+    coupling    ///< how a loop of two threads steps its scene, or that it cannot tell how that will move
+};
+
+/// One sentence. Of fixed size, so that a servo loop can make one: what is too long is cut off.
+struct Notice
+{
+    Notice() = default;
+    /// Copies the sentence, cut off where it is too long.
+    Notice(NoticeKind notice_kind, double notice_time, std::string_view sentence);
+
+    NoticeKind kind = NoticeKind::device; ///< what it is about
+    double time = 0;                      ///< s; simulated, as RenderedTick::time is
+    std::array<char, 240> text{};         ///< ends with 0
+
+    /// The text; valid as long as the notice.
+    std::string_view sentence() const { return text.data(); }
+};
+
+/// What to do with a notice.
+using NoticeSink = std::function<void(const Notice &)>;
+
 /// The limits of a safety stage; all finite and >= 0.
 struct SafetyLimits
 {
@@ -69,65 +106,70 @@ struct SafetyReport
     std::string summary() const;
 };
 
-/// Makes any wrench safe. One stage belongs to one device and is used from its servo loop. Neither allocates nor locks.
+/// What is rendered, and how, as the device sees it (with a workspace mapping of scale s, a law's values times s).
+struct Rendering
+{
+    double stiffness = 0; ///< N/m; K
+    double damping = 0;   ///< N s/m; B, of the law
+    double rate = 1000;   ///< Hz; of the servo loop, 1 / T
+    double delay = 0;     ///< s; from reading a position to the force that answers it, beyond the loop's own period
+    std::optional<double> device_damping; ///< N s/m; b, of the device and the hand that holds it, where it is known
+};
+
+/// Whether a material can be rendered as it was asked for.
+enum class StabilityOutcome
+{
+    fine,    ///< as it was asked for
+    clamped, ///< stiffness or damping are to be less
+    refused  ///< nothing sensible can be rendered: nonsense was asked for
+};
+
+/// What is rendered in place of a material that was asked for.
+struct StabilityVerdict
+{
+    StabilityOutcome outcome = StabilityOutcome::fine; ///< how it differs from what was asked for
+    double stiffness = 0;                              ///< N/m; to be used
+    double damping = 0;                                ///< N s/m; to be used
+    std::string reason;                                ///< one sentence: why not as asked; empty when fine
+};
+
+/// Compares what is to be rendered with what the device can do.
 ///
-/// Whatever the wished wrench, the one that is returned
-/// - is finite;
-/// - is never above the maximum, nor above the maximum times the allowance;
-/// - differs from the one before by at most max_force_rate times the time between the calls, except on its way to zero:
-///   a fault (not_finite, too_fast) takes the force away at once, since what drives the hand then cannot be trusted, and a
-///   falling allowance as fast as it falls. A force never comes at once;
-/// - is zero from the start until the wished wrench was small once: a program that starts with the probe inside of something
-///   does not kick.
+/// A sampled wall of stiffness K and damping B, held from tick to tick, is passive, whatever the hand does, if and only if
 ///
-/// Time between two calls counts as 10 ms at most: after a pause, the force changes on slowly from where it was.
-class SafetyStage
+///     b > K T / 2 + |B|
+///
+/// with b the device's own damping (Colgate and Schenkel, "Passivity of a class of sampled-data systems", 1997). A further delay D
+/// lags the force as half a period does: b > K (T / 2 + D) + |B|. Hence K is at most 2 (b - |B|) / (T + 2 D), which is 2 b / T for
+/// a plain spring. Besides, K is at most the device's max_stiffness, B at most its max_damping, if they are known (above 0); the
+/// former holds for the device's nominal rate, and is less in proportion when the loop is slower.
+///
+/// Without a known b, only the device's limits count: they were found by trial with a hand that damps, and without delay. Then a
+/// delay makes K less as it does above: at most max_stiffness T0 / (T + 2 D), with T0 the device's nominal period.
+StabilityVerdict check_stability(const Capabilities &capabilities, const Rendering &rendering);
+
+/// As long as one of these lives, SIGINT, SIGTERM, SIGHUP and SIGQUIT do not end the program but set a flag: the loop then takes the force
+/// away and ends in good order. The last one that goes puts back the handlers that the first one found.
+///
+/// A signal that was ignored before (nohup does that to SIGHUP) stays ignored. Signals that cannot be caught (SIGKILL) or after
+/// which nothing can be trusted (SIGSEGV) are left alone: there the device's driver has to notice that the program is gone.
+class StopRequest
 {
 public:
-    /// @throws std::invalid_argument when a limit is negative or not finite.
-    explicit SafetyStage(const SafetyLimits &limits);
+    /// The first one also forgets a request from before. @throws std::system_error when a handler cannot be installed.
+    StopRequest();
+    ~StopRequest();
+    StopRequest(const StopRequest &) = delete;
+    StopRequest &operator=(const StopRequest &) = delete;
 
-    /// One tick of the servo loop.
-    ///
-    /// @param wished in the device's frame.
-    /// @param velocity m/s; of the hand, in the device's frame.
-    /// @param time seconds on the loop's clock; going back counts as no time.
-    /// @param allowance 0 to 1: which part of the force may be there (see Watchdog).
-    /// @return what may be written to the device. Write this and nothing else.
-    Wrench limit(const Wrench &wished, const Vector3 &velocity, double time, double allowance = 1);
+    /// Whether the program is to end. Any thread; neither locks nor allocates.
+    static bool requested() noexcept;
 
-    /// As at the start: the next wrench is zero, and the stage waits for a small one. Counts go on.
-    void reset();
+    /// The signal that asked for it; 0 when none did. For a message, or to raise it anew after the end of the loop.
+    static int signal() noexcept;
 
-    /// The force was taken away behind the stage, and nothing else has changed: the next wrench is zero, and it comes back by the ramp.
-    void restart_ramp();
-
-    /// Whether the wished wrench was small once since the start.
-    bool engaged() const { return engaged_; }
-
-    /// What was done in the last call and so far.
-    const SafetyReport &report() const { return report_; }
-    /// As they were given.
-    const SafetyLimits &limits() const { return limits_; }
-
-private:
-    double time_since_last_call(double time);
-    bool must_be_zero(const Wrench &wished, const Vector3 &velocity, double time, double allowance);
-    bool has_engaged(const Wrench &wished);
-    Wrench clamp(const Wrench &wished);
-    Wrench scale_down(const Wrench &wrench, double elapsed, double allowed);
-    Wrench slew(const Wrench &target, double elapsed);
-    Wrench bound(const Wrench &wrench, double allowed) const;
-    void take(SafetyAction action) { report_.now |= 1u << static_cast<int>(action); }
-    void close_report(std::uint32_t before);
-
-    SafetyLimits limits_;
-    SafetyReport report_;
-    Wrench last_;
-    double last_time_ = 0;
-    double ramp_ = 0; // 0 to 1
-    bool has_time_ = false;
-    bool engaged_ = false;
+    /// The same without a signal; for a window that is closed, say. Any thread, and signal handlers.
+    static void request() noexcept;
 };
 } // namespace ode_predictive_space::haptics
 

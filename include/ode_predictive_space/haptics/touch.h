@@ -4,13 +4,25 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_TOUCH_H
 
 #include "ode_predictive_space/haptics/device.h"
-#include "ode_predictive_space/haptics/material.h"
 
+#include <ode/common.h>
 #include <optional>
 #include <vector>
 
 namespace ode_predictive_space::haptics
 {
+/// What the hand feels of a surface, in the scene's frame. All finite and >= 0.
+struct Material
+{
+    double stiffness = 500;     ///< N/m; along the normal, and of friction's hold
+    double damping = 0;         ///< N s/m; along the normal
+    double friction = 0;        ///< Coulomb's coefficient while the probe slides
+    double static_friction = 0; ///< the same until it begins to slide; less than friction counts as friction
+};
+
+/// The same, by its first name.
+using SurfaceProperties = Material;
+
 /// What a touch adds to the way from the tool to its proxy: share times the touch's normal, and its part of the lag. All
 /// touches together make that way, exactly.
 struct Carry
@@ -43,20 +55,14 @@ struct Touch
         material; ///< nothing: the force law's own. A renderer fills it in with what the device can render
 };
 
+/// What Touch::object is for a geom: its body, or itself if it has none.
+std::uintptr_t object_of(dGeomID geom);
+
 /// What the touches are of several objects at once.
 enum class TouchView
 {
     each_object_alone, ///< each object's, as if there were no other
     all_together       ///< those that hold off the probe from all objects at once
-};
-
-/// The probe, in the scene's frame, SI units.
-struct ToolState
-{
-    Vector3 position = Vector3::Zero();              ///< m
-    Quaternion orientation = Quaternion::Identity(); ///< of length 1
-    Vector3 linear_velocity = Vector3::Zero();       ///< m/s
-    Vector3 angular_velocity = Vector3::Zero();      ///< rad/s
 };
 
 /// What a touch carries the tool by. Of one whose constraint was not solved: its depth, as if it were alone.
@@ -67,6 +73,31 @@ inline Carry carry_of(const Touch &touch)
 
 /// The forces on the probe, in N, one per touch and in their order: what each of the objects gets is minus that.
 using TouchForces = std::vector<Vector3>;
+
+/// ForceShare::object of a force in free space: see ForceLaw::forces().
+constexpr std::uintptr_t free_space = 0;
+
+/// The part of the force on the hand that one object made.
+struct ForceShare
+{
+    std::uintptr_t object = free_space; ///< Touch::object
+    Vector3 point = Vector3::Zero();    ///< m, the scene's frame; where it was touched last
+    Vector3 force = Vector3::Zero();    ///< N, the scene's frame; on the hand
+    unsigned feature = 0;               ///< Touch::feature; in free space, which of the entries, from 0 on
+};
+
+/// The heights of a heightfield, as it was built of them by dGeomHeightfieldDataBuildDouble() or the like. Its frame's y
+/// axis points up.
+struct HeightfieldSamples
+{
+    double width = 0;            ///< m, > 0; along x
+    double depth = 0;            ///< m, > 0; along z
+    int width_samples = 0;       ///< >= 2
+    int depth_samples = 0;       ///< >= 2
+    double scale = 1;            ///< m; of a height of 1
+    double offset = 0;           ///< m; of a height of 0
+    std::vector<double> heights; ///< that of column x and row z is at x + z * width_samples
+};
 } // namespace ode_predictive_space::haptics
 
 #endif

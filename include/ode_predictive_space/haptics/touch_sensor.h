@@ -3,12 +3,12 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_TOUCH_SENSOR_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_TOUCH_SENSOR_H
 
-#include "ode_predictive_space/haptics/body_watch.h"
-#include "ode_predictive_space/haptics/force_shares.h"
+#include "ode_predictive_space/haptics/touch.h"
 
 #include <functional>
 #include <memory>
 #include <ode/collision.h>
+#include <ode/collision_space.h>
 #include <ode/collision_trimesh.h>
 #include <ode/objects.h>
 #include <vector>
@@ -16,23 +16,6 @@
 namespace ode_predictive_space::haptics
 {
 class ContactTracker;
-class ExcludedGeoms;
-class GeomWatch;
-class MeshStore;
-struct ProbePlace;
-
-/// The heights of a heightfield, as it was built of them by dGeomHeightfieldDataBuildDouble() or the like. Its frame's y
-/// axis points up.
-struct HeightfieldSamples
-{
-    double width = 0;            ///< m, > 0; along x
-    double depth = 0;            ///< m, > 0; along z
-    int width_samples = 0;       ///< >= 2
-    int depth_samples = 0;       ///< >= 2
-    double scale = 1;            ///< m; of a height of 1
-    double offset = 0;           ///< m; of a height of 0
-    std::vector<double> heights; ///< that of column x and row z is at x + z * width_samples
-};
 
 /// What a geom is made of; nothing: what the force law says.
 using MaterialOf = std::function<std::optional<Material>(dGeomID)>;
@@ -81,7 +64,7 @@ public:
 
     /// 0 when it is gone. A sphere that the sensor makes has the place and size of the region in which it looks for what it can
     /// touch: larger than the tool while the tool moves or is pressed into something.
-    dGeomID geom() const { return is_gone() ? nullptr : geom_; }
+    dGeomID geom() const;
 
     /// Notice what comes near before it is touched: touches() then has what is up to this far away, too, with a negative
     /// depth. Works for the sphere that the sensor makes, which grows by that; other geoms notice nothing before they touch it.
@@ -90,13 +73,13 @@ public:
     void set_margin(double margin);
 
     /// Which touches to tell of: the force law's view().
-    void set_view(TouchView view) { view_ = view; }
+    void set_view(TouchView view);
 
     /// N/m; the force law's: of what has no material of its own.
     void set_stiffness(double stiffness);
 
     /// What to ask for the materials of what is touched, in touch(). Empty: nothing.
-    void set_materials(MaterialOf materials) { materials_ = std::move(materials); }
+    void set_materials(MaterialOf materials);
 
     /// Read a mesh now rather than when the probe first comes near it: a hundred thousand triangles take some 0.1 s.
     void prepare(dGeomID mesh);
@@ -131,7 +114,7 @@ public:
 
     /// s; how much time passes from one dSpaceCollide() to the next, as far as it is known: what came by its own motion is told
     /// from what appeared by that.
-    void set_tick_length(double seconds) { tick_length_ = seconds; }
+    void set_tick_length(double seconds);
 
     /// Forget the touches.
     void clear();
@@ -153,68 +136,30 @@ public:
     bool saw_nonsense();
 
     /// The body of a touched object; 0 for one that has none, and for one that is gone.
-    dBodyID body_of(std::uintptr_t object) const { return bodies_.find(object); }
+    dBodyID body_of(std::uintptr_t object) const;
 
     /// For loops that run in two threads: the contact of the sphere that the sensor makes, 0 for another geom.
-    ContactTracker *tracker() { return tracker_.get(); }
+    ContactTracker *tracker();
     /// Of the sphere that the sensor makes, m.
-    double radius() const { return radius_; }
+    double radius() const;
 
     /// Give each body the opposite of its share of the force on the hand, where it was touched. A disabled body that gets a
     /// force is enabled. Objects without a body are left alone, and so are bodies that are gone.
     void push(const std::vector<ForceShare> &shares);
 
 private:
-    void become_interactive();
-    void prepare_space(dSpaceID space);
-    void look_around();
-    bool hold(dGeomID other);
-    ProbePlace probe() const;
-    void collide(dGeomID other);
-    void add(const dContactGeom &contact, dGeomID other);
-    void resolve();
-    std::optional<Material> material_of(dGeomID geom);
-
-    static constexpr int most_contacts = 256; ///< of one pair: a mesh gives many, of which one counts
-
-    bool may_touch_geom() const { return !abandoned_ && !is_gone(); }
-
-    dGeomID geom_;
-    dGeomID sentinel_ = nullptr; ///< of a geom of the program that is in a space: it goes with that
-    dGeomID tool_ =
-        nullptr; ///< of the sphere that the sensor makes: in no space, of the tool's place and size, for dCollide()
-    bool own_;
-    bool abandoned_ = false; ///< nothing may be done to geom_
-    bool turns_ = true;      ///< whether the orientation matters
-    double radius_ = 0;      ///< m; of the sphere that the sensor makes, without the margin
-    double margin_ = 0;      ///< m
-    bool posed_ = false;
-    Vector3 position_ = Vector3::Zero();
-    Quaternion orientation_ = Quaternion::Identity();
-    bool begins_ = false;    ///< by forget_sides(), until touches are asked for
-    double tick_length_ = 0; ///< s
-    bool nonsense_ = false;
-    bool resolved_ = true; ///< whether touches_ has all
-    TouchView view_ = TouchView::each_object_alone;
-    std::vector<Touch> touches_;
-    std::vector<Touch> collided_;             ///< by dCollide()
-    std::unique_ptr<ContactTracker> tracker_; ///< of the sphere that the sensor makes
-    std::unique_ptr<ExcludedGeoms> excluded_;
-    std::unique_ptr<GeomWatch> watch_; ///< of the sphere that the sensor makes or the sentinel
-    std::unique_ptr<MeshStore> meshes_;
-    MaterialOf materials_;
-    BodyWatch bodies_;
-    std::vector<dContactGeom> contacts_; ///< most_contacts of them, for dCollide() to write to
+    class Parts;
+    std::unique_ptr<Parts> parts_;
 };
-
-/// What Touch::object is for a geom: its body, or itself if it has none.
-std::uintptr_t object_of(dGeomID geom);
 
 /// What a body's motion is to force laws.
 ToolState tool_state_of(dBodyID body);
 
-/// Add a force and a torque at the body's centre of mass; enables a disabled body unless both are zero.
-void add_wrench(dBodyID body, const Wrench &wrench);
+/// dSpaceCollide() and dSpaceCollide2(), with a callback that may throw. ODE's own spaces stay locked for ever when an exception
+/// goes through them; these two keep it until ODE is done, without further calls of the callback, and throw it then.
+void safe_collide(dSpaceID space, void *data, dNearCallback *callback);
+/// See safe_collide().
+void safe_collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback);
 } // namespace ode_predictive_space::haptics
 
 #endif

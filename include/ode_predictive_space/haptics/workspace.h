@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_WORKSPACE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_WORKSPACE_H
 
-#include "ode_predictive_space/haptics/touch.h"
+#include "ode_predictive_space/haptics/device.h"
 
 namespace ode_predictive_space::haptics
 {

@@ -1,7 +1,7 @@
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
 
-#include "ode_predictive_space/haptics/closest_point.h"
-#include "ode_predictive_space/haptics/usual_touches.h"
+#include "ode_predictive_space/haptics/contact/closest_point.h"
+#include "ode_predictive_space/haptics/contact/usual_touches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// The cosine below which two planes are two surfaces. From facet to facet of one surface the normal turns by less than 60 degrees,
+/// The cosine below which two planes are two surfaces, in the manifold and where planes are numbered. From facet to facet of one surface the normal turns by less than 60 degrees,
 /// also around an edge that the tool crosses quickly; two walls of a channel, a floor and its wall differ by more.
 constexpr double same_surface = 0.5;
 
@@ -32,6 +32,80 @@ bool is_flush(const Vector3 &normal, const Vector3 &point, const Vector3 &other)
     return std::abs(normal.dot(other - point)) <= flush;
 }
 } // namespace
+
+FeatureNumbers::FeatureNumbers()
+{
+    now_.reserve(usual_touches);
+    before_.reserve(usual_touches);
+}
+
+void FeatureNumbers::begin()
+{
+    now_.swap(before_);
+    now_.clear();
+}
+
+void FeatureNumbers::reset()
+{
+    now_.clear();
+    before_.clear();
+}
+
+/// 0 is for those that have none yet.
+void FeatureNumbers::number(std::vector<Touch> &touches, std::size_t first)
+{
+    while (recognise_one(touches, first))
+    {}
+    for (std::size_t i = first; i < touches.size(); ++i)
+    {
+        Touch &touch = touches[i];
+        for (unsigned number = 1; touch.feature == 0; ++number)
+        {
+            touch.feature = is_taken(touch.object, number) ? 0 : number;
+        }
+        now_.push_back({touch.object, touch.feature, touch.normal});
+    }
+}
+
+/// Of all touches without a number, and numbers without a touch, the two that agree best.
+bool FeatureNumbers::recognise_one(std::vector<Touch> &touches, std::size_t first) const
+{
+    double best = same_surface;
+    Touch *chosen = nullptr;
+    unsigned number = 0;
+    for (const Known &known : before_)
+    {
+        const auto has_it = [&](const Touch &touch) {
+            return touch.object == known.object && touch.feature == known.number;
+        };
+        const auto begin = touches.begin() + static_cast<std::ptrdiff_t>(first);
+        if (std::any_of(begin, touches.end(), has_it))
+        {
+            continue;
+        }
+        for (auto touch = begin; touch != touches.end(); ++touch)
+        {
+            const double agreement = touch->normal.dot(known.normal);
+            if (touch->object == known.object && touch->feature == 0 && agreement > best)
+            {
+                best = agreement;
+                chosen = &*touch;
+                number = known.number;
+            }
+        }
+    }
+    if (chosen != nullptr)
+    {
+        chosen->feature = number;
+    }
+    return chosen != nullptr;
+}
+
+bool FeatureNumbers::is_taken(std::uintptr_t object, unsigned number) const
+{
+    const auto has_it = [&](const Known &known) { return known.object == object && known.number == number; };
+    return std::any_of(before_.begin(), before_.end(), has_it) || std::any_of(now_.begin(), now_.end(), has_it);
+}
 
 ContactManifold::ContactManifold()
 {

@@ -3,13 +3,45 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MANIFOLD_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MANIFOLD_H
 
-#include "ode_predictive_space/haptics/constraint_plane.h"
+#include "ode_predictive_space/haptics/contact/constraint_plane.h"
 #include "ode_predictive_space/haptics/touch.h"
 
 #include <vector>
 
 namespace ode_predictive_space::haptics
 {
+/// Numbers the planes of objects (Touch::feature), before the proxy's contact is anybody else's: a plane keeps its number from tick to
+/// tick, however many triangles it goes over.
+class FeatureNumbers
+{
+public:
+    FeatureNumbers();
+
+    /// A new tick: what was numbered is now of the tick before.
+    void begin();
+
+    /// Forget all planes.
+    void reset();
+
+    /// @param first of the touches that are to be numbered.
+    void number(std::vector<Touch> &touches, std::size_t first);
+
+private:
+    /// Which plane of an object had which number.
+    struct Known
+    {
+        std::uintptr_t object;
+        unsigned number;
+        Vector3 normal;
+    };
+
+    bool recognise_one(std::vector<Touch> &touches, std::size_t first) const;
+    bool is_taken(std::uintptr_t object, unsigned number) const;
+
+    std::vector<Known> now_;
+    std::vector<Known> before_;
+};
+
 /// The one place where a touch is compared with those of the tick before, and where the constraint is solved for touches that the
 /// tracker did not make (see ContactTracker). What comes later goes by Touch::id, Touch::takes_over and Touch::carry.
 ///

@@ -16,10 +16,9 @@ constexpr double ahead = 1.5;     // times the tool's way: how far ahead surface
 constexpr double catching_up = 2; // times the tool's way: how far the proxy may go in a tick
 constexpr double gentle = 0.09; // N; by how much the force may change in a tick beyond what the tool's way makes of it
 constexpr double around = 1.5;  // times the proxy's way: the ball that holds all that it may reach, and more
-constexpr double steps_ahead = 2;      // times the tool's way: how far it may go until geoms come from another thread
-constexpr double farthest_apart = 4;   // times the radius; geoms that squeeze the sphere more have passed each other
-constexpr double in_contact = 1e-6;    // of the radius
-constexpr double same_direction = 0.5; // cosine; below, it is another plane of the object
+constexpr double steps_ahead = 2;    // times the tool's way: how far it may go until geoms come from another thread
+constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the sphere more have passed each other
+constexpr double in_contact = 1e-6;  // of the radius
 } // namespace
 
 bool is_finite(const Touch &touch)
@@ -33,8 +32,6 @@ ContactTracker::ContactTracker(double radius) : radius_(radius)
     near_.reserve(usual_geoms);
     before_.reserve(usual_geoms);
     places_.reserve(usual_geoms);
-    features_.reserve(usual_geoms);
-    features_before_.reserve(usual_geoms);
     carriers_.reserve(usual_geoms);
     told_.reserve(usual_geoms);
 }
@@ -47,9 +44,8 @@ void ContactTracker::begin()
         before_.push_back(held.place);
     }
     near_.clear();
-    features_.swap(features_before_);
-    features_.clear();
-    adopts_ = false;
+    features_.begin();
+    pace_.adopts = false;
 }
 
 void ContactTracker::forget()
@@ -57,14 +53,14 @@ void ContactTracker::forget()
     has_proxy_ = false;
     before_.clear();
     near_.clear();
-    features_before_.clear();
+    features_.reset();
     carriers_.clear();
-    released_ = false;
+    pace_.released = false;
 }
 
 void ContactTracker::adopt(const ContactMemory &memory)
 {
-    adopts_ = true;
+    pace_.adopts = true;
     if (memory.has_proxy)
     {
         proxy_ = memory.proxy;
@@ -83,9 +79,9 @@ void ContactTracker::remember_in(ContactMemory &memory) const
 
 void ContactTracker::aim(const Vector3 &tool)
 {
-    travel_ = has_proxy_ ? Vector3(tool - tool_) : Vector3::Zero();
-    moved_ = travel_.norm();
-    ahead_ = adopts_ ? steps_ahead * moved_ : 0;
+    pace_.travel = has_proxy_ ? Vector3(tool - tool_) : Vector3::Zero();
+    pace_.moved = pace_.travel.norm();
+    pace_.ahead = pace_.adopts ? steps_ahead * pace_.moved : 0;
     tool_ = tool;
     if (!has_proxy_)
     {
@@ -93,14 +89,14 @@ void ContactTracker::aim(const Vector3 &tool)
         has_proxy_ = true;
     }
     start_ = proxy_;
-    longest_ = std::max(radius_, catching_up * moved_);
-    gently_ = !carriers_.empty() && !released_ && !adopts_;
+    pace_.longest = std::max(radius_, catching_up * pace_.moved);
+    pace_.gently = !carriers_.empty() && !pace_.released && !pace_.adopts;
 }
 
 /// m; how far the proxy may go in a tick, beyond what the tool's way makes of it.
 double ContactTracker::catch_up() const
 {
-    double stiffest = stiffness_;
+    double stiffest = pace_.stiffness;
     for (const Held &held : near_)
     {
         stiffest = held.geom.material() ? std::max(stiffest, held.geom.material()->stiffness) : stiffest;
@@ -114,7 +110,7 @@ ContactTracker::Region ContactTracker::region() const
 {
     const Vector3 way = tool_ - start_;
     const double length = way.norm();
-    const double step = std::min(length, longest_);
+    const double step = std::min(length, pace_.longest);
     Region region;
     region.centre = step < length ? Vector3(start_ + way * (step / length)) : tool_;
     double drift = 0;
@@ -127,7 +123,7 @@ ContactTracker::Region ContactTracker::region() const
             farthest = std::max(farthest, (place.at - region.centre).norm());
         }
     }
-    region.radius = radius_ + margin_ + ahead_ + std::max(around * step, farthest) + 2 * drift;
+    region.radius = radius_ + margin_ + pace_.ahead + std::max(around * step, farthest) + 2 * drift;
     return region;
 }
 
@@ -204,18 +200,18 @@ SphereSlide::Task ContactTracker::task() const
     task.radius = radius_;
     task.goal = tool_;
     task.start = start_;
-    task.look = ahead * moved_;
-    task.longest = longest_;
+    task.look = ahead * pace_.moved;
+    task.longest = pace_.longest;
     task.margin = margin_;
-    if (gently_)
+    if (pace_.gently)
     {
         double drift = 0;
         for (const Held &held : near_)
         {
             drift = std::max(drift, held.place.drift);
         }
-        task.reach_centre = start_ + travel_;
-        task.reach = moved_ + drift + catch_up_;
+        task.reach_centre = start_ + pace_.travel;
+        task.reach = pace_.moved + drift + pace_.catch_up;
     }
     return task;
 }
@@ -227,7 +223,7 @@ void ContactTracker::choose_pace()
         return std::any_of(near_.begin(), near_.end(),
                            [&](const Held &held) { return held.geom.id() == carrier.geom; });
     });
-    released_ = released_ || !all_there;
+    pace_.released = pace_.released || !all_there;
 }
 
 void ContactTracker::follow()
@@ -239,7 +235,7 @@ void ContactTracker::follow()
     }
     choose_pace();
     common_ = slide_.run(task(), places_);
-    catch_up_ = catch_up();
+    pace_.catch_up = catch_up();
     settle(common_);
 }
 
@@ -248,7 +244,7 @@ void ContactTracker::settle(bool common)
     if (near_.empty())
     {
         const double way = (tool_ - start_).norm();
-        proxy_ = way > longest_ ? Vector3(start_ + (tool_ - start_) * (longest_ / way)) : tool_;
+        proxy_ = way > pace_.longest ? Vector3(start_ + (tool_ - start_) * (pace_.longest / way)) : tool_;
         return;
     }
     for (std::size_t i = 0; i < near_.size(); ++i)
@@ -299,7 +295,7 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
     told_.clear();
     if (near_.empty())
     {
-        released_ = released_ && proxy_ != tool_;
+        pace_.released = pace_.released && proxy_ != tool_;
     }
     else if (view == TouchView::all_together || !several || proxy_ == tool_)
     {
@@ -309,7 +305,7 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
     {
         tell_each_object(touches);
     }
-    number(touches, first);
+    features_.number(touches, first);
     note_carriers(touches, first);
     const auto first_nonsense = std::remove_if(touches.begin() + static_cast<std::ptrdiff_t>(first), touches.end(),
                                                [](const Touch &touch) { return !is_finite(touch); });
@@ -332,8 +328,8 @@ Vector3 ContactTracker::lag_at(const Vector3 &place) const
 void ContactTracker::tell_together(std::vector<Touch> &touches)
 {
     Vector3 lag = common_ ? lag_at(proxy_) : Vector3(Vector3::Zero());
-    released_ = released_ && !lag.isZero(0);
-    if (released_)
+    pace_.released = pace_.released && !lag.isZero(0);
+    if (pace_.released)
     {
         lag.setZero();
     }
@@ -434,62 +430,5 @@ void ContactTracker::tell_each_object(std::vector<Touch> &touches)
         const bool common = slide_.run(alone, places_);
         tell_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()), touches);
     }
-}
-
-/// A plane keeps its number from tick to tick, however many triangles it goes over. 0 is for those that have none yet.
-void ContactTracker::number(std::vector<Touch> &touches, std::size_t first)
-{
-    while (recognise_one(touches, first))
-    {}
-    for (std::size_t i = first; i < touches.size(); ++i)
-    {
-        Touch &touch = touches[i];
-        for (unsigned number = 1; touch.feature == 0; ++number)
-        {
-            touch.feature = is_taken(touch.object, number) ? 0 : number;
-        }
-        features_.push_back({touch.object, touch.feature, touch.normal});
-    }
-}
-
-/// Of all touches without a number, and numbers without a touch, the two that agree best.
-bool ContactTracker::recognise_one(std::vector<Touch> &touches, std::size_t first) const
-{
-    double best = same_direction;
-    Touch *chosen = nullptr;
-    unsigned number = 0;
-    for (const KnownFeature &known : features_before_)
-    {
-        const auto has_it = [&](const Touch &touch) {
-            return touch.object == known.object && touch.feature == known.number;
-        };
-        const auto begin = touches.begin() + static_cast<std::ptrdiff_t>(first);
-        if (std::any_of(begin, touches.end(), has_it))
-        {
-            continue;
-        }
-        for (auto touch = begin; touch != touches.end(); ++touch)
-        {
-            const double agreement = touch->normal.dot(known.normal);
-            if (touch->object == known.object && touch->feature == 0 && agreement > best)
-            {
-                best = agreement;
-                chosen = &*touch;
-                number = known.number;
-            }
-        }
-    }
-    if (chosen != nullptr)
-    {
-        chosen->feature = number;
-    }
-    return chosen != nullptr;
-}
-
-bool ContactTracker::is_taken(std::uintptr_t object, unsigned number) const
-{
-    const auto has_it = [&](const KnownFeature &known) { return known.object == object && known.number == number; };
-    return std::any_of(features_before_.begin(), features_before_.end(), has_it) ||
-           std::any_of(features_.begin(), features_.end(), has_it);
 }
 } // namespace ode_predictive_space::haptics

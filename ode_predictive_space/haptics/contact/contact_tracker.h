@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 
+#include "ode_predictive_space/haptics/contact/contact_manifold.h"
 #include "ode_predictive_space/haptics/contact/contact_memory.h"
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 
@@ -37,7 +38,7 @@ public:
     void set_margin(double margin) { margin_ = margin; }
 
     /// N/m; of what has no material of its own. While a force is rendered, the proxy catches up no faster than the force may change.
-    void set_stiffness(double stiffness) { stiffness_ = stiffness; }
+    void set_stiffness(double stiffness) { pace_.stiffness = stiffness; }
 
     /// Forget what is near, but not on which side of it the proxy is.
     void begin();
@@ -96,19 +97,26 @@ private:
         ContactMemory::Place place;      ///< when it was over
     };
 
-    /// Which plane of an object had which number.
-    struct KnownFeature
-    {
-        std::uintptr_t object;
-        unsigned number;
-        Vector3 normal;
-    };
-
     /// What carried the proxy in the tick before, and which geom it belongs to.
     struct Carrier
     {
         dGeomID geom;
         Touch touch;
+    };
+
+    /// How far the proxy may go in this tick.
+    struct Pace
+    {
+        double stiffness = usual_stiffness; ///< N/m; of what has no material of its own
+        Vector3 travel = Vector3::Zero();   ///< m; of the tool, since the tick before
+        double moved = 0;                   ///< m; how far that is
+        double longest = 0;                 ///< m; how long the proxy's way may be
+        double ahead = 0;                   ///< m; how far it may go until geoms are looked for again
+        double catch_up = 0;                ///< m; see catch_up(), by what was near in the tick before
+        bool adopts = false;                ///< another tracker has the proxy
+        bool gently = false;                ///< a force is rendered, which is not to jump
+        bool released =
+            false; ///< what carried the proxy is gone, and it has not come to rest since: no force but by what it touches
     };
 
     void insert(NearbyGeom geom, double distance);
@@ -124,35 +132,22 @@ private:
     void tell_together(std::vector<Touch> &touches);
     double tell_planes(const Vector3 &lag, std::vector<Touch> &touches);
     void tell_each_object(std::vector<Touch> &touches);
-    void number(std::vector<Touch> &touches, std::size_t first);
-    bool recognise_one(std::vector<Touch> &touches, std::size_t first) const;
-    bool is_taken(std::uintptr_t object, unsigned number) const;
 
     double radius_;
     double margin_ = 0;
-    double stiffness_ = usual_stiffness; ///< N/m
     bool has_proxy_ = false;
-    bool adopts_ = false; ///< another tracker has the proxy
     Vector3 tool_ = Vector3::Zero();
-    Vector3 travel_ = Vector3::Zero(); ///< m; of the tool, since the tick before
-    Vector3 start_ = Vector3::Zero();  ///< m; the proxy when the tick began
-    Vector3 proxy_ = Vector3::Zero();  ///< m; when it was over
-    double moved_ = 0;                 ///< m; how far that is
-    double catch_up_ = 0;              ///< m; see catch_up(), by what was near in the tick before
-    bool gently_ = false;              ///< a force is rendered, which is not to jump
-    double ahead_ = 0;                 ///< m; how far the proxy may go until geoms are looked for again
-    double longest_ = 0;               ///< m; how long the proxy's way may be in this tick
+    Vector3 start_ = Vector3::Zero(); ///< m; the proxy when the tick began
+    Vector3 proxy_ = Vector3::Zero(); ///< m; when it was over
+    Pace pace_;
     std::vector<Held> near_;
     std::vector<ContactMemory::Place> before_;
     std::vector<SlidePlace> places_;
     SphereSlide slide_;
-    std::vector<KnownFeature> features_;
-    std::vector<KnownFeature> features_before_;
+    FeatureNumbers features_;
     std::vector<Carrier> carriers_;
     std::vector<dGeomID> told_; ///< of each touch of the last touches()
     bool common_ = true;        ///< all geoms see the proxy at the same place
-    bool released_ =
-        false; ///< what carried the proxy is gone, and it has not come to rest since: no force but by what it touches
 };
 } // namespace ode_predictive_space::haptics
 

@@ -1,7 +1,7 @@
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
 
-#include "ode_predictive_space/haptics/ode_vector.h"
-#include "ode_predictive_space/haptics/touch_sensor.h"
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
+#include "ode_predictive_space/haptics/touch.h"
 
 #include <algorithm>
 #include <stdexcept>

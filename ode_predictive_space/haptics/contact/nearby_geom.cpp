@@ -1,7 +1,8 @@
 #include "ode_predictive_space/haptics/contact/nearby_geom.h"
 
-#include "ode_predictive_space/haptics/ode_vector.h"
-#include "ode_predictive_space/haptics/touch_sensor.h"
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
+
+#include <ode/objects.h>
 
 namespace ode_predictive_space::haptics
 {

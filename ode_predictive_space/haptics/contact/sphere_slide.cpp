@@ -1,6 +1,6 @@
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 
-#include "ode_predictive_space/haptics/closest_point.h"
+#include "ode_predictive_space/haptics/contact/closest_point.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "demos/scenes/spaces.h"
 #include "demos/scenes/table.h"
-#include "ode_predictive_space/haptics/random.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 #include "tests/benchmarks/contenders/contenders.h"
 #include "tests/benchmarks/instructions/callgrind_requests.h"
 #include "tests/benchmarks/instructions/counted_calls.h"

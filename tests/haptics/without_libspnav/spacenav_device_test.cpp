@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/spacenav_device.h"
+#include "ode_predictive_space/haptics/drivers.h"
 
 #include <gtest/gtest.h>
 

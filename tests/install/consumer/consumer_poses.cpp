@@ -1,10 +1,8 @@
 // A haptic program of someone else's, compiled for the processor at hand: poses go into the library and come back.
 
-#include <cmath>
 #include <cstdio>
 
 #include <ode/ode.h>
-#include <ode_predictive_space/haptics/device_motion.h>
 #include <ode_predictive_space/haptics/recording.h>
 #include <ode_predictive_space/haptics/touch_sensor.h>
 #include <ode_predictive_space/haptics/workspace.h>
@@ -61,17 +59,6 @@ void map_to_the_scene_and_back()
            "force at the device");
 }
 
-void follow_a_device()
-{
-    haptics::DeviceMotion motion(1000);
-    haptics::DeviceState state = some_state();
-    motion.follow(state);
-    state.position.x() += 0.01;
-    state.time += 0.01;
-    motion.follow(state);
-    expect(std::abs(motion.speed() - 1) < 1e-6, "speed of a device");
-}
-
 void record_and_read(const char *file)
 {
     const haptics::DeviceState state = some_state();
@@ -106,7 +93,6 @@ void ask_for_a_body()
 int main(int, char **arguments)
 {
     map_to_the_scene_and_back();
-    follow_a_device();
     record_and_read((std::string(arguments[0]) + ".recording").c_str());
     ask_for_a_body();
     std::printf("quaternions aligned to %d bytes here, structs to %d\n", static_cast<int>(alignof(Eigen::Quaterniond)),

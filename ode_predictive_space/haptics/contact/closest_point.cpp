@@ -1,0 +1,149 @@
+#include "ode_predictive_space/haptics/contact/closest_point.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double tolerance = 1e-9;              // of the deepest plane
+constexpr double farthest = 100;                // times the deepest plane; a groove of 1.15 degrees
+constexpr double smallest_squared_sine = 1e-10; // of two normals' angle; below, one plane stands for both
+constexpr double smallest_volume = 1e-9;        // of three normals
+constexpr int most_rounds = 64;                 // rounding could let the search go round in circles
+
+/// Up to three planes that carry the proxy, and what each contributes.
+struct Carriers
+{
+    std::array<std::size_t, 3> planes{};
+    std::array<double, 3> shares{};
+    int count = 0;
+    Vector3 point = Vector3::Zero(); // from the tool
+};
+
+using Planes = std::vector<ConstraintPlane>;
+
+/// The point on all of the carriers' planes nearest to the tool: the shares solve normal_i . sum(share_j normal_j) = depth_i.
+/// False when the normals are too nearly dependent.
+bool solve(const Planes &planes, Carriers &carriers)
+{
+    const auto normal = [&](int i) -> const Vector3 & { return planes[carriers.planes[i]].normal; };
+    const auto depth = [&](int i) { return planes[carriers.planes[i]].depth; };
+    auto &shares = carriers.shares;
+
+    if (carriers.count == 1)
+        shares[0] = depth(0);
+    else if (carriers.count == 2)
+    {
+        const double cosine = normal(0).dot(normal(1));
+        const double squared_sine = normal(0).cross(normal(1)).squaredNorm();
+        if (squared_sine < smallest_squared_sine)
+            return false;
+        shares[0] = (depth(0) - cosine * depth(1)) / squared_sine;
+        shares[1] = (depth(1) - cosine * depth(0)) / squared_sine;
+    }
+    else
+    {
+        // The columns of the inverse of the matrix whose rows are the normals, times its determinant.
+        const Vector3 dual[3] = {normal(1).cross(normal(2)), normal(2).cross(normal(0)), normal(0).cross(normal(1))};
+        const double volume = normal(0).dot(dual[0]);
+        if (std::abs(volume) < smallest_volume)
+            return false;
+        const Vector3 corner = (depth(0) * dual[0] + depth(1) * dual[1] + depth(2) * dual[2]) / volume;
+        for (int i = 0; i < 3; ++i)
+            shares[i] = corner.dot(dual[i]) / volume;
+    }
+
+    carriers.point = Vector3::Zero();
+    for (int i = 0; i < carriers.count; ++i)
+        carriers.point += shares[i] * normal(i);
+    return true;
+}
+
+/// How far a point is behind a plane.
+double violation(const ConstraintPlane &plane, const Vector3 &point)
+{
+    return plane.depth - plane.normal.dot(point);
+}
+
+/// Whether `added` and those of the carriers that a bit of `kept` stands for carry the proxy over the rest of the carriers, too.
+bool try_carriers(const Planes &planes, const Carriers &carriers, unsigned kept, std::size_t added, double allowed,
+                  Carriers &result)
+{
+    result.count = 0;
+    for (int i = 0; i < carriers.count; ++i)
+        if ((kept >> i) & 1u)
+            result.planes[result.count++] = carriers.planes[i];
+    if (result.count == 3)
+        return false; // no room for the added one
+    result.planes[result.count++] = added;
+
+    if (!solve(planes, result))
+        return false;
+    for (int i = 0; i < result.count; ++i)
+        if (result.shares[i] < 0)
+            return false; // it would pull
+    for (int i = 0; i < carriers.count; ++i)
+        if (violation(planes[carriers.planes[i]], result.point) > allowed)
+            return false;
+    return true;
+}
+
+/// The carriers among the carriers so far and one plane that they do not keep. There is one solution, if any: with at most four
+/// planes, trying all is the shortest way to it.
+bool exchange(const Planes &planes, Carriers &carriers, std::size_t added, double allowed)
+{
+    Carriers result;
+    for (unsigned kept = 0; kept < (1u << carriers.count); ++kept)
+        if (try_carriers(planes, carriers, kept, added, allowed, result))
+        {
+            carriers = result;
+            return true;
+        }
+    return false;
+}
+
+/// Each round takes in the plane that is kept least, and thereby lifts the point: an LP-type problem of dimension three
+/// (Sharir and Welzl 1992).
+bool find_carriers(const Planes &planes, double deepest, Carriers &carriers)
+{
+    const double allowed = tolerance * deepest;
+    for (int round = 0; round < most_rounds; ++round)
+    {
+        std::size_t worst = 0;
+        for (std::size_t i = 1; i < planes.size(); ++i)
+            if (violation(planes[i], carriers.point) > violation(planes[worst], carriers.point))
+                worst = i;
+        if (!(violation(planes[worst], carriers.point) > allowed))
+            return true;
+        if (!exchange(planes, carriers, worst, allowed) || carriers.point.norm() > farthest * deepest)
+            return false;
+    }
+    return false;
+}
+} // namespace
+
+bool find_closest_point(std::vector<ConstraintPlane> &planes)
+{
+    if (planes.empty())
+        return true;
+
+    double deepest = 0;
+    bool finite = true;
+    for (const ConstraintPlane &plane : planes)
+    {
+        deepest = std::max(deepest, plane.depth);
+        finite = finite && std::isfinite(plane.depth) && plane.normal.allFinite();
+    }
+
+    Carriers carriers;
+    const bool found = finite && find_carriers(planes, deepest, carriers);
+    for (ConstraintPlane &plane : planes)
+        plane.share = found ? 0 : plane.depth;
+    for (int i = 0; found && i < carriers.count; ++i)
+        planes[carriers.planes[i]].share = carriers.shares[i];
+    return found;
+}
+} // namespace ode_predictive_space::haptics

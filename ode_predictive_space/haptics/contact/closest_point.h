@@ -1,0 +1,23 @@
+// The point nearest to the tool that no plane forbids.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CLOSEST_POINT_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_CLOSEST_POINT_H
+
+#include "ode_predictive_space/haptics/contact/constraint_plane.h"
+
+#include <vector>
+
+namespace ode_predictive_space::haptics
+{
+/// Finds the shortest x, from the tool, with normal . x >= depth for all planes, and writes it as the sum of share * normal:
+/// at most three shares are above zero, none is below. With one plane alone, its share is its depth, exactly.
+///
+/// False, and the shares are the depths, when there is no such point, or only one that is more than a hundred times as
+/// far as the deepest plane: between two nearly opposite planes, x grows without bounds. Likewise when something is not
+/// finite, so that checks for it still find it.
+///
+/// Planes that miss their depth by 1e-9 of the deepest one are taken as kept.
+bool find_closest_point(std::vector<ConstraintPlane> &planes);
+} // namespace ode_predictive_space::haptics
+
+#endif

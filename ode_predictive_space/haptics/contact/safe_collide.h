@@ -1,0 +1,14 @@
+// Near callbacks that may throw.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SAFE_COLLIDE_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_SAFE_COLLIDE_H
+
+#include <exception>
+
+namespace ode_predictive_space::haptics
+{
+/// Whether safe_collide() or safe_collide2() threw this in this thread, so that no space is locked by it. Once for each exception.
+bool is_from_safe_collide(const std::exception_ptr &error);
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,392 @@
+#include "ode_predictive_space/haptics/touch_sensor.h"
+
+#include "ode_predictive_space/haptics/contact/body_watch.h"
+#include "ode_predictive_space/haptics/contact/contact_tracker.h"
+#include "ode_predictive_space/haptics/contact/excluded_geoms.h"
+#include "ode_predictive_space/haptics/contact/material.h"
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
+#include "ode_predictive_space/haptics/contact/probe_geom.h"
+#include "ode_predictive_space/haptics/contact/scene_geoms.h"
+#include "ode_predictive_space/haptics/contact/usual_touches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr int most_contacts = 256; // of one pair: a mesh gives many, of which one counts
+
+Vector3 velocity_at(dBodyID body, const Vector3 &point)
+{
+    dVector3 velocity;
+    dBodyGetPointVel(body, static_cast<dReal>(point.x()), static_cast<dReal>(point.y()), static_cast<dReal>(point.z()),
+                     velocity);
+    return from_ode(velocity);
+}
+
+// NaN is deeper than anything, so that it is never overlooked.
+bool is_shallower(const dContactGeom &a, const dContactGeom &b)
+{
+    return !std::isnan(a.depth) && (std::isnan(b.depth) || a.depth < b.depth);
+}
+} // namespace
+
+class TouchSensor::Parts
+{
+public:
+    Parts(dSpaceID space, double radius) : geom(space, radius)
+    {
+        tracker.emplace(radius);
+        reserve();
+    }
+
+    explicit Parts(dGeomID program_geom) : geom(program_geom) { reserve(); }
+
+    bool hold(dGeomID other);
+    void collide(dGeomID other);
+    void add(const dContactGeom &contact, dGeomID other);
+    void resolve();
+    ProbePlace place() const;
+    std::optional<Material> material_of(dGeomID other);
+
+    ProbeGeom geom;
+    std::optional<ContactTracker> tracker; ///< of the sphere that the sensor makes
+    ExcludedGeoms excluded;
+    MeshStore meshes;
+    BodyWatch bodies;
+    MaterialOf materials;
+    TouchView view = TouchView::each_object_alone;
+    std::vector<Touch> touches;
+    std::vector<Touch> collided;        ///< by dCollide()
+    std::vector<dContactGeom> contacts; ///< most_contacts of them, for dCollide() to write to
+    double tick_length = 0;             ///< s
+    bool begins = false;                ///< by forget_sides(), until touches are asked for
+    bool nonsense = false;
+    bool resolved = true; ///< whether touches has all
+
+private:
+    void reserve()
+    {
+        touches.reserve(usual_touches);
+        collided.reserve(usual_touches);
+        contacts.resize(most_contacts);
+    }
+};
+
+TouchSensor::TouchSensor(dSpaceID space, double radius) : parts_(std::make_unique<Parts>(space, radius)) {}
+
+TouchSensor::TouchSensor(dGeomID geom) : parts_(std::make_unique<Parts>(geom)) {}
+
+TouchSensor::~TouchSensor() = default;
+
+bool TouchSensor::is_gone() const
+{
+    return parts_->geom.is_gone();
+}
+
+dGeomID TouchSensor::geom() const
+{
+    return is_gone() ? nullptr : parts_->geom.id();
+}
+
+void TouchSensor::abandon_locked_space()
+{
+    parts_->geom.abandon_locked_space();
+}
+
+void TouchSensor::set_margin(double margin)
+{
+    if (parts_->tracker)
+    {
+        parts_->tracker->set_margin(margin);
+        parts_->geom.set_margin(margin);
+    }
+}
+
+void TouchSensor::set_view(TouchView view)
+{
+    parts_->view = view;
+}
+
+void TouchSensor::set_stiffness(double stiffness)
+{
+    if (parts_->tracker)
+    {
+        parts_->tracker->set_stiffness(stiffness);
+    }
+}
+
+void TouchSensor::set_materials(MaterialOf materials)
+{
+    parts_->materials = std::move(materials);
+}
+
+void TouchSensor::set_tick_length(double seconds)
+{
+    parts_->tick_length = seconds;
+}
+
+void TouchSensor::prepare(dGeomID mesh)
+{
+    if (parts_->tracker && dGeomGetClass(mesh) == dTriMeshClass && dGeomTriMeshGetData(mesh) != nullptr)
+    {
+        parts_->meshes.tree_of(mesh, {});
+    }
+}
+
+void TouchSensor::prepare_all()
+{
+    const dSpaceID scene = outermost_space_of(geom());
+    if (parts_->tracker && scene != nullptr)
+    {
+        for_each_geom(scene, [this](dGeomID geom) { prepare(geom); });
+    }
+}
+
+void TouchSensor::forget_mesh(dTriMeshDataID data)
+{
+    parts_->meshes.forget(data);
+}
+
+void TouchSensor::set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples)
+{
+    if (parts_->tracker)
+    {
+        parts_->meshes.set_samples(data, samples);
+    }
+}
+
+void TouchSensor::forget_samples(dHeightfieldDataID data)
+{
+    parts_->meshes.forget_samples(data);
+}
+
+void TouchSensor::forget_sides()
+{
+    parts_->begins = true;
+    if (parts_->tracker)
+    {
+        parts_->tracker->forget();
+    }
+}
+
+void TouchSensor::clear()
+{
+    parts_->touches.clear();
+    parts_->collided.clear();
+    parts_->bodies.age();
+    parts_->excluded.begin();
+    parts_->nonsense = false;
+    if (parts_->tracker)
+    {
+        parts_->resolve(); // a tick whose touches were not asked for counts all the same
+        parts_->tracker->begin();
+        parts_->touches.clear();
+    }
+}
+
+void TouchSensor::pose(const ToolState &tool)
+{
+    ProbeGeom &geom = parts_->geom;
+    if (!geom.may_be_touched())
+    {
+        return;
+    }
+    if (!parts_->tracker)
+    {
+        geom.follow(tool);
+        return;
+    }
+    parts_->tracker->aim(tool.position);
+    const ContactTracker::Region region = parts_->tracker->region();
+    geom.look_around(tool.position, region.centre, region.radius);
+    parts_->resolved = false;
+}
+
+bool TouchSensor::touch(dGeomID first, dGeomID second)
+{
+    const dGeomID geom = parts_->geom.id();
+    if (first != geom && second != geom)
+    {
+        return false;
+    }
+    const dGeomID other = first == geom ? second : first;
+    if (dGeomIsSpace(other) != 0)
+    {
+        return false;
+    }
+    parts_->resolved = false;
+    if (!parts_->tracker || !parts_->hold(other))
+    {
+        parts_->collide(other);
+    }
+    return true;
+}
+
+/// @return false when only dCollide() knows its surface.
+bool TouchSensor::Parts::hold(dGeomID other)
+{
+    std::optional<NearbyGeom> nearby = NearbyGeom::read(other, meshes, tracker->touched_triangles(other));
+    if (!nearby)
+    {
+        return false;
+    }
+    if (!nearby->is_finite())
+    {
+        nonsense = true;
+        return true;
+    }
+    if (excluded.excludes(*nearby, place()))
+    {
+        return true;
+    }
+    if (const dBodyID body = dGeomGetBody(other))
+    {
+        bodies.keep(body);
+    }
+    nearby->set_material(material_of(other));
+    tracker->add_if_near(std::move(*nearby));
+    return true;
+}
+
+ProbePlace TouchSensor::Parts::place() const
+{
+    ProbePlace probe;
+    probe.centre = tracker ? tracker->start() : geom.position();
+    probe.radius = geom.radius();
+    probe.begins = begins;
+    probe.tick = tick_length;
+    return probe;
+}
+
+void TouchSensor::Parts::collide(dGeomID other)
+{
+    const int count = dCollide(geom.tool(), other, most_contacts, contacts.data(), sizeof(dContactGeom));
+    if (count > 0)
+    {
+        add(*std::max_element(contacts.begin(), contacts.begin() + count, is_shallower), other);
+    }
+}
+
+std::optional<Material> TouchSensor::Parts::material_of(dGeomID other)
+{
+    std::optional<Material> material = materials ? materials(other) : std::nullopt;
+    if (material && !is_valid(*material))
+    {
+        nonsense = true;
+        material.reset();
+    }
+    return material;
+}
+
+void TouchSensor::Parts::resolve()
+{
+    if (resolved)
+    {
+        return;
+    }
+    resolved = true;
+    touches = collided;
+    if (tracker)
+    {
+        tracker->follow();
+        const bool all = tracker->touches(view, touches);
+        nonsense = nonsense || !all;
+    }
+}
+
+const std::vector<Touch> &TouchSensor::touches()
+{
+    parts_->resolve();
+    parts_->begins = false;
+    return parts_->touches;
+}
+
+bool TouchSensor::saw_nonsense()
+{
+    parts_->resolve();
+    return parts_->nonsense;
+}
+
+// ODE's normal is the way out for the first of the two geoms, which is the probe.
+void TouchSensor::Parts::add(const dContactGeom &contact, dGeomID other)
+{
+    const dBodyID body = dGeomGetBody(other);
+    Touch touch;
+    touch.point = from_ode(contact.pos);
+    touch.normal = from_ode(contact.normal);
+    touch.depth = static_cast<double>(contact.depth) - geom.margin();
+    if (excluded.excludes(other, touch.depth, place()))
+    {
+        return;
+    }
+    touch.object = object_of(other);
+    touch.material = material_of(other);
+    if (body != nullptr)
+    {
+        bodies.keep(body);
+        touch.surface_velocity = velocity_at(body, touch.point);
+    }
+    if (!is_finite(touch))
+    {
+        nonsense = true;
+        return;
+    }
+    const auto known = std::find_if(collided.begin(), collided.end(),
+                                    [&](const Touch &earlier) { return earlier.object == touch.object; });
+    if (known == collided.end())
+    {
+        collided.push_back(touch);
+    }
+    else if (touch.depth > known->depth)
+    {
+        *known = touch;
+    }
+}
+
+void TouchSensor::push(const std::vector<ForceShare> &shares)
+{
+    for (const ForceShare &share : shares)
+    {
+        if (!share.force.isZero(0))
+        {
+            parts_->bodies.push(share.object, -share.force, share.point);
+        }
+    }
+}
+
+dBodyID TouchSensor::body_of(std::uintptr_t object) const
+{
+    return parts_->bodies.find(object);
+}
+
+ContactTracker *TouchSensor::tracker()
+{
+    return parts_->tracker ? &*parts_->tracker : nullptr;
+}
+
+double TouchSensor::radius() const
+{
+    return parts_->geom.radius();
+}
+
+std::uintptr_t object_of(dGeomID geom)
+{
+    const dBodyID body = dGeomGetBody(geom);
+    return body != nullptr ? reinterpret_cast<std::uintptr_t>(body) : reinterpret_cast<std::uintptr_t>(geom);
+}
+
+ToolState tool_state_of(dBodyID body)
+{
+    ToolState state;
+    state.position = from_ode(dBodyGetPosition(body));
+    const dReal *quaternion = dBodyGetQuaternion(body);
+    state.orientation = Quaternion(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
+    state.linear_velocity = from_ode(dBodyGetLinearVel(body));
+    state.angular_velocity = from_ode(dBodyGetAngularVel(body));
+    return state;
+}
+} // namespace ode_predictive_space::haptics

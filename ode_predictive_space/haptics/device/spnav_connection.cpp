@@ -1,0 +1,256 @@
+#include "ode_predictive_space/haptics/device/spnav_connection.h"
+
+#ifdef ODE_PREDICTIVE_SPACE_HAS_SPNAV
+
+#include "ode_predictive_space/haptics/device/sigpipe_guard.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+// Last: it brings X11's macros with it.
+#include <spnav.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr const char *usual_socket = "/var/run/spnav.sock";
+
+/// Where libspnav looks for a socket's name; on other systems without the daemon it is not there.
+constexpr const char *server_settings = "/etc/spnavrc";
+
+/// Of events taken in one call: a server gone wild must not keep the servo loop. Mice send some hundred a second.
+constexpr int most_events_at_once = 256;
+
+/// Why a socket cannot be connected to; 0 when it can.
+int connect_error(const std::string &path)
+{
+    sockaddr_un address{};
+    if (path.size() >= sizeof address.sun_path)
+    {
+        return ENAMETOOLONG;
+    }
+    address.sun_family = AF_UNIX;
+    std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
+    const int socket_number = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (socket_number == -1)
+    {
+        return errno;
+    }
+    const bool is_connected = connect(socket_number, reinterpret_cast<const sockaddr *>(&address), sizeof address) == 0;
+    const int error = is_connected ? 0 : errno;
+    close(socket_number);
+    return error;
+}
+
+DeviceError server_error(const std::string &path, int error)
+{
+    const bool is_forbidden = error == EACCES || error == EPERM;
+    const std::string reason = error != 0 ? std::strerror(error) : "libspnav refuses it";
+    return {is_forbidden ? DeviceFault::permission_denied : DeviceFault::missing_file,
+            "3D mouse: no connection to spacenavd at " + path + ": " + reason};
+}
+
+/// What SPNAV_SOCKET names; empty when it names nothing.
+/// @throws DeviceError in a set-user-ID program, where the environment is the attacker's: libspnav would follow it all the same.
+std::string named_socket()
+{
+    const char *named = std::getenv("SPNAV_SOCKET");
+    if (named != nullptr && secure_getenv("SPNAV_SOCKET") == nullptr)
+    {
+        throw DeviceError(DeviceFault::permission_denied,
+                          "3D mouse: SPNAV_SOCKET is set, which a set-user-ID program does not follow");
+    }
+    return named != nullptr ? named : "";
+}
+
+/// @throws DeviceError when there is no server.
+void open_library()
+{
+    if (spnav_fd() != -1)
+    {
+        throw DeviceError(DeviceFault::permission_denied,
+                          "3D mouse: another device of this program uses libspnav, which has but one connection");
+    }
+    const std::string named = named_socket();
+    const bool is_named = !named.empty();
+    const std::string path = is_named ? named : usual_socket;
+    const int error = connect_error(path);
+    // libspnav would fall back on another server than the named one. And it loses memory at each open that fails.
+    if (error != 0 && (is_named || access(server_settings, R_OK) != 0))
+    {
+        throw server_error(path, error);
+    }
+    errno = 0; // libspnav takes an old EINTR for one of its own, and reads on at a closed socket for ever
+    if (spnav_open() == -1)
+    {
+        throw server_error(path, error);
+    }
+}
+
+enum class Inbox
+{
+    waiting, ///< there is something to be read
+    empty,
+    closed ///< the server has hung up: libspnav does not tell
+};
+
+Inbox look_into_inbox()
+{
+    char byte;
+    const ssize_t size = recv(spnav_fd(), &byte, sizeof byte, MSG_PEEK | MSG_DONTWAIT);
+    if (size > 0)
+    {
+        return Inbox::waiting;
+    }
+    return size == -1 && (errno == EAGAIN || errno == EINTR) ? Inbox::empty : Inbox::closed;
+}
+
+DeviceError lost(const std::string &why)
+{
+    return {DeviceFault::lost, "3D mouse: " + why};
+}
+
+/// libspnav's one connection, from its opening to its closing.
+class Connection final : public SpnavConnection
+{
+public:
+    Connection()
+    {
+        const SigpipeGuard guard;
+        open_library();
+        try
+        {
+            find_mouse();
+        }
+        catch (...)
+        {
+            spnav_close();
+            throw;
+        }
+    }
+
+    ~Connection() override { spnav_close(); }
+
+    std::string mouse() const override { return mouse_; }
+
+    void receive(SpnavInput &input) override
+    {
+        for (int taken = 0; taken < most_events_at_once; ++taken)
+        {
+            spnav_event event{};
+            if (spnav_poll_event(&event) != 0)
+            {
+                take(event, input);
+                continue;
+            }
+            const Inbox inbox = look_into_inbox();
+            if (inbox == Inbox::closed)
+            {
+                throw lost("spacenavd has gone");
+            }
+            if (inbox == Inbox::empty)
+            {
+                return;
+            }
+        }
+    }
+
+private:
+    /// @throws DeviceError not_found, when the server says that it has none; lost.
+    void find_mouse()
+    {
+        if (spnav_protocol() < 1)
+        {
+            return; // an old server, which does not tell
+        }
+        // A motion that comes in front of an answer is taken for the answer, and the question has failed.
+        constexpr int attempts = 3;
+        for (int attempt = 0; attempt < attempts; ++attempt)
+        {
+            ensure_server();
+            if (spnav_dev_type() >= 0)
+            {
+                take_name();
+                return;
+            }
+        }
+        ensure_server();
+        throw DeviceError(DeviceFault::not_found, "3D mouse: spacenavd runs and knows of no mouse");
+    }
+
+    /// Before each question: at a closed socket libspnav would ask for ever.
+    static void ensure_server()
+    {
+        errno = 0;
+        if (look_into_inbox() == Inbox::closed)
+        {
+            throw lost("spacenavd has hung up");
+        }
+    }
+
+    void take_name()
+    {
+        ensure_server();
+        char name[128];
+        if (spnav_dev_name(name, sizeof name) > 0)
+        {
+            mouse_ = name;
+        }
+    }
+
+    static void take(const spnav_event &event, SpnavInput &input)
+    {
+        switch (event.type)
+        {
+        case SPNAV_EVENT_MOTION:
+            // The server's z points away from the person, and its turns about that go the other way round.
+            input.translation = Vector3(event.motion.x, event.motion.y, -event.motion.z);
+            input.rotation = Vector3(event.motion.rx, event.motion.ry, -event.motion.rz);
+            break;
+        case SPNAV_EVENT_BUTTON:
+            take_button(event.button, input.buttons);
+            break;
+        case SPNAV_EVENT_DEV:
+            if (event.dev.op == SPNAV_DEV_RM)
+            {
+                throw lost("a mouse was unplugged");
+            }
+            break;
+        default:
+            break;
+        }
+    }
+
+    static void take_button(const spnav_event_button &button, std::uint32_t &buttons)
+    {
+        if (button.bnum < 0 || button.bnum >= 32)
+        {
+            return;
+        }
+        const std::uint32_t bit = std::uint32_t{1} << button.bnum;
+        buttons = button.press != 0 ? buttons | bit : buttons & ~bit;
+    }
+
+    std::string mouse_ = "3D mouse";
+};
+} // namespace
+
+std::unique_ptr<SpnavConnection> connect_to_spacenavd()
+{
+    return std::make_unique<Connection>();
+}
+} // namespace ode_predictive_space::haptics
+
+#else
+
+std::unique_ptr<ode_predictive_space::haptics::SpnavConnection> ode_predictive_space::haptics::connect_to_spacenavd()
+{
+    throw DeviceError(DeviceFault::missing_library, "3D mouse: this was built without libspnav");
+}
+
+#endif

@@ -1,0 +1,104 @@
+#include "ode_predictive_space/haptics/workspace.h"
+
+#include <cmath>
+
+#include "ode_predictive_space/haptics/device/check_argument.h"
+
+namespace ode_predictive_space::haptics
+{
+Quaternion WorkspacePlacement::z_up()
+{
+    // Exactly: a quarter turn about x, and no other digits.
+    const double half = std::sqrt(0.5);
+    return Quaternion(half, half, 0, 0);
+}
+
+WorkspacePlacement WorkspacePlacement::covering(const Eigen::AlignedBox3d &scene, const Eigen::AlignedBox3d &device,
+                                                const Quaternion &rotation)
+{
+    for (const Eigen::AlignedBox3d &box : {scene, device})
+        if (box.isEmpty() || !box.min().allFinite() || !box.max().allFinite())
+            throw std::invalid_argument("a workspace must be a finite box that is not empty");
+    if (device.sizes().minCoeff() <= 0)
+        throw std::invalid_argument("the workspace of the device must not be flat");
+
+    if (scene.sizes().maxCoeff() <= 0)
+        throw std::invalid_argument("the scene must be more than a point");
+
+    // What the device must reach, in its own axes, for each of the scene's corners to be within.
+    const Vector3 half = scene.sizes() / 2;
+    const Vector3 reach = rotation.conjugate().toRotationMatrix().cwiseAbs() * half;
+
+    WorkspacePlacement placement;
+    placement.scale = reach.cwiseQuotient(device.sizes() / 2).maxCoeff();
+    placement.rotation = rotation;
+    placement.offset = scene.center() - placement.scale * (rotation * device.center());
+    return placement;
+}
+
+WorkspaceMapping::WorkspaceMapping(const WorkspacePlacement &placement) : placement_(placement)
+{
+    check_positive(placement.scale, "scale of a workspace");
+    check_positive(placement.force_scale, "force scale of a workspace");
+    if (!placement.offset.allFinite())
+        throw std::invalid_argument("the offset of a workspace must be finite");
+    if (!(std::abs(placement.rotation.norm() - 1) <= 1e-6))
+        throw std::invalid_argument("the rotation of a workspace must be a quaternion of length 1");
+    placement_.rotation.normalize();
+}
+
+void WorkspaceMapping::clutch(bool held, const DeviceState &device)
+{
+    if (held && !clutched_)
+    {
+        held_ = map(device);
+        held_.linear_velocity.setZero();
+        held_.angular_velocity.setZero();
+    }
+    else if (!held && clutched_)
+    {
+        placement_.offset = held_.position - placement_.scale * (placement_.rotation * device.position);
+        grip_ = ((placement_.rotation * device.orientation).conjugate() * held_.orientation).normalized();
+    }
+    clutched_ = held;
+}
+
+ToolState WorkspaceMapping::to_scene(const DeviceState &device) const
+{
+    return clutched_ ? held_ : map(device);
+}
+
+ToolState WorkspaceMapping::map(const DeviceState &device) const
+{
+    const WorkspacePlacement &p = placement_;
+    ToolState tool;
+    tool.position = p.offset + p.scale * (p.rotation * device.position);
+    tool.orientation = p.rotation * device.orientation * grip_;
+    tool.linear_velocity = p.scale * (p.rotation * device.linear_velocity);
+    tool.angular_velocity = p.rotation * device.angular_velocity;
+    return tool;
+}
+
+DeviceState WorkspaceMapping::to_device(const ToolState &tool) const
+{
+    const WorkspacePlacement &p = placement_;
+    const Quaternion back = p.rotation.conjugate();
+    DeviceState device;
+    device.position = back * (tool.position - p.offset) / p.scale;
+    device.orientation = back * tool.orientation * grip_.conjugate();
+    device.linear_velocity = back * tool.linear_velocity / p.scale;
+    device.angular_velocity = back * tool.angular_velocity;
+    return device;
+}
+
+Wrench WorkspaceMapping::to_device(const Wrench &scene) const
+{
+    Wrench wrench;
+    if (clutched_)
+        return wrench;
+    const Quaternion back = placement_.rotation.conjugate();
+    wrench.force = placement_.force_scale * (back * scene.force);
+    wrench.torque = placement_.force_scale * (back * scene.torque);
+    return wrench;
+}
+} // namespace ode_predictive_space::haptics

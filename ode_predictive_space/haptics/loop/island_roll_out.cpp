@@ -1,0 +1,238 @@
+#include "ode_predictive_space/haptics/loop/island_roll_out.h"
+
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
+#include "ode_predictive_space/haptics/loop/world_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// Whether ODE counts the steps until it falls asleep: waking it would begin that anew.
+bool is_falling_asleep(dBodyID body)
+{
+    const double speed = from_ode(dBodyGetLinearVel(body)).norm();
+    const double spin = from_ode(dBodyGetAngularVel(body)).norm();
+    return dBodyGetAutoDisableFlag(body) != 0 && speed < dBodyGetAutoDisableLinearThreshold(body) &&
+           spin < dBodyGetAutoDisableAngularThreshold(body);
+}
+
+/// None for a joint that does not go through a point.
+std::optional<Vector3> anchor_of(dJointID joint)
+{
+    dVector3 place = {};
+    switch (dJointGetType(joint))
+    {
+    case dJointTypeBall:
+        dJointGetBallAnchor(joint, place);
+        break;
+    case dJointTypeHinge:
+        dJointGetHingeAnchor(joint, place);
+        break;
+    case dJointTypeUniversal:
+        dJointGetUniversalAnchor(joint, place);
+        break;
+    default:
+        return std::nullopt;
+    }
+    return from_ode(place);
+}
+
+/// 1/s^2; by how much a force at the end of an arm turns the body back, against its inertia.
+double square_of_swing(dBodyID body, const Eigen::Matrix3d &stiffness)
+{
+    dMass mass;
+    dBodyGetMass(body, &mass);
+    double most = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        dVector3 direction;
+        dBodyVectorToWorld(body, axis == 0, axis == 1, axis == 2, direction);
+        const Vector3 world = from_ode(direction);
+        most = std::max(most, world.dot(stiffness * world) / static_cast<double>(mass.I[5 * axis]));
+    }
+    return most;
+}
+} // namespace
+
+IslandRollOut::IslandRollOut(const std::vector<dBodyID> &touched) : seed_(dRandGetSeed())
+{
+    for (const dBodyID body : touched)
+    {
+        add(body);
+    }
+    add_connected(0);
+    hold_others();
+}
+
+void IslandRollOut::add(dBodyID body)
+{
+    if (body == nullptr || !known_.insert(body).second)
+    {
+        return;
+    }
+    State state;
+    state.body = body;
+    state.position = from_ode(dBodyGetPosition(body));
+    const dReal *turn = dBodyGetQuaternion(body);
+    state.orientation = Quaternion(turn[0], turn[1], turn[2], turn[3]);
+    state.linear_velocity = from_ode(dBodyGetLinearVel(body));
+    state.angular_velocity = from_ode(dBodyGetAngularVel(body));
+    state.force = from_ode(dBodyGetForce(body));
+    state.torque = from_ode(dBodyGetTorque(body));
+    state.awake = dBodyIsEnabled(body) != 0;
+    states_.push_back(state);
+}
+
+/// To the bodies from the first one on.
+void IslandRollOut::add_connected(std::size_t first)
+{
+    for (std::size_t i = first; i < states_.size(); ++i)
+    {
+        const dBodyID body = states_[i].body;
+        for (int n = 0; n < dBodyGetNumJoints(body); ++n)
+        {
+            const dJointID joint = dBodyGetJoint(body, n);
+            has_joints_ = has_joints_ || dJointGetType(joint) != dJointTypeNull;
+            if (anchor_of(joint) && dJointGetBody(joint, 0) == body)
+            {
+                joints_.push_back(joint);
+            }
+            if (dJointFeedback *const feedback = dJointGetFeedback(joint))
+            {
+                feedbacks_.push_back({joint, feedback});
+                dJointSetFeedback(joint, nullptr);
+            }
+            add(dJointGetBody(joint, 0));
+            add(dJointGetBody(joint, 1));
+        }
+    }
+}
+
+void IslandRollOut::hold_others()
+{
+    for (const dBodyID body : bodies_of(dBodyGetWorld(states_.front().body)))
+    {
+        if (dBodyIsEnabled(body) == 0 || known_.count(body) != 0)
+        {
+            continue;
+        }
+        if (is_falling_asleep(body))
+        {
+            const std::size_t first = states_.size();
+            add(body);
+            add_connected(first);
+            continue;
+        }
+        dBodyDisable(body);
+        held_.push_back(body);
+    }
+}
+
+IslandRollOut::~IslandRollOut()
+{
+    restore();
+    for (const dBodyID body : held_)
+    {
+        dBodyEnable(body);
+    }
+    for (const Feedback &feedback : feedbacks_)
+    {
+        dJointSetFeedback(feedback.joint, feedback.feedback);
+    }
+    dRandSetSeed(seed_);
+}
+
+void IslandRollOut::run(bool quick, std::size_t steps, double dt, const std::vector<BodyImpulse> &impulses,
+                        const std::function<void(std::size_t)> &look)
+{
+    const dWorldID world = dBodyGetWorld(states_.front().body);
+    const auto h = static_cast<dReal>(dt);
+    dRandSetSeed(seed_);
+    for (const BodyImpulse &push : impulses)
+    {
+        const Vector3 force = push.impulse / dt;
+        dBodyEnable(push.body);
+        dBodyAddForceAtPos(push.body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),
+                           static_cast<dReal>(force.z()), static_cast<dReal>(push.point.x()),
+                           static_cast<dReal>(push.point.y()), static_cast<dReal>(push.point.z()));
+    }
+    for (std::size_t step = 1; step <= steps; ++step)
+    {
+        quick ? dWorldQuickStep(world, h) : dWorldStep(world, h);
+        look(step);
+    }
+    restore();
+}
+
+double IslandRollOut::fastest_swing(bool quick, double dt)
+{
+    if (joints_.empty())
+    {
+        return 0;
+    }
+    std::vector<dJointFeedback> forces(joints_.size());
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+    {
+        dJointSetFeedback(joints_[i], &forces[i]);
+    }
+    run(quick, 1, dt, {}, [](std::size_t) {});
+    std::unordered_map<dBodyID, Eigen::Matrix3d> stiffness;
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+    {
+        dJointSetFeedback(joints_[i], nullptr);
+        const Vector3 anchor = anchor_of(joints_[i]).value();
+        for (int side = 0; side < 2; ++side)
+        {
+            const dBodyID body = dJointGetBody(joints_[i], side);
+            if (body == nullptr || dBodyIsKinematic(body) != 0)
+            {
+                continue;
+            }
+            const Vector3 arm = anchor - from_ode(dBodyGetPosition(body));
+            const double length = arm.norm();
+            if (length > 0)
+            {
+                const double force = from_ode(forces[i].f1).norm();
+                auto &sum = stiffness.emplace(body, Eigen::Matrix3d::Zero()).first->second;
+                sum += force * (length * Eigen::Matrix3d::Identity() - arm * arm.transpose() / length);
+            }
+        }
+    }
+    double square = 0;
+    for (const auto &[body, matrix] : stiffness)
+    {
+        square = std::max(square, square_of_swing(body, matrix));
+    }
+    return std::sqrt(square);
+}
+
+void IslandRollOut::restore() const
+{
+    for (const State &state : states_)
+    {
+        const auto set = [&](auto setter, const Vector3 &value) {
+            setter(state.body, static_cast<dReal>(value.x()), static_cast<dReal>(value.y()),
+                   static_cast<dReal>(value.z()));
+        };
+        const Quaternion &turn = state.orientation;
+        const dQuaternion quaternion = {static_cast<dReal>(turn.w()), static_cast<dReal>(turn.x()),
+                                        static_cast<dReal>(turn.y()), static_cast<dReal>(turn.z())};
+        set(&dBodySetPosition, state.position);
+        dBodySetQuaternion(state.body, quaternion);
+        set(&dBodySetLinearVel, state.linear_velocity);
+        set(&dBodySetAngularVel, state.angular_velocity);
+        set(&dBodySetForce, state.force);
+        set(&dBodySetTorque, state.torque);
+        if (state.awake != (dBodyIsEnabled(state.body) != 0))
+        {
+            state.awake ? dBodyEnable(state.body) : dBodyDisable(state.body);
+        }
+    }
+}
+
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,184 @@
+#include "ode_predictive_space/haptics/loop.h"
+
+#include "ode_predictive_space/haptics/loop/coupled_loop.h"
+#include "ode_predictive_space/haptics/loop/decoupled_loop.h"
+#include "ode_predictive_space/haptics/safety.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double shortest_stall = 0.005; // s; after the last tick
+constexpr double overdue = 0.004;        // s; after the next one should have begun
+
+double stall_after(double rate)
+{
+    return std::max(shortest_stall, 1 / rate + overdue);
+}
+
+/// The guard, the notices' way, and what the system grants: from the beginning of a run to its end, whichever that is.
+class Watch
+{
+public:
+    explicit Watch(LoopParts &parts) : parts_(parts), sink_(parts.probe.renderer().notice_sink())
+    {
+        if (parts.settings.ask_for_priority)
+        {
+            parts.scheduling.asked = true;
+            keeper_.emplace();
+            memory_.emplace(parts.scheduling.memory_error);
+        }
+        GuardDuties duties;
+        duties.stall_after = stall_after(parts.settings.rate);
+        duties.scene_stall_after = stall_after(parts.settings.physics_rate);
+        duties.must_end = [&parts] { return parts.is_told_to_stop(); };
+        duties.sink = counted(parts.settings.notice ? parts.settings.notice : sink_);
+        duties.time = [&parts] { return parts.now(); };
+        duties.prepare = parts.priority_request(true);
+        parts.guard = std::make_unique<LoopGuard>(parts.clock, parts.probe.renderer().gate(), std::move(duties));
+        parts.probe.renderer().set_notice_sink([&parts](const Notice &notice) { parts.guard->post(notice); });
+    }
+
+    ~Watch()
+    {
+        parts_.probe.renderer().relax();
+        parts_.time.end = parts_.clock.now();
+        if (parts_.probe.sensor() != nullptr)
+        {
+            parts_.probe.sensor()->set_margin(0);
+        }
+        parts_.probe.renderer().tell_held_back();
+        tell_of_scheduling();
+        parts_.guard->end();
+        parts_.probe.renderer().set_notice_sink(sink_);
+    }
+
+    Watch(const Watch &) = delete;
+    Watch &operator=(const Watch &) = delete;
+
+private:
+    NoticeSink counted(NoticeSink sink)
+    {
+        return [&parts = parts_, sink = std::move(sink)](const Notice &notice) {
+            ++parts.counts.notices;
+            if (sink)
+            {
+                sink(notice);
+            }
+        };
+    }
+
+    void tell_of_scheduling()
+    {
+        if (parts_.scheduling.refused())
+        {
+            parts_.guard->post(Notice(NoticeKind::scheduling, parts_.now(), parts_.scheduling.text()));
+        }
+    }
+
+    LoopParts &parts_;
+    NoticeSink sink_;
+    std::optional<SchedulingKeeper> keeper_;
+    std::optional<LockedMemory> memory_;
+};
+
+void run_watched(LoopParts &parts, const SceneWork &work)
+{
+    const StopRequest instead_of_dying; // by a signal, with the force left on
+    Renderer &renderer = parts.probe.renderer();
+    parts.time.first = parts.probe.last_tick().time;
+    const Watch watch(parts);
+    parts.time.start = parts.clock.now();
+    try
+    {
+        parts.settings.decoupled ? run_decoupled(parts, work) : run_coupled(parts, work);
+    }
+    catch (const std::exception &error)
+    {
+        renderer.relax();
+        parts.guard->post(Notice(NoticeKind::exception, parts.now(),
+                                 "No force: the program's part of the loop failed: " + std::string(error.what())));
+        throw;
+    }
+    catch (...)
+    {
+        renderer.relax();
+        parts.guard->post(
+            Notice(NoticeKind::exception, parts.now(), "No force: the program's part of the loop failed."));
+        throw;
+    }
+    if (parts.must_end())
+    {
+        renderer.relax();
+        parts.guard->post(Notice(NoticeKind::stop, parts.now(), "No force: the loop was asked to end."));
+    }
+}
+} // namespace
+
+HapticLoop::HapticLoop(HapticProbe &probe, LoopSettings settings)
+    : parts_(std::make_unique<LoopParts>(probe, std::move(settings)))
+{}
+
+HapticLoop::~HapticLoop() = default;
+
+/// What it returns is the last that it touches: the loop may be destroyed then, by another thread.
+LoopReport HapticLoop::run(const SceneWork &work)
+{
+    LoopParts &parts = *parts_;
+    if (parts.guard)
+    {
+        throw std::logic_error("A haptic loop runs once");
+    }
+    const LoopParts::Turn turn(parts);
+    if (parts.probe.sensor() != nullptr)
+    {
+        parts.probe.sensor()->prepare_all();
+    }
+    run_watched(parts, work);
+    if (parts.guard->sink_failed())
+    {
+        std::rethrow_exception(parts.guard->sink_error());
+    }
+    return report();
+}
+
+void HapticLoop::stop()
+{
+    parts_->stopped = true;
+}
+
+const RenderedTick &HapticLoop::latest() const
+{
+    return parts_->rendered.latest();
+}
+
+LoopReport HapticLoop::report() const
+{
+    const LoopParts &parts = *parts_;
+    const TickStatistics &scene = parts.settings.decoupled ? parts.scene : parts.servo;
+    LoopReport report;
+    report.ticks = parts.servo.ticks();
+    report.steps = scene.ticks();
+    report.period = parts.servo.periods();
+    report.compute = parts.servo.computes();
+    report.step_compute = scene.computes();
+    const double elapsed = (parts.time.end > 0 ? parts.time.end.load() : parts.clock.now()) - parts.time.start;
+    if (elapsed > 0)
+    {
+        report.rate = static_cast<double>(report.ticks) / elapsed;
+        report.real_time_factor = parts.time.simulated / elapsed;
+    }
+    report.overruns = parts.servo.overruns();
+    report.dropped_steps = parts.counts.dropped;
+    report.saturated = parts.counts.saturated;
+    report.notices = parts.counts.notices;
+    report.held_back = parts.counts.held_back;
+    report.scheduling = parts.scheduling.text();
+    return report;
+}
+} // namespace ode_predictive_space::haptics

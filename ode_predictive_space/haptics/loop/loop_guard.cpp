@@ -1,0 +1,119 @@
+#include "ode_predictive_space/haptics/loop/loop_guard.h"
+
+#include "ode_predictive_space/haptics/safety/open_gates.h"
+
+#include <string>
+#include <utility>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double watch_period = 0.001; // s
+
+DeviceGate &guarded(DeviceGate &gate)
+{
+    gate.set_guarded(true);
+    return gate;
+}
+} // namespace
+
+LoopGuard::LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties)
+    : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)), last_beat_(no_beat), stopped_beat_(no_beat),
+      busy_beat_(no_beat), speaker_(duties_.sink),
+      watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }}))
+{
+    speaker_.start(clock);
+}
+
+LoopGuard::~LoopGuard()
+{
+    end();
+}
+
+void LoopGuard::end()
+{
+    if (watch_) // afterwards the device's gate may be gone
+    {
+        gate_.set_guarded(false);
+    }
+    watch_.reset();
+    speaker_.end();
+}
+
+void LoopGuard::look()
+{
+    const double beat = last_beat_.load(std::memory_order_relaxed);
+    const double now = clock_.now();
+    if (beat != no_beat && beat != stopped_beat_ && now - beat >= duties_.stall_after)
+    {
+        stop_force(now, beat);
+    }
+    look_at_scene(now);
+    // The loop itself may sleep until its next deadline, or wait for the scene.
+    if (!ended_ && duties_.must_end && duties_.must_end())
+    {
+        ended_ = take_force(now);
+    }
+}
+
+void LoopGuard::begin_step(double now)
+{
+    scene_thread_.store(std::this_thread::get_id(), std::memory_order_relaxed);
+    last_step_.store(now, std::memory_order_release);
+}
+
+void LoopGuard::look_at_scene(double now)
+{
+    const double step = last_step_.load(std::memory_order_acquire);
+    if (step == no_beat || step == stopped_step_ || now - step < duties_.scene_stall_after)
+    {
+        return;
+    }
+    stopped_step_ = step;
+    if (open_gates::close_unguarded(scene_thread_.load(std::memory_order_relaxed), now))
+    {
+        tell("No force at another probe of the program: the scene has hung for too long.");
+    }
+}
+
+void LoopGuard::stop_force(double now, double beat)
+{
+    if (take_force(now))
+    {
+        stopped_beat_ = beat;
+        open_gates::close_unguarded(gate_.reader(), now);
+        tell("No force: the loop has hung for too long in the program's part of it.");
+    }
+    else if (busy_beat_ != beat)
+    {
+        busy_beat_ = beat;
+        open_gates::close_unguarded(gate_.reader(), now);
+        tell("The loop is stuck in the device's driver: only the device itself can remove its force.");
+    }
+}
+
+void LoopGuard::tell(std::string_view sentence)
+{
+    const double time = duties_.time ? duties_.time() : clock_.now();
+    speaker_.post(NoticeSpeaker::Side::watch, Notice(NoticeKind::guard, time, sentence));
+}
+
+/// @return false when it could not, and is to be tried again.
+bool LoopGuard::take_force(double now)
+{
+    try
+    {
+        return gate_.close_with_zero(now) == DeviceGate::Outcome::zero;
+    }
+    catch (const std::exception &error)
+    {
+        tell("The device takes no zero force, and was closed: " + std::string(error.what()));
+    }
+    catch (...)
+    {
+        tell("The device takes no zero force, and was closed.");
+    }
+    return true;
+}
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,83 @@
+// Watches a servo from beside it, and speaks for it.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_GUARD_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_GUARD_H
+
+#include "ode_predictive_space/haptics/loop/notice_speaker.h"
+#include "ode_predictive_space/haptics/safety/device_gate.h"
+
+namespace ode_predictive_space::haptics
+{
+/// What a guard is to do.
+struct GuardDuties
+{
+    double stall_after = 0.005;     ///< s; so long after the last beat, the servo hangs
+    double scene_stall_after = 0;   ///< s; so long after the last step, the scene's thread hangs
+    std::function<bool()> must_end; ///< from the guard's thread: whether there is to be no force any more
+    NoticeSink sink;                ///< may be empty
+    std::function<double()>
+        time; ///< s; of notices: simulated, as all notices have it. From the guard's thread; empty: the clock's
+    std::function<void()> prepare; ///< where the guard runs, before it begins; may be empty
+};
+
+/// Looks every millisecond whether the servo still ticks, and whether it is to end; when it does not or is, sets the force to zero.
+///
+/// It also hands the servo's notices to the program's sink, so that no servo has to wait for a terminal. Nor does the watch wait:
+/// the sink is called beside it.
+class LoopGuard
+{
+public:
+    LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties);
+    ~LoopGuard();
+    LoopGuard(const LoopGuard &) = delete;
+    LoopGuard &operator=(const LoopGuard &) = delete;
+
+    /// Of the servo: it ticks. The first one begins the watch.
+    void beat(double now) { last_beat_.store(now, std::memory_order_relaxed); }
+
+    /// Of the scene's thread, where it is not the servo's: it begins a step. Without force after a stall are the probes that the program
+    /// runs in this thread beside the loop's own.
+    void begin_step(double now);
+
+    /// Of the same: there are no more steps.
+    void end_steps() { last_step_.store(no_beat, std::memory_order_relaxed); }
+
+    /// See NoticeSpeaker. Of the servo.
+    void post(const Notice &notice) { speaker_.post(NoticeSpeaker::Side::servo, notice); }
+    /// The same, from the thread of a decoupled loop's scene.
+    void post_of_scene(const Notice &notice) { speaker_.post(NoticeSpeaker::Side::scene, notice); }
+
+    /// Of the thread that made it, when the servo has ended: the watch is over, and what was posted is delivered.
+    void end();
+
+    /// Whether the sink threw; it is not called any more, then. From any thread.
+    bool sink_failed() const { return speaker_.sink_failed(); }
+
+    /// What it threw. After sink_failed().
+    std::exception_ptr sink_error() const { return speaker_.sink_error(); }
+
+private:
+    void look();
+    void look_at_scene(double now);
+    void stop_force(double now, double beat);
+    void tell(std::string_view sentence);
+    bool take_force(double now);
+
+    static constexpr double no_beat = -1;
+
+    LoopClock &clock_;
+    DeviceGate &gate_;
+    GuardDuties duties_;
+    std::atomic<double> last_beat_;
+    double stopped_beat_; ///< the last beat before a stall that has been dealt with
+    double busy_beat_;    ///< the same, told that the driver hangs
+    std::atomic<double> last_step_{no_beat};
+    double stopped_step_ = no_beat; ///< the last step before a stall that has been dealt with
+    std::atomic<std::thread::id> scene_thread_{};
+    bool ended_ = false; ///< must_end() has been dealt with
+    NoticeSpeaker speaker_;
+    std::unique_ptr<RunningTask> watch_; ///< last: it uses the others
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,172 @@
+#include "ode_predictive_space/haptics/loop/loop_parts.h"
+
+#include "ode_predictive_space/haptics/contact/safe_collide.h"
+#include "ode_predictive_space/haptics/loop/body_check.h"
+#include "ode_predictive_space/haptics/safety.h"
+#include "ode_predictive_space/haptics/touch_sensor.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+LoopSettings checked(LoopSettings settings, HapticProbe &probe)
+{
+    if (probe.is_taken())
+    {
+        throw std::logic_error("Another haptic loop runs the probe");
+    }
+    if (!settings.decoupled)
+    {
+        settings.physics_rate = settings.rate;
+    }
+    if (settings.decoupled && probe.sensor() == nullptr)
+    {
+        throw std::invalid_argument(
+            "A tool body is held by the scene's own step: it cannot be felt by a decoupled loop");
+    }
+    if (settings.physics_rate > settings.rate || settings.most_steps_behind < 0 || !(settings.margin >= 0))
+    {
+        throw std::invalid_argument(
+            "A loop's scene cannot be faster than its servo, and neither the steps that it may be behind "
+            "nor the margin can be less than 0");
+    }
+    probe.renderer().set_rates(settings.rate, settings.physics_rate);
+    return settings;
+}
+} // namespace
+
+void TickStatistics::begin(double now)
+{
+    if (began_)
+    {
+        periods_.add(now - begin_);
+    }
+    began_ = true;
+    begin_ = now;
+}
+
+void TickStatistics::end(double now, double next_due)
+{
+    computes_.add(now - begin_);
+    if (now > next_due)
+    {
+        overruns_.store(overruns() + 1, std::memory_order_relaxed);
+    }
+}
+
+Pacer::Pacer(double start, double period, int most_behind) : due_(start), period_(period), most_behind_(most_behind) {}
+
+std::uint64_t Pacer::go_on(double now)
+{
+    due_ += period_;
+    const double behind = std::floor((now - due_) / period_);
+    if (behind <= most_behind_)
+    {
+        return 0;
+    }
+    due_ += behind * period_;
+    return static_cast<std::uint64_t>(behind);
+}
+
+LoopParts::LoopParts(HapticProbe &haptic_probe, LoopSettings loop_settings)
+    : probe(haptic_probe), settings(checked(std::move(loop_settings), haptic_probe)),
+      clock(settings.clock != nullptr ? *settings.clock : machine_clock)
+{}
+
+LoopParts::Turn::Turn(LoopParts &parts) : parts_(parts), run_(std::make_shared<ActiveRun>())
+{
+    parts_.probe.take(run_);
+    const std::lock_guard<std::mutex> lock(parts_.run_mutex_);
+    parts_.run_ = run_;
+}
+
+LoopParts::Turn::~Turn()
+{
+    parts_.probe.give_back();
+    run_->end();
+}
+
+LoopParts::~LoopParts()
+{
+    std::shared_ptr<ActiveRun> run;
+    {
+        const std::lock_guard<std::mutex> lock(run_mutex_);
+        run = run_;
+    }
+    if (run)
+    {
+        run->end_and_wait("a haptic loop");
+    }
+}
+
+bool LoopParts::is_told_to_stop() const
+{
+    return stopped.load(std::memory_order_relaxed) || run_->is_told_to_stop() || StopRequest::requested();
+}
+
+bool LoopParts::must_end() const
+{
+    return is_told_to_stop() || guard->sink_failed();
+}
+
+std::function<void()> LoopParts::priority_request(bool above_servo)
+{
+    if (!settings.ask_for_priority)
+    {
+        return {};
+    }
+    return [this, above_servo] {
+        const int error = ask_for_real_time(above_servo);
+        if (!above_servo)
+        {
+            scheduling.priority_error = error;
+        }
+    };
+}
+
+void LoopParts::note_rendered(const RenderedTick &tick)
+{
+    rendered.draft() = tick;
+    rendered.publish();
+    counts.saturated.store(counts.saturated + (tick.saturated ? 1 : 0), std::memory_order_relaxed);
+    counts.held_back.store(probe.renderer().held_back(), std::memory_order_relaxed);
+}
+
+// Before ODE does anything with them, and before the world is stepped.
+void LoopParts::check_bodies()
+{
+    const dBodyID tool = probe.tool_body();
+    std::string broken = broken_state_of(tool);
+    if (broken.empty())
+    {
+        broken = broken_state_around(tool != nullptr ? dBodyGetFirstGeom(tool) : probe.geom());
+    }
+    if (!broken.empty())
+    {
+        throw std::runtime_error(broken);
+    }
+}
+
+/// An exception that comes through ODE's own dSpaceCollide() leaves the space locked: then nothing in it may be moved or destroyed.
+void LoopParts::collide(const SceneWork &work)
+{
+    check_bodies();
+    try
+    {
+        work.collide();
+    }
+    catch (...)
+    {
+        if (probe.sensor() != nullptr && !is_from_safe_collide(std::current_exception()))
+        {
+            probe.sensor()->abandon_locked_space();
+        }
+        throw;
+    }
+    check_bodies();
+}
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,305 @@
+#include "ode_predictive_space/haptics/loop/scene_motion.h"
+
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double least_test = 1e-3; // N s; the response to less is noise
+constexpr double most_swing = 1.2;  // angular frequency times step; ODE itself is unstable from 2 on
+constexpr int most_inner_steps = MotionForecast::most_nodes / 2;
+constexpr double fall = 9.81;     // m/s^2; a surprise of less than a quarter of what falls is none
+constexpr int most_surprises = 5; // one after the other
+
+double norm_of(const BodyMotion &motion, const Eigen::Matrix<double, 6, 6> &inertia)
+{
+    return std::sqrt(std::max(0.0, motion.dot(inertia * motion)));
+}
+
+Quaternion orientation_of(dBodyID body)
+{
+    const dReal *turn = dBodyGetQuaternion(body);
+    return Quaternion(turn[0], turn[1], turn[2], turn[3]);
+}
+} // namespace
+
+SceneMotion::SceneMotion(TouchSensor &sensor) : sensor_(sensor) {}
+
+void SceneMotion::push(double a, double h)
+{
+    last_.swap(rest_);
+    rest_.clear();
+    const auto first_later =
+        std::find_if(waiting_.begin(), waiting_.end(), [&](const Impulse &impulse) { return impulse.time >= a + h; });
+    for (auto impulse = waiting_.begin(); impulse != first_later; ++impulse)
+    {
+        const double later = std::clamp((impulse->time - a) / h, -1.0, 1.0);
+        Impulse part = *impulse;
+        part.impulse = (1 - later) * impulse->impulse;
+        last_.push_back(part);
+        part.impulse = later * impulse->impulse;
+        rest_.push_back(part);
+        received_ = impulse->number;
+    }
+    waiting_.erase(waiting_.begin(), first_later);
+    shares_.clear();
+    for (const Impulse &impulse : last_)
+    {
+        shares_.push_back({impulse.object, impulse.point, impulse.impulse / h});
+    }
+    sensor_.push(shares_);
+}
+
+void SceneMotion::push_all(double h)
+{
+    shares_.clear();
+    for (const std::vector<Impulse> *impulses : {&rest_, &waiting_})
+    {
+        for (const Impulse &impulse : *impulses)
+        {
+            shares_.push_back({impulse.object, impulse.point, impulse.impulse / h});
+        }
+    }
+    sensor_.push(shares_);
+    rest_.clear();
+    waiting_.clear();
+}
+
+void SceneMotion::foresee(const ContactModel &planes, double time, double step, MotionForecast &forecast)
+{
+    forecast.begin(time);
+    forecast.set_included(received_);
+    find_touched(planes, forecast);
+    if (touched_.empty())
+    {
+        return;
+    }
+    std::vector<dBodyID> bodies;
+    for (const Touched &touched : touched_)
+    {
+        bodies.push_back(touched.body);
+    }
+    IslandRollOut island(bodies);
+    has_joints_ = island.has_joints();
+    choose_steps(island, step);
+    const double h = step / inner_steps_;
+    nodes_ = static_cast<std::size_t>(2 * inner_steps_);
+    forecast.set_nodes(nodes_, h);
+    Courses free;
+    try_out(island, rest(), h, free);
+    for (std::size_t i = 0; i < touched_.size(); ++i)
+    {
+        touched_[i].foreseen = free[i][1];
+        forecast.free(i) = repeats() ? free[i] : forecast.free_of_velocity(i);
+    }
+    foreseen_step_ = h;
+    for (std::size_t i = 0; i < touched_.size(); ++i)
+    {
+        find_response(island, i, h, forecast);
+    }
+}
+
+void SceneMotion::note_step(bool drew_numbers)
+{
+    quick_ = drew_numbers || (quick_ && !has_joints_);
+    if (!last_.empty() || touched_.empty())
+    {
+        touched_.clear();
+        return;
+    }
+    bool surprised = false;
+    for (const Touched &touched : touched_)
+    {
+        if (sensor_.body_of(touched.touch.object) == touched.body)
+        {
+            const Vector3 moved = motion_of(touched).head<3>();
+            const Vector3 foreseen = touched.foreseen.head<3>();
+            const double error = (moved - foreseen).norm();
+            surprised = surprised || (error > 0.25 * fall * foreseen_step_ * foreseen_step_ &&
+                                      error > 0.5 * std::max(moved.norm(), foreseen.norm()));
+        }
+    }
+    surprises_ = surprised ? surprises_ + 1 : 0;
+    touched_.clear();
+}
+
+bool SceneMotion::repeats() const
+{
+    return surprises_ < most_surprises;
+}
+
+/// The deepest ones whose bodies can move, all of one world.
+void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forecast)
+{
+    touched_.clear();
+    for (std::size_t i = 0; i < planes.count() && touched_.size() < MotionForecast::most_touches; ++i)
+    {
+        const Touch &touch = planes.touch(i);
+        const dBodyID body = sensor_.body_of(touch.object);
+        if (body != nullptr && dBodyIsKinematic(body) == 0 &&
+            (touched_.empty() || dBodyGetWorld(body) == dBodyGetWorld(touched_.front().body)))
+        {
+            touched_.push_back(touched_of(body, touch));
+            const Touched &touched = touched_.back();
+            MotionForecast::Place place;
+            place.touch = touch;
+            place.centre = touched.centre;
+            place.velocity << from_ode(dBodyGetLinearVel(body)), from_ode(dBodyGetAngularVel(body));
+            forecast.add(place, wrenches_of(touched, pushes_of(touched)));
+        }
+    }
+}
+
+/// Never back to longer ones: the forces of the joints come and go. One look alone may be that of a blow.
+void SceneMotion::choose_steps(IslandRollOut &island, double step)
+{
+    const double swing = island.fastest_swing(quick_, step / inner_steps_) * step;
+    const double steps = std::ceil(swing / most_swing);
+    const int wished = static_cast<int>(std::clamp<double>(steps, 1, most_inner_steps));
+    inner_steps_ = std::max(inner_steps_, std::min(wished, wished_steps_));
+    wished_steps_ = wished;
+}
+
+/// What the bodies will get in the next step for what the hand got already.
+std::vector<BodyImpulse> SceneMotion::rest() const
+{
+    std::vector<BodyImpulse> impulses;
+    for (const Impulse &impulse : rest_)
+    {
+        if (const dBodyID body = sensor_.body_of(impulse.object))
+        {
+            impulses.push_back({body, impulse.point, -impulse.impulse});
+        }
+    }
+    return impulses;
+}
+
+SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
+{
+    Touched touched = {body, touch, from_ode(dBodyGetPosition(body)), orientation_of(body), {}, {}, {}};
+    dMass mass;
+    dBodyGetMass(body, &mass);
+    Eigen::Matrix3d own;
+    for (int row = 0; row < 3; ++row)
+    {
+        for (int column = 0; column < 3; ++column)
+        {
+            own(row, column) = mass.I[4 * row + column];
+        }
+    }
+    const Eigen::Matrix3d turn = touched.orientation.toRotationMatrix();
+    touched.inertia.setZero();
+    touched.inertia.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
+    touched.inertia.bottomRightCorner<3, 3>() = turn * own * turn.transpose();
+    touched.inverse_inertia = touched.inertia.inverse();
+    return touched;
+}
+
+/// Along the normal; sideways, where friction acts; and sideways without a moment, as the normal of a round body turns.
+SceneMotion::Pushes SceneMotion::pushes_of(const Touched &touched)
+{
+    const Vector3 &point = touched.touch.point;
+    const Vector3 along = -touched.touch.normal;
+    const Vector3 aside = along.unitOrthogonal();
+    const Vector3 across = along.cross(aside);
+    return {{{point, along}, {point, aside}, {point, across}, {touched.centre, aside}, {touched.centre, across}}};
+}
+
+MotionForecast::PushWrenches SceneMotion::wrenches_of(const Touched &touched, const Pushes &pushes)
+{
+    MotionForecast::PushWrenches wrenches;
+    for (std::size_t i = 0; i < pushes.size(); ++i)
+    {
+        const Push &push = pushes[i];
+        wrenches.col(static_cast<int>(i)) << push.direction, (push.point - touched.centre).cross(push.direction);
+    }
+    return wrenches;
+}
+
+/// Since the scene was looked at.
+BodyMotion SceneMotion::motion_of(const Touched &touched)
+{
+    const Eigen::AngleAxisd turn(orientation_of(touched.body) * touched.orientation.conjugate());
+    BodyMotion motion;
+    motion << from_ode(dBodyGetPosition(touched.body)) - touched.centre, turn.angle() * turn.axis();
+    return motion;
+}
+
+void SceneMotion::try_out(IslandRollOut &island, const std::vector<BodyImpulse> &impulses, double h,
+                          Courses &courses) const
+{
+    for (MotionForecast::Course<BodyMotion> &course : courses)
+    {
+        course[0].setZero();
+    }
+    island.run(quick_, nodes_, h, impulses, [&](std::size_t node) {
+        for (std::size_t i = 0; i < touched_.size(); ++i)
+        {
+            courses[i][node] = motion_of(touched_[i]);
+        }
+    });
+}
+
+/// The first push is as strong as the last one of the hand; the others are tried beside it, which friction needs.
+void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, double h, MotionForecast &forecast)
+{
+    const Touched &touched = touched_[pushed];
+    const double size = std::max(least_test, last_impulse_on(touched.touch.object));
+    const Pushes pushes = pushes_of(touched);
+    const MotionForecast::PushWrenches wrenches = wrenches_of(touched, pushes);
+    Courses first;
+    Courses found;
+    for (std::size_t i = 0; i < pushes.size(); ++i)
+    {
+        std::vector<BodyImpulse> impulses = rest();
+        impulses.push_back({touched.body, pushes[0].point, size * pushes[0].direction});
+        if (i > 0)
+        {
+            impulses.push_back({touched.body, pushes[i].point, size * pushes[i].direction});
+        }
+        try_out(island, impulses, h, i == 0 ? first : found);
+        const auto column = static_cast<int>(i);
+        for (std::size_t seen = 0; seen < touched_.size(); ++seen)
+        {
+            MotionForecast::Course<MotionForecast::Response> &course = forecast.response(pushed, seen);
+            course[0].setZero();
+            for (std::size_t node = 1; node <= nodes_; ++node)
+            {
+                const BodyMotion free =
+                    static_cast<double>(node) * h * (touched.inverse_inertia * wrenches.col(column));
+                const BodyMotion moved = i == 0 ? BodyMotion(first[seen][node] - forecast.free(seen)[node])
+                                                : BodyMotion(found[seen][node] - first[seen][node]);
+                course[node].col(column) = limited(moved / size, free, seen, pushed);
+            }
+        }
+    }
+}
+
+/// Constraints take motion away and never add any: all that they leave of a free body's motion lies in the ball whose diameter that
+/// motion is, by the measure of kinetic energy. What QuickStep finds can lie far outside.
+BodyMotion SceneMotion::limited(const BodyMotion &found, const BodyMotion &free, std::size_t seen,
+                                std::size_t pushed) const
+{
+    const bool own = touched_[seen].body == touched_[pushed].body;
+    const double most = norm_of(free, touched_[pushed].inertia);
+    const BodyMotion middle = own ? BodyMotion(0.5 * free) : BodyMotion(BodyMotion::Zero());
+    const double radius = own ? 0.5 * most : most;
+    const BodyMotion off = found - middle;
+    const double distance = norm_of(off, touched_[seen].inertia);
+    return distance > radius ? BodyMotion(middle + radius / distance * off) : found;
+}
+
+double SceneMotion::last_impulse_on(std::uintptr_t object) const
+{
+    double sum = 0;
+    for (const Impulse &impulse : last_)
+    {
+        sum += impulse.object == object ? impulse.impulse.norm() : 0;
+    }
+    return sum;
+}
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,100 @@
+// The motion of what the hand touches: how the scene gets the hand's impulses, and what it will make of them.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SCENE_MOTION_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_SCENE_MOTION_H
+
+#include "ode_predictive_space/haptics/loop/island_roll_out.h"
+#include "ode_predictive_space/haptics/loop/motion_forecast.h"
+#include "ode_predictive_space/haptics/touch_sensor.h"
+
+namespace ode_predictive_space::haptics
+{
+/// An impulse of a tick at tau within the step from a to a + h goes to this step with the weight 1 - (tau - a) / h, and to the next one
+/// with the rest. So a free body is at the ends of steps where it would be had it got each impulse at once, and nothing is lost. An
+/// impulse that comes too late, from before a, gets a weight above 1 and takes back in the next step what was too much.
+///
+/// Used from the scene's thread.
+class SceneMotion
+{
+public:
+    explicit SceneMotion(TouchSensor &sensor);
+
+    /// To be pushed by the steps that it belongs to.
+    void receive(const Impulse &impulse) { waiting_.push_back(impulse); }
+
+    /// Forces on the bodies for the step of a length h that begins at a: both in s.
+    void push(double a, double h);
+
+    /// The program has stepped its world. Was it as foreseen?
+    ///
+    /// @param drew_numbers whether ODE's random numbers have gone on: only dWorldQuickStep() draws any, where there are constraints.
+    void note_step(bool drew_numbers);
+
+    /// Whether the program's steps are those of ODE alone. When several in a row were not, bodies are taken to go on with the velocities that
+    /// they have.
+    bool repeats() const;
+
+    /// All that is left, for a step of a length h.
+    void push_all(double h);
+
+    /// Tries out what the touched surfaces will do. After the program's collide(), before its advance().
+    ///
+    /// @param step s; from one look at the scene to the next.
+    void foresee(const ContactModel &planes, double time, double step, MotionForecast &forecast);
+
+    /// In how many steps the scene has to be stepped from one look at it to the next.
+    int inner_steps() const { return inner_steps_; }
+
+private:
+    /// A body, and what it was when the scene was looked at.
+    struct Touched
+    {
+        dBodyID body;
+        Touch touch;
+        Vector3 centre; ///< m; of mass
+        Quaternion orientation;
+        Eigen::Matrix<double, 6, 6> inertia;         ///< mass and moments of inertia, the world's frame
+        Eigen::Matrix<double, 6, 6> inverse_inertia; ///< of it
+        BodyMotion foreseen;                         ///< in the next step, if the hand does nothing
+    };
+
+    /// A push that is tried.
+    struct Push
+    {
+        Vector3 point;     ///< m
+        Vector3 direction; ///< of length 1
+    };
+
+    using Pushes = std::array<Push, MotionForecast::tried_pushes>;
+    using Courses = std::array<MotionForecast::Course<BodyMotion>, MotionForecast::most_touches>;
+
+    void find_touched(const ContactModel &planes, MotionForecast &forecast);
+    static Touched touched_of(dBodyID body, const Touch &touch);
+    static Pushes pushes_of(const Touched &touched);
+    static MotionForecast::PushWrenches wrenches_of(const Touched &touched, const Pushes &pushes);
+    static BodyMotion motion_of(const Touched &touched);
+    std::vector<BodyImpulse> rest() const;
+    void choose_steps(IslandRollOut &island, double step);
+    void try_out(IslandRollOut &island, const std::vector<BodyImpulse> &impulses, double h, Courses &courses) const;
+    void find_response(IslandRollOut &island, std::size_t pushed, double h, MotionForecast &forecast);
+    BodyMotion limited(const BodyMotion &found, const BodyMotion &free, std::size_t seen, std::size_t pushed) const;
+    double last_impulse_on(std::uintptr_t object) const;
+
+    TouchSensor &sensor_;
+    std::vector<Impulse> waiting_;
+    std::vector<Impulse> rest_; ///< of the impulses of the last step: for the next one
+    std::vector<Impulse> last_; ///< pushed in the last step
+    std::vector<ForceShare> shares_;
+    std::vector<Touched> touched_;
+    std::uint64_t received_ = 0;
+    int inner_steps_ = 1;
+    double foreseen_step_ = 0; ///< s
+    int surprises_ = 0;        ///< steps in a row that were not as foreseen
+    int wished_steps_ = 1;     ///< at the last look
+    bool has_joints_ = false;  ///< what was tried out last
+    bool quick_ = false;       ///< the program steps by dWorldQuickStep()
+    std::size_t nodes_ = 1;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif

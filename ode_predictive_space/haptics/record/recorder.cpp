@@ -1,0 +1,265 @@
+#include "ode_predictive_space/haptics/device/with_lock.h"
+#include "ode_predictive_space/haptics/record/file_error.h"
+#include "ode_predictive_space/haptics/record/recording_format.h"
+#include "ode_predictive_space/haptics/recording.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr std::chrono::milliseconds flush_period(50);
+constexpr std::size_t most_text = 1 << 16; // bytes; written at once
+
+template <class Number> void append(std::string &text, Number number)
+{
+    std::array<char, 32> digits;
+    // Without a precision, this prints the fewest digits that give back the same double.
+    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+    text += ' ';
+    text.append(digits.data(), result.ptr);
+}
+
+void append(std::string &text, const Vector3 &v)
+{
+    append(text, v.x());
+    append(text, v.y());
+    append(text, v.z());
+}
+
+void append(std::string &text, const RecordedTick &tick)
+{
+    const std::size_t start = text.size();
+    const DeviceState &state = tick.state;
+    append(text, state.time);
+    append(text, state.position);
+    append(text, Vector3(state.orientation.vec()));
+    append(text, state.orientation.w());
+    append(text, tick.force);
+    append(text, state.buttons);
+    append(text, state.linear_velocity);
+    append(text, state.angular_velocity);
+    text.erase(start, 1); // the blank before the first number
+    text += '\n';
+}
+
+bool can_be_read_back(const DeviceState &state, const Vector3 &force)
+{
+    return state.position.allFinite() && state.orientation.coeffs().allFinite() &&
+           std::abs(state.orientation.norm() - 1) <= exact_length_tolerance && state.linear_velocity.allFinite() &&
+           state.angular_velocity.allFinite() && force.allFinite();
+}
+} // namespace
+
+Recorder::Recorder(const std::string &file, const Capabilities &device, Flush flush, std::size_t capacity)
+    : Recorder(file, device, std::string(), flush, capacity)
+{}
+
+Recorder::Recorder(const std::string &file, const Capabilities &device, const std::string &law, Flush flush,
+                   std::size_t capacity)
+    : name_(file), last_time_(-std::numeric_limits<double>::infinity())
+{
+    if (capacity == 0)
+    {
+        throw std::invalid_argument("recording " + file + ": a buffer for no ticks");
+    }
+    buffer_.resize(capacity);
+    file_.reset(std::fopen(file.c_str(), "w"));
+    if (!file_)
+    {
+        throw file_error(file, errno);
+    }
+    write_header(device, law);
+    if (flush == Flush::by_itself)
+    {
+        thread_ = std::thread([this] { flush_often(); });
+    }
+}
+
+Recorder::~Recorder()
+{
+    try
+    {
+        close();
+    }
+    catch (...)
+    {
+        // close() tells the caller.
+    }
+}
+
+bool Recorder::add(double time, const DeviceState &state, const Vector3 &force) noexcept
+{
+    const std::size_t produced = produced_.load(std::memory_order_relaxed);
+    const bool full = produced - consumed_.load(std::memory_order_acquire) == buffer_.size();
+    if (full || !std::isfinite(time) || time <= last_time_ || !can_be_read_back(state, force))
+    {
+        lost_.fetch_add(1, std::memory_order_relaxed);
+        return false;
+    }
+    Entry &entry = buffer_[produced % buffer_.size()];
+    entry.tick.state = state;
+    entry.tick.state.time = time;
+    entry.tick.force = force;
+    entry.lost_before = lost_.load(std::memory_order_relaxed);
+    last_time_ = time;
+    produced_.store(produced + 1, std::memory_order_release);
+    return true;
+}
+
+void Recorder::flush()
+{
+    with_lock(file_mutex_, [this] {
+        if (file_)
+        {
+            write_entries();
+        }
+    });
+}
+
+void Recorder::close()
+{
+    stop_thread();
+    with_lock(file_mutex_, [this] { close_file(); });
+}
+
+void Recorder::close_file()
+{
+    if (!file_)
+    {
+        return;
+    }
+    try
+    {
+        write_entries();
+        append_loss(lost_);
+        write_text();
+    }
+    catch (const DeviceError &)
+    {
+        file_.reset();
+        throw;
+    }
+    if (std::fclose(file_.release()) != 0)
+    {
+        fail();
+    }
+}
+
+void Recorder::write_header(const Capabilities &device, const std::string &law)
+{
+    text_ = device_line_mark;
+    append(text_, device.input_axes);
+    append(text_, device.force_axes);
+    for (const double limit : {device.max_force, device.max_stiffness, device.max_damping, device.rate})
+    {
+        append(text_, limit);
+    }
+    append(text_, device.workspace.min());
+    append(text_, device.workspace.max());
+    std::string name = device.name;
+    std::replace(name.begin(), name.end(), '\n', ' ');
+    text_ += ' ' + name;
+    text_.resize(std::min(text_.size(), longest_recorded_line)); // the reader takes no longer one
+    if (device.delay > 0)
+    {
+        text_ += std::string("\n") + delay_line_mark;
+        append(text_, device.delay);
+    }
+    if (!law.empty())
+    {
+        std::string line = '\n' + (law_line_mark + (' ' + law));
+        std::replace(line.begin() + 1, line.end(), '\n', ' ');
+        line.resize(std::min(line.size(), longest_recorded_line));
+        text_ += line;
+    }
+    text_ += "\n# t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz\n"
+             "# s, m, quaternion, N, bits, m/s, rad/s; in the device's own frame\n";
+}
+
+void Recorder::write_entries()
+{
+    if (failed_)
+    {
+        fail();
+    }
+    const std::size_t produced = produced_.load(std::memory_order_acquire);
+    for (std::size_t i = consumed_.load(std::memory_order_relaxed); i != produced; ++i)
+    {
+        const Entry &entry = buffer_[i % buffer_.size()];
+        append_loss(entry.lost_before);
+        append(text_, entry.tick);
+        consumed_.store(i + 1, std::memory_order_release);
+        if (text_.size() >= most_text)
+        {
+            write_text();
+        }
+    }
+    write_text();
+}
+
+void Recorder::append_loss(std::size_t lost)
+{
+    if (lost > losses_written_)
+    {
+        text_ += "# " + std::to_string(lost - losses_written_) +
+                 " ticks are missing here: the buffer was full, or they could not have been read back\n";
+        losses_written_ = lost;
+    }
+}
+
+void Recorder::write_text()
+{
+    if (std::fwrite(text_.data(), 1, text_.size(), file_.get()) != text_.size() || std::fflush(file_.get()) != 0)
+    {
+        fail();
+    }
+    text_.clear();
+}
+
+void Recorder::fail()
+{
+    failed_ = true;
+    throw DeviceError(DeviceFault::failed, "recording " + name_ + ": it could not be written to its end");
+}
+
+void Recorder::flush_often()
+{
+    while (!stops_within(flush_period))
+    {
+        try
+        {
+            flush();
+        }
+        catch (...)
+        {
+            return; // close() will say so
+        }
+    }
+}
+
+bool Recorder::stops_within(std::chrono::milliseconds time)
+{
+    std::unique_lock<std::mutex> lock(thread_mutex_);
+    return stop_.wait_for(lock, time, [this] { return stopping_; });
+}
+
+void Recorder::stop_thread()
+{
+    {
+        const std::lock_guard<std::mutex> lock(thread_mutex_);
+        stopping_ = true;
+    }
+    stop_.notify_all();
+    if (thread_.joinable())
+    {
+        thread_.join();
+    }
+}
+} // namespace ode_predictive_space::haptics

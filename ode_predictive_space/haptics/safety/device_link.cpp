@@ -1,0 +1,214 @@
+#include "ode_predictive_space/haptics/safety/device_link.h"
+
+#include "ode_predictive_space/haptics/safety/open_gates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double never = -std::numeric_limits<double>::infinity();
+constexpr double usual_rate = 1000;        // Hz
+constexpr double try_again_after = 0.1;    // s
+constexpr double shortest_silence = 0.004; // s
+constexpr double periods_of_silence = 4;
+constexpr double longest_gap = 0.5;    // s; after that, a device that answers again can be anywhere
+constexpr double longest_doubt = 0.01; // s; after that, a device that tells nonsense is one that does not answer
+constexpr const char *unknown_exception = "The device has thrown something that is no std::exception.";
+
+double rate_of(const Capabilities &capabilities)
+{
+    return capabilities.rate > 0 ? capabilities.rate : usual_rate;
+}
+
+bool is_finite(const DeviceState &state)
+{
+    return std::isfinite(state.time) && state.position.allFinite() && state.orientation.coeffs().allFinite() &&
+           state.linear_velocity.allFinite() && state.angular_velocity.allFinite();
+}
+
+/// Beyond its workspace by a metre and by twice its size: where no device can be, even one whose workspace is told too small.
+bool is_far_off(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
+{
+    return !workspace.isEmpty() &&
+           workspace.exteriorDistance(state.position) > std::max(1.0, 2 * workspace.diagonal().norm());
+}
+} // namespace
+
+DeviceLink::Opening::Opening(Device &device) : device_(device), opened_(!device.status().open)
+{
+    if (opened_)
+    {
+        device_.open();
+    }
+}
+
+DeviceLink::Opening::~Opening()
+{
+    if (opened_)
+    {
+        device_.close();
+    }
+}
+
+DeviceLink::DeviceLink(Device &device, const NoticeDesk &notices)
+    : gate_(device), opening_(device), notices_(notices), motion_(rate_of(device.capabilities())),
+      doubted_since_(never), next_try_(never), last_state_time_(std::numeric_limits<double>::quiet_NaN()),
+      last_answer_(never)
+{
+    open_gates::add(gate_);
+}
+
+DeviceLink::~DeviceLink()
+{
+    open_gates::remove(gate_);
+}
+
+bool DeviceLink::notice_guard()
+{
+    guard_acted_ = gate_.notice_closing();
+    return guard_acted_;
+}
+
+DeviceLink::News DeviceLink::read(double time, double rate, double top_speed)
+{
+    time_ = time;
+    const bool answered = answers_;
+    answers_ = time >= next_try_ && read_state(rate);
+    News news;
+    if (answers_)
+    {
+        news.came_back = !answered;
+        news.only_doubted = time - doubted_since_ <= longest_doubt;
+        news.had_failed = std::exchange(failed_, false);
+        news.was_away = !(time - last_answer_ <= longest_gap);
+        news.has_jumped = motion_.speed() > top_speed;
+        last_answer_ = time;
+    }
+    return news;
+}
+
+/// @return whether the device answers.
+bool DeviceLink::read_state(double rate)
+{
+    try
+    {
+        DeviceState state = state_;
+        if (!gate_.read(time_, state))
+        {
+            return answers_; // the guard is in it, just now: what it told before will do
+        }
+        return follow(state, rate);
+    }
+    catch (const std::exception &error)
+    {
+        fail(error.what());
+    }
+    catch (...)
+    {
+        fail(unknown_exception);
+    }
+    return false;
+}
+
+bool DeviceLink::follow(const DeviceState &state, double rate)
+{
+    if (!is_finite(state))
+    {
+        doubt("The device tells a position, a velocity or a time that is not a number.");
+        return false;
+    }
+    if (is_far_off(state, capabilities().workspace))
+    {
+        doubt("The device tells a position far outside of its workspace.");
+        return false;
+    }
+    const double slower_rate = std::min(capabilities().rate, rate);
+    if (is_silent(state, slower_rate))
+    {
+        fail("The device has told nothing new for too long.");
+        return false;
+    }
+    delay_meter_.note(time_ - state.time, slower_rate > 0 ? 1 / slower_rate : 0);
+    state_ = state;
+    motion_.follow(state_);
+    return true;
+}
+
+bool DeviceLink::is_silent(const DeviceState &state, double rate)
+{
+    if (state.time != last_state_time_)
+    {
+        last_state_time_ = state.time;
+        last_news_ = time_;
+    }
+    return time_ - last_news_ > std::max(shortest_silence, periods_of_silence / rate);
+}
+
+void DeviceLink::fail(std::string_view why)
+{
+    answers_ = false;
+    next_try_ = time_ + try_again_after;
+    release();
+    if (!failed_)
+    {
+        failed_ = true;
+        notices_.tell(NoticeKind::device, "No force: " + std::string(why));
+    }
+}
+
+/// Of one state that cannot be: the next may be right again, and the hand still lean on what it leant on.
+void DeviceLink::doubt(std::string_view why)
+{
+    if (!failed_)
+    {
+        doubted_since_ = time_;
+    }
+    fail(why);
+    if (time_ - doubted_since_ < longest_doubt)
+    {
+        next_try_ = time_;
+    }
+}
+
+// Zero, before anything else that might fail.
+void DeviceLink::release() noexcept
+{
+    try
+    {
+        gate_.write(Wrench());
+    }
+    catch (...)
+    {
+        gate_.close_device();
+    }
+}
+
+Wrench DeviceLink::write(const Wrench &wrench)
+{
+    if (capabilities().force_axes == 0)
+    {
+        return wrench;
+    }
+    try
+    {
+        if (gate_.write(wrench))
+        {
+            return wrench;
+        }
+    }
+    catch (const std::exception &error)
+    {
+        fail(error.what());
+    }
+    catch (...)
+    {
+        fail(unknown_exception);
+    }
+    return {};
+}
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,174 @@
+#include "ode_predictive_space/haptics/safety.h"
+
+#include "ode_predictive_space/haptics/device/check_argument.h"
+#include "ode_predictive_space/haptics/safety/stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// A bound, and why it is one: "3000 N/m is above <why>".
+struct Bound
+{
+    double value = unlimited;
+    std::string why;
+};
+
+template <typename... Parts> std::string sentence(const Parts &...parts)
+{
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    (text << ... << parts);
+    return text.str();
+}
+
+/// What is wrong with the question; empty when nothing is.
+std::string nonsense(const Rendering &rendering)
+{
+    if (!is_amount(rendering.stiffness))
+        return sentence("A stiffness of ", rendering.stiffness,
+                        " N/m cannot be rendered: it must be finite and not negative.");
+    if (!is_amount(rendering.damping))
+        return sentence("A damping of ", rendering.damping,
+                        " N s/m cannot be rendered: it must be finite and not negative.");
+    if (!std::isfinite(rendering.rate) || rendering.rate <= 0)
+        return sentence("A servo loop at ", rendering.rate, " Hz is none: the rate must be finite and above zero.");
+    if (!is_amount(rendering.delay))
+        return sentence("A delay of ", rendering.delay, " s is none: it must be finite and not negative.");
+    if (rendering.device_damping && !is_amount(*rendering.device_damping))
+        return sentence("A device with a damping of ", *rendering.device_damping,
+                        " N s/m is none: it must be finite and not negative.");
+    return "";
+}
+
+/// N/m; by what was found by trial, for a nominal rate or a faster one. It stands for a damping, by which a delay counts as a slower
+/// loop does, unless the damping itself is known.
+double stiffest_of_device(const Capabilities &capabilities, const Rendering &rendering)
+{
+    if (!(capabilities.max_stiffness > 0))
+        return unlimited;
+    if (!(rendering.delay > 0) || rendering.device_damping || !(capabilities.rate > 0))
+        return capabilities.max_stiffness *
+               (rendering.rate < capabilities.rate ? rendering.rate / capabilities.rate : 1);
+    const double part = 1 / (capabilities.rate * (1 / rendering.rate + 2 * rendering.delay));
+    return capabilities.max_stiffness * std::min(1.0, part);
+}
+
+/// N/m; by passivity, with the law's damping.
+double stiffest_passive(const Rendering &rendering, double damping)
+{
+    if (!rendering.device_damping)
+        return unlimited;
+    return 2 * (*rendering.device_damping - damping) / (1 / rendering.rate + 2 * rendering.delay);
+}
+
+/// What makes a bound lower than the loop alone would.
+std::string and_delay(const Rendering &rendering)
+{
+    return rendering.delay > 0 ? sentence(" with a delay of ", 1000 * rendering.delay, " ms") : "";
+}
+
+Bound bound_of_device(const Capabilities &capabilities, const Rendering &rendering)
+{
+    if (!(capabilities.max_stiffness > 0))
+        return {};
+    const double most = stiffest_of_device(capabilities, rendering);
+    if (!(most < capabilities.max_stiffness))
+        return {most, sentence("the ", most, " N/m that ", capabilities.name, " can render")};
+    const std::string late = rendering.device_damping ? "" : and_delay(rendering);
+    return {most,
+            sentence("the ", most, " N/m that ", capabilities.name, " can render at ", rendering.rate, " Hz", late)};
+}
+
+Bound bound_of_passivity(const Rendering &rendering, double damping)
+{
+    if (!rendering.device_damping)
+        return {};
+    const double most = stiffest_passive(rendering, damping);
+    return {most,
+            sentence("the ", most, " N/m that are passive at ", rendering.rate, " Hz with ", *rendering.device_damping,
+                     " N s/m in the device", rendering.delay > 0 ? " and" + and_delay(rendering).substr(5) : "")};
+}
+
+void clamp_damping(const Capabilities &capabilities, StabilityVerdict &verdict)
+{
+    const double most = capabilities.max_damping;
+    if (!(most > 0) || verdict.damping <= most)
+        return;
+    verdict.outcome = StabilityOutcome::clamped;
+    verdict.reason = sentence("A damping of ", verdict.damping, " N s/m is above the ", most, " N s/m that ",
+                              capabilities.name, " can render; ", most, " N s/m is used.");
+    verdict.damping = most;
+}
+
+void clamp_stiffness(const Capabilities &capabilities, const Rendering &rendering, StabilityVerdict &verdict)
+{
+    const Bound device = bound_of_device(capabilities, rendering);
+    const Bound passivity = bound_of_passivity(rendering, verdict.damping);
+    const Bound &bound = passivity.value < device.value ? passivity : device;
+    if (verdict.stiffness <= bound.value)
+        return;
+    verdict.outcome = StabilityOutcome::clamped;
+    verdict.reason += sentence(verdict.reason.empty() ? "" : " ", "A stiffness of ", verdict.stiffness,
+                               " N/m is above ", bound.why, "; ", bound.value, " N/m is used.");
+    verdict.stiffness = bound.value;
+}
+
+/// Refuses what no stiffness would make passive.
+bool refuse_damping(const Rendering &rendering, StabilityVerdict &verdict)
+{
+    const bool pushes = verdict.stiffness > 0 || verdict.damping > 0;
+    if (!rendering.device_damping || !pushes || verdict.damping < *rendering.device_damping)
+        return false;
+    const double damping = verdict.damping;
+    verdict = {};
+    verdict.outcome = StabilityOutcome::refused;
+    verdict.reason = sentence("Nothing is passive with a damping of ", damping, " N s/m, as the device itself has ",
+                              *rendering.device_damping, " N s/m, which is not more.");
+    return true;
+}
+} // namespace
+
+StabilityVerdict check_stability(const Capabilities &capabilities, const Rendering &rendering)
+{
+    StabilityVerdict verdict;
+    verdict.reason = nonsense(rendering);
+    if (!verdict.reason.empty())
+    {
+        verdict.outcome = StabilityOutcome::refused;
+        return verdict;
+    }
+    verdict.stiffness = rendering.stiffness;
+    verdict.damping = rendering.damping;
+    if (capabilities.force_axes == 0)
+        return verdict; // nothing is rendered
+
+    clamp_damping(capabilities, verdict);
+    if (!refuse_damping(rendering, verdict))
+        clamp_stiffness(capabilities, rendering, verdict);
+    return verdict;
+}
+
+Rendering renderable(const Capabilities &capabilities, const Rendering &rendering) noexcept
+{
+    Rendering result = rendering;
+    if (capabilities.force_axes == 0)
+        return result;
+    if (capabilities.max_damping > 0)
+        result.damping = std::min(result.damping, capabilities.max_damping);
+    if (rendering.device_damping && !(result.damping < *rendering.device_damping))
+        result.damping = 0;
+    const double stiffest =
+        std::min(stiffest_of_device(capabilities, rendering), stiffest_passive(rendering, result.damping));
+    result.stiffness = std::min(result.stiffness, stiffest);
+    return result;
+}
+} // namespace ode_predictive_space::haptics

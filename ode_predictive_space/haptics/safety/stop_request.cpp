@@ -1,0 +1,94 @@
+#include "ode_predictive_space/haptics/safety.h"
+
+#include "ode_predictive_space/haptics/device/with_lock.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <mutex>
+#include <system_error>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr std::array<int, 4> watched_signals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+constexpr int nothing = -1;
+constexpr int without_signal = 0;
+
+std::atomic<int> request_from{nothing};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not lock");
+
+std::mutex users_mutex; // of the two below; never taken by a handler
+int users = 0;
+std::array<struct sigaction, watched_signals.size()> old_actions;
+
+extern "C" void note_signal(int number)
+{
+    request_from.store(number, std::memory_order_relaxed);
+}
+
+void restore_first(std::size_t count)
+{
+    for (std::size_t i = 0; i < count; ++i)
+        sigaction(watched_signals[i], &old_actions[i], nullptr);
+}
+
+void install()
+{
+    struct sigaction action = {};
+    action.sa_handler = note_signal;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    for (std::size_t i = 0; i < watched_signals.size(); ++i)
+    {
+        const bool installed =
+            sigaction(watched_signals[i], nullptr, &old_actions[i]) == 0 &&
+            (old_actions[i].sa_handler == SIG_IGN || sigaction(watched_signals[i], &action, nullptr) == 0);
+        if (!installed)
+        {
+            const int error = errno;
+            restore_first(i);
+            throw std::system_error(error, std::generic_category(), "a signal handler cannot be installed");
+        }
+    }
+}
+} // namespace
+
+StopRequest::StopRequest()
+{
+    with_lock(users_mutex, [] {
+        if (users == 0)
+        {
+            request_from.store(nothing, std::memory_order_relaxed);
+            install();
+        }
+        ++users;
+    });
+}
+
+StopRequest::~StopRequest()
+{
+    const std::lock_guard<std::mutex> lock(users_mutex);
+    if (--users == 0)
+        restore_first(watched_signals.size());
+}
+
+bool StopRequest::requested() noexcept
+{
+    return request_from.load(std::memory_order_relaxed) != nothing;
+}
+
+int StopRequest::signal() noexcept
+{
+    const int number = request_from.load(std::memory_order_relaxed);
+    return number == nothing ? 0 : number;
+}
+
+void StopRequest::request() noexcept
+{
+    int expected = nothing;
+    request_from.compare_exchange_strong(expected, without_signal, std::memory_order_relaxed);
+}
+} // namespace ode_predictive_space::haptics

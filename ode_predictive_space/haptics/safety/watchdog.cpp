@@ -1,0 +1,96 @@
+#include "ode_predictive_space/haptics/safety/watchdog.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "ode_predictive_space/haptics/device/check_argument.h"
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double no_time_yet = -std::numeric_limits<double>::infinity();
+constexpr double longest_decay = 0.01; // s
+} // namespace
+
+const char *explanation_of(WatchdogReason reason)
+{
+    switch (reason)
+    {
+    case WatchdogReason::none:
+        return "All is well.";
+    case WatchdogReason::device_lost:
+        return "The force is taken away, as the device does not answer.";
+    case WatchdogReason::physics_stale:
+        return "The force is taken away, as the scene has not been stepped for too long.";
+    case WatchdogReason::servo_late:
+        return "The force is taken away, as the servo loop misses its deadlines.";
+    }
+    return "unknown";
+}
+
+WatchdogLimits WatchdogLimits::of(double servo_rate, double physics_rate)
+{
+    constexpr double overdue = 0.003; // s; after the next sign of life should have come
+    constexpr double least = 0.004;   // s
+    check_positive(servo_rate, "rate of the servo loop");
+    check_positive(physics_rate, "rate of the physics");
+
+    WatchdogLimits limits;
+    limits.stale_after = std::max(least, 1 / physics_rate + overdue);
+    limits.late_after = std::max(least, 1 / servo_rate + overdue);
+    limits.late_period = 1.5 / servo_rate;
+    return limits;
+}
+
+Watchdog::Watchdog(const WatchdogLimits &limits) : limits_(limits), physics_time_(no_time_yet)
+{
+    check_positive(limits.stale_after, "time after which physics is stale");
+    check_positive(limits.late_after, "time after which a servo loop is late");
+    check_positive(limits.late_period, "period of a missed deadline");
+    check_positive(limits.late_in_a_row, "number of missed deadlines");
+    check_positive(limits.decay_time, "decay time of the force");
+    check_not_negative(limits.ramp_time, "ramp time of the force");
+    if (limits.decay_time > longest_decay)
+        refuse(limits.decay_time, "decay time of the force", "at most 0.01 s");
+}
+
+void Watchdog::servo_ticked(double time)
+{
+    const double elapsed = has_ticked_ ? std::max(0.0, time - last_tick_) : 0;
+    const Fault fault = find_fault(time, elapsed);
+    reason_ = fault.reason;
+    ++counts_[static_cast<std::size_t>(reason_)];
+
+    if (fault.reason == WatchdogReason::none)
+        factor_ = limits_.ramp_time > elapsed ? std::min(1.0, factor_ + elapsed / limits_.ramp_time) : 1;
+    else
+        factor_ = std::max(0.0, factor_ - std::clamp(fault.lasts, 0.0, elapsed) / limits_.decay_time);
+
+    last_tick_ = time;
+    has_ticked_ = true;
+}
+
+Watchdog::Fault Watchdog::find_fault(double time, double elapsed)
+{
+    const bool many_missed = missed_too_many(elapsed);
+    const double stale_for = time - physics_time_.load(std::memory_order_relaxed) - limits_.stale_after;
+    const double late_for = elapsed - limits_.late_after;
+
+    if (!device_answers_)
+        return {WatchdogReason::device_lost, elapsed};
+    if (!(stale_for <= 0))
+        return {WatchdogReason::physics_stale, std::max(stale_for, late_for)};
+    if (many_missed)
+        return {WatchdogReason::servo_late, elapsed};
+    if (!(late_for <= 0))
+        return {WatchdogReason::servo_late, late_for};
+    return {WatchdogReason::none, 0};
+}
+
+bool Watchdog::missed_too_many(double elapsed)
+{
+    missed_in_a_row_ = elapsed > limits_.late_period ? std::min(missed_in_a_row_ + 1, limits_.late_in_a_row) : 0;
+    return missed_in_a_row_ == limits_.late_in_a_row;
+}
+} // namespace ode_predictive_space::haptics
