@@ -12,11 +12,6 @@
 
 namespace ode_predictive_space::haptics
 {
-namespace
-{
-constexpr int most_encounters = 64;
-}
-
 HapticProbe::HapticProbe(Device &device, dSpaceID space, double radius, RenderSettings settings)
     : renderer_(device, std::move(settings)), sensor_(std::make_unique<TouchSensor>(space, radius))
 {}
@@ -171,8 +166,10 @@ const std::vector<Encounter> &HapticProbe::encounters()
     {
         return encounters_;
     }
-    std::array<dPredictiveEncounter, most_encounters> found;
-    const int count = dPredictiveSpaceGetEncounters(space, sensor_->geom(), found.data(), most_encounters);
+    const int most = dSpaceGetNumGeoms(space); // in a dense crowd, hundreds are near at once
+    std::vector<dPredictiveEncounter> found(static_cast<std::size_t>(most));
+    const int count = dPredictiveSpaceGetEncounters(space, sensor_->geom(), found.data(), most);
+    encounters_.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
     {
         encounters_.push_back({found[i].geom, static_cast<double>(found[i].ticks) * tick_length_});
