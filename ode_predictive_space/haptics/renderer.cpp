@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/renderer.h"
 
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
+#include "ode_predictive_space/haptics/contact_birth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -239,7 +240,6 @@ void Renderer::begin_anew()
     relaxed_ = false;
     safety_.reset();
     law_->reset();
-    birth_.reset();
     manifold_->reset();
     motion_.forget();
     split_.clear();
@@ -286,7 +286,8 @@ void Renderer::feel(const std::vector<Touch> &touches, double dt)
     felt_ = touches;
     const TouchView view = law_->view();
     manifold_->recognise(tick_.tool.position, view, dt, felt_);
-    birth_.limit(tick_.tool, std::max(dt, 1 / settings_.physics_rate), safety_.engaged(), dt, felt_);
+    const ContactBirth birth(tick_.tool, std::max(dt, 1 / settings_.physics_rate));
+    manifold_->let_rise(birth, safety_.engaged(), dt, felt_);
     manifold_->solve(tick_.tool.position, view, felt_);
     for (Touch &touch : felt_)
     {

@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
 
-#include "ode_predictive_space/haptics/contact_birth.h"
 #include "ode_predictive_space/haptics/delay_meter.h"
 #include "ode_predictive_space/haptics/device_gate.h"
 #include "ode_predictive_space/haptics/device_motion.h"
@@ -243,7 +242,6 @@ private:
     double clock_time_ = 0;
     double last_answer_;      ///< s, simulated; of the device
     std::vector<Touch> felt_; ///< touches with the materials that are rendered
-    ContactBirth birth_;
     std::unique_ptr<ContactManifold> manifold_;
     DeviceMotion motion_;
     DelayMeter delay_meter_;

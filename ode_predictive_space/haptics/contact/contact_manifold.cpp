@@ -10,7 +10,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// The cosine below which two planes are two surfaces. From facet to facet of one surface the normal turns by less than 60 degrees,
+/// The cosine below which two planes are two surfaces, in the manifold and where planes are numbered. From facet to facet of one surface the normal turns by less than 60 degrees,
 /// also around an edge that the tool crosses quickly; two walls of a channel, a floor and its wall differ by more.
 constexpr double same_surface = 0.5;
 
@@ -33,9 +33,85 @@ bool is_flush(const Vector3 &normal, const Vector3 &point, const Vector3 &other)
 }
 } // namespace
 
+FeatureNumbers::FeatureNumbers()
+{
+    now_.reserve(usual_touches);
+    before_.reserve(usual_touches);
+}
+
+void FeatureNumbers::begin()
+{
+    now_.swap(before_);
+    now_.clear();
+}
+
+void FeatureNumbers::reset()
+{
+    now_.clear();
+    before_.clear();
+}
+
+/// 0 is for those that have none yet.
+void FeatureNumbers::number(std::vector<Touch> &touches, std::size_t first)
+{
+    while (recognise_one(touches, first))
+    {}
+    for (std::size_t i = first; i < touches.size(); ++i)
+    {
+        Touch &touch = touches[i];
+        for (unsigned number = 1; touch.feature == 0; ++number)
+        {
+            touch.feature = is_taken(touch.object, number) ? 0 : number;
+        }
+        now_.push_back({touch.object, touch.feature, touch.normal});
+    }
+}
+
+/// Of all touches without a number, and numbers without a touch, the two that agree best.
+bool FeatureNumbers::recognise_one(std::vector<Touch> &touches, std::size_t first) const
+{
+    double best = same_surface;
+    Touch *chosen = nullptr;
+    unsigned number = 0;
+    for (const Known &known : before_)
+    {
+        const auto has_it = [&](const Touch &touch) {
+            return touch.object == known.object && touch.feature == known.number;
+        };
+        const auto begin = touches.begin() + static_cast<std::ptrdiff_t>(first);
+        if (std::any_of(begin, touches.end(), has_it))
+        {
+            continue;
+        }
+        for (auto touch = begin; touch != touches.end(); ++touch)
+        {
+            const double agreement = touch->normal.dot(known.normal);
+            if (touch->object == known.object && touch->feature == 0 && agreement > best)
+            {
+                best = agreement;
+                chosen = &*touch;
+                number = known.number;
+            }
+        }
+    }
+    if (chosen != nullptr)
+    {
+        chosen->feature = number;
+    }
+    return chosen != nullptr;
+}
+
+bool FeatureNumbers::is_taken(std::uintptr_t object, unsigned number) const
+{
+    const auto has_it = [&](const Known &known) { return known.object == object && known.number == number; };
+    return std::any_of(before_.begin(), before_.end(), has_it) ||
+           std::any_of(now_.begin(), now_.end(), has_it);
+}
+
 ContactManifold::ContactManifold()
 {
     before_.reserve(usual_touches);
+    depths_.reserve(usual_touches);
     planes_.reserve(usual_touches);
 }
 
@@ -60,6 +136,11 @@ void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, 
             touch.normal = known->normal;
             touch.depth = depth;
         }
+    }
+    depths_.clear();
+    for (const Touch &touch : touches)
+    {
+        depths_.push_back(touch.depth);
     }
 }
 
@@ -89,6 +170,62 @@ const ContactManifold::Known *ContactManifold::carrier_before(const Touch &touch
         }
     }
     return best;
+}
+
+const ContactManifold::Known *ContactManifold::object_before(const Touch &touch) const
+{
+    const auto found = std::find_if(before_.begin(), before_.end(),
+                                    [&](const Known &known) { return known.object == touch.object; });
+    return found != before_.end() ? &*found : nullptr;
+}
+
+const ContactManifold::Known *ContactManifold::taken_over_by(const Touch &touch) const
+{
+    const auto found = std::find_if(before_.begin(), before_.end(), [&](const Known &known) {
+        return touch.takes_over != 0 && known.id == touch.takes_over;
+    });
+    return found != before_.end() ? &*found : nullptr;
+}
+
+/// m; how deep along the touch's normal the tool was in what it touched before.
+double ContactManifold::handed_over(const Touch &touch) const
+{
+    double most = 0;
+    for (const Known &known : before_)
+    {
+        most = std::max(most, known.depth * known.normal.dot(touch.normal));
+    }
+    return most;
+}
+
+void ContactManifold::let_rise(const ContactBirth &birth, bool watches, double dt, std::vector<Touch> &touches)
+{
+    bool all_of_it = true;
+    for (Touch &touch : touches)
+    {
+        touch.part = part_of(touch, birth, watches, dt);
+        all_of_it = all_of_it && touch.part == 1;
+        touch.depth *= touch.part;
+    }
+    for (Touch &touch : touches)
+    {
+        touch.is_solved = touch.is_solved && all_of_it; // else it was solved for other depths
+    }
+}
+
+/// An object rises as a whole: its touches have the same part.
+double ContactManifold::part_of(const Touch &touch, const ContactBirth &birth, bool watches, double dt) const
+{
+    if (const Known *object = object_before(touch))
+    {
+        return ContactBirth::risen(object->part, dt);
+    }
+    if (watches && !birth.began_at_surface(touch, handed_over(touch)))
+    {
+        return 0;
+    }
+    const Known *carrier = taken_over_by(touch);
+    return carrier != nullptr ? ContactBirth::risen(carrier->part, dt) : 1;
 }
 
 void ContactManifold::solve(const Vector3 &tool, TouchView view, std::vector<Touch> &touches)
@@ -178,10 +315,11 @@ void ContactManifold::solve_alone(std::vector<Touch> &touches, std::size_t first
 void ContactManifold::remember(const Vector3 &tool, const std::vector<Touch> &touches)
 {
     before_.clear();
-    for (const Touch &touch : touches)
+    for (std::size_t i = 0; i < touches.size(); ++i)
     {
+        const Touch &touch = touches[i];
         before_.push_back({touch.object, touch.feature, touch.id, touch.carry.carries(), touch.normal, touch.point,
-                           touch.normal.dot(tool) + touch.depth});
+                           touch.normal.dot(tool) + touch.depth, depths_[i], touch.part});
     }
 }
 

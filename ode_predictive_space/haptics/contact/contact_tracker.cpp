@@ -19,7 +19,6 @@ constexpr double around = 1.5;  // times the proxy's way: the ball that holds al
 constexpr double steps_ahead = 2;      // times the tool's way: how far it may go until geoms come from another thread
 constexpr double farthest_apart = 4;   // times the radius; geoms that squeeze the sphere more have passed each other
 constexpr double in_contact = 1e-6;    // of the radius
-constexpr double same_direction = 0.5; // cosine; below, it is another plane of the object
 } // namespace
 
 bool is_finite(const Touch &touch)
@@ -33,8 +32,6 @@ ContactTracker::ContactTracker(double radius) : radius_(radius)
     near_.reserve(usual_geoms);
     before_.reserve(usual_geoms);
     places_.reserve(usual_geoms);
-    features_.reserve(usual_geoms);
-    features_before_.reserve(usual_geoms);
     carriers_.reserve(usual_geoms);
     told_.reserve(usual_geoms);
 }
@@ -47,8 +44,7 @@ void ContactTracker::begin()
         before_.push_back(held.place);
     }
     near_.clear();
-    features_.swap(features_before_);
-    features_.clear();
+    features_.begin();
     adopts_ = false;
 }
 
@@ -57,7 +53,7 @@ void ContactTracker::forget()
     has_proxy_ = false;
     before_.clear();
     near_.clear();
-    features_before_.clear();
+    features_.reset();
     carriers_.clear();
     released_ = false;
 }
@@ -309,7 +305,7 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
     {
         tell_each_object(touches);
     }
-    number(touches, first);
+    features_.number(touches, first);
     note_carriers(touches, first);
     const auto first_nonsense = std::remove_if(touches.begin() + static_cast<std::ptrdiff_t>(first), touches.end(),
                                                [](const Touch &touch) { return !is_finite(touch); });
@@ -434,62 +430,5 @@ void ContactTracker::tell_each_object(std::vector<Touch> &touches)
         const bool common = slide_.run(alone, places_);
         tell_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()), touches);
     }
-}
-
-/// A plane keeps its number from tick to tick, however many triangles it goes over. 0 is for those that have none yet.
-void ContactTracker::number(std::vector<Touch> &touches, std::size_t first)
-{
-    while (recognise_one(touches, first))
-    {}
-    for (std::size_t i = first; i < touches.size(); ++i)
-    {
-        Touch &touch = touches[i];
-        for (unsigned number = 1; touch.feature == 0; ++number)
-        {
-            touch.feature = is_taken(touch.object, number) ? 0 : number;
-        }
-        features_.push_back({touch.object, touch.feature, touch.normal});
-    }
-}
-
-/// Of all touches without a number, and numbers without a touch, the two that agree best.
-bool ContactTracker::recognise_one(std::vector<Touch> &touches, std::size_t first) const
-{
-    double best = same_direction;
-    Touch *chosen = nullptr;
-    unsigned number = 0;
-    for (const KnownFeature &known : features_before_)
-    {
-        const auto has_it = [&](const Touch &touch) {
-            return touch.object == known.object && touch.feature == known.number;
-        };
-        const auto begin = touches.begin() + static_cast<std::ptrdiff_t>(first);
-        if (std::any_of(begin, touches.end(), has_it))
-        {
-            continue;
-        }
-        for (auto touch = begin; touch != touches.end(); ++touch)
-        {
-            const double agreement = touch->normal.dot(known.normal);
-            if (touch->object == known.object && touch->feature == 0 && agreement > best)
-            {
-                best = agreement;
-                chosen = &*touch;
-                number = known.number;
-            }
-        }
-    }
-    if (chosen != nullptr)
-    {
-        chosen->feature = number;
-    }
-    return chosen != nullptr;
-}
-
-bool ContactTracker::is_taken(std::uintptr_t object, unsigned number) const
-{
-    const auto has_it = [&](const KnownFeature &known) { return known.object == object && known.number == number; };
-    return std::any_of(features_before_.begin(), features_before_.end(), has_it) ||
-           std::any_of(features_.begin(), features_.end(), has_it);
 }
 } // namespace ode_predictive_space::haptics

@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 
+#include "ode_predictive_space/haptics/contact/contact_manifold.h"
 #include "ode_predictive_space/haptics/contact/contact_memory.h"
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 
@@ -96,14 +97,6 @@ private:
         ContactMemory::Place place;      ///< when it was over
     };
 
-    /// Which plane of an object had which number.
-    struct KnownFeature
-    {
-        std::uintptr_t object;
-        unsigned number;
-        Vector3 normal;
-    };
-
     /// What carried the proxy in the tick before, and which geom it belongs to.
     struct Carrier
     {
@@ -124,9 +117,6 @@ private:
     void tell_together(std::vector<Touch> &touches);
     double tell_planes(const Vector3 &lag, std::vector<Touch> &touches);
     void tell_each_object(std::vector<Touch> &touches);
-    void number(std::vector<Touch> &touches, std::size_t first);
-    bool recognise_one(std::vector<Touch> &touches, std::size_t first) const;
-    bool is_taken(std::uintptr_t object, unsigned number) const;
 
     double radius_;
     double margin_ = 0;
@@ -146,8 +136,7 @@ private:
     std::vector<ContactMemory::Place> before_;
     std::vector<SlidePlace> places_;
     SphereSlide slide_;
-    std::vector<KnownFeature> features_;
-    std::vector<KnownFeature> features_before_;
+    FeatureNumbers features_;
     std::vector<Carrier> carriers_;
     std::vector<dGeomID> told_; ///< of each touch of the last touches()
     bool common_ = true;        ///< all geoms see the proxy at the same place
