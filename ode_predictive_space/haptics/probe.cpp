@@ -4,11 +4,11 @@
 #include "ode_predictive_space/haptics/with_lock.h"
 
 #include <algorithm>
-#include <array>
 #include <ode/collision_space.h>
 #include <ode_predictive_space/predictive_space.h>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace ode_predictive_space::haptics
 {
