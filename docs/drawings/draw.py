@@ -331,7 +331,7 @@ def draw_servo(folder):
         (rows[4] + 15, "geoms around the probe, planes, forecast", "triple buffer: the latest", True),
     )
     for y, what, how, to_the_right in between:
-        ends = ((190, y), (510, y))
+        ends = ((190, y), (495, y))
         arrow(axes, *(ends if to_the_right else ends[::-1]))
         note(axes, 350, y + 5, what, ha="center", va="bottom", size=10)
         note(axes, 350, y - 5, how, ha="center", va="top", colour=GREY)
