@@ -35,6 +35,19 @@ if(ODE_PREDICTIVE_SPACE_SANITIZERS)
     add_compile_options(-fsanitize=${ODE_PREDICTIVE_SPACE_SANITIZERS} -fno-sanitize-recover=all
                         -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${ODE_PREDICTIVE_SPACE_SANITIZERS})
+    # A driver's functions are called by declarations of our own, not by those of its header.
+    if(CMAKE_CXX_COMPILER_ID MATCHES Clang AND ODE_PREDICTIVE_SPACE_SANITIZERS MATCHES "undefined")
+        add_compile_options(-fno-sanitize=function)
+    endif()
+    # A library that is preloaded brings the sanitizer into programs that have none; Clang would leave it to the programs.
+    if(CMAKE_CXX_COMPILER_ID MATCHES Clang AND ODE_PREDICTIVE_SPACE_SANITIZERS STREQUAL "address,undefined")
+        execute_process(
+            COMMAND "${CMAKE_CXX_COMPILER}" "-print-file-name=libclang_rt.asan-${CMAKE_SYSTEM_PROCESSOR}.so"
+            OUTPUT_VARIABLE asan_library
+            OUTPUT_STRIP_TRAILING_WHITESPACE)
+        get_filename_component(asan_folder "${asan_library}" DIRECTORY)
+        add_link_options(-shared-libsan "LINKER:-rpath,${asan_folder}")
+    endif()
 endif()
 
 # A tick of a small scene is some hundred instructions. Where they happen to lie makes up to 15 % of it, which changes with any

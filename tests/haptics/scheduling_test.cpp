@@ -5,6 +5,7 @@
 #include "ode_predictive_space/haptics/loop.h"
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/scripted_device.h"
+#include "tests/support/effort.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -22,11 +23,7 @@ namespace ode_predictive_space::haptics
 namespace
 {
 /// Sanitizers answer mlock() and its kin by themselves, and lock nothing.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool locks_are_real = false;
-#else
-constexpr bool locks_are_real = true;
-#endif
+constexpr bool locks_are_real = !is_sanitized;
 
 /// Whether this is so in a child of this process that has no right to real-time priority, nor to locked memory.
 bool holds_without_rights(const std::function<bool()> &claim)

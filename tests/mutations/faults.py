@@ -317,10 +317,10 @@ def shape_faults():
     heightfields = (("colliders", "*Heightfields*"),)
     yield Fault(
         "planes_for_all_shapes_on_a_heightfield", "shapes", terrain,
-        "if (shape.kind != ShapeKind::rounded)", "if (shape.kind == ShapeKind::half_space)", heightfields)
+        "if (shape_.kind != ShapeKind::rounded)", "if (shape_.kind == ShapeKind::half_space)", heightfields)
     yield Fault(
         "upper_triangles_of_a_heightfield_ignored", "shapes", terrain,
-        "std::min({low, high, sure_of_planes_})", "std::min({low, low + 0 * high, sure_of_planes_})", heightfields)
+        "std::min(low, high)", "low + 0 * high", heightfields)
     yield Fault(
         "last_column_of_a_heightfield_that_repeats", "shapes", SOURCES + "surface/height_grid.cpp",
         "            column %= size_.columns - 1;\n", "", (("surface", "HeightGrids.*"),) + heightfields)

@@ -25,10 +25,6 @@ public:
     {
         for (std::size_t i = 0; i < 3; ++i)
             half_box_[static_cast<Eigen::Index>(i)] = half_box_along(terrain.axes[i]);
-        if (shape.kind != ShapeKind::rounded)
-            sure_of_planes_ = -no_limit;
-        else if (!grid.size().repeats)
-            sure_of_planes_ = distance_to_edge();
     }
 
     Box box() const { return Box(centre_ - half_box_, centre_ + half_box_); }
@@ -38,7 +34,7 @@ public:
     // edge of the terrain the plane of a flat part goes on.
     double gap_to(const HeightGrid::Cell &cell) const
     {
-        if (!(sure_of_planes_ > cell.distance))
+        if (shape_.kind != ShapeKind::rounded)
             return cell.distance;
         const int column = cell.column, row = cell.row;
         const double b = grid_.height(column + 1, row), c = grid_.height(column, row + 1);
@@ -46,7 +42,7 @@ public:
         const double low = gap_to_plane(at_b, b - grid_.height(column, row), c - grid_.height(column, row));
         const double a_away = grid_.height(column + 1, row + 1);
         const double high = gap_to_plane(at_b, a_away - c, a_away - b);
-        return std::max(cell.distance, std::min({low, high, sure_of_planes_}));
+        return std::max(cell.distance, std::min(low, high));
     }
 
 private:
@@ -59,13 +55,6 @@ private:
         return shape_.radius + shape_.half_sides.dot(shape_.along_axes(axis).cwiseAbs());
     }
 
-    double distance_to_edge() const
-    {
-        const Vector3 beyond = Vector3(grid_.width(), 0, grid_.depth()) - centre_;
-        return std::min({centre_.x() - half_box_.x(), centre_.z() - half_box_.z(), beyond.x() - half_box_.x(),
-                         beyond.z() - half_box_.z()});
-    }
-
     // Above the plane through a point that rises by so much along x and z in a cell.
     double gap_to_plane(const Vector3 &point, double along_x, double along_z) const
     {
@@ -76,7 +65,6 @@ private:
     const ConvexShape &shape_, &terrain_;
     const HeightGrid &grid_;
     Vector3 centre_, half_box_;
-    double sure_of_planes_ = no_limit; // gaps to planes up to this are gaps to the terrain
 };
 
 bool repeats_too_often(const HeightGrid &grid, const Box &box, double most)
