@@ -104,8 +104,7 @@ bool FeatureNumbers::recognise_one(std::vector<Touch> &touches, std::size_t firs
 bool FeatureNumbers::is_taken(std::uintptr_t object, unsigned number) const
 {
     const auto has_it = [&](const Known &known) { return known.object == object && known.number == number; };
-    return std::any_of(before_.begin(), before_.end(), has_it) ||
-           std::any_of(now_.begin(), now_.end(), has_it);
+    return std::any_of(before_.begin(), before_.end(), has_it) || std::any_of(now_.begin(), now_.end(), has_it);
 }
 
 ContactManifold::ContactManifold()
@@ -174,8 +173,8 @@ const ContactManifold::Known *ContactManifold::carrier_before(const Touch &touch
 
 const ContactManifold::Known *ContactManifold::object_before(const Touch &touch) const
 {
-    const auto found = std::find_if(before_.begin(), before_.end(),
-                                    [&](const Known &known) { return known.object == touch.object; });
+    const auto found =
+        std::find_if(before_.begin(), before_.end(), [&](const Known &known) { return known.object == touch.object; });
     return found != before_.end() ? &*found : nullptr;
 }
 

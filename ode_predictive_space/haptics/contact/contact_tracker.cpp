@@ -16,9 +16,9 @@ constexpr double ahead = 1.5;     // times the tool's way: how far ahead surface
 constexpr double catching_up = 2; // times the tool's way: how far the proxy may go in a tick
 constexpr double gentle = 0.09; // N; by how much the force may change in a tick beyond what the tool's way makes of it
 constexpr double around = 1.5;  // times the proxy's way: the ball that holds all that it may reach, and more
-constexpr double steps_ahead = 2;      // times the tool's way: how far it may go until geoms come from another thread
-constexpr double farthest_apart = 4;   // times the radius; geoms that squeeze the sphere more have passed each other
-constexpr double in_contact = 1e-6;    // of the radius
+constexpr double steps_ahead = 2;    // times the tool's way: how far it may go until geoms come from another thread
+constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the sphere more have passed each other
+constexpr double in_contact = 1e-6;  // of the radius
 } // namespace
 
 bool is_finite(const Touch &touch)
