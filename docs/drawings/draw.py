@@ -318,20 +318,21 @@ def draw_servo(folder):
         round_corners = "round,pad=0,rounding_size=8"
         axes.add_patch(FancyBboxPatch((x, 72), 190, 250, boxstyle=round_corners, fc="none", ec=colour, lw=1, ls="--"))
         note(axes, x + 95, 333, title, ha="center", colour=colour, size=10, weight="bold")
-    scene = [("pose the probe", 276), ("collide", 214), ("push the bodies", 152), ("step the world, sleep", 90)]
-    servo = [("read the device", 276), ("proxy and touches", 214), ("law, safety, write", 152), ("sleep", 90)]
+    scene = ["push the bodies", "step the world", "pose the probe", "collide", "roll out, sleep"]
+    servo = ["read the device", "move what is touched", "proxy and touches", "law, safety, write", "sleep"]
+    rows = [284, 234, 184, 134, 84]
     for steps, x, fill, edge in ((scene, 30, PALE_GREY, GREY), (servo, 510, PALE_BLUE, BLUE)):
-        for text, y in steps:
-            box(axes, x, y, 160, 34, text, "", fill, edge)
-        for (_, y), (_, below) in zip(steps, steps[1:]):
-            arrow(axes, (x + 80, y), (x + 80, below + 34))
+        for text, y in zip(steps, rows):
+            box(axes, x, y, 160, 30, text, "", fill, edge)
+        for y, below in zip(rows, rows[1:]):
+            arrow(axes, (x + 80, y), (x + 80, below + 30))
     between = (
-        (293, "tool, proxy, what was felt", "triple buffer: the latest", False),
-        (231, "geoms around the probe, planes", "triple buffer: the latest", True),
-        (169, "impulses: object, point, N s", "ring: all of them", False),
+        (rows[0] + 15, "impulses: object, point, N s", "ring: all of them", False),
+        (rows[2] + 15, "tool, proxy, what was felt", "triple buffer: the latest", False),
+        (rows[4] + 15, "geoms around the probe, planes, forecast", "triple buffer: the latest", True),
     )
     for y, what, how, to_the_right in between:
-        ends = ((190, y), (510, y))
+        ends = ((190, y), (495, y))
         arrow(axes, *(ends if to_the_right else ends[::-1]))
         note(axes, 350, y + 5, what, ha="center", va="bottom", size=10)
         note(axes, 350, y - 5, how, ha="center", va="top", colour=GREY)

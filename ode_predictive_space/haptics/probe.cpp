@@ -5,18 +5,17 @@
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
 
-#include <array>
 #include <mutex>
+#include <ode/collision_space.h>
 #include <ode_predictive_space/predictive_space.h>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr int most_encounters = 64;
-
 void add_wrench(dBodyID body, const Wrench &wrench)
 {
     if (wrench.force.isZero(0) && wrench.torque.isZero(0))
@@ -218,8 +217,10 @@ const std::vector<Encounter> &HapticProbe::encounters()
     {
         return encounters;
     }
-    std::array<dPredictiveEncounter, most_encounters> found;
-    const int count = dPredictiveSpaceGetEncounters(space, geom(), found.data(), most_encounters);
+    const int most = dSpaceGetNumGeoms(space); // in a dense crowd, hundreds are near at once
+    std::vector<dPredictiveEncounter> found(static_cast<std::size_t>(most));
+    const int count = dPredictiveSpaceGetEncounters(space, geom(), found.data(), most);
+    encounters.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
     {
         encounters.push_back({found[i].geom, static_cast<double>(found[i].ticks) * parts_->tick_length});

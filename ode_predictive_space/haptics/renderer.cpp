@@ -113,7 +113,6 @@ void Renderer::Parts::begin_anew()
     relaxed = false;
     safety.reset();
     law->reset();
-    felt.birth.reset();
     felt.manifold.reset();
     felt.split.clear();
     link.forget_motion();
@@ -163,7 +162,8 @@ void Renderer::Parts::feel(const std::vector<Touch> &touches, double dt)
     felt.touches = touches;
     const TouchView view = law->view();
     felt.manifold.recognise(tick.tool.position, view, dt, felt.touches);
-    felt.birth.limit(tick.tool, std::max(dt, 1 / settings.physics_rate), safety.engaged(), dt, felt.touches);
+    const ContactBirth birth(tick.tool, std::max(dt, 1 / settings.physics_rate));
+    felt.manifold.let_rise(birth, safety.engaged(), dt, felt.touches);
     felt.manifold.solve(tick.tool.position, view, felt.touches);
     for (Touch &touch : felt.touches)
     {

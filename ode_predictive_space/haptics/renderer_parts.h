@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_PARTS_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_PARTS_H
 
-#include "ode_predictive_space/haptics/contact/contact_birth.h"
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
 #include "ode_predictive_space/haptics/law/force_shares.h"
 #include "ode_predictive_space/haptics/renderer.h"
@@ -19,7 +18,6 @@ struct FeltTouches
 {
     std::vector<Touch> touches; ///< with the materials that are rendered
     ContactManifold manifold;
-    ContactBirth birth;
     TouchForces forces; ///< N; by the law
     ForceSplit split;   ///< of what the hand got of them
 };

@@ -3,10 +3,13 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_COUPLING_SCENE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_COUPLING_SCENE_H
 
+#include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/probe_world.h"
 
 #include <functional>
+#include <memory>
 #include <ode/ode.h>
+#include <utility>
 #include <vector>
 
 namespace ode_predictive_space::haptics
@@ -22,13 +25,14 @@ class CouplingScene
 {
 public:
     explicit CouplingScene(Stepper stepper)
-        : world(dWorldCreate()), space(dPredictiveSpaceCreate(nullptr)), stepper_(stepper),
-          contacts_(dJointGroupCreate(0))
+        : world(dWorldCreate()), space(dPredictiveSpaceCreate(nullptr)), joints(dJointGroupCreate(0)),
+          stepper_(stepper), contacts_(dJointGroupCreate(0))
     {}
 
     ~CouplingScene()
     {
         dJointGroupDestroy(contacts_);
+        dJointGroupDestroy(joints);
         dSpaceDestroy(space);
         dWorldDestroy(world);
     }
@@ -52,17 +56,23 @@ public:
         return add(dCreateBox(space, sides.x(), sides.y(), sides.z()), mass, at);
     }
 
-    void connect_by_ball(dBodyID one, dBodyID other, const Vector3 &anchor)
+    /// Another geom for a body, beside its own.
+    void add_box_to(dBodyID body, const Vector3 &sides, const Vector3 &offset)
     {
-        const dJointID joint = dJointCreateBall(world, nullptr);
-        dJointAttach(joint, one, other);
+        const dGeomID box = dCreateBox(space, sides.x(), sides.y(), sides.z());
+        dGeomSetBody(box, body);
+        dGeomSetOffsetPosition(box, offset.x(), offset.y(), offset.z());
+    }
+
+    void connect_by_ball(dBodyID one, dBodyID other, const Vector3 &anchor, dJointGroupID group = nullptr)
+    {
+        const dJointID joint = attached(dJointCreateBall(world, group), one, other);
         dJointSetBallAnchor(joint, anchor.x(), anchor.y(), anchor.z());
     }
 
     dJointID connect_by_hinge(dBodyID one, dBodyID other, const Vector3 &anchor, const Vector3 &axis)
     {
-        const dJointID joint = dJointCreateHinge(world, nullptr);
-        dJointAttach(joint, one, other);
+        const dJointID joint = attached(dJointCreateHinge(world, nullptr), one, other);
         dJointSetHingeAnchor(joint, anchor.x(), anchor.y(), anchor.z());
         dJointSetHingeAxis(joint, axis.x(), axis.y(), axis.z());
         return joint;
@@ -70,9 +80,19 @@ public:
 
     void connect_by_slider(dBodyID one, dBodyID other, const Vector3 &axis)
     {
-        const dJointID joint = dJointCreateSlider(world, nullptr);
-        dJointAttach(joint, one, other);
+        const dJointID joint = attached(dJointCreateSlider(world, nullptr), one, other);
         dJointSetSliderAxis(joint, axis.x(), axis.y(), axis.z());
+    }
+
+    /// A body, with its geoms and joints.
+    void destroy(std::size_t body)
+    {
+        while (const dGeomID geom = dBodyGetFirstGeom(bodies[body]))
+        {
+            dGeomDestroy(geom);
+        }
+        dBodyDestroy(bodies[body]);
+        bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(body));
     }
 
     void collide(HapticProbe &probe)
@@ -145,6 +165,7 @@ public:
     static constexpr double gravity = 9.81; // m/s^2
     const dWorldID world;
     const dSpaceID space;
+    const dJointGroupID joints; ///< for those that are to go at once
     std::vector<dBodyID> bodies;
     double friction = 0.5; ///< of contacts between bodies
 
@@ -157,6 +178,12 @@ private:
         dBodySetPosition(body, at.x(), at.y(), at.z());
         bodies.push_back(body);
         return body;
+    }
+
+    static dJointID attached(dJointID joint, dBodyID one, dBodyID other)
+    {
+        dJointAttach(joint, one, other);
+        return joint;
     }
 
     static void near(void *data, dGeomID first, dGeomID second)
@@ -205,14 +232,33 @@ struct HandWay
 /// A scene to be built, and a hand for it.
 struct CouplingCase
 {
+    static constexpr double stiffness = 500; ///< N/m
+
     std::function<void(CouplingScene &)> build;
     HandWay hand;
     double spread_along = 0.003;  ///< m; of the hands of an ensemble, in y
     double spread_across = 0.004; ///< m; in z
+    double friction = 0;          ///< coefficient; of the probe
+    double most_unmatched = 1e-9; ///< see Outcome
+    bool by_proxy = false;        ///< felt by the proxy law, else by the penalty law
+
+    std::function<void(CouplingScene &)> change; ///< what the program does meanwhile; may be empty
+    double change_time = 0.7;                    ///< s; from the moment at which the hand sets out
+
+    std::shared_ptr<ForceLaw> law() const
+    {
+        Material material;
+        material.stiffness = stiffness;
+        material.friction = friction;
+        return by_proxy ? std::shared_ptr<ForceLaw>(std::make_shared<ProxyLaw>(material))
+                        : std::make_shared<PenaltyLaw>(material);
+    }
 };
 
 /// Balls with a gap of 2 mm, the uppermost held by a joint. The hand pushes in the middle, then rests.
-inline CouplingCase rope(int count, double kilograms)
+///
+/// @param grouped whether its joints are of the scene's group.
+inline CouplingCase rope(int count, double kilograms, bool grouped = false)
 {
     CouplingCase rope;
     rope.build = [=](CouplingScene &scene) {
@@ -221,7 +267,7 @@ inline CouplingCase rope(int count, double kilograms)
         for (int i = 0; i < count; ++i)
         {
             const dBodyID ball = scene.add_ball(kilograms, 0.009, {0, 0, -0.02 * i});
-            scene.connect_by_ball(ball, above, {0, 0, -0.02 * i + 0.01});
+            scene.connect_by_ball(ball, above, {0, 0, -0.02 * i + 0.01}, grouped ? scene.joints : nullptr);
             above = ball;
         }
     };
@@ -229,13 +275,13 @@ inline CouplingCase rope(int count, double kilograms)
     return rope;
 }
 
-/// Pushed without end.
-inline CouplingCase free_ball(double kilograms)
+/// The hand is near from the beginning: alone, ODE does not hold this rope at 60 and 100 Hz.
+inline CouplingCase rope_of_twenty()
 {
-    CouplingCase ball;
-    ball.build = [=](CouplingScene &scene) { scene.add_ball(kilograms, 0.01, Vector3::Zero()); };
-    ball.hand = {{-0.03, 0, 0}, Vector3::UnitX(), 1, 0.1, 1.8};
-    return ball;
+    CouplingCase twenty = rope(20, 0.002);
+    twenty.hand.from.x() = -0.028;
+    twenty.hand.length = 0.068;
+    return twenty;
 }
 
 inline CouplingCase door()
@@ -263,19 +309,20 @@ inline CouplingCase slider()
     return slider;
 }
 
-/// Five boxes of 50 g, pushed at the third.
-inline CouplingCase stack()
+/// Boxes of 50 g, pushed at the one in the middle. The hand is near from the beginning.
+inline CouplingCase stack(int count)
 {
+    constexpr double pressed = 1e-5; // m; so that they are in contact from the beginning
     CouplingCase stack;
-    stack.build = [](CouplingScene &scene) {
+    stack.build = [=](CouplingScene &scene) {
         scene.set_gravity();
         dCreatePlane(scene.space, 0, 0, 1, 0);
-        for (int i = 0; i < 5; ++i)
+        for (int i = 0; i < count; ++i)
         {
-            scene.add_box(0.05, {0.04, 0.04, 0.04}, {0, 0, 0.02 + 0.04 * i});
+            scene.add_box(0.05, {0.04, 0.04, 0.04}, {0, 0, 0.02 - pressed + (0.04 - pressed) * i});
         }
     };
-    stack.hand = {{-0.06, 0, 0.1}, Vector3::UnitX(), 0.045, 0.05, 2.5};
+    stack.hand = {{-0.039, 0, 0.02 * count}, Vector3::UnitX(), 0.024, 0.05, 2.1};
     stack.spread_across = 0.002;
     return stack;
 }
@@ -334,18 +381,69 @@ inline CouplingCase leaning(double duration)
     return box;
 }
 
-/// Two balls, pushed at once.
-inline CouplingCase two_balls()
+/// Free balls beside each other, pushed at once and without end.
+inline CouplingCase free_balls(const std::vector<double> &kilograms)
 {
     CouplingCase balls;
-    balls.build = [](CouplingScene &scene) {
-        scene.add_ball(0.01, 0.01, {0, 0.0105, 0});
-        scene.add_ball(0.03, 0.01, {0, -0.0105, 0});
+    balls.build = [=](CouplingScene &scene) {
+        const double middle = 0.5 * static_cast<double>(kilograms.size() - 1);
+        for (std::size_t i = 0; i < kilograms.size(); ++i)
+        {
+            scene.add_ball(kilograms[i], 0.01, {0, 0.021 * (middle - static_cast<double>(i)), 0});
+        }
     };
-    balls.hand = {{-0.03, 0, 0}, Vector3::UnitX(), 0.2, 0.1, 1};
+    balls.hand = {{-0.03, 0, 0}, Vector3::UnitX(), 1, 0.1, 1.8};
     balls.spread_along = 0.001;
     balls.spread_across = 0.001;
     return balls;
+}
+
+/// A free body with an inner corner, pushed there: two touches of one body.
+inline CouplingCase corner()
+{
+    CouplingCase corner;
+    corner.build = [](CouplingScene &scene) {
+        const dBodyID body = scene.add_box(0.03, {0.01, 0.06, 0.06}, {0.025, 0.025, 0});
+        dGeomSetOffsetPosition(dBodyGetFirstGeom(body), 0, -0.025, 0);
+        scene.add_box_to(body, {0.05, 0.01, 0.06}, {-0.03, 0, 0});
+        dMass mass;
+        dMassSetBoxTotal(&mass, 0.03, 0.06, 0.06, 0.06);
+        dBodySetMass(body, &mass);
+    };
+    corner.hand = {{-0.04, -0.04, 0}, Vector3(1, 1, 0).normalized(), 0.2, 0.1, 1.5};
+    return corner;
+}
+
+/// A cart on rails, taken along by the friction of a hand that comes down on it.
+inline CouplingCase dragged_cart()
+{
+    CouplingCase cart;
+    cart.build = [](CouplingScene &scene) {
+        const dBodyID body = scene.add_box(0.1, {0.2, 0.06, 0.04}, Vector3::Zero());
+        scene.connect_by_slider(body, nullptr, Vector3::UnitX());
+    };
+    cart.hand = {{-0.05, 0, 0.036}, Vector3(1, 0, -0.2).normalized(), 0.06, 0.1, 1.5};
+    cart.spread_across = 0;
+    cart.friction = 0.5;
+    return cart;
+}
+
+inline CouplingCase with_friction(CouplingCase scenario, double friction)
+{
+    scenario.friction = friction;
+    return scenario;
+}
+
+inline CouplingCase by_proxy_law(CouplingCase scenario)
+{
+    scenario.by_proxy = true;
+    return scenario;
+}
+
+inline CouplingCase with_change(CouplingCase scenario, std::function<void(CouplingScene &)> change)
+{
+    scenario.change = std::move(change);
+    return scenario;
 }
 } // namespace ode_predictive_space::haptics
 

@@ -86,6 +86,20 @@ TEST_F(HapticProbeTest, TellsWhatItWillMeetAndWhen)
     EXPECT_LE(encounters[0].seconds, 0.01 / speed) << "never late";
 }
 
+// At most 64 of them were told, so that what was touched next was missing from the list.
+TEST_F(HapticProbeTest, TellsAllThatIsNear)
+{
+    ProbeWorld world;
+    for (int i = 0; i < 100; ++i)
+    {
+        world.add_box({0.1, 0.1, 0.1}, Vector3::Zero());
+    }
+    ScriptedDevice device([](double) -> Vector3 { return Vector3::Zero(); });
+    HapticProbe probe(device, world.space, radius);
+    world.run(probe, 2);
+    EXPECT_EQ(probe.encounters().size(), 100U);
+}
+
 TEST_F(HapticProbeTest, TellsNothingInAnotherSpace)
 {
     ProbeWorld world(SpaceChoice::hash);

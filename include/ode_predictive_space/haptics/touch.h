@@ -49,8 +49,9 @@ struct Touch
     Carry carry;                  ///< the solved constraint
     std::uint32_t id = 0;         ///< which touch: the same from tick to tick; 0 before it is recognised
     std::uint32_t takes_over =
-        0; ///< the id of the one that carried the tool here in the tick before: its own, or that of
-           ///< the surface that it goes on from; 0: nothing did
+        0;           ///< the id of the one that carried the tool here in the tick before: its own, or that of
+                     ///< the surface that it goes on from; 0: nothing did
+    double part = 1; ///< 0 to 1; of its depth, that is felt: less while an object rises that appeared around the probe
     std::optional<Material>
         material; ///< nothing: the force law's own. A renderer fills it in with what the device can render
 };

@@ -11,33 +11,24 @@ namespace ode_predictive_space::haptics
 /// object that appeared around the probe, or was put there. Its surface comes up through the tool within half a second, so
 /// that the force rises slowly.
 ///
-/// Does not allocate when it has seen as many touches before.
+/// Of one tick, and without memory: ContactManifold knows which contacts there were.
 class ContactBirth
 {
 public:
-    /// One tick: makes depths less where they have to be. Constraints are to be solved after that.
-    ///
     /// @param gap s; how long a contact may have gone unnoticed.
-    /// @param watches whether new contacts are looked at. Those that are not are taken as they are.
-    void limit(const ToolState &tool, double gap, bool watches, double dt, std::vector<Touch> &touches);
+    ContactBirth(const ToolState &tool, double gap) : tool_(tool), gap_(gap) {}
 
-    /// Forget all contacts: what is touched next is new.
-    void reset();
+    /// Whether the tool can have come to a new touch by its own motion and that of the surface.
+    ///
+    /// @param handed_over m; how deep along the touch's normal the tool was in what it touched before.
+    bool began_at_surface(const Touch &touch, double handed_over) const;
+
+    /// The part of a depth that is felt, after a time dt: 0 to 1.
+    static double risen(double part, double dt);
 
 private:
-    struct Known
-    {
-        std::uintptr_t object;
-        Vector3 normal;
-        double depth; ///< m; all of it
-        double part;  ///< 0 to 1; of the depth
-    };
-
-    double part_of(const Touch &touch, const ToolState &tool, double gap, bool watches, double dt) const;
-    bool may_be_new(const Touch &touch, const ToolState &tool, double gap) const;
-
-    std::vector<Known> now_;
-    std::vector<Known> before_;
+    const ToolState &tool_;
+    double gap_;
 };
 } // namespace ode_predictive_space::haptics
 

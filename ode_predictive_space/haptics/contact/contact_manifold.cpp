@@ -110,6 +110,7 @@ bool FeatureNumbers::is_taken(std::uintptr_t object, unsigned number) const
 ContactManifold::ContactManifold()
 {
     before_.reserve(usual_touches);
+    depths_.reserve(usual_touches);
     planes_.reserve(usual_touches);
 }
 
@@ -134,6 +135,11 @@ void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, 
             touch.normal = known->normal;
             touch.depth = depth;
         }
+    }
+    depths_.clear();
+    for (const Touch &touch : touches)
+    {
+        depths_.push_back(touch.depth);
     }
 }
 
@@ -163,6 +169,62 @@ const ContactManifold::Known *ContactManifold::carrier_before(const Touch &touch
         }
     }
     return best;
+}
+
+const ContactManifold::Known *ContactManifold::object_before(const Touch &touch) const
+{
+    const auto found =
+        std::find_if(before_.begin(), before_.end(), [&](const Known &known) { return known.object == touch.object; });
+    return found != before_.end() ? &*found : nullptr;
+}
+
+const ContactManifold::Known *ContactManifold::taken_over_by(const Touch &touch) const
+{
+    const auto found = std::find_if(before_.begin(), before_.end(), [&](const Known &known) {
+        return touch.takes_over != 0 && known.id == touch.takes_over;
+    });
+    return found != before_.end() ? &*found : nullptr;
+}
+
+/// m; how deep along the touch's normal the tool was in what it touched before.
+double ContactManifold::handed_over(const Touch &touch) const
+{
+    double most = 0;
+    for (const Known &known : before_)
+    {
+        most = std::max(most, known.depth * known.normal.dot(touch.normal));
+    }
+    return most;
+}
+
+void ContactManifold::let_rise(const ContactBirth &birth, bool watches, double dt, std::vector<Touch> &touches)
+{
+    bool all_of_it = true;
+    for (Touch &touch : touches)
+    {
+        touch.part = part_of(touch, birth, watches, dt);
+        all_of_it = all_of_it && touch.part == 1;
+        touch.depth *= touch.part;
+    }
+    for (Touch &touch : touches)
+    {
+        touch.is_solved = touch.is_solved && all_of_it; // else it was solved for other depths
+    }
+}
+
+/// An object rises as a whole: its touches have the same part.
+double ContactManifold::part_of(const Touch &touch, const ContactBirth &birth, bool watches, double dt) const
+{
+    if (const Known *object = object_before(touch))
+    {
+        return ContactBirth::risen(object->part, dt);
+    }
+    if (watches && !birth.began_at_surface(touch, handed_over(touch)))
+    {
+        return 0;
+    }
+    const Known *carrier = taken_over_by(touch);
+    return carrier != nullptr ? ContactBirth::risen(carrier->part, dt) : 1;
 }
 
 void ContactManifold::solve(const Vector3 &tool, TouchView view, std::vector<Touch> &touches)
@@ -252,10 +314,11 @@ void ContactManifold::solve_alone(std::vector<Touch> &touches, std::size_t first
 void ContactManifold::remember(const Vector3 &tool, const std::vector<Touch> &touches)
 {
     before_.clear();
-    for (const Touch &touch : touches)
+    for (std::size_t i = 0; i < touches.size(); ++i)
     {
+        const Touch &touch = touches[i];
         before_.push_back({touch.object, touch.feature, touch.id, touch.carry.carries(), touch.normal, touch.point,
-                           touch.normal.dot(tool) + touch.depth});
+                           touch.normal.dot(tool) + touch.depth, depths_[i], touch.part});
     }
 }
 

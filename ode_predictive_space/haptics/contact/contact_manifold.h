@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MANIFOLD_H
 
 #include "ode_predictive_space/haptics/contact/constraint_plane.h"
+#include "ode_predictive_space/haptics/contact/contact_birth.h"
 #include "ode_predictive_space/haptics/touch.h"
 
 #include <vector>
@@ -43,9 +44,9 @@ private:
 };
 
 /// The one place where a touch is compared with those of the tick before, and where the constraint is solved for touches that the
-/// tracker did not make (see ContactTracker). What comes later goes by Touch::id, Touch::takes_over and Touch::carry.
+/// tracker did not make (see ContactTracker). What comes later goes by Touch::id, Touch::takes_over, Touch::part and Touch::carry.
 ///
-/// Each tick: recognise(), then solve(). Neither allocates when it has seen as many touches before.
+/// Each tick: recognise(), let_rise(), solve(). None allocates when it has seen as many touches before.
 class ContactManifold
 {
 public:
@@ -56,6 +57,12 @@ public:
     ///
     /// @param tool m, the scene's frame. @param dt s; since the tick before.
     void recognise(const Vector3 &tool, TouchView view, double dt, std::vector<Touch> &touches);
+
+    /// Makes the depths of touches less whose object appeared around the probe. What the tool goes on to from such an object rises on
+    /// from there.
+    ///
+    /// @param watches whether new touches are looked at. Those that are not are felt at once.
+    void let_rise(const ContactBirth &birth, bool watches, double dt, std::vector<Touch> &touches);
 
     /// Gives each touch what it carries, and remembers all touches for the next tick.
     void solve(const Vector3 &tool, TouchView view, std::vector<Touch> &touches);
@@ -74,15 +81,22 @@ private:
         Vector3 normal;
         Vector3 point;
         double height; ///< m; of its plane: normal . (a point on it)
+        double depth;  ///< m; all of it
+        double part;   ///< of it, that was felt
     };
 
     const Known *itself(const Touch &touch) const;
     const Known *carrier_before(const Touch &touch, TouchView view) const;
+    const Known *object_before(const Touch &touch) const;
+    const Known *taken_over_by(const Touch &touch) const;
+    double handed_over(const Touch &touch) const;
+    double part_of(const Touch &touch, const ContactBirth &birth, bool watches, double dt) const;
     void solve_together(std::vector<Touch> &touches);
     void solve_alone(std::vector<Touch> &touches, std::size_t first);
     void remember(const Vector3 &tool, const std::vector<Touch> &touches);
 
     std::vector<Known> before_;
+    std::vector<double> depths_; ///< m; of the touches of this tick, before they were made less
     std::vector<ConstraintPlane> planes_;
     std::uint32_t last_id_ = 0;
 };

@@ -30,7 +30,7 @@ class SceneLoop
 public:
     SceneLoop(LoopParts &parts, DecoupledServo &servo, const SceneWork &work)
         : parts_(parts), servo_(servo), work_(work), sensor_(*parts.probe.sensor()),
-          dt_(1 / parts.settings.physics_rate), motion_(sensor_)
+          dt_(1 / parts.settings.physics_rate), motion_(sensor_, parts.probe.renderer().law().material().stiffness)
     {}
 
     void run();
@@ -39,70 +39,98 @@ public:
     void push_rest();
 
 private:
-    void advance(double due);
+    bool goes_on() const;
+    double step_length();
+    int affordable_steps() const;
+    void advance(double due, double length);
     void look(double due);
     void find_touches();
     void receive();
-    void tell_of_inner_steps();
+    void tell_of_shorter_steps();
     void tell_of_surprise();
 
     LoopParts &parts_;
     DecoupledServo &servo_;
     const SceneWork &work_;
     TouchSensor &sensor_;
-    double dt_; ///< s
+    double dt_; ///< s; of the program's rate
     SceneMotion motion_;
+    int steps_per_period_ = 1; ///< in a time dt_
+    double changed_ = 0;       ///< s, simulated; when that became so
+    std::uint64_t steps_ = 0;  ///< since then
+    double longest_ = 0;       ///< s; that a step took of late
+    static constexpr double forgetting = 0.95;
     bool surprised_ = false; ///< and it has been told
 };
 
 void SceneLoop::run()
 {
-    Pacer pacer(parts_.time.start, dt_, parts_.settings.most_steps_behind);
-    const auto goes_on = [this](std::uint64_t steps) {
-        return static_cast<double>(steps) * dt_ < parts_.settings.duration && !parts_.must_end() && !servo_.ended();
-    };
-    for (std::uint64_t steps = 0; goes_on(steps); ++steps)
+    const int most_behind = parts_.settings.most_steps_behind;
+    Pacer pacer(parts_.time.start, dt_, most_behind);
+    if (goes_on())
     {
-        if (steps == 0)
-        {
-            look(pacer.due());
-        }
+        look(pacer.due());
+    }
+    while (goes_on())
+    {
+        const double length = step_length();
+        pacer.set_period(length, most_behind * steps_per_period_);
         parts_.counts.dropped += pacer.go_on(parts_.clock.now());
         parts_.clock.sleep_until(pacer.due());
-        parts_.scene.begin(parts_.clock.now());
-        parts_.guard->begin_step(parts_.clock.now());
-        advance(pacer.due());
-        parts_.time.simulated = static_cast<double>(steps + 1) * dt_;
-        if (goes_on(steps + 1))
+        const double begin = parts_.clock.now();
+        parts_.scene.begin(begin);
+        parts_.guard->begin_step(begin);
+        advance(pacer.due(), length);
+        if (goes_on())
         {
             look(pacer.due());
         }
-        parts_.scene.end(parts_.clock.now(), pacer.due() + dt_);
+        const double end = parts_.clock.now();
+        longest_ = std::max(end - begin, forgetting * longest_);
+        parts_.scene.end(end, pacer.due() + length);
     }
     parts_.guard->end_steps();
 }
 
-/// The interval that ends now, with what the hand got in it.
-void SceneLoop::advance(double due)
+bool SceneLoop::goes_on() const
 {
-    const int parts = motion_.inner_steps();
-    const double length = dt_ / parts;
-    for (int part = 0; part < parts; ++part)
+    return parts_.time.simulated < parts_.settings.duration && !parts_.must_end() && !servo_.ended();
+}
+
+/// s; of the step that comes next.
+double SceneLoop::step_length()
+{
+    if (motion_.steps_per_period() != steps_per_period_)
     {
-        if (part > 0)
-        {
-            find_touches();
-        }
-        receive();
-        motion_.push(due - dt_ + part * length, length);
-        const unsigned long seed = dRandGetSeed();
-        work_.advance(length);
-        motion_.note_step(dRandGetSeed() != seed);
-        if (!motion_.repeats() && !surprised_)
-        {
-            tell_of_surprise();
-        }
+        steps_per_period_ = motion_.steps_per_period();
+        changed_ = parts_.time.simulated;
+        steps_ = 0;
+        parts_.probe.set_tick_length(dt_ / steps_per_period_);
     }
+    return dt_ / steps_per_period_;
+}
+
+/// In a period, so that half of it remains.
+int SceneLoop::affordable_steps() const
+{
+    constexpr int enough = 100;
+    return longest_ > 0 ? static_cast<int>(std::clamp<double>(0.5 * dt_ / longest_, 1, enough)) : enough;
+}
+
+/// The interval that ends now, with what the hand got in it.
+void SceneLoop::advance(double due, double length)
+{
+    receive();
+    motion_.push(due - length, length);
+    const unsigned long seed = dRandGetSeed();
+    work_.advance(length);
+    motion_.note_step(dRandGetSeed() != seed);
+    if (!motion_.repeats() && !surprised_)
+    {
+        tell_of_surprise();
+    }
+    ++steps_;
+    parts_.time.simulated = changed_ + static_cast<double>(steps_) * length;
 }
 
 void SceneLoop::receive()
@@ -134,11 +162,11 @@ void SceneLoop::look(double due)
     Surroundings &surroundings = servo_.surroundings().draft();
     surroundings.tool_jumps = tick.tool_jumps;
     surroundings.planes.set(sensor_.touches(), !sensor_.saw_nonsense(), tick.tool.position, due);
-    const int inner_steps = motion_.inner_steps();
-    motion_.foresee(surroundings.planes, due, dt_, surroundings.forecast);
-    if (motion_.inner_steps() != inner_steps)
+    const int steps = motion_.steps_per_period();
+    motion_.foresee(surroundings.planes, due, dt_, affordable_steps(), surroundings.forecast);
+    if (motion_.steps_per_period() != steps)
     {
-        tell_of_inner_steps();
+        tell_of_shorter_steps();
     }
     if (sensor_.tracker() != nullptr)
     {
@@ -148,14 +176,14 @@ void SceneLoop::look(double due)
     parts_.probe.renderer().physics_fresh(parts_.clock.now());
 }
 
-void SceneLoop::tell_of_inner_steps()
+void SceneLoop::tell_of_shorter_steps()
 {
     std::array<char, std::tuple_size_v<decltype(Notice::text)>> text;
-    std::snprintf(text.data(), text.size(),
-                  "The scene is stepped %d times as often, at %.0f Hz: what the probe is near to has joints that are "
-                  "too stiff and "
-                  "light for steps of %.1f ms.",
-                  motion_.inner_steps(), motion_.inner_steps() / dt_, 1000 * dt_);
+    std::snprintf(
+        text.data(), text.size(),
+        "The scene is stepped %d times as often, at %.0f Hz: what the probe is near to has joints or contacts "
+        "that are too stiff and light for steps of %.1f ms.",
+        motion_.steps_per_period(), motion_.steps_per_period() / dt_, 1000 * dt_);
     parts_.guard->post_of_scene(Notice(NoticeKind::coupling, parts_.now(), text.data()));
 }
 

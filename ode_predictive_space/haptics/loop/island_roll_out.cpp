@@ -98,6 +98,7 @@ void IslandRollOut::add_connected(std::size_t first)
         {
             const dJointID joint = dBodyGetJoint(body, n);
             has_joints_ = has_joints_ || dJointGetType(joint) != dJointTypeNull;
+            note_contact(joint);
             if (anchor_of(joint) && dJointGetBody(joint, 0) == body)
             {
                 joints_.push_back(joint);
@@ -111,6 +112,14 @@ void IslandRollOut::add_connected(std::size_t first)
             add(dJointGetBody(joint, 1));
         }
     }
+}
+
+void IslandRollOut::note_contact(dJointID joint)
+{
+    const bool is_contact = dJointGetType(joint) == dJointTypeContact;
+    has_contacts_ = has_contacts_ || is_contact;
+    is_stacked_ =
+        is_stacked_ || (is_contact && dJointGetBody(joint, 0) != nullptr && dJointGetBody(joint, 1) != nullptr);
 }
 
 void IslandRollOut::hold_others()

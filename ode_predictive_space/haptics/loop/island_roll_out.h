@@ -51,6 +51,12 @@ public:
     /// Whether a joint holds one of the bodies, contacts included.
     bool has_joints() const { return has_joints_; }
 
+    /// Whether one of the bodies is in contact with something.
+    bool has_contacts() const { return has_contacts_; }
+
+    /// Whether two of the bodies are in contact with each other.
+    bool is_stacked() const { return is_stacked_; }
+
 private:
     struct State
     {
@@ -72,6 +78,7 @@ private:
 
     void add(dBodyID body);
     void add_connected(std::size_t first);
+    void note_contact(dJointID joint);
     void hold_others();
     void restore() const;
 
@@ -82,6 +89,8 @@ private:
     std::vector<dBodyID> held_;    ///< awake, but not to be stepped
     unsigned long seed_;
     bool has_joints_ = false;
+    bool has_contacts_ = false;
+    bool is_stacked_ = false;
 };
 
 } // namespace ode_predictive_space::haptics

@@ -40,6 +40,13 @@ public:
 
     double due() const { return due_; }
 
+    /// From the next deadline on.
+    void set_period(double period, int most_behind)
+    {
+        period_ = period;
+        most_behind_ = most_behind;
+    }
+
     /// The next deadline. @return how many were dropped, since more than most_behind would have to be made up for.
     std::uint64_t go_on(double now);
 

@@ -36,8 +36,8 @@ class MotionForecast
 {
 public:
     static constexpr std::size_t most_touches = 4;
-    static constexpr std::size_t most_nodes = 16;
-    static constexpr int tried_pushes = 5; ///< of one touch
+    static constexpr std::size_t most_nodes = 2; ///< the next step, and one that comes late
+    static constexpr int tried_pushes = 5;       ///< of one touch
 
     /// 0 at the beginning, then one value for each node.
     template <typename Value> using Course = std::array<Value, most_nodes + 1>;

@@ -17,7 +17,8 @@ namespace ode_predictive_space::haptics
 class SceneMotion
 {
 public:
-    explicit SceneMotion(TouchSensor &sensor);
+    /// @param stiffness N/m; of the force law, for what has no material of its own.
+    SceneMotion(TouchSensor &sensor, double stiffness);
 
     /// To be pushed by the steps that it belongs to.
     void receive(const Impulse &impulse) { waiting_.push_back(impulse); }
@@ -39,11 +40,11 @@ public:
 
     /// Tries out what the touched surfaces will do. After the program's collide(), before its advance().
     ///
-    /// @param step s; from one look at the scene to the next.
-    void foresee(const ContactModel &planes, double time, double step, MotionForecast &forecast);
+    /// @param period s; of the program's rate. @param affordable how many steps there is time for in a period.
+    void foresee(const ContactModel &planes, double time, double period, int affordable, MotionForecast &forecast);
 
-    /// In how many steps the scene has to be stepped from one look at it to the next.
-    int inner_steps() const { return inner_steps_; }
+    /// How often the scene has to be stepped, and looked at, in a period of the program's rate. Never less than before.
+    int steps_per_period() const { return steps_per_period_; }
 
 private:
     /// A body, and what it was when the scene was looked at.
@@ -74,26 +75,27 @@ private:
     static MotionForecast::PushWrenches wrenches_of(const Touched &touched, const Pushes &pushes);
     static BodyMotion motion_of(const Touched &touched);
     std::vector<BodyImpulse> rest() const;
-    void choose_steps(IslandRollOut &island, double step);
+    void choose_steps(IslandRollOut &island, double period, int affordable);
+    double fastest_spring() const;
     void try_out(IslandRollOut &island, const std::vector<BodyImpulse> &impulses, double h, Courses &courses) const;
     void find_response(IslandRollOut &island, std::size_t pushed, double h, MotionForecast &forecast);
     BodyMotion limited(const BodyMotion &found, const BodyMotion &free, std::size_t seen, std::size_t pushed) const;
     double last_impulse_on(std::uintptr_t object) const;
 
     TouchSensor &sensor_;
+    double stiffness_; ///< N/m
     std::vector<Impulse> waiting_;
     std::vector<Impulse> rest_; ///< of the impulses of the last step: for the next one
     std::vector<Impulse> last_; ///< pushed in the last step
     std::vector<ForceShare> shares_;
     std::vector<Touched> touched_;
     std::uint64_t received_ = 0;
-    int inner_steps_ = 1;
+    int steps_per_period_ = 1;
     double foreseen_step_ = 0; ///< s
     int surprises_ = 0;        ///< steps in a row that were not as foreseen
     int wished_steps_ = 1;     ///< at the last look
     bool has_joints_ = false;  ///< what was tried out last
     bool quick_ = false;       ///< the program steps by dWorldQuickStep()
-    std::size_t nodes_ = 1;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -1,0 +1,64 @@
+#include "ode_predictive_space/haptics/contact/contact_manifold.h"
+
+#include "tests/haptics/constants.h"
+
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// Ticks of a tool that rests at the origin, deep in what is touched.
+class ContactManifoldTest : public testing::Test
+{
+protected:
+    static Touch touch_of(std::uintptr_t object, double depth)
+    {
+        Touch touch;
+        touch.object = object;
+        touch.feature = 1;
+        touch.depth = depth;
+        return touch;
+    }
+
+    std::vector<Touch> tick(std::vector<Touch> touches)
+    {
+        manifold_.recognise(tool_.position, TouchView::all_together, dt, touches);
+        manifold_.let_rise(ContactBirth(tool_, dt), true, dt, touches);
+        manifold_.solve(tool_.position, TouchView::all_together, touches);
+        return touches;
+    }
+
+    ToolState tool_;
+    ContactManifold manifold_;
+};
+
+TEST_F(ContactManifoldTest, WhatAppearsAroundTheToolRisesThroughIt)
+{
+    EXPECT_EQ(tick({touch_of(1, 0.01)})[0].depth, 0);
+    const Touch later = tick({touch_of(1, 0.01)})[0];
+    EXPECT_GT(later.part, 0);
+    EXPECT_LT(later.part, 0.01);
+    EXPECT_DOUBLE_EQ(later.depth, later.part * 0.01);
+}
+
+TEST_F(ContactManifoldTest, WhatTheToolCameToIsThereAtOnce)
+{
+    EXPECT_EQ(tick({touch_of(1, 1e-5)})[0].part, 1);
+    EXPECT_EQ(tick({touch_of(1, 0.01)})[0].part, 1) << "known since";
+    EXPECT_EQ(tick({touch_of(2, 0.01)})[0].part, 1) << "handed over";
+    EXPECT_EQ(tick({touch_of(3, 0.02)})[0].part, 0) << "deeper than that: it appeared";
+}
+
+// It was felt at once, so that the force jumped.
+TEST_F(ContactManifoldTest, WhatTheToolGoesOnToFromWhatRisesRisesOn)
+{
+    tick({touch_of(1, 0.01)});
+    const Touch before = tick({touch_of(1, 0.01)})[0];
+    const Touch after = tick({touch_of(2, 0.01)})[0];
+    EXPECT_EQ(after.takes_over, before.id);
+    EXPECT_GT(after.part, before.part);
+    EXPECT_LT(after.part, 0.01);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

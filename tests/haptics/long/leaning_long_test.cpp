@@ -1,0 +1,17 @@
+#include "tests/haptics/leaning.h"
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+class LongLeaningTest : public LeaningTest
+{};
+
+TEST_P(LongLeaningTest, TenMinutesAreAsOneThread)
+{
+    expect_steady(600);
+}
+
+INSTANTIATE_TEST_SUITE_P(Loops, LongLeaningTest, leaning_loops, leaning_name);
+} // namespace
+} // namespace ode_predictive_space::haptics
