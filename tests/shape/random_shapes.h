@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "ode_predictive_space/broadphase/shape/convex_shape.h"
+#include "ode_predictive_space/surface/triangle_tree.h"
 
 namespace ode_predictive_space
 {
