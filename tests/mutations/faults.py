@@ -316,6 +316,17 @@ def shape_faults():
     terrain = BROADPHASE + "shape/terrain_gap.cpp"
     heightfields = (("colliders", "*Heightfields*"),)
     yield Fault(
+        "old_box_of_a_mesh_ignored", "shapes", SOURCES + "space/geom_shape.cpp",
+        "if (geom->type == dTriMeshClass && has_old_box(shape))", "if (false && has_old_box(shape))",
+        (("shape_contract", "ShapeProximity.*"),))
+    query = SOURCES + "space/query.cpp"
+    yield Fault(
+        "rays_by_shape_meet_envelopes", "shapes", query, "return ray_may_touch(probe, geom);", "return true;",
+        (("shape_contract", "ShapeQuery.*"),))
+    yield Fault(
+        "data_not_noticed_by_questions", "shapes", query, "tuning::few_to_ask && !by_shape())", "tuning::few_to_ask)",
+        (("shape_contract", "ShapeQuery.*"),))
+    yield Fault(
         "planes_for_all_shapes_on_a_heightfield", "shapes", terrain,
         "if (shape_.kind != ShapeKind::rounded)", "if (shape_.kind == ShapeKind::half_space)", heightfields)
     yield Fault(
@@ -457,8 +468,8 @@ def space_faults():
         "        else if (std::isfinite(radius))\n            ;", CONTACT_HISTORIES)
     yield Fault(
         "skewed_rays_judged_by_lines", "space", scene,
-        "if (ray->type != dRayClass || touched_off_line(other) || is_skewed(ray))",
-        "if (ray->type != dRayClass || touched_off_line(other))", CONTACT_HISTORIES)
+        "if (probe->type != dRayClass || touched_off_line(geom) || is_skewed(probe))",
+        "if (probe->type != dRayClass || touched_off_line(geom))", CONTACT_HISTORIES)
 
 
 def history_faults():
