@@ -32,8 +32,9 @@ struct DataHull : VertexHull
     double least_normal = std::numeric_limits<double>::infinity();
     /// The largest aspect ratio of a triangle of a mesh: its longest side by the height on it. Of a convex, 1.
     double aspect = 1;
-    bool outdated = false;    ///< the data have been changed in place
-    bool has_old_box = false; ///< ODE's box of a mesh's data does not fit: they were changed in place, and not built again
+    bool outdated = false; ///< the data have been changed in place
+    bool has_old_box =
+        false; ///< ODE's box of a mesh's data does not fit: they were changed in place, and not built again
 };
 
 /// A hull lives as long as a shape of a geom has it.

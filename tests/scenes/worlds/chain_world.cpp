@@ -1,7 +1,7 @@
 // Robots of seventeen bodies in a row, with a motor in each joint, on a plane.
 
-#include "tests/scenes/worlds/makers.h"
 #include "demos/scenes/world_scene.h"
+#include "tests/scenes/worlds/makers.h"
 
 namespace ode_predictive_space::scenes
 {

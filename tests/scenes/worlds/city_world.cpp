@@ -1,9 +1,9 @@
 // Vehicles that drive over hills among trees.
 
 #include "demos/scenes/hills.h"
+#include "demos/scenes/world_scene.h"
 #include "tests/scenes/worlds/makers.h"
 #include "tests/scenes/worlds/vehicle.h"
-#include "demos/scenes/world_scene.h"
 
 namespace ode_predictive_space::scenes
 {

@@ -1,9 +1,9 @@
 // Free bodies that fly in a room with pillars, which is one mesh.
 
-#include "tests/scenes/worlds/box_mesh.h"
 #include "demos/scenes/flyer.h"
-#include "tests/scenes/worlds/makers.h"
 #include "demos/scenes/world_scene.h"
+#include "tests/scenes/worlds/box_mesh.h"
+#include "tests/scenes/worlds/makers.h"
 
 namespace ode_predictive_space::scenes
 {

@@ -1,7 +1,7 @@
 // Bodies that roll and lie on a plane.
 
-#include "tests/scenes/worlds/makers.h"
 #include "demos/scenes/world_scene.h"
+#include "tests/scenes/worlds/makers.h"
 
 namespace ode_predictive_space::scenes
 {

@@ -1,7 +1,7 @@
 // Objects without contacts: some fall for ever and the others rest, or all fly through a room in steps that vary.
 
-#include "tests/scenes/worlds/makers.h"
 #include "demos/scenes/world_scene.h"
+#include "tests/scenes/worlds/makers.h"
 
 namespace ode_predictive_space::scenes
 {

@@ -1,7 +1,7 @@
 // Spheres and boxes that fall into a pit and stay there.
 
-#include "tests/scenes/worlds/makers.h"
 #include "demos/scenes/world_scene.h"
+#include "tests/scenes/worlds/makers.h"
 
 namespace ode_predictive_space::scenes
 {

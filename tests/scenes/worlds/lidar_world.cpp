@@ -1,8 +1,8 @@
 // Ten robots that look around with rays among still boxes. Each ray asks by itself, or the rays of a robot have a space of their
 // own in the space of the boxes.
 
-#include "tests/scenes/worlds/makers.h"
 #include "demos/scenes/world_scene.h"
+#include "tests/scenes/worlds/makers.h"
 
 namespace ode_predictive_space::scenes
 {

@@ -1,7 +1,7 @@
 // One small world after the other, each with a space of its own and a short life.
 
-#include "tests/scenes/worlds/makers.h"
 #include "demos/scenes/world_scene.h"
+#include "tests/scenes/worlds/makers.h"
 #include "tests/scenes/worlds/worlds.h"
 
 namespace ode_predictive_space::scenes

@@ -1,8 +1,8 @@
 // Spaces in the space: one for each robot, or many without geoms.
 
+#include "demos/scenes/world_scene.h"
 #include "tests/scenes/worlds/makers.h"
 #include "tests/scenes/worlds/vehicle.h"
-#include "demos/scenes/world_scene.h"
 
 namespace ode_predictive_space::scenes
 {

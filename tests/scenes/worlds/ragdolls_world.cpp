@@ -1,8 +1,8 @@
 // Ragdolls that fall on stairs.
 
+#include "demos/scenes/world_scene.h"
 #include "tests/scenes/worlds/makers.h"
 #include "tests/scenes/worlds/ragdoll.h"
-#include "demos/scenes/world_scene.h"
 
 namespace ode_predictive_space::scenes
 {

@@ -1,9 +1,9 @@
 // A store: still boxes on shelves, and fifty robots in the aisles. The ground is a plane, or ground and walls are one mesh.
 
+#include "demos/scenes/world_scene.h"
 #include "tests/scenes/worlds/box_mesh.h"
 #include "tests/scenes/worlds/makers.h"
 #include "tests/scenes/worlds/vehicle.h"
-#include "demos/scenes/world_scene.h"
 
 namespace ode_predictive_space::scenes
 {
