@@ -92,9 +92,11 @@ void add_crowd(Things &things, int count)
             i % 4 == 3 ? dCreateCylinder(things.space(), 0.006, 0.04) : nullptr,
         };
         const dGeomID geom = one_of[static_cast<std::size_t>(i % 4)];
-        const Vector3 position(place(random), place(random), place(random));
-        dGeomSetPosition(geom, position.x(), position.y(), position.z());
-        turn(geom, any(random), any(random), any(random) + 1.5, 3 * any(random));
+        // One after the other: compilers evaluate arguments in orders of their own.
+        const double z = place(random), y = place(random), x = place(random);
+        dGeomSetPosition(geom, x, y, z);
+        const double angle = 3 * any(random), up = any(random) + 1.5, across = any(random), along = any(random);
+        turn(geom, along, across, up, angle);
     }
 }
 
