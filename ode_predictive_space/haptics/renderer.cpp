@@ -15,7 +15,7 @@ namespace
 {
 constexpr double jump = 10; // times the maximum of speed
 
-/// Of notices: each is told once a second at most.
+/// Topics of notices: there is at most one notice a second on each.
 enum Topic : std::size_t
 {
     topic_contact,
@@ -44,7 +44,7 @@ void Renderer::read(double time, double clock_time)
     parts_->clock_time = clock_time;
     if (parts_->link.notice_guard() || parts_->relaxed)
     {
-        parts_->begin_anew();
+        parts_->restart();
     }
     const double delay_before = delay();
     const DeviceLink::News news =
@@ -65,13 +65,13 @@ void Renderer::Parts::take_in(const DeviceLink::News &news)
     if (news.has_jumped)
     {
         ++tick.tool_jumps;
-        begin_anew();
+        restart();
         notices.tell_once_a_second(topic_jump, NoticeKind::device,
                                    "No force until the probe is free: the device's position has jumped.");
     }
     if (news.came_back)
     {
-        news.only_doubted ? safety.restart_ramp() : begin_anew();
+        news.only_doubted ? safety.restart_ramp() : restart();
     }
     if (news.had_failed)
     {
@@ -108,7 +108,7 @@ void Renderer::Parts::tell_of_delay()
     }
 }
 
-void Renderer::Parts::begin_anew()
+void Renderer::Parts::restart()
 {
     relaxed = false;
     safety.reset();

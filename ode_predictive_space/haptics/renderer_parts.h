@@ -28,7 +28,7 @@ public:
     Parts(Device &device, RenderSettings render_settings);
 
     /// A tick's reading.
-    void begin_anew();
+    void restart();
     void take_in(const DeviceLink::News &news);
     void move_clutch();
     double delay() const;

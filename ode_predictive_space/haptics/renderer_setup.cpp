@@ -104,7 +104,7 @@ void Renderer::set_placement(const WorkspacePlacement &placement)
         parts_->law = usual_law(parts_->link.capabilities(), parts_->mapping);
     }
     parts_->check_law();
-    parts_->begin_anew(); // the tool jumps, perhaps into something
+    parts_->restart(); // the tool jumps, perhaps into something
     ++parts_->tick.tool_jumps;
 }
 

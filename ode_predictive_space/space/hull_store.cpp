@@ -123,7 +123,7 @@ void take_triangles(const TriangleArrays &mesh, DataHull &hull)
     }
 }
 
-// ODE keeps the box of a mesh's data from when they were built. A geom that is nowhere has it.
+// ODE keeps the box of a mesh's data from when they were built. It is the bounding box of a geom that has not been moved.
 Box kept_box(dGeomID mesh)
 {
     const dGeomID unplaced = dCreateTriMesh(nullptr, dGeomTriMeshGetData(mesh), nullptr, nullptr, nullptr);

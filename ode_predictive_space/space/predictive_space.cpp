@@ -127,7 +127,7 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
     forget_catching_up();
 }
 
-// But by the box test, rays are followed along their lines. (The matrix of a geom with a body stays a rotation.)
+// By the sphere and shape tests, rays are followed along their lines. (The matrix of a geom with a body stays a rotation.)
 inline void dxPredictiveSpace::note_changed_line(const dxGeom *geom)
 {
     if (by_box())

@@ -147,7 +147,7 @@ private:
     ode_predictive_space::IdSet polled_;       // geoms whose class changes them without notice
     std::size_t polled_count_ = 0;
     ode_predictive_space::IdSet
-        off_line_; // but by the box test: those that a ray may touch where it does not meet their box
+        off_line_; // by the sphere and shape tests: those that a ray may touch where it does not meet their box
     std::size_t off_line_count_ = 0;
     ode_predictive_space::IdSet line_unknown_; // may have come or gone there since a ray was last asked for
     std::atomic<bool> lines_known_{true};      // there are none of these

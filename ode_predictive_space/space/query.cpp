@@ -180,7 +180,7 @@ ConvexShape dxPredictiveSpace::shape_now(dxGeom *geom)
     lines_known_.store(true, std::memory_order_release);
 }
 
-// All geoms whose bounding box may overlap that of `geom`. But by the box test, a ray is followed along its line; only geoms that
+// All geoms whose bounding box may overlap that of `geom`. By the sphere and shape tests, a ray is followed along its line; only geoms that
 // a ray can touch without meeting their box are looked for in the box of the ray.
 void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
 {

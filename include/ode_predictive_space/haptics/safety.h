@@ -165,7 +165,7 @@ public:
     /// Whether the program is to end. Any thread; neither locks nor allocates.
     static bool requested() noexcept;
 
-    /// The signal that asked for it; 0 when none did. For a message, or to raise it anew after the end of the loop.
+    /// The signal that asked for it; 0 when none did. For a message, or to raise it again after the loop has ended.
     static int signal() noexcept;
 
     /// The same without a signal; for a window that is closed, say. Any thread, and signal handlers.

@@ -179,9 +179,9 @@ void SceneMotion::choose_steps(IslandRollOut &island, double period, int afforda
         const double for_quick = quick_ ? period / longest_quick_step : 1;
         steps = std::max(steps, std::min<double>(affordable, std::ceil(std::max(for_spring, for_quick))));
     }
-    const int wished = static_cast<int>(std::clamp<double>(steps, 1, most_steps));
-    steps_per_period_ = std::max(steps_per_period_, std::min(wished, wished_steps_));
-    wished_steps_ = wished;
+    const int needed = static_cast<int>(std::clamp<double>(steps, 1, most_steps));
+    steps_per_period_ = std::max(steps_per_period_, std::min(needed, steps_needed_));
+    steps_needed_ = needed;
 }
 
 /// rad/s; of a touched body between the hand and the spring of its contact.

@@ -93,7 +93,7 @@ private:
     int steps_per_period_ = 1;
     double foreseen_step_ = 0; ///< s
     int surprises_ = 0;        ///< steps in a row that were not as foreseen
-    int wished_steps_ = 1;     ///< at the last look
+    int steps_needed_ = 1;     ///< at the last look
     bool has_joints_ = false;  ///< what was tried out last
     bool quick_ = false;       ///< the program steps by dWorldQuickStep()
 };
