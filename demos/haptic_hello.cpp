@@ -19,9 +19,7 @@ haptics::HapticProbe *probe;
 void near_callback(void *, dGeomID first, dGeomID second)
 {
     if (probe->touch(first, second)) // haptic: contacts of the probe become a force
-    {
         return;
-    }
     dContact contact[4] = {};
     const int count = dCollide(first, second, 4, &contact[0].geom, sizeof(dContact));
     for (int i = 0; i < count; ++i)
@@ -76,11 +74,9 @@ bool press(dSpaceID space, haptics::LoopClock *clock)
         dWorldQuickStep(world, dt);
         dJointGroupEmpty(contacts);
         if (++ticks % 100 == 0)
-        {
             std::printf("%.1f s: the probe at %.4f m %s, the hand feels %.2f N\n", ticks * dt,
                         sphere.tool().position.z(), sphere.touches().empty() ? "touches nothing" : "touches the box",
                         sphere.last_tick().force.z());
-        }
     };
     const haptics::LoopReport report = loop.run(work);
     std::printf("%d ticks at %.0f Hz, %d late\n", static_cast<int>(report.ticks), report.rate,

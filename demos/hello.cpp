@@ -45,9 +45,7 @@ int main()
     dCreatePlane(space, 0, 0, 1, 0);
     dBodyID bodies[100];
     for (int i = 0; i < 100; ++i)
-    {
         bodies[i] = drop(space, i);
-    }
 
     for (int tick = 1; tick <= 1000; ++tick) // two seconds
     {
@@ -56,10 +54,8 @@ int main()
         dWorldQuickStep(world, 0.002);
         dJointGroupEmpty(contacts);
         if (tick % 200 == 0)
-        {
             std::printf("%.1f s: the last body is at a height of %.2f m, %d of 5050 pairs are near\n", 0.002 * tick,
                         dBodyGetPosition(bodies[99])[2], near_pairs);
-        }
     }
 
     const bool on_the_floor = dBodyGetPosition(bodies[99])[2] > 0;

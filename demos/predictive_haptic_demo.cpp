@@ -54,9 +54,7 @@ demo::RunResult run(const Options &options, demo::DemoDevice &device, bool in_wi
     const auto notice = [](const haptics::Notice &told) { std::cerr << "-- " << told.sentence() << std::endl; };
 #ifdef HAPTIC_DEMO_HAS_WINDOW
     if (in_window)
-    {
         return demo::run_in_window(options, factory, device, notice);
-    }
 #else
     static_cast<void>(in_window);
 #endif
@@ -67,27 +65,19 @@ demo::RunResult run(const Options &options, demo::DemoDevice &device, bool in_wi
 void run_probe(Options options, bool in_window)
 {
     if (options.spaces.empty())
-    {
         options.spaces = {"predictive"};
-    }
     if (!in_window && options.seconds == 0)
-    {
         options.seconds = usual_seconds_without_window;
-    }
     const haptics::StopRequest stop_request; // signals end the loop with zero force, and the summary is printed
     demo::DemoDevice device(haptics::make_device(options.device, options.seed));
     demo::print_beginning(std::cout, options, in_window);
     const demo::RunResult result = run(options, device, in_window);
     demo::print_summary(std::cout, options, result);
     if (!options.json_file.empty())
-    {
         scenes::write_json(options.json_file, demo::json_summary(options, result));
-    }
     if (!options.report_folder.empty())
-    {
         std::cerr << "report: " << report::write_page(options.report_folder, demo::page_of_run(options, result))
                   << std::endl;
-    }
 }
 
 void check_outputs(const Options &options)
@@ -95,14 +85,10 @@ void check_outputs(const Options &options)
     for (const std::string &file : {options.json_file, options.screenshot_file})
     {
         if (!file.empty())
-        {
             scenes::check_writable(file);
-        }
     }
     if (!options.report_folder.empty())
-    {
         report::prepare_folder(options.report_folder);
-    }
 }
 
 ExitStatus run_demo(const Options &options)
@@ -112,16 +98,12 @@ ExitStatus run_demo(const Options &options)
     const std::string lack = options.headless ? "" : what_a_window_lacks();
     const bool in_window = !options.headless && !options.compare && lack.empty();
     if (!options.screenshot_file.empty() && !in_window)
-    {
         throw std::runtime_error("no screenshot without a window: " + lack);
-    }
     if (options.compare || (!in_window && !options.wants_one_run))
     {
         if (!lack.empty() && !options.compare)
-        {
             std::cout << "No window: " << lack << ". The spaces are compared instead. With --device virtual the probe "
                       << "runs without a window.\n\n";
-        }
         return demo::compare_spaces(options) ? exit_well : exit_different_pairs;
     }
     run_probe(options, in_window);
@@ -135,9 +117,7 @@ int run_as_asked(int argc, char **argv)
     const std::optional<int> parsed = demo::parse_command_line(argc, argv, options);
     const int status = parsed ? *parsed : run_demo(options);
     if (!results.finish())
-    {
         throw std::runtime_error("standard output cannot be written");
-    }
     return status;
 }
 } // namespace

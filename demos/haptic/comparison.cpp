@@ -25,9 +25,7 @@ std::vector<SpaceKind> kinds_of(const std::vector<std::string> &names)
     {
         const SpaceKind kind = space_named(name);
         if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-        {
             kinds.push_back(kind);
-        }
     }
     return kinds;
 }
@@ -48,9 +46,7 @@ void compare_contacts(const SceneRuns &runs)
     for (const auto &run : runs)
     {
         if (!all_exact)
-        {
             run->measure_contacts();
-        }
     }
 }
 } // namespace
@@ -73,22 +69,16 @@ bool compare_spaces(const Options &options)
         Progress progress("Running", ticks);
         run_by_turns(runs, warm_up);
         for (const auto &run : runs)
-        {
             run->start_measuring();
-        }
         run_by_turns(runs, ticks - warm_up, [&](int done) { progress.show(warm_up + done); });
     }
     print_report(std::cout, runs);
     if (!options.json_file.empty())
-    {
         write_json(options.json_file, json_report(runs, spec));
-    }
     if (!options.report_folder.empty())
-    {
         std::cerr << "report: "
                   << report::write_page(options.report_folder, page_of_comparison(runs, factory.tick_seconds()))
                   << std::endl;
-    }
     return first_difference(runs) < 0 && first_difference_of_contacts(runs) < 0;
 }
 } // namespace ode_predictive_space::demo

@@ -56,9 +56,7 @@ const SceneRun *best_other_run(const SceneRuns &runs)
     {
         if (run->contender().family() != Family::predictive &&
             (best == nullptr || median_collide_time(*run) < median_collide_time(*best)))
-        {
             best = run.get();
-        }
     }
     return best;
 }
@@ -106,9 +104,7 @@ void print_verdict(std::ostream &out, const SceneRuns &runs)
     const SceneRun *ours = predictive_run(runs);
     const SceneRun *best = best_other_run(runs);
     if (ours == nullptr || best == nullptr)
-    {
         return;
-    }
     const double ratio = median_collide_time(*best) / median_collide_time(*ours);
     out << "The gain is the share of the other space's time that " << ours->name()
         << " saves, by the medians: (T_other - T) / "
@@ -125,9 +121,7 @@ void print_faster_variants(std::ostream &out, const SceneRuns &runs)
     for (const auto &run : runs)
     {
         if (run->contender().family() == Family::predictive)
-        {
             out << faster_variant_text(run->name(), median_tick_time(*run), first->name(), median_tick_time(*first));
-        }
     }
 }
 
@@ -142,20 +136,16 @@ void print_probe(std::ostream &out, const SceneRun &run)
     out << "The probe touched " << log.touched.size() << (log.touched.size() == 1 ? " object" : " objects") << ", in "
         << grouped(log.ticks_in_touch) << " of " << grouped(run.ticks()) << " ticks";
     if (log.ticks_in_touch > 0)
-    {
         out << "; it felt " << fixed(log.force_sum / static_cast<double>(log.ticks_in_touch), 1) << " N on average, "
             << fixed(log.max_force, 1) << " N at most";
-    }
     out << ".\n";
 }
 
 void print_false_pairs(std::ostream &out, const SceneRun &run)
 {
     if (run.false_pairs() > 0)
-    {
         out << "(The " << long_name(run) << " space also reported " << grouped(run.false_pairs())
             << " pairs whose boxes are apart, as it rounds one axis to\nsingle precision. They are not counted.)\n";
-    }
 }
 
 std::vector<const SceneRun *> exact_runs(const SceneRuns &runs)
@@ -164,9 +154,7 @@ std::vector<const SceneRun *> exact_runs(const SceneRuns &runs)
     for (const auto &run : runs)
     {
         if (run->contender().exact())
-        {
             exact.push_back(run.get());
-        }
     }
     return exact;
 }
@@ -181,20 +169,14 @@ void print_agreement(std::ostream &out, const SceneRuns &runs)
     {
         out << "THE SPACES DISAGREE: from tick " << tick << " on they did not all report the same pairs.\n";
         for (const SceneRun *run : exact)
-        {
             out << "  " << long_name(*run) << ": hash of the pairs " << hexadecimal(run->pair_hash()) << '\n';
-        }
         return;
     }
     if (exact.size() > 1)
-    {
         out << "All " << exact.size() << (exact.size() == runs.size() ? " spaces" : " spaces that compare boxes")
             << " reported the same pairs in each of the " << grouped(first.ticks()) << " ticks: ";
-    }
     else
-    {
         out << "The space reported ";
-    }
     out << grouped(first.pairs()) << " pairs in all (hash " << hexadecimal(first.pair_hash()) << ").\n";
 }
 
@@ -212,10 +194,8 @@ void print_contacts_of_inexact(std::ostream &out, const SceneRuns &runs)
     for (const auto &run : runs)
     {
         if (!run->contender().exact() && !exact.empty())
-        {
             out << "The " << long_name(*run) << " space left out " << grouped(exact.front()->pairs() - run->pairs())
                 << " of them, none of which had contacts.\n";
-        }
     }
 }
 } // namespace
@@ -230,9 +210,7 @@ std::string faster_variant_text(const std::string &variant, double variant_time,
 {
     const std::string measure = variant.substr(variant.find('-') + 1); // of predictive-shape: shape
     if (variant_time >= first_time)
-    {
         return "";
-    }
     return "By the medians, a whole tick takes " + fixed(gain_percent(variant_time, first_time), 1) +
            " % less time in " + variant + " than in " + first +
            ": there are fewer calls of dCollide(). dPredictiveSpaceSetProximity(space, dPredictiveProximity" +
@@ -263,9 +241,7 @@ void print_report(std::ostream &out, const SceneRuns &runs)
     print_agreement(out, runs);
     print_contacts_of_inexact(out, runs);
     for (const auto &run : runs)
-    {
         print_false_pairs(out, *run);
-    }
 }
 
 nlohmann::json json_report(const SceneRuns &runs, const SceneSpec &spec)

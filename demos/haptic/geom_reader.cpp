@@ -94,26 +94,20 @@ GeomReader::GeomReader(const scenes::Scene &scene, const Eigen::AlignedBox3d &ro
     for (const dGeomID geom : scene.geoms())
     {
         if (geom != nullptr && dGeomGetClass(geom) == dHeightfieldClass)
-        {
             hills_[geom] = std::make_shared<const Triangles>(triangles_between(lattice_on(geom)));
-        }
     }
 }
 
 bool GeomReader::read(std::size_t most, std::vector<window::DrawnGeom> &geoms)
 {
     if (next_ == 0)
-    {
         geoms.clear();
-    }
     const std::vector<dGeomID> &all = scene_.geoms();
     const std::size_t end = next_ + std::min(most, all.size() - next_);
     for (; next_ < end; ++next_)
     {
         if (all[next_] != nullptr)
-        {
             geoms.push_back(drawn(all[next_]));
-        }
     }
     const bool complete = next_ >= all.size();
     next_ = complete ? 0 : next_;

@@ -36,9 +36,7 @@ haptics::NoticeSink HapticRun::counted(const haptics::NoticeSink &notice)
 {
     return [this, notice](const haptics::Notice &told) {
         if (told.kind == haptics::NoticeKind::guard || told.kind == haptics::NoticeKind::watchdog)
-        {
             safety_notices_.fetch_add(1, std::memory_order_relaxed);
-        }
         notice(told);
     };
 }
@@ -48,9 +46,7 @@ Vector3 HapticRun::free_start(const Vector3 &wish, const Eigen::AlignedBox3d &ro
 {
     constexpr double roomy = 1.5 * probe_radius;
     if (const auto place = scenes::free_place(*scene_, wish, roomy, probe_radius, room))
-    {
         return *place;
-    }
     const Vector3 beyond = Vector3::Constant(2 * probe_radius);
     return scenes::free_place(*scene_, wish, probe_radius, probe_radius / 4, {room.min() - beyond, room.max() + beyond})
         .value_or(wish);
@@ -83,9 +79,7 @@ std::string HapticRun::law_name() const
 {
     const auto *replay = dynamic_cast<const haptics::ReplayDevice *>(&device_.inner());
     if (replay == nullptr || options_.law_given)
-    {
         return options_.law;
-    }
     const std::string &recorded = replay->recording().law;
     return recorded.empty() ? "penalty" : recorded;
 }
@@ -95,9 +89,7 @@ std::shared_ptr<AdjustableLaw> HapticRun::make_law() const
 {
     const haptics::SurfaceProperties surface{options_.stiffness / scale_, options_.damping / scale_, options_.friction};
     if (law_name() == "proxy")
-    {
         return std::make_shared<AdjustableLaw>(std::make_unique<haptics::ProxyLaw>(surface));
-    }
     return std::make_shared<AdjustableLaw>(std::make_unique<haptics::PenaltyLaw>(surface));
 }
 
@@ -137,9 +129,7 @@ void HapticRun::make_loop(const haptics::NoticeSink &notice)
     settings.decoupled = decoupled_;
     settings.physics_rate = 1 / tick_seconds_;
     if (options_.seconds > 0)
-    {
         settings.duration = options_.seconds;
-    }
     if (options_.fast)
     {
         settings.clock = &simulated_clock_;
@@ -180,9 +170,7 @@ void HapticRun::collide()
     adjust_stiffness();
     stands_still_ = control_.paused.load(std::memory_order_relaxed);
     if (!stands_still_)
-    {
         scene_->respond(pairs_.sorted()); // a loop of two threads foresees motion by the contacts that there are
-    }
 }
 
 /// After the forces of this step have been rendered.
@@ -192,13 +180,9 @@ void HapticRun::advance()
     find_touched();
     look_ahead();
     if (stands_still_)
-    {
         hold_still();
-    }
     else
-    {
         scene_->advance();
-    }
     ++steps_;
     time_ = static_cast<double>(steps_) * tick_seconds_;
     const double seconds = scenes::seconds_between(begin, Clock::now());
@@ -215,9 +199,7 @@ void HapticRun::find_touched()
         if (std::any_of(touches.begin(), touches.end(), [geom](const haptics::Touch &touch) {
                 return touch.depth > 0 && touch.object == haptics::object_of(geom);
             }))
-        {
             touched_.push_back(geom);
-        }
     }
 }
 
@@ -252,9 +234,7 @@ RunResult HapticRun::run(const std::function<void()> &after_step)
     work.advance = [this, &after_step](double) {
         advance();
         if (after_step)
-        {
             after_step();
-        }
     };
     RunResult result;
     result.loop = loop_->run(work);
@@ -275,9 +255,7 @@ RunResult HapticRun::run(const std::function<void()> &after_step)
     result.lost_in_recording = servo_log_->lost_in_recording();
     result.safety_notices = safety_notices_.load();
     if (dSpaceIsPredictive(space_.get()) != 0)
-    {
         dPredictiveSpaceGetStats(space_.get(), &result.space_stats.emplace());
-    }
     compare_with_recording(result);
     return result;
 }
@@ -286,14 +264,10 @@ void HapticRun::compare_with_recording(RunResult &result)
 {
     const auto *replay = dynamic_cast<const haptics::ReplayDevice *>(&device_.inner());
     if (replay == nullptr || !replay->recording().has_forces)
-    {
         return;
-    }
     std::vector<Vector3> recorded;
     for (const haptics::RecordedTick &tick : replay->recording().ticks)
-    {
         recorded.push_back(tick.force);
-    }
     std::vector<Vector3> rendered = servo_log_->forces();
     const std::size_t common = std::min(recorded.size(), rendered.size());
     recorded.resize(common);

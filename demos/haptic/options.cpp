@@ -17,9 +17,7 @@ std::vector<std::string> names_of_spaces()
 {
     std::vector<std::string> names{"predictive", "predictive-sphere", "predictive-shape"};
     for (const scenes::SpaceKind kind : scenes::all_spaces())
-    {
         names.push_back(scenes::space_name(kind));
-    }
     return names;
 }
 
@@ -27,9 +25,7 @@ std::string joined(const std::vector<std::string> &words)
 {
     std::string text;
     for (const std::string &word : words)
-    {
         text += (text.empty() ? "" : ", ") + word;
-    }
     return text;
 }
 
@@ -120,30 +116,22 @@ void complete(Options &options, const CLI::App &app)
         {
             options.wants_one_run = true;
             if (options.compare || options.spaces.size() > 1)
-            {
                 throw std::invalid_argument(std::string(name) + " has no meaning when spaces are compared");
-            }
         }
     }
     options.law_given = given("--law");
     options.compare = options.compare || options.spaces.size() > 1;
     options.wants_one_run = options.wants_one_run || (!options.compare && options.spaces.size() == 1);
     if (options.headless && given("--screenshot"))
-    {
         throw std::invalid_argument("--screenshot needs a window, and --headless asks for none");
-    }
     if (given("--replay"))
     {
         if (given("--device"))
-        {
             throw std::invalid_argument("--replay and --device both say what moves the probe");
-        }
         options.device = "replay:" + options.replay_file;
     }
     if (given("--screenshot") && options.seconds > 0 && options.seconds < options.screenshot_time)
-    {
         throw std::invalid_argument("the run ends before the time of the screenshot");
-    }
 }
 } // namespace
 

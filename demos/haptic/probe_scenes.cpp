@@ -16,13 +16,9 @@ scenes::SceneFactory factory_for_probe(scenes::SceneSpec spec)
 {
     spec.own_probe = false;
     if (spec.name == "room")
-    {
         return {spec, scenes::room_scene(spec)};
-    }
     if (spec.name == "hills")
-    {
         return {spec, scenes::hills_scene(spec)};
-    }
     return scenes::SceneFactory(spec);
 }
 } // namespace ode_predictive_space::demo

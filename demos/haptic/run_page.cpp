@@ -74,9 +74,7 @@ Plot comparison_plot(const char *title, const scenes::SceneRuns &runs, double ti
     {
         report::BoundedSeries series{};
         for (const double time : (*run.*times)())
-        {
             series.add(time);
-        }
         plot.curves.push_back(report::means(run->name(), series, tick_seconds, 1));
     }
     return plot;
@@ -92,9 +90,7 @@ report::Page page_of_run(const Options &options, const RunResult &result)
     print_summary(text, options, result);
     report::Page page{"A run of the haptic probe", text.str(), {times_plot(result), force_plot(result)}};
     if (!options.fast) // simulated time has no periods
-    {
         page.plots.push_back(period_plot(result));
-    }
     page.plots.push_back(contacts_plot(result));
     return page;
 }

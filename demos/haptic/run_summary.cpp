@@ -31,9 +31,7 @@ void print_loop(std::ostream &out, const Options &options, const haptics::LoopRe
 {
     line(out, "Loop") << fixed(loop.rate, 0) << " Hz, " << grouped(loop.ticks) << " ticks";
     if (loop.steps != loop.ticks)
-    {
         out << ", " << grouped(loop.steps) << " steps of the scene";
-    }
     if (options.fast)
     {
         out << "; time was simulated: it has no periods\n";
@@ -49,9 +47,7 @@ void print_loop(std::ostream &out, const Options &options, const haptics::LoopRe
                              << percent(static_cast<double>(loop.overruns), static_cast<double>(loop.ticks))
                              << " of the ticks too long\n";
     if (loop.dropped_steps > 0)
-    {
         line(out, "") << grouped(loop.dropped_steps) << " steps dropped, as the scene was too far behind\n";
-    }
     line(out, "Scheduling") << loop.scheduling << '\n';
 }
 
@@ -77,10 +73,8 @@ void print_force(std::ostream &out, const RunResult &result)
             << " of the ticks, " << fixed(servo.force_sum / static_cast<double>(servo.ticks_with_force), 2)
             << " N on average, " << fixed(servo.max_force, 2) << " N at most";
         if (result.loop.saturated > 0)
-        {
             out << "; more than the device can render in "
                 << percent(static_cast<double>(result.loop.saturated), static_cast<double>(servo.ticks));
-        }
     }
     out << '\n';
     line(out, "Stiffness") << fixed(result.stiffness, 0) << " N/m at the hand, "
@@ -91,18 +85,14 @@ void print_force(std::ostream &out, const RunResult &result)
 void print_safety(std::ostream &out, const RunResult &result)
 {
     if (result.safety_notices > 0)
-    {
         line(out, "Safety") << grouped(result.safety_notices) << (result.safety_notices == 1 ? " notice" : " notices")
                             << " that the loop hung or did not keep up; the force was reduced or taken away\n";
-    }
 }
 
 void print_encounters(std::ostream &out, const RunResult &result)
 {
     if (result.space_stats)
-    {
         line(out, "Prediction") << result.encounters.text() << '\n';
-    }
 }
 
 void print_recordings(std::ostream &out, const Options &options, const RunResult &result)
@@ -111,9 +101,7 @@ void print_recordings(std::ostream &out, const Options &options, const RunResult
     {
         line(out, "Recording") << options.record_file;
         if (result.lost_in_recording > 0)
-        {
             out << "; " << grouped(result.lost_in_recording) << " ticks were lost";
-        }
         out << '\n';
     }
     if (result.replay_error)
@@ -180,13 +168,9 @@ void print_beginning(std::ostream &out, const Options &options, bool window)
         << " objects, space " << options.spaces.front() << ", device " << options.device << ", law " << options.law
         << ", seed " << options.seed << ".\n";
     if (window)
-    {
         out << "The keys are listed in the window.\n";
-    }
     else if (options.seconds > 0)
-    {
         out << "Running for " << fixed(options.seconds, 2) << " simulated seconds, without a window.\n";
-    }
     out.flush();
 }
 

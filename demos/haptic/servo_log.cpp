@@ -10,9 +10,7 @@ ServoLog::ServoLog(double rate, const std::string &record_file, const haptics::C
     : ticks_per_column_(std::max(1, static_cast<int>(std::lround(rate * column_seconds)))), keep_forces_(keep_forces)
 {
     if (!record_file.empty())
-    {
         recorder_ = std::make_unique<haptics::Recorder>(record_file, device, law);
-    }
 }
 
 void ServoLog::add(const haptics::RenderedTick &tick)
@@ -22,17 +20,11 @@ void ServoLog::add(const haptics::RenderedTick &tick)
     totals_.force_sum += force;
     totals_.max_force = std::max(totals_.max_force, force);
     if (force > 0)
-    {
         ++totals_.ticks_with_force;
-    }
     if (recorder_)
-    {
         recorder_->add(tick.time, tick.state, tick.wrench.force);
-    }
     if (keep_forces_)
-    {
         forces_.push_back(tick.wrench.force);
-    }
     add_to_chart(force);
 }
 
@@ -49,9 +41,7 @@ void ServoLog::add_to_chart(double force)
     }
     last_tick_ = now;
     if (totals_.ticks % static_cast<std::uint64_t>(ticks_per_column_) != 0)
-    {
         return;
-    }
     column_.compute = longest_step_.exchange(0, std::memory_order_relaxed);
     ring_.ring[ring_.made % ServoChart::columns] = column_;
     ++ring_.made;
@@ -76,8 +66,6 @@ const ServoChart &ServoLog::chart()
 void ServoLog::close()
 {
     if (recorder_)
-    {
         recorder_->close();
-    }
 }
 } // namespace ode_predictive_space::demo

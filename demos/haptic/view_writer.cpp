@@ -37,22 +37,16 @@ ViewWriter::ViewWriter(const HapticRun &run, haptics::Snapshot<window::SceneView
 void ViewWriter::after_step()
 {
     if (++steps_ % steps_per_sample == 0)
-    {
         history_.add(steps_, run_.rendered().tool.position);
-    }
     if (holding_.load(std::memory_order_acquire))
-    {
         return;
-    }
     window::SceneView &view = views_.draft();
     const bool for_picture = run_.time() >= picture_time_;
     const bool complete =
         reader_.read(for_picture ? std::numeric_limits<std::size_t>::max() : geoms_per_step, view.geoms);
     const auto now = std::chrono::steady_clock::now();
     if (!for_picture && (!complete || std::chrono::duration<double>(now - last_published_).count() < frame_seconds))
-    {
         return;
-    }
     finish(view);
     views_.publish();
     last_published_ = now;
@@ -76,14 +70,10 @@ void ViewWriter::finish(window::SceneView &view) const
     probe.max_force = run_.max_force();
     probe.touched.clear();
     for (const dGeomID geom : run_.touched())
-    {
         probe.touched.push_back(id_of(geom));
-    }
     probe.meetings.clear();
     for (const haptics::Encounter &meeting : run_.meetings())
-    {
         probe.meetings.push_back({id_of(meeting.geom), meeting.seconds});
-    }
     write_path(probe);
 }
 
@@ -93,9 +83,7 @@ void ViewWriter::write_path(window::ProbeView &probe) const
 {
     probe.path.clear();
     if (history_.count() == 0)
-    {
         return;
-    }
     const FittedPath fitted = history_.fit();
     const double ticks = path_seconds * 1e3;
     for (int i = 1; i <= path_balls; ++i)
@@ -112,16 +100,12 @@ void ViewWriter::write_near_pairs(std::vector<window::NearPair> &pairs) const
     for (const auto &[first, second] : run_.pairs().geoms())
     {
         if (!is_wall(first, run_.room()) && !is_wall(second, run_.room()))
-        {
             pairs.push_back(line_between(first, second, false));
-        }
     }
     for (const dGeomID geom : run_.near_probe())
     {
         if (!is_wall(geom, run_.room()))
-        {
             pairs.push_back(line_between(run_.probe_geom(), geom, true));
-        }
     }
 }
 } // namespace ode_predictive_space::demo

@@ -138,9 +138,7 @@ void WindowedRun::make_run()
     run_ = std::move(run);
     writer_ = std::move(writer);
     if (ending_.load())
-    {
         run_->stop();
-    }
 }
 
 void WindowedRun::forget_run()
@@ -156,9 +154,7 @@ void WindowedRun::end()
     ending_ = true;
     window_opened_.notify_all();
     if (run_)
-    {
         run_->stop();
-    }
 }
 
 void WindowedRun::begin_anew()
@@ -166,17 +162,13 @@ void WindowedRun::begin_anew()
     begin_anew_ = true;
     const std::lock_guard<std::mutex> lock(run_mutex_);
     if (run_)
-    {
         run_->stop();
-    }
 }
 
 RunResult WindowedRun::result() const
 {
     if (failure_)
-    {
         std::rethrow_exception(failure_);
-    }
     return result_;
 }
 
@@ -185,13 +177,9 @@ void WindowedRun::picture_taken()
     const std::lock_guard<std::mutex> lock(run_mutex_);
     picture_time_ = never;
     if (writer_)
-    {
         writer_->picture_taken();
-    }
     if (run_ && options_.seconds == 0)
-    {
         run_->stop(); // the run was only for the picture
-    }
 }
 
 void WindowedRun::tell(const haptics::Notice &notice)
@@ -221,15 +209,11 @@ void WindowedRun::read_run()
     window_is_there_ = true;
     window_opened_.notify_all();
     if (!run_)
-    {
         return;
-    }
     view_.nominal_period = options_.fast ? 0 : 1e3 / run_->servo_rate();
     view_.readings.clear();
     if (!options_.fast) // simulated time has no periods
-    {
         read_loop(run_->report());
-    }
     read_probe();
     read_chart(run_->servo_log().chart());
 }
@@ -287,9 +271,7 @@ void WindowedRun::change_stiffness(double factor)
 {
     const std::lock_guard<std::mutex> lock(run_mutex_);
     if (!run_)
-    {
         return;
-    }
     const double wish = factor * control_.stiffness.load();
     control_.stiffness = std::clamp(wish, softest, std::max(softest, run_->max_stiffness()));
     if (wish > run_->max_stiffness())
@@ -336,15 +318,11 @@ std::vector<window::KeyHelp> WindowedRun::keys() const
 bool WindowedRun::pointer(const window::Pointer &pointer)
 {
     if (mouse_ == nullptr)
-    {
         return false;
-    }
     mouse_->wheel(pointer.wheel);
     const bool moves_camera = pointer.buttons != 0;
     if (last_pointer_ && !moves_camera)
-    {
         mouse_->pointer(pointer.x - last_pointer_->x, pointer.y - last_pointer_->y);
-    }
     last_pointer_ = pointer;
     return !moves_camera;
 }

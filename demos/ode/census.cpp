@@ -46,18 +46,14 @@ public:
             return;
         }
         for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
-        {
             count(dSpaceGetGeom(space, i));
-        }
     }
 
     Census result()
     {
         census_.contacts = contact_ends_ / 2;
         if (census_.bodies > 0)
-        {
             census_.mean_height /= census_.bodies;
-        }
         return census_;
     }
 
@@ -82,13 +78,9 @@ private:
     void count(dGeomID geom)
     {
         if (dGeomIsSpace(geom) != 0)
-        {
             count_space(reinterpret_cast<dSpaceID>(geom));
-        }
         else
-        {
             count_geom(geom);
-        }
     }
 
     void count_geom(dGeomID geom)
@@ -96,14 +88,10 @@ private:
         ++census_.geoms;
         const dBodyID body = dGeomGetBody(geom);
         if (body == nullptr)
-        {
             return;
-        }
         census_.finite = census_.finite && all_finite(dGeomGetPosition(geom), 3);
         if (dBodyGetFirstGeom(body) == geom)
-        {
             count_body(body);
-        }
     }
 
     void count_body(dBodyID body)

@@ -52,9 +52,7 @@ void Demo::set_options(Options options)
 {
     options_ = std::move(options);
     if (!options_.device.empty())
-    {
         hand_ = std::make_unique<Hand>(options_.device);
-    }
 }
 
 void Demo::set_space(dSpaceID space, const dReal *bounds)
@@ -75,23 +73,17 @@ void Demo::step()
     {
         contacts_ += take_census(place_.space).contacts;
         if (steps_ % steps_per_check == 0)
-        {
             check_space();
-        }
     }
     ++steps_;
     if (hand_)
-    {
         hand_->step(place_);
-    }
 }
 
 void Demo::leave_space()
 {
     if (hand_)
-    {
         hand_->leave();
-    }
 }
 
 void Demo::check_space()
@@ -102,9 +94,7 @@ void Demo::check_space()
 void Demo::start()
 {
     if (functions_.start != nullptr)
-    {
         functions_.start();
-    }
     float direction[3];
     dsGetViewpoint(nullptr, direction);
     place_.heading = direction[0];
@@ -114,9 +104,7 @@ void Demo::press_next_key()
 {
     const std::size_t next = frames_ / frames_per_key;
     if (frames_ % frames_per_key == 0 && next < options_.keys.size() && functions_.command != nullptr)
-    {
         functions_.command(options_.keys[next]);
-    }
 }
 
 void Demo::draw_frame(int pause)
@@ -125,13 +113,9 @@ void Demo::draw_frame(int pause)
     ++frames_;
     functions_.step(pause);
     if (hand_ && !options_.headless)
-    {
         hand_->draw();
-    }
     if (haptics::StopRequest::requested())
-    {
         dsStop();
-    }
 }
 
 void Demo::tell_outcome()
@@ -151,15 +135,11 @@ void Demo::tell_outcome()
               << "highest: " << census.centres.max().z() << '\n'
               << "positions: " << (census.finite ? "finite" : "not finite") << '\n';
     if (dSpaceIsPredictive(place_.space) != 0)
-    {
         std::cout << "predictive space: " << (valid_ ? "valid" : "not valid") << '\n';
-    }
     if (hand_)
-    {
         std::cout << "probe: " << hand_->name() << '\n'
                   << "steps with a force: " << hand_->frames_with_force() << '\n'
                   << "largest force: " << hand_->largest_force() << " N\n";
-    }
     well_ = census.finite && valid_;
 }
 
@@ -172,21 +152,15 @@ void Demo::run(int argc, char **argv, int width, int height, dsFunctions &functi
     around.step = [](int pause) { demo.draw_frame(pause); };
     dsSetPointerCallback([](const dsPointerEvent *event) {
         if (demo.hand_)
-        {
             demo.hand_->pointer(*event);
-        }
         return 0;
     });
     dsSimulationLoop(argc, argv, width, height, &around);
     if (options_.headless)
-    {
         tell_outcome();
-    }
     hand_.reset();
     if (!well_)
-    {
         std::exit(EXIT_FAILURE);
-    }
 }
 
 /// Exceptions must not pass through the demos, which are C.

@@ -107,17 +107,13 @@ void Hand::step(const Place &place)
     probe_->begin(time_);
     trail_.push_back(probe_->tool().position);
     if (trail_.size() > trail_length)
-    {
         trail_.pop_front();
-    }
 }
 
 bool Hand::touch(dGeomID first, dGeomID second)
 {
     if (!probe_ || (first != probe_->geom() && second != probe_->geom()))
-    {
         return false;
-    }
     const dGeomID other = first == probe_->geom() ? second : first;
     if (dGeomIsSpace(other) != 0)
     {
@@ -138,9 +134,7 @@ void Hand::touch_inside(dSpaceID space)
 void Hand::draw()
 {
     if (!probe_)
-    {
         return;
-    }
     dMatrix3 upright;
     dRSetIdentity(upright);
     dsSetTexture(DS_NONE);
@@ -148,9 +142,7 @@ void Hand::draw()
     dsDrawSphereD(probe_->tool().position.data(), upright, static_cast<float>(radius_));
     dsSetColor(1, 0.4F, 0.3F);
     for (std::size_t i = 1; i < trail_.size(); ++i)
-    {
         draw_line(trail_[i - 1], trail_[i]);
-    }
     draw_force();
     draw_what_comes_next();
 }
@@ -160,9 +152,7 @@ void Hand::draw_force() const
 {
     const Vector3 force = probe_->last_tick().force;
     if (!(force.norm() > 0))
-    {
         return;
-    }
     const Vector3 direction = force.normalized();
     const double length = 8 * radius_ * std::tanh(force.norm() / (stiffness_per_radius * radius_ * radius_));
     const Vector3 centre = probe_->tool().position + (length / 2) * direction;
@@ -180,9 +170,7 @@ void Hand::draw_what_comes_next()
     for (const haptics::Encounter &next : probe_->encounters())
     {
         if (next.seconds > look_ahead || shown == most_shown)
-        {
             return;
-        }
         if (dGeomGetClass(next.geom) != dPlaneClass)
         {
             draw_line(probe_->tool().position, middle_of(next.geom));
@@ -194,13 +182,9 @@ void Hand::draw_what_comes_next()
 void Hand::pointer(const dsPointerEvent &event)
 {
     if (mouse_ == nullptr)
-    {
         return;
-    }
     if (has_pointer_ && event.buttons == 0)
-    {
         mouse_->pointer(event.x - last_x_, event.y - last_y_);
-    }
     mouse_->wheel(event.wheel);
     has_pointer_ = true;
     last_x_ = event.x;

@@ -13,25 +13,15 @@ Options read_options(int argc, char **argv)
     {
         const std::string name = argv[i];
         if (name != "-probe" && name != "-keys" && name != "-headless")
-        {
             continue;
-        }
         if (++i >= argc)
-        {
             throw std::invalid_argument(name + " takes a value");
-        }
         if (name == "-probe")
-        {
             options.device = argv[i];
-        }
         else if (name == "-keys")
-        {
             options.keys = argv[i];
-        }
         else
-        {
             options.headless = true;
-        }
     }
     return options;
 }

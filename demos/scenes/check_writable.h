@@ -15,13 +15,9 @@ inline void check_writable(const std::string &file)
 {
     const bool existed = std::filesystem::exists(file);
     if (!std::ofstream(file, std::ios::app))
-    {
         throw std::runtime_error("cannot write " + file);
-    }
     if (!existed)
-    {
         std::filesystem::remove(file);
-    }
 }
 } // namespace ode_predictive_space::scenes
 

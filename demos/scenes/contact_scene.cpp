@@ -46,9 +46,7 @@ void ContactScene::respond(const std::vector<IndexPair> &pairs)
         const int count = dCollide(first, second, max_contacts, found.data(), sizeof(dContactGeom));
         contacts_ += static_cast<std::size_t>(count);
         if (count == 0 || take_contacts(pair, found.data(), count))
-        {
             continue;
-        }
         const dBodyID first_body = dGeomGetBody(first);
         const dBodyID second_body = dGeomGetBody(second);
         for (int i = 0; i < count && (first_body != nullptr || second_body != nullptr); ++i)
@@ -73,9 +71,7 @@ void ContactScene::add_walls(const Vector3 &half_room, double thickness, bool li
         for (const double side : {-1.0, 1.0})
         {
             if (axis == 2 && side > 0 && !lid)
-            {
                 continue;
-            }
             Vector3 half = half_room + Vector3::Constant(thickness);
             Vector3 centre = Vector3::Zero();
             centre[axis] = side * (half_room[axis] + thickness / 2);

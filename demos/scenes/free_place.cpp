@@ -20,9 +20,7 @@ public:
         for (const dGeomID geom : scene.geoms())
         {
             if (geom != nullptr)
-            {
                 boxes_.emplace_back(bounds_of(geom), geom);
-            }
         }
     }
     ~Room() { dGeomDestroy(sphere_); }
@@ -59,9 +57,7 @@ std::optional<Vector3> nearest_on_shell(const Room &room, const Vector3 &middle,
                 const Vector3 place = middle + step * Vector3(x, y, z);
                 const bool is_nearer = !nearest || (place - middle).norm() < (*nearest - middle).norm();
                 if (is_nearer && within.contains(place) && room.is_free(place))
-                {
                     nearest = place;
-                }
             }
         }
     }
@@ -74,16 +70,12 @@ std::optional<Vector3> free_place(const Scene &scene, const Vector3 &wish, doubl
 {
     const Room room(scene, radius);
     if (room.is_free(wish))
-    {
         return wish;
-    }
     const int most = static_cast<int>(std::ceil(within.sizes().maxCoeff() / step));
     for (int steps = 1; steps <= most; ++steps)
     {
         if (const auto place = nearest_on_shell(room, wish, step, steps, within))
-        {
             return place;
-        }
     }
     return {};
 }

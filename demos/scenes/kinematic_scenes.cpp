@@ -35,25 +35,15 @@ GasSettings gas_settings(const SceneSpec &spec)
 {
     GasSettings settings;
     if (spec.name == "game")
-    {
         settings = {0.05, 1, game_speed};
-    }
     else if (spec.name == "classes")
-    {
         settings = {0.05, 1, game_speed, 6};
-    }
     else if (spec.name == "still" || spec.name == "probe" || spec.name == "teleport")
-    {
         settings.moving = 0;
-    }
     else if (spec.name == "explosion")
-    {
         settings.moving = 1;
-    }
     else if (spec.moving >= 0)
-    {
         settings.moving = spec.moving;
-    }
     return settings;
 }
 
@@ -71,9 +61,7 @@ public:
     void advance() override
     {
         for (Mover &mover : movers_)
-        {
             fly(mover);
-        }
     }
 
     void respond(const std::vector<IndexPair> &) override {}
@@ -132,9 +120,7 @@ private:
         set_position(mover.object.body, state.position);
         set_orientation(mover.object.body, state.orientation);
         if (bounce(state))
-        {
             dBodySetLinearVel(mover.object.body, state.velocity.x(), state.velocity.y(), state.velocity.z());
-        }
     }
 
     bool bounce(BodyState &state) const
@@ -201,9 +187,7 @@ public:
         // Fractions of an object accumulate, so that a small scene has 1 % of churn, too.
         owed_ += churned_per_tick * static_cast<double>(movers_.size() + still_.size());
         for (; owed_ >= 1; owed_ -= 1)
-        {
             replace(random_.index(movers_.size() + still_.size()));
-        }
     }
 
 private:
@@ -237,9 +221,7 @@ public:
     void advance() override
     {
         if (++tick_ % ticks_between_explosions == 0)
-        {
             explode(random_place());
-        }
         GasScene::advance();
     }
 
@@ -265,9 +247,7 @@ public:
     void advance() override
     {
         for (const Object &object : still_)
-        {
             set_position(object.geom, random_place());
-        }
     }
 };
 } // namespace
@@ -282,21 +262,13 @@ double kinematic_half_room(const std::string &name, int objects)
 std::unique_ptr<Scene> make_kinematic_scene(const SceneSpec &spec, dSpaceID space)
 {
     if (spec.name == "probe")
-    {
         return std::make_unique<ProbeScene>(spec, space);
-    }
     if (spec.name == "churn")
-    {
         return std::make_unique<ChurnScene>(spec, space);
-    }
     if (spec.name == "explosion")
-    {
         return std::make_unique<ExplosionScene>(spec, space);
-    }
     if (spec.name == "teleport")
-    {
         return std::make_unique<TeleportScene>(spec, space);
-    }
     return std::make_unique<PlainScene>(spec, space);
 }
 } // namespace ode_predictive_space::scenes

@@ -38,9 +38,7 @@ std::vector<Vector3> free_places(int count, double half_room, haptics::Random &r
                             random.in_box(Vector3::Constant(play)));
     }
     for (std::size_t i = places.size() - 1; i > 0; --i)
-    {
         std::swap(places[i], places[random.index(i + 1)]);
-    }
     return places;
 }
 } // namespace
@@ -72,13 +70,9 @@ void MixScene::fill(int count, haptics::Random &random)
         const auto shape = static_cast<Shape>(i / 2 % 4);
         const Vector3 &place = places[static_cast<std::size_t>(i)];
         if (i % 2 == 0)
-        {
             objects_.add_still(shape, place, random.orientation());
-        }
         else
-        {
             add_floater(shape, place, random);
-        }
     }
 }
 
@@ -100,9 +94,7 @@ void MixScene::advance()
 {
     ContactScene::advance();
     if (probe_ == nullptr)
-    {
         return;
-    }
     ++tick_;
     report_.position = hand_.position(tick_ * usual_tick);
     set_position(probe_, report_.position);
@@ -129,9 +121,7 @@ void MixScene::respond(const std::vector<IndexPair> &pairs)
 bool MixScene::take_contacts(const IndexPair &pair, const dContactGeom *contacts, int count)
 {
     if (probe_ == nullptr || pair.first != probe_index)
-    {
         return false;
-    }
     report_.touched.push_back(pair.second);
     force_.touch(contacts, count, dGeomGetBody(objects_.geom(pair.second)));
     return true;

@@ -25,9 +25,7 @@ std::size_t place_to_break(const std::string &line, std::size_t indent)
     {
         columns += width(line.substr(i, 1));
         if (i > indent && (line[i] == ' ' || (line[i] == ',' && columns <= output_width)))
-        {
             place = line[i] == ' ' ? i : i + 1;
-        }
     }
     return place;
 }
@@ -48,9 +46,7 @@ std::string folded(const std::string &line)
     {
         const std::size_t place = place_to_break(rest, indent);
         if (place == 0)
-        {
             break;
-        }
         const std::size_t next = rest.find_first_not_of(' ', place);
         lines += rest.substr(0, place) + '\n';
         rest = std::string(indent, ' ') + (next < rest.size() ? rest.substr(next) : "");
@@ -70,23 +66,17 @@ bool NarrowOutput::finish()
     line_.clear();
     const auto size = static_cast<std::streamsize>(last.size());
     if (out_->sputn(last.data(), size) != size)
-    {
         stream_.setstate(std::ios::badbit);
-    }
     return stream_.flush().good();
 }
 
 NarrowOutput::int_type NarrowOutput::overflow(int_type letter)
 {
     if (traits_type::eq_int_type(letter, traits_type::eof()))
-    {
         return traits_type::not_eof(letter);
-    }
     line_ += traits_type::to_char_type(letter);
     if (letter != '\n')
-    {
         return letter;
-    }
     line_.pop_back();
     const std::string lines = folded(line_) + '\n';
     line_.clear();

@@ -56,9 +56,7 @@ std::uint64_t hash_pairs(const std::vector<IndexPair> &pairs)
 {
     std::uint64_t sum = 0;
     for (const auto &[first, second] : pairs)
-    {
         sum += haptics::mix_bits((std::uint64_t{first} << 32 | second) + 0x9e3779b97f4a7c15u);
-    }
     return sum;
 }
 

@@ -56,9 +56,7 @@ std::vector<BodyState> PileScene::states() const
 {
     std::vector<BodyState> result;
     for (const Object &object : pile_)
-    {
         result.push_back(state_of(object.body));
-    }
     return result;
 }
 

@@ -7,9 +7,7 @@ namespace ode_predictive_space::scenes
 void ProbeForce::touch(const dContactGeom *contacts, int count, dBodyID body)
 {
     if (count == 0)
-    {
         return;
-    }
     const dContactGeom &deepest = *std::max_element(
         contacts, contacts + count, [](const dContactGeom &a, const dContactGeom &b) { return a.depth < b.depth; });
     const double magnitude = std::min(settings_.stiffness * deepest.depth, settings_.max_force);
@@ -20,9 +18,7 @@ Vector3 ProbeForce::apply()
 {
     Vector3 total = Vector3::Zero();
     for (const Push &push : pushes_)
-    {
         total += push.force;
-    }
     // Scaled as a whole, not clamped at the end: the force on the person stays opposite to the sum of the forces on objects.
     const double norm = total.norm();
     const double share = norm > settings_.max_force ? settings_.max_force / norm : 1;

@@ -14,9 +14,7 @@ Progress::Progress(std::string what, int ticks)
 Progress::~Progress()
 {
     if (terminal_)
-    {
         std::fputs("\r\x1b[K", stderr);
-    }
 }
 
 void Progress::show(int ticks_done)

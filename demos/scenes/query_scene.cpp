@@ -39,25 +39,17 @@ QueryScene::QueryScene(const SceneSpec &spec, std::unique_ptr<Scene> objects) : 
         queries_.push_back(dCreateSphere(nullptr, random.uniform(smallest_probe, largest_probe)));
     }
     for (int i = 0; i < probes; ++i)
-    {
         queries_.push_back(dCreateRay(nullptr, ray_length));
-    }
     for (std::size_t i = 0; i < queries_.size(); ++i)
-    {
         set_geom_index(queries_[i], static_cast<std::uint32_t>(static_cast<std::size_t>(spec.objects) + i));
-    }
     for (std::size_t i = 0; i < hands_.size(); ++i)
-    {
         place(i);
-    }
 }
 
 QueryScene::~QueryScene()
 {
     for (const dGeomID geom : queries_)
-    {
         dGeomDestroy(geom);
-    }
 }
 
 void QueryScene::advance()
@@ -65,9 +57,7 @@ void QueryScene::advance()
     objects_->advance();
     ++tick_;
     for (std::size_t i = 0; i < hands_.size(); ++i)
-    {
         place(i);
-    }
 }
 
 void QueryScene::place(std::size_t number)

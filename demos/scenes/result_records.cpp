@@ -33,8 +33,6 @@ void write_json(const std::string &file, const nlohmann::json &value)
     out << value.dump(2) << '\n';
     out.close();
     if (!out)
-    {
         throw std::runtime_error("cannot write " + file);
-    }
 }
 } // namespace ode_predictive_space::scenes

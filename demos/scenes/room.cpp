@@ -17,36 +17,22 @@ Eigen::AlignedBox3d room_inside_walls(const Scene &scene, const SceneBounds &bou
     for (const dGeomID geom : scene.geoms())
     {
         if (geom == nullptr)
-        {
             continue;
-        }
         const Eigen::AlignedBox3d box = bounds_of(geom);
         if (dGeomGetBody(geom) != nullptr || box.sizes().maxCoeff() < bounds.half_extent.minCoeff())
-        {
             continue;
-        }
         if (dGeomGetClass(geom) == dTriMeshClass && box.contains(bounds.centre))
-        {
             room = room.intersection(box); // it is within the mesh
-        }
         if (dGeomGetClass(geom) == dHeightfieldClass)
-        {
             room.min().z() = std::max(room.min().z(), box.min().z());
-        }
         if (dGeomGetClass(geom) != dBoxClass)
-        {
             continue;
-        }
         for (int axis = 0; axis < 3; ++axis)
         {
             if (box.min()[axis] > bounds.centre[axis])
-            {
                 room.max()[axis] = std::min(room.max()[axis], box.min()[axis]);
-            }
             if (box.max()[axis] < bounds.centre[axis])
-            {
                 room.min()[axis] = std::max(room.min()[axis], box.max()[axis]);
-            }
         }
     }
     return room;

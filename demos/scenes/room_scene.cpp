@@ -51,9 +51,7 @@ private:
         for (int i = 0; i <= squares_along_wall; ++i)
         {
             for (int j = 0; j <= squares_along_wall; ++j)
-            {
                 add_vertex(axis, side, along(i), along(j));
-            }
         }
         for (dTriIndex i = 0; i < squares_along_wall; ++i)
         {
@@ -100,9 +98,7 @@ public:
         add_scenery(objects_, make_geom(space));
         const Vector3 half = Vector3::Constant(half_side_of_room(spec.objects) - 0.3);
         for (int i = 0; i < spec.objects; ++i)
-        {
             add_flyer(objects_, i, {{0.15, 0.15, 0.1}, 0.1}, random_.in_box(half), random_);
-        }
     }
 };
 } // namespace

@@ -43,9 +43,7 @@ const std::vector<std::string> &scene_names()
     static const std::vector<std::string> names = [] {
         std::vector<std::string> result;
         for (const Description &description : descriptions)
-        {
             result.emplace_back(description.name);
-        }
         return result;
     }();
     return names;
@@ -56,9 +54,7 @@ std::string describe_scene(const std::string &name)
     for (const Description &description : descriptions)
     {
         if (name == description.name)
-        {
             return description.text;
-        }
     }
     throw std::invalid_argument("there is no scene named \"" + name + "\"");
 }
@@ -78,13 +74,9 @@ SceneFactory::SceneFactory(const SceneSpec &spec) : spec_(spec)
 {
     describe_scene(spec.name);
     if (spec.objects < 1)
-    {
         throw std::invalid_argument("a scene needs at least one object");
-    }
     if (spec.name == "pile" && spec.settled)
-    {
         settled_ = settle_pile(spec);
-    }
 }
 
 SceneFactory::SceneFactory(const SceneSpec &spec, SceneRecipe recipe) : spec_(spec), recipe_(std::move(recipe)) {}
@@ -95,50 +87,30 @@ SceneFactory::SceneFactory(SceneFactory &&) noexcept = default;
 std::unique_ptr<Scene> SceneFactory::make(dSpaceID space) const
 {
     if (recipe_.make)
-    {
         return recipe_.make(spec_, space);
-    }
     if (spec_.name == "pile")
-    {
         return std::make_unique<PileScene>(spec_, space, settled_);
-    }
     if (spec_.name == "mix")
-    {
         return std::make_unique<MixScene>(spec_, space);
-    }
     if (spec_.name == "stack")
-    {
         return std::make_unique<StackScene>(spec_, space);
-    }
     if (spec_.name == "terrain")
-    {
         return std::make_unique<TerrainScene>(spec_, space);
-    }
     if (spec_.name == "query")
-    {
         return std::make_unique<QueryScene>(spec_, space);
-    }
     return make_kinematic_scene(spec_, space);
 }
 
 SceneBounds SceneFactory::bounds() const
 {
     if (recipe_.make)
-    {
         return recipe_.bounds;
-    }
     if (spec_.name == "pile")
-    {
         return pile_bounds(spec_.objects);
-    }
     if (spec_.name == "stack")
-    {
         return stack_bounds(spec_.objects);
-    }
     if (spec_.name == "terrain")
-    {
         return terrain_bounds(spec_.objects);
-    }
     const double half = spec_.name == "mix" ? mix_half_room(spec_.objects) + wall_thickness
                                             : kinematic_half_room(spec_.name, spec_.objects);
     return {Vector3::Zero(), Vector3::Constant(half)};
@@ -147,13 +119,9 @@ SceneBounds SceneFactory::bounds() const
 double SceneFactory::tick_seconds() const
 {
     if (recipe_.make)
-    {
         return recipe_.tick_seconds;
-    }
     if (spec_.name == "pile")
-    {
         return PileScene::step_seconds;
-    }
     return spec_.name == "stack" ? StackScene::step_seconds : usual_tick;
 }
 } // namespace ode_predictive_space::scenes

@@ -11,9 +11,7 @@ SceneObjects::~SceneObjects()
     for (dGeomID geom : geoms_)
     {
         if (geom != nullptr)
-        {
             dGeomDestroy(geom);
-        }
     }
     dWorldDestroy(world_);
 }
@@ -28,9 +26,7 @@ dGeomID SceneObjects::add_geom(dGeomID geom)
 dGeomID SceneObjects::make_geom(Shape shape)
 {
     if (shape == Shape::mesh && mesh_ == nullptr)
-    {
         mesh_ = std::make_unique<BallMesh>(object_radius);
-    }
     return add_geom(make_shape(space_, shape, object_radius, {mesh_.get(), &octahedron_}));
 }
 
@@ -58,9 +54,7 @@ void SceneObjects::destroy(const Object &object)
     geoms_[geom_index(object.geom)] = nullptr;
     dGeomDestroy(object.geom);
     if (object.body != nullptr)
-    {
         dBodyDestroy(object.body);
-    }
 }
 
 BodyState state_of(dBodyID body)

@@ -25,9 +25,7 @@ int first_difference(const std::vector<const SceneRun *> &runs, TickHashes hashe
         for (const SceneRun *run : runs)
         {
             if (tick < ticks(run) && (run->*hashes)()[tick] != ((*longest)->*hashes)()[tick])
-            {
                 return static_cast<int>(tick);
-            }
         }
     }
     return -1;
@@ -48,9 +46,7 @@ double clock_overhead()
 void ProbeLog::add(const ProbeReport &report)
 {
     if (report.touched.empty())
-    {
         return;
-    }
     touched.insert(report.touched.begin(), report.touched.end());
     ++ticks_in_touch;
     force_sum += report.force.norm();
@@ -79,14 +75,10 @@ void SceneRun::collide()
 {
     list_.clear();
     if (queries_ == 0)
-    {
         scene_->collide(contender_->space(), list_);
-    }
     const auto space = reinterpret_cast<dGeomID>(contender_->space());
     for (std::size_t query = 0; query < queries_; ++query)
-    {
         dSpaceCollide2(scene_->queries()[query], space, &list_, &PairList::collect);
-    }
 }
 
 // The order within a pair is the same in every space: colliders may depend on it.
@@ -100,9 +92,7 @@ void SceneRun::find_contacts()
         const bool swapped = geom_index(second) < geom_index(first);
         const dGeomID one = swapped ? second : first, other = swapped ? first : second;
         if (dCollide(one, other, max_contacts, contacts.data(), sizeof(dContactGeom)) > 0)
-        {
             touching_pairs_.emplace_back(geom_index(one), geom_index(other));
-        }
     }
     const double seconds = seconds_between(start, Clock::now());
     contact_times_.push_back(microseconds * std::max(0.0, seconds - clock_overhead_));
@@ -140,15 +130,11 @@ void SceneRun::make_tick()
     collide();
     const Clock::time_point collided = Clock::now();
     if (measuring_contacts_)
-    {
         find_contacts();
-    }
     false_pairs_ += contender_->finish(list_);
     const std::vector<IndexPair> pairs = list_.sorted();
     if (measuring_contacts_)
-    {
         note_touching(pairs);
-    }
     const Clock::time_point read = Clock::now();
     scene_->respond(pairs);
     const Clock::time_point responded = Clock::now();
@@ -160,9 +146,7 @@ void SceneRun::make_tick()
     contacts_ += scene_->contacts();
     tick_hashes_.push_back(hash_pairs(pairs));
     if (scene_->probe() != nullptr)
-    {
         probe_log_.add(*scene_->probe());
-    }
     check();
 }
 
@@ -179,18 +163,14 @@ void SceneRun::check()
 {
     const dSpaceID space = contender_->space();
     if (checking_ && dSpaceIsPredictive(space) != 0 && dPredictiveSpaceValidate(space) == 0)
-    {
         invariant_held_ = false;
-    }
 }
 
 std::uint64_t SceneRun::pair_hash() const
 {
     PairHash hash;
     for (const std::uint64_t tick_hash : tick_hashes_)
-    {
         hash.add_tick(tick_hash);
-    }
     return hash.value();
 }
 
@@ -198,9 +178,7 @@ SceneRuns make_runs(const std::vector<SpaceKind> &kinds, const SceneFactory &fac
 {
     SceneRuns runs;
     for (const SpaceKind kind : kinds)
-    {
         runs.push_back(std::make_unique<SceneRun>(kind, factory));
-    }
     return runs;
 }
 
@@ -218,9 +196,7 @@ void run_by_turns(const SceneRuns &runs, int ticks, const std::function<void(int
         }
         done += turn;
         if (progress)
-        {
             progress(done);
-        }
     }
 }
 
@@ -230,9 +206,7 @@ int first_difference(const SceneRuns &runs)
     for (const auto &run : runs)
     {
         if (run->contender().exact())
-        {
             exact.push_back(run.get());
-        }
     }
     return first_difference(exact, &SceneRun::tick_hashes);
 }
@@ -241,9 +215,7 @@ int first_difference_of_contacts(const SceneRuns &runs)
 {
     std::vector<const SceneRun *> all;
     for (const auto &run : runs)
-    {
         all.push_back(run.get());
-    }
     return first_difference(all, &SceneRun::touching_hashes);
 }
 } // namespace ode_predictive_space::scenes

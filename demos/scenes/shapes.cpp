@@ -72,9 +72,7 @@ void BallMesh::make_icosahedron()
             for (dTriIndex k = j + 1; k < 12; ++k)
             {
                 if (!joined(i, j) || !joined(j, k) || !joined(i, k))
-                {
                     continue;
-                }
                 const bool outwards = direction_of(i).cross(direction_of(j)).dot(direction_of(k)) > 0;
                 triangles_.push_back(outwards ? Triangle{i, j, k} : Triangle{i, k, j});
             }
@@ -102,9 +100,7 @@ dTriIndex BallMesh::add_vertex(const Vector3 &direction)
     const auto found = std::find(vertices_.begin(), vertices_.end(), vertex);
     const auto index = static_cast<dTriIndex>(found - vertices_.begin());
     if (found == vertices_.end())
-    {
         vertices_.push_back(vertex);
-    }
     return index;
 }
 
@@ -119,9 +115,7 @@ Vector3 BallMesh::direction_of(dTriIndex vertex) const
 Octahedron::Octahedron(double radius)
 {
     for (unsigned corner = 0; corner < corners; ++corner)
-    {
         points_[3 * corner + corner / 2] = corner % 2 == 0 ? -radius : radius;
-    }
     for (unsigned face = 0; face < faces; ++face)
     {
         const std::array<unsigned, 3> sides = {face & 1u, face >> 1u & 1u, face >> 2u & 1u};

@@ -40,13 +40,9 @@ dSpaceID try_to_make_space(SpaceKind kind, const SceneFactory &factory)
     }
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
     if (space != nullptr && kind == SpaceKind::predictive_by_spheres)
-    {
         dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
-    }
     if (space != nullptr && kind == SpaceKind::predictive_by_shapes)
-    {
         dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
-    }
     return space;
 }
 
@@ -117,17 +113,13 @@ std::string space_name(SpaceKind kind)
 SpaceKind space_named(const std::string &name)
 {
     if (name == "predictive")
-    {
         return SpaceKind::predictive;
-    }
     for (const SpaceKind kind :
          {SpaceKind::predictive, SpaceKind::predictive_by_spheres, SpaceKind::predictive_by_shapes, SpaceKind::simple,
           SpaceKind::hash, SpaceKind::quadtree, SpaceKind::sweep_and_prune})
     {
         if (space_name(kind) == name)
-        {
             return kind;
-        }
     }
     throw std::invalid_argument("there is no space named \"" + name + "\"");
 }
@@ -136,9 +128,7 @@ dSpaceID make_space(SpaceKind kind, const SceneFactory &factory)
 {
     const dSpaceID space = try_to_make_space(kind, factory);
     if (space == nullptr)
-    {
         throw std::runtime_error("ODE could not make a " + space_name(kind) + " space");
-    }
     return space;
 }
 

@@ -105,9 +105,7 @@ void StackScene::build(int boxes)
 void StackScene::before_step()
 {
     if (tick_ % ticks_between_throws == first_throw)
-    {
         throw_ball();
-    }
     ++tick_;
 }
 
@@ -120,9 +118,7 @@ void StackScene::throw_ball()
     // From a place along one of the four walls, so that a wall of boxes is hit from all sides.
     state.position = {random_.uniform(-start, start), random_.unit() < 0.5 ? -start : start, ball_height - half_height};
     if (random_.unit() < 0.5)
-    {
         std::swap(state.position.x(), state.position.y());
-    }
     const Vector3 way(aim.x() - state.position.x(), aim.y() - state.position.y(), 0);
     // It falls on its way as far as it rises.
     state.velocity = ball_speed * way.normalized() + 0.5 * gravity * way.norm() / ball_speed * Vector3::UnitZ();

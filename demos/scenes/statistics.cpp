@@ -19,9 +19,7 @@ double nearest_rank(const std::vector<double> &sorted, std::size_t per_mille)
 Statistics summarise(std::vector<double> series)
 {
     if (series.empty())
-    {
         return {};
-    }
     std::sort(series.begin(), series.end());
     Statistics result;
     result.mean = std::accumulate(series.begin(), series.end(), 0.0) / static_cast<double>(series.size());

@@ -19,9 +19,7 @@ constexpr std::size_t narrowest_label = 26; // of a first column that is too wid
 std::string with_groups(std::string digits)
 {
     for (auto position = static_cast<int>(digits.size()) - 3; position > 0; position -= 3)
-    {
         digits.insert(static_cast<std::size_t>(position), ",");
-    }
     return digits;
 }
 } // namespace
@@ -54,9 +52,7 @@ std::vector<std::size_t> Table::column_widths() const
     for (const Row &row : rows_)
     {
         for (std::size_t column = 0; column < row.size(); ++column)
-        {
             widths[column] = std::max(widths[column], width(row[column]));
-        }
     }
     return widths;
 }
@@ -72,9 +68,7 @@ void Table::print(std::ostream &out) const
         std::size_t total = widths[0];
         std::size_t end = begin;
         while (end < widths.size() && (end == begin || total + column_gap + widths[end] <= output_width))
-        {
             total += column_gap + widths[end++];
-        }
         out << (begin > 1 ? "\n" : "");
         print_columns(out, widths, begin, end);
         begin = end;
@@ -94,14 +88,10 @@ void Table::print_columns(std::ostream &out, const std::vector<std::size_t> &wid
         const bool too_long = width(row[0]) > widths[0];
         out << row[0] << (too_long ? "\n" : "") << std::string(widths[0] - (too_long ? 0 : width(row[0])), ' ');
         for (std::size_t column = begin; column < std::min(end, row.size()); ++column)
-        {
             out << std::string(column_gap + widths[column] - width(row[column]), ' ') << row[column];
-        }
         out << '\n';
         if (i == 0)
-        {
             out << std::string(total, '-') << '\n';
-        }
     }
 }
 } // namespace ode_predictive_space::scenes

@@ -47,9 +47,7 @@ void TerrainGround::make_heightfield()
     {
         const double y = -half_side_ / 3 - strip * row / (samples_across - 1);
         for (int column = 0; column < samples_along; ++column)
-        {
             samples.push_back(height(along(column), y));
-        }
     }
     constexpr int copies = 1;
     constexpr int repeats = 0;

@@ -60,9 +60,7 @@ TerrainScene::TerrainScene(const SceneSpec &spec, dSpaceID space)
     add_huge_boxes();
     haptics::Random random(spec.seed);
     for (int i = 0; i < spec.objects; ++i)
-    {
         add_mover(i, random);
-    }
 }
 
 void TerrainScene::add_huge_boxes()
@@ -71,9 +69,7 @@ void TerrainScene::add_huge_boxes()
     {
         const dGeomID geom = make_huge_geom(box, objects_);
         if (box.moves())
-        {
             add_huge_mover(box, geom);
-        }
     }
 }
 
@@ -120,9 +116,7 @@ void TerrainScene::add_mover(int number, haptics::Random &random)
 void TerrainScene::advance()
 {
     for (Mover &mover : movers_)
-    {
         advance_mover(mover);
-    }
 }
 
 void TerrainScene::advance_mover(Mover &mover) const
@@ -132,9 +126,7 @@ void TerrainScene::advance_mover(Mover &mover) const
     state.orientation = (mover.turn * state.orientation).normalized();
     turn_back(state);
     if (mover.rolls)
-    {
         roll(mover);
-    }
     set_state(mover.body, state);
 }
 
@@ -151,9 +143,7 @@ void TerrainScene::turn_back(BodyState &state) const
     for (int axis = 0; axis < 2; ++axis)
     {
         if (std::abs(state.position[axis]) > half_side_ && state.position[axis] * state.velocity[axis] > 0)
-        {
             state.velocity[axis] = -state.velocity[axis];
-        }
     }
 }
 

@@ -49,9 +49,7 @@ void draw_keys(Canvas &canvas, const std::vector<KeyHelp> &keys)
 void draw_notice(Canvas &canvas, const std::string &notice, double bottom)
 {
     if (notice.empty())
-    {
         return;
-    }
     cairo_set_font_size(canvas.context(), text_size);
     cairo_text_extents_t extents;
     cairo_text_extents(canvas.context(), notice.c_str(), &extents);

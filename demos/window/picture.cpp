@@ -31,8 +31,6 @@ void save_picture(const std::string &file)
         cairo_format_stride_for_width(CAIRO_FORMAT_RGB24, area[2])));
     const cairo_status_t status = cairo_surface_write_to_png(picture.get(), file.c_str());
     if (status != CAIRO_STATUS_SUCCESS)
-    {
         throw std::runtime_error("cannot write " + file + ": " + cairo_status_to_string(status));
-    }
 }
 } // namespace ode_predictive_space::window

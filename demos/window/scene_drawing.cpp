@@ -35,17 +35,11 @@ bool may_be_met_soon(const ProbeView &probe, std::uintptr_t id)
 Colour colour_of(const DrawnGeom &geom, const ProbeView &probe)
 {
     if (geom.part == Part::ground)
-    {
         return palette::still;
-    }
     if (contains(probe.touched, geom.id))
-    {
         return palette::touched;
-    }
     if (may_be_met_soon(probe, geom.id))
-    {
         return palette::near_probe;
-    }
     switch (geom.part)
     {
     case Part::moving:
@@ -104,16 +98,12 @@ std::vector<const DrawnGeom *> from_far_to_near(const SceneView &view, const Vec
     for (const DrawnGeom &geom : view.geoms)
     {
         if (geom.part != Part::wall)
-        {
             keyed.emplace_back((place_of(geom) - eye).squaredNorm(), &geom);
-        }
     }
     std::sort(keyed.begin(), keyed.end(), [](const auto &a, const auto &b) { return a.first > b.first; });
     std::vector<const DrawnGeom *> result;
     for (const auto &[distance, geom] : keyed)
-    {
         result.push_back(geom);
-    }
     return result;
 }
 
@@ -196,14 +186,10 @@ std::vector<EnvelopeBall> envelopes_of_objects(const SceneView &view, const Vect
     for (const DrawnGeom &geom : view.geoms)
     {
         if (geom.part != Part::moving || (place_of(geom) - view.probe.position).norm() > reach)
-        {
             continue;
-        }
         const Vector3 velocity(geom.velocity[0], geom.velocity[1], geom.velocity[2]);
         for (double time = 0.05; time < 0.16; time += 0.05)
-        {
             balls.push_back({place_of(geom) + time * velocity + shift, geom.radius});
-        }
     }
     return balls;
 }
@@ -211,16 +197,12 @@ std::vector<EnvelopeBall> envelopes_of_objects(const SceneView &view, const Vect
 void draw_envelopes(const SceneView &view, const Layers &layers, const Vector3 &shift)
 {
     if (layers.object_envelopes)
-    {
         draw_glass_balls(envelopes_of_objects(view, shift), palette::moving, 0.5f);
-    }
     if (layers.envelopes)
     {
         std::vector<EnvelopeBall> balls = view.probe.path;
         for (EnvelopeBall &ball : balls)
-        {
             ball.centre += shift;
-        }
         draw_glass_balls(balls, palette::probe, 0.8f);
     }
 }
@@ -252,9 +234,7 @@ void draw_scene(const SceneView &view, const Layers &layers, const Vector3 &eye)
     draw_probe(view, layers, shift);
     draw_geoms(view, layers, eye, shift);
     if (layers.near_pairs)
-    {
         draw_near_pairs(view, shift);
-    }
     draw_envelopes(view, layers, shift);
 }
 } // namespace ode_predictive_space::window

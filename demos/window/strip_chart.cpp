@@ -43,9 +43,7 @@ double round_up(double value)
     for (const double step : {1.0, 2.0, 5.0})
     {
         if (value <= step * power)
-        {
             return step * power;
-        }
     }
     return 10 * power;
 }
@@ -54,9 +52,7 @@ double largest(const std::vector<ChartColumn> &chart, Measure measure)
 {
     double result = 0;
     for (const ChartColumn &column : chart)
-    {
         result = std::max(result, static_cast<double>(column.*measure));
-    }
     return result;
 }
 
@@ -78,16 +74,12 @@ void draw_curve(Canvas &canvas, const Strip &strip, const std::vector<ChartColum
     const double right = strip.area.left + strip.area.width;
     const auto shown = std::min<std::size_t>(chart.size(), static_cast<std::size_t>(strip.area.width));
     if (shown < 2)
-    {
         return;
-    }
     cairo_t *context = canvas.context();
     cairo_new_path(context); // text leaves a point behind
     for (std::size_t i = 0; i < shown; ++i)
-    {
         cairo_line_to(context, right - static_cast<double>(shown - 1 - i),
                       height_of(strip, chart[chart.size() - shown + i].*measure));
-    }
     canvas.colour(colour);
     cairo_set_line_width(context, 1.5);
     if (!filled)
@@ -149,8 +141,6 @@ void draw_strip_chart(Canvas &canvas, const View &view, const Rectangle &area)
     const double height = (area.height - strips * title_height - 1.5 * margin) / strips;
     draw_force(canvas, view, {left, area.top + title_height, width, height});
     if (view.nominal_period > 0)
-    {
         draw_times(canvas, view, {left, area.top + 2 * title_height + height, width, height});
-    }
 }
 } // namespace ode_predictive_space::window

@@ -87,9 +87,7 @@ void Window::run()
     dsSimulationLoop(2, arguments, settings_.width, settings_.height, &functions);
     dsSetPointerCallback(nullptr);
     if (failure_)
-    {
         std::rethrow_exception(failure_);
-    }
 }
 
 void Window::start()
@@ -103,13 +101,9 @@ void Window::step()
     const bool ended = shown_.ended();
     const View &view = shown_.view();
     if (ended && !picture_is_due(view))
-    {
         dsStop();
-    }
     if (view.geoms.empty())
-    {
         return;
-    }
     if (!camera_placed_)
     {
         place_camera(view); // effective from the next frame on
@@ -193,17 +187,11 @@ bool Window::toggle(char key)
 void Window::key(char key)
 {
     if (key == 'q')
-    {
         dsStop();
-    }
     else if (key == 's')
-    {
         picture_wanted_ = true;
-    }
     else if (!toggle(key))
-    {
         shown_.key(key);
-    }
 }
 
 std::vector<KeyHelp> Window::keys() const

@@ -15,9 +15,7 @@ std::string field(std::string text)
     for (char &letter : text)
     {
         if (letter == '\t' || letter == '\n')
-        {
             letter = ' ';
-        }
     }
     return text;
 }
@@ -26,9 +24,7 @@ std::string line(const char *kind, const Fields &fields)
 {
     std::string text = kind;
     for (const std::string &each : fields)
-    {
         text += "\t" + field(each);
-    }
     return text + "\n";
 }
 
@@ -54,9 +50,7 @@ Fields fields_of(const std::string &text)
     Fields fields;
     std::istringstream words(text);
     for (std::string word; std::getline(words, word, '\t');)
-    {
         fields.push_back(word);
-    }
     return fields;
 }
 
@@ -77,29 +71,17 @@ bool take_line(const Fields &fields, Answer &answer)
 {
     const std::string &kind = fields[0];
     if (kind == "answer" && fields.size() == 2)
-    {
         answer.sentence = fields[1];
-    }
     else if (kind == "note" && fields.size() == 2)
-    {
         answer.notes.push_back(fields[1]);
-    }
     else if (kind == "row")
-    {
         answer.table.emplace_back(fields.begin() + 1, fields.end());
-    }
     else if (kind == "plot" && fields.size() == 5)
-    {
         answer.plots.push_back({fields[1], fields[2], fields[3], {}, fields[4] == "log"});
-    }
     else if (kind == "curve" && fields.size() >= 2 && !answer.plots.empty())
-    {
         answer.plots.back().curves.push_back(curve_of(fields));
-    }
     else
-    {
         return false;
-    }
     return true;
 }
 } // namespace
@@ -108,17 +90,11 @@ std::string lines_of(const Answer &answer)
 {
     std::string text = line("answer", {answer.sentence});
     for (const Fields &row : answer.table)
-    {
         text += line("row", row);
-    }
     for (const std::string &note : answer.notes)
-    {
         text += line("note", {note});
-    }
     for (const Plot &plot : answer.plots)
-    {
         text += lines_of(plot);
-    }
     return text + "end\n";
 }
 
@@ -129,14 +105,10 @@ std::optional<Answer> answer_of(const std::string &lines)
     for (std::string each; std::getline(text, each);)
     {
         if (each == "end")
-        {
             return answer;
-        }
         const Fields fields = fields_of(each);
         if (fields.empty() || !take_line(fields, answer))
-        {
             return std::nullopt;
-        }
     }
     return std::nullopt;
 }

@@ -7,9 +7,7 @@ namespace ode_predictive_space::report
 void BoundedSeries::add(double value)
 {
     if (values_ / values_per_column() >= most_columns)
-    {
         merge_neighbours();
-    }
     Column &column = columns_[std::min<std::uint64_t>(values_ / values_per_column(), most_columns - 1)];
     const auto rounded = static_cast<float>(value);
     const bool is_new = values_ % values_per_column() == 0;

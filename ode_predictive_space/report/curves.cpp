@@ -11,9 +11,7 @@ Curve curve_of(std::string name, const BoundedSeries &series, double x_per_value
     curve.name = std::move(name);
     const double column_width = x_per_value * static_cast<double>(series.values_per_column());
     for (std::size_t i = 0; i < series.columns(); ++i)
-    {
         curve.points.push_back({(static_cast<double>(i) + 0.5) * column_width, value_of_column(i)});
-    }
     return curve;
 }
 } // namespace

@@ -44,9 +44,7 @@ struct Axis
         const double step = logarithmic ? 10 : step_of_ticks();
         for (double tick = logarithmic ? low : std::ceil(low / step) * step;
              tick <= high * (1 + 1e-9) && ticks.size() < 30; tick = logarithmic ? tick * step : tick + step)
-        {
             ticks.push_back(tick);
-        }
         return ticks;
     }
 
@@ -76,9 +74,7 @@ std::vector<Curve> drawn_curves(const Plot &plot)
                                     [&](const Point &point) { return !has_a_place(point, plot.logarithmic); }),
                      points.end());
         if (!points.empty())
-        {
             drawn.push_back(std::move(curve));
-        }
     }
     return drawn;
 }
@@ -121,15 +117,11 @@ std::string grid(const Plot &plot, const Axis &x, const Axis &y)
 {
     std::string text;
     for (const double tick : x.ticks())
-    {
         text += line(x.place(tick), y.begin, x.place(tick), y.end) +
                 text_at(x.place(tick), y.begin + 17, "middle", number(tick));
-    }
     for (const double tick : y.ticks())
-    {
         text += line(x.begin, y.place(tick), x.end, y.place(tick)) +
                 text_at(x.begin - 6, y.place(tick) + 4, "end", number(tick));
-    }
     return text + text_at((x.begin + x.end) / 2, height - 6, "middle", plot.x_label) + "<g transform=\"translate(14 " +
            number((y.begin + y.end) / 2) + ") rotate(-90)\">" + text_at(0, 0, "middle", plot.y_label) + "</g>\n";
 }
@@ -168,9 +160,7 @@ std::string svg(const Plot &plot)
 {
     const std::vector<Curve> curves = drawn_curves(plot);
     if (curves.empty())
-    {
         return "";
-    }
     Axis x = axis_over(curves, &Point::x, false);
     Axis y = axis_over(curves, &Point::y, plot.logarithmic);
     x.begin = left;

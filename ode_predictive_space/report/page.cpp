@@ -38,32 +38,22 @@ std::string html_of_row(const std::vector<std::string> &row, const char *cell)
 {
     std::string text = "<tr>";
     for (const std::string &each : row)
-    {
         text += std::string("<") + cell + ">" + escaped(each) + "</" + cell + ">";
-    }
     return text + "</tr>\n";
 }
 
 std::string html_of(const Answer &answer)
 {
     if (answer.sentence.empty())
-    {
         return "";
-    }
     std::string text = "<p class=\"answer\">" + escaped(answer.sentence) + "</p>\n<table>\n";
     for (std::size_t i = 0; i < answer.table.size(); ++i)
-    {
         text += html_of_row(answer.table[i], i == 0 ? "th" : "td");
-    }
     text += "</table>\n";
     for (const std::string &note : answer.notes)
-    {
         text += "<p>" + escaped(note) + "</p>\n";
-    }
     for (const Plot &plot : answer.plots)
-    {
         text += svg(plot);
-    }
     return text + "<h2>What the program did</h2>\n";
 }
 } // namespace
@@ -75,9 +65,7 @@ std::string html(const Page &page)
                        escaped(page.title) + "</h1>\n" + html_of(page.answer) + "<pre>" + escaped(page.text) +
                        "</pre>\n";
     for (const Plot &plot : page.plots)
-    {
         text += svg(plot);
-    }
     return text + "</body>\n</html>\n";
 }
 
@@ -85,15 +73,11 @@ void prepare_folder(const std::string &folder)
 {
     std::error_code failure;
     if (std::filesystem::exists(folder, failure) && !std::filesystem::is_directory(folder, failure))
-    {
         throw std::runtime_error(folder + " is not a folder");
-    }
     std::filesystem::create_directories(folder, failure);
     if (failure || std::filesystem::is_directory(path_of_page(folder), failure) ||
         !std::ofstream(unfinished_page(folder)) || !std::filesystem::remove(unfinished_page(folder), failure))
-    {
         throw std::runtime_error("cannot write " + path_of_page(folder));
-    }
 }
 
 std::string write_page(const std::string &folder, const Page &page)
@@ -105,9 +89,7 @@ std::string write_page(const std::string &folder, const Page &page)
     out.close();
     std::error_code failure;
     if (out)
-    {
         std::filesystem::rename(unfinished, path, failure);
-    }
     if (!out || failure)
     {
         std::filesystem::remove(unfinished, failure);

@@ -18,9 +18,7 @@ TEST(MixScene, LeavesTheProbeToWhoBringsOne)
     SceneRun without(SpaceKind::simple, SceneFactory(spec));
     EXPECT_EQ(dSpaceGetNumGeoms(without.contender().space()) + 1, dSpaceGetNumGeoms(with.contender().space()));
     for (int tick = 0; tick < 200; ++tick)
-    {
         without.tick();
-    }
     EXPECT_NE(with.scene().probe(), nullptr);
     EXPECT_EQ(without.scene().probe(), nullptr);
     EXPECT_GT(without.contacts(), 0u) << "walls and objects still touch";
@@ -31,9 +29,7 @@ TEST(Pile, HasSettled)
     const OdeSession ode;
     SceneRun pile(SpaceKind::simple, SceneFactory({"pile", 60, 1}));
     for (int tick = 0; tick < 100; ++tick)
-    {
         pile.tick();
-    }
     EXPECT_GT(pile.contacts(), 100u * 60u) << "each object touches others";
     Motion motion({"pile", 60, 1});
     motion.advance();
@@ -89,16 +85,12 @@ TEST(Terrain, WhatRollsTouchesTheGround)
 {
     Motion motion({"terrain", 100, 1});
     for (int tick = 0; tick < 500; ++tick)
-    {
         motion.advance();
-    }
     PairList pairs;
     dSpaceCollide(motion.space(), &pairs, &PairList::collect);
     std::set<std::uint32_t> on_ground;
     for (const auto &[first, second] : pairs.sorted())
-    {
         on_ground.insert(first < 3 ? second : 0);
-    }
     EXPECT_GE(on_ground.size(), 50u) << "half of the objects roll; the ground has the numbers 0 to 2";
 }
 
@@ -126,9 +118,7 @@ TEST(Mix, ObjectsKeepFloatingAndTheProbeTouchesSome)
     const OdeSession ode;
     SceneRun mix(SpaceKind::simple, SceneFactory({"mix", 60, 1}));
     for (int tick = 0; tick < 3000; ++tick)
-    {
         mix.tick();
-    }
     const ProbeLog &log = mix.probe_log();
     EXPECT_FALSE(log.touched.empty());
     EXPECT_GT(log.max_force, 0);

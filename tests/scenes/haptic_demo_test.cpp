@@ -31,9 +31,7 @@ TEST(HapticDemo, EndsWellAndSaysThatAllSpacesAgree)
     EXPECT_TRUE(contains(outcome.output, "The predictive-shape space left out ")) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, " of them, none of which had contacts.")) << outcome.output;
     for (const char *name : {"predictive-box", "predictive-shape", "simple", "hash", "quadtree", "sweep and prune"})
-    {
         EXPECT_TRUE(contains(outcome.output, name)) << name << " is missing in\n" << outcome.output;
-    }
 }
 
 TEST(HapticDemo, FailsWhenTheSpacesDisagree)
@@ -158,9 +156,7 @@ TEST(BesideOde, ComparesMediansWithinEightyColumns)
     EXPECT_TRUE(contains(outcome.output, "medians")) << outcome.output;
     std::istringstream lines(outcome.output);
     for (std::string line; std::getline(lines, line);)
-    {
         EXPECT_LE(line.size(), 80u) << line;
-    }
 }
 } // namespace
 } // namespace ode_predictive_space::scenes

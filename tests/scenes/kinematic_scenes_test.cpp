@@ -51,13 +51,9 @@ TEST(Gas, BouncesOffTheWalls)
     Motion motion({"gas", 100, 1});
     const double half = SceneFactory({"gas", 100, 1}).bounds().half_extent.x();
     for (int tick = 0; tick < 5000; ++tick)
-    {
         motion.advance();
-    }
     for (const auto &[index, place] : motion.after())
-    {
         EXPECT_LT(place.cwiseAbs().maxCoeff(), half) << "geom " << index;
-    }
     EXPECT_EQ(motion.moved(), 50);
 }
 

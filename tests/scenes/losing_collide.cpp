@@ -19,9 +19,7 @@ void pass_most(void *data, dGeomID first, dGeomID second)
 {
     const auto *caller = static_cast<Caller *>(data);
     if (++reported % 100 != 0)
-    {
         caller->callback(caller->data, first, second);
-    }
 }
 } // namespace
 
@@ -30,11 +28,7 @@ void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback)
     static const auto real = reinterpret_cast<decltype(&dSpaceCollide)>(dlsym(RTLD_NEXT, "dSpaceCollide"));
     Caller caller = {data, callback};
     if (dSpaceIsPredictive(space) != 0)
-    {
         real(space, &caller, &pass_most);
-    }
     else
-    {
         real(space, data, callback);
-    }
 }

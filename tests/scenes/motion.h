@@ -37,9 +37,7 @@ public:
         {
             const dGeomID geom = dSpaceGetGeom(space_.get(), i);
             if (has_place(geom))
-            {
                 result[geom_index(geom)] = from_ode(dGeomGetPosition(geom));
-            }
         }
         return result;
     }
@@ -73,9 +71,7 @@ public:
     {
         int count = 0;
         for (const auto &[index, place] : after_)
-        {
             count += before_.count(index) == 0 ? 1 : 0;
-        }
         return count;
     }
 

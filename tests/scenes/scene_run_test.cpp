@@ -47,9 +47,7 @@ SceneRuns contact_runs(const std::vector<SpaceKind> &kinds, const SceneFactory &
 {
     SceneRuns runs = make_runs(kinds, factory);
     for (const auto &run : runs)
-    {
         run->measure_contacts();
-    }
     return runs;
 }
 
@@ -100,9 +98,7 @@ TEST_F(SceneRunTest, WarmUpLeavesThePairsAndNoTimes)
 {
     SceneRun run(SpaceKind::simple, factory_);
     for (int tick = 0; tick < 10; ++tick)
-    {
         run.tick();
-    }
     run.start_measuring();
     EXPECT_TRUE(run.collide_times().empty());
     EXPECT_EQ(run.ticks(), 10u);
@@ -123,9 +119,7 @@ TEST_F(SceneRunTest, RunsThatHaveUsedUpTheirTimeRestAndAreComparedInTheTicksThey
     SceneRuns runs = make_runs({SpaceKind::simple, SpaceKind::hash}, factory_);
     run_by_turns(runs, 250, {}, 1e-9);
     for (const auto &run : runs)
-    {
         EXPECT_EQ(run->ticks(), 1u);
-    }
     runs.front()->turn(10);
     EXPECT_EQ(first_difference(runs), -1);
 }
@@ -135,9 +129,7 @@ TEST_F(SceneRunTest, ChecksThePredictiveSpace)
     SceneRun run(SpaceKind::predictive, factory_);
     run.check_every_tick();
     for (int tick = 0; tick < 300; ++tick)
-    {
         run.tick();
-    }
     EXPECT_TRUE(run.invariant_held());
 }
 
@@ -159,9 +151,7 @@ public:
     ~AlmostTouching() override
     {
         for (const dGeomID box : boxes_)
-        {
             dGeomDestroy(box);
-        }
     }
 
     void advance() override {}
@@ -218,9 +208,7 @@ TEST_F(SceneRunTest, ARecordHasAllThatAReaderNeeds)
     EXPECT_EQ(record.at("ticks"), 1);
     EXPECT_EQ(record.at("pair_hash").get<std::string>().size(), 16u);
     for (const char *name : {"mean_us", "median_us", "p99_us", "p999_us", "max_us", "pairs"})
-    {
         EXPECT_TRUE(record.contains(name)) << name;
-    }
     EXPECT_THROW(write_json("/no/such/folder/file.json", record), std::runtime_error);
 }
 } // namespace

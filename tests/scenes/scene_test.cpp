@@ -66,9 +66,7 @@ TEST_P(AnyScene, StaysWithinItsBounds)
         {
             const dGeomID geom = dSpaceGetGeom(space.get(), i);
             if (!has_place(geom))
-            {
                 continue;
-            }
             const Vector3 position = from_ode(dGeomGetPosition(geom));
             ASSERT_TRUE(((position - bounds.centre).cwiseAbs() - bounds.half_extent).maxCoeff() < 0.01)
                 << "tick " << tick << ": " << position.transpose();
@@ -92,9 +90,7 @@ TEST_P(AnyScene, TellsItsGeoms)
     const OwnedSpace space(dSimpleSpaceCreate(nullptr));
     const std::unique_ptr<Scene> scene = SceneFactory(spec()).make(space.get());
     for (int tick = 0; tick < 20; ++tick)
-    {
         scene->advance();
-    }
     int alive = 0;
     for (const dGeomID geom : scene->geoms())
     {

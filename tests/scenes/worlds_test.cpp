@@ -66,9 +66,7 @@ std::vector<IndexPair> pairs_by_brute_force(const Scene &scene, dSpaceID space)
         {
             if (may_collide(geoms[i], geoms[j]) && !in_one_nested_space(geoms[i], geoms[j], space) &&
                 boxes_overlap(geoms[i], geoms[j]))
-            {
                 pairs.emplace_back(i, j);
-            }
         }
     }
     return pairs;
@@ -188,14 +186,10 @@ TEST(World, AFifthOfTheRainFallsForEver)
     const OdeSession ode;
     Ticks run(SpaceKind::simple, factory_of("rain"));
     for (int tick = 0; tick < ticks_of("rain"); ++tick)
-    {
         run.make();
-    }
     int fallen = 0;
     for (const dGeomID geom : run.scene().geoms())
-    {
         fallen += dGeomGetPosition(geom)[2] < -100 ? 1 : 0;
-    }
     EXPECT_EQ(fallen, 60 / 5);
 }
 
@@ -230,9 +224,7 @@ TEST(World, ManyBeginsAnewAfterALife)
     Ticks run(SpaceKind::simple, factory_of("many"));
     std::vector<std::vector<IndexPair>> pairs;
     for (int tick = 0; tick < 2 * ticks_of_life; ++tick)
-    {
         pairs.push_back(run.make());
-    }
     EXPECT_TRUE(std::equal(pairs.begin(), pairs.begin() + ticks_of_life, pairs.begin() + ticks_of_life));
 }
 

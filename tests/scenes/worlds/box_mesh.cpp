@@ -41,9 +41,7 @@ void BoxMesh::add(const Vector3 &centre, const Vector3 &half)
                                                                  {1, 3, 5},
                                                                  {3, 7, 5}}};
     for (const auto &face : faces)
-    {
         triangles_.push_back({first + face[0], first + face[1], first + face[2]});
-    }
 }
 
 void BoxMesh::add_room(const Vector3 &half, bool ceiling)
@@ -53,9 +51,7 @@ void BoxMesh::add_room(const Vector3 &half, bool ceiling)
         for (const double side : {-1.0, 1.0})
         {
             if (axis == 2 && side > 0 && !ceiling)
-            {
                 continue;
-            }
             Vector3 centre = Vector3::Zero();
             Vector3 size = half + Vector3::Constant(2 * wall);
             centre[axis] = side * (half[axis] + wall);

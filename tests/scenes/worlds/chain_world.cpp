@@ -22,9 +22,7 @@ public:
     {
         objects_.add_geom(dCreatePlane(space, 0, 0, 1, 0));
         for (int i = 0; i < spec.objects; ++i)
-        {
             add_chain(space_for_one * i);
-        }
     }
 
 private:
@@ -39,9 +37,7 @@ private:
                                             : dCreateSphere(objects_.space(), radius);
             const dBodyID body = add_body(objects_, geom, 0.5, state);
             if (last != nullptr)
-            {
                 join(last, body, i);
-            }
             last = body;
         }
     }
@@ -60,9 +56,7 @@ private:
     {
         time_ += step();
         for (std::size_t i = 0; i < hinges_.size(); ++i)
-        {
             drive(hinges_[i], fastest_in_chain * std::sin(2 * time_ + 0.8 * static_cast<double>(i)), torque);
-        }
     }
 
     std::vector<dJointID> hinges_;

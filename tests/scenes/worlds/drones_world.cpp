@@ -33,14 +33,10 @@ public:
         const double half = half_side_of_drones(spec.objects);
         mesh.add_room({half, half, half_height_of_drones}, true);
         for (int i = 0; i < pillars * pillars; ++i)
-        {
             mesh.add(place_of_pillar(i, half), {half_pillar, half_pillar, half_height_of_drones});
-        }
         add_scenery(objects_, mesh.make_geom(space));
         for (int i = 0; i < spec.objects; ++i)
-        {
             add_flyer(objects_, i, {{0.3, 0.3, 0.1}, 0.15}, free_place(half), random_);
-        }
     }
 
 private:
@@ -56,9 +52,7 @@ private:
         {
             const Vector3 way = place - place_of_pillar(i, half);
             if (std::max(std::abs(way.x()), std::abs(way.y())) < half_pillar + 0.3)
-            {
                 return false;
-            }
         }
         return true;
     }

@@ -100,9 +100,7 @@ private:
         {
             Vector3 velocity = from_ode(dBodyGetLinearVel(body));
             if (turn_back(from_ode(dBodyGetPosition(body)), velocity))
-            {
                 dBodySetLinearVel(body, velocity.x(), velocity.y(), velocity.z());
-            }
         }
     }
 

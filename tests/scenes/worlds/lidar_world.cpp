@@ -55,9 +55,7 @@ public:
             return;
         }
         for (const dGeomID ray : rays_)
-        {
             dSpaceCollide2(ray, reinterpret_cast<dGeomID>(space), &list, &PairList::collect);
-        }
     }
 
 private:
@@ -92,9 +90,7 @@ private:
     void before_step() override
     {
         for (Robot &robot : robots_)
-        {
             robot.place += step() * robot.velocity;
-        }
         place_rays();
     }
 

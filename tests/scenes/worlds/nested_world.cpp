@@ -57,9 +57,7 @@ public:
     EmptySpacesWorld(const SceneSpec &spec, dSpaceID space) : SpacesWorld(spec, space)
     {
         for (int i = 0; i < spec.objects; ++i)
-        {
             add_space(bounds_of_nested(spec.objects));
-        }
         for (int i = 0; i < balls; ++i)
         {
             BodyState state;

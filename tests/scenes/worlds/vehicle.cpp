@@ -42,9 +42,7 @@ void add_vehicle(SceneObjects &objects, dSpaceID space, const VehicleSize &size,
     const dBodyID chassis =
         add_body(objects, dCreateBox(space, 2 * half.x(), 2 * half.y(), 2 * half.z()), size.mass, state);
     if (size.mast)
-    {
         add_mast(objects, space, size, chassis);
-    }
     const double speed = random.uniform(slowest, fastest_in_vehicle);
     const double turn = random.uniform(-difference, difference);
     for (const double front : {-1.0, 1.0})

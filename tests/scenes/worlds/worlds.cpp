@@ -85,9 +85,7 @@ const Entry &entry_named(const std::string &name)
 {
     const Entry *entry = find(name);
     if (entry == nullptr)
-    {
         throw std::invalid_argument("there is no world named \"" + name + "\"");
-    }
     return *entry;
 }
 } // namespace
@@ -97,9 +95,7 @@ const std::vector<std::string> &world_names()
     static const std::vector<std::string> names = [] {
         std::vector<std::string> result;
         for (const Entry &entry : entries())
-        {
             result.push_back(entry.name);
-        }
         return result;
     }();
     return names;
@@ -119,9 +115,7 @@ SceneFactory world_factory(const SceneSpec &spec)
 {
     const Entry &entry = entry_named(spec.name);
     if (spec.objects < 1)
-    {
         throw std::invalid_argument("a world needs at least one object");
-    }
     return {spec, entry.recipe(spec)};
 }
 } // namespace ode_predictive_space::scenes
