@@ -41,8 +41,14 @@ extern "C" {
  * whose envelopes overlap. An envelope does not expire: a new one is made when the geom has left it. The steps of a program may be of
  * any length and may vary.
  *
+ * A space of up to 16 geoms compares their boxes with one another, as a simple space does: that costs less than to predict. It begins
+ * to predict with its seventeenth geom, with dPredictiveProximitySphere or dPredictiveProximityShape, when a role is set, and when it
+ * is asked for a time, for encounters or to be validated, and then never ends. Until then its statistics count ticks and callbacks
+ * alone.
+ *
  * Time is counted in ticks. A tick is one dSpaceCollide() on the space after something has moved: while nothing moves, no
- * time passes. In a program that only asks, the first question after a move counts as one, from the seventeenth in a row on. Lengths are in the program's own unit (for instance metres), speeds in that unit per tick.
+ * time passes. In a program that only asks, the first question after a move counts as one, from the seventeenth in a row on. Lengths are in the
+ * program's own unit (for instance metres), speeds in that unit per tick.
  *
  * Several threads may ask one space by dSpaceCollide2() at once as long as nothing is moved, added, removed or set: the first
  * question brings the space up to date, later ones only read. Each thread needs a probe of its own, and ODE's data

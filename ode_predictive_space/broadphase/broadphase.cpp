@@ -205,8 +205,6 @@ void Broadphase::start_over()
 Forecast Broadphase::forecast(Scene &scene, ProxyId id)
 {
     const std::int32_t since = updates_between(proxies_.places[id].moved(), clock_.update);
-    if (!predictor_.is_asked())
-        request_all(); // a small scene has hardly been predicted so far
     return predictor_.forecast(scene, proxies_, id, since <= tuning::recent_ticks);
 }
 
@@ -251,10 +249,10 @@ std::optional<double> Broadphase::time_of_contact(const Forecast &first, const F
 
 // --- Objects --------------------------------------------------------------------------------------------------------------
 
-void Broadphase::make_room()
+void Broadphase::make_room(std::size_t more)
 {
     const std::size_t size = proxies_.size();
-    proxies_.make_room();
+    proxies_.make_room(more);
     if (proxies_.size() == size && !interrupted_)
         return;
     const bool was_interrupted = std::exchange(interrupted_, true);
@@ -264,12 +262,10 @@ void Broadphase::make_room()
 
 ProxyId Broadphase::add()
 {
-    make_room();
+    make_room(1);
     const ProxyId id = proxies_.add();
     if (proxies_.count() >= tuning::least_trimmed)
         trim_below_ = std::max(trim_below_, proxies_.count() / 4);
-    if (proxies_.count() == tuning::few_objects + 1)
-        request_all(); // no envelope of a small scene is to stay as large as that
     mark_moved(id);
     return id;
 }

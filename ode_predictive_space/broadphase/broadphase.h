@@ -49,8 +49,8 @@ class Broadphase
 public:
     // --- Objects ---
 
-    /// Makes room for one more object, so that the next add() throws nothing. On an exception no object has changed.
-    void make_room();
+    /// Makes room for so many more objects, so that as many calls of add() throw nothing. On an exception no object has changed.
+    void make_room(std::size_t more);
     /// A new object; it counts as moved.
     ProxyId add();
     /// Throws nothing.

@@ -45,10 +45,8 @@ constexpr float cost_of_test = 20, cost_of_box = 50, cost_of_prediction = 2800;
 /// An object that is farther from its path than this, in sizes per tick, has leapt: nothing is known of where it will be.
 constexpr float leap = 1;
 
-/// Objects of a scene in which an envelope becomes the whole scene when so many, one after the other, have broken early: to test all
-/// pairs costs less than to predict. (teleport 10; ten meshes that turn broke three times at first, and then for long not)
+/// Objects up to which a space predicts nothing unless it has to: to compare all boxes costs less. (many 17, nested 22)
 constexpr std::size_t few_objects = 16;
-constexpr int most_early_breaks = 4;
 
 /// A step may be so many times as long as expected. (frames 80 %)
 constexpr float longest_step = 2;

@@ -1,6 +1,7 @@
 #include "ode_predictive_space/space/predictive_space.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -51,10 +52,40 @@ GeomScene dxPredictiveSpace::scene() const
 // May run within the constructor of a geom, when neither its class nor its bounds exist: the next collide reads them.
 void dxPredictiveSpace::add(dxGeom *geom)
 {
-    broadphase_.make_room();
-    fit_to_proxies();
+    if (static_cast<std::size_t>(count) == tuning::few_objects)
+        start_predicting();
+    if (predicts_)
+    {
+        broadphase_.make_room(1);
+        fit_to_proxies();
+    }
     dxSpace::add(geom);
     // From here on nothing is thrown: without memory, or after an assertion of ODE, the space is as before.
+    geom->next_ex = nullptr;
+    geom->tome_ex = nullptr;
+    if (predicts_)
+        enrol(geom);
+}
+
+// Without memory the space is as before.
+void dxPredictiveSpace::start_predicting()
+{
+    if (predicts_)
+        return;
+    broadphase_.make_room(static_cast<std::size_t>(count));
+    fit_to_proxies();
+    std::array<dxGeom *, tuning::few_objects> members;
+    std::size_t left = 0;
+    for (dxGeom *geom = first; geom; geom = geom->next)
+        members[left++] = geom;
+    while (left > 0) // in the order in which they came
+        enrol(members[--left]);
+    predicts_ = true;
+}
+
+// There is room for it.
+void dxPredictiveSpace::enrol(dxGeom *geom)
+{
     const ProxyId id = broadphase_.add();
     geoms_[id] = geom;
     unclassified_.insert(id);
@@ -62,7 +93,6 @@ void dxPredictiveSpace::add(dxGeom *geom)
     forget_catching_up();
     // A number, not an address, in the member that ODE gives to spaces. NOLINTNEXTLINE(performance-no-int-to-ptr)
     geom->next_ex = reinterpret_cast<dxGeom *>(static_cast<std::uintptr_t>(id) + 1);
-    geom->tome_ex = nullptr;
 }
 
 // May run within the destructor of a geom.
@@ -70,8 +100,18 @@ void dxPredictiveSpace::remove(dxGeom *geom)
 {
     CHECK_NOT_LOCKED(this);
     dUASSERT(geom->parent_space == this, "object is not in this space");
-    const ProxyId id = proxy_of(geom);
     dxSpace::remove(geom);
+    if (predicts_)
+        dismiss(geom);
+    // In this space a geom with a bad box need not be dirty (see listen_to()), nor a space that holds such a geom. In any other
+    // space it must be.
+    if ((geom->gflags & GEOM_AABB_BAD) || IS_SPACE(geom))
+        geom->gflags |= GEOM_DIRTY;
+}
+
+void dxPredictiveSpace::dismiss(dxGeom *geom)
+{
+    const ProxyId id = proxy_of(geom);
     broadphase_.remove(id);
     if (!broadphase_.is_prepared())
         forget_catching_up();
@@ -84,10 +124,6 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     unclassified_.erase(id);
     asked_hulls_.erase(id);
     geom->next_ex = nullptr;
-    // In this space a geom with a bad box need not be dirty (see listen_to()), nor a space that holds such a geom. In any other
-    // space it must be.
-    if ((geom->gflags & GEOM_AABB_BAD) || IS_SPACE(geom))
-        geom->gflags |= GEOM_DIRTY;
     fit_to_proxies();
 }
 
@@ -109,6 +145,8 @@ void dxPredictiveSpace::fit_to_proxies()
 
 void dxPredictiveSpace::dirty(dxGeom *geom)
 {
+    if (!predicts_)
+        return; // the flag of the geom tells it to the next collide
     const Followed followed = broadphase_.report_at_once(proxy_of(geom), NoticedGeom(geom));
     if (followed != Followed::moved)
         return look_closely(geom, followed);
@@ -179,7 +217,10 @@ void dxPredictiveSpace::note_change(ProxyId id)
 // Goes up through the spaces as ODE's dGeomMoved() does.
 void dxPredictiveSpace::geom_changed(dxGeom *geom)
 {
-    note_change(proxy_of(geom));
+    if (predicts_)
+        note_change(proxy_of(geom));
+    else
+        geom->gflags |= GEOM_DIRTY;
     geom->gflags |= GEOM_AABB_BAD;
     for (dxSpace *moved = this; moved; moved = moved->parent_space)
     {
@@ -193,8 +234,12 @@ void dxPredictiveSpace::geom_changed(dxGeom *geom)
 // Computes all boxes, also those that the space does not need yet. Moves stay reported for the next collide.
 void dxPredictiveSpace::cleanGeoms()
 {
+    if (!first)
+        return;
     const std::lock_guard<std::recursive_mutex> hold(upkeep_);
     const Lock lock(this);
+    if (!predicts_)
+        return clean_each();
     for (dxGeom *geom = first; geom; geom = geom->next)
     {
         if (IS_SPACE(geom))
@@ -219,13 +264,58 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
         return;
     const bool nested_call = lock_count > 0;
     const Lock lock(this);
+    ticks_ += !nested_call;
+    if (predicts_)
+        collide_predicted(nested_call, data, callback);
+    else
+        collide_each(data, callback);
+}
+
+// As a simple space does, but all boxes are compared before the first callback.
+void dxPredictiveSpace::collide_each(void *data, dNearCallback *callback)
+{
+    struct Pair
+    {
+        dxGeom *one, *other;
+    };
+    std::array<Pair, tuning::few_objects *(tuning::few_objects - 1) / 2> pairs;
+    auto end = pairs.begin();
+    {
+        const Work work(working_);
+        clean_each();
+        for (dxGeom *one = first; one; one = one->next)
+            for (dxGeom *other = one->next; other; other = other->next)
+                if (aabbs_overlap(one, other))
+                    *end++ = {one, other};
+    }
+    for (auto pair = pairs.begin(); pair != end; ++pair)
+        call_back(pair->one, pair->other, data, callback);
+}
+
+void dxPredictiveSpace::clean_each()
+{
+    for (dxGeom *geom = first; geom; geom = geom->next)
+    {
+        if (!(geom->gflags & GEOM_DIRTY))
+            continue;
+        if (IS_SPACE(geom))
+            static_cast<dxSpace *>(geom)->cleanGeoms();
+        compute_box_beside_others(geom);
+        listen_to(geom);
+    }
+}
+
+void dxPredictiveSpace::collide_predicted(bool nested_call, void *data, dNearCallback *callback)
+{
     std::size_t count = 0;
     std::vector<CandidatePair> pairs = std::exchange(pairs_, {});
     {
         const Work work(working_);
         count = find_reported(nested_call, pairs);
     }
-    const auto visit = [&](std::size_t i) { call_back(pairs[i], data, callback); };
+    const auto visit = [&](std::size_t i) {
+        call_back(geoms_[pairs[i].first], geoms_[pairs[i].second], data, callback);
+    };
     if (geoms_.size() > tuning::cached_filters)
         for_each_prefetched(count, tuning::turns_ahead, visit, [&](std::size_t i) {
             prefetch_filters(geoms_[pairs[i].first]);
@@ -245,23 +335,19 @@ std::size_t dxPredictiveSpace::find_reported(bool nested_call, std::vector<Candi
     if (nested_call)
         broadphase_.find_new_pairs(now);
     else
-    {
-        ++ticks_;
         broadphase_.tick(now);
-    }
     const std::size_t count = broadphase_.report(now, pairs);
     caught_up_.store(broadphase_.is_prepared(), std::memory_order_release);
     return count;
 }
 
 // Checks the rest of ODE's conditions for a pair whose boxes overlap, and calls back.
-inline void dxPredictiveSpace::call_back(const CandidatePair &pair, void *data, dNearCallback *callback)
+inline void dxPredictiveSpace::call_back(dxGeom *one, dxGeom *other, void *data, dNearCallback *callback)
 {
-    dxGeom *one = geoms_[pair.first], *other = geoms_[pair.second];
     if (!bits_agree(one, other))
         return;
     if (!both_enabled(one, other))
-        return note_disabled(enabled(one) ? pair.second : pair.first);
+        return note_disabled(enabled(one) ? other : one);
     if (!wants_callback(one, other))
         return;
     ++reported_;
@@ -269,14 +355,18 @@ inline void dxPredictiveSpace::call_back(const CandidatePair &pair, void *data, 
 }
 
 // Pairs of disabled geoms are not kept.
-void dxPredictiveSpace::note_disabled(ProxyId id)
+void dxPredictiveSpace::note_disabled(dxGeom *geom)
 {
-    broadphase_.note_disabled(id);
+    if (!predicts_)
+        return;
+    broadphase_.note_disabled(proxy_of(geom));
     forget_catching_up();
 }
 
 void dxPredictiveSpace::set_proximity_test(ProximityTest test)
 {
+    if (test != ProximityTest::box)
+        start_predicting();
     broadphase_.set_proximity_test(test);
     asked_hulls_.clear();
     if (!by_box())
@@ -293,13 +383,14 @@ void dxPredictiveSpace::set_shape_margin(double margin)
 
 void dxPredictiveSpace::set_role(dxGeom *geom, Role role)
 {
+    start_predicting();
     broadphase_.set_role(proxy_of(geom), role);
     forget_catching_up();
 }
 
 Role dxPredictiveSpace::role(dxGeom *geom) const
 {
-    return broadphase_.proxies().records[proxy_of(geom)].role;
+    return predicts_ ? broadphase_.proxies().records[proxy_of(geom)].role : Role::environment;
 }
 
 void dxPredictiveSpace::set_deviation(int role, const Deviation *deviation)

@@ -16,7 +16,8 @@
 
 /// A space that calls its callback for exactly the pairs for which dxSimpleSpace would.
 ///
-/// A geom's next_ex holds its proxy number + 1 while it is in here, and is zero when it leaves.
+/// With few geoms it works as dxSimpleSpace does, until it has to predict. From then on it goes on to predict, and next_ex of each of
+/// its geoms holds the proxy number + 1; otherwise that is zero.
 struct dxPredictiveSpace : public dxSpaceWithHashLevels
 {
     explicit dxPredictiveSpace(dxSpace *parent);
@@ -129,10 +130,16 @@ private:
     Violation find_touching(ode_predictive_space::GeomScene &now);
 
     // predictive_space.cpp
+    void start_predicting();
+    void enrol(dxGeom *geom);
+    void dismiss(dxGeom *geom);
+    void collide_each(void *data, dNearCallback *callback);
+    void clean_each();
+    void collide_predicted(bool nested_call, void *data, dNearCallback *callback);
     std::size_t find_reported(bool nested_call, std::vector<ode_predictive_space::CandidatePair> &pairs);
-    void call_back(const ode_predictive_space::CandidatePair &pair, void *data, dNearCallback *callback);
+    void call_back(dxGeom *one, dxGeom *other, void *data, dNearCallback *callback);
     void look_closely(dxGeom *geom, ode_predictive_space::Followed followed);
-    void note_disabled(ProxyId id);
+    void note_disabled(dxGeom *geom);
     void forget_catching_up() { caught_up_.store(false, std::memory_order_relaxed); }
     void prepare();
     void poll_moves();
@@ -140,6 +147,7 @@ private:
     void note_change(ProxyId id);
     void fit_to_proxies();
 
+    bool predicts_ = false; // else it has few geoms, and the broad phase has none of them
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // by proxy number; 0 for gaps
 

@@ -43,6 +43,7 @@ inline bool dxPredictiveSpace::is_silently_changed() const
     const std::lock_guard<std::recursive_mutex> hold(upkeep_);
     if (!is_free(function))
         return false;
+    start_predicting();
     poll_moves();
     if (caught_up_)
         return true;

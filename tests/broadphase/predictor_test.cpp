@@ -17,15 +17,15 @@ namespace
 constexpr double step = World::step;
 constexpr double radius = 0.1;
 
-// One object that moves. The others stand still, far away: in a scene of few objects not all are predicted.
+// One object that moves. The others stand still, far away.
 class Lone
 {
 public:
     explicit Lone(const Object &object)
     {
         world.add(object);
-        for (std::size_t i = 0; i < tuning::few_objects; ++i)
-            world.add(ball({-1000, -1000, 1.0 * static_cast<double>(i)}, radius, {0, 0, 0}));
+        for (int i = 0; i < others; ++i)
+            world.add(ball({-1000, -1000, 1.0 * i}, radius, {0, 0, 0}));
         world.tick();
         begun_ = world.broadphase.counters().repredictions;
     }
@@ -64,6 +64,7 @@ public:
     World world;
 
 private:
+    static constexpr int others = 16;
     std::uint64_t begun_ = 0; // predictions before it first moved
 };
 
@@ -107,68 +108,6 @@ TEST(Predictor, ALeapIsNotExtrapolated)
         for (int axis = 0; axis < 3; ++axis)
             ASSERT_LT(box.high[axis] - box.low[axis], 0.25) << "tick " << tick;
     }
-}
-
-// So many objects that small scenes are not predicted, of which the first leaps.
-class FewObjects
-{
-public:
-    FewObjects()
-    {
-        world.add(alone({0, 0, 0}));
-        for (std::size_t i = 0; i < others; ++i)
-            world.add(alone({2.0 + static_cast<double>(i), 0, 0}));
-        world.tick();
-        leap(tuning::most_early_breaks + 1);
-    }
-
-    void leap(int ticks)
-    {
-        for (int i = 0; i < ticks; ++i)
-        {
-            ++tick_;
-            world.object(0).centre = Vector3(10 * std::sin(tick_ * tick_), 0.5, 0);
-            world.touch(0);
-            world.tick();
-            ASSERT_EQ(world.violated_invariant(), "");
-        }
-    }
-
-    std::uint64_t predictions() const { return world.broadphase.counters().repredictions; }
-    std::size_t near_pairs() const { return world.broadphase.near_pairs(); }
-
-    static constexpr std::size_t others = tuning::few_objects - 1;
-    World world;
-
-private:
-    int tick_ = 0;
-};
-
-// To test all pairs costs less than to predict what cannot be predicted.
-TEST(Predictor, InASmallSceneWhatBreaksEarlyAgainAndAgainGetsTheWholeScene)
-{
-    FewObjects few;
-    const std::uint64_t before = few.predictions();
-    few.leap(1000);
-    EXPECT_EQ(few.predictions(), before);
-    EXPECT_EQ(few.near_pairs(), FewObjects::others) << "those of the object with each other";
-}
-
-TEST(Predictor, InASmallSceneWhoAsksForForecastsGetsPredictions)
-{
-    FewObjects few;
-    few.world.broadphase.catch_up(few.world);
-    few.world.broadphase.forecast(few.world, 0);
-    few.leap(1);
-    EXPECT_LT(few.near_pairs(), FewObjects::others);
-}
-
-TEST(Predictor, ASceneThatIsNotSmallAnyMoreIsPredicted)
-{
-    FewObjects few;
-    few.world.add(alone({-1000, 0, 0}));
-    few.leap(1);
-    EXPECT_LT(few.near_pairs(), FewObjects::others);
 }
 
 TEST(Predictor, AnObjectThatHasStoppedNeedsNoPredictions)

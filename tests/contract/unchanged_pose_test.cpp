@@ -66,6 +66,7 @@ public:
 
     void make_known()
     {
+        EXPECT_EQ(dPredictiveSpaceValidate(space_), 1); // few geoms are predicted from now on
         for (int i = 0; i < repetitions_until_known; ++i)
             set_all_and_collide();
     }

@@ -149,6 +149,13 @@ const Situation situations[] = {
          for (std::size_t i = 1100; i > 200; --i)
              gas.remove(i - 1);
      }},
+    {"one_more_than_few", 16, [](Gas &gas) { gas.run(5); },
+     [](Gas &gas) {
+         gas.add();
+         tick(gas);
+     }},
+    {"few_that_begin_to_be_predicted", 12, [](Gas &gas) { gas.run(5); },
+     [](Gas &gas) { dPredictiveSpaceGetEncounters(gas.space(), gas.geom(0), nullptr, 0); }},
     {"adding_between_questions", 100, [](Gas &gas) { gas.expect_exact_answer(); }, [](Gas &gas) { gas.add(); }},
     {"resting", 60,
      [](Gas &gas) {

@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "tests/haptics/contact_fixture.h"
 #include "tests/haptics/rough_mesh.h"
+#include "tests/support/effort.h"
 
 #include <algorithm>
 
@@ -10,7 +11,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr int ticks = 8000;
+constexpr int ticks = of_cases(8000);
 constexpr double sheet_side = 0.2; // m; of the sheet
 
 std::vector<TriangleCorners> triangles_of(const MeshShape &shape)

@@ -424,7 +424,7 @@ def space_faults():
         "tick_within_a_tick", "space", space, "const bool nested_call = lock_count > 0;",
         "const bool nested_call = false;", contract("Contract.08_*"))
     yield Fault(
-        "reports_without_the_lock", "space", space, "const Lock lock(this);\n    std::size_t count = 0;", "std::size_t count = 0;",
+        "reports_without_the_lock", "space", space, "const Lock lock(this);\n    ticks_ += !nested_call;", "ticks_ += !nested_call;",
         contract("Contract.07_*"))
     yield Fault(
         "outer_list_overwritten", "space", query,
@@ -441,6 +441,16 @@ def space_faults():
         "nested_spaces_not_cleaned", "space", scene,
         "if (IS_SPACE(geom))\n        static_cast<dxSpace *>(geom)->cleanGeoms();\n    compute_box_beside_others(geom);",
         "compute_box_beside_others(geom);", contract("Contract.11_*"))
+    # Few geoms.
+    yield Fault(
+        "few_geoms_stay_dirty", "space", space, "compute_box_beside_others(geom);\n        listen_to(geom);",
+        "compute_box_beside_others(geom);", contract("*"))
+    yield Fault(
+        "few_geoms_forgotten", "space", space, "tuning::few_objects)\n        start_predicting();",
+        "tuning::few_objects)\n        predicts_ = true;", contract("FewGeoms.*"))
+    yield Fault(
+        "few_geoms_by_box_alone", "space", space, "if (test != ProximityTest::box)\n        start_predicting();", "",
+        contract("FewGeoms.*"))
     # What throws in the middle.
     faults = lambda pattern: (("faults", pattern),)
     yield Fault(
@@ -448,8 +458,9 @@ def space_faults():
         faults("*EveryCall*:*EverySituation*"))
     yield Fault(
         "linked_before_there_is_room", "space", space,
-        "broadphase_.make_room();\n    fit_to_proxies();\n    dxSpace::add(geom);",
-        "dxSpace::add(geom);\n    broadphase_.make_room();\n    fit_to_proxies();", faults("*EverySituation*"))
+        "    if (predicts_)\n    {\n        broadphase_.make_room(1);\n        fit_to_proxies();\n    }\n    dxSpace::add(geom);",
+        "    dxSpace::add(geom);\n    if (predicts_)\n    {\n        broadphase_.make_room(1);\n        fit_to_proxies();\n    }\n",
+        faults("*EverySituation*"))
     yield Fault(
         "broken_off_unnoticed", "space", BROADPHASE + "broadphase.cpp", "interrupted_ = true;\n    counters_.moved", "counters_.moved",
         (("broadphase", "*Exceptions*"), ("faults", "*EveryCall*:*EverySituation*")))

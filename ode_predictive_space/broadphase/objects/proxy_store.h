@@ -51,7 +51,6 @@ struct alignas(64) ProxyRecord
     std::uint16_t useless;     ///< of these, pairs that were apart at the end
     Role role;                 ///< set by the program; predict recognises Role::interactive
     Shelf shelf;               ///< written by the index
-    std::uint8_t early_breaks; ///< so many envelopes, one after the other, have not repaid their predictions
     bool predicted : 1;        ///< at least once
     bool has_body : 1;         ///< which tells the velocity
     bool by_radius : 1;        ///< its new envelope holds the object however it turns
@@ -76,22 +75,23 @@ public:
     std::size_t count() const { return count_; }
     const IdSet &members() const { return members_; }
 
-    /// Makes room for one more object. On an exception nothing has changed.
-    void make_room()
+    /// Makes room for so many more objects. On an exception nothing has changed.
+    void make_room(std::size_t more)
     {
-        if (!free_.empty())
+        if (free_.size() >= more)
             return;
-        const std::size_t room = size() + 1;
+        const std::size_t before = size(), room = before + more - free_.size();
         if (free_.capacity() < room)
             free_.reserve(room + room / 4);
         resize(room);
-        free_.push_back(static_cast<ProxyId>(room - 1));
+        const auto added = free_.insert(free_.begin(), room - before, ProxyId{0});
+        std::generate_n(added, room - before, [next = room]() mutable { return static_cast<ProxyId>(--next); });
     }
 
     /// A new object, without an envelope. Throws nothing after make_room().
     ProxyId add()
     {
-        make_room();
+        make_room(1);
         const ProxyId id = free_.back();
         free_.pop_back();
         places[id] = Place();

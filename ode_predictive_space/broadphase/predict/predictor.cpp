@@ -226,29 +226,6 @@ TightBox Predictor::swept(const TightBox &box, const Motion &motion, float ticks
     return {min(outer_low, box.low), max(outer_high, box.high)};
 }
 
-// Forecasts that are asked for need predictions.
-bool Predictor::stays_everywhere(const ProxyStore &proxies, ProxyRecord &record, const Outcome &outcome) const
-{
-    const auto others = static_cast<float>(proxies.count() - 1);
-    const bool early = outcome.ticks > 0 && outcome.ticks * tuning::cost_of_test * others < tuning::cost_of_prediction;
-    record.early_breaks = early ? std::min(record.early_breaks + 1, tuning::most_early_breaks) : 0;
-    return record.early_breaks == tuning::most_early_breaks && proxies.count() <= tuning::few_objects &&
-           !wants_samples_;
-}
-
-// What is finite of the scene, and as much again on every side.
-TightBox Predictor::around_scene(const ProxyStore &proxies)
-{
-    TightBox all = {Float4::all(std::numeric_limits<float>::max()), Float4::all(-std::numeric_limits<float>::max())};
-    proxies.members().for_each([&](ProxyId id) {
-        const TightBox box = proxies.places[id].tight_lanes();
-        if (is_finite(box))
-            all = {min(all.low, box.low), max(all.high, box.high)};
-    });
-    const Float4 size = max(all.high - all.low, Float4::all(0));
-    return {all.low - size, all.high + size};
-}
-
 bool Predictor::wants_samples(const ProxyRecord &record, ProxyId id) const
 {
     return record.role == Role::fixed_interactive ||
@@ -288,11 +265,9 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     const Deviation adapted = adapted_deviation(record.size, tuning::most_spread, way, ticks);
     const Deviation deviation = deviation_of(record, never_moved ? Deviation() : adapted);
     record.radius = round_up(seen.radius);
-    const bool everywhere = is_finite(tight) && stays_everywhere(proxies, record, outcome);
-    const bool by_radius = !everywhere && record.tests == 0 && std::isfinite(record.radius) && is_finite(tight);
+    const bool by_radius = record.tests == 0 && std::isfinite(record.radius) && is_finite(tight);
     const TightBox box = by_radius ? TightBox::around(centre, Float4::all(record.radius)) : tight;
-    const TightBox envelope =
-        everywhere ? around_scene(proxies) : swept(box, motion, ticks, static_cast<float>(deviation.at(double{ticks})));
+    const TightBox envelope = swept(box, motion, ticks, static_cast<float>(deviation.at(double{ticks})));
     place.set_envelope(envelope);
     record.by_radius = by_radius && place.has_end();
     note_farthest(envelope);
@@ -314,7 +289,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
 bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
-    if (record.reach > 0 || !record.predicted || record.has_body || proxies.count() <= tuning::few_objects ||
+    if (record.reach > 0 || !record.predicted || record.has_body ||
         settings.deviation[is_interactive(record.role) ? 1 : 0])
         return false;
     Place &place = proxies.places[id];

@@ -67,9 +67,6 @@ public:
     /// @param moves it has moved a short time ago.
     Forecast forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, bool moves);
 
-    /// Were forecasts asked for?
-    bool is_asked() const { return wants_samples_; }
-
     /// No finite side of an object is farther from the origin than this: the largest finite coordinate of an envelope, or of an
     /// object in it, when one was ever made.
     float farthest() const { return farthest_; }
@@ -89,8 +86,6 @@ private:
     Motion motion_of_body(const ProxyRecord &record, const Outcome &outcome, Float4 velocity);
     float ticks_for(float way, float speed, float acceleration) const;
     Deviation deviation_of(const ProxyRecord &record, const Deviation &adapted) const;
-    bool stays_everywhere(const ProxyStore &proxies, ProxyRecord &record, const Outcome &outcome) const;
-    static TightBox around_scene(const ProxyStore &proxies);
     static TightBox swept(const TightBox &box, const Motion &motion, float ticks, float deviation);
     void note_farthest(const TightBox &box);
     bool wants_samples(const ProxyRecord &record, ProxyId id) const;
