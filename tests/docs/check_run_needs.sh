@@ -40,6 +40,14 @@ has 'cmake -S . -B build/demo .*BUILD_TESTS=OFF'
 has 'cmake --build build/demo --target predictive_haptic_demo'
 count 1 'cmake --build'
 
+# After ./run build or ./run test it is there.
+mkdir -p "$copy/build/release"
+: >"$copy/build/release/build.ninja"
+calls_of demo --objects 30
+has 'cmake --build --preset release --target predictive_haptic_demo'
+lacks 'build/demo'
+rm -r "$copy/build/release"
+
 calls_of test
 lacks "$games"
 count 1 'apt-get update'
