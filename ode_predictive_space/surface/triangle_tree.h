@@ -106,11 +106,13 @@ template <typename Visit> void TriangleTree::walk(const Vector3 &point, const do
         if (!(next.squared_distance <= distance * distance))
             continue;
         const Node &node = nodes_[next.node];
-        for (std::uint32_t i = node.first; i < node.end; ++i)
-            if (!visit(order_[i]))
-                return;
         if (node.is_leaf())
+        {
+            for (std::uint32_t i = node.first; i < node.end; ++i)
+                if (!visit(order_[i]))
+                    return;
             continue;
+        }
         const Waiting one = {node.first, nodes_[node.first].squared_distance(point)},
                       other = {node.first + 1, nodes_[node.first + 1].squared_distance(point)};
         const bool other_first = other.squared_distance < one.squared_distance;
@@ -130,10 +132,12 @@ template <typename Enter, typename Visit> void TriangleTree::descend(Enter enter
         if (!enter(index))
             continue;
         const Node &node = nodes_[index];
-        for (std::uint32_t i = node.first; i < node.end; ++i)
-            visit(order_[i]);
         if (node.is_leaf())
+        {
+            for (std::uint32_t i = node.first; i < node.end; ++i)
+                visit(order_[i]);
             continue;
+        }
         waiting[count++] = node.first + 1;
         waiting[count++] = node.first;
     }
