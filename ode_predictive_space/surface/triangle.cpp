@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 namespace ode_predictive_space
 {
 namespace

@@ -21,6 +21,13 @@ float rounded(double value, float towards)
     return is_inside ? std::nextafter(nearest, towards) : nearest;
 }
 
+std::vector<std::uint32_t> numbers_below(std::size_t count)
+{
+    std::vector<std::uint32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    return numbers;
+}
+
 Box box_of(const TriangleCorners &corners)
 {
     Box box;
@@ -36,10 +43,8 @@ class TriangleTree::Builder
 public:
     explicit Builder(TriangleTree &tree) : tree_(tree)
     {
-        tree_.order_.resize(tree_.count());
-        std::iota(tree_.order_.begin(), tree_.order_.end(), 0u);
         tree_.nodes_.resize(1);
-        current_.range.end = static_cast<std::uint32_t>(tree_.count());
+        current_.range.end = static_cast<std::uint32_t>(tree_.order_.size());
         current_.divides = false;
     }
 
@@ -151,7 +156,7 @@ private:
         add({current_.border, range.end, first + 1, range.depth + 1, current_.right});
     }
 
-    // A node for the range, which is a leaf when it is small.
+    // A node for the range, which is a leaf when it is small: also of no triangles, which only the root can be.
     void add(const Range &range)
     {
         Node &node = tree_.nodes_[range.node];
@@ -166,7 +171,7 @@ private:
             return;
         }
         node.first = range.begin;
-        node.count = range.count();
+        node.end = range.end;
     }
 
     TriangleTree &tree_;
@@ -174,7 +179,11 @@ private:
     std::vector<Range> waiting_;
 };
 
-TriangleTree::TriangleTree(const TriangleArrays &mesh) : mesh_(mesh), builder_(std::make_unique<Builder>(*this)) {}
+TriangleTree::TriangleTree(const TriangleArrays &mesh) : TriangleTree(mesh, numbers_below(mesh.triangle_count)) {}
+
+TriangleTree::TriangleTree(const TriangleArrays &mesh, std::vector<std::uint32_t> triangles)
+    : mesh_(mesh), order_(std::move(triangles)), builder_(std::make_unique<Builder>(*this))
+{}
 
 TriangleTree::~TriangleTree() = default;
 

@@ -22,33 +22,14 @@ namespace ode_predictive_space
 class TriangleTree final : public Surface
 {
 public:
-    /// @param mesh whose triangles have vertices that exist and are finite. Nothing of it is read yet.
-    explicit TriangleTree(const TriangleArrays &mesh);
-    ~TriangleTree() override;
-
-    std::size_t count() const override { return mesh_.triangle_count; }
-    TriangleCorners corners(std::uint32_t triangle) const { return mesh_.corners(triangle); }
-
-    std::size_t build(std::size_t steps) override;
-    bool is_ready() const override { return !builder_; }
-
-    /// Calls visit(number of the triangle) for all triangles whose boxes are within a distance of the point, and maybe some more,
-    /// until it returns false. Nearer boxes come first. The tree is ready.
-    ///
-    /// @param distance is read again after each visit, which may make it less.
-    template <typename Visit> void walk(const Vector3 &point, const double &distance, Visit visit) const;
-
-    std::size_t bytes() const override;
-
-private:
-    class Builder;
-
-    /// Its children lie one behind the other.
+    /// Its children lie one behind the other, and have larger numbers than it.
     struct Node
     {
-        float low[3], high[3];   ///< rounded outwards
-        std::uint32_t first = 0; ///< of a leaf: in order_; else the first child
-        std::uint32_t count = 0; ///< of triangles; 0 when it is no leaf
+        Eigen::Vector3f low, high; ///< rounded outwards
+        std::uint32_t first = 0;   ///< of a leaf: in order(); else the first child
+        std::uint32_t end = 0;     ///< of a leaf: in order(), behind its last triangle; else 0
+
+        bool is_leaf() const { return first <= end; }
 
         double squared_distance(const Vector3 &point) const
         {
@@ -62,6 +43,44 @@ private:
         }
     };
 
+    /// Holds all triangles.
+    ///
+    /// @param mesh whose triangles have vertices that exist and are finite. Nothing of it is read yet.
+    explicit TriangleTree(const TriangleArrays &mesh);
+
+    /// Holds some triangles. They keep their numbers, and only their vertices need exist and be finite.
+    TriangleTree(const TriangleArrays &mesh, std::vector<std::uint32_t> triangles);
+    ~TriangleTree() override;
+
+    /// Of the mesh, also when not all are held.
+    std::size_t count() const override { return mesh_.triangle_count; }
+    TriangleCorners corners(std::uint32_t triangle) const { return mesh_.corners(triangle); }
+
+    std::size_t build(std::size_t steps) override;
+    bool is_ready() const override { return !builder_; }
+
+    /// Calls visit(number of the triangle) for all triangles whose boxes are within a distance of the point, and maybe some more,
+    /// until it returns false. Nearer boxes come first. The tree is ready.
+    ///
+    /// @param distance is read again after each visit, which may make it less.
+    template <typename Visit> void walk(const Vector3 &point, const double &distance, Visit visit) const;
+
+    /// Calls visit(number of the triangle) for the triangles of each leaf that is entered, always in the same order. The tree is ready.
+    ///
+    /// @param enter called with the number of a node, from the root on; where it returns false, what is below the node is left out.
+    template <typename Enter, typename Visit> void descend(Enter enter, Visit visit) const;
+
+    /// At least the root, which is the first one. The tree is ready.
+    const std::vector<Node> &nodes() const { return nodes_; }
+
+    /// Numbers of triangles as the leaves have them.
+    const std::vector<std::uint32_t> &order() const { return order_; }
+
+    std::size_t bytes() const override;
+
+private:
+    class Builder;
+
     struct Waiting
     {
         std::uint32_t node;
@@ -71,7 +90,7 @@ private:
     static constexpr std::size_t deepest = 96; // the builder makes no deeper tree
 
     TriangleArrays mesh_;
-    std::vector<std::uint32_t> order_; // triangles as the leaves have them
+    std::vector<std::uint32_t> order_;
     std::vector<Node> nodes_;
     std::unique_ptr<Builder> builder_; // until the tree is ready
 };
@@ -87,16 +106,40 @@ template <typename Visit> void TriangleTree::walk(const Vector3 &point, const do
         if (!(next.squared_distance <= distance * distance))
             continue;
         const Node &node = nodes_[next.node];
-        for (std::uint32_t i = 0; i < node.count; ++i)
-            if (!visit(order_[node.first + i]))
-                return;
-        if (node.count > 0)
+        if (node.is_leaf())
+        {
+            for (std::uint32_t i = node.first; i < node.end; ++i)
+                if (!visit(order_[i]))
+                    return;
             continue;
+        }
         const Waiting one = {node.first, nodes_[node.first].squared_distance(point)},
                       other = {node.first + 1, nodes_[node.first + 1].squared_distance(point)};
         const bool other_first = other.squared_distance < one.squared_distance;
         waiting[count++] = other_first ? one : other;
         waiting[count++] = other_first ? other : one;
+    }
+}
+
+template <typename Enter, typename Visit> void TriangleTree::descend(Enter enter, Visit visit) const
+{
+    std::array<std::uint32_t, deepest> waiting;
+    std::size_t count = 0;
+    waiting[count++] = 0;
+    while (count > 0)
+    {
+        const std::uint32_t index = waiting[--count];
+        if (!enter(index))
+            continue;
+        const Node &node = nodes_[index];
+        if (node.is_leaf())
+        {
+            for (std::uint32_t i = node.first; i < node.end; ++i)
+                visit(order_[i]);
+            continue;
+        }
+        waiting[count++] = node.first + 1;
+        waiting[count++] = node.first;
     }
 }
 } // namespace ode_predictive_space

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <set>
 
 namespace ode_predictive_space::haptics
 {
@@ -126,7 +127,49 @@ TEST(MeshTree, TrianglesThatAreNotNumbersAreNowhere)
     const MeshTree tree(triangles);
     SurfaceFeatures features;
     EXPECT_NEAR(tree.collect({0.1, 0.1, 0.5}, 1, features), 0.5, 1e-12);
-    EXPECT_EQ(features.size(), 1U);
+    ASSERT_EQ(features.size(), 1U);
+    EXPECT_EQ(features[0].triangle, 20);
+    EXPECT_EQ(tree.count(), 21U);
+}
+
+TEST(MeshTree, WithoutTrianglesIsFarFromEverything)
+{
+    for (const std::size_t count : {0U, 20U})
+    {
+        const MeshTree tree(
+            std::vector<TriangleCorners>(count, {Vector3(nan, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)}));
+        SurfaceFeatures features;
+        EXPECT_EQ(tree.collect(Vector3::Zero(), infinity, features), infinity);
+        EXPECT_TRUE(features.empty());
+        EXPECT_EQ(tree.distance(Vector3::Zero(), infinity), infinity);
+        EXPECT_EQ(tree.winding_number(Vector3::Zero()), 0);
+    }
+}
+
+/// Which one stands for the others is not decided by the point, so that it does not change from tick to tick.
+TEST(MeshTree, ACornerOfManyTrianglesIsFeltByTheSameOneFromEverywhere)
+{
+    constexpr int sides = 40;
+    const auto rim = [](int i) {
+        const double angle = 2 * std::acos(-1.0) * (i % sides) / sides;
+        return Vector3(std::cos(angle), std::sin(angle), -1);
+    };
+    std::vector<TriangleCorners> cone;
+    for (int i = 0; i < sides; ++i)
+    {
+        cone.push_back({Vector3::Zero(), rim(i), rim(i + 1)});
+    }
+    const MeshTree tree(cone);
+    std::set<int> felt;
+    RandomNumbers random(6);
+    for (int i = 0; i < 200; ++i)
+    {
+        SurfaceFeatures features;
+        tree.collect({random.between(-0.05, 0.05), random.between(-0.05, 0.05), 0.1}, 0.2, features);
+        ASSERT_EQ(features.size(), 1U);
+        felt.insert(features[0].triangle);
+    }
+    EXPECT_EQ(felt.size(), 1U);
 }
 
 /// Whether a way crosses a triangle.

@@ -1,7 +1,10 @@
 // Trees of triangles of meshes at random: every triangle that is near a point is found, also where triangles coincide.
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <limits>
 #include <random>
 #include <set>
 #include <vector>
@@ -21,11 +24,14 @@ public:
     void add(const TriangleCorners &corners)
     {
         for (const Vector3 &corner : corners)
+        {
+            triangles_.push_back(static_cast<std::uint32_t>(vertices_.size() / 3));
             for (Eigen::Index i = 0; i < 3; ++i)
                 vertices_.push_back(corner[i]);
-        for (int i = 0; i < 3; ++i)
-            triangles_.push_back(static_cast<std::uint32_t>(triangles_.size()));
+        }
     }
+
+    void add_without_vertices() { triangles_.insert(triangles_.end(), 3, std::numeric_limits<std::uint32_t>::max()); }
 
     TriangleArrays arrays() const
     {
@@ -73,6 +79,15 @@ protected:
         for (int i = 0; i < triangles; ++i)
             mesh.add(next(i));
         TriangleTree tree(mesh.arrays());
+        std::set<std::uint32_t> all;
+        for (std::uint32_t triangle = 0; triangle < tree.count(); ++triangle)
+            all.insert(triangle);
+        expect_near_found(tree, all);
+    }
+
+    // @param held numbers of the triangles that the tree has.
+    void expect_near_found(TriangleTree &tree, const std::set<std::uint32_t> &held)
+    {
         tree.build(all_at_once);
         ASSERT_TRUE(tree.is_ready());
         for (int i = 0; i < 100; ++i)
@@ -82,9 +97,21 @@ protected:
             const std::vector<std::uint32_t> found = visited(tree, point, most);
             const std::set<std::uint32_t> different(found.begin(), found.end());
             ASSERT_EQ(different.size(), found.size()) << "none is visited twice";
-            for (std::uint32_t triangle = 0; triangle < tree.count(); ++triangle)
+            ASSERT_TRUE(std::includes(held.begin(), held.end(), different.begin(), different.end()));
+            for (const std::uint32_t triangle : held)
                 ASSERT_TRUE(different.count(triangle) == 1 || distance(point, tree.corners(triangle)) > most);
         }
+    }
+
+    Mesh soup(int triangles, double size)
+    {
+        Mesh mesh;
+        for (int i = 0; i < triangles; ++i)
+        {
+            const Vector3 place = vector();
+            mesh.add({place, place + size * vector(), place + size * vector()});
+        }
+        return mesh;
     }
 
     std::mt19937_64 random_{1};
@@ -115,14 +142,110 @@ TEST_F(TriangleTrees, FindAllThatAreNearWhereTrianglesCrowd)
     });
 }
 
-TEST_F(TriangleTrees, NearerBoxesComeFirst)
+// Those that are left out are not even looked at.
+TEST_F(TriangleTrees, FindAllThatAreNearAmongThoseThatTheyHold)
 {
     Mesh mesh;
-    for (int i = 0; i < 10000; ++i)
+    std::set<std::uint32_t> held;
+    for (std::uint32_t i = 0; i < 1000; ++i)
     {
         const Vector3 place = vector();
-        mesh.add({place, place + 0.01 * vector(), place + 0.01 * vector()});
+        if (i % 3 == 0)
+        {
+            mesh.add_without_vertices();
+            continue;
+        }
+        mesh.add({place, place + 0.2 * vector(), place + 0.2 * vector()});
+        if (i % 3 == 1)
+            held.insert(i);
     }
+    TriangleTree tree(mesh.arrays(), {held.begin(), held.end()});
+    EXPECT_EQ(tree.count(), 1000u);
+    expect_near_found(tree, held);
+}
+
+TEST_F(TriangleTrees, OfNoTrianglesVisitNone)
+{
+    const Mesh mesh = soup(1, 1);
+    TriangleTree tree(mesh.arrays(), {}), empty(Mesh().arrays());
+    for (TriangleTree *of_none : {&tree, &empty})
+    {
+        of_none->build(all_at_once);
+        EXPECT_TRUE(of_none->is_ready());
+        ASSERT_EQ(of_none->nodes().size(), 1u);
+        EXPECT_TRUE(of_none->nodes()[0].is_leaf());
+        EXPECT_TRUE(visited(*of_none, vector(), std::numeric_limits<double>::infinity()).empty());
+        int visits = 0;
+        of_none->descend([](std::uint32_t) { return true; }, [&](std::uint32_t) { ++visits; });
+        EXPECT_EQ(visits, 0);
+    }
+}
+
+TEST_F(TriangleTrees, HaveChildrenBehindTheirParentsAndInTheirBoxes)
+{
+    const Mesh mesh = soup(1000, 0.1);
+    TriangleTree tree(mesh.arrays());
+    tree.build(all_at_once);
+    std::vector<int> parents(tree.nodes().size()), leaves(tree.count());
+    const auto holds = [](const TriangleTree::Node &node, const Vector3 &low, const Vector3 &high) {
+        return (node.low.cast<double>().array() <= low.array()).all() &&
+               (node.high.cast<double>().array() >= high.array()).all();
+    };
+    for (std::size_t index = 0; index < tree.nodes().size(); ++index)
+    {
+        const TriangleTree::Node &node = tree.nodes()[index];
+        for (std::uint32_t i = node.first; i < node.end; ++i)
+        {
+            const std::uint32_t triangle = tree.order()[i];
+            for (const Vector3 &corner : tree.corners(triangle))
+                EXPECT_TRUE(holds(node, corner, corner));
+            ++leaves[triangle];
+        }
+        for (std::uint32_t i = node.first; !node.is_leaf() && i < node.first + 2; ++i)
+        {
+            ASSERT_GT(i, index);
+            const TriangleTree::Node &child = tree.nodes().at(i);
+            EXPECT_TRUE(holds(node, child.low.cast<double>(), child.high.cast<double>()));
+            ++parents[i];
+        }
+    }
+    EXPECT_EQ(leaves, std::vector<int>(tree.count(), 1));
+    EXPECT_EQ(parents[0], 0);
+    EXPECT_EQ(std::count(parents.begin(), parents.end(), 1), std::ptrdiff_t(parents.size()) - 1);
+}
+
+// What is above a node that is entered is entered, too.
+TEST_F(TriangleTrees, VisitTheTrianglesOfEnteredNodesInOneOrder)
+{
+    const Mesh mesh = soup(1000, 0.1);
+    TriangleTree tree(mesh.arrays());
+    tree.build(all_at_once);
+    std::vector<std::uint32_t> all;
+    tree.descend([](std::uint32_t) { return true; }, [&](std::uint32_t triangle) { all.push_back(triangle); });
+    EXPECT_EQ(std::set<std::uint32_t>(all.begin(), all.end()).size(), tree.count());
+    for (int i = 0; i < 20; ++i)
+    {
+        const Vector3 point = vector();
+        const double square = between(0, 0.1);
+        const auto is_near = [&](std::uint32_t node) { return tree.nodes()[node].squared_distance(point) <= square; };
+        std::set<std::uint32_t> near;
+        for (std::uint32_t index = 0; index < tree.nodes().size(); ++index)
+        {
+            const TriangleTree::Node &node = tree.nodes()[index];
+            if (node.is_leaf() && is_near(index))
+                near.insert(tree.order().begin() + node.first, tree.order().begin() + node.end);
+        }
+        std::vector<std::uint32_t> expected, found;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
+                     [&](std::uint32_t triangle) { return near.count(triangle) == 1; });
+        tree.descend(is_near, [&](std::uint32_t triangle) { found.push_back(triangle); });
+        EXPECT_EQ(found, expected);
+    }
+}
+
+TEST_F(TriangleTrees, NearerBoxesComeFirst)
+{
+    const Mesh mesh = soup(10000, 0.01);
     TriangleTree tree(mesh.arrays());
     tree.build(all_at_once);
     double most = 10;
@@ -152,12 +275,7 @@ TEST_F(TriangleTrees, EndAWalkWhenTheVisitorSaysSo)
 
 TEST_F(TriangleTrees, AreTheSameInSlicesOfAnySize)
 {
-    Mesh mesh;
-    for (int i = 0; i < 1000; ++i)
-    {
-        const Vector3 place = vector();
-        mesh.add({place, place + 0.1 * vector(), place + 0.1 * vector()});
-    }
+    const Mesh mesh = soup(1000, 0.1);
     TriangleTree whole(mesh.arrays()), sliced(mesh.arrays());
     const std::size_t steps = all_at_once - whole.build(all_at_once);
     std::size_t slices = 0;

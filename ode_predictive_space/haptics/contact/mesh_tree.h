@@ -1,12 +1,10 @@
-// The triangles of a mesh, in a tree of boxes: what of the mesh is near a point.
+// The triangles of a mesh, with their neighbours: what of the mesh is near a point, and whether the point is inside.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MESH_TREE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MESH_TREE_H
 
 #include "ode_predictive_space/haptics/contact/surface_feature.h"
-#include "ode_predictive_space/surface/triangle.h"
-
-#include <cstdint>
+#include "ode_predictive_space/surface/triangle_tree.h"
 
 namespace ode_predictive_space::haptics
 {
@@ -19,8 +17,8 @@ class MeshTree
 public:
     explicit MeshTree(const std::vector<TriangleCorners> &triangles);
 
-    std::size_t count() const { return triangles_.size(); }
-    TriangleCorners corners(std::size_t triangle) const;
+    std::size_t count() const { return tree_.count(); }
+    TriangleCorners corners(std::size_t triangle) const { return tree_.corners(static_cast<std::uint32_t>(triangle)); }
 
     /// Append the local minima of the distance within a radius, in no order. A place of an edge or of a corner is one only
     /// if no triangle at that edge or corner comes nearer: on a flat floor there is one feature, however many triangles it
@@ -41,15 +39,6 @@ public:
     SurfaceFeature nearest_of(std::size_t triangle, const Vector3 &point) const;
 
 private:
-    /// Its first child follows it.
-    struct Node
-    {
-        Vector3 low;
-        Vector3 high;
-        std::uint32_t first; ///< of a leaf: in order_; else the second child
-        std::uint32_t count; ///< of triangles; 0 when it is no leaf
-    };
-
     /// A node's triangles as seen from afar.
     struct Dipole
     {
@@ -59,16 +48,10 @@ private:
         double radius = 0;                ///< m; about the centre, of a ball that holds the node's box
     };
 
-    using Triangle = std::array<std::uint32_t, 3>; ///< vertices
-
-    template <typename Visit> void walk(const Vector3 &point, const double &radius, Visit visit) const;
-    void weld(const std::vector<TriangleCorners> &triangles);
+    TriangleArrays weld(const std::vector<TriangleCorners> &triangles);
     void list_fans();
-    void list_order();
-    void build(std::uint32_t first, std::uint32_t count);
     void list_dipoles();
-    void add_to(Dipole &dipole, const TriangleCorners &corners) const;
-    double solid_angle_of_leaf(const Node &node, const Vector3 &point) const;
+    Dipole sum_of(const TriangleTree::Node &node) const;
     bool is_minimum(const NearestOnTriangle &nearest, std::uint32_t triangle, const Vector3 &point) const;
     std::uint32_t fan_size(std::uint32_t vertex) const { return fan_begin_[vertex + 1] - fan_begin_[vertex]; }
     bool has(std::uint32_t triangle, std::uint32_t vertex) const;
@@ -76,12 +59,11 @@ private:
                SurfaceFeatures &features) const;
 
     std::vector<Vector3> vertices_;
-    std::vector<Triangle> triangles_;
+    std::vector<TriangleArrays::Indices> triangles_;
+    TriangleTree tree_;                    ///< of those that are finite; reads the two above
     std::vector<std::uint32_t> fan_begin_; ///< by vertex: where its triangles begin in fans_
     std::vector<std::uint32_t> fans_;
-    std::vector<std::uint32_t> order_; ///< triangles as the leaves have them
-    std::vector<Node> nodes_;
-    std::vector<Dipole> dipoles_; ///< by node; apart, since few questions need them
+    std::vector<Dipole> dipoles_; ///< by node of tree_
 };
 } // namespace ode_predictive_space::haptics
 

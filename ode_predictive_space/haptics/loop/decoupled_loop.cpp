@@ -16,6 +16,7 @@
 
 #include "ode_predictive_space/haptics/loop/decoupled_servo.h"
 #include "ode_predictive_space/haptics/loop/scene_motion.h"
+#include "ode_predictive_space/haptics/loop/step_budget.h"
 
 #include <cstdio>
 #include <ode/misc.h>
@@ -41,7 +42,6 @@ public:
 private:
     bool goes_on() const;
     double step_length();
-    int affordable_steps() const;
     void advance(double due, double length);
     void look(double due);
     void find_touches();
@@ -58,8 +58,7 @@ private:
     int steps_per_period_ = 1; ///< in a time dt_
     double changed_ = 0;       ///< s, simulated; when that became so
     std::uint64_t steps_ = 0;  ///< since then
-    double longest_ = 0;       ///< s; that a step took of late
-    static constexpr double forgetting = 0.95;
+    StepBudget budget_;
     bool surprised_ = false; ///< and it has been told
 };
 
@@ -86,7 +85,7 @@ void SceneLoop::run()
             look(pacer.due());
         }
         const double end = parts_.clock.now();
-        longest_ = std::max(end - begin, forgetting * longest_);
+        budget_.note(end - begin);
         parts_.scene.end(end, pacer.due() + length);
     }
     parts_.guard->end_steps();
@@ -108,13 +107,6 @@ double SceneLoop::step_length()
         parts_.probe.set_tick_length(dt_ / steps_per_period_);
     }
     return dt_ / steps_per_period_;
-}
-
-/// In a period, so that half of it remains.
-int SceneLoop::affordable_steps() const
-{
-    constexpr int enough = 100;
-    return longest_ > 0 ? static_cast<int>(std::clamp<double>(0.5 * dt_ / longest_, 1, enough)) : enough;
 }
 
 /// The interval that ends now, with what the hand got in it.
@@ -163,7 +155,7 @@ void SceneLoop::look(double due)
     surroundings.tool_jumps = tick.tool_jumps;
     surroundings.planes.set(sensor_.touches(), !sensor_.saw_nonsense(), tick.tool.position, due);
     const int steps = motion_.steps_per_period();
-    motion_.foresee(surroundings.planes, due, dt_, affordable_steps(), surroundings.forecast);
+    motion_.foresee(surroundings.planes, due, dt_, budget_.affordable(dt_), surroundings.forecast);
     if (motion_.steps_per_period() != steps)
     {
         tell_of_shorter_steps();

@@ -1,0 +1,120 @@
+// How often the scene is stepped, by how long its steps take: made-up durations, in simulated time.
+
+#include "ode_predictive_space/haptics/loop/step_budget.h"
+
+#include "ode_predictive_space/haptics/loop.h"
+#include "tests/haptics/constants.h"
+#include "tests/haptics/coupling_scene.h"
+#include "tests/haptics/scripted_device.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+class StepBudgetTest : public testing::Test
+{
+protected:
+    static constexpr double period = 0.01; // s
+    StepBudget budget_;
+};
+
+TEST_F(StepBudgetTest, HalfOfThePeriodRemains)
+{
+    for (const double took : {1e-5, 1e-4, 0.0004, 0.0007, 0.0011, 0.0024, 0.0026, 0.004})
+    {
+        StepBudget budget;
+        budget.note(took);
+        const int steps = budget.affordable(period);
+        EXPECT_LE(steps * took, 0.5 * period) << took;
+        EXPECT_TRUE(steps >= 100 || (steps + 1) * took > 0.5 * period) << "no more than that: " << took;
+    }
+}
+
+TEST_F(StepBudgetTest, OneStepIsAlwaysAfforded)
+{
+    for (const double took : {0.006, 0.01, 10.0})
+    {
+        budget_.note(took);
+        EXPECT_EQ(budget_.affordable(period), 1);
+    }
+}
+
+TEST_F(StepBudgetTest, AsLongAsNothingIsMeasuredOneStepIsAfforded)
+{
+    EXPECT_EQ(budget_.affordable(period), 1);
+}
+
+TEST_F(StepBudgetTest, StepsThatTakeNoTimeAreAffordedAsOftenAsAnyRuleAsks)
+{
+    budget_.note(0);
+    EXPECT_GE(budget_.affordable(period), 8);
+}
+
+TEST_F(StepBudgetTest, ALongStepIsForgottenSlowly)
+{
+    budget_.note(0.004);
+    budget_.note(0.0005);
+    EXPECT_EQ(budget_.affordable(period), 1) << "one short step does not make up for it";
+    int before = 1;
+    for (int i = 0; i < 100; ++i)
+    {
+        budget_.note(0.0005);
+        EXPECT_GE(budget_.affordable(period), before);
+        before = budget_.affordable(period);
+    }
+    EXPECT_EQ(before, 10);
+    budget_.note(0.004);
+    EXPECT_EQ(budget_.affordable(period), 1) << "a long one counts at once";
+}
+
+/// How often a scene at 60 Hz is stepped in a period at most, when a step takes a part of it.
+int steps_per_period(const CouplingCase &scenario, double part)
+{
+    constexpr double rate = 60;
+    const OdeUse ode;
+    CouplingScene scene(Stepper::exact);
+    scenario.build(scene);
+    SimulatedClock clock;
+    NoticeList notices;
+    ScriptedDevice device([&](double seconds) { return scenario.hand.at(seconds); });
+    device.open();
+    RenderSettings rendering;
+    rendering.law = scenario.law();
+    HapticProbe probe(device, scene.space, radius, rendering);
+    LoopSettings settings;
+    settings.decoupled = true;
+    settings.physics_rate = rate;
+    settings.duration = 1;
+    settings.clock = &clock;
+    settings.ask_for_priority = false;
+    settings.notice = notices.sink();
+    HapticLoop loop(probe, settings);
+    double shortest = 1 / rate;
+    loop.run({[&] { scene.collide(probe); },
+              [&](double step) {
+                  shortest = std::min(shortest, step);
+                  scene.step(step);
+                  clock.advance(part / rate);
+              }});
+    return static_cast<int>(std::lround(1 / (rate * shortest)));
+}
+
+TEST(StepsPerPeriod, ContactsAreSteppedAsOftenAsThereIsTimeFor)
+{
+    EXPECT_GE(steps_per_period(stack(5), 0), 6);
+    EXPECT_EQ(steps_per_period(stack(5), 0.12), 4);
+    EXPECT_EQ(steps_per_period(stack(5), 0.2), 2);
+    EXPECT_EQ(steps_per_period(stack(5), 0.3), 1);
+    EXPECT_EQ(steps_per_period(stack(5), 0.8), 1);
+}
+
+TEST(StepsPerPeriod, WhatIsUnstableOtherwiseIsSteppedAsOftenAsItHasToBe)
+{
+    EXPECT_GT(steps_per_period(rope_of_twenty(), 0), 1);
+    EXPECT_GT(steps_per_period(rope_of_twenty(), 0.3), 1);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics
