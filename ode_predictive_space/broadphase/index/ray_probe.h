@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_RAY_PROBE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_RAY_PROBE_H
 
-#include <cmath>
 #include <limits>
 
 #include "ode_predictive_space/broadphase/base/float_box.h"
@@ -22,43 +21,34 @@ public:
     ///
     /// @param miss by how much the line may miss a box and still meet it.
     RayProbe(const Vector3 &start, const Vector3 &end, double miss = 0)
-    {
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            centre_[axis] = static_cast<float>(0.5 * (start[axis] + end[axis]));
-            half_[axis] = static_cast<float>(0.5 * (end[axis] - start[axis]));
-            reach_[axis] = std::abs(half_[axis]);
-            margin_[axis] = rounding * (std::abs(centre_[axis]) + reach_[axis]) + static_cast<float>(miss);
-        }
-    }
+        : centre_(nearest(0.5 * (start + end))), half_(nearest(0.5 * (end - start))), next_half_(half_.rotated()),
+          reach_(abs(half_)), next_reach_(abs(next_half_)),
+          margin_(rounding() * (abs(centre_) + reach_) + Float4::all(static_cast<float>(miss)))
+    {}
 
     /// Does the line meet the box? True when the box is infinite or not a number: nothing is known to be apart.
     bool overlaps(const FloatBox &box) const
     {
-        float offset[3], extent[3];
-        bool apart = false;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            const float low = box.low[axis], high = box.high[axis];
-            offset[axis] = 0.5f * (high + low) - centre_[axis];
-            extent[axis] = 0.5f * (high - low) + rounding * (std::abs(high) + std::abs(low)) + margin_[axis];
-            apart |= std::abs(offset[axis]) > extent[axis] + reach_[axis];
-        }
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            const int next = axis == 2 ? 0 : axis + 1;
-            const float distance = offset[axis] * half_[next] - offset[next] * half_[axis];
-            apart |= std::abs(distance) > extent[axis] * reach_[next] + extent[next] * reach_[axis];
-        }
-        return !apart;
+        // Both loads stay within the box.
+        const Float4 low = Float4::load(box.low), high = Float4::load(box.low + 2).last_three();
+        const Float4 offset = Float4::all(0.5f) * (high + low) - centre_;
+        const Float4 extent = Float4::all(0.5f) * (high - low) + rounding() * (abs(high) + abs(low)) + margin_;
+        const Mask4 along_box = abs(offset) > extent + reach_;
+        const Float4 distance = offset * next_half_ - offset.rotated() * half_;
+        const Mask4 across = abs(distance) > extent * next_reach_ + extent.rotated() * reach_;
+        constexpr unsigned three_lanes = 7;
+        return ((along_box | across).bits() & three_lanes) == 0;
     }
 
 private:
-    static constexpr float rounding = 8 * std::numeric_limits<float>::epsilon();
+    static Float4 rounding() { return Float4::all(8 * std::numeric_limits<float>::epsilon()); }
+    static Float4 nearest(const Vector3 &vector) { return Float4::nearest(vector.data()); }
 
-    float centre_[3], half_[3]; // of the line
-    float reach_[3];            // |half|
-    float margin_[3];
+    Float4 centre_, half_; // of the line
+    Float4 next_half_;     // rotated, as the next
+    Float4 reach_;         // |half|
+    Float4 next_reach_;
+    Float4 margin_;
 };
 } // namespace ode_predictive_space
 

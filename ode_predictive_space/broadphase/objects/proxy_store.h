@@ -67,8 +67,8 @@ public:
     std::vector<Place, CacheLineAllocator<Place>> places;
     std::vector<ProxyRecord> records;
 
-    /// Are contacts of the object dear to find? Also those of what a person holds: of these the program asks for more.
-    bool is_dear(ProxyId id) const { return records[id].is_dear || is_interactive(records[id].role); }
+    /// Are contacts of the object dear to find? Also those of what the program says that a person holds: of these it asks for more.
+    bool is_dear(ProxyId id) const { return records[id].is_dear || records[id].role == Role::fixed_interactive; }
 
     /// Numbers in use are below this.
     std::size_t size() const { return records.size(); }
