@@ -65,7 +65,8 @@ dSpaceID as_space(dGeomID geom)
 }
 
 Scenario::Scenario(SpaceKind kind, Asked asked)
-    : kind_(kind), asked_(kind == SpaceKind::predictive ? asked : Asked::nothing), world_(dWorldCreate()), space_(make_space(nullptr))
+    : kind_(kind), asked_(kind == SpaceKind::predictive ? asked : Asked::nothing), world_(dWorldCreate()),
+      space_(make_space(nullptr))
 {}
 
 Scenario::~Scenario()
@@ -154,7 +155,8 @@ void expect_as_simple(const std::function<void(Scenario &)> &program)
         program(predictive);
         ASSERT_EQ(simple.log().size(), predictive.log().size());
         for (std::size_t i = 0; i < simple.log().size(); ++i)
-            ASSERT_EQ(simple.log()[i], predictive.log()[i]) << "in report " << i << ", asked for " << names[static_cast<std::size_t>(asked)];
+            ASSERT_EQ(simple.log()[i], predictive.log()[i])
+                << "in report " << i << ", asked for " << names[static_cast<std::size_t>(asked)];
     }
 }
 } // namespace ode_predictive_space
