@@ -51,9 +51,7 @@ const std::vector<std::string> &device_names()
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all{replay_prefix + "FILE"};
         for (const Entry &entry : entries)
-        {
             all.insert(all.end() - 1, entry.name);
-        }
         return all;
     }();
     return names;
@@ -62,21 +60,13 @@ const std::vector<std::string> &device_names()
 std::unique_ptr<Device> make_device(const std::string &name, std::uint64_t seed)
 {
     if (name.size() > replay_prefix.size() && name.compare(0, replay_prefix.size(), replay_prefix) == 0)
-    {
         return std::make_unique<ReplayDevice>(name.substr(replay_prefix.size()));
-    }
     for (const Entry &entry : entries)
-    {
         if (name == entry.name)
-        {
             return entry.make(seed);
-        }
-    }
     std::string names;
     for (const std::string &known : device_names())
-    {
         names += (names.empty() ? "" : ", ") + known;
-    }
     throw std::invalid_argument("no device is called \"" + name + "\"; there are: " + names);
 }
 } // namespace ode_predictive_space::haptics

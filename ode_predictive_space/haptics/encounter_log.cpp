@@ -17,9 +17,7 @@ void EncounterLog::add(double time, const std::vector<Encounter> &encounters, co
     for (const Touch &touch : touches)
     {
         if (touch.depth < 0)
-        {
             continue; // near, in a decoupled loop's margin
-        }
         touched.push_back(touch.object);
         if (std::find(touched_.begin(), touched_.end(), touch.object) == touched_.end())
         {
@@ -61,9 +59,7 @@ void EncounterLog::log_contact(double time, const Touch &touch)
 void EncounterLog::list(double time, const std::vector<Encounter> &encounters)
 {
     for (Listed &listed : listed_)
-    {
         listed.now = false;
-    }
     for (const Encounter &encounter : encounters)
     {
         const std::uintptr_t object = object_of(encounter.geom);
@@ -74,9 +70,7 @@ void EncounterLog::list(double time, const std::vector<Encounter> &encounters)
             known = &listed_.back();
         }
         if (known->now)
-        {
             continue;
-        }
         // What is near was foretold for this moment, unless it was for an earlier one.
         const bool near = encounter.seconds <= 0;
         known->forecast = near && known->since < time ? known->forecast : time + encounter.seconds;
@@ -97,9 +91,7 @@ EncounterSummary EncounterLog::summary() const
     for (const LoggedContact &contact : contacts_)
     {
         if (!contact.foretold)
-        {
             continue;
-        }
         ++summary.foretold;
         warning += contact.warning;
         const double earliness = contact.time - contact.forecast;
@@ -112,13 +104,9 @@ EncounterSummary EncounterLog::summary() const
         summary.max_early = std::max(summary.max_early, earliness);
     }
     if (summary.foretold > 0)
-    {
         summary.mean_warning = warning / static_cast<double>(summary.foretold);
-    }
     if (summary.foretold > summary.late)
-    {
         summary.mean_early = early / static_cast<double>(summary.foretold - summary.late);
-    }
     return summary;
 }
 
@@ -127,23 +115,17 @@ std::string EncounterSummary::text() const
     std::ostringstream out;
     out.precision(3);
     if (contacts == 0)
-    {
         return "No contact began.";
-    }
     out << "Of " << contacts << " first contacts, " << foretold << " were predicted";
     if (foretold > 0)
-    {
         out << ", " << 1000 * mean_warning << " ms ahead on average";
-    }
     if (foretold > late)
     {
         out << ". They came " << 1000 * mean_early << " ms (at most " << 1000 * max_early
             << " ms) after the predicted time of proximity";
     }
     if (late > 0)
-    {
         out << "; " << late << " came before the predicted time, as the hand had left its predicted path";
-    }
     out << "; " << missed << " were missed.";
     return out.str();
 }

@@ -19,9 +19,7 @@ namespace
 void add_wrench(dBodyID body, const Wrench &wrench)
 {
     if (wrench.force.isZero(0) && wrench.torque.isZero(0))
-    {
         return;
-    }
     dBodyEnable(body);
     dBodyAddForce(body, static_cast<dReal>(wrench.force.x()), static_cast<dReal>(wrench.force.y()),
                   static_cast<dReal>(wrench.force.z()));
@@ -71,9 +69,7 @@ HapticProbe::HapticProbe(Device &device, dBodyID tool, const CouplingProperties 
     parts_->coupling = VirtualCoupling(coupling);
     parts_->renderer.check(parts_->coupling);
     if (tool == nullptr)
-    {
         throw std::invalid_argument("The virtual coupling needs a body to hold");
-    }
     parts_->tool_watch.keep(tool);
 }
 
@@ -85,9 +81,7 @@ HapticProbe::~HapticProbe()
         run = parts_->run;
     }
     if (run)
-    {
         run->end_and_wait("a haptic probe");
-    }
     try
     {
         parts_->tell_if_gone();
@@ -110,18 +104,14 @@ void HapticProbe::Parts::tell_if_gone()
 void HapticProbe::Parts::tell(std::string_view sentence)
 {
     if (const NoticeSink &sink = renderer.notice_sink())
-    {
         sink(Notice(NoticeKind::contact, renderer.last_tick().time, sentence));
-    }
 }
 
 void HapticProbe::take(std::shared_ptr<ActiveRun> run)
 {
     with_lock(parts_->run_mutex, [&] {
         if (parts_->run)
-        {
             throw std::logic_error("Another haptic loop runs the probe");
-        }
         parts_->run = std::move(run);
     });
 }
@@ -167,9 +157,7 @@ void HapticProbe::place(const RenderedTick &tick)
 void HapticProbe::set_materials(MaterialOf materials)
 {
     if (parts_->sensor)
-    {
         parts_->sensor->set_materials(std::move(materials));
-    }
 }
 
 bool HapticProbe::touch(dGeomID first, dGeomID second)
@@ -214,17 +202,13 @@ const std::vector<Encounter> &HapticProbe::encounters()
     encounters.clear();
     const dSpaceID space = geom() != nullptr ? dGeomGetSpace(geom()) : nullptr;
     if (space == nullptr || dSpaceIsPredictive(space) == 0)
-    {
         return encounters;
-    }
     const int most = dSpaceGetNumGeoms(space); // in a dense crowd, hundreds are near at once
     std::vector<dPredictiveEncounter> found(static_cast<std::size_t>(most));
     const int count = dPredictiveSpaceGetEncounters(space, geom(), found.data(), most);
     encounters.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
-    {
         encounters.push_back({found[i].geom, static_cast<double>(found[i].ticks) * parts_->tick_length});
-    }
     return encounters;
 }
 

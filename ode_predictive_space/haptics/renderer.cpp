@@ -43,20 +43,14 @@ void Renderer::read(double time, double clock_time)
     parts_->notices.set_time(time);
     parts_->clock_time = clock_time;
     if (parts_->link.notice_guard() || parts_->relaxed)
-    {
         parts_->restart();
-    }
     const double delay_before = delay();
     const DeviceLink::News news =
         parts_->link.read(time, parts_->settings.rate, jump * parts_->safety.limits().max_speed);
     if (delay() > delay_before)
-    {
         parts_->tell_of_delay();
-    }
     if (parts_->link.answers())
-    {
         parts_->take_in(news);
-    }
 }
 
 void Renderer::Parts::take_in(const DeviceLink::News &news)
@@ -70,17 +64,11 @@ void Renderer::Parts::take_in(const DeviceLink::News &news)
                                    "No force until the probe is free: the device's position has jumped.");
     }
     if (news.came_back)
-    {
         news.only_doubted ? safety.restart_ramp() : restart();
-    }
     if (news.had_failed)
-    {
         notices.tell(NoticeKind::device, link.capabilities().name + " answers again; the force comes back slowly.");
-    }
     if (news.was_away)
-    {
         ++tick.tool_jumps;
-    }
     move_clutch();
     tick.tool = mapping.to_scene(tick.state);
 }
@@ -91,9 +79,7 @@ void Renderer::Parts::move_clutch()
     const bool was_held = mapping.clutched();
     mapping.clutch(is_held(settings.clutch_button, tick.state), tick.state);
     if (was_held && !mapping.clutched())
-    {
         safety.reset();
-    }
 }
 
 /// What is rendered from now on is as soft as the delay wants it: rendered() goes by that. The law itself is not changed.
@@ -103,9 +89,7 @@ void Renderer::Parts::tell_of_delay()
     const StabilityVerdict verdict =
         check_stability(link.capabilities(), rendering(material.stiffness, material.damping));
     if (verdict.outcome != StabilityOutcome::fine)
-    {
         notices.tell(NoticeKind::stability, verdict.reason);
-    }
 }
 
 void Renderer::Parts::restart()
@@ -117,9 +101,7 @@ void Renderer::Parts::restart()
     felt.split.clear();
     link.forget_motion();
     if (passivity)
-    {
         passivity->reset();
-    }
 }
 
 void Renderer::relax() noexcept
@@ -145,13 +127,9 @@ void Renderer::render(const std::vector<Touch> &touches, bool all_known, double 
     }
     const Vector3 given = parts_->write(wished, dt).force;
     if (given.isZero(0))
-    {
         felt.split.clear();
-    }
     else
-    {
         felt.split.split(felt.touches, felt.forces, given);
-    }
     parts_->close_tick(wished.force, given);
 }
 
@@ -190,9 +168,7 @@ Wrench Renderer::render(const VirtualCoupling &coupling, const ToolState &body, 
     const Wrench wished = softened.on_device(tool(), body);
     Wrench given = parts_->write(wished, dt);
     if (parts_->link.capabilities().force_axes < 6 && parts_->link.answers())
-    {
         given.torque = parts_->watchdog->factor() * wished.torque;
-    }
     parts_->close_tick(wished.force, given.force);
     return opposite(given);
 }
@@ -206,9 +182,7 @@ Wrench Renderer::Parts::write(const Wrench &wished, double dt)
     tell_of_watchdog();
     notices.tell_held_back();
     if (passivity)
-    {
         passivity->written(tick.wrench.force);
-    }
     const WorkspacePlacement &placement = mapping.placement();
     return {placement.rotation * tick.wrench.force / placement.force_scale,
             placement.rotation * tick.wrench.torque / placement.force_scale};
@@ -225,9 +199,7 @@ Wrench Renderer::Parts::limited(const Wrench &wished, double dt)
     }
     Vector3 velocity = tick.state.linear_velocity;
     if (link.speed() > safety.limits().max_speed) // whatever the device tells
-    {
         velocity = link.speed() * Vector3::UnitX();
-    }
     Wrench safe = safety.limit(at_device, velocity, tick.time, watchdog->factor());
     tell_of_safety();
     return safe;
@@ -241,9 +213,7 @@ void Renderer::Parts::close_tick(const Vector3 &wished, const Vector3 &force)
     tick.device_answers = link.answers();
     tick.saturated = link.answers() && safety.report().did(SafetyAction::clamped);
     if (recorder)
-    {
         recorder(tick);
-    }
 }
 
 void Renderer::Parts::tell_of_safety()

@@ -29,9 +29,7 @@ std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const Work
 SafetyLimits usual_limits(const Capabilities &capabilities)
 {
     if (capabilities.force_axes > 0)
-    {
         return SafetyLimits::of(capabilities);
-    }
     Capabilities desktop = capabilities;
     desktop.force_axes = 3;
     desktop.max_force = 7.9; // N; a PHANToM Desktop
@@ -47,13 +45,9 @@ Renderer::Parts::Parts(Device &device, RenderSettings render_settings)
     felt.forces.reserve(usual_touches);
     felt.touches.reserve(usual_touches);
     if (settings.passivity_control)
-    {
         passivity.emplace(device.capabilities().max_damping);
-    }
     if (settings.delay && !is_amount(*settings.delay))
-    {
         throw std::invalid_argument("The delay of a device must be finite and not negative");
-    }
     set_rates(settings.rate, settings.physics_rate);
 }
 
@@ -69,9 +63,7 @@ Renderer::~Renderer()
 void Renderer::Parts::set_rates(double rate, double physics_rate)
 {
     if (!(rate > 0) || !(physics_rate > 0))
-    {
         throw std::invalid_argument("The rates of a servo loop and of its scene must be above 0");
-    }
     settings.rate = rate;
     settings.physics_rate = physics_rate;
     watchdog.emplace(WatchdogLimits::of(rate, physics_rate));
@@ -100,9 +92,7 @@ void Renderer::set_placement(const WorkspacePlacement &placement)
 {
     parts_->mapping = WorkspaceMapping(placement);
     if (!parts_->settings.law)
-    {
         parts_->law = usual_law(parts_->link.capabilities(), parts_->mapping);
-    }
     parts_->check_law();
     parts_->restart(); // the tool jumps, perhaps into something
     ++parts_->tick.tool_jumps;
@@ -144,13 +134,9 @@ void Renderer::Parts::check(double stiffness, double damping)
     const Rendering wanted = rendering(stiffness, damping);
     const StabilityVerdict verdict = check_stability(link.capabilities(), wanted);
     if (verdict.outcome == StabilityOutcome::refused || verdict.damping < wanted.damping)
-    {
         throw std::invalid_argument(verdict.reason);
-    }
     if (verdict.outcome == StabilityOutcome::clamped && verdict.reason != stability_told)
-    {
         notices.tell(NoticeKind::stability, verdict.reason);
-    }
     stability_told = verdict.reason;
 }
 
@@ -182,13 +168,9 @@ Material Renderer::Parts::rendered(const Material &material) const
     const Rendering possible = renderable(link.capabilities(), wanted);
     Material result = material;
     if (possible.stiffness < wanted.stiffness)
-    {
         result.stiffness = mapping.stiffness_in_scene(possible.stiffness);
-    }
     if (possible.damping < wanted.damping)
-    {
         result.damping = mapping.stiffness_in_scene(possible.damping);
-    }
     return result;
 }
 

@@ -75,9 +75,7 @@ TEST_F(BodyWatchTest, BodiesGoInAnyOrderAndNewOnesMayHaveTheirAddresses)
     for (int i = 0; i < 3000; ++i)
     {
         if (bodies.size() < 20)
-        {
             bodies.push_back(world_.add_body({0, 0, 0}, 1));
-        }
         const std::size_t which = random() % bodies.size();
         const dBodyID body = bodies[which];
         if (random() % 3 == 0)
@@ -93,9 +91,7 @@ TEST_F(BodyWatchTest, BodiesGoInAnyOrderAndNewOnesMayHaveTheirAddresses)
             watch_.keep(body);
         }
         if (random() % 4 == 0)
-        {
             watch_.age();
-        }
     }
 }
 
@@ -105,9 +101,7 @@ TEST_F(BodyWatchTest, AddsNothingToAStep)
     const dBodyID watched = world_.add_body({0, 0, 1}, 1);
     const dBodyID other = alone.add_body({0, 0, 1}, 1);
     for (const ProbeWorld *world : {&world_, &alone})
-    {
         dWorldSetGravity(world->world, 0, 0, -9.81);
-    }
     watch_.keep(watched);
     for (int i = 0; i < 10; ++i)
     {

@@ -205,9 +205,7 @@ TEST_P(LoopBodyTest, ThatIsTouchedEndsTheLoopToo)
     {
         loop_->run(work([&](double time) {
             if (time >= pressed_after)
-            {
                 dBodySetAngularVel(body, nan, 0, 0);
-            }
         }));
         ADD_FAILURE() << "the body was stepped";
     }

@@ -65,9 +65,7 @@ inline ProgramEnd end_of(const std::function<void()> &program)
     wait_for(child, end);
     end.messages.resize(static_cast<std::size_t>(lseek(messages, 0, SEEK_END)));
     if (pread(messages, end.messages.data(), end.messages.size(), 0) < 0)
-    {
         end.messages = "unreadable";
-    }
     close(messages);
     return end;
 }

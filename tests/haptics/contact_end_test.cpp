@@ -32,13 +32,9 @@ protected:
         for (const Sample &sample : samples)
         {
             if (sample.time > 0.7 && sample.time < middle - 0.001)
-            {
                 ASSERT_NEAR(sample.wished.z(), 4 * radius * k, 1e-9) << sample.time;
-            }
             if (sample.time > middle + 0.0035)
-            {
                 ASSERT_TRUE(sample.wished.isZero(0)) << sample.time << ": " << sample.wished.transpose();
-            }
         }
     }
 
@@ -79,9 +75,7 @@ TEST_P(ContactEndTest, AMeshWithOtherDataIsLetGo)
 {
     MeshShape shape = sheet_mesh(0.4, 8);
     for (Vector3 &vertex : shape.vertices)
-    {
         vertex.z() -= 0.08;
-    }
     const OdeMesh other(shape);
     expect_end_by([&] { dGeomTriMeshSetData(geom_, other.data()); });
     dGeomDestroy(geom_);
@@ -91,9 +85,7 @@ TEST_P(ContactEndTest, AMeshWhoseDataIsBuiltAnewIsLetGo)
 {
     MeshShape shape = sheet_mesh(0.4, 8);
     for (Vector3 &vertex : shape.vertices)
-    {
         vertex.z() -= 0.08;
-    }
     OdeMesh mesh(sheet_mesh(0.4, 8));
     dGeomDestroy(geom_);
     geom_ = mesh.add_to(world_.space);
@@ -174,10 +166,8 @@ TEST_P(SeveralPlanesTest, AUChannelOfOneBodyFeelsLikeThreeBoxes)
     const auto add_boxes = [&] {
         geoms.clear();
         for (int i = 0; i < 3; ++i)
-        {
             geoms.push_back(
                 world_.add_box(sides[i], places[i] + Vector3(i == 1 ? -0.002 : (i == 2 ? 0.002 : 0), 0, 0)));
-        }
     };
     add_boxes();
     const Samples of_boxes = run(path, 1);

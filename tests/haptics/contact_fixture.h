@@ -50,24 +50,18 @@ protected:
         RenderSettings rendering;
         rendering.law = penalty;
         if (proxy_law())
-        {
             rendering.law = proxy;
-        }
         ScriptedDevice device(path);
         HapticProbe probe(device, world_.space, radius, rendering);
         probe_ = &probe;
         if (prepare_)
-        {
             prepare_(probe);
-        }
         std::vector<Sample> samples;
         std::uint64_t allocated = 0;
         device.before_read = [&] {
             allocated = allocation_count();
             if (clock_.now() > silent_from_ && clock_.now() < silent_until_)
-            {
                 throw DeviceError(DeviceFault::failed, "it cannot be read");
-            }
         };
         probe.set_recorder([&](const RenderedTick &tick) {
             allocated = allocation_count() - allocated;
@@ -85,9 +79,7 @@ protected:
                   [&](double dt) {
                       world_.step(dt);
                       if (advanced)
-                      {
                           advanced(dt);
-                      }
                   }});
         probe_ = nullptr;
         return samples;

@@ -29,9 +29,7 @@ public:
         geom = as_mesh ? mesh_.add_to(world.space) : dCreateBox(world.space, width, width, thick);
         dGeomSetBody(geom, body);
         if (!as_mesh)
-        {
             dGeomSetOffsetPosition(geom, 0, 0, -thick / 2);
-        }
     }
     ~Plate() { dGeomDestroy(geom); }
     Plate(const Plate &) = delete;
@@ -67,9 +65,7 @@ protected:
         tracker_.begin();
         tracker_.aim(tool);
         for (const Plate *plate : plates)
-        {
             tracker_.add(*NearbyGeom::read(plate->geom, meshes_, {}));
-        }
         tracker_.follow();
         touches_.clear();
         tracker_.touches(TouchView::all_together, touches_);
@@ -106,9 +102,7 @@ TEST_P(ContactTrackerTest, AThinPlateThatMovesAndTurnsIsNeverPassed)
         const auto &touches = look(tool, {&plate});
         ASSERT_GE(plate.to_local(tracker_.proxy()).z(), 0.999 * radius) << tick;
         for (const Touch &touch : touches)
-        {
             ASSERT_GT(plate.direction_to_local(touch.normal).z(), 0.999) << tick;
-        }
         behind += plate.to_local(tool).z() < -radius ? 1 : 0;
         world_.step(dt);
     }
@@ -175,9 +169,7 @@ TEST(ContactTracker, HandsOverTheNearestOfTooManyGeoms)
     EXPECT_EQ(geoms.time, 5);
     ASSERT_EQ(geoms.count, NearbyGeoms::capacity);
     for (const NearbyGeom &geom : geoms.geoms)
-    {
         EXPECT_LT(geom.to_scene({0, 0, 0}).x(), 0.05 + 0.001 * (static_cast<double>(NearbyGeoms::capacity) - 0.5));
-    }
 }
 
 TEST(ContactTracker, LooksWhereverTheServoHoldsSomething)
@@ -195,9 +187,7 @@ TEST(ContactTracker, LooksWhereverTheServoHoldsSomething)
     tracker.aim({1.01, 0, 0});
     const ContactTracker::Region region = tracker.region();
     for (const double x : {1.0, 1.05, 1.03}) // the proxy, the squeezed place, the tool as it goes on for two steps
-    {
         EXPECT_LE((Vector3(x, 0, 0) - region.centre).norm() + radius, region.radius) << x;
-    }
 }
 
 /// m; the largest region while the tool goes 1.4 m away.
@@ -218,9 +208,7 @@ double largest_region(const std::vector<dGeomID> &geoms, const std::function<voi
         tracker.aim({part, 0, part});
         largest = std::max(largest, tracker.region().radius);
         for (const dGeomID geom : geoms)
-        {
             tracker.add(*NearbyGeom::read(geom, meshes, {}));
-        }
         tracker.follow();
     }
     return largest;

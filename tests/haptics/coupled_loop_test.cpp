@@ -85,9 +85,7 @@ VirtualDeviceSettings light_hand()
 TEST_F(CoupledLoopTest, AHandOnAWallComesToRestUpToTheSafeBound)
 {
     for (const double stiffness : {100.0, 500.0, 1000.0})
-    {
         EXPECT_LE(rest_motion({}, with_stiffness(stiffness, notices_.sink())), at_rest) << stiffness;
-    }
     for (const double share : {0.2, 0.6, 0.99})
     {
         RenderSettings rendering = with_stiffness(share * light_bound, notices_.sink());

@@ -150,13 +150,9 @@ private:
         outcome_.peak_force = std::max(outcome_.peak_force, force);
         outcome_.impulse += force * dt;
         if (tick.time > 0.5 * (HandWay::rests + hand_.duration))
-        {
             outcome_.least_force = std::min(outcome_.least_force, force);
-        }
         if (has_tick_)
-        {
             outcome_.given_to_hand += last_force_.dot(tick.tool.position - last_place_);
-        }
         outcome_.hand_work = -outcome_.given_to_hand;
         last_force_ = tick.force;
         last_place_ = tick.tool.position;
@@ -218,9 +214,7 @@ inline Outcome ensemble(const CouplingCase &scenario, Stepper stepper, double ph
 {
     std::vector<Outcome> outcomes;
     for (int hand = 0; hand < hands; ++hand)
-    {
         outcomes.push_back(CoupledRun(scenario, offset_of(scenario, hand), stepper, physics_rate, late).outcome());
-    }
     return mean_of(outcomes);
 }
 } // namespace ode_predictive_space::haptics

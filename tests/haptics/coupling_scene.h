@@ -88,9 +88,7 @@ public:
     void destroy(std::size_t body)
     {
         while (const dGeomID geom = dBodyGetFirstGeom(bodies[body]))
-        {
             dGeomDestroy(geom);
-        }
         dBodyDestroy(bodies[body]);
         bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(body));
     }
@@ -104,13 +102,9 @@ public:
     void step(double dt)
     {
         if (stepper_ == Stepper::exact)
-        {
             dWorldStep(world, dt);
-        }
         else
-        {
             dWorldQuickStep(world, dt);
-        }
         dJointGroupEmpty(contacts_);
     }
 
@@ -155,9 +149,7 @@ public:
             sum += 0.5 * mass.mass * Vector3(v[0], v[1], v[2]).squaredNorm() -
                    mass.mass * g[2] * dBodyGetPosition(body)[2];
             for (int axis = 0; axis < 3; ++axis)
-            {
                 sum += 0.5 * mass.I[5 * axis] * spin[axis] * spin[axis];
-            }
         }
         return sum;
     }
@@ -190,16 +182,12 @@ private:
     {
         auto &self = *static_cast<CouplingScene *>(data);
         if (self.probe_->touch(first, second))
-        {
             return;
-        }
         const dBodyID one = dGeomGetBody(first);
         const dBodyID other = dGeomGetBody(second);
         if ((one == nullptr && other == nullptr) ||
             (one != nullptr && other != nullptr && dAreConnectedExcluding(one, other, dJointTypeContact) != 0))
-        {
             return;
-        }
         dContact contacts[8] = {};
         const int count = dCollide(first, second, 8, &contacts[0].geom, sizeof(dContact));
         for (int i = 0; i < count; ++i)
@@ -318,9 +306,7 @@ inline CouplingCase stack(int count)
         scene.set_gravity();
         dCreatePlane(scene.space, 0, 0, 1, 0);
         for (int i = 0; i < count; ++i)
-        {
             scene.add_box(0.05, {0.04, 0.04, 0.04}, {0, 0, 0.02 - pressed + (0.04 - pressed) * i});
-        }
     };
     stack.hand = {{-0.039, 0, 0.02 * count}, Vector3::UnitX(), 0.024, 0.05, 2.1};
     stack.spread_across = 0.002;
@@ -388,9 +374,7 @@ inline CouplingCase free_balls(const std::vector<double> &kilograms)
     balls.build = [=](CouplingScene &scene) {
         const double middle = 0.5 * static_cast<double>(kilograms.size() - 1);
         for (std::size_t i = 0; i < kilograms.size(); ++i)
-        {
             scene.add_ball(kilograms[i], 0.01, {0, 0.021 * (middle - static_cast<double>(i)), 0});
-        }
     };
     balls.hand = {{-0.03, 0, 0}, Vector3::UnitX(), 1, 0.1, 1.8};
     balls.spread_along = 0.001;

@@ -31,9 +31,7 @@ void add_both(std::vector<NamedCase> &cases, const char *name, const CouplingCas
     {
         const std::vector<double> &rates = stepper == Stepper::exact ? exact_rates : quick_rates;
         if (!rates.empty())
-        {
             cases.push_back({name, scenario, stepper, rates});
-        }
     }
 }
 

@@ -94,9 +94,7 @@ public:
     {
         law_.forces(tool, touches, dt, forces);
         if (++ticks_ % 17 == 0)
-        {
             clock_.advance(0.0006);
-        }
     }
 
     void reset() override { law_.reset(); }

@@ -29,9 +29,7 @@ TEST(DeviceFactory, MakesEveryDeviceThatItNamesAndDoesNotOpenIt)
 {
     EXPECT_GE(device_names().size(), 4u);
     for (const std::string &name : device_names())
-    {
         EXPECT_FALSE(make_device(name)->status().open) << name;
-    }
 }
 
 TEST(DeviceFactory, TheVirtualHandStaysInItsWorkspace)
@@ -93,9 +91,7 @@ TEST(DeviceFactory, AnUnknownNameIsAnsweredWithTheNames)
         catch (const std::invalid_argument &error)
         {
             for (const std::string &known : device_names())
-            {
                 EXPECT_NE(std::string(error.what()).find(known), std::string::npos) << error.what();
-            }
         }
     }
 }

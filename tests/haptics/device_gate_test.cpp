@@ -59,9 +59,7 @@ public:
     {
         ScriptedDevice::write(wrench);
         if (inside)
-        {
             inside();
-        }
     }
 
     std::function<void()> inside;
@@ -153,9 +151,7 @@ TEST_F(DeviceGateTest, WhatIsWrittenAfterItWasShutGoesAtOnce)
         void write(const Wrench &wrench) override
         {
             if (before)
-            {
                 std::exchange(before, {})();
-            }
             NosyDevice::write(wrench);
         }
 
@@ -190,9 +186,7 @@ TEST_F(DeviceGateTest, TwoThreadsAreNeverInsideAtOnce)
     std::atomic<bool> over{false};
     std::thread guard([&] {
         while (!over)
-        {
             gate.close_with_zero(0);
-        }
     });
     for (int i = 0; i < 20000; ++i)
     {

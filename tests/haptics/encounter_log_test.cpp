@@ -116,9 +116,7 @@ EncounterSummary meet_some(int proximity, const RenderSettings &settings, int &n
         probe.render(0.001);
         log.add(0.001 * tick, probe);
         for (const Encounter &encounter : probe.encounters())
-        {
             near += encounter.seconds <= 0 ? 1 : 0;
-        }
         world.step(0.001);
     }
     return log.summary();

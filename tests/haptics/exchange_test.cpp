@@ -16,12 +16,8 @@ struct Wide
     bool whole() const
     {
         for (const int number : numbers)
-        {
             if (number != numbers[0])
-            {
                 return false;
-            }
-        }
         return true;
     }
 };
@@ -106,16 +102,10 @@ TEST(Queue, BetweenThreadsNothingIsLostAndTheOrderIsKept)
     Queue<int> queue(16);
     std::thread giver([&] {
         for (int value = 1; value <= many;)
-        {
             if (queue.give(value))
-            {
                 ++value;
-            }
             else
-            {
                 std::this_thread::yield();
-            }
-        }
     });
     for (int expected = 1; expected <= many;)
     {

@@ -52,18 +52,12 @@ public:
         now_ = time;
         const Breakage breakage = current();
         if (breakage == Breakage::lost)
-        {
             throw DeviceError(DeviceFault::lost, "faulty device: the plug has been pulled");
-        }
         if (breakage == Breakage::unreadable)
-        {
             throw DeviceError(DeviceFault::failed, "faulty device: it cannot be read");
-        }
         const DeviceState state = device_.read(time);
         if (breakage != Breakage::stalled)
-        {
             whole_ = state;
-        }
         return spoil(breakage == Breakage::stalled ? whole_ : state, breakage);
     }
 
@@ -71,13 +65,9 @@ public:
     {
         const Breakage breakage = current();
         if (breakage == Breakage::lost)
-        {
             throw DeviceError(DeviceFault::lost, "faulty device: the plug has been pulled");
-        }
         if (breakage == Breakage::unwritable)
-        {
             throw DeviceError(DeviceFault::failed, "faulty device: it cannot be written");
-        }
         device_.write(wrench);
         last_ = wrench;
         ++writes_;
@@ -97,22 +87,16 @@ private:
     {
         const Breakage sudden = sudden_;
         if (sudden != Breakage::none)
-        {
             return sudden;
-        }
         return now_ >= broken_from_ && now_ < mended_ ? breakage_ : Breakage::none;
     }
 
     static DeviceState spoil(DeviceState state, Breakage breakage)
     {
         if (breakage == Breakage::not_a_number)
-        {
             state.position.setConstant(std::numeric_limits<double>::quiet_NaN());
-        }
         if (breakage == Breakage::endless_velocity)
-        {
             state.linear_velocity.setConstant(std::numeric_limits<double>::infinity());
-        }
         return state;
     }
 

@@ -62,12 +62,8 @@ TEST_P(FlushTest, OverTheSeamFrictionGoesOn)
 TEST_P(FlushTest, ATableOfSixteenTilesIsOne)
 {
     for (int x = 0; x < 4; ++x)
-    {
         for (int y = 0; y < 4; ++y)
-        {
             world_.add_box({0.02, 0.02, 0.05}, {0.02 * x - 0.03, 0.02 * y - 0.03, -0.025});
-        }
-    }
     const double height = radius - depth_on_tiles;
     const auto samples = run(
         [=](double t) {

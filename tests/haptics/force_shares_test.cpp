@@ -18,12 +18,8 @@ Touch touch_of(std::uintptr_t object)
 Vector3 share_of(const ForceSplit &split, std::uintptr_t object)
 {
     for (const ForceShare &share : split.shares())
-    {
         if (share.object == object)
-        {
             return share.force;
-        }
-    }
     return Vector3::Zero();
 }
 
@@ -31,9 +27,7 @@ Vector3 total(const ForceSplit &split)
 {
     Vector3 sum = Vector3::Zero();
     for (const ForceShare &share : split.shares())
-    {
         sum += share.force;
-    }
     return sum;
 }
 

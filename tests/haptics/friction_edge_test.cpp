@@ -43,9 +43,7 @@ protected:
         for (const Sample &sample : samples)
         {
             if (sample.wished.isZero(0))
-            {
                 continue;
-            }
             const Vector3 n = normal(proxy_law() ? sample.proxy : sample.tool);
             const double pressing = sample.wished.dot(n);
             const double along = (sample.wished - pressing * n).norm();
@@ -61,12 +59,8 @@ protected:
     {
         const double spring = k * speed * (decoupled() ? 1.0 / 4000 : 1.0 / 1000); // N; by the hand's way in a tick
         for (std::size_t i = 1; i < samples.size(); ++i)
-        {
             if (samples[i].time > 0.45)
-            {
                 ASSERT_LE((samples[i].wished - samples[i - 1].wished).norm(), 2 * spring) << samples[i].time;
-            }
-        }
     }
 };
 

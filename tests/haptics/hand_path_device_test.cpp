@@ -33,9 +33,7 @@ TEST(HandPathDevice, SaysWhatItCanDo)
     EXPECT_EQ(device.capabilities().max_force, 0);
     device.open();
     for (int i = 0; i < 20000; ++i)
-    {
         ASSERT_TRUE(device.capabilities().workspace.contains(device.read(0.001 * i).position));
-    }
 }
 
 TEST(HandPathDevice, BeginsAnewWhenOpenedAgain)

@@ -27,9 +27,7 @@ std::vector<std::array<double, 2>> first_reaches(HandPath &hand, double until)
     {
         const std::array<double, 2> reach = hand.reach_times(time);
         if (reaches.empty() || reaches.back() != reach)
-        {
             reaches.push_back(reach);
-        }
     }
     return reaches;
 }
@@ -144,13 +142,9 @@ TEST(HandPath, SameSeedSamePathInWhateverOrderItIsAsked)
     HandPath other({}, 10);
     std::vector<Vector3> positions;
     for (int i = 0; i <= 1000; ++i)
-    {
         positions.push_back(forwards.position(0.01 * i));
-    }
     for (int i = 1000; i >= 0; --i)
-    {
         ASSERT_EQ(backwards.position(0.01 * i), positions[static_cast<std::size_t>(i)]);
-    }
     EXPECT_NE(other.position(5), positions[500]);
 }
 } // namespace

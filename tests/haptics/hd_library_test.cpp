@@ -67,9 +67,7 @@ TEST(HdLibrary, KnowsANameForEveryError)
 {
     std::set<std::string> names;
     for (const std::uint32_t code : all_codes)
-    {
         names.insert(name_of_hd_error(code));
-    }
     EXPECT_EQ(names.size(), all_codes.size());
     EXPECT_EQ(names.count("unknown error"), 0u);
 }

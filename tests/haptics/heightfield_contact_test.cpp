@@ -51,12 +51,8 @@ HeightfieldSamples profile(double cell, int cells, const std::function<double(do
     samples.scale = 0.5; // what is written down is twice as much, less 1
     samples.offset = 0.5;
     for (int z = 0; z <= cells; ++z)
-    {
         for (int x = 0; x <= cells; ++x)
-        {
             samples.heights.push_back(2 * (height(cell * (x - cells / 2.0)) - 0.5));
-        }
-    }
     return samples;
 }
 
@@ -154,13 +150,9 @@ TEST_P(HeightfieldContactTest, OtherSamplesEndTheContact)
     for (const Sample &sample : samples)
     {
         if (sample.time > 0.5 && sample.time < 0.699)
-        {
             ASSERT_NEAR(sample.wished.z(), k * 0.03, 1e-9) << sample.time;
-        }
         if (sample.time > 0.705)
-        {
             ASSERT_TRUE(sample.wished.isZero(0)) << sample.time;
-        }
     }
 }
 
@@ -231,9 +223,7 @@ TEST(HeightfieldContact, TheSurfaceIsWhereOdeHasIt)
     samples.scale = 0.3;
     samples.offset = -0.1;
     for (int i = 0; i < 7 * 9; ++i)
-    {
         samples.heights.push_back(random.in_cube(0.2).x());
-    }
     const OdeField field(samples);
     const dGeomID geom = dCreateHeightfield(nullptr, field.data(), 1);
     MeshStore store;

@@ -40,9 +40,7 @@ protected:
             ASSERT_LE((sample.wished - Vector3(-k * depth, 0, 0)).norm(), 1e-6 * k)
                 << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
             if (proxy_law())
-            {
                 ASSERT_LE(sample.proxy.x(), -radius + 1e-9) << sample.time;
-            }
         }
         EXPECT_NEAR(samples.back().tool.x(), 0.036, 1e-12);
     }
@@ -257,9 +255,7 @@ MeshShape untidy_sheet()
     {
         auto &triangle = shape.triangles[i];
         if (i % 3 == 0)
-        {
             std::swap(triangle[0], triangle[1]);
-        }
         if (i % 5 == 0)
         {
             const auto twin = triangle;
@@ -302,9 +298,7 @@ MeshShape sheet_with_a_hole(int hole)
         const int x = static_cast<int>(i / 2 % 20), y = static_cast<int>(i / 40);
         const int first = 10 - hole / 2;
         if (x < first || x >= first + hole || y < first || y >= first + hole)
-        {
             rest.triangles.push_back(shape.triangles[i]);
-        }
     }
     return rest;
 }
@@ -315,9 +309,7 @@ TEST_P(HeldContactTest, AHoleThatIsLargeEnoughLetsTheProbeThrough)
     mesh.add_to(world_.space);
     const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, -0.05}, 0.1, 0.8, t); }, 1);
     for (const Sample &sample : samples)
-    {
         ASSERT_TRUE(sample.wished.isZero(0)) << sample.time;
-    }
 }
 
 TEST_P(HeldContactTest, AHoleThatIsTooSmallCarriesTheProbeByItsRim)
@@ -341,9 +333,7 @@ MeshShape waves(double height)
 {
     MeshShape shape = sheet_mesh(0.5, 150);
     for (Vector3 &vertex : shape.vertices)
-    {
         vertex.z() = height * std::sin(150 * vertex.x()) * std::cos(120 * vertex.y());
-    }
     return shape;
 }
 
@@ -364,18 +354,14 @@ TEST_P(HeldContactTest, WavesAreFeltAsTheyAre)
     mesh.add_to(world_.space);
     std::vector<TriangleCorners> triangles;
     for (const auto &indices : shape.triangles)
-    {
         triangles.push_back({shape.vertices[indices[0]], shape.vertices[indices[1]], shape.vertices[indices[2]]});
-    }
     const MeshTree tree(triangles);
     const auto samples = run(over_the_waves(0.005), 1.2);
     for (const Sample &sample : samples)
     {
         SurfaceFeatures features;
         if (sample.time < 0.45)
-        {
             continue;
-        }
         const double distance = tree.collect(sample.tool, radius, features); // no valley is as narrow as the probe
         const auto nearest =
             std::min_element(features.begin(), features.end(),
@@ -395,12 +381,8 @@ TEST_P(HeldContactTest, DeepBelowWavesNothingIsLost)
     mesh.add_to(world_.space);
     const auto samples = run(over_the_waves(-0.04), 1.2);
     for (const Sample &sample : samples)
-    {
         if (sample.time > 0.45)
-        {
             ASSERT_GT(sample.wished.z(), 0.7 * k * 0.05) << sample.time << ": " << sample.wished.transpose();
-        }
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, HeldContactTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);

@@ -22,9 +22,7 @@ std::shared_ptr<ForceLaw> make_law(bool proxy, double stiffness)
     SurfaceProperties properties;
     properties.stiffness = stiffness;
     if (proxy)
-    {
         return std::make_shared<ProxyLaw>(properties);
-    }
     return std::make_shared<PenaltyLaw>(properties);
 }
 
@@ -61,9 +59,7 @@ protected:
                   [&](double dt) {
                       world_.step(dt);
                       if (each_step)
-                      {
                           each_step();
-                      }
                   }});
     }
 

@@ -87,9 +87,7 @@ TEST(MonotonicClock, ATaskHasAThreadOfItsOwnUntilItEnds)
                                  ++times;
                              }});
     while (times < 5)
-    {
         clock.sleep_until(clock.now() + 0.001);
-    }
     task.reset();
     const int last = times;
     clock.sleep_until(clock.now() + 0.005);

@@ -69,9 +69,7 @@ protected:
                 [this, also](double dt) {
                     world_.step(dt);
                     if (also)
-                    {
                         also(clock_.now());
-                    }
                 }};
     }
 
@@ -110,9 +108,7 @@ public:
     {
         law_.reset();
         if (at_reset)
-        {
             at_reset();
-        }
     }
     Material material() const override { return law_.material(); }
 

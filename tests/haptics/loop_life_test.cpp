@@ -25,9 +25,7 @@ TEST_P(LoopLifeTest, ASecondLoopOnAProbeIsRefusedWhileTheFirstRuns)
     int refused = 0;
     loop_->run(work([&](double) {
         if (refused > 0 || clock_.now() < pressed_after)
-        {
             return;
-        }
         EXPECT_THROW(HapticLoop(*probe_, settings()), std::logic_error);
         EXPECT_THROW(made_before.run(work()), std::logic_error);
         ++refused;

@@ -16,12 +16,8 @@ protected:
     {
         std::vector<Notice> stalls;
         for (const Notice &notice : notices_.all())
-        {
             if (notice.kind == NoticeKind::watchdog || notice.kind == NoticeKind::guard)
-            {
                 stalls.push_back(notice);
-            }
-        }
         return stalls;
     }
 
@@ -117,9 +113,7 @@ TEST_P(LoopNoticeTest, ANewCauseIsToldAtOnceWhileAnotherIsHeldBack)
         {
             const bool held_back = notice.sentence().find(" more times") != std::string_view::npos;
             if (!held_back && notice.sentence().find(text) != std::string_view::npos)
-            {
                 times.push_back(notice.time);
-            }
         }
         return times;
     };

@@ -77,9 +77,7 @@ TEST_P(HapticLoopTest, EndsWhenItIsToldTo)
     make();
     loop_->run(work([this](double time) {
         if (time >= pressed_after)
-        {
             loop_->stop();
-        }
     }));
     EXPECT_NEAR(clock_.now(), pressed_after, 0.002);
     expect_zero_force_after(pressed_after, clock_.now() + 1);
@@ -92,9 +90,7 @@ TEST_P(HapticLoopTest, ASignalEndsItWithZeroForceAndANotice)
     make();
     loop_->run(work([](double time) {
         if (time >= pressed_after && !StopRequest::requested())
-        {
             std::raise(SIGINT);
-        }
     }));
     EXPECT_NEAR(clock_.now(), pressed_after, 0.002);
     expect_zero_force_after(pressed_after, clock_.now() + 1);
@@ -120,16 +116,12 @@ TEST_P(HapticLoopTest, AnExceptionOfTheProgramComesOutAfterZeroForceAndANotice)
         EXPECT_THROW(loop_->run({[&] {
                                      ordinary.collide();
                                      if (in_collide)
-                                     {
                                          fail();
-                                     }
                                  },
                                  [&](double dt) {
                                      ordinary.advance(dt);
                                      if (!in_collide)
-                                     {
                                          fail();
-                                     }
                                  }}),
                      std::runtime_error);
         expect_zero_force_after(thrown_at, clock_.now() + 1);
@@ -253,9 +245,7 @@ TEST_P(HapticLoopTest, ASceneThatIsTooSlowIsToldOf)
     EXPECT_LT(report.real_time_factor, 0.1);
     EXPECT_GE(notices_.count(NoticeKind::watchdog) + notices_.count(NoticeKind::guard), 1);
     for (const LoggedWrite &write : log_.writes())
-    {
         ASSERT_LT(write.wrench.force.norm(), 0.1) << "it begins to come back with each step, and goes again";
-    }
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -117,9 +117,7 @@ TEST_F(LoopThreadsTest, BothKindsRunAndAreWatchedFromAThirdThread)
                                                 felt = std::max(felt, loop.latest().wished.norm());
                                                 world.step(dt);
                                                 if (felt > 0 && looks > 10 && loop.report().ticks > 100)
-                                                {
                                                     loop.stop();
-                                                }
                                             }});
         over = true;
         watcher.join();
@@ -147,9 +145,7 @@ TEST_F(LoopThreadsTest, AHangingSceneHasNoForceWhileItHangs)
                   [&](double dt) {
                       world.step(dt);
                       if (device_.force <= 0)
-                      {
                           return;
-                      }
                       hung = true;
                       EXPECT_TRUE(eventually([&] { return device_.force == 0; }));
                       EXPECT_TRUE(
@@ -177,9 +173,7 @@ TEST_F(LoopThreadsTest, WhatTheNoticesSinkThrowsEndsTheLoopWithoutForce)
                                    world.step(dt);
                                    pressed = pressed || device_.force > 0;
                                    if (pressed)
-                                   {
                                        std::this_thread::sleep_for(std::chrono::milliseconds(20)); // worth a notice
-                                   }
                                }}),
                      std::runtime_error);
         EXPECT_EQ(device_.force, 0);
@@ -223,9 +217,7 @@ TEST_F(LoopThreadsTest, MeshesMayChangeWhileTheServoFeelsThem)
                       break;
                   }
                   if (steps >= 250 && felt > 10)
-                  {
                       loop.stop();
-                  }
               }});
     dGeomDestroy(geom);
     EXPECT_GT(felt, 10);
@@ -238,9 +230,7 @@ TEST_F(LoopThreadsTest, AnExceptionEndsBothThreads)
     EXPECT_THROW(loop.run({[] {},
                            [&](double) {
                                if (loop.report().ticks > 20)
-                               {
                                    throw std::runtime_error("enough");
-                               }
                            }}),
                  std::runtime_error);
     EXPECT_EQ(count(NoticeKind::exception), 1);

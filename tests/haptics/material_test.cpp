@@ -34,12 +34,8 @@ protected:
     void build(bool one_body)
     {
         for (const dGeomID box : {left_, right_})
-        {
             if (box != nullptr)
-            {
                 dGeomDestroy(box);
-            }
-        }
         materials_.clear();
         left_ = world_.add_box({0.1, 0.2, 0.1}, {-0.05, 0, -0.05});
         right_ = world_.add_box({0.1, 0.2, 0.1}, {0.05, 0, -0.05});
@@ -65,9 +61,7 @@ protected:
     std::shared_ptr<ForceLaw> make_law() const
     {
         if (proxy_law())
-        {
             return std::make_shared<ProxyLaw>();
-        }
         return std::make_shared<PenaltyLaw>();
     }
 
@@ -104,12 +98,8 @@ protected:
     {
         double largest = 0;
         for (std::size_t i = 1; i < ticks.size(); ++i)
-        {
             if (ticks[i].time > 1.5)
-            {
                 largest = std::max(largest, (ticks[i].wished - ticks[i - 1].wished).norm());
-            }
-        }
         return largest;
     }
 
@@ -159,9 +149,7 @@ TEST_P(MaterialTest, StaticFrictionHoldsLongerAndSlidingIsFelt)
     const std::vector<RenderedTick> ticks = slide(left, left + 0.02, 0.05);
     double most = 0;
     for (const RenderedTick &tick : ticks)
-    {
         most = std::max(most, -tick.wished.x() / std::max(0.1, tick.wished.z()));
-    }
     EXPECT_NEAR(most, 0.6, 0.02);
     const auto sliding =
         std::find_if(ticks.begin(), ticks.end(), [](const RenderedTick &tick) { return tick.time > 1.85; });
@@ -217,9 +205,7 @@ TEST(Material, GoesToAnotherOneGraduallyAndArrives)
     EXPECT_EQ(material.stiffness, goal.stiffness);
     EXPECT_EQ(material.damping, goal.damping);
     for (int tick = 0; tick < 50; ++tick)
-    {
         material = blended(material, goal, 0.001);
-    }
     EXPECT_EQ(material.friction, goal.friction);
     EXPECT_LE(material.static_friction, 0.05);
 }

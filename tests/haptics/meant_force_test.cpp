@@ -18,9 +18,7 @@ std::vector<TriangleCorners> triangles_of(const MeshShape &shape)
 {
     std::vector<TriangleCorners> triangles;
     for (const auto &indices : shape.triangles)
-    {
         triangles.push_back({shape.vertices[indices[0]], shape.vertices[indices[1]], shape.vertices[indices[2]]});
-    }
     return triangles;
 }
 
@@ -75,9 +73,7 @@ TEST_P(MeantForceTest, IsTheProxysSpringInEachTickAndDoesNotJump)
         error = std::max(error, (tick.wished - k * (proxy - tick.tool.position)).norm());
         inside = std::max(inside, size - tree_.distance(proxy, size));
         if (tick.time > 0)
-        {
             jump = std::max(jump, (tick.wished - force).norm() - k * (tick.tool.position - tool).norm());
-        }
         felt += tick.wished.norm() > 0.5 ? 1 : 0;
         force = tick.wished;
         tool = tick.tool.position;

@@ -32,12 +32,8 @@ inline MeshShape grid_mesh(double cell, int across, int along)
 {
     MeshShape shape;
     for (int j = 0; j <= along; ++j)
-    {
         for (int i = 0; i <= across; ++i)
-        {
             shape.vertices.emplace_back(cell * (i - across / 2.0), cell * (j - along / 2.0), 0);
-        }
-    }
     const int row = across + 1;
     for (int j = 0; j < along; ++j)
     {
@@ -130,16 +126,10 @@ public:
         vertices_.clear();
         triangles_.clear();
         for (const Vector3 &vertex : shape.vertices)
-        {
             vertices_.insert(vertices_.end(), {vertex.x(), vertex.y(), vertex.z()});
-        }
         for (const auto &triangle : shape.triangles)
-        {
             for (const int vertex : triangle)
-            {
                 triangles_.push_back(static_cast<dTriIndex>(vertex));
-            }
-        }
         dGeomTriMeshDataBuildDouble(data_, vertices_.data(), 3 * sizeof(double), static_cast<int>(vertices_.size() / 3),
                                     triangles_.data(), static_cast<int>(triangles_.size()), 3 * sizeof(dTriIndex));
     }

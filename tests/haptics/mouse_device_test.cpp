@@ -81,9 +81,7 @@ TEST(MouseDevice, MakesASmoothMotionOfEvents)
     {
         const double time = i * dt;
         for (; events < 60 * time; ++events)
-        {
             device.pointer(pixels, 0);
-        }
         const DeviceState state = device.read(time);
         ASSERT_LT((state.position - last).norm(), 0.2 * dt) << "no steps, at " << time << " s";
         ASSERT_LT((state.linear_velocity - last_velocity).norm(), 0.01) << "nor of the velocity";
@@ -105,9 +103,7 @@ TEST(MouseDevice, MovesAlikeHoweverOftenItIsRead)
         device->pointer(100, -50);
     }
     for (int i = 1; i <= 30; ++i)
-    {
         often.read(i * dt);
-    }
     EXPECT_LT((often.read(0.031).position - seldom.read(0.031).position).norm(), 1e-15);
     EXPECT_LT((often.read(0.032).linear_velocity - seldom.read(0.032).linear_velocity).norm(), 1e-13);
 }

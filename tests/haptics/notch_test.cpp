@@ -100,9 +100,7 @@ protected:
         MeshShape shape;
         shape.vertices = {Vector3::Zero()};
         for (int i = 0; i < 3; ++i)
-        {
             shape.vertices.push_back(wall * Vector3::UnitZ() - 2 * wall * std::tan(half()) * outwards(i));
-        }
         shape.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
         return shape;
     }
@@ -129,13 +127,9 @@ protected:
         probe.set_recorder([&](const RenderedTick &tick) {
             Vector3 truth = k * (proxy - tick.tool.position);
             if (tick.tool.position.z() > resting())
-            {
                 truth.setZero();
-            }
             if (!is_corner())
-            {
                 truth.y() = 0;
-            }
             EXPECT_LE((tick.wished - truth).norm(), 0.002 * truth.norm() + 1e-6)
                 << tick.time << ": " << tick.wished.transpose() << " and not " << truth.transpose();
             EXPECT_LE((tick.wished - last).norm(), k * (tick.tool.position - tool).norm() + 0.1) << tick.time;
@@ -144,9 +138,7 @@ protected:
         });
         tool = press(depth)(0);
         for (int i = 0; i < 12 && !HasFailure(); ++i)
-        {
             world_.run(probe, 100);
-        }
         EXPECT_GT(last.z(), 0.9 * k * depth);
     }
 
@@ -160,12 +152,8 @@ std::vector<Opening> openings()
     std::vector<Opening> all;
     for (const Notch notch :
          {Notch::mesh, Notch::boxes_of_one_body, Notch::boxes_of_two_bodies, Notch::mesh_corner, Notch::box_corner})
-    {
         for (const int degrees : {30, 10, 8, 5, 2})
-        {
             all.push_back({notch, degrees});
-        }
-    }
     return all;
 }
 
@@ -191,9 +179,7 @@ TEST_P(NotchTest, OfOneObjectThePenaltyLawDoesTheSame)
 {
     const bool one = GetParam().notch != Notch::boxes_of_two_bodies && GetParam().notch != Notch::box_corner;
     if (one)
-    {
         expect_truth(std::make_shared<PenaltyLaw>(Material{k}), 0.004);
-    }
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

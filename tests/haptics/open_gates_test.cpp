@@ -75,9 +75,7 @@ TEST_F(OpenGatesTest, AGateThatIsRemovedIsLeftAlone)
     std::atomic<bool> over{false};
     std::thread guard([&, reader = std::this_thread::get_id()] {
         while (!over)
-        {
             open_gates::close_unguarded(reader, 0);
-        }
     });
     for (int i = 0; i < 2000; ++i)
     {

@@ -49,9 +49,7 @@ protected:
         double most = 0;
         probe.set_recorder([&](const RenderedTick &tick) {
             if (tick.time >= from)
-            {
                 most = std::max(most, tick.wrench.force.norm());
-            }
         });
         world_.run(probe, static_cast<int>(to / dt));
         return most;
@@ -148,9 +146,7 @@ public:
     {
         DeviceState state = FaultyDevice::read(time);
         if (time > 1.7)
-        {
             state.time = std::numeric_limits<double>::quiet_NaN();
-        }
         return state;
     }
 };
@@ -191,13 +187,9 @@ TEST_P(AppearingObjectTest, ItsForceRisesSlowly)
     ScriptedDevice device([](double) -> Vector3 { return Vector3::Zero(); });
     RenderSettings settings;
     if (GetParam())
-    {
         settings.law = std::make_shared<ProxyLaw>(Material{stiffness});
-    }
     else
-    {
         settings.law = std::make_shared<PenaltyLaw>(Material{stiffness});
-    }
     ProbeWorld world;
     HapticProbe probe(device, world.space, radius, settings);
     world.run(probe, 1000);

@@ -40,9 +40,7 @@ enum class Shape
 inline dGeomID add_shape(ProbeWorld &world, Shape shape)
 {
     if (shape == Shape::plane)
-    {
         return dCreatePlane(world.space, 0, 0, 1, 0);
-    }
     if (shape == Shape::sphere)
     {
         const dGeomID sphere = dCreateSphere(world.space, 0.3);

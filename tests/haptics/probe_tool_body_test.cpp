@@ -54,16 +54,12 @@ TEST_F(HapticProbeTest, AToolBodyThatIsGoneEndsWithZeroForceAndANotice)
         EXPECT_LT(device.last_wrench().force.x(), -1);
         dBodyDestroy(tool);
         if (with_its_world)
-        {
             dWorldDestroy(own_world);
-        }
         world.run(probe, 10);
         EXPECT_TRUE(device.last_wrench().force.isZero(0));
         EXPECT_EQ(notices.count(NoticeKind::contact), 1) << notices.text(NoticeKind::contact);
         if (!with_its_world)
-        {
             dWorldDestroy(own_world);
-        }
     }
 }
 
@@ -91,9 +87,7 @@ TEST_F(HapticProbeTest, TellsAllThatIsNear)
 {
     ProbeWorld world;
     for (int i = 0; i < 100; ++i)
-    {
         world.add_box({0.1, 0.1, 0.1}, Vector3::Zero());
-    }
     ScriptedDevice device([](double) -> Vector3 { return Vector3::Zero(); });
     HapticProbe probe(device, world.space, radius);
     world.run(probe, 2);

@@ -141,13 +141,9 @@ private:
     {
         auto &self = *static_cast<ProbeWorld *>(data);
         if (self.on_pair)
-        {
             self.on_pair(first, second);
-        }
         if (self.swap ? self.probe_->touch(second, first) : self.probe_->touch(first, second))
-        {
             return;
-        }
         if (dGeomIsSpace(first) != 0 || dGeomIsSpace(second) != 0)
         {
             dSpaceCollide2(first, second, data, &near);
@@ -161,9 +157,7 @@ private:
         const dBodyID one = dGeomGetBody(first);
         const dBodyID other = dGeomGetBody(second);
         if (one == nullptr && other == nullptr)
-        {
             return;
-        }
         dContact contacts[8] = {};
         const int count = dCollide(first, second, 8, &contacts[0].geom, sizeof(dContact));
         for (int i = 0; i < count; ++i)
@@ -242,12 +236,8 @@ public:
     std::string text(NoticeKind kind) const
     {
         for (const Notice &notice : notices_)
-        {
             if (notice.kind == kind)
-            {
                 return std::string(notice.sentence());
-            }
-        }
         return {};
     }
 

@@ -52,9 +52,7 @@ public:
         ScriptedDevice::write(wrench);
         force_.set(wrench.force.norm());
         if (after_write)
-        {
             after_write();
-        }
     }
 
     std::function<void()> after_write; ///< within the driver; may be empty

@@ -123,9 +123,7 @@ public:
         law_.forces(tool, touches, dt, forces);
         const double factor = factor_();
         for (Vector3 &force : forces)
-        {
             force *= factor;
-        }
     }
 
     void reset() override { law_.reset(); }
@@ -170,9 +168,7 @@ private:
     void at(Place place)
     {
         if (force_.now > felt)
-        {
             callback_(place);
-        }
     }
 
     RenderSettings rendering()
@@ -233,9 +229,7 @@ protected:
                 std::thread::id first{};
                 const std::thread::id me = std::this_thread::get_id();
                 if (here == place && (ending.compare_exchange_strong(first, me) || first == me))
-                {
                     end();
-                }
             });
             program.run(run);
         });
@@ -254,19 +248,13 @@ TEST_P(ProgramEndTest, LeavesNoForceAndAMessage)
     for (const Way way : all_ways)
     {
         if (in_device && way == Way::exception)
-        {
             continue; // no end of a program: see WhatADeviceThrowsIsADevicesFaultWhateverItIs
-        }
         SCOPED_TRACE(name_of(way));
         const ProgramEnd end = end_in(run, place, [way] { end_by(way); });
         if (way == Way::exit || way == Way::quick_exit)
-        {
             EXPECT_TRUE(end.exited_with(3)) << end.status << (end.hung ? " hung" : "");
-        }
         else
-        {
             expect_abort(end);
-        }
         expect_zero();
     }
 }
@@ -278,12 +266,8 @@ std::vector<EndPlace> all_end_places()
     for (const RunKind run : all_runs)
     {
         for (const Place place : all_places)
-        {
             if (run != RunKind::by_hand || place != Place::clock)
-            {
                 places.emplace_back(run, place);
-            }
-        }
     }
     return places;
 }
@@ -330,9 +314,7 @@ TEST_P(ProgramEndRunTest, WhatADeviceThrowsIsADevicesFaultWhateverItIs)
     {
         const ProgramEnd end = end_in(GetParam(), place, [ended = false]() mutable {
             if (!std::exchange(ended, true))
-            {
                 throw Trouble();
-            }
             std::exit(3); // with the force there again
         });
         EXPECT_TRUE(end.exited_with(3)) << end.messages;

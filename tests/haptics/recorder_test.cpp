@@ -72,9 +72,7 @@ TEST(Recorder, WhatIsReadIsWhatWasRecordedBitByBit)
     EXPECT_TRUE(recording.has_velocities);
     ASSERT_EQ(recording.ticks.size(), ticks.size());
     for (std::size_t i = 0; i < ticks.size(); ++i)
-    {
         expect_equal(recording.ticks[i], ticks[i]);
-    }
 }
 
 TEST(Recorder, CutsANameThatTheReaderWouldNotTake)
@@ -138,15 +136,11 @@ TEST(Recorder, AFullBufferLosesTicksAndSaysHowManyAndWhere)
     const TemporaryFile file;
     Recorder recorder(file.name(), any_device(), Flush::by_caller, 10);
     for (int i = 0; i < 13; ++i)
-    {
         EXPECT_EQ(add(recorder, i), i < 10);
-    }
     EXPECT_EQ(recorder.lost(), 3u);
     recorder.flush();
     for (int i = 13; i < 25; ++i)
-    {
         EXPECT_EQ(add(recorder, i), i < 23) << "there was room again";
-    }
     recorder.close();
     EXPECT_EQ(recorder.lost(), 5u);
     const std::string content = file.content();
@@ -190,22 +184,16 @@ TEST(Recorder, WritesByItselfWhileTheLoopRuns)
     {
         ++time;
         if (add(recorder, time))
-        {
             ++added;
-        }
         else
-        {
             std::this_thread::yield();
-        }
     }
     recorder.close();
     const Recording recording = read_recording(file.name());
     ASSERT_EQ(recording.ticks.size(), 5000u);
     EXPECT_EQ(recorder.lost(), static_cast<std::size_t>(time) - 5000);
     for (const RecordedTick &tick : recording.ticks)
-    {
         ASSERT_EQ(tick.force.x(), tick.state.time) << "no tick is mixed with another";
-    }
 }
 
 TEST(Recorder, AddingNeedsNoMemory)
@@ -214,9 +202,7 @@ TEST(Recorder, AddingNeedsNoMemory)
     Recorder recorder(file.name(), any_device(), Flush::by_caller, 1000);
     const std::uint64_t before = allocation_count();
     for (int i = 0; i < 1100; ++i)
-    {
         add(recorder, i);
-    }
     EXPECT_EQ(allocation_count(), before);
     EXPECT_EQ(recorder.lost(), 100u);
 }

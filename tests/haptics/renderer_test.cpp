@@ -42,9 +42,7 @@ TEST(Renderer, AllocatesNothingWhileTheDeviceAnswers)
     Renderer renderer(device, settings);
     int tick = 0;
     for (; tick < 1000; ++tick)
-    {
         feel_wall(renderer, dt * tick);
-    }
     const std::uint64_t before = allocation_count();
     double most = 0;
     for (; tick < 3000; ++tick)
@@ -66,9 +64,7 @@ TEST(Renderer, WithTheClutchHeldThereIsNoForceAndTheToolStays)
     int tick = 0;
     const auto run_to = [&](double time) {
         for (; dt * tick < time; ++tick)
-        {
             feel_wall(renderer, dt * tick);
-        }
     };
     run_to(0.8);
     device.buttons = 2;
@@ -108,9 +104,7 @@ TEST(Renderer, WithTheClutchHeldNothingBrakesTheHandEither)
         device.buttons = tick >= 1500 ? 1 : 0;
         feel_wall(renderer, dt * tick);
         if (tick >= 1510)
-        {
             ASSERT_TRUE(device.last_wrench().force.isZero(0)) << tick;
-        }
     }
 }
 
@@ -134,13 +128,9 @@ TEST(Renderer, AClutchLetGoInsideOfSomethingGivesNoForceUntilItWasLeft)
         device.buttons = time > 1.5 && time < 1.6 ? 1 : 0;
         feel_wall(renderer, time);
         if (time > 1.2 && time < 1.5)
-        {
             ASSERT_GT(renderer.last_tick().force.z(), 1);
-        }
         if (time > 1.6)
-        {
             most_after = std::max(most_after, renderer.last_tick().force.norm());
-        }
     }
     EXPECT_EQ(most_after, 0);
     EXPECT_LT(renderer.tool().position.z(), -0.003) << "it is still inside";
@@ -152,9 +142,7 @@ TEST(Renderer, APlacementThatPutsTheToolIntoSomethingGivesNoForceUntilItWasLeft)
     Renderer renderer(device, {});
     int tick = 0;
     for (; tick < 1000; ++tick)
-    {
         feel_wall(renderer, dt * tick);
-    }
     WorkspacePlacement deeper;
     deeper.offset = {0, 0, -0.03};
     renderer.set_placement(deeper);
@@ -173,16 +161,12 @@ TEST(Renderer, ADeviceThatFailsGetsItsZeroBeforeAnybodyIsTold)
     RenderSettings settings;
     settings.notice = [](const Notice &notice) {
         if (notice.kind == NoticeKind::device)
-        {
             throw std::runtime_error("the terminal is gone");
-        }
     };
     Renderer renderer(faulty, settings);
     int tick = 0;
     for (; tick < 2000; ++tick)
-    {
         feel_wall(renderer, dt * tick);
-    }
     EXPECT_GT(faulty.last_wrench().force.z(), 1);
     faulty.break_now(Breakage::unreadable);
     try
@@ -202,18 +186,14 @@ TEST(Renderer, ALawMayBeChangedBetweenTwoTicks)
     Renderer renderer(device, {});
     int tick = 0;
     for (; tick < 1200; ++tick)
-    {
         feel_wall(renderer, dt * tick);
-    }
     EXPECT_NEAR(renderer.last_tick().force.z(), 500 * 0.001, 1e-12) << "half of what the device can do";
     SurfaceProperties stiff;
     stiff.stiffness = 3000;
     renderer.set_law(std::make_shared<PenaltyLaw>(stiff));
     EXPECT_EQ(renderer.rendered(stiff).stiffness, 1000) << "all that the device can do";
     for (; tick < 1400; ++tick)
-    {
         feel_wall(renderer, dt * tick);
-    }
     EXPECT_NEAR(renderer.last_tick().force.z(), 1, 1e-12);
 
     WorkspacePlacement large;

@@ -65,9 +65,7 @@ TicksOfRun run_of(Device &device, double start, int ticks, Recorder *recorder)
         run.forces.push_back(wall_force(run.states.back()));
         device.write({run.forces.back(), Vector3::Zero()});
         if (recorder)
-        {
             recorder->add(time, run.states.back(), run.forces.back());
-        }
     }
     device.close();
     return run;
@@ -102,9 +100,7 @@ TEST(ReplayDevice, GivesTheSameForcesAsTheRecordedRun)
 
     std::vector<Vector3> recorded;
     for (const RecordedTick &tick : replay.recording().ticks)
-    {
         recorded.push_back(tick.force);
-    }
     EXPECT_EQ(compare_forces(recorded, again.forces).max, 0);
     EXPECT_GT(compare_forces(recorded, std::vector<Vector3>(2000, Vector3::Zero())).max, 1) << "there were forces";
 }

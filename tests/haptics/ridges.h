@@ -31,9 +31,7 @@ inline MeshShape ridge_mesh(const RidgeShape &ridges, int across, int along)
 {
     MeshShape shape = grid_mesh(ridges.cell, across, along);
     for (Vector3 &vertex : shape.vertices)
-    {
         vertex.z() = ridges.height(vertex.x());
-    }
     return shape;
 }
 
@@ -53,13 +51,9 @@ public:
         for (double step = 1e-5; step > 1e-10; step /= 2)
         {
             while (distance(x_ + step, tool) < distance(x_, tool))
-            {
                 x_ += step;
-            }
             while (distance(x_ - step, tool) < distance(x_, tool))
-            {
                 x_ -= step;
-            }
         }
         return {x_, tool.y(), std::max(tool.z(), height(x_))};
     }

@@ -24,15 +24,11 @@ inline MeshShape rough_sheet(double side, int cells, double height, double noise
             const double phase = random.between(0, 2 * M_PI);
             const Vector3 along = 2 * M_PI / length * Vector3(std::cos(turn), std::sin(turn), 0);
             for (Vector3 &vertex : shape.vertices)
-            {
                 vertex.z() += high / 3 * std::sin(along.dot(vertex) + phase);
-            }
         }
     }
     for (Vector3 &vertex : shape.vertices)
-    {
         vertex += random.in_cube(noise);
-    }
     return shape;
 }
 } // namespace ode_predictive_space::haptics

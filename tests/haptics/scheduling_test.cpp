@@ -95,9 +95,7 @@ long locked_memory()
     std::string line;
     long kilobytes = -1;
     while (std::getline(status, line))
-    {
         std::sscanf(line.c_str(), "VmLck: %ld", &kilobytes);
-    }
     return kilobytes;
 }
 

@@ -48,9 +48,7 @@ protected:
     {
         constexpr double step = 1e-4;
         if (before_read)
-        {
             before_read();
-        }
         DeviceState state;
         state.position = path_(seconds);
         state.buttons = buttons;
@@ -98,12 +96,8 @@ public:
     {
         Vector3 force = Vector3::Zero();
         for (const LoggedWrite &write : writes_)
-        {
             if (write.time <= time)
-            {
                 force = write.wrench.force;
-            }
-        }
         return force;
     }
 
@@ -111,16 +105,10 @@ public:
     bool was_quiet(double from, double to) const
     {
         if (!force_at(from).isZero(0))
-        {
             return false;
-        }
         for (const LoggedWrite &write : writes_)
-        {
             if (write.time >= from && write.time <= to && !write.wrench.force.isZero(0))
-            {
                 return false;
-            }
-        }
         return true;
     }
 

@@ -43,12 +43,8 @@ TEST_P(ServoContactTest, TheServoAllocatesNothing)
     const OdeMesh mesh(ridge_mesh(RidgeShape(), 250, 200));
     mesh.add_to(world_.space);
     for (const Sample &sample : run(&over_the_ridges, 1.3))
-    {
         if (sample.time > 0.6) // the law has seen a ridge and a valley
-        {
             ASSERT_EQ(sample.allocations, 0U) << sample.time;
-        }
-    }
 }
 
 /// Two sheets, of which one lies 3 cm below the other, take turns as the data of a geom.
@@ -57,9 +53,7 @@ TEST_P(ServoContactTest, AMeshThatGetsOtherDataIsFeltAsItIsFromTheNextStepOn)
     MeshShape shape = sheet_mesh(0.4, 8);
     const OdeMesh upper(shape);
     for (Vector3 &vertex : shape.vertices)
-    {
         vertex.z() -= 0.03;
-    }
     const OdeMesh lower(shape);
     const dGeomID geom = upper.add_to(world_.space);
     const double step = 1 / physics_rate_;
@@ -75,9 +69,7 @@ TEST_P(ServoContactTest, AMeshThatGetsOtherDataIsFeltAsItIsFromTheNextStepOn)
     {
         const double since = std::fmod(sample.time + 1e-6, step);
         if (since < 2e-6)
-        {
             continue; // at the same time as a step
-        }
         const bool is_upper = static_cast<int>(sample.time / step) % 4 < 2;
         ASSERT_NEAR(sample.wished.z(), is_upper ? k * pressed : 0, 1e-9) << sample.time;
         touching += is_upper ? 1 : 0;
@@ -94,9 +86,7 @@ TEST_P(ServoContactTest, ADeviceThatComesBackElsewhereHasCrossedNothing)
     const auto samples =
         run([](double t) { return t < 0.8 ? Vector3(0.01, 0.02, 0.015) : Vector3(0.01, 0.02, -0.015); }, 1.5);
     for (const Sample &sample : samples)
-    {
         ASSERT_TRUE(sample.wished.isZero(0)) << sample.time << ": " << sample.wished.transpose();
-    }
 }
 
 TEST_P(ServoContactTest, AnEdgeThatIsPassedBetweenTwoStepsEndsTheFloor)

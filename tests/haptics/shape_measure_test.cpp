@@ -24,9 +24,7 @@ struct Things
         : world(measure == Measure::sweep_and_prune ? SpaceChoice::sweep_and_prune : SpaceChoice::predictive)
     {
         if (measure == Measure::shapes)
-        {
             dPredictiveSpaceSetProximity(space(), dPredictiveProximityShape);
-        }
     }
 
     /// How often the space has looked for a gap between shapes.
@@ -34,9 +32,7 @@ struct Things
     {
         dPredictiveSpaceCounters counters = {};
         if (dSpaceIsPredictive(space()) != 0)
-        {
             dPredictiveSpaceGetCounters(space(), &counters, sizeof counters);
-        }
         return counters.looks;
     }
 
@@ -110,9 +106,7 @@ void add_dented_mesh(Things &things)
 {
     MeshShape shape = sheet_mesh(0.3, 12);
     for (Vector3 &vertex : shape.vertices)
-    {
         vertex.z() = 0.01 * std::sin(60 * vertex.x()) * std::cos(50 * vertex.y());
-    }
     turn(things.add_mesh(shape), 1, 1, 0, 0.5);
 }
 
@@ -141,9 +135,7 @@ void add_convexes(Things &things)
             };
             const Vector3 normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
             for (Eigen::Index i = 0; i < 3; ++i)
-            {
                 found[4 * face + static_cast<std::size_t>(i)] = normal[i];
-            }
             found[4 * face + 3] = normal.dot(at(0));
         }
         return found;
@@ -215,9 +207,7 @@ protected:
         RenderSettings rendering;
         rendering.law = std::make_shared<PenaltyLaw>(properties);
         if (proxy_law())
-        {
             rendering.law = proxy;
-        }
         ScriptedDevice device(scene.path);
         const dGeomID capsule = own_geom ? dCreateCapsule(things.space(), 0.6 * radius, 2 * radius) : nullptr;
         const auto probe = own_geom ? std::make_unique<HapticProbe>(device, capsule, rendering)
@@ -233,12 +223,8 @@ protected:
     {
         Felt felt{tick.wished, tick.wrench.force, proxy, {}};
         if (!decoupled())
-        {
             for (const Touch &touch : probe.touches())
-            {
                 felt.touches.emplace_back(touch.feature, touch.depth, touch.normal.x(), touch.normal.z());
-            }
-        }
         outcome.touching += felt.wished.isZero(0) ? 0 : 1;
         outcome.ticks.push_back(std::move(felt));
     }

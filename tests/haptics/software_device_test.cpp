@@ -21,9 +21,7 @@ protected:
     void start() override
     {
         if (broken)
-        {
             throw DeviceError(DeviceFault::missing_file, "clock: no hands");
-        }
     }
     DeviceState move_to(double seconds) override
     {

@@ -28,9 +28,7 @@ DeviceState read_until(SpacenavDevice &device, double from, double to)
 {
     DeviceState state;
     for (int i = 0; i <= std::lround((to - from) * 1000); ++i)
-    {
         state = device.read(from + 0.001 * i);
-    }
     return state;
 }
 } // namespace

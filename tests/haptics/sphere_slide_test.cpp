@@ -28,9 +28,7 @@ TEST(NearestOnTriangle, IsNearerThanAllOtherPointsOfIt)
     {
         TriangleCorners corners = random_triangle(random, 0.02);
         if (i % 4 == 0)
-        {
             corners[2] = i % 8 == 0 ? corners[1] : Vector3(0.3 * corners[0] + 0.7 * corners[1]); // no area
-        }
         const Vector3 point = random.in_cube(0.08);
         const NearestOnTriangle nearest = nearest_on_triangle(point, corners);
         EXPECT_NEAR((point - nearest.point).squaredNorm(), nearest.squared_distance, 1e-12);
@@ -51,18 +49,14 @@ TEST(MeshTree, FindsTheDistanceThatAllTrianglesGive)
     {
         std::vector<TriangleCorners> triangles;
         for (int i = 0; i < count; ++i)
-        {
             triangles.push_back(random_triangle(random, 0.01));
-        }
         const MeshTree tree(triangles);
         for (int i = 0; i < 300; ++i)
         {
             const Vector3 point = random.in_cube(0.08);
             double distance = 0.03;
             for (const TriangleCorners &corners : triangles)
-            {
                 distance = std::min(distance, std::sqrt(nearest_on_triangle(point, corners).squared_distance));
-            }
             SurfaceFeatures features;
             ASSERT_NEAR(tree.collect(point, 0.03, features), distance, 1e-12);
             ASSERT_NEAR(tree.distance(point, 0.03), distance, 1e-12);
@@ -105,9 +99,7 @@ TEST(MeshTree, AFlatFloorIsOneFeatureHoweverManyTrianglesItHas)
     const MeshShape sheet = sheet_mesh(0.1, 50);
     std::vector<TriangleCorners> triangles;
     for (const auto &indices : sheet.triangles)
-    {
         triangles.push_back({sheet.vertices[indices[0]], sheet.vertices[indices[1]], sheet.vertices[indices[2]]});
-    }
     const MeshTree tree(triangles);
     RandomNumbers random(3);
     for (int i = 0; i < 200; ++i)
@@ -156,9 +148,7 @@ TEST(MeshTree, ACornerOfManyTrianglesIsFeltByTheSameOneFromEverywhere)
     };
     std::vector<TriangleCorners> cone;
     for (int i = 0; i < sides; ++i)
-    {
         cone.push_back({Vector3::Zero(), rim(i), rim(i + 1)});
-    }
     const MeshTree tree(cone);
     std::set<int> felt;
     RandomNumbers random(6);
@@ -179,9 +169,7 @@ bool crosses(const Vector3 &from, const Vector3 &to, const TriangleCorners &corn
     const double start = normal.dot(from - corners[0]);
     const double end = normal.dot(to - corners[0]);
     if (start * end >= 0)
-    {
         return false;
-    }
     const Vector3 point = from + start / (start - end) * (to - from);
     return nearest_on_triangle(point, corners).squared_distance < 1e-20;
 }
@@ -223,12 +211,8 @@ TEST(SphereSlide, NeverPassesAnything)
             SurfaceFeatures features;
             ASSERT_GE(tree.collect(places[0].at, radius, features), 0.9 * radius) << scene << ' ' << run;
             if (task.longest < radius)
-            {
                 for (const TriangleCorners &corners : triangles)
-                {
                     ASSERT_FALSE(crosses(before, places[0].at, corners)) << scene << ' ' << run;
-                }
-            }
             held += (places[0].at - task.goal).norm() > radius ? 1 : 0;
         }
         dGeomDestroy(geom);
@@ -284,9 +268,7 @@ TEST(MeshStore, GeomsOfTheSameDataShareATreeUntilItsTrianglesChange)
     MeshStore store;
     const auto tree = store.tree_of(geom, {});
     for (int i = 0; i < 20; ++i)
-    {
         EXPECT_EQ(store.tree_of(twin, {}), tree);
-    }
     EXPECT_EQ(store.count(), 1U);
     dGeomTriMeshSetData(twin, other.data());
     EXPECT_NE(store.tree_of(twin, {}), tree);
@@ -323,9 +305,7 @@ TEST(Solid, InsideAndOutsideAreTold)
     const dGeomID field = dCreateRay(nullptr, 1);
     EXPECT_FALSE(Solid::of(field).is_known());
     for (const dGeomID geom : {box, cylinder, field})
-    {
         dGeomDestroy(geom);
-    }
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -110,9 +110,7 @@ TEST(SpnavConnectionDeathTest, NamesTheSocketThatMustNotBeOpened)
         chmod(server.socket_path().c_str(), 0);
         // For the superuser nothing is forbidden.
         if (geteuid() == 0 && setuid(65534) != 0)
-        {
             std::_Exit(1);
-        }
         const DeviceError error = error_of_connecting();
         std::fprintf(stderr, "%s: %s", name_of(error.fault()), error.what());
         std::_Exit(0);

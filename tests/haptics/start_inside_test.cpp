@@ -15,9 +15,7 @@ MeshShape dented_mesh()
 {
     MeshShape shape = sphere_mesh(0.1, 48);
     for (Vector3 &vertex : shape.vertices)
-    {
         vertex *= 1 - 0.15 * std::pow(std::sin(40 * vertex.x()) * std::sin(30 * vertex.y()), 2);
-    }
     return shape;
 }
 
@@ -25,9 +23,7 @@ MeshShape dented_mesh()
 MeshShape turned(MeshShape shape)
 {
     for (auto &triangle : shape.triangles)
-    {
         std::swap(triangle[1], triangle[2]);
-    }
     return shape;
 }
 
@@ -131,9 +127,7 @@ TEST_P(StartInsideTest, InASolidNothingOfItIsFeltUntilItWasLeft)
             const dGeomID solid =
                 is_box ? world_.add_box({0.2, 0.2, 0.1}, {0, 0, -0.05}) : dCreateSphere(world_.space, 0.1);
             if (!is_box)
-            {
                 dGeomSetPosition(solid, 0, 0, -0.1);
-            }
             expect_felt_only_after_it_was_left({0.01, 0.01, z});
             dGeomDestroy(solid);
         }

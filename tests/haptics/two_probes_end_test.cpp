@@ -32,9 +32,7 @@ public:
     void press()
     {
         while (force_.now <= felt)
-        {
             world_.run(*probe_, 1);
-        }
     }
 
     HapticProbe &probe() { return *probe_; }

@@ -30,9 +30,7 @@ public:
     bool take()
     {
         if ((middle_.load(std::memory_order_relaxed) & fresh) == 0)
-        {
             return false;
-        }
         latest_ = middle_.exchange(latest_, std::memory_order_acq_rel) & ~fresh;
         return true;
     }
@@ -70,9 +68,7 @@ public:
     bool give(const Value &value)
     {
         if (room() == 0)
-        {
             return false;
-        }
         const std::size_t next = next_.load(std::memory_order_relaxed);
         ring_[next] = value;
         next_.store((next + 1) % ring_.size(), std::memory_order_release);
@@ -86,9 +82,7 @@ public:
     {
         const std::size_t first = first_.load(std::memory_order_relaxed);
         if (first == next_.load(std::memory_order_acquire))
-        {
             return false;
-        }
         value = ring_[first];
         first_.store((first + 1) % ring_.size(), std::memory_order_release);
         return true;

@@ -12,17 +12,13 @@ constexpr int longest_age = 100; // ticks
 BodyWatch::~BodyWatch()
 {
     for (const Watched &watched : watched_)
-    {
         dJointGroupDestroy(watched.group);
-    }
 }
 
 void BodyWatch::age()
 {
     for (Watched &watched : watched_)
-    {
         ++watched.age;
-    }
     const auto first_old = std::partition( // the stable one allocates
         watched_.begin(), watched_.end(), [](const Watched &watched) {
             return watched.age <= longest_age && dJointGetBody(watched.joint, 0) != nullptr;
@@ -65,9 +61,7 @@ bool BodyWatch::push(std::uintptr_t object, const Vector3 &force, const Vector3 
 {
     const dBodyID body = find(object);
     if (body == nullptr)
-    {
         return false;
-    }
     dBodyEnable(body);
     dBodyAddForceAtPos(body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),
                        static_cast<dReal>(force.z()), static_cast<dReal>(point.x()), static_cast<dReal>(point.y()),

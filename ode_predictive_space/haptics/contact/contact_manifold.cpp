@@ -60,9 +60,7 @@ void FeatureNumbers::number(std::vector<Touch> &touches, std::size_t first)
     {
         Touch &touch = touches[i];
         for (unsigned number = 1; touch.feature == 0; ++number)
-        {
             touch.feature = is_taken(touch.object, number) ? 0 : number;
-        }
         now_.push_back({touch.object, touch.feature, touch.normal});
     }
 }
@@ -80,9 +78,7 @@ bool FeatureNumbers::recognise_one(std::vector<Touch> &touches, std::size_t firs
         };
         const auto begin = touches.begin() + static_cast<std::ptrdiff_t>(first);
         if (std::any_of(begin, touches.end(), has_it))
-        {
             continue;
-        }
         for (auto touch = begin; touch != touches.end(); ++touch)
         {
             const double agreement = touch->normal.dot(known.normal);
@@ -95,9 +91,7 @@ bool FeatureNumbers::recognise_one(std::vector<Touch> &touches, std::size_t firs
         }
     }
     if (chosen != nullptr)
-    {
         chosen->feature = number;
-    }
     return chosen != nullptr;
 }
 
@@ -124,9 +118,7 @@ void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, 
         touch.takes_over = carrier != nullptr ? carrier->id : 0;
         if (known == nullptr || touch.from_entry_side || view != TouchView::all_together ||
             !(known->normal.dot(touch.normal) < 0))
-        {
             continue;
-        }
         // The back of the object is nearer now: the tool came through it. The surface in front has moved with the object.
         const double height = known->height + known->normal.dot(touch.surface_velocity) * dt;
         const double depth = height - known->normal.dot(tool);
@@ -138,9 +130,7 @@ void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, 
     }
     depths_.clear();
     for (const Touch &touch : touches)
-    {
         depths_.push_back(touch.depth);
-    }
 }
 
 const ContactManifold::Known *ContactManifold::itself(const Touch &touch) const
@@ -191,9 +181,7 @@ double ContactManifold::handed_over(const Touch &touch) const
 {
     double most = 0;
     for (const Known &known : before_)
-    {
         most = std::max(most, known.depth * known.normal.dot(touch.normal));
-    }
     return most;
 }
 
@@ -207,22 +195,16 @@ void ContactManifold::let_rise(const ContactBirth &birth, bool watches, double d
         touch.depth *= touch.part;
     }
     for (Touch &touch : touches)
-    {
         touch.is_solved = touch.is_solved && all_of_it; // else it was solved for other depths
-    }
 }
 
 /// An object rises as a whole: its touches have the same part.
 double ContactManifold::part_of(const Touch &touch, const ContactBirth &birth, bool watches, double dt) const
 {
     if (const Known *object = object_before(touch))
-    {
         return ContactBirth::risen(object->part, dt);
-    }
     if (watches && !birth.began_at_surface(touch, handed_over(touch)))
-    {
         return 0;
-    }
     const Known *carrier = taken_over_by(touch);
     return carrier != nullptr ? ContactBirth::risen(carrier->part, dt) : 1;
 }
@@ -239,18 +221,12 @@ void ContactManifold::solve(const Vector3 &tool, TouchView view, std::vector<Tou
         else
         {
             for (std::size_t i = 0; i < touches.size(); ++i)
-            {
                 if (!is_solved(touches[i]))
-                {
                     solve_alone(touches, i);
-                }
-            }
         }
     }
     if (view == TouchView::each_object_alone)
-    {
         count_flush_touches_once(touches);
-    }
     remember(tool, touches);
 }
 
@@ -267,9 +243,7 @@ void ContactManifold::solve_together(std::vector<Touch> &touches)
     find_closest_point(planes_);
     double carried = 0;
     for (const ConstraintPlane &plane : planes_)
-    {
         carried += plane.share;
-    }
     for (std::size_t i = 0; i < touches.size(); ++i)
     {
         const double share = planes_[i].share;
@@ -286,20 +260,12 @@ void ContactManifold::solve_alone(std::vector<Touch> &touches, std::size_t first
     const auto same_object = [&](const Touch &touch) { return touch.object == touches[first].object; };
     planes_.clear();
     for (std::size_t i = first; i < touches.size(); ++i)
-    {
         if (same_object(touches[i]))
-        {
             planes_.push_back(plane_of(touches[i]));
-        }
-    }
     if (planes_.size() > 1)
-    {
         find_closest_point(planes_);
-    }
     else
-    {
         planes_[0].share = planes_[0].depth;
-    }
     std::size_t plane = 0;
     for (std::size_t i = first; i < touches.size(); ++i)
     {
@@ -328,9 +294,7 @@ void count_flush_touches_once(std::vector<Touch> &touches)
     for (Touch &touch : touches)
     {
         if (!counts(touch))
-        {
             continue;
-        }
         for (const Touch &other : touches)
         {
             const bool deeper = other.depth > touch.depth || (other.depth == touch.depth && &other < &touch);

@@ -40,9 +40,7 @@ void ContactTracker::begin()
 {
     before_.clear();
     for (const Held &held : near_)
-    {
         before_.push_back(held.place);
-    }
     near_.clear();
     features_.begin();
     pace_.adopts = false;
@@ -98,9 +96,7 @@ double ContactTracker::catch_up() const
 {
     double stiffest = pace_.stiffness;
     for (const Held &held : near_)
-    {
         stiffest = held.geom.material() ? std::max(stiffest, held.geom.material()->stiffness) : stiffest;
-    }
     return stiffest > 0 ? gentle / stiffest : radius_;
 }
 
@@ -119,9 +115,7 @@ ContactTracker::Region ContactTracker::region() const
     {
         drift = std::max(drift, place.drift);
         if ((place.at - start_).norm() > in_contact * radius_)
-        {
             farthest = std::max(farthest, (place.at - region.centre).norm());
-        }
     }
     region.radius = radius_ + margin_ + pace_.ahead + std::max(around * step, farthest) + 2 * drift;
     return region;
@@ -146,18 +140,14 @@ void ContactTracker::add_if_near(NearbyGeom geom)
     const Region around = region();
     const double distance = geom.distance(around.centre, around.radius);
     if (distance < around.radius)
-    {
         insert(std::move(geom), distance);
-    }
 }
 
 void ContactTracker::insert(NearbyGeom geom, double distance)
 {
     const auto same = [&](const Held &held) { return held.geom.id() == geom.id(); };
     if (std::any_of(near_.begin(), near_.end(), same))
-    {
         return;
-    }
     Held held;
     held.distance = distance;
     held.start = start_;
@@ -207,9 +197,7 @@ SphereSlide::Task ContactTracker::task() const
     {
         double drift = 0;
         for (const Held &held : near_)
-        {
             drift = std::max(drift, held.place.drift);
-        }
         task.reach_centre = start_ + pace_.travel;
         task.reach = pace_.moved + drift + pace_.catch_up;
     }
@@ -230,9 +218,7 @@ void ContactTracker::follow()
 {
     places_.clear();
     for (const Held &held : near_)
-    {
         places_.push_back({&held.geom, held.start, 0});
-    }
     choose_pace();
     common_ = slide_.run(task(), places_);
     pace_.catch_up = catch_up();
@@ -255,21 +241,15 @@ void ContactTracker::settle(bool common)
         place.triangles = {};
     }
     for (const SlidePlane &plane : slide_.planes())
-    {
         if (plane.share > 0 && plane.feature.triangle >= 0)
-        {
             near_[plane.place].place.triangles.add(plane.feature.triangle);
-        }
-    }
     // While geoms squeeze the sphere, the place that is farthest from the tool is the one that is behind nothing.
     const auto farthest = std::max_element(near_.begin(), near_.end(), [&](const Held &a, const Held &b) {
         return (a.place.at - tool_).squaredNorm() < (b.place.at - tool_).squaredNorm();
     });
     proxy_ = common ? near_.front().place.at : farthest->place.at;
     if (!common)
-    {
         bring_together();
-    }
 }
 
 /// A place that is too far from the proxy to be that of the same sphere is given up: the region() holds all places.
@@ -294,17 +274,11 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
     });
     told_.clear();
     if (near_.empty())
-    {
         pace_.released = pace_.released && proxy_ != tool_;
-    }
     else if (view == TouchView::all_together || !several || proxy_ == tool_)
-    {
         tell_together(touches);
-    }
     else
-    {
         tell_each_object(touches);
-    }
     features_.number(touches, first);
     note_carriers(touches, first);
     const auto first_nonsense = std::remove_if(touches.begin() + static_cast<std::ptrdiff_t>(first), touches.end(),
@@ -319,9 +293,7 @@ Vector3 ContactTracker::lag_at(const Vector3 &place) const
 {
     Vector3 lag = place - tool_;
     for (const SlidePlane &plane : slide_.planes())
-    {
         lag -= plane.share * plane.feature.normal;
-    }
     return lag.norm() <= in_contact * radius_ ? Vector3(Vector3::Zero()) : lag;
 }
 
@@ -330,13 +302,9 @@ void ContactTracker::tell_together(std::vector<Touch> &touches)
     Vector3 lag = common_ ? lag_at(proxy_) : Vector3(Vector3::Zero());
     pace_.released = pace_.released && !lag.isZero(0);
     if (pace_.released)
-    {
         lag.setZero();
-    }
     if (tell_planes(lag, touches) == 0 && !lag.isZero(0))
-    {
         carry_on(lag, touches);
-    }
 }
 
 /// What the last slide found. @return m; what the planes carry together.
@@ -344,18 +312,14 @@ double ContactTracker::tell_planes(const Vector3 &lag, std::vector<Touch> &touch
 {
     double carried = 0;
     for (const SlidePlane &plane : slide_.planes())
-    {
         carried += plane.share;
-    }
     for (const SlidePlane &plane : slide_.planes())
     {
         const bool touched =
             plane.share > 0 || (plane.depth > 0 && plane.feature.distance <= radius_ * (1 + in_contact));
         const bool near = plane.depth > -margin_ && plane.feature.distance <= radius_ + margin_;
         if (!touched && !(near && margin_ > 0))
-        {
             continue;
-        }
         const NearbyGeom &geom = *places_[plane.place].geom;
         Touch touch;
         touch.point = plane.feature.point;
@@ -378,9 +342,7 @@ void ContactTracker::carry_on(const Vector3 &lag, std::vector<Touch> &touches)
 {
     double sum = 0;
     for (const Carrier &carrier : carriers_)
-    {
         sum += (carrier.touch.carry.share * carrier.touch.normal + carrier.touch.carry.lag).norm();
-    }
     for (const Carrier &carrier : carriers_)
     {
         Touch touch = carrier.touch;
@@ -396,12 +358,8 @@ void ContactTracker::note_carriers(const std::vector<Touch> &touches, std::size_
 {
     carriers_.clear();
     for (std::size_t i = first; i < touches.size(); ++i)
-    {
         if (touches[i].carry.carries())
-        {
             carriers_.push_back({told_[i - first], touches[i]});
-        }
-    }
 }
 
 /// Each object holds off the tool as if there were no other; on which side of it the tool is, all of them have said.
@@ -413,17 +371,11 @@ void ContactTracker::tell_each_object(std::vector<Touch> &touches)
         const auto earlier = std::find_if(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(i),
                                           [&](const Held &held) { return held.geom.object() == object; });
         if (earlier != near_.begin() + static_cast<std::ptrdiff_t>(i))
-        {
             continue;
-        }
         places_.clear();
         for (const Held &held : near_)
-        {
             if (held.geom.object() == object)
-            {
                 places_.push_back({&held.geom, held.place.at, 0});
-            }
-        }
         SphereSlide::Task alone = task();
         alone.longest = std::max(alone.longest, 2 * (proxy_ - tool_).norm());
         alone.reach = std::numeric_limits<double>::infinity();

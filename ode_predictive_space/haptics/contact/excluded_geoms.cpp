@@ -53,14 +53,10 @@ bool ExcludedGeoms::excludes(const NearbyGeom &geom, const ProbePlace &probe)
 bool ExcludedGeoms::must_exclude(const NearbyGeom &geom, const ProbePlace &probe) const
 {
     if (geom.is_solid() && !is_in(geom, probe, 0))
-    {
         return false; // as most are; no need to look for it
-    }
     const Told *last = before(geom.identity());
     if (probe.begins || (last != nullptr && last->excluded))
-    {
         return is_in(geom, probe, probe.begins ? depth_still_outside * probe.radius : 0);
-    }
     const bool was_there =
         last != nullptr && (geom.to_scene(last->local) - last->centre).norm() <= farthest_carried * probe.radius;
     return !was_there && is_deep_in(geom, probe) && is_deep_in(geom.later(-probe.tick), probe);

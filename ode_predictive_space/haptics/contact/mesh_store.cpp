@@ -28,9 +28,7 @@ std::vector<TriangleCorners> triangles_of(const HeightfieldSamples &samples)
     const int rows = samples.depth_samples;
     if (!(samples.width > 0 && samples.depth > 0 && columns >= 2 && rows >= 2) ||
         samples.heights.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))
-    {
         throw std::invalid_argument("A heightfield needs a width and a depth, and a height for each of its samples");
-    }
     const auto at = [&](int x, int z) -> Vector3 {
         const double height =
             samples
@@ -58,9 +56,7 @@ std::shared_ptr<const MeshTree> make_tree(dTriMeshDataID data)
     std::vector<TriangleCorners> triangles;
     triangles.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
-    {
         triangles.push_back(triangle_of(geom, i));
-    }
     dGeomDestroy(geom);
     return std::make_shared<const MeshTree>(triangles);
 }
@@ -77,9 +73,7 @@ bool is_same(dGeomID geom, const MeshTree &tree, std::size_t triangle)
         const double allowed = rounding_of_corners * (1 + in_scene[i].norm() + in_tree[i].norm());
         const bool is_far = !((from_ode(expected) - in_scene[i]).norm() <= allowed);
         if (is_far && (in_scene[i].allFinite() || in_tree[i].allFinite()))
-        {
             return false;
-        }
     }
     return true;
 }
@@ -127,15 +121,11 @@ std::shared_ptr<const MeshTree> MeshStore::tree_of_mesh(dGeomID geom, const Tria
     if (known != entries_.end())
     {
         if (!is_current(geom, *known, touched))
-        {
             known->tree = make_tree(data);
-        }
         return known->tree;
     }
     if (entries_.size() == most_entries)
-    {
         entries_.erase(entries_.begin());
-    }
     entries_.push_back({data, make_tree(data)});
     return entries_.back().tree;
 }
@@ -144,16 +134,12 @@ bool MeshStore::is_current(dGeomID geom, Entry &entry, const TriangleList &touch
 {
     const std::size_t count = entry.tree->count();
     if (static_cast<std::size_t>(dGeomTriMeshGetTriangleCount(geom)) != count)
-    {
         return false;
-    }
     for (int i = 0; i < compared_at_once && count > 0; ++i)
     {
         entry.next = (entry.next + 1) % count;
         if (!is_same(geom, *entry.tree, entry.next))
-        {
             return false;
-        }
     }
     return std::all_of(touched.indices.begin(), touched.indices.begin() + touched.count, [&](int triangle) {
         return static_cast<std::size_t>(triangle) >= count ||

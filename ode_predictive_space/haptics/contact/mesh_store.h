@@ -22,9 +22,7 @@ struct TriangleList
     void add(int triangle)
     {
         if (count < static_cast<int>(indices.size()))
-        {
             indices[count++] = triangle;
-        }
     }
 };
 

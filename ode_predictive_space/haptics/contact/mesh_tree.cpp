@@ -23,9 +23,7 @@ struct PlaceHash
     {
         std::size_t hash = 0;
         for (const double coordinate : place)
-        {
             hash = hash * 1000003 ^ std::hash<double>()(coordinate);
-        }
         return hash;
     }
 };
@@ -38,9 +36,7 @@ std::vector<std::uint32_t> finite_among(const std::vector<TriangleCorners> &tria
     {
         const TriangleCorners &at = triangles[i];
         if (at[0].allFinite() && at[1].allFinite() && at[2].allFinite())
-        {
             finite.push_back(i);
-        }
     }
     return finite;
 }
@@ -60,9 +56,7 @@ SurfaceFeature feature_of(const NearestOnTriangle &nearest, std::size_t triangle
     feature.distance = std::sqrt(nearest.squared_distance);
     feature.triangle = static_cast<int>(triangle);
     if (feature.distance > 0)
-    {
         feature.normal = (point - nearest.point) / feature.distance;
-    }
     return feature;
 }
 } // namespace
@@ -88,9 +82,7 @@ TriangleArrays MeshTree::weld(const std::vector<TriangleCorners> &triangles)
             const std::array<double, 3> place = {corners[i].x() + 0.0, corners[i].y() + 0.0, corners[i].z() + 0.0};
             const auto [vertex, is_new] = known.emplace(place, static_cast<std::uint32_t>(vertices_.size()));
             if (is_new)
-            {
                 vertices_.push_back(corners[i]);
-            }
             triangle[i] = vertex->second;
         }
         triangles_.push_back(triangle);
@@ -108,22 +100,14 @@ void MeshTree::list_fans()
 {
     fan_begin_.assign(vertices_.size() + 1, 0);
     for (const TriangleArrays::Indices &triangle : triangles_)
-    {
         for (const std::uint32_t vertex : triangle)
-        {
             ++fan_begin_[vertex + 1];
-        }
-    }
     std::partial_sum(fan_begin_.begin(), fan_begin_.end(), fan_begin_.begin());
     std::vector<std::uint32_t> next(fan_begin_.begin(), fan_begin_.end() - 1);
     fans_.resize(3 * triangles_.size());
     for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-    {
         for (const std::uint32_t vertex : triangles_[i])
-        {
             fans_[next[vertex]++] = i;
-        }
-    }
 }
 
 double MeshTree::collect(const Vector3 &point, double radius, SurfaceFeatures &features) const
@@ -176,12 +160,8 @@ MeshTree::Dipole MeshTree::sum_of(const TriangleTree::Node &node) const
         sum.centre += size * centre;
     };
     if (!node.is_leaf())
-    {
         for (const Dipole *child : {&dipoles_[node.first], &dipoles_[node.first + 1]})
-        {
             add(child->area, child->size, child->centre);
-        }
-    }
     for (std::uint32_t i = node.first; i < node.end; ++i)
     {
         const TriangleCorners at = corners(tree_.order()[i]);
@@ -199,9 +179,7 @@ double MeshTree::winding_number(const Vector3 &point) const
         const Vector3 way = dipole.centre - point;
         const double distance = way.norm();
         if (!(distance > far * dipole.radius))
-        {
             return true;
-        }
         angle += dipole.area.dot(way) / (distance * distance * distance);
         return false;
     };
@@ -220,17 +198,13 @@ double MeshTree::add(const Vector3 &point, std::uint32_t triangle, double radius
     const TriangleCorners at = corners(triangle);
     const NearestOnTriangle found = nearest_on_triangle(point, at);
     if (!(found.squared_distance <= radius * radius))
-    {
         return radius;
-    }
     SurfaceFeature feature = feature_of(found, triangle, point);
     const auto same = [&](const SurfaceFeature &other) {
         return (other.point - found.point).norm() <= same_place * feature.distance;
     };
     if (std::any_of(features.begin() + static_cast<std::ptrdiff_t>(first), features.end(), same))
-    {
         return feature.distance;
-    }
     if (!is_minimum(found, triangle, point))
     {
         if (found.part == TrianglePart::corner && fan_size(triangles_[triangle][found.index]) > large_fan)
@@ -247,9 +221,7 @@ double MeshTree::add(const Vector3 &point, std::uint32_t triangle, double radius
 bool MeshTree::is_minimum(const NearestOnTriangle &nearest, std::uint32_t triangle, const Vector3 &point) const
 {
     if (nearest.part == TrianglePart::face)
-    {
         return true;
-    }
     const TriangleArrays::Indices &vertices = triangles_[triangle];
     const std::uint32_t vertex = vertices[nearest.index];
     const std::uint32_t other = nearest.part == TrianglePart::edge ? vertices[(nearest.index + 1) % 3] : vertex;
@@ -258,9 +230,7 @@ bool MeshTree::is_minimum(const NearestOnTriangle &nearest, std::uint32_t triang
         const std::uint32_t neighbour = fans_[i];
         if (neighbour != triangle && has(neighbour, other) &&
             nearest_on_triangle(point, corners(neighbour)).squared_distance < nearer * nearest.squared_distance)
-        {
             return false;
-        }
     }
     return true;
 }

@@ -34,16 +34,12 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
     NearbyGeom nearby;
     nearby.solid_ = Solid::of(geom);
     if (!nearby.is_solid() && !meshes.knows(geom))
-    {
         return {};
-    }
     nearby.id_ = geom;
     nearby.object_ = object_of(geom);
     nearby.position_ = to_scene_by_ode(geom, Vector3::Zero());
     for (int axis = 0; axis < 3; ++axis)
-    {
         nearby.rotation_.col(axis) = direction_by_ode(geom, Vector3::Unit(axis));
-    }
     if (!nearby.is_solid() && nearby.is_finite())
     {
         nearby.mesh_ = meshes.tree_of(geom, touched);
@@ -63,9 +59,7 @@ NearbyGeom NearbyGeom::later(double dt) const
     NearbyGeom geom = *this;
     geom.mesh_ = std::shared_ptr<const MeshTree>(std::shared_ptr<const void>(), mesh_.get());
     if (!linear_.allFinite() || !angular_.allFinite())
-    {
         return geom;
-    }
     geom.centre_ += dt * linear_;
     geom.position_ += dt * linear_;
     geom.turn(dt * angular_);
@@ -111,9 +105,7 @@ double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures 
         }
     }
     for (std::size_t i = first; i < features.size(); ++i)
-    {
         move_to_scene(features[i]);
-    }
     return nearest;
 }
 

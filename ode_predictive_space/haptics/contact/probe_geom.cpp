@@ -12,9 +12,7 @@ namespace
 dGeomID make_sphere(dSpaceID space, double radius)
 {
     if (space == nullptr || !(radius > 0) || !std::isfinite(radius))
-    {
         throw std::invalid_argument("The probe needs a space to be in, and a radius above 0");
-    }
     return dCreateSphere(space, static_cast<dReal>(radius));
 }
 
@@ -57,39 +55,27 @@ ProbeGeom::ProbeGeom(dGeomID geom) : geom_(checked(geom)), own_(false), turns_(d
 ProbeGeom::~ProbeGeom()
 {
     if (const dGeomID watched = own_ ? geom_ : sentinel_; watched != nullptr && may_be_touched())
-    {
         dGeomDestroy(watched);
-    }
     if (watch_ && abandoned_ && !is_gone())
-    {
         watch_->leave();
-    }
     if (own_)
-    {
         dGeomDestroy(tool_);
-    }
 }
 
 void ProbeGeom::become_interactive()
 {
     const dSpaceID space = dGeomGetSpace(geom_);
     if (space != nullptr && dSpaceIsPredictive(space) != 0)
-    {
         dPredictiveSpaceSetGeomRole(space, geom_, dPredictiveRoleInteractive);
-    }
 }
 
 void ProbeGeom::abandon_locked_space()
 {
     for (dSpaceID space = dGeomGetSpace(geom_); space != nullptr;
          space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
-    {
         abandoned_ = abandoned_ || dSpaceIsPredictive(space) == 0;
-    }
     if (abandoned_)
-    {
         dGeomDisable(geom_);
-    }
 }
 
 void ProbeGeom::set_margin(double margin)
@@ -97,9 +83,7 @@ void ProbeGeom::set_margin(double margin)
     margin_ = margin;
     dGeomSphereSetRadius(tool_, static_cast<dReal>(radius_ + margin_));
     if (may_be_touched())
-    {
         dGeomSphereSetRadius(geom_, static_cast<dReal>(radius_ + margin_));
-    }
 }
 
 void ProbeGeom::follow(const ToolState &tool)
@@ -124,15 +108,11 @@ void ProbeGeom::look_around(const Vector3 &tool, const Vector3 &centre, double r
     position_ = tool;
     place(tool_, tool);
     if (dGeomSphereGetRadius(geom_) != static_cast<dReal>(radius))
-    {
         dGeomSphereSetRadius(geom_, static_cast<dReal>(radius));
-    }
     const dVector3 there = {static_cast<dReal>(centre.x()), static_cast<dReal>(centre.y()),
                             static_cast<dReal>(centre.z())};
     if (!posed_ || !std::equal(there, there + 3, dGeomGetPosition(geom_)))
-    {
         place(geom_, centre);
-    }
     posed_ = true;
 }
 } // namespace ode_predictive_space::haptics

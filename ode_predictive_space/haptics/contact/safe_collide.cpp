@@ -20,9 +20,7 @@ void keep_exception(void *data, dGeomID first, dGeomID second)
 {
     Call &call = *static_cast<Call *>(data);
     if (call.error)
-    {
         return;
-    }
     try
     {
         call.callback(call.data, first, second);

@@ -14,9 +14,7 @@ inline dSpaceID outermost_space_of(dGeomID geom)
     dSpaceID outermost = nullptr;
     for (dSpaceID space = geom != nullptr ? dGeomGetSpace(geom) : nullptr; space != nullptr;
          space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
-    {
         outermost = space;
-    }
     return outermost;
 }
 
@@ -24,21 +22,15 @@ inline dSpaceID outermost_space_of(dGeomID geom)
 template <typename Visit> void for_each_geom(dSpaceID space, const Visit &visit)
 {
     if (dGeomGetClass(reinterpret_cast<dGeomID>(space)) == dQuadTreeSpaceClass)
-    {
         return;
-    }
     const int count = dSpaceGetNumGeoms(space);
     for (int i = 0; i < count; ++i)
     {
         const dGeomID geom = dSpaceGetGeom(space, i);
         if (dGeomIsSpace(geom) != 0)
-        {
             for_each_geom(reinterpret_cast<dSpaceID>(geom), visit);
-        }
         else
-        {
             visit(geom);
-        }
     }
 }
 } // namespace ode_predictive_space::haptics

@@ -13,9 +13,7 @@ SurfaceFeature nearest_of_ball(const Vector3 &point, const Vector3 &centre, doub
     SurfaceFeature feature;
     const double distance = (point - centre).norm();
     if (distance > 0)
-    {
         feature.normal = (point - centre) / distance;
-    }
     feature.distance = distance - radius;
     feature.point = centre + radius * feature.normal;
     return feature;

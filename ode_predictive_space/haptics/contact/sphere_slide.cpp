@@ -47,9 +47,7 @@ bool find_by_sweeps(std::vector<ConstraintPlane> &planes)
             plane.share = share;
         }
         if (worst <= allowed_violation * deepest)
-        {
             return true;
-        }
     }
     return false;
 }
@@ -64,9 +62,7 @@ Vector3 lift_of(const std::vector<ConstraintPlane> &planes)
 {
     Vector3 lift = Vector3::Zero();
     for (const ConstraintPlane &plane : planes)
-    {
         lift += plane.share * plane.normal;
-    }
     return lift;
 }
 
@@ -94,9 +90,7 @@ double part_within(const Vector3 &centre, double radius, const Vector3 &from, co
     const double within = radius * radius - start.squaredNorm();
     const double square = way.squaredNorm();
     if (square == 0 || (to - centre).norm() <= radius)
-    {
         return 1;
-    }
     const double along = start.dot(way);
     return std::clamp((std::sqrt(along * along + square * std::max(0.0, within)) - along) / square, 0.0, 1.0);
 }
@@ -124,15 +118,11 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
     {
         const bool common = find_target(task.goal);
         if (common && !retries)
-        {
             refine_target(task, places);
-        }
         places_before_ = places;
         const double way = go(common, look, std::min(left, longest), task, places);
         if (way <= arrived * task.radius)
-        {
             break;
-        }
         planes_.swap(planes_before_);
         gather(task, arrives_ ? look : 2 * look, places);
         retries = common && enters(task, places);
@@ -148,14 +138,10 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
         longest *= 2;
     }
     if (look < task.margin)
-    {
         gather(task, task.margin, places);
-    }
     const bool common = find_target(task.goal);
     for (std::size_t i = 0; i < planes_.size(); ++i)
-    {
         planes_[i].share = common ? constraints_[i].share : std::max(0.0, planes_[i].depth);
-    }
     return common;
 }
 
@@ -163,12 +149,8 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
 void SphereSlide::keep_entered(const Task &task)
 {
     for (const SlidePlane &plane : planes_)
-    {
         if (plane.feature.distance < task.radius)
-        {
             planes_before_.push_back(plane);
-        }
-    }
     planes_.swap(planes_before_);
 }
 
@@ -180,9 +162,7 @@ bool SphereSlide::enters(const Task &task, const std::vector<SlidePlace> &places
     {
         const double clearance = places[i].clearance;
         if (clearance < (1 - allowed_entry) * task.radius && clearance < places_before_[i].clearance)
-        {
             return true;
-        }
     }
     return false;
 }
@@ -201,15 +181,11 @@ double SphereSlide::go(bool common, double look, double most, const Task &task, 
         const double allowed = std::min(most, longest_step(places[i], look, task.radius));
         part = way > allowed ? std::min(part, allowed / way) : part;
         if (common && task.reach < std::numeric_limits<double>::infinity())
-        {
             part = std::min(part, part_within(task.reach_centre, task.reach, places[i].at, targets_[i]));
-        }
         longest = std::max(longest, way);
     }
     for (std::size_t i = 0; i < places.size(); ++i)
-    {
         places[i].at = part == 1 ? targets_[i] : places[i].at + part * (targets_[i] - places[i].at);
-    }
     arrives_ = part == 1;
     return part * longest;
 }
@@ -223,9 +199,7 @@ void SphereSlide::gather(const Task &task, double look, std::vector<SlidePlace> 
         SlidePlace &place = places[i];
         place.clearance = place.geom->collect(place.at, task.radius + look, features_);
         for (const SurfaceFeature &feature : features_)
-        {
             planes_.push_back({i, feature, task.radius - feature.normal.dot(task.goal - feature.point), 0});
-        }
     }
 }
 
@@ -233,9 +207,7 @@ bool SphereSlide::find_target(const Vector3 &goal)
 {
     constraints_.clear();
     for (const SlidePlane &plane : planes_)
-    {
         constraints_.push_back(constraint_of(plane));
-    }
     const bool found = find_place(constraints_);
     target_ = goal + lift_of(constraints_);
     return found;
@@ -275,9 +247,7 @@ void SphereSlide::refine_target(const Task &task, const std::vector<SlidePlace> 
         const Vector3 last = target_;
         target_ = task.goal + lift_of(constraints_);
         if ((target_ - last).norm() <= arrived * task.radius)
-        {
             break;
-        }
     }
     target_ = is_short_step(places) ? target_ : unrefined;
 }

@@ -114,9 +114,7 @@ void TouchSensor::set_view(TouchView view)
 void TouchSensor::set_stiffness(double stiffness)
 {
     if (parts_->tracker)
-    {
         parts_->tracker->set_stiffness(stiffness);
-    }
 }
 
 void TouchSensor::set_materials(MaterialOf materials)
@@ -132,18 +130,14 @@ void TouchSensor::set_tick_length(double seconds)
 void TouchSensor::prepare(dGeomID mesh)
 {
     if (parts_->tracker && dGeomGetClass(mesh) == dTriMeshClass && dGeomTriMeshGetData(mesh) != nullptr)
-    {
         parts_->meshes.tree_of(mesh, {});
-    }
 }
 
 void TouchSensor::prepare_all()
 {
     const dSpaceID scene = outermost_space_of(geom());
     if (parts_->tracker && scene != nullptr)
-    {
         for_each_geom(scene, [this](dGeomID geom) { prepare(geom); });
-    }
 }
 
 void TouchSensor::forget_mesh(dTriMeshDataID data)
@@ -154,9 +148,7 @@ void TouchSensor::forget_mesh(dTriMeshDataID data)
 void TouchSensor::set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples)
 {
     if (parts_->tracker)
-    {
         parts_->meshes.set_samples(data, samples);
-    }
 }
 
 void TouchSensor::forget_samples(dHeightfieldDataID data)
@@ -168,9 +160,7 @@ void TouchSensor::forget_sides()
 {
     parts_->begins = true;
     if (parts_->tracker)
-    {
         parts_->tracker->forget();
-    }
 }
 
 void TouchSensor::clear()
@@ -192,9 +182,7 @@ void TouchSensor::pose(const ToolState &tool)
 {
     ProbeGeom &geom = parts_->geom;
     if (!geom.may_be_touched())
-    {
         return;
-    }
     if (!parts_->tracker)
     {
         geom.follow(tool);
@@ -210,19 +198,13 @@ bool TouchSensor::touch(dGeomID first, dGeomID second)
 {
     const dGeomID geom = parts_->geom.id();
     if (first != geom && second != geom)
-    {
         return false;
-    }
     const dGeomID other = first == geom ? second : first;
     if (dGeomIsSpace(other) != 0)
-    {
         return false;
-    }
     parts_->resolved = false;
     if (!parts_->tracker || !parts_->hold(other))
-    {
         parts_->collide(other);
-    }
     return true;
 }
 
@@ -231,22 +213,16 @@ bool TouchSensor::Parts::hold(dGeomID other)
 {
     std::optional<NearbyGeom> nearby = NearbyGeom::read(other, meshes, tracker->touched_triangles(other));
     if (!nearby)
-    {
         return false;
-    }
     if (!nearby->is_finite())
     {
         nonsense = true;
         return true;
     }
     if (excluded.excludes(*nearby, place()))
-    {
         return true;
-    }
     if (const dBodyID body = dGeomGetBody(other))
-    {
         bodies.keep(body);
-    }
     nearby->set_material(material_of(other));
     tracker->add_if_near(std::move(*nearby));
     return true;
@@ -266,9 +242,7 @@ void TouchSensor::Parts::collide(dGeomID other)
 {
     const int count = dCollide(geom.tool(), other, most_contacts, contacts.data(), sizeof(dContactGeom));
     if (count > 0)
-    {
         add(*std::max_element(contacts.begin(), contacts.begin() + count, is_shallower), other);
-    }
 }
 
 std::optional<Material> TouchSensor::Parts::material_of(dGeomID other)
@@ -285,9 +259,7 @@ std::optional<Material> TouchSensor::Parts::material_of(dGeomID other)
 void TouchSensor::Parts::resolve()
 {
     if (resolved)
-    {
         return;
-    }
     resolved = true;
     touches = collided;
     if (tracker)
@@ -320,9 +292,7 @@ void TouchSensor::Parts::add(const dContactGeom &contact, dGeomID other)
     touch.normal = from_ode(contact.normal);
     touch.depth = static_cast<double>(contact.depth) - geom.margin();
     if (excluded.excludes(other, touch.depth, place()))
-    {
         return;
-    }
     touch.object = object_of(other);
     touch.material = material_of(other);
     if (body != nullptr)
@@ -338,24 +308,16 @@ void TouchSensor::Parts::add(const dContactGeom &contact, dGeomID other)
     const auto known = std::find_if(collided.begin(), collided.end(),
                                     [&](const Touch &earlier) { return earlier.object == touch.object; });
     if (known == collided.end())
-    {
         collided.push_back(touch);
-    }
     else if (touch.depth > known->depth)
-    {
         *known = touch;
-    }
 }
 
 void TouchSensor::push(const std::vector<ForceShare> &shares)
 {
     for (const ForceShare &share : shares)
-    {
         if (!share.force.isZero(0))
-        {
             parts_->bodies.push(share.object, -share.force, share.point);
-        }
-    }
 }
 
 dBodyID TouchSensor::body_of(std::uintptr_t object) const

@@ -25,9 +25,7 @@ void DeviceMotion::follow(DeviceState &state)
     last_ = state;
     estimate(state);
     if (!tells_velocity_)
-    {
         state.linear_velocity = velocity_;
-    }
 }
 
 void DeviceMotion::estimate(const DeviceState &state)

@@ -69,9 +69,7 @@ double HandPath::half_extent() const
 const HandPath::Reach &HandPath::reach_at(double time)
 {
     while (reaches_.empty() || time >= reaches_.back().start + reaches_.back().duration + reaches_.back().pause)
-    {
         add_reach();
-    }
     const auto after = std::upper_bound(reaches_.begin() + 1, reaches_.end(), time,
                                         [](double t, const Reach &reach) { return t < reach.start; });
     return *(after - 1);
@@ -99,9 +97,7 @@ Vector3 HandPath::draw_target(const Vector3 &from)
         const double length = random_.uniform(settings_.shortest_reach, settings_.longest_reach);
         Vector3 target = from + length * random_.direction();
         if (target.cwiseAbs().maxCoeff() <= settings_.half_workspace)
-        {
             return target;
-        }
     }
 }
 

@@ -20,9 +20,7 @@ void *load_first_of(const std::vector<std::string> &files)
         // Never unloaded: see the class. All symbols at once, so that what is missing shows here and not in the servo
         // thread.
         if (void *handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE))
-        {
             return handle;
-        }
         reasons += std::string(reasons.empty() ? "" : "; ") + dlerror();
     }
     throw DeviceError(DeviceFault::missing_library, "OpenHaptics: the library cannot be loaded: " + reasons);
@@ -122,12 +120,8 @@ const char *name_of_hd_error(std::uint32_t error_code)
                                      {hd::error::scheduler_full, "HD_SCHEDULER_FULL"},
                                      {hd::error::invalid_license, "HD_INVALID_LICENSE"}};
     for (const Name &each : names)
-    {
         if (each.code == error_code)
-        {
             return each.name;
-        }
-    }
     return "unknown error";
 }
 
@@ -156,15 +150,11 @@ hd::ErrorInfo HdLibrary::take_errors() const
     {
         const hd::ErrorInfo error = functions_.get_error();
         if (error.code == hd::error::success)
-        {
             break;
-        }
         // The newest comes first: of two as grave, the later one of this loop is the older.
         const bool is_pause = consequence_of(error.code) == HdConsequence::pause;
         if (!is_pause || gravest.code == hd::error::success || consequence_of(gravest.code) == HdConsequence::pause)
-        {
             gravest = error;
-        }
     }
     return gravest;
 }

@@ -40,9 +40,7 @@ void HdServo::run_frame()
 {
     library_->begin_frame(device_);
     if (calibration() == 0)
-    {
         calibrate();
-    }
     take_state();
     const Vector3 force = force_of_this_frame();
     library_->set_doublev(hd::current_force, force.data());
@@ -50,9 +48,7 @@ void HdServo::run_frame()
 
     const hd::ErrorInfo error = library_.take_errors();
     if (error.code != hd::error::success)
-    {
         note(error);
-    }
     // What was read in a frame that went wrong may be anything: its reader gets the error, too.
     samples_.publish();
     frames_.fetch_add(1, std::memory_order_acq_rel);
@@ -93,19 +89,13 @@ void HdServo::take_state()
 Vector3 HdServo::force_of_this_frame()
 {
     if (forces_.take())
-    {
         age_ = 0;
-    }
     const bool is_stale = age_ >= longest_age_;
     if (!is_stale)
-    {
         ++age_;
-    }
     const bool is_paused = pause_left_ > 0;
     if (is_paused && --pause_left_ == 0)
-    {
         pause_fault_.store(0, std::memory_order_release);
-    }
     if (resting_.load(std::memory_order_acquire))
     {
         frames_at_rest_.fetch_add(1, std::memory_order_acq_rel);
@@ -119,15 +109,11 @@ void HdServo::note(const hd::ErrorInfo &error)
     if (consequence_of(error.code) != HdConsequence::pause)
     {
         if (!end())
-        {
             end_.store(packed(error), std::memory_order_release);
-        }
         return;
     }
     if (pause_left_ == 0)
-    {
         begun_pause_.store(packed(error), std::memory_order_release);
-    }
     pause_fault_.store(packed(error), std::memory_order_release);
     pause_left_ = pause_;
 }

@@ -25,9 +25,7 @@ template <typename Condition> bool wait_for(Condition is_true, std::chrono::mill
     while (!is_true())
     {
         if (std::chrono::steady_clock::now() > end)
-        {
             return false;
-        }
         std::this_thread::sleep_for(200us);
     }
     return true;
@@ -38,9 +36,7 @@ void check(const HdLibrary &library, const std::string &doing)
 {
     const hd::ErrorInfo error = library.take_errors();
     if (error.code != hd::error::success)
-    {
         throw hd_error(library, doing, error.code, error.internal_code);
-    }
 }
 
 double number(const HdLibrary &library, hd::Enum name)
@@ -80,9 +76,7 @@ HdDevice::HdDevice(const HdLibrary &library, const std::string &configuration)
         return;
     }
     if (handle_ != hd::invalid_handle)
-    {
         library_->disable_device(handle_);
-    }
     const bool is_licensed = error.code != hd::error::invalid_license;
     throw DeviceError(is_licensed ? DeviceFault::not_found : DeviceFault::failed,
                       "OpenHaptics: " + configuration_ +
@@ -165,9 +159,7 @@ void HdScheduler::wait_until_ready() const
                           "OpenHaptics: the scheduler was started and its servo thread does not run");
     }
     if (const HdFault end = servo_.end())
-    {
         throw hd_error(library_, "the servo thread has ended", end.code, end.internal_code);
-    }
     if (servo_.calibration() != hd::calibration_ok)
     {
         throw DeviceError(

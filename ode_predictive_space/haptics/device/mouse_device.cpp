@@ -24,9 +24,7 @@ MouseDevice::MouseDevice(const MouseSettings &settings) : SoftwareDevice(capabil
     check_positive(settings.metres_per_wheel_step, "mouse: metres per wheel step");
     check_positive(settings.smoothing, "mouse: the time constant of smoothing");
     for (const double size : Vector3(settings.workspace.sizes()))
-    {
         check_positive(size, "mouse: the size of the workspace");
-    }
     MouseDevice::start();
 }
 
@@ -44,27 +42,19 @@ void MouseDevice::wheel(double steps) noexcept
 void MouseDevice::button(int number, bool down) noexcept
 {
     if (number < 0 || number > 31)
-    {
         return;
-    }
     const std::uint32_t bit = std::uint32_t{1} << number;
     if (down)
-    {
         buttons_.fetch_or(bit);
-    }
     else
-    {
         buttons_.fetch_and(~bit);
-    }
 }
 
 void MouseDevice::start()
 {
     const Vector3 centre = settings_.workspace.center();
     for (int axis = 0; axis < 3; ++axis)
-    {
         target_[static_cast<std::size_t>(axis)] = centre[axis];
-    }
     buttons_ = 0;
     between_ = position_ = centre;
     seconds_ = 0;
@@ -92,9 +82,7 @@ DeviceState MouseDevice::move_to(double seconds)
 void MouseDevice::shift(int axis, double distance) noexcept
 {
     if (!std::isfinite(distance))
-    {
         return;
-    }
     std::atomic<double> &target = target_[static_cast<std::size_t>(axis)];
     const double low = settings_.workspace.min()[axis];
     const double high = settings_.workspace.max()[axis];

@@ -62,17 +62,11 @@ public:
     std::string what_is_wrong() const
     {
         if (const HdFault end = servo_.end())
-        {
             return "the servo thread has ended: " + library_.describe(end.code, end.internal_code);
-        }
         if (is_silent_)
-        {
             return silence;
-        }
         if (const HdFault pause = servo_.pause())
-        {
             return "no force is rendered for a while: " + library_.describe(pause.code, pause.internal_code);
-        }
         return {};
     }
 
@@ -118,17 +112,11 @@ private:
     void throw_faults(const HdFault &pause)
     {
         if (const HdFault end = servo_.end())
-        {
             throw hd_error(library_, "the servo thread has ended", end.code, end.internal_code);
-        }
         if (is_silent_)
-        {
             throw DeviceError(DeviceFault::lost, std::string("OpenHaptics: ") + silence);
-        }
         if (pause)
-        {
             throw hd_error(library_, "no force is rendered for a while", pause.code, pause.internal_code);
-        }
     }
 
     OnlyOne only_one_;
@@ -179,27 +167,21 @@ const Capabilities &OpenHapticsDevice::capabilities() const
 DeviceState OpenHapticsDevice::read(double time)
 {
     if (session_ == nullptr)
-    {
         throw DeviceError(DeviceFault::not_open, "OpenHaptics: read() needs open()");
-    }
     return session_->read(time);
 }
 
 void OpenHapticsDevice::write(const Wrench &wrench)
 {
     if (session_ == nullptr)
-    {
         throw DeviceError(DeviceFault::not_open, "OpenHaptics: write() needs open()");
-    }
     session_->write(wrench.force);
 }
 
 DeviceStatus OpenHapticsDevice::status() const
 {
     if (session_ == nullptr)
-    {
         return {false, false, "the device is not open"};
-    }
     const std::string what_is_wrong = session_->what_is_wrong();
     return {true, what_is_wrong.empty(), what_is_wrong};
 }

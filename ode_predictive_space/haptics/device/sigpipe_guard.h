@@ -27,9 +27,7 @@ public:
     {
         const timespec at_once{0, 0};
         if (!was_pending_)
-        {
             sigtimedwait(&sigpipe_, nullptr, &at_once);
-        }
         pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
     }
 

@@ -26,13 +26,9 @@ DeviceState SoftwareDevice::read(double time)
 {
     check_open("read");
     if (!std::isfinite(time))
-    {
         throw std::invalid_argument(capabilities_.name + ": the time of a read() is not finite");
-    }
     if (!first_time_)
-    {
         first_time_ = time;
-    }
     last_seconds_ = std::max(last_seconds_, time - *first_time_);
     DeviceState state = move_to(last_seconds_);
     state.time = time;
@@ -53,9 +49,7 @@ void SoftwareDevice::write(const Wrench &wrench)
 DeviceStatus SoftwareDevice::status() const
 {
     if (!open_)
-    {
         return {false, false, capabilities_.name + ": not open"};
-    }
     const std::string reason = idle_reason();
     return {true, reason.empty(), reason};
 }
@@ -63,8 +57,6 @@ DeviceStatus SoftwareDevice::status() const
 void SoftwareDevice::check_open(const char *call) const
 {
     if (!open_)
-    {
         throw DeviceError(DeviceFault::not_open, capabilities_.name + ": " + call + "() before open()");
-    }
 }
 } // namespace ode_predictive_space::haptics

@@ -16,9 +16,7 @@ SpacenavSettings checked(const SpacenavSettings &settings)
     check_positive(settings.turn_rate, "SpacenavSettings: turn_rate");
     check_positive(settings.workspace_extent, "SpacenavSettings: workspace_extent");
     if (!(settings.dead_zone >= 0 && settings.dead_zone < 1))
-    {
         refuse(settings.dead_zone, "SpacenavSettings: dead_zone", "at least 0 and below 1");
-    }
     return settings;
 }
 
@@ -55,9 +53,7 @@ public:
     void check() const
     {
         if (!loss_.empty())
-        {
             throw DeviceError(DeviceFault::lost, loss_);
-        }
     }
 
 private:
@@ -136,27 +132,21 @@ void SpacenavDevice::close() noexcept
 DeviceState SpacenavDevice::read(double time)
 {
     if (session_ == nullptr)
-    {
         throw DeviceError(DeviceFault::not_open, "3D mouse: read() needs open()");
-    }
     return session_->read(time);
 }
 
 void SpacenavDevice::write(const Wrench &)
 {
     if (session_ == nullptr)
-    {
         throw DeviceError(DeviceFault::not_open, "3D mouse: write() needs open()");
-    }
     session_->check();
 }
 
 DeviceStatus SpacenavDevice::status() const
 {
     if (session_ == nullptr)
-    {
         return {false, false, "the device is not open"};
-    }
     return {true, session_->loss().empty(), session_->loss()};
 }
 } // namespace ode_predictive_space::haptics

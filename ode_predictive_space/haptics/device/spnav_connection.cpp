@@ -31,16 +31,12 @@ int connect_error(const std::string &path)
 {
     sockaddr_un address{};
     if (path.size() >= sizeof address.sun_path)
-    {
         return ENAMETOOLONG;
-    }
     address.sun_family = AF_UNIX;
     std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
     const int socket_number = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (socket_number == -1)
-    {
         return errno;
-    }
     const bool is_connected = connect(socket_number, reinterpret_cast<const sockaddr *>(&address), sizeof address) == 0;
     const int error = is_connected ? 0 : errno;
     close(socket_number);
@@ -82,14 +78,10 @@ void open_library()
     const int error = connect_error(path);
     // libspnav would fall back on another server than the named one. And it loses memory at each open that fails.
     if (error != 0 && (is_named || access(server_settings, R_OK) != 0))
-    {
         throw server_error(path, error);
-    }
     errno = 0; // libspnav takes an old EINTR for one of its own, and reads on at a closed socket for ever
     if (spnav_open() == -1)
-    {
         throw server_error(path, error);
-    }
 }
 
 enum class Inbox
@@ -104,9 +96,7 @@ Inbox look_into_inbox()
     char byte;
     const ssize_t size = recv(spnav_fd(), &byte, sizeof byte, MSG_PEEK | MSG_DONTWAIT);
     if (size > 0)
-    {
         return Inbox::waiting;
-    }
     return size == -1 && (errno == EAGAIN || errno == EINTR) ? Inbox::empty : Inbox::closed;
 }
 
@@ -150,13 +140,9 @@ public:
             }
             const Inbox inbox = look_into_inbox();
             if (inbox == Inbox::closed)
-            {
                 throw lost("spacenavd has gone");
-            }
             if (inbox == Inbox::empty)
-            {
                 return;
-            }
         }
     }
 
@@ -165,9 +151,7 @@ private:
     void find_mouse()
     {
         if (spnav_protocol() < 1)
-        {
             return; // an old server, which does not tell
-        }
         // A motion that comes in front of an answer is taken for the answer, and the question has failed.
         constexpr int attempts = 3;
         for (int attempt = 0; attempt < attempts; ++attempt)
@@ -188,9 +172,7 @@ private:
     {
         errno = 0;
         if (look_into_inbox() == Inbox::closed)
-        {
             throw lost("spacenavd has hung up");
-        }
     }
 
     void take_name()
@@ -198,9 +180,7 @@ private:
         ensure_server();
         char name[128];
         if (spnav_dev_name(name, sizeof name) > 0)
-        {
             mouse_ = name;
-        }
     }
 
     static void take(const spnav_event &event, SpnavInput &input)
@@ -217,9 +197,7 @@ private:
             break;
         case SPNAV_EVENT_DEV:
             if (event.dev.op == SPNAV_DEV_RM)
-            {
                 throw lost("a mouse was unplugged");
-            }
             break;
         default:
             break;
@@ -229,9 +207,7 @@ private:
     static void take_button(const spnav_event_button &button, std::uint32_t &buttons)
     {
         if (button.bnum < 0 || button.bnum >= 32)
-        {
             return;
-        }
         const std::uint32_t bit = std::uint32_t{1} << button.bnum;
         buttons = button.press != 0 ? buttons | bit : buttons & ~bit;
     }

@@ -39,9 +39,7 @@ Eigen::Matrix4d exponential(Eigen::Matrix4d matrix)
 {
     int halvings = 0;
     for (; matrix.cwiseAbs().rowwise().sum().maxCoeff() > 0.25; ++halvings)
-    {
         matrix *= 0.5;
-    }
     Eigen::Matrix4d sum = Eigen::Matrix4d::Identity();
     Eigen::Matrix4d term = Eigen::Matrix4d::Identity();
     for (int n = 1; n <= 12; ++n)
@@ -50,9 +48,7 @@ Eigen::Matrix4d exponential(Eigen::Matrix4d matrix)
         sum += term;
     }
     for (; halvings > 0; --halvings)
-    {
         sum = sum * sum;
-    }
     return sum;
 }
 
@@ -86,9 +82,7 @@ const Capabilities &device_preset(const std::string &name)
     for (const Capabilities &preset : device_presets())
     {
         if (preset.name == name)
-        {
             return preset;
-        }
         names += (names.empty() ? "" : ", ") + preset.name;
     }
     throw std::invalid_argument("no device preset is called \"" + name + "\"; there are: " + names);
@@ -99,9 +93,7 @@ VirtualDevice::VirtualDevice(const VirtualDeviceSettings &settings, TargetPath t
 {
     check(settings);
     if (!target_)
-    {
         throw std::invalid_argument("virtual device: the hand has no target");
-    }
     capabilities_.name = "virtual " + capabilities_.name;
     if (settings.tells_delay && capabilities_.rate > 0)
     {
@@ -147,16 +139,12 @@ void VirtualDevice::move_hand(double seconds)
 {
     const double duration = seconds - seconds_;
     if (duration <= 0)
-    {
         return;
-    }
     const double start = seconds_;
     const int steps = static_cast<int>(std::ceil(duration / longest_straight_step - 1e-6));
     const Transition change = transition(settings_.hand, duration / steps);
     for (int step = 1; step <= steps; ++step)
-    {
         move_hand_by(change, step == steps ? seconds : start + duration * step / steps);
-    }
 }
 
 void VirtualDevice::move_hand_by(const Transition &change, double seconds)

@@ -25,9 +25,7 @@ template <typename Work> void with_lock(std::mutex &mutex, const Work &work)
         }
     }
     if (error)
-    {
         std::rethrow_exception(error);
-    }
 }
 } // namespace ode_predictive_space::haptics
 

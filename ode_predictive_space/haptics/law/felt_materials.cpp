@@ -16,9 +16,7 @@ void FeltMaterials::follow(const std::vector<Touch> &touches, const Material &ow
             return touch.takes_over != 0 && other.id == touch.takes_over;
         });
         if (last != before_.end() && carry_of(touch).carries())
-        {
             felt.material = blended(last->material, felt.material, dt);
-        }
         now_.push_back(felt);
     }
 }

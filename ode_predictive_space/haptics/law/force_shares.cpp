@@ -51,9 +51,7 @@ Vector3 sum(const std::vector<ForceShare> &shares)
 {
     Vector3 total = Vector3::Zero();
     for (const ForceShare &share : shares)
-    {
         total += share.force;
-    }
     return total;
 }
 } // namespace
@@ -70,9 +68,7 @@ void ForceSplit::split(const std::vector<Touch> &touches, const TouchForces &wis
     shares_.clear();
     const Mix mix = find_mix(given, sum_of(wished), sum(before_));
     for (std::size_t i = 0; i < touches.size(); ++i)
-    {
         shares_.push_back({touches[i].object, touches[i].point, mix.wished * wished[i], touches[i].feature});
-    }
     for (std::size_t i = touches.size(); i < wished.size(); ++i)
     {
         const auto entry = static_cast<unsigned>(i - touches.size());
@@ -85,13 +81,9 @@ void ForceSplit::split(const std::vector<Touch> &touches, const TouchForces &wis
             return now.object == share.object && now.feature == share.feature;
         });
         if (known != shares_.end())
-        {
             known->force += force;
-        }
         else if (!force.isZero(0))
-        {
             shares_.push_back({share.object, share.point, force, share.feature});
-        }
     }
     add_rest(given);
 }
@@ -103,9 +95,7 @@ void ForceSplit::add_rest(const Vector3 &given)
         return a.force.squaredNorm() < b.force.squaredNorm();
     });
     if (most == shares_.end())
-    {
         return;
-    }
     most->force += given - sum(shares_);
 }
 } // namespace ode_predictive_space::haptics

@@ -34,9 +34,7 @@ std::string broken_state_of(dBodyID body)
 {
     const char *const part = body != nullptr ? broken_part_of(body) : nullptr;
     if (part == nullptr)
-    {
         return {};
-    }
     const dReal *const at = dBodyGetPosition(body);
     std::array<char, 240> sentence;
     std::snprintf(sentence.data(), sentence.size(),
@@ -55,9 +53,7 @@ std::string broken_state_around(dGeomID geom)
         for_each_geom(scene, [&](dGeomID other) {
             const dBodyID body = dGeomGetBody(other);
             if (broken == nullptr && body != nullptr && broken_part_of(body) != nullptr)
-            {
                 broken = body;
-            }
         });
     }
     return broken_state_of(broken);

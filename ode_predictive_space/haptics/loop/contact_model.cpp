@@ -22,15 +22,11 @@ void ContactModel::evaluate(const Vector3 &tool, double time, const Shifts &shif
     {
         Touch touch = touches_[i];
         if (touch.from_entry_side)
-        {
             continue; // the servo has the geom itself
-        }
         const Vector3 carried = (time - time_) * touch.surface_velocity + shifts[i].moved_at(touch.point);
         touch.depth -= touch.normal.dot(moved - carried);
         if (touch.depth <= 0)
-        {
             continue;
-        }
         // The contact goes with the tool along the surface, and with the surface along the normal.
         touch.point += moved - touch.normal * touch.normal.dot(moved - carried);
         touch.surface_velocity += shifts[i].velocity_at(touches_[i].point);

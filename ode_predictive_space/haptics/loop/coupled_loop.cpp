@@ -5,9 +5,7 @@ namespace ode_predictive_space::haptics
 void run_coupled(LoopParts &parts, const SceneWork &work)
 {
     if (const auto ask = parts.priority_request(false))
-    {
         ask();
-    }
     const LoopSettings &settings = parts.settings;
     const double period = 1 / settings.rate;
     Pacer pacer(parts.time.start, period, settings.most_steps_behind);

@@ -67,9 +67,7 @@ void SceneLoop::run()
     const int most_behind = parts_.settings.most_steps_behind;
     Pacer pacer(parts_.time.start, dt_, most_behind);
     if (goes_on())
-    {
         look(pacer.due());
-    }
     while (goes_on())
     {
         const double length = step_length();
@@ -81,9 +79,7 @@ void SceneLoop::run()
         parts_.guard->begin_step(begin);
         advance(pacer.due(), length);
         if (goes_on())
-        {
             look(pacer.due());
-        }
         const double end = parts_.clock.now();
         budget_.note(end - begin);
         parts_.scene.end(end, pacer.due() + length);
@@ -118,9 +114,7 @@ void SceneLoop::advance(double due, double length)
     work_.advance(length);
     motion_.note_step(dRandGetSeed() != seed);
     if (!motion_.repeats() && !surprised_)
-    {
         tell_of_surprise();
-    }
     ++steps_;
     parts_.time.simulated = changed_ + static_cast<double>(steps_) * length;
 }
@@ -129,9 +123,7 @@ void SceneLoop::receive()
 {
     Impulse impulse;
     while (servo_.impulses().receive(impulse))
-    {
         motion_.receive(impulse);
-    }
 }
 
 void SceneLoop::find_touches()
@@ -157,13 +149,9 @@ void SceneLoop::look(double due)
     const int steps = motion_.steps_per_period();
     motion_.foresee(surroundings.planes, due, dt_, budget_.affordable(dt_), surroundings.forecast);
     if (motion_.steps_per_period() != steps)
-    {
         tell_of_shorter_steps();
-    }
     if (sensor_.tracker() != nullptr)
-    {
         sensor_.tracker()->hand_over(surroundings.geoms, due);
-    }
     servo_.surroundings().publish();
     parts_.probe.renderer().physics_fresh(parts_.clock.now());
 }
@@ -214,8 +202,6 @@ void run_decoupled(LoopParts &parts, const SceneWork &work)
     servo_side.settle();
     scene_side.push_rest();
     if (servo_side.error())
-    {
         std::rethrow_exception(servo_side.error());
-    }
 }
 } // namespace ode_predictive_space::haptics

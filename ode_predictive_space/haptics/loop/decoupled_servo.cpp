@@ -26,9 +26,7 @@ DecoupledServo::DecoupledServo(LoopParts &parts)
     : parts_(parts), renderer_(parts.probe.renderer()), impulses_(most_impulses(parts.settings), parts.time.start)
 {
     if (parts.probe.sensor()->tracker() != nullptr)
-    {
         tracker_.emplace(parts.probe.sensor()->radius());
-    }
     touches_.reserve(reserved_touches);
 }
 
@@ -37,9 +35,7 @@ void DecoupledServo::tick(double due)
     const double now = parts_.clock.now();
     parts_.guard->beat(now);
     if (ended())
-    {
         return;
-    }
     parts_.servo.begin(now);
     if (parts_.must_end())
     {
@@ -75,13 +71,9 @@ void DecoupledServo::render(double due)
 bool DecoupledServo::feel(const Surroundings &scene, double due)
 {
     if (scene.tool_jumps != renderer_.last_tick().tool_jumps)
-    {
         touches_.clear();
-    }
     else
-    {
         scene.planes.evaluate(renderer_.tool().position, due, shifts_, touches_);
-    }
     const bool all_known = !tracker_ || feel_geoms(scene, due);
     if (touches_.size() > ContactModel::capacity)
     {
@@ -96,12 +88,8 @@ bool DecoupledServo::feel(const Surroundings &scene, double due)
 ContactModel::Shift DecoupledServo::shift_of(std::uintptr_t object, const ContactModel &planes) const
 {
     for (std::size_t i = 0; i < planes.count(); ++i)
-    {
         if (planes.touch(i).object == object)
-        {
             return shifts_[i];
-        }
-    }
     return {};
 }
 

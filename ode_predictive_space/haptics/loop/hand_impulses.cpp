@@ -24,9 +24,7 @@ void HandImpulses::foresee(const MotionForecast &forecast, const ContactModel &p
                  }));
     const std::size_t known = given_.size();
     for (const ForceShare &share : held_)
-    {
         given_.push_back({share.object, share.point, (due - rendered_due_) * share.force, rendered_due_, unnumbered});
-    }
     forecast.shift(given_, due, planes, shifts);
     given_.resize(known);
 }
@@ -37,16 +35,12 @@ void HandImpulses::settle(double now, const DeviceGate &gate, const std::vector<
     const bool guard_took_it = zeros != zeros_; // the servo has hung since
     const double held_until = guard_took_it ? std::clamp(gate.last_zero(), settled_, now) : now;
     for (const ForceShare &share : held_)
-    {
         give(share, held_until - settled_);
-    }
     zeros_ = zeros;
     settled_ = now;
     held_ = shares;
     if (guard_took_it)
-    {
         held_.clear();
-    }
 }
 
 /// The tick began when it was due: then the scene's semi-implicit steps and the forecast are of one kind, and create no energy.
@@ -54,8 +48,6 @@ void HandImpulses::give(const ForceShare &share, double seconds)
 {
     const Impulse impulse = {share.object, share.point, seconds * share.force, rendered_due_, ++numbered_};
     if (queue_.give(impulse) && given_.size() + held_.size() < given_.capacity())
-    {
         given_.push_back(impulse);
-    }
 }
 } // namespace ode_predictive_space::haptics

@@ -62,9 +62,7 @@ double square_of_swing(dBodyID body, const Eigen::Matrix3d &stiffness)
 IslandRollOut::IslandRollOut(const std::vector<dBodyID> &touched) : seed_(dRandGetSeed())
 {
     for (const dBodyID body : touched)
-    {
         add(body);
-    }
     add_connected(0);
     hold_others();
 }
@@ -72,9 +70,7 @@ IslandRollOut::IslandRollOut(const std::vector<dBodyID> &touched) : seed_(dRandG
 void IslandRollOut::add(dBodyID body)
 {
     if (body == nullptr || !known_.insert(body).second)
-    {
         return;
-    }
     State state;
     state.body = body;
     state.position = from_ode(dBodyGetPosition(body));
@@ -100,9 +96,7 @@ void IslandRollOut::add_connected(std::size_t first)
             has_joints_ = has_joints_ || dJointGetType(joint) != dJointTypeNull;
             note_contact(joint);
             if (anchor_of(joint) && dJointGetBody(joint, 0) == body)
-            {
                 joints_.push_back(joint);
-            }
             if (dJointFeedback *const feedback = dJointGetFeedback(joint))
             {
                 feedbacks_.push_back({joint, feedback});
@@ -127,9 +121,7 @@ void IslandRollOut::hold_others()
     for (const dBodyID body : bodies_of(dBodyGetWorld(states_.front().body)))
     {
         if (dBodyIsEnabled(body) == 0 || known_.count(body) != 0)
-        {
             continue;
-        }
         if (is_falling_asleep(body))
         {
             const std::size_t first = states_.size();
@@ -146,13 +138,9 @@ IslandRollOut::~IslandRollOut()
 {
     restore();
     for (const dBodyID body : held_)
-    {
         dBodyEnable(body);
-    }
     for (const Feedback &feedback : feedbacks_)
-    {
         dJointSetFeedback(feedback.joint, feedback.feedback);
-    }
     dRandSetSeed(seed_);
 }
 
@@ -181,14 +169,10 @@ void IslandRollOut::run(bool quick, std::size_t steps, double dt, const std::vec
 double IslandRollOut::fastest_swing(bool quick, double dt)
 {
     if (joints_.empty())
-    {
         return 0;
-    }
     std::vector<dJointFeedback> forces(joints_.size());
     for (std::size_t i = 0; i < joints_.size(); ++i)
-    {
         dJointSetFeedback(joints_[i], &forces[i]);
-    }
     run(quick, 1, dt, {}, [](std::size_t) {});
     std::unordered_map<dBodyID, Eigen::Matrix3d> stiffness;
     for (std::size_t i = 0; i < joints_.size(); ++i)
@@ -199,9 +183,7 @@ double IslandRollOut::fastest_swing(bool quick, double dt)
         {
             const dBodyID body = dJointGetBody(joints_[i], side);
             if (body == nullptr || dBodyIsKinematic(body) != 0)
-            {
                 continue;
-            }
             const Vector3 arm = anchor - from_ode(dBodyGetPosition(body));
             const double length = arm.norm();
             if (length > 0)
@@ -214,9 +196,7 @@ double IslandRollOut::fastest_swing(bool quick, double dt)
     }
     double square = 0;
     for (const auto &[body, matrix] : stiffness)
-    {
         square = std::max(square, square_of_swing(body, matrix));
-    }
     return std::sqrt(square);
 }
 
@@ -238,9 +218,7 @@ void IslandRollOut::restore() const
         set(&dBodySetForce, state.force);
         set(&dBodySetTorque, state.torque);
         if (state.awake != (dBodyIsEnabled(state.body) != 0))
-        {
             state.awake ? dBodyEnable(state.body) : dBodyDisable(state.body);
-        }
     }
 }
 

@@ -49,9 +49,7 @@ public:
         parts_.probe.renderer().relax();
         parts_.time.end = parts_.clock.now();
         if (parts_.probe.sensor() != nullptr)
-        {
             parts_.probe.sensor()->set_margin(0);
-        }
         parts_.probe.renderer().tell_held_back();
         tell_of_scheduling();
         parts_.guard->end();
@@ -67,18 +65,14 @@ private:
         return [&parts = parts_, sink = std::move(sink)](const Notice &notice) {
             ++parts.counts.notices;
             if (sink)
-            {
                 sink(notice);
-            }
         };
     }
 
     void tell_of_scheduling()
     {
         if (parts_.scheduling.refused())
-        {
             parts_.guard->post(Notice(NoticeKind::scheduling, parts_.now(), parts_.scheduling.text()));
-        }
     }
 
     LoopParts &parts_;
@@ -131,19 +125,13 @@ LoopReport HapticLoop::run(const SceneWork &work)
 {
     LoopParts &parts = *parts_;
     if (parts.guard)
-    {
         throw std::logic_error("A haptic loop runs once");
-    }
     const LoopParts::Turn turn(parts);
     if (parts.probe.sensor() != nullptr)
-    {
         parts.probe.sensor()->prepare_all();
-    }
     run_watched(parts, work);
     if (parts.guard->sink_failed())
-    {
         std::rethrow_exception(parts.guard->sink_error());
-    }
     return report();
 }
 

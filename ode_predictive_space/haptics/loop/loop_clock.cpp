@@ -38,17 +38,13 @@ private:
     void run()
     {
         if (task_.prepare)
-        {
             task_.prepare();
-        }
         double due = clock_.now() + task_.period;
         while (!ended_.load())
         {
             clock_.sleep_until(due);
             if (!ended_.load())
-            {
                 task_.carry_out(due);
-            }
             due = next_time(due, task_.period, clock_.now());
         }
     }
@@ -99,9 +95,7 @@ public:
     void carry_out()
     {
         if (!prepared_ && task_.prepare)
-        {
             task_.prepare();
-        }
         prepared_ = true;
         busy_ = true;
         task_.carry_out(due_);
@@ -128,9 +122,7 @@ double SimulatedClock::now() const
 void SimulatedClock::sleep_until(double time)
 {
     while (Entry *entry = next_due(time))
-    {
         carry_out(*entry);
-    }
     now_ = std::max(now_, time);
 }
 

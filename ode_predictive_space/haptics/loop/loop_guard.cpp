@@ -34,9 +34,7 @@ LoopGuard::~LoopGuard()
 void LoopGuard::end()
 {
     if (watch_) // afterwards the device's gate may be gone
-    {
         gate_.set_guarded(false);
-    }
     watch_.reset();
     speaker_.end();
 }
@@ -46,15 +44,11 @@ void LoopGuard::look()
     const double beat = last_beat_.load(std::memory_order_relaxed);
     const double now = clock_.now();
     if (beat != no_beat && beat != stopped_beat_ && now - beat >= duties_.stall_after)
-    {
         stop_force(now, beat);
-    }
     look_at_scene(now);
     // The loop itself may sleep until its next deadline, or wait for the scene.
     if (!ended_ && duties_.must_end && duties_.must_end())
-    {
         ended_ = take_force(now);
-    }
 }
 
 void LoopGuard::begin_step(double now)
@@ -67,14 +61,10 @@ void LoopGuard::look_at_scene(double now)
 {
     const double step = last_step_.load(std::memory_order_acquire);
     if (step == no_beat || step == stopped_step_ || now - step < duties_.scene_stall_after)
-    {
         return;
-    }
     stopped_step_ = step;
     if (open_gates::close_unguarded(scene_thread_.load(std::memory_order_relaxed), now))
-    {
         tell("No force at another probe of the program: the scene has hung for too long.");
-    }
 }
 
 void LoopGuard::stop_force(double now, double beat)

@@ -16,13 +16,9 @@ namespace
 LoopSettings checked(LoopSettings settings, HapticProbe &probe)
 {
     if (probe.is_taken())
-    {
         throw std::logic_error("Another haptic loop runs the probe");
-    }
     if (!settings.decoupled)
-    {
         settings.physics_rate = settings.rate;
-    }
     if (settings.decoupled && probe.sensor() == nullptr)
     {
         throw std::invalid_argument(
@@ -42,9 +38,7 @@ LoopSettings checked(LoopSettings settings, HapticProbe &probe)
 void TickStatistics::begin(double now)
 {
     if (began_)
-    {
         periods_.add(now - begin_);
-    }
     began_ = true;
     begin_ = now;
 }
@@ -53,9 +47,7 @@ void TickStatistics::end(double now, double next_due)
 {
     computes_.add(now - begin_);
     if (now > next_due)
-    {
         overruns_.store(overruns() + 1, std::memory_order_relaxed);
-    }
 }
 
 Pacer::Pacer(double start, double period, int most_behind) : due_(start), period_(period), most_behind_(most_behind) {}
@@ -65,9 +57,7 @@ std::uint64_t Pacer::go_on(double now)
     due_ += period_;
     const double behind = std::floor((now - due_) / period_);
     if (behind <= most_behind_)
-    {
         return 0;
-    }
     due_ += behind * period_;
     return static_cast<std::uint64_t>(behind);
 }
@@ -98,9 +88,7 @@ LoopParts::~LoopParts()
         run = run_;
     }
     if (run)
-    {
         run->end_and_wait("a haptic loop");
-    }
 }
 
 bool LoopParts::is_told_to_stop() const
@@ -116,15 +104,11 @@ bool LoopParts::must_end() const
 std::function<void()> LoopParts::priority_request(bool above_servo)
 {
     if (!settings.ask_for_priority)
-    {
         return {};
-    }
     return [this, above_servo] {
         const int error = ask_for_real_time(above_servo);
         if (!above_servo)
-        {
             scheduling.priority_error = error;
-        }
     };
 }
 
@@ -142,13 +126,9 @@ void LoopParts::check_bodies()
     const dBodyID tool = probe.tool_body();
     std::string broken = broken_state_of(tool);
     if (broken.empty())
-    {
         broken = broken_state_around(tool != nullptr ? dBodyGetFirstGeom(tool) : probe.geom());
-    }
     if (!broken.empty())
-    {
         throw std::runtime_error(broken);
-    }
 }
 
 /// An exception that comes through ODE's own dSpaceCollide() leaves the space locked: then nothing in it may be moved or destroyed.
@@ -162,9 +142,7 @@ void LoopParts::collide(const SceneWork &work)
     catch (...)
     {
         if (probe.sensor() != nullptr && !is_from_safe_collide(std::current_exception()))
-        {
             probe.sensor()->abandon_locked_space();
-        }
         throw;
     }
     check_bodies();

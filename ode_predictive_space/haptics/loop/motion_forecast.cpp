@@ -27,9 +27,7 @@ MotionForecast::Course<BodyMotion> MotionForecast::free_of_velocity(std::size_t 
 {
     Course<BodyMotion> course;
     for (std::size_t node = 0; node <= nodes_; ++node)
-    {
         course[node] = static_cast<double>(node) * node_length_ * places_[touch].velocity;
-    }
     return course;
 }
 
@@ -45,14 +43,10 @@ std::size_t MotionForecast::pushed_by(const Impulse &impulse) const
 {
     std::size_t found = count_;
     for (std::size_t i = 0; i < count_; ++i)
-    {
         if (places_[i].touch.object == impulse.object &&
             (found == count_ ||
              impulse.impulse.dot(places_[i].touch.normal) > impulse.impulse.dot(places_[found].touch.normal)))
-        {
             found = i;
-        }
-    }
     return found;
 }
 
@@ -60,9 +54,7 @@ void MotionForecast::add_response(const Impulse &impulse, double now, std::array
 {
     const std::size_t pushed = pushed_by(impulse);
     if (impulse.number <= last_included_ || pushed == count_)
-    {
         return;
-    }
     const Place &place = places_[pushed];
     const Vector3 centre = place.centre + (impulse.time - time_) * place.velocity.head<3>();
     ImpulseWrench wrench;
@@ -92,9 +84,7 @@ void MotionForecast::shift(const std::vector<Impulse> &impulses, double now, con
         motions[i].velocity = step / node_length_ - places_[i].velocity;
     }
     for (const Impulse &impulse : impulses)
-    {
         add_response(impulse, now, motions);
-    }
     for (std::size_t i = 0; i < planes.count(); ++i)
     {
         shifts[i] = {};

@@ -24,18 +24,14 @@ void NoticeSpeaker::deliver_all()
     {
         Notice notice;
         while (queue.receive(notice))
-        {
             deliver(notice);
-        }
     }
 }
 
 void NoticeSpeaker::deliver(const Notice &notice)
 {
     if (!sink_ || sink_failed())
-    {
         return;
-    }
     try
     {
         sink_(notice);

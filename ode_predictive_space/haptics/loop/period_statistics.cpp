@@ -50,9 +50,7 @@ double TimeHistogram::quantile(double share) const
     {
         seen += buckets_[bucket].load(std::memory_order_relaxed);
         if (seen >= wanted)
-        {
             return std::min(upper_end(bucket) / nanoseconds, max_.load(std::memory_order_relaxed));
-        }
     }
     return 0;
 }

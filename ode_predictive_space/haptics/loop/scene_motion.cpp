@@ -61,9 +61,7 @@ void SceneMotion::push(double a, double h)
     waiting_.erase(waiting_.begin(), first_later);
     shares_.clear();
     for (const Impulse &impulse : last_)
-    {
         shares_.push_back({impulse.object, impulse.point, impulse.impulse / h});
-    }
     sensor_.push(shares_);
 }
 
@@ -71,12 +69,8 @@ void SceneMotion::push_all(double h)
 {
     shares_.clear();
     for (const std::vector<Impulse> *impulses : {&rest_, &waiting_})
-    {
         for (const Impulse &impulse : *impulses)
-        {
             shares_.push_back({impulse.object, impulse.point, impulse.impulse / h});
-        }
-    }
     sensor_.push(shares_);
     rest_.clear();
     waiting_.clear();
@@ -89,14 +83,10 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
     forecast.set_included(received_);
     find_touched(planes, forecast);
     if (touched_.empty())
-    {
         return;
-    }
     std::vector<dBodyID> bodies;
     for (const Touched &touched : touched_)
-    {
         bodies.push_back(touched.body);
-    }
     IslandRollOut island(bodies);
     has_joints_ = island.has_joints();
     choose_steps(island, period, affordable);
@@ -111,9 +101,7 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
     }
     foreseen_step_ = h;
     for (std::size_t i = 0; i < touched_.size(); ++i)
-    {
         find_response(island, i, h, forecast);
-    }
 }
 
 void SceneMotion::note_step(bool drew_numbers)
@@ -202,12 +190,8 @@ std::vector<BodyImpulse> SceneMotion::rest() const
 {
     std::vector<BodyImpulse> impulses;
     for (const Impulse &impulse : rest_)
-    {
         if (const dBodyID body = sensor_.body_of(impulse.object))
-        {
             impulses.push_back({body, impulse.point, -impulse.impulse});
-        }
-    }
     return impulses;
 }
 
@@ -218,12 +202,8 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     dBodyGetMass(body, &mass);
     Eigen::Matrix3d own;
     for (int row = 0; row < 3; ++row)
-    {
         for (int column = 0; column < 3; ++column)
-        {
             own(row, column) = mass.I[4 * row + column];
-        }
-    }
     const Eigen::Matrix3d turn = touched.orientation.toRotationMatrix();
     touched.inertia.setZero();
     touched.inertia.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
@@ -266,14 +246,10 @@ void SceneMotion::try_out(IslandRollOut &island, const std::vector<BodyImpulse> 
                           Courses &courses) const
 {
     for (MotionForecast::Course<BodyMotion> &course : courses)
-    {
         course[0].setZero();
-    }
     island.run(quick_, nodes, h, impulses, [&](std::size_t node) {
         for (std::size_t i = 0; i < touched_.size(); ++i)
-        {
             courses[i][node] = motion_of(touched_[i]);
-        }
     });
 }
 
@@ -291,9 +267,7 @@ void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, doubl
         std::vector<BodyImpulse> impulses = rest();
         impulses.push_back({touched.body, pushes[0].point, size * pushes[0].direction});
         if (i > 0)
-        {
             impulses.push_back({touched.body, pushes[i].point, size * pushes[i].direction});
-        }
         try_out(island, impulses, h, i == 0 ? first : found);
         const auto column = static_cast<int>(i);
         for (std::size_t seen = 0; seen < touched_.size(); ++seen)
@@ -330,9 +304,7 @@ double SceneMotion::last_impulse_on(std::uintptr_t object) const
 {
     double sum = 0;
     for (const Impulse &impulse : last_)
-    {
         sum += impulse.object == object ? impulse.impulse.norm() : 0;
-    }
     return sum;
 }
 } // namespace ode_predictive_space::haptics

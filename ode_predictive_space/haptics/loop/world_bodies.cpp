@@ -37,15 +37,11 @@ std::vector<dBodyID> bodies_of(dWorldID world)
 {
     static const bool known = keeps_bodies_as_expected();
     if (!known)
-    {
         throw std::runtime_error("this version of ODE keeps the bodies of a world in an unknown way");
-    }
     std::vector<dBodyID> bodies;
     const dBodyID begin = dBodyCreate(world);
     for (dBodyID body = listed(begin).next; body != nullptr; body = listed(body).next)
-    {
         bodies.push_back(body);
-    }
     dBodyDestroy(begin);
     return bodies;
 }

@@ -15,13 +15,9 @@ inline DeviceError file_error(const std::string &file, int error)
 {
     DeviceFault fault = DeviceFault::bad_file;
     if (error == ENOENT || error == ENOTDIR)
-    {
         fault = DeviceFault::missing_file;
-    }
     else if (error == EACCES || error == EPERM || error == EROFS)
-    {
         fault = DeviceFault::permission_denied;
-    }
     return DeviceError(fault, "recording " + file + ": " + std::generic_category().message(error));
 }
 } // namespace ode_predictive_space::haptics

@@ -66,20 +66,14 @@ Recorder::Recorder(const std::string &file, const Capabilities &device, const st
     : name_(file), last_time_(-std::numeric_limits<double>::infinity())
 {
     if (capacity == 0)
-    {
         throw std::invalid_argument("recording " + file + ": a buffer for no ticks");
-    }
     buffer_.resize(capacity);
     file_.reset(std::fopen(file.c_str(), "w"));
     if (!file_)
-    {
         throw file_error(file, errno);
-    }
     write_header(device, law);
     if (flush == Flush::by_itself)
-    {
         thread_ = std::thread([this] { flush_often(); });
-    }
 }
 
 Recorder::~Recorder()
@@ -117,9 +111,7 @@ void Recorder::flush()
 {
     with_lock(file_mutex_, [this] {
         if (file_)
-        {
             write_entries();
-        }
     });
 }
 
@@ -132,9 +124,7 @@ void Recorder::close()
 void Recorder::close_file()
 {
     if (!file_)
-    {
         return;
-    }
     try
     {
         write_entries();
@@ -147,9 +137,7 @@ void Recorder::close_file()
         throw;
     }
     if (std::fclose(file_.release()) != 0)
-    {
         fail();
-    }
 }
 
 void Recorder::write_header(const Capabilities &device, const std::string &law)
@@ -158,9 +146,7 @@ void Recorder::write_header(const Capabilities &device, const std::string &law)
     append(text_, device.input_axes);
     append(text_, device.force_axes);
     for (const double limit : {device.max_force, device.max_stiffness, device.max_damping, device.rate})
-    {
         append(text_, limit);
-    }
     append(text_, device.workspace.min());
     append(text_, device.workspace.max());
     std::string name = device.name;
@@ -186,9 +172,7 @@ void Recorder::write_header(const Capabilities &device, const std::string &law)
 void Recorder::write_entries()
 {
     if (failed_)
-    {
         fail();
-    }
     const std::size_t produced = produced_.load(std::memory_order_acquire);
     for (std::size_t i = consumed_.load(std::memory_order_relaxed); i != produced; ++i)
     {
@@ -197,9 +181,7 @@ void Recorder::write_entries()
         append(text_, entry.tick);
         consumed_.store(i + 1, std::memory_order_release);
         if (text_.size() >= most_text)
-        {
             write_text();
-        }
     }
     write_text();
 }
@@ -217,9 +199,7 @@ void Recorder::append_loss(std::size_t lost)
 void Recorder::write_text()
 {
     if (std::fwrite(text_.data(), 1, text_.size(), file_.get()) != text_.size() || std::fflush(file_.get()) != 0)
-    {
         fail();
-    }
     text_.clear();
 }
 
@@ -258,8 +238,6 @@ void Recorder::stop_thread()
     }
     stop_.notify_all();
     if (thread_.joinable())
-    {
         thread_.join();
-    }
 }
 } // namespace ode_predictive_space::haptics

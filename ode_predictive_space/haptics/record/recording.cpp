@@ -51,9 +51,7 @@ template <class Number> Number number_in(std::string_view word)
     Number number{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc() || end != word.data() + word.size())
-    {
         throw std::invalid_argument("\"" + std::string(word) + "\" is not a number that can be there");
-    }
     return number;
 }
 
@@ -61,9 +59,7 @@ double finite_in(std::string_view word)
 {
     const double number = number_in<double>(word);
     if (!std::isfinite(number))
-    {
         throw std::invalid_argument("\"" + std::string(word) + "\" is not finite");
-    }
     return number;
 }
 
@@ -71,9 +67,7 @@ Quaternion of_length_one(const Quaternion &q)
 {
     const double error = q.norm() - 1;
     if (std::abs(error) > length_tolerance)
-    {
         throw std::invalid_argument("the quaternion is not of length 1");
-    }
     return std::abs(error) > exact_length_tolerance ? Quaternion(q.normalized()) : q;
 }
 
@@ -89,14 +83,10 @@ public:
         stream_.getline(characters_.data(), static_cast<std::streamsize>(characters_.size()));
         const bool cut = stream_.fail() && !stream_.eof() && !stream_.bad();
         if (!cut && stream_.fail())
-        {
             return false;
-        }
         ++number_;
         if (cut)
-        {
             throw std::invalid_argument("it has more than " + std::to_string(longest_recorded_line) + " characters");
-        }
         return true;
     }
 
@@ -124,30 +114,20 @@ public:
     {
         const std::string_view mark = device_line_mark;
         if (line.substr(0, mark.size()) == mark)
-        {
             recording_.device = device_in(line.substr(mark.size()));
-        }
         else if (const std::string_view delay_mark = delay_line_mark;
                  recording_.device && line.substr(0, delay_mark.size()) == delay_mark)
-        {
             recording_.device->delay = finite_in(Words(line.substr(delay_mark.size())).next());
-        }
         else if (const std::string_view law_mark = law_line_mark; line.substr(0, law_mark.size()) == law_mark)
-        {
             recording_.law = Words(line.substr(law_mark.size())).next();
-        }
         else if (const std::string_view first = Words(line).next(); !first.empty() && first[0] != '#')
-        {
             add(tick_in(line));
-        }
     }
 
     Recording finish()
     {
         if (recording_.ticks.empty())
-        {
             throw std::invalid_argument("there is no tick in it");
-        }
         recording_.has_forces = columns_ >= 12;
         recording_.has_velocities = columns_ >= 18;
         return std::move(recording_);
@@ -161,16 +141,10 @@ private:
         device.input_axes = number_in<int>(words.next());
         device.force_axes = number_in<int>(words.next());
         for (double *limit : {&device.max_force, &device.max_stiffness, &device.max_damping, &device.rate})
-        {
             *limit = finite_in(words.next());
-        }
         for (Vector3 *corner : {&device.workspace.min(), &device.workspace.max()})
-        {
             for (double &coordinate : *corner)
-            {
                 coordinate = finite_in(words.next());
-            }
-        }
         device.name = words.rest();
         return device;
     }
@@ -181,9 +155,7 @@ private:
         const std::size_t count = split(line, words);
         std::array<double, 18> numbers{};
         for (std::size_t i = 0; i < count; ++i)
-        {
             numbers[i] = i == 11 ? 0 : finite_in(words[i]);
-        }
         RecordedTick tick;
         DeviceState &state = tick.state;
         state.time = numbers[0];
@@ -201,16 +173,10 @@ private:
         Words all(line);
         std::size_t count = 0;
         for (std::string_view word = all.next(); !word.empty(); word = all.next(), ++count)
-        {
             if (count < words.size())
-            {
                 words[count] = word;
-            }
-        }
         if (count != 8 && count != 12 && count != 18)
-        {
             throw std::invalid_argument(std::to_string(count) + " numbers where 8, 12 or 18 are expected");
-        }
         if (columns_ != 0 && count != columns_)
         {
             throw std::invalid_argument(std::to_string(count) + " numbers, and " + std::to_string(columns_) +
@@ -223,13 +189,9 @@ private:
     void add(const RecordedTick &tick)
     {
         if (!recording_.ticks.empty() && !(tick.state.time > recording_.ticks.back().state.time))
-        {
             throw std::invalid_argument("its time is not later than that of the tick before");
-        }
         if (recording_.ticks.size() >= most_ticks_)
-        {
             throw std::invalid_argument("more than " + std::to_string(most_ticks_) + " ticks");
-        }
         recording_.ticks.push_back(tick);
     }
 
@@ -244,17 +206,13 @@ Recording read_recording(const std::string &file, std::size_t most_ticks)
     errno = 0;
     std::ifstream stream(file);
     if (!stream)
-    {
         throw file_error(file, errno);
-    }
     Reader reader(most_ticks);
     Lines lines(stream);
     try
     {
         while (lines.next())
-        {
             reader.take(lines.line());
-        }
         return reader.finish();
     }
     catch (const std::invalid_argument &error)

@@ -61,9 +61,7 @@ Capabilities capabilities_without_device(const std::vector<RecordedTick> &ticks)
     }
     const double duration = ticks.back().state.time - ticks.front().state.time;
     if (duration > 0)
-    {
         capabilities.rate = static_cast<double>(ticks.size() - 1) / duration;
-    }
     return capabilities;
 }
 
@@ -82,18 +80,14 @@ ReplayDevice::ReplayDevice(const std::string &file) : SoftwareDevice(capabilitie
 ReplayDevice::ReplayDevice(Recording recording) : SoftwareDevice(capabilities_before_open("a run"))
 {
     if (recording.ticks.empty())
-    {
         throw std::invalid_argument("replay: a recording without ticks");
-    }
     take_in(std::move(recording));
 }
 
 void ReplayDevice::start()
 {
     if (!file_.empty())
-    {
         take_in(read_recording(file_));
-    }
     tick_ = 0;
     ended_ = false;
 }
@@ -105,27 +99,19 @@ void ReplayDevice::take_in(Recording recording)
     capabilities_ = recording_.device ? *recording_.device : capabilities_without_device(recording_.ticks);
     capabilities_.name = name;
     if (!recording_.has_velocities)
-    {
         derive_velocities(recording_.ticks);
-    }
 }
 
 DeviceState ReplayDevice::move_to(double seconds)
 {
     const std::size_t last = recording_.ticks.size() - 1;
     while (tick_ < last && seconds_at(tick_ + 1) <= seconds + same_time)
-    {
         ++tick_;
-    }
     const DeviceState &state = recording_.ticks[tick_].state;
     if (std::abs(seconds_at(tick_) - seconds) <= same_time)
-    {
         return state;
-    }
     if (tick_ < last)
-    {
         return between(seconds);
-    }
     ended_ = true;
     DeviceState at_rest = state;
     at_rest.linear_velocity.setZero();

@@ -31,9 +31,7 @@ void ActiveRun::end_and_wait(const char *what) noexcept
 {
     stop_.store(true, std::memory_order_relaxed);
     if (!ends_soon())
-    {
         terminate_with(what);
-    }
 }
 
 bool ActiveRun::ends_soon() noexcept

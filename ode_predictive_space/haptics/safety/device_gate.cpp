@@ -19,9 +19,7 @@ public:
     Visit(DeviceGate &gate, User user) : gate_(gate), entered_(gate.enter(user)), visited_before_(visited)
     {
         if (entered_)
-        {
             visited = &gate;
-        }
     }
     ~Visit()
     {
@@ -54,9 +52,7 @@ bool DeviceGate::enter_soon()
     for (int attempt = 0; attempt < most_attempts && visited != this; ++attempt)
     {
         if (enter(User::guard))
-        {
             return true;
-        }
         std::this_thread::sleep_for(between_attempts);
     }
     return false;
@@ -67,9 +63,7 @@ bool DeviceGate::read(double time, DeviceState &state)
     reader_.store(std::this_thread::get_id(), std::memory_order_relaxed);
     const Visit visit(*this, User::servo);
     if (visit.entered())
-    {
         state = device_.read(time);
-    }
     return visit.entered();
 }
 
@@ -80,14 +74,10 @@ bool DeviceGate::write(const Wrench &wrench)
     const bool is_zero = wrench.force.isZero(0) && wrench.torque.isZero(0);
     const bool closed = closed_.load(std::memory_order_relaxed) || shut_.load(std::memory_order_relaxed);
     if (!visit.entered() || (closed && !is_zero))
-    {
         return false;
-    }
     device_.write(wrench);
     if (shut_.load(std::memory_order_relaxed)) // meanwhile, without waiting for this any longer
-    {
         device_.write(Wrench());
-    }
     return true;
 }
 
@@ -95,9 +85,7 @@ void DeviceGate::close_device() noexcept
 {
     const Visit visit(*this, User::servo);
     if (visit.entered())
-    {
         device_.close();
-    }
 }
 
 bool DeviceGate::notice_closing()
@@ -118,9 +106,7 @@ void DeviceGate::shut() noexcept
         device_.close();
     }
     if (entered)
-    {
         leave();
-    }
 }
 
 DeviceGate::Outcome DeviceGate::close_with_zero(double now)
@@ -128,9 +114,7 @@ DeviceGate::Outcome DeviceGate::close_with_zero(double now)
     const Visit visit(*this, User::guard);
     closed_.store(true, std::memory_order_relaxed);
     if (!visit.entered())
-    {
         return Outcome::busy;
-    }
     last_zero_.store(now, std::memory_order_relaxed);
     zeros_.fetch_add(1, std::memory_order_release);
     try

@@ -42,17 +42,13 @@ bool is_far_off(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
 DeviceLink::Opening::Opening(Device &device) : device_(device), opened_(!device.status().open)
 {
     if (opened_)
-    {
         device_.open();
-    }
 }
 
 DeviceLink::Opening::~Opening()
 {
     if (opened_)
-    {
         device_.close();
-    }
 }
 
 DeviceLink::DeviceLink(Device &device, const NoticeDesk &notices)
@@ -99,9 +95,7 @@ bool DeviceLink::read_state(double rate)
     {
         DeviceState state = state_;
         if (!gate_.read(time_, state))
-        {
             return answers_; // the guard is in it, just now: what it told before will do
-        }
         return follow(state, rate);
     }
     catch (const std::exception &error)
@@ -165,14 +159,10 @@ void DeviceLink::fail(std::string_view why)
 void DeviceLink::doubt(std::string_view why)
 {
     if (!failed_)
-    {
         doubted_since_ = time_;
-    }
     fail(why);
     if (time_ - doubted_since_ < longest_doubt)
-    {
         next_try_ = time_;
-    }
 }
 
 // Zero, before anything else that might fail.
@@ -191,15 +181,11 @@ void DeviceLink::release() noexcept
 Wrench DeviceLink::write(const Wrench &wrench)
 {
     if (capabilities().force_axes == 0)
-    {
         return wrench;
-    }
     try
     {
         if (gate_.write(wrench))
-        {
             return wrench;
-        }
     }
     catch (const std::exception &error)
     {

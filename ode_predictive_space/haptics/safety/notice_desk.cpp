@@ -14,9 +14,7 @@ NoticeDesk::NoticeDesk(NoticeSink sink) : sink_(std::move(sink))
 void NoticeDesk::tell(NoticeKind kind, std::string_view sentence) const
 {
     if (sink_)
-    {
         sink_(Notice(kind, time_, sentence));
-    }
 }
 
 void NoticeDesk::tell_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence)
@@ -38,9 +36,7 @@ void NoticeDesk::tell_held_back(double quiet_for)
     for (Told &told : told_)
     {
         if (told.times == 0 || time_ - told.last < quiet_for)
-        {
             continue;
-        }
         std::array<char, std::tuple_size_v<decltype(Notice::text)>> text;
         std::snprintf(text.data(), text.size(), "%s (%d more times, the last at %.3f s)", told.notice.text.data(),
                       told.times, told.notice.time);

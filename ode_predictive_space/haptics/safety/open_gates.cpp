@@ -35,9 +35,7 @@ template <typename Visit> void visit_all(const Visit &visit) noexcept
     {
         ++place->visitors;
         if (DeviceGate *const gate = place->gate)
-        {
             visit(*gate, *place);
-        }
         --place->visitors;
     }
     --visits;
@@ -47,9 +45,7 @@ Place *place_of(const DeviceGate *gate) noexcept
 {
     Place *place = first_place;
     while (place != nullptr && place->gate != gate)
-    {
         place = place->next;
-    }
     return place;
 }
 
@@ -69,9 +65,7 @@ bool put(DeviceGate &gate, std::unique_ptr<Place> unused) noexcept
 {
     const std::lock_guard<std::mutex> lock(changes);
     if (is_taken(gate.device()))
-    {
         return false;
-    }
     if (Place *const free = place_of(nullptr))
     {
         free->shut_by = std::thread::id();
@@ -89,9 +83,7 @@ void add(DeviceGate &gate)
 {
     guard_program_end();
     if (!put(gate, std::make_unique<Place>()))
-    {
         throw std::logic_error("Another probe renders to this device: one of them would have no guard");
-    }
 }
 
 void remove(DeviceGate &gate) noexcept
@@ -101,15 +93,11 @@ void remove(DeviceGate &gate) noexcept
         const std::lock_guard<std::mutex> lock(changes);
         place = place_of(&gate);
         if (place != nullptr)
-        {
             place->gate = nullptr;
-        }
     }
     // A driver that this thread visits may have called exit(), which destroys the probe: such a visit never ends.
     while (place != nullptr && visits == 0 && place->visitors != 0)
-    {
         std::this_thread::sleep_for(between_looks);
-    }
 }
 
 bool close_unguarded(std::thread::id reader, double now) noexcept
@@ -117,9 +105,7 @@ bool close_unguarded(std::thread::id reader, double now) noexcept
     bool any = false;
     visit_all([&](DeviceGate &gate, const Place &) {
         if (gate.is_guarded() || gate.reader() != reader)
-        {
             return;
-        }
         any = true;
         try
         {
@@ -145,9 +131,7 @@ void shut_all() noexcept
     visit_all([me = std::this_thread::get_id()](DeviceGate &gate, Place &place) {
         // A driver that ends the program in this very call, too, is not called again.
         if (place.shut_by.exchange(me) != me)
-        {
             gate.shut();
-        }
     });
 }
 } // namespace ode_predictive_space::haptics::open_gates

@@ -22,9 +22,7 @@ struct sigaction earlier_abort_action;
 void tell(std::string_view sentence) noexcept
 {
     if (write(STDERR_FILENO, sentence.data(), sentence.size()) < 0)
-    {
         return; // there is no other place to say it
-    }
 }
 
 extern "C" void kill_hanging_program(int number)
@@ -73,9 +71,7 @@ void end_forces_and_terminate()
 {
     end_all_forces();
     if (earlier_terminate_handler != nullptr)
-    {
         earlier_terminate_handler();
-    }
     std::abort();
 }
 
@@ -95,9 +91,7 @@ extern "C" void end_forces_and_abort(int number)
 void guard_program_end() noexcept
 {
     if (is_installed.exchange(true))
-    {
         return;
-    }
     std::atexit(&end_all_forces);
     std::at_quick_exit(&end_all_forces);
     earlier_terminate_handler = std::set_terminate(&end_forces_and_terminate);
@@ -109,9 +103,7 @@ void guard_program_end() noexcept
 void end_all_forces() noexcept
 {
     if (open_gates::is_empty())
-    {
         return;
-    }
     const Deadline deadline;
     open_gates::shut_all();
 }

@@ -46,14 +46,10 @@ void run_scheduler()
         lock.lock();
         ++state.frames;
         if (state.steps > 0)
-        {
             --state.steps;
-        }
         changed.notify_all();
         if (!state.is_paused)
-        {
             changed.wait_for(lock, std::chrono::duration<double>(1 / state.rate), [] { return !state.is_running; });
-        }
     }
 }
 } // namespace
@@ -69,9 +65,7 @@ std::uint32_t hdInitDevice(const char *configuration)
         (configuration != nullptr && std::strcmp(configuration, "Left Arm") != 0))
     {
         if (state.errors.empty())
-        {
             raise(bad_handle, -1);
-        }
         return invalid_handle;
     }
     state.is_initialised = true;
@@ -89,9 +83,7 @@ void hdMakeCurrentDevice(std::uint32_t device)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (begin("hdMakeCurrentDevice", false) && device != device_handle)
-    {
         raise(bad_handle);
-    }
 }
 
 std::uint32_t hdGetCurrentDevice()
@@ -103,13 +95,9 @@ void hdBeginFrame(std::uint32_t device)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (!begin("hdBeginFrame", false))
-    {
         return;
-    }
     if (device != device_handle || !state.is_initialised)
-    {
         raise(bad_handle);
-    }
     state.is_in_frame = true;
     state.motion(static_cast<double>(state.frames) / state.rate, &state.pose);
 }
@@ -119,9 +107,7 @@ void hdEndFrame(std::uint32_t)
     const std::lock_guard<std::mutex> lock(mutex);
     begin("hdEndFrame", false);
     if (!state.is_in_frame)
-    {
         raise(frame_error);
-    }
     state.is_in_frame = false;
     state.force = state.next_force;
     state.frames_without_force = state.force == no_force ? state.frames_without_force + 1 : 0;
@@ -131,9 +117,7 @@ ErrorInfo hdGetError()
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (state.errors.empty())
-    {
         return {0, 0, invalid_handle};
-    }
     const ErrorInfo newest = state.errors.back();
     state.errors.pop_back();
     return newest;
@@ -153,18 +137,14 @@ void hdEnable(std::uint32_t option)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (begin("hdEnable"))
-    {
         state.enabled.insert(option);
-    }
 }
 
 void hdDisable(std::uint32_t option)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (begin("hdDisable"))
-    {
         state.enabled.erase(option);
-    }
 }
 
 std::uint8_t hdIsEnabled(std::uint32_t option)
@@ -177,9 +157,7 @@ void hdGetDoublev(std::uint32_t name, double *values)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (!begin("hdGetDoublev", false))
-    {
         return;
-    }
     static constexpr double workspace[6] = {-80, -60, -40, 80, 120, 50};
     const auto give = [values](const double *from, int count) { std::copy(from, from + count, values); };
     switch (name)
@@ -212,9 +190,7 @@ void hdGetIntegerv(std::uint32_t name, int *values)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (!begin("hdGetIntegerv", false))
-    {
         return;
-    }
     switch (name)
     {
     case 0x2000:
@@ -235,30 +211,20 @@ void hdSetDoublev(std::uint32_t name, const double *values)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (!begin("hdSetDoublev", false))
-    {
         return;
-    }
     if (name != 0x2700)
-    {
         raise(invalid_enum);
-    }
     else if (!state.is_in_frame)
-    {
         raise(frame_error);
-    }
     else
-    {
         state.next_force.assign(values, values + 3);
-    }
 }
 
 void hdStartScheduler()
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (!begin("hdStartScheduler"))
-    {
         return;
-    }
     state.is_running = true;
     state.frames = 0;
     servo_thread = std::thread(run_scheduler);
@@ -273,9 +239,7 @@ void hdStopScheduler()
         changed.notify_all();
     }
     if (servo_thread.joinable())
-    {
         servo_thread.join();
-    }
     const std::lock_guard<std::mutex> lock(mutex);
     state.force_at_stop = state.playing();
     state.frames_without_force_at_stop = state.frames_without_force;
@@ -285,9 +249,7 @@ unsigned long hdScheduleAsynchronous(std::uint32_t (*callback)(void *), void *da
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (!begin("hdScheduleAsynchronous"))
-    {
         return 0;
-    }
     state.scheduled[state.next_schedule] = {callback, data};
     return state.next_schedule++;
 }
@@ -298,9 +260,7 @@ void hdUnschedule(unsigned long handle)
     const std::lock_guard<std::mutex> lock(mutex);
     begin("hdUnschedule");
     if (state.scheduled.erase(handle) == 0)
-    {
         raise(invalid_operation);
-    }
 }
 #endif
 
@@ -315,9 +275,7 @@ void hdUpdateCalibration(std::uint32_t style)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (begin("hdUpdateCalibration") && style == 4)
-    {
         state.calibration = state.calibration_after_update;
-    }
 }
 }
 

@@ -17,9 +17,7 @@ public:
     FakeHdControl() : handle_(dlopen(FAKE_HD, RTLD_NOW | RTLD_LOCAL))
     {
         if (handle_ == nullptr)
-        {
             throw std::runtime_error(dlerror());
-        }
         find("fake_hd_set_motion", set_motion);
         find("fake_hd_set_rate", set_rate);
         find("fake_hd_set_calibration", set_calibration);
@@ -80,9 +78,7 @@ private:
     {
         function = reinterpret_cast<Function *>(dlsym(handle_, name));
         if (function == nullptr)
-        {
             throw std::runtime_error(name);
-        }
     }
 
     void *handle_;

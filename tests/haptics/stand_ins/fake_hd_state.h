@@ -48,9 +48,7 @@ inline void stay_at_the_origin(double, FakeHdPose *pose)
 {
     *pose = FakeHdPose{};
     for (int i = 0; i < 16; i += 5)
-    {
         pose->transform[i] = 1;
-    }
 }
 
 /// All that the library is. Everything but the threads themselves is guarded by the mutex.
@@ -99,14 +97,10 @@ inline void raise(std::uint32_t code, int internal_code = 0)
 inline bool begin(const char *function, bool is_worth_a_note = true)
 {
     if (is_worth_a_note)
-    {
         state.calls += std::string(function) + " ";
-    }
     const auto failure = state.failures.find(function);
     if (failure == state.failures.end() || failure->second.times == 0)
-    {
         return true;
-    }
     --failure->second.times;
     state.errors.push_back(failure->second.error);
     return false;

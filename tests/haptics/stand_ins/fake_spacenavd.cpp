@@ -35,9 +35,7 @@ FakeSpacenavd::FakeSpacenavd(SpacenavdManner manner) : manner_(manner)
 {
     std::string folder = (std::filesystem::temp_directory_path() / "spacenavd_XXXXXX").string();
     if (mkdtemp(folder.data()) == nullptr)
-    {
         throw std::runtime_error("no temporary folder");
-    }
     folder_ = folder;
     path_ = folder_ + "/spnav.sock";
     sockaddr_un address{};
@@ -45,9 +43,7 @@ FakeSpacenavd::FakeSpacenavd(SpacenavdManner manner) : manner_(manner)
     path_.copy(address.sun_path, sizeof address.sun_path - 1);
     listener_ = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (bind(listener_, reinterpret_cast<const sockaddr *>(&address), sizeof address) != 0 || listen(listener_, 4) != 0)
-    {
         throw std::runtime_error("no socket at " + path_);
-    }
     setenv("SPNAV_SOCKET", path_.c_str(), 1);
     thread_ = std::thread([this] { serve(); });
 }
@@ -89,15 +85,11 @@ void FakeSpacenavd::serve()
     {
         const int client = accept(listener_, nullptr, nullptr);
         if (client == -1)
-        {
             return;
-        }
         client_ = client;
         // stop() either sees the client or is seen here.
         if (!is_ended_ && manner_ != SpacenavdManner::hangs_up)
-        {
             serve_client(client);
-        }
         client_ = -1;
         close(client);
     }
@@ -106,30 +98,20 @@ void FakeSpacenavd::serve()
 void FakeSpacenavd::serve_client(int client)
 {
     if (!greet(client) || manner_ == SpacenavdManner::hangs_up_after_greeting)
-    {
         return;
-    }
     Message question;
     while (receive(client, &question, manner_ == SpacenavdManner::old ? sizeof question[0] : sizeof question))
-    {
         if (manner_ != SpacenavdManner::old)
-        {
             answer(client, question);
-        }
-    }
 }
 
 bool FakeSpacenavd::greet(int client)
 {
     std::int32_t request = 0;
     if (!receive(client, &request, sizeof request))
-    {
         return false;
-    }
     if (manner_ != SpacenavdManner::old && (request & ~0xff) == change_protocol)
-    {
         write_to(client, &request, sizeof request);
-    }
     return true;
 }
 
