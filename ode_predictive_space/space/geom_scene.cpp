@@ -114,12 +114,12 @@ struct JudgedSphere
         return !((centre - other.centre).squaredNorm() > reach * reach);
     }
 };
+} // namespace
 
 bool spheres_may_touch(const dxGeom *one, const dxGeom *other)
 {
     return JudgedSphere(one, to_box(one->aabb)).may_touch(JudgedSphere(other, to_box(other->aabb)));
 }
-} // namespace
 
 bool is_skewed(const dxGeom *geom)
 {

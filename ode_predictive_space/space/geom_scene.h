@@ -107,6 +107,9 @@ std::optional<RayProbe> line_of_ray(dxGeom *ray);
 /// Can a ray touch the geom? Any other probe can. The boxes must be valid.
 bool ray_may_touch(dxGeom *probe, const dxGeom *geom);
 
+/// Do the spheres of the sphere test overlap? The boxes must be valid.
+bool spheres_may_touch(const dxGeom *one, const dxGeom *other);
+
 /// Do the bounding boxes, which must be valid, overlap? The comparisons are those of ODE's collideAABBs(), so that touching
 /// and NaN mean the same.
 inline bool aabbs_overlap(const dxGeom *one, const dxGeom *other)
@@ -146,11 +149,6 @@ public:
     {
         compute_box_beside_others(one);
         compute_box_beside_others(other);
-        return overlap_as_known(one, other);
-    }
-    /// The same for geoms whose boxes are valid.
-    bool overlap_as_known(dxGeom *one, dxGeom *other) const
-    {
         return aabbs_overlap(one, other) && (!by_sphere_ || spheres_overlap(one, other));
     }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "ode_predictive_space/space/geom_shape.h"
 #include "ode_predictive_space/space/noticed_geom.h"
 #include "ode_predictive_space/space/one_at_a_time.h"
 #include "ode_predictive_space/space/pair_filter.h"
@@ -65,6 +66,15 @@ void dxPredictiveSpace::add(dxGeom *geom)
     geom->tome_ex = nullptr;
     if (predicts_)
         enrol(geom);
+}
+
+// Among few geoms, a look at shapes pays where contacts are dear to find.
+bool dxPredictiveSpace::has_data_within() const
+{
+    for (const dxGeom *geom = first; geom; geom = geom->next)
+        if (has_data(geom))
+            return true;
+    return false;
 }
 
 // Without memory the space is as before.
@@ -265,6 +275,8 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     const bool nested_call = lock_count > 0;
     const Lock lock(this);
     ticks_ += !nested_call;
+    if (!predicts_ && by_shape() && has_data_within())
+        start_predicting();
     if (predicts_)
         collide_predicted(nested_call, data, callback);
     else
@@ -365,11 +377,11 @@ void dxPredictiveSpace::note_disabled(dxGeom *geom)
 
 void dxPredictiveSpace::set_proximity_test(ProximityTest test)
 {
-    if (test != ProximityTest::box)
+    if (test == ProximityTest::sphere)
         start_predicting();
     broadphase_.set_proximity_test(test);
     asked_hulls_.clear();
-    if (!by_box())
+    if (predicts_ && !by_box())
         for (dxGeom *geom = first; geom; geom = geom->next)
             note_changed_line(geom);
     forget_catching_up();

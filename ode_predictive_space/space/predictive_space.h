@@ -100,19 +100,25 @@ private:
     ode_predictive_space::GeomScene scene() const;
 
     // query.cpp
+    struct Question
+    {
+        dxGeom *geom;
+        std::optional<ode_predictive_space::RayProbe> line; // to follow; else its box asks
+    };
+    Question question_of(dxGeom *geom);
     bool is_caught_up() const;
     bool is_silently_changed() const;
     bool catch_up_alone(const char *function);
     bool is_free(const char *function) const;
     void ask_each(void *data, dxGeom *geom, dNearCallback *callback);
-    void answer(const ode_predictive_space::GeomScene &now, dxGeom *other, dxGeom *geom, void *data,
-                dNearCallback *callback);
+    void answer(dxGeom *other, const Question &question, bool is_on_line, void *data, dNearCallback *callback);
     bool compute_boxes(const char *function);
     void compute_box(dxGeom *geom);
     void compute_box_of_probe(dxGeom *geom);
     void find_off_line();
-    void find_near(dxGeom *geom, std::vector<ProxyId> &found);
-    bool may_touch(dxGeom *geom, dxGeom *probe);
+    std::size_t find_near(const Question &question, std::vector<ProxyId> &found);
+    bool may_touch(dxGeom *geom, const Question &question, bool is_on_line);
+    bool shapes_may_meet(dxGeom *geom, dxGeom *probe);
     ode_predictive_space::ConvexShape shape_now(dxGeom *geom);
 
     bool by_box() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::box; }
@@ -130,6 +136,7 @@ private:
     Violation find_touching(ode_predictive_space::GeomScene &now);
 
     // predictive_space.cpp
+    bool has_data_within() const;
     void start_predicting();
     void enrol(dxGeom *geom);
     void dismiss(dxGeom *geom);

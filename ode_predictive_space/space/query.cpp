@@ -68,16 +68,18 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     dAASSERT(geom && callback);
     const Lock lock(this);
     // By the shape test, data that were changed in place have to be noticed first.
-    if (static_cast<std::size_t>(count) <= tuning::few_to_ask && !by_shape())
+    if (static_cast<std::size_t>(count) <= tuning::few_to_ask && !(by_shape() && has_data_within()))
         return ask_each(data, geom, callback);
     if (!catch_up("dSpaceCollide2"))
         return;
     std::vector<ProxyId> found = lock.is_only_one ? std::exchange(found_, {}) : std::vector<ProxyId>();
     found.clear();
-    find_near(geom, found);
+    const Question question = question_of(geom);
+    const std::size_t on_line = find_near(question, found);
     const GeomScene now = scene();
     for_each_prefetched(
-        found.size(), tuning::turns_ahead, [&](std::size_t i) { answer(now, geoms_[found[i]], geom, data, callback); },
+        found.size(), tuning::turns_ahead,
+        [&](std::size_t i) { answer(geoms_[found[i]], question, i < on_line, data, callback); },
         [&](std::size_t i) { now.prefetch_geom(found[i]); });
     if (lock.is_only_one)
         found_ = std::move(found);
@@ -91,11 +93,18 @@ void dxPredictiveSpace::ask_each(void *data, dxGeom *geom, dNearCallback *callba
         all_boxes_known &= (flags_beside_others(other) & GEOM_AABB_BAD) == 0;
     if (!all_boxes_known && !compute_boxes("dSpaceCollide2"))
         return;
+    const Question question = question_of(geom);
+    for (dxGeom *other = first; other; other = other->next)
+        answer(other, question, false, data, callback);
+}
+
+// By the sphere and shape tests, a ray is followed along its line.
+dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
+{
     if (flags_beside_others(geom) & GEOM_AABB_BAD)
         compute_box_of_probe(geom);
-    const GeomScene now = scene();
-    for (dxGeom *other = first; other; other = other->next)
-        answer(now, other, geom, data, callback);
+    const bool as_line = geom->type == dRayClass && !by_box() && !is_skewed(geom);
+    return {geom, as_line ? line_of_ray(geom) : std::nullopt};
 }
 
 // The threads that ask meanwhile wait.
@@ -110,7 +119,7 @@ void dxPredictiveSpace::ask_each(void *data, dxGeom *geom, dNearCallback *callba
     return true;
 }
 
-inline void dxPredictiveSpace::answer(const GeomScene &now, dxGeom *other, dxGeom *geom, void *data,
+inline void dxPredictiveSpace::answer(dxGeom *other, const Question &question, bool is_on_line, void *data,
                                       dNearCallback *callback)
 {
     const int flags = flags_beside_others(other);
@@ -118,17 +127,25 @@ inline void dxPredictiveSpace::answer(const GeomScene &now, dxGeom *other, dxGeo
         return;
     if (flags & GEOM_AABB_BAD)
         compute_box(other);
-    if (now.overlap_as_known(other, geom) && bits_agree(other, geom) && wants_callback(other, geom) &&
-        (!by_shape() || may_touch(other, geom)))
-        callback(data, other, geom);
+    if (aabbs_overlap(other, question.geom) && bits_agree(other, question.geom) &&
+        wants_callback(other, question.geom) && (by_box() || may_touch(other, question, is_on_line)))
+        callback(data, other, question.geom);
 }
 
-// By the shape test: can a probe touch a geom of this space? A look costs as much as ODE takes to find the contacts of two primitives:
-// it is for what is made of data. A ray is followed along its line.
-bool dxPredictiveSpace::may_touch(dxGeom *geom, dxGeom *probe)
+// By the sphere and shape tests: can a geom of this space be touched where the boxes overlap?
+bool dxPredictiveSpace::may_touch(dxGeom *geom, const Question &question, bool is_on_line)
 {
-    if (probe->type == dRayClass)
-        return ray_may_touch(probe, geom);
+    if (question.line && !question.line->overlaps(FloatBox::around(to_box(geom->aabb))) &&
+        (is_on_line || !touched_off_line(geom)))
+        return false;
+    if (by_sphere())
+        return spheres_may_touch(geom, question.geom) && ray_may_touch(geom, question.geom);
+    return question.geom->type == dRayClass || shapes_may_meet(geom, question.geom);
+}
+
+// By the shape test. A look costs as much as ODE takes to find the contacts of two primitives: it is for what is made of data.
+bool dxPredictiveSpace::shapes_may_meet(dxGeom *geom, dxGeom *probe)
+{
     const bool probe_is_member = probe->parent_space == this;
     if (has_data(probe) ? !probe_is_member : !has_data(geom))
         return true;
@@ -181,19 +198,17 @@ ConvexShape dxPredictiveSpace::shape_now(dxGeom *geom)
     lines_known_.store(true, std::memory_order_release);
 }
 
-// All geoms whose bounding box may overlap that of `geom`. By the sphere and shape tests, a ray is followed along its line; only geoms that
-// a ray can touch without meeting their box are looked for in the box of the ray.
-void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
+// All geoms whose bounding box may overlap that of the probe. Of a line, only geoms that a ray can touch without meeting their box are
+// looked for in its box: they come last.
+//
+// @return the number of those that it can only touch where it meets their box.
+std::size_t dxPredictiveSpace::find_near(const Question &question, std::vector<ProxyId> &found)
 {
-    if (flags_beside_others(geom) & GEOM_AABB_BAD)
-        compute_box_of_probe(geom);
-    const bool as_line = geom->type == dRayClass && !by_box() && !is_skewed(geom);
-    const std::optional<RayProbe> line = as_line ? line_of_ray(geom) : std::nullopt;
-    const FloatBox box = FloatBox::around(to_box(geom->aabb));
-    if (!line)
+    const FloatBox box = FloatBox::around(to_box(question.geom->aabb));
+    if (!question.line)
     {
         broadphase_.walk(BoxProbe(box), [&](ProxyId id) { found.push_back(id); });
-        return;
+        return 0;
     }
     if (!lines_known_.load(std::memory_order_acquire))
         find_off_line();
@@ -203,7 +218,9 @@ void dxPredictiveSpace::find_near(dxGeom *geom, std::vector<ProxyId> &found)
                 found.push_back(id);
         });
     };
-    find(*line, false);
+    find(*question.line, false);
+    const std::size_t on_line = found.size();
     if (off_line_count_ > 0)
         find(BoxProbe(box), true);
+    return on_line;
 }

@@ -321,10 +321,11 @@ def shape_faults():
         (("shape_contract", "ShapeProximity.*"),))
     query = SOURCES + "space/query.cpp"
     yield Fault(
-        "rays_by_shape_meet_envelopes", "shapes", query, "return ray_may_touch(probe, geom);", "return true;",
+        "rays_by_shape_meet_envelopes", "shapes", query, "if (question.line && ", "if (false && ",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
-        "data_not_noticed_by_questions", "shapes", query, "tuning::few_to_ask && !by_shape())", "tuning::few_to_ask)",
+        "data_not_noticed_by_questions", "shapes", query, "tuning::few_to_ask && !(by_shape() && has_data_within()))",
+        "tuning::few_to_ask)",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
         "planes_for_all_shapes_on_a_heightfield", "shapes", terrain,
@@ -414,8 +415,8 @@ def space_faults():
         "new_geoms_missed_by_queries", "space", space, "unprepared_ = true;\n    forget_catching_up();", "unprepared_ = true;",
         contract("Contract.09_*"))
     yield Fault(
-        "query_reports_what_is_apart", "space", query, "if (now.overlap_as_known(other, geom) && bits_agree(other, geom)",
-        "if (bits_agree(other, geom)", contract("Contract.09_*"))
+        "query_reports_what_is_apart", "space", query, "if (aabbs_overlap(other, question.geom) && bits_agree",
+        "if (bits_agree", contract("Contract.09_*"))
     yield Fault(
         "query_with_a_stale_box", "space", query,
         "if (flags_beside_others(geom) & GEOM_AABB_BAD)\n        compute_box_of_probe(geom);\n    const bool as_line",
@@ -449,8 +450,10 @@ def space_faults():
         "few_geoms_forgotten", "space", space, "tuning::few_objects)\n        start_predicting();",
         "tuning::few_objects)\n        predicts_ = true;", contract("FewGeoms.*"))
     yield Fault(
-        "few_geoms_by_box_alone", "space", space, "if (test != ProximityTest::box)\n        start_predicting();", "",
+        "few_geoms_by_box_alone", "space", space, "if (test == ProximityTest::sphere)\n        start_predicting();", "",
         contract("FewGeoms.*"))
+    yield Fault(
+        "few_geoms_with_data_by_box", "space", space, "by_shape() && has_data_within()", "false", contract("FewGeoms.*"))
     # What throws in the middle.
     faults = lambda pattern: (("faults", pattern),)
     yield Fault(
