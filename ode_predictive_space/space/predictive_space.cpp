@@ -169,10 +169,12 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
 // Not inlined: dirty() saves no registers, as it goes on to this.
 [[gnu::noinline]] void dxPredictiveSpace::look_closely(dxGeom *geom, Followed followed)
 {
+    forget_catching_up();
+    if (IS_SPACE(geom))
+        return; // it is polled, and stays dirty: each move of a geom in it would be a notice
     listen_to(geom);
     unchanged_ += !broadphase_.report_closely(proxy_of(geom), NoticedGeom(geom), followed);
     note_changed_line(geom);
-    forget_catching_up();
 }
 
 // By the sphere and shape tests, rays are followed along their lines. (The matrix of a geom with a body stays a rotation.)
