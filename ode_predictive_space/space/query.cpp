@@ -119,8 +119,8 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
     return true;
 }
 
-inline void dxPredictiveSpace::answer(dxGeom *other, const Question &question, bool is_on_line, void *data,
-                                      dNearCallback *callback)
+[[gnu::always_inline]] inline void dxPredictiveSpace::answer(dxGeom *other, const Question &question, bool is_on_line,
+                                                             void *data, dNearCallback *callback)
 {
     const int flags = flags_beside_others(other);
     if (!enabled(flags))
@@ -133,7 +133,7 @@ inline void dxPredictiveSpace::answer(dxGeom *other, const Question &question, b
 }
 
 // By the sphere and shape tests: can a geom of this space be touched where the boxes overlap?
-bool dxPredictiveSpace::may_touch(dxGeom *geom, const Question &question, bool is_on_line)
+[[gnu::noinline]] bool dxPredictiveSpace::may_touch(dxGeom *geom, const Question &question, bool is_on_line)
 {
     if (question.line && !question.line->overlaps(FloatBox::around(to_box(geom->aabb))) &&
         (is_on_line || !touched_off_line(geom)))

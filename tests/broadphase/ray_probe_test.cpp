@@ -96,6 +96,8 @@ TEST(RayProbe, TouchingIsMeeting)
     EXPECT_TRUE(RayProbe({-1, 1, 1}, {2, 1, 1}).overlaps(box)) << "an edge";
     EXPECT_TRUE(RayProbe({0, 2, 0.5}, {2, 0, 0.5}).overlaps(box)) << "an edge, across";
     EXPECT_TRUE(RayProbe({0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}).overlaps(box)) << "a point within";
+    EXPECT_TRUE(RayProbe({1, 0.5, 0.5}, {2, 0.5, 0.5}).overlaps({{-1e7f, -1e7f, -1e7f}, {1, 1, 1}})) << "far larger";
+    EXPECT_TRUE(RayProbe({0, 0.5, 0.5}, {2, 2.5, 1}).overlaps({{-1e7f, 0.5f, -1e7f}, {0, 1e7f, 1e7f}})) << "the same";
     EXPECT_FALSE(RayProbe({0, 2.001, 0.5}, {2.001, 0, 0.5}).overlaps(box));
     EXPECT_FALSE(RayProbe({1.001, 0.5, 0.5}, {2, 0.5, 0.5}).overlaps(box));
 }

@@ -12,8 +12,9 @@ namespace ode_predictive_space
 /// A straight line between two points, as a probe for EnvelopeTree::walk().
 ///
 /// Box and line are apart when they are apart along one of six axes: those of the box, and those perpendicular to one of
-/// them and to the line (separating axes: Gottschalk, Lin, Manocha 1996). All is computed in single precision with a margin
-/// larger than its round-off, about 4e-6 of the largest coordinate: a box that the line misses by less may count as met.
+/// them and to the line (separating axes: Gottschalk, Lin, Manocha 1996). All lengths are doubled: sums and differences stand for
+/// centres and half sizes. All is computed in single precision with a margin larger than its round-off, about 4e-6 of the
+/// largest coordinate of the line and of the size of the box: a box that the line misses by less may count as met.
 class RayProbe
 {
 public:
@@ -21,9 +22,9 @@ public:
     ///
     /// @param miss by how much the line may miss a box and still meet it.
     RayProbe(const Vector3 &start, const Vector3 &end, double miss = 0)
-        : centre_(nearest(0.5 * (start + end))), half_(nearest(0.5 * (end - start))), next_half_(half_.rotated()),
-          reach_(abs(half_)), next_reach_(abs(next_half_)),
-          margin_(rounding() * (abs(centre_) + reach_) + Float4::all(static_cast<float>(miss)))
+        : centre_(nearest(start + end)), way_(nearest(end - start)), next_way_(way_.rotated()), reach_(abs(way_)),
+          next_reach_(abs(next_way_)),
+          margin_(Float4::all(rounding) * (abs(centre_) + reach_) + Float4::all(static_cast<float>(2 * miss)))
     {}
 
     /// Does the line meet the box? True when the box is infinite or not a number: nothing is known to be apart.
@@ -31,22 +32,23 @@ public:
     {
         // Both loads stay within the box.
         const Float4 low = Float4::load(box.low), high = Float4::load(box.low + 2).last_three();
-        const Float4 offset = Float4::all(0.5f) * (high + low) - centre_;
-        const Float4 extent = Float4::all(0.5f) * (high - low) + rounding() * (abs(high) + abs(low)) + margin_;
+        const Float4 offset = (high + low) - centre_;
+        const Float4 extent = (high - low) * Float4::all(1 + rounding) + margin_;
         const Mask4 along_box = abs(offset) > extent + reach_;
-        const Float4 distance = offset * next_half_ - offset.rotated() * half_;
+        const Float4 distance = offset * next_way_ - offset.rotated() * way_;
         const Mask4 across = abs(distance) > extent * next_reach_ + extent.rotated() * reach_;
         constexpr unsigned three_lanes = 7;
         return ((along_box | across).bits() & three_lanes) == 0;
     }
 
 private:
-    static Float4 rounding() { return Float4::all(8 * std::numeric_limits<float>::epsilon()); }
+    // The coordinates of a box that the line meets are no larger than those of the line and the size of the box together.
+    static constexpr float rounding = 8 * std::numeric_limits<float>::epsilon();
     static Float4 nearest(const Vector3 &vector) { return Float4::nearest(vector.data()); }
 
-    Float4 centre_, half_; // of the line
-    Float4 next_half_;     // rotated, as the next
-    Float4 reach_;         // |half|
+    Float4 centre_, way_; // of the line
+    Float4 next_way_;     // rotated, as the next
+    Float4 reach_;        // |way|
     Float4 next_reach_;
     Float4 margin_;
 };
