@@ -8,11 +8,24 @@
 
 #include "ode_predictive_space/haptics/safety.h"
 
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define ODE_PREDICTIVE_SPACE_OPERATORS_ARE_TAKEN
+#endif
+#endif
+
 namespace
 {
 std::atomic<std::uint64_t> allocations{0};
 }
 
+#ifdef ODE_PREDICTIVE_SPACE_OPERATORS_ARE_TAKEN
+// By ThreadSanitizer, which calls this. Calls of malloc() count, too.
+extern "C" void __sanitizer_malloc_hook(const volatile void *, std::size_t)
+{
+    ++allocations;
+}
+#else
 // In place of the standard library's; its other forms of new and delete call these. Inlined, one of a pair but not the other, they
 // look to the compiler as if new were freed.
 [[gnu::noinline]] void *operator new(std::size_t size)
@@ -39,6 +52,7 @@ std::atomic<std::uint64_t> allocations{0};
 {
     std::free(memory);
 }
+#endif
 
 namespace ode_predictive_space::haptics
 {
