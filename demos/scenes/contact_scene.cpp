@@ -27,11 +27,9 @@ void ContactScene::advance()
 {
     before_step();
     // QuickStep draws from one stream for the whole process; other scenes must not disturb this one.
-    const unsigned long others_seed = dRandGetSeed();
     dRandSetSeed(random_seed_);
     dWorldQuickStep(objects_.world(), step_seconds_);
     random_seed_ = dRandGetSeed();
-    dRandSetSeed(others_seed);
     dJointGroupEmpty(joints_);
 }
 

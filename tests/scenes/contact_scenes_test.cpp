@@ -36,6 +36,17 @@ TEST(Pile, HasSettled)
     EXPECT_LT(motion.longest_way(), 0.1 * object_radius);
 }
 
+// The haptic loop of two threads tells by them that a program steps by dWorldQuickStep().
+TEST(Pile, DrawsNumbersThatEverybodySees)
+{
+    const OdeSession ode;
+    SceneRun pile(SpaceKind::simple, SceneFactory({"pile", 60, 1}));
+    pile.tick();
+    const unsigned long seed = dRandGetSeed();
+    pile.tick();
+    EXPECT_NE(dRandGetSeed(), seed);
+}
+
 /// Bodies of the space's geoms that are not disabled.
 int awake_bodies(dSpaceID space)
 {

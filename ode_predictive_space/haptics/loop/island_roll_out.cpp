@@ -59,18 +59,19 @@ double square_of_swing(dBodyID body, const Eigen::Matrix3d &stiffness)
 }
 } // namespace
 
-IslandRollOut::IslandRollOut(const std::vector<dBodyID> &touched) : seed_(dRandGetSeed())
+IslandRollOut::IslandRollOut(const std::vector<dBodyID> &touched, bool quick) : quick_(quick), seed_(dRandGetSeed())
 {
     for (const dBodyID body : touched)
         add(body);
-    add_connected(0);
+    add_connected();
     hold_others();
 }
 
 void IslandRollOut::add(dBodyID body)
 {
-    if (body == nullptr || !known_.insert(body).second)
+    if (!known_.insert(body).second)
         return;
+    ends_ += dBodyGetNumJoints(body);
     State state;
     state.body = body;
     state.position = from_ode(dBodyGetPosition(body));
@@ -84,38 +85,65 @@ void IslandRollOut::add(dBodyID body)
     states_.push_back(state);
 }
 
-/// To the bodies from the first one on.
-void IslandRollOut::add_connected(std::size_t first)
+/// The nearest first.
+void IslandRollOut::add_connected()
 {
-    for (std::size_t i = first; i < states_.size(); ++i)
+    const int most = quick_ ? most_ends_by_quick_step : most_ends;
+    std::vector<dBodyID> border;
+    for (std::size_t i = 0; i < states_.size(); ++i)
     {
         const dBodyID body = states_[i].body;
         for (int n = 0; n < dBodyGetNumJoints(body); ++n)
         {
             const dJointID joint = dBodyGetJoint(body, n);
-            has_joints_ = has_joints_ || dJointGetType(joint) != dJointTypeNull;
-            note_contact(joint);
-            if (anchor_of(joint) && dJointGetBody(joint, 0) == body)
-                joints_.push_back(joint);
-            if (dJointFeedback *const feedback = dJointGetFeedback(joint))
-            {
-                feedbacks_.push_back({joint, feedback});
-                dJointSetFeedback(joint, nullptr);
-            }
-            add(dJointGetBody(joint, 0));
-            add(dJointGetBody(joint, 1));
+            note_joint(joint, body);
+            const dBodyID other = dJointGetBody(joint, dJointGetBody(joint, 0) == body ? 1 : 0);
+            if (other == nullptr || known_.count(other) != 0)
+                continue;
+            if (ends_ < most)
+                add(other);
+            else
+                border.push_back(other);
         }
     }
+    hold_border(border);
 }
 
-void IslandRollOut::note_contact(dJointID joint)
+void IslandRollOut::note_joint(dJointID joint, dBodyID body)
 {
+    has_joints_ = has_joints_ || dJointGetType(joint) != dJointTypeNull;
     const bool is_contact = dJointGetType(joint) == dJointTypeContact;
     has_contacts_ = has_contacts_ || is_contact;
     is_stacked_ =
         is_stacked_ || (is_contact && dJointGetBody(joint, 0) != nullptr && dJointGetBody(joint, 1) != nullptr);
+    if (anchor_of(joint) && dJointGetBody(joint, 0) == body)
+        joints_.push_back(joint);
+    if (dJointFeedback *const feedback = dJointGetFeedback(joint))
+    {
+        feedbacks_.push_back({joint, feedback});
+        dJointSetFeedback(joint, nullptr);
+    }
 }
 
+/// It goes on with the velocity that it has, and leads nowhere else: ODE steps all that joints lead to.
+void IslandRollOut::hold_border(const std::vector<dBodyID> &border)
+{
+    const std::unordered_set<dBodyID> within = known_;
+    for (const dBodyID body : border)
+    {
+        if (known_.count(body) != 0)
+            continue;
+        add(body);
+        switch_joints_off(body, [&](dBodyID other) { return within.count(other) == 0; });
+        if (dBodyIsKinematic(body) == 0)
+        {
+            dBodySetKinematic(body);
+            made_kinematic_.push_back(body);
+        }
+    }
+}
+
+/// All others stay where they are. To wake one that is falling asleep would have that begin anew: it is stepped alone.
 void IslandRollOut::hold_others()
 {
     for (const dBodyID body : bodies_of(dBodyGetWorld(states_.front().body)))
@@ -124,9 +152,8 @@ void IslandRollOut::hold_others()
             continue;
         if (is_falling_asleep(body))
         {
-            const std::size_t first = states_.size();
             add(body);
-            add_connected(first);
+            switch_joints_off(body, [](dBodyID) { return true; });
             continue;
         }
         dBodyDisable(body);
@@ -134,9 +161,26 @@ void IslandRollOut::hold_others()
     }
 }
 
+/// Those whose other end, where there may be no body, leaves(it).
+template <typename Leaves> void IslandRollOut::switch_joints_off(dBodyID body, Leaves leaves)
+{
+    for (int n = 0; n < dBodyGetNumJoints(body); ++n)
+    {
+        const dJointID joint = dBodyGetJoint(body, n);
+        if (dJointIsEnabled(joint) == 0 || !leaves(dJointGetBody(joint, dJointGetBody(joint, 0) == body ? 1 : 0)))
+            continue;
+        dJointDisable(joint);
+        switched_off_.push_back(joint);
+    }
+}
+
 IslandRollOut::~IslandRollOut()
 {
     restore();
+    for (const dBodyID body : made_kinematic_)
+        dBodySetDynamic(body);
+    for (const dJointID joint : switched_off_)
+        dJointEnable(joint);
     for (const dBodyID body : held_)
         dBodyEnable(body);
     for (const Feedback &feedback : feedbacks_)
@@ -144,7 +188,7 @@ IslandRollOut::~IslandRollOut()
     dRandSetSeed(seed_);
 }
 
-void IslandRollOut::run(bool quick, std::size_t steps, double dt, const std::vector<BodyImpulse> &impulses,
+void IslandRollOut::run(std::size_t steps, double dt, const std::vector<BodyImpulse> &impulses,
                         const std::function<void(std::size_t)> &look)
 {
     const dWorldID world = dBodyGetWorld(states_.front().body);
@@ -160,20 +204,20 @@ void IslandRollOut::run(bool quick, std::size_t steps, double dt, const std::vec
     }
     for (std::size_t step = 1; step <= steps; ++step)
     {
-        quick ? dWorldQuickStep(world, h) : dWorldStep(world, h);
+        quick_ ? dWorldQuickStep(world, h) : dWorldStep(world, h);
         look(step);
     }
     restore();
 }
 
-double IslandRollOut::fastest_swing(bool quick, double dt)
+double IslandRollOut::fastest_swing(double dt)
 {
     if (joints_.empty())
         return 0;
     std::vector<dJointFeedback> forces(joints_.size());
     for (std::size_t i = 0; i < joints_.size(); ++i)
         dJointSetFeedback(joints_[i], &forces[i]);
-    run(quick, 1, dt, {}, [](std::size_t) {});
+    run(1, dt, {}, [](std::size_t) {});
     std::unordered_map<dBodyID, Eigen::Matrix3d> stiffness;
     for (std::size_t i = 0; i < joints_.size(); ++i)
     {

@@ -22,15 +22,17 @@ struct BodyImpulse
 
 /// Steps the bodies that hang together with some touched ones by joints and contacts, by ODE's own stepper and with the joints that
 /// there are, then puts all back: poses, velocities, forces, joints' feedback, ODE's random numbers. Other bodies of the scene do not take
-/// part. What it cannot put back: callbacks of moved bodies are called; a body that hangs together with a touched one does not fall
-/// asleep.
+/// part. Of a large island it takes those nearest to the touched ones, joint by joint, up to most_ends of joints; what they hang on then
+/// goes on with the velocity that it has. What it cannot put back: callbacks of moved bodies are called; a body that hangs together with a
+/// touched one does not fall asleep.
 ///
 /// Used from the scene's thread, after the program has made its contact joints and before it steps the world.
 class IslandRollOut
 {
 public:
     /// @param touched dynamic bodies of one world, at least one.
-    explicit IslandRollOut(const std::vector<dBodyID> &touched);
+    /// @param quick whether to step by dWorldQuickStep(), else by dWorldStep().
+    IslandRollOut(const std::vector<dBodyID> &touched, bool quick);
 
     /// Puts everything back.
     ~IslandRollOut();
@@ -39,14 +41,17 @@ public:
 
     /// Steps several times from where all is now, then puts the bodies back there.
     ///
-    /// @param quick whether by dWorldQuickStep(), else by dWorldStep().
     /// @param impulses given to the bodies in the first step. @param look called after each step, with its number from 1 on.
-    void run(bool quick, std::size_t steps, double dt, const std::vector<BodyImpulse> &impulses,
+    void run(std::size_t steps, double dt, const std::vector<BodyImpulse> &impulses,
              const std::function<void(std::size_t)> &look);
 
     /// rad/s; of the fastest swing of a body by the forces of the joints that hang it up, such as a rope's. Steps that are longer than
     /// 2 / that make ODE itself unstable.
-    double fastest_swing(bool quick, double dt);
+    double fastest_swing(double dt);
+
+    /// How much takes part, beside the touched bodies: each body with its joints, contacts included, of which each has two ends. The cube of
+    /// it is what dWorldStep() takes: of the touched parts of a pile, a look of 30 steps then takes some milliseconds.
+    static constexpr int most_ends = 60, most_ends_by_quick_step = 150;
 
     /// Whether a joint holds one of the bodies, contacts included.
     bool has_joints() const { return has_joints_; }
@@ -77,16 +82,22 @@ private:
     };
 
     void add(dBodyID body);
-    void add_connected(std::size_t first);
-    void note_contact(dJointID joint);
+    void add_connected();
+    void note_joint(dJointID joint, dBodyID body);
+    void hold_border(const std::vector<dBodyID> &border);
     void hold_others();
+    template <typename Leaves> void switch_joints_off(dBodyID body, Leaves leaves);
     void restore() const;
 
+    bool quick_;
     std::unordered_set<dBodyID> known_;
     std::vector<State> states_;
+    int ends_ = 0; ///< of the joints of these
     std::vector<Feedback> feedbacks_;
-    std::vector<dJointID> joints_; ///< those that last
-    std::vector<dBodyID> held_;    ///< awake, but not to be stepped
+    std::vector<dJointID> joints_;        ///< those that last
+    std::vector<dBodyID> made_kinematic_; ///< at the border
+    std::vector<dJointID> switched_off_;  ///< beyond it
+    std::vector<dBodyID> held_;           ///< awake, but not to be stepped
     unsigned long seed_;
     bool has_joints_ = false;
     bool has_contacts_ = false;

@@ -87,7 +87,7 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
     std::vector<dBodyID> bodies;
     for (const Touched &touched : touched_)
         bodies.push_back(touched.body);
-    IslandRollOut island(bodies);
+    IslandRollOut island(bodies, quick_);
     has_joints_ = island.has_joints();
     choose_steps(island, period, affordable);
     const double h = period / steps_per_period_;
@@ -106,7 +106,7 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
 
 void SceneMotion::note_step(bool drew_numbers)
 {
-    quick_ = drew_numbers || (quick_ && !has_joints_);
+    quick_ = drew_numbers || (quick_ && !(has_joints_ && is_one_awake()));
     if (!last_.empty() || touched_.empty())
     {
         touched_.clear();
@@ -126,6 +126,14 @@ void SceneMotion::note_step(bool drew_numbers)
     }
     surprises_ = surprised ? surprises_ + 1 : 0;
     touched_.clear();
+}
+
+/// A step of sleeping bodies tells nothing of the stepper.
+bool SceneMotion::is_one_awake() const
+{
+    return std::any_of(touched_.begin(), touched_.end(), [&](const Touched &touched) {
+        return sensor_.body_of(touched.touch.object) == touched.body && dBodyIsEnabled(touched.body) != 0;
+    });
 }
 
 bool SceneMotion::repeats() const
@@ -159,7 +167,7 @@ void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forec
 /// is stepped as often as it has to be, what is felt better by that as often as there is time for.
 void SceneMotion::choose_steps(IslandRollOut &island, double period, int affordable)
 {
-    double steps = std::ceil(island.fastest_swing(quick_, period / steps_per_period_) * period / most_swing);
+    double steps = std::ceil(island.fastest_swing(period / steps_per_period_) * period / most_swing);
     if (island.has_contacts())
     {
         const double most = island.is_stacked() ? most_spring_of_stack : most_spring;
@@ -247,7 +255,7 @@ void SceneMotion::try_out(IslandRollOut &island, const std::vector<BodyImpulse> 
 {
     for (MotionForecast::Course<BodyMotion> &course : courses)
         course[0].setZero();
-    island.run(quick_, nodes, h, impulses, [&](std::size_t node) {
+    island.run(nodes, h, impulses, [&](std::size_t node) {
         for (std::size_t i = 0; i < touched_.size(); ++i)
             courses[i][node] = motion_of(touched_[i]);
     });

@@ -81,6 +81,7 @@ private:
     void find_response(IslandRollOut &island, std::size_t pushed, double h, MotionForecast &forecast);
     BodyMotion limited(const BodyMotion &found, const BodyMotion &free, std::size_t seen, std::size_t pushed) const;
     double last_impulse_on(std::uintptr_t object) const;
+    bool is_one_awake() const;
 
     TouchSensor &sensor_;
     double stiffness_; ///< N/m
@@ -95,7 +96,7 @@ private:
     int surprises_ = 0;        ///< steps in a row that were not as foreseen
     int steps_needed_ = 1;     ///< at the last look
     bool has_joints_ = false;  ///< what was tried out last
-    bool quick_ = false;       ///< the program steps by dWorldQuickStep()
+    bool quick_ = true;        ///< the program steps by dWorldQuickStep(), as far as is known
 };
 } // namespace ode_predictive_space::haptics
 
