@@ -32,9 +32,13 @@ protected:
         for (const Sample &sample : samples)
         {
             if (sample.time > 0.7 && sample.time < middle - 0.001)
+            {
                 ASSERT_NEAR(sample.wished.z(), 4 * radius * k, 1e-9) << sample.time;
+            }
             if (sample.time > middle + 0.0035)
+            {
                 ASSERT_TRUE(sample.wished.isZero(0)) << sample.time << ": " << sample.wished.transpose();
+            }
         }
     }
 

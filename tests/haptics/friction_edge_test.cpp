@@ -60,7 +60,9 @@ protected:
         const double spring = k * speed * (decoupled() ? 1.0 / 4000 : 1.0 / 1000); // N; by the hand's way in a tick
         for (std::size_t i = 1; i < samples.size(); ++i)
             if (samples[i].time > 0.45)
+            {
                 ASSERT_LE((samples[i].wished - samples[i - 1].wished).norm(), 2 * spring) << samples[i].time;
+            }
     }
 };
 

@@ -150,9 +150,13 @@ TEST_P(HeightfieldContactTest, OtherSamplesEndTheContact)
     for (const Sample &sample : samples)
     {
         if (sample.time > 0.5 && sample.time < 0.699)
+        {
             ASSERT_NEAR(sample.wished.z(), k * 0.03, 1e-9) << sample.time;
+        }
         if (sample.time > 0.705)
+        {
             ASSERT_TRUE(sample.wished.isZero(0)) << sample.time;
+        }
     }
 }
 

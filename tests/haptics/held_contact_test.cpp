@@ -40,7 +40,9 @@ protected:
             ASSERT_LE((sample.wished - Vector3(-k * depth, 0, 0)).norm(), 1e-6 * k)
                 << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
             if (proxy_law())
+            {
                 ASSERT_LE(sample.proxy.x(), -radius + 1e-9) << sample.time;
+            }
         }
         EXPECT_NEAR(samples.back().tool.x(), 0.036, 1e-12);
     }
@@ -382,7 +384,9 @@ TEST_P(HeldContactTest, DeepBelowWavesNothingIsLost)
     const auto samples = run(over_the_waves(-0.04), 1.2);
     for (const Sample &sample : samples)
         if (sample.time > 0.45)
+        {
             ASSERT_GT(sample.wished.z(), 0.7 * k * 0.05) << sample.time << ": " << sample.wished.transpose();
+        }
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, HeldContactTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);

@@ -252,7 +252,9 @@ TEST_P(ProgramEndTest, LeavesNoForceAndAMessage)
         SCOPED_TRACE(name_of(way));
         const ProgramEnd end = end_in(run, place, [way] { end_by(way); });
         if (way == Way::exit || way == Way::quick_exit)
+        {
             EXPECT_TRUE(end.exited_with(3)) << end.status << (end.hung ? " hung" : "");
+        }
         else
             expect_abort(end);
         expect_zero();

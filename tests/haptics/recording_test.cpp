@@ -16,7 +16,9 @@ public:
     Unprivileged() : user_(geteuid())
     {
         if (user_ == 0)
+        {
             EXPECT_EQ(seteuid(65534), 0);
+        }
     }
     ~Unprivileged() { EXPECT_EQ(seteuid(user_), 0); }
 

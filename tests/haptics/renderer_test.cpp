@@ -104,7 +104,9 @@ TEST(Renderer, WithTheClutchHeldNothingBrakesTheHandEither)
         device.buttons = tick >= 1500 ? 1 : 0;
         feel_wall(renderer, dt * tick);
         if (tick >= 1510)
+        {
             ASSERT_TRUE(device.last_wrench().force.isZero(0)) << tick;
+        }
     }
 }
 
@@ -128,7 +130,9 @@ TEST(Renderer, AClutchLetGoInsideOfSomethingGivesNoForceUntilItWasLeft)
         device.buttons = time > 1.5 && time < 1.6 ? 1 : 0;
         feel_wall(renderer, time);
         if (time > 1.2 && time < 1.5)
+        {
             ASSERT_GT(renderer.last_tick().force.z(), 1);
+        }
         if (time > 1.6)
             most_after = std::max(most_after, renderer.last_tick().force.norm());
     }

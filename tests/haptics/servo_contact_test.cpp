@@ -44,7 +44,9 @@ TEST_P(ServoContactTest, TheServoAllocatesNothing)
     mesh.add_to(world_.space);
     for (const Sample &sample : run(&over_the_ridges, 1.3))
         if (sample.time > 0.6) // the law has seen a ridge and a valley
+        {
             ASSERT_EQ(sample.allocations, 0U) << sample.time;
+        }
 }
 
 /// Two sheets, of which one lies 3 cm below the other, take turns as the data of a geom.

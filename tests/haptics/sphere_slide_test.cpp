@@ -211,8 +211,10 @@ TEST(SphereSlide, NeverPassesAnything)
             SurfaceFeatures features;
             ASSERT_GE(tree.collect(places[0].at, radius, features), 0.9 * radius) << scene << ' ' << run;
             if (task.longest < radius)
+            {
                 for (const TriangleCorners &corners : triangles)
                     ASSERT_FALSE(crosses(before, places[0].at, corners)) << scene << ' ' << run;
+            }
             held += (places[0].at - task.goal).norm() > radius ? 1 : 0;
         }
         dGeomDestroy(geom);
