@@ -46,9 +46,8 @@ void HdServo::run_frame()
     library_->set_doublev(hd::current_force, force.data());
     library_->end_frame(device_);
 
-    const hd::ErrorInfo error = library_.take_errors();
-    if (error.code != hd::error::success)
-        note(error);
+    if (const HdFault fault = library_.take_errors())
+        note(fault);
     // What was read in a frame that went wrong may be anything: its reader gets the error, too.
     samples_.publish();
     frames_.fetch_add(1, std::memory_order_acq_rel);
@@ -95,7 +94,7 @@ Vector3 HdServo::force_of_this_frame()
         ++age_;
     const bool is_paused = pause_left_ > 0;
     if (is_paused && --pause_left_ == 0)
-        pause_fault_.store(0, std::memory_order_release);
+        pause_fault_.store({}, std::memory_order_release);
     if (resting_.load(std::memory_order_acquire))
     {
         frames_at_rest_.fetch_add(1, std::memory_order_acq_rel);
@@ -104,27 +103,17 @@ Vector3 HdServo::force_of_this_frame()
     return is_stale || is_paused || end() ? Vector3(Vector3::Zero()) : forces_.latest();
 }
 
-void HdServo::note(const hd::ErrorInfo &error)
+void HdServo::note(const HdFault &fault)
 {
-    if (consequence_of(error.code) != HdConsequence::pause)
+    if (consequence_of(fault.code) != HdConsequence::pause)
     {
         if (!end())
-            end_.store(packed(error), std::memory_order_release);
+            end_.store(fault, std::memory_order_release);
         return;
     }
     if (pause_left_ == 0)
-        begun_pause_.store(packed(error), std::memory_order_release);
-    pause_fault_.store(packed(error), std::memory_order_release);
+        begun_pause_.store(fault, std::memory_order_release);
+    pause_fault_.store(fault, std::memory_order_release);
     pause_left_ = pause_;
-}
-
-std::uint64_t HdServo::packed(const hd::ErrorInfo &error)
-{
-    return std::uint64_t{static_cast<std::uint32_t>(error.internal_code)} << 32 | error.code;
-}
-
-HdFault HdServo::unpacked(std::uint64_t packed)
-{
-    return {static_cast<std::uint32_t>(packed), static_cast<int>(packed >> 32)};
 }
 } // namespace ode_predictive_space::haptics

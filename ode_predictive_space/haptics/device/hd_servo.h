@@ -12,15 +12,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// An error of the library, or none.
-struct HdFault
-{
-    std::uint32_t code = hd::error::success;
-    int internal_code = 0;
-
-    explicit operator bool() const { return code != hd::error::success; }
-};
-
 /// One frame of the arm, SI units; its time is not set.
 struct HdSample
 {
@@ -63,24 +54,22 @@ public:
     hd::Enum calibration() const { return calibration_.load(std::memory_order_acquire); }
 
     /// The error that a pause began with, told once.
-    HdFault take_pause() { return unpacked(begun_pause_.exchange(0, std::memory_order_acq_rel)); }
+    HdFault take_pause() { return begun_pause_.exchange({}, std::memory_order_acq_rel); }
 
     /// The error for which no force is rendered at the moment.
-    HdFault pause() const { return unpacked(pause_fault_.load(std::memory_order_acquire)); }
+    HdFault pause() const { return pause_fault_.load(std::memory_order_acquire); }
 
     /// The error that ended it all.
-    HdFault end() const { return unpacked(end_.load(std::memory_order_acquire)); }
+    HdFault end() const { return end_.load(std::memory_order_acquire); }
 
 private:
     void run_frame();
     void calibrate();
     void take_state();
     Vector3 force_of_this_frame();
-    void note(const hd::ErrorInfo &error);
+    void note(const HdFault &fault);
 
-    // An atomic of its own size for what belongs together; an error's code is never 0.
-    static std::uint64_t packed(const hd::ErrorInfo &error);
-    static HdFault unpacked(std::uint64_t packed);
+    static_assert(std::atomic<HdFault>::is_always_lock_free, "nothing may lock in a servo");
 
     const HdLibrary &library_;
     const hd::Handle device_;
@@ -97,9 +86,9 @@ private:
     std::atomic<std::uint64_t> frames_{0};
     std::atomic<std::uint64_t> frames_at_rest_{0};
     std::atomic<hd::Enum> calibration_{0};
-    std::atomic<std::uint64_t> begun_pause_{0};
-    std::atomic<std::uint64_t> pause_fault_{0};
-    std::atomic<std::uint64_t> end_{0};
+    std::atomic<HdFault> begun_pause_{HdFault()};
+    std::atomic<HdFault> pause_fault_{HdFault()};
+    std::atomic<HdFault> end_{HdFault()};
 };
 } // namespace ode_predictive_space::haptics
 
