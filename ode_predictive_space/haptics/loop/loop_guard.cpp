@@ -94,7 +94,7 @@ bool LoopGuard::take_force(double now)
 {
     try
     {
-        return gate_.close_with_zero(now) == DeviceGate::Outcome::zero;
+        return gate_.close_with_zero(now);
     }
     catch (const std::exception &error)
     {

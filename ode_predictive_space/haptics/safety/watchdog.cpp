@@ -60,7 +60,6 @@ void Watchdog::servo_ticked(double time)
     const double elapsed = has_ticked_ ? std::max(0.0, time - last_tick_) : 0;
     const Fault fault = find_fault(time, elapsed);
     reason_ = fault.reason;
-    ++counts_[static_cast<std::size_t>(reason_)];
 
     if (fault.reason == WatchdogReason::none)
         factor_ = limits_.ramp_time > elapsed ? std::min(1.0, factor_ + elapsed / limits_.ramp_time) : 1;
