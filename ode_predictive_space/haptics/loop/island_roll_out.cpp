@@ -1,7 +1,7 @@
 #include "ode_predictive_space/haptics/loop/island_roll_out.h"
 
 #include "ode_predictive_space/haptics/contact/ode_vector.h"
-#include "ode_predictive_space/haptics/loop/world_bodies.h"
+#include "ode_predictive_space/haptics/loop/scene_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,19 +69,11 @@ IslandRollOut::IslandRollOut(const std::vector<dBodyID> &touched) : seed_(dRandG
 
 void IslandRollOut::add(dBodyID body)
 {
-    if (body == nullptr || !known_.insert(body).second)
-        return;
-    State state;
-    state.body = body;
-    state.position = from_ode(dBodyGetPosition(body));
-    const dReal *turn = dBodyGetQuaternion(body);
-    state.orientation = Quaternion(turn[0], turn[1], turn[2], turn[3]);
-    state.linear_velocity = from_ode(dBodyGetLinearVel(body));
-    state.angular_velocity = from_ode(dBodyGetAngularVel(body));
-    state.force = from_ode(dBodyGetForce(body));
-    state.torque = from_ode(dBodyGetTorque(body));
-    state.awake = dBodyIsEnabled(body) != 0;
-    states_.push_back(state);
+    if (body != nullptr && known_.insert(body).second)
+    {
+        states_.push_back({body, tool_state_of(body), from_ode(dBodyGetForce(body)), from_ode(dBodyGetTorque(body)),
+                           dBodyIsEnabled(body) != 0});
+    }
 }
 
 /// To the bodies from the first one on.
@@ -208,13 +200,13 @@ void IslandRollOut::restore() const
             setter(state.body, static_cast<dReal>(value.x()), static_cast<dReal>(value.y()),
                    static_cast<dReal>(value.z()));
         };
-        const Quaternion &turn = state.orientation;
+        const Quaternion &turn = state.motion.orientation;
         const dQuaternion quaternion = {static_cast<dReal>(turn.w()), static_cast<dReal>(turn.x()),
                                         static_cast<dReal>(turn.y()), static_cast<dReal>(turn.z())};
-        set(&dBodySetPosition, state.position);
+        set(&dBodySetPosition, state.motion.position);
         dBodySetQuaternion(state.body, quaternion);
-        set(&dBodySetLinearVel, state.linear_velocity);
-        set(&dBodySetAngularVel, state.angular_velocity);
+        set(&dBodySetLinearVel, state.motion.linear_velocity);
+        set(&dBodySetAngularVel, state.motion.angular_velocity);
         set(&dBodySetForce, state.force);
         set(&dBodySetTorque, state.torque);
         if (state.awake != (dBodyIsEnabled(state.body) != 0))

@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_ISLAND_ROLL_OUT_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_ISLAND_ROLL_OUT_H
 
-#include "ode_predictive_space/haptics/device.h"
+#include "ode_predictive_space/haptics/touch_sensor.h"
 
 #include <functional>
 #include <ode/ode.h>
@@ -61,10 +61,7 @@ private:
     struct State
     {
         dBodyID body;
-        Vector3 position;
-        Quaternion orientation;
-        Vector3 linear_velocity;
-        Vector3 angular_velocity;
+        ToolState motion;
         Vector3 force;
         Vector3 torque;
         bool awake;

@@ -1,7 +1,7 @@
 #include "ode_predictive_space/haptics/loop/loop_parts.h"
 
 #include "ode_predictive_space/haptics/contact/safe_collide.h"
-#include "ode_predictive_space/haptics/loop/body_check.h"
+#include "ode_predictive_space/haptics/loop/scene_bodies.h"
 #include "ode_predictive_space/haptics/safety.h"
 #include "ode_predictive_space/haptics/touch_sensor.h"
 
@@ -67,27 +67,20 @@ LoopParts::LoopParts(HapticProbe &haptic_probe, LoopSettings loop_settings)
       clock(settings.clock != nullptr ? *settings.clock : machine_clock)
 {}
 
-LoopParts::Turn::Turn(LoopParts &parts) : parts_(parts), run_(std::make_shared<ActiveRun>())
+AtEnd LoopParts::begin_turn()
 {
-    parts_.probe.take(run_);
-    const std::lock_guard<std::mutex> lock(parts_.run_mutex_);
-    parts_.run_ = run_;
-}
-
-LoopParts::Turn::~Turn()
-{
-    parts_.probe.give_back();
-    run_->end();
+    const auto run = std::make_shared<ActiveRun>();
+    probe.take(run);
+    std::atomic_store(&run_, run);
+    return AtEnd([run, &probe = probe] {
+        probe.give_back();
+        run->end();
+    });
 }
 
 LoopParts::~LoopParts()
 {
-    std::shared_ptr<ActiveRun> run;
-    {
-        const std::lock_guard<std::mutex> lock(run_mutex_);
-        run = run_;
-    }
-    if (run)
+    if (const std::shared_ptr<ActiveRun> run = std::atomic_load(&run_))
         run->end_and_wait("a haptic loop");
 }
 

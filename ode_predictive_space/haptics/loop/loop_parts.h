@@ -8,6 +8,8 @@
 #include "ode_predictive_space/haptics/loop/scheduling.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
 
+#include <optional>
+
 namespace ode_predictive_space::haptics
 {
 /// Of one kind of tick. Counted in one thread, read in any.
@@ -56,6 +58,27 @@ private:
     int most_behind_;
 };
 
+/// How often there is time to step the scene: by how long its steps took, how many of them half of a period has time for. Times in s.
+class StepBudget
+{
+public:
+    /// @param took a step, with all that the loop and the program do for it.
+    void note(double took) { longest_ = std::max(took, forgetting * longest_.value_or(0)); }
+
+    /// At least one; no more as long as nothing was measured.
+    int affordable(double period) const
+    {
+        return longest_ ? static_cast<int>(std::clamp(0.5 * period / std::max(*longest_, shortest), 1.0, enough)) : 1;
+    }
+
+private:
+    static constexpr double forgetting = 0.95; ///< from step to step, of a step that was longer than the others
+    static constexpr double shortest = 1e-6;
+    static constexpr double enough = 100;
+
+    std::optional<double> longest_; ///< of late
+};
+
 /// s.
 struct LoopTimes
 {
@@ -78,21 +101,6 @@ struct LoopCounts
 class LoopParts
 {
 public:
-    /// From the beginning of a run to its end: the probe is this loop's alone.
-    class Turn
-    {
-    public:
-        /// @throws std::logic_error when another loop runs the probe.
-        explicit Turn(LoopParts &parts);
-        ~Turn();
-        Turn(const Turn &) = delete;
-        Turn &operator=(const Turn &) = delete;
-
-    private:
-        LoopParts &parts_;
-        std::shared_ptr<ActiveRun> run_;
-    };
-
     /// @throws std::invalid_argument as HapticLoop does.
     LoopParts(HapticProbe &haptic_probe, LoopSettings loop_settings);
 
@@ -100,6 +108,10 @@ public:
     ~LoopParts();
     LoopParts(const LoopParts &) = delete;
     LoopParts &operator=(const LoopParts &) = delete;
+
+    /// A run begins: the probe is this loop's alone, until what is returned goes. @throws std::logic_error when another loop runs
+    /// the probe.
+    AtEnd begin_turn();
 
     /// The program's part of a tick. @throws std::runtime_error when the scene has a body that must not be stepped, before or after
     /// that; what the program throws.
@@ -136,9 +148,12 @@ public:
 private:
     void check_bodies();
 
-    mutable std::mutex run_mutex_; ///< of the one below
-    std::shared_ptr<ActiveRun> run_;
+    std::shared_ptr<ActiveRun> run_; ///< for other threads by std::atomic_load() and std::atomic_store()
 };
+
+/// The loop of two threads: the caller's steps the scene, another one is the servo. Until the duration is over or the loop must end.
+/// @throws what the law throws in the servo's thread, too.
+void run_decoupled(LoopParts &parts, const SceneWork &work);
 } // namespace ode_predictive_space::haptics
 
 #endif

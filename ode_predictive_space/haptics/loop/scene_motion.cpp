@@ -32,12 +32,6 @@ double norm_of(const BodyMotion &motion, const Eigen::Matrix<double, 6, 6> &iner
 {
     return std::sqrt(std::max(0.0, motion.dot(inertia * motion)));
 }
-
-Quaternion orientation_of(dBodyID body)
-{
-    const dReal *turn = dBodyGetQuaternion(body);
-    return Quaternion(turn[0], turn[1], turn[2], turn[3]);
-}
 } // namespace
 
 SceneMotion::SceneMotion(TouchSensor &sensor, double stiffness) : sensor_(sensor), stiffness_(stiffness) {}
@@ -59,19 +53,21 @@ void SceneMotion::push(double a, double h)
         received_ = impulse->number;
     }
     waiting_.erase(waiting_.begin(), first_later);
+    push_now(last_, h);
+}
+
+void SceneMotion::push_now(const std::vector<Impulse> &impulses, double h)
+{
     shares_.clear();
-    for (const Impulse &impulse : last_)
+    for (const Impulse &impulse : impulses)
         shares_.push_back({impulse.object, impulse.point, impulse.impulse / h});
     sensor_.push(shares_);
 }
 
 void SceneMotion::push_all(double h)
 {
-    shares_.clear();
-    for (const std::vector<Impulse> *impulses : {&rest_, &waiting_})
-        for (const Impulse &impulse : *impulses)
-            shares_.push_back({impulse.object, impulse.point, impulse.impulse / h});
-    sensor_.push(shares_);
+    push_now(rest_, h);
+    push_now(waiting_, h);
     rest_.clear();
     waiting_.clear();
 }
@@ -197,7 +193,7 @@ std::vector<BodyImpulse> SceneMotion::rest() const
 
 SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
 {
-    Touched touched = {body, touch, from_ode(dBodyGetPosition(body)), orientation_of(body), {}, {}, {}};
+    Touched touched = {body, touch, from_ode(dBodyGetPosition(body)), tool_state_of(body).orientation, {}, {}, {}};
     dMass mass;
     dBodyGetMass(body, &mass);
     Eigen::Matrix3d own;
@@ -236,7 +232,7 @@ MotionForecast::PushWrenches SceneMotion::wrenches_of(const Touched &touched, co
 /// Since the scene was looked at.
 BodyMotion SceneMotion::motion_of(const Touched &touched)
 {
-    const Eigen::AngleAxisd turn(orientation_of(touched.body) * touched.orientation.conjugate());
+    const Eigen::AngleAxisd turn(tool_state_of(touched.body).orientation * touched.orientation.conjugate());
     BodyMotion motion;
     motion << from_ode(dBodyGetPosition(touched.body)) - touched.centre, turn.angle() * turn.axis();
     return motion;

@@ -69,6 +69,7 @@ private:
     using Pushes = std::array<Push, MotionForecast::tried_pushes>;
     using Courses = std::array<MotionForecast::Course<BodyMotion>, MotionForecast::most_touches>;
 
+    void push_now(const std::vector<Impulse> &impulses, double h);
     void find_touched(const ContactModel &planes, MotionForecast &forecast);
     static Touched touched_of(dBodyID body, const Touch &touch);
     static Pushes pushes_of(const Touched &touched);
