@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_AT_END_H
 
 #include <functional>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {

@@ -91,7 +91,7 @@ void IslandRollOut::add_connected(std::size_t first)
                 joints_.push_back(joint);
             if (dJointFeedback *const feedback = dJointGetFeedback(joint))
             {
-                feedbacks_.push_back({joint, feedback});
+                feedbacks_.emplace_back(joint, feedback);
                 dJointSetFeedback(joint, nullptr);
             }
             add(dJointGetBody(joint, 0));
@@ -131,8 +131,8 @@ IslandRollOut::~IslandRollOut()
     restore();
     for (const dBodyID body : held_)
         dBodyEnable(body);
-    for (const Feedback &feedback : feedbacks_)
-        dJointSetFeedback(feedback.joint, feedback.feedback);
+    for (const auto &[joint, feedback] : feedbacks_)
+        dJointSetFeedback(joint, feedback);
     dRandSetSeed(seed_);
 }
 

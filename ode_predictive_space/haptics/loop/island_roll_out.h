@@ -8,6 +8,7 @@
 #include <functional>
 #include <ode/ode.h>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace ode_predictive_space::haptics
@@ -67,12 +68,6 @@ private:
         bool awake;
     };
 
-    struct Feedback
-    {
-        dJointID joint;
-        dJointFeedback *feedback;
-    };
-
     void add(dBodyID body);
     void add_connected(std::size_t first);
     void note_contact(dJointID joint);
@@ -81,9 +76,9 @@ private:
 
     std::unordered_set<dBodyID> known_;
     std::vector<State> states_;
-    std::vector<Feedback> feedbacks_;
-    std::vector<dJointID> joints_; ///< those that last
-    std::vector<dBodyID> held_;    ///< awake, but not to be stepped
+    std::vector<std::pair<dJointID, dJointFeedback *>> feedbacks_; ///< of the program
+    std::vector<dJointID> joints_;                                 ///< those that last
+    std::vector<dBodyID> held_;                                    ///< awake, but not to be stepped
     unsigned long seed_;
     bool has_joints_ = false;
     bool has_contacts_ = false;

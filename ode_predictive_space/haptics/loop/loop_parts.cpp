@@ -5,7 +5,6 @@
 #include "ode_predictive_space/haptics/safety.h"
 #include "ode_predictive_space/haptics/touch_sensor.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -34,33 +33,6 @@ LoopSettings checked(LoopSettings settings, HapticProbe &probe)
     return settings;
 }
 } // namespace
-
-void TickStatistics::begin(double now)
-{
-    if (began_)
-        periods_.add(now - begin_);
-    began_ = true;
-    begin_ = now;
-}
-
-void TickStatistics::end(double now, double next_due)
-{
-    computes_.add(now - begin_);
-    if (now > next_due)
-        overruns_.store(overruns() + 1, std::memory_order_relaxed);
-}
-
-Pacer::Pacer(double start, double period, int most_behind) : due_(start), period_(period), most_behind_(most_behind) {}
-
-std::uint64_t Pacer::go_on(double now)
-{
-    due_ += period_;
-    const double behind = std::floor((now - due_) / period_);
-    if (behind <= most_behind_)
-        return 0;
-    due_ += behind * period_;
-    return static_cast<std::uint64_t>(behind);
-}
 
 LoopParts::LoopParts(HapticProbe &haptic_probe, LoopSettings loop_settings)
     : probe(haptic_probe), settings(checked(std::move(loop_settings), haptic_probe)),

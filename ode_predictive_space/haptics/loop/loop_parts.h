@@ -8,6 +8,8 @@
 #include "ode_predictive_space/haptics/loop/scheduling.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace ode_predictive_space::haptics
@@ -16,10 +18,21 @@ namespace ode_predictive_space::haptics
 class TickStatistics
 {
 public:
-    void begin(double now);
+    void begin(double now)
+    {
+        if (began_)
+            periods_.add(now - begin_);
+        began_ = true;
+        begin_ = now;
+    }
 
     /// @param next_due s; when the next tick was to begin.
-    void end(double now, double next_due);
+    void end(double now, double next_due)
+    {
+        computes_.add(now - begin_);
+        if (now > next_due)
+            overruns_.store(overruns() + 1, std::memory_order_relaxed);
+    }
 
     TimeSummary periods() const { return periods_.summary(); }
     TimeSummary computes() const { return computes_.summary(); }
@@ -38,7 +51,7 @@ private:
 class Pacer
 {
 public:
-    Pacer(double start, double period, int most_behind);
+    Pacer(double start, double period, int most_behind) : due_(start), period_(period), most_behind_(most_behind) {}
 
     double due() const { return due_; }
 
@@ -50,7 +63,15 @@ public:
     }
 
     /// The next deadline. @return how many were dropped, since more than most_behind would have to be made up for.
-    std::uint64_t go_on(double now);
+    std::uint64_t go_on(double now)
+    {
+        due_ += period_;
+        const double behind = std::floor((now - due_) / period_);
+        if (behind <= most_behind_)
+            return 0;
+        due_ += behind * period_;
+        return static_cast<std::uint64_t>(behind);
+    }
 
 private:
     double due_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -103,25 +104,23 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
 void SceneMotion::note_step(bool drew_numbers)
 {
     quick_ = drew_numbers || (quick_ && !has_joints_);
-    if (!last_.empty() || touched_.empty())
-    {
-        touched_.clear();
+    const std::vector<Touched> touched = std::exchange(touched_, {});
+    if (!last_.empty() || touched.empty())
         return;
-    }
-    bool surprised = false;
-    for (const Touched &touched : touched_)
-    {
-        if (sensor_.body_of(touched.touch.object) == touched.body)
-        {
-            const Vector3 moved = motion_of(touched).head<3>();
-            const Vector3 foreseen = touched.foreseen.head<3>();
-            const double error = (moved - foreseen).norm();
-            surprised = surprised || (error > 0.25 * fall * foreseen_step_ * foreseen_step_ &&
-                                      error > 0.5 * std::max(moved.norm(), foreseen.norm()));
-        }
-    }
-    surprises_ = surprised ? surprises_ + 1 : 0;
-    touched_.clear();
+    const auto surprises = [this](const Touched &each) { return moved_otherwise(each); };
+    surprises_ = std::any_of(touched.begin(), touched.end(), surprises) ? surprises_ + 1 : 0;
+}
+
+/// Than was foreseen.
+bool SceneMotion::moved_otherwise(const Touched &touched) const
+{
+    if (sensor_.body_of(touched.touch.object) != touched.body)
+        return false;
+    const Vector3 moved = motion_of(touched).head<3>();
+    const Vector3 foreseen = touched.foreseen.head<3>();
+    const double error = (moved - foreseen).norm();
+    return error > 0.25 * fall * foreseen_step_ * foreseen_step_ &&
+           error > 0.5 * std::max(moved.norm(), foreseen.norm());
 }
 
 bool SceneMotion::repeats() const
@@ -146,7 +145,7 @@ void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forec
             place.touch = touch;
             place.centre = touched.centre;
             place.velocity << from_ode(dBodyGetLinearVel(body)), from_ode(dBodyGetAngularVel(body));
-            forecast.add(place, wrenches_of(touched, pushes_of(touched)));
+            forecast.add(place, touched.wrenches);
         }
     }
 }
@@ -174,7 +173,7 @@ double SceneMotion::fastest_spring() const
     double square = 0;
     for (const Touched &touched : touched_)
     {
-        const ImpulseWrench push = wrenches_of(touched, pushes_of(touched)).col(0);
+        const ImpulseWrench push = touched.wrenches.col(0);
         const double stiffness = touched.touch.material ? touched.touch.material->stiffness : stiffness_;
         square = std::max(square, stiffness * push.dot(touched.inverse_inertia * push));
     }
@@ -193,7 +192,11 @@ std::vector<BodyImpulse> SceneMotion::rest() const
 
 SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
 {
-    Touched touched = {body, touch, from_ode(dBodyGetPosition(body)), tool_state_of(body).orientation, {}, {}, {}};
+    Touched touched;
+    touched.body = body;
+    touched.touch = touch;
+    touched.centre = from_ode(dBodyGetPosition(body));
+    touched.orientation = tool_state_of(body).orientation;
     dMass mass;
     dBodyGetMass(body, &mass);
     Eigen::Matrix3d own;
@@ -205,28 +208,24 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     touched.inertia.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
     touched.inertia.bottomRightCorner<3, 3>() = turn * own * turn.transpose();
     touched.inverse_inertia = touched.inertia.inverse();
+    touched.pushes = pushes_at(touch, touched.centre);
+    for (std::size_t i = 0; i < touched.pushes.size(); ++i)
+    {
+        const Push &push = touched.pushes[i];
+        touched.wrenches.col(static_cast<int>(i)) << push.direction,
+            (push.point - touched.centre).cross(push.direction);
+    }
     return touched;
 }
 
 /// Along the normal; sideways, where friction acts; and sideways without a moment, as the normal of a round body turns.
-SceneMotion::Pushes SceneMotion::pushes_of(const Touched &touched)
+SceneMotion::Pushes SceneMotion::pushes_at(const Touch &touch, const Vector3 &centre)
 {
-    const Vector3 &point = touched.touch.point;
-    const Vector3 along = -touched.touch.normal;
+    const Vector3 &point = touch.point;
+    const Vector3 along = -touch.normal;
     const Vector3 aside = along.unitOrthogonal();
     const Vector3 across = along.cross(aside);
-    return {{{point, along}, {point, aside}, {point, across}, {touched.centre, aside}, {touched.centre, across}}};
-}
-
-MotionForecast::PushWrenches SceneMotion::wrenches_of(const Touched &touched, const Pushes &pushes)
-{
-    MotionForecast::PushWrenches wrenches;
-    for (std::size_t i = 0; i < pushes.size(); ++i)
-    {
-        const Push &push = pushes[i];
-        wrenches.col(static_cast<int>(i)) << push.direction, (push.point - touched.centre).cross(push.direction);
-    }
-    return wrenches;
+    return {{{point, along}, {point, aside}, {point, across}, {centre, aside}, {centre, across}}};
 }
 
 /// Since the scene was looked at.
@@ -254,8 +253,7 @@ void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, doubl
 {
     const Touched &touched = touched_[pushed];
     const double size = std::max(least_test, last_impulse_on(touched.touch.object));
-    const Pushes pushes = pushes_of(touched);
-    const MotionForecast::PushWrenches wrenches = wrenches_of(touched, pushes);
+    const Pushes &pushes = touched.pushes;
     Courses first;
     Courses found;
     for (std::size_t i = 0; i < pushes.size(); ++i)
@@ -273,7 +271,7 @@ void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, doubl
             for (std::size_t node = 1; node <= nodes; ++node)
             {
                 const BodyMotion free =
-                    static_cast<double>(node) * h * (touched.inverse_inertia * wrenches.col(column));
+                    static_cast<double>(node) * h * (touched.inverse_inertia * touched.wrenches.col(column));
                 const BodyMotion moved = i == 0 ? BodyMotion(first[seen][node] - forecast.free(seen)[node])
                                                 : BodyMotion(found[seen][node] - first[seen][node]);
                 course[node].col(column) = limited(moved / size, free, seen, pushed);
