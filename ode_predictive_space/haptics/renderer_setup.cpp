@@ -5,7 +5,6 @@
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "ode_predictive_space/haptics/renderer_parts.h"
-#include "ode_predictive_space/haptics/safety/stability.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // Bodies whose state is not finite: ODE would end the program for them. The loop ends before that.
 
-#include "ode_predictive_space/haptics/loop/body_check.h"
+#include "ode_predictive_space/haptics/loop/scene_bodies.h"
 #include "tests/haptics/constants.h"
 #include "tests/haptics/loop_fixture.h"
 

@@ -1,6 +1,6 @@
 // A device that is late: how late it is enters what is rendered, so that the hand does not shake.
 
-#include "ode_predictive_space/haptics/device/delay_meter.h"
+#include "ode_predictive_space/haptics/device/device_motion.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "ode_predictive_space/haptics/virtual_device.h"
 #include "tests/haptics/probe_fixture.h"
@@ -120,8 +120,8 @@ TEST(Delay, OfAStateOutOfReasonIsNotCounted)
     DelayMeter meter;
     for (int i = 0; i < 1000; ++i)
     {
-        EXPECT_FALSE(meter.note(i % 2 == 0 ? -1 : 5, 0.001));
-        EXPECT_FALSE(meter.note(nan, 0.001));
+        meter.note(i % 2 == 0 ? -1 : 5, 0.001);
+        meter.note(nan, 0.001);
     }
     EXPECT_EQ(meter.delay(), 0);
 }

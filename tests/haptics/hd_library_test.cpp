@@ -37,7 +37,7 @@ TEST(HdLibrary, NamesEachFileThatIsNotThere)
 TEST(HdLibrary, TakesTheFirstFileThatIsThere)
 {
     const HdLibrary library({"libabsent_hd.so", FAKE_HD});
-    EXPECT_STREQ(library->get_error_string(hd::error::warm_motors), "The motors are warm.");
+    EXPECT_STREQ(library->get_error_string(0x200), "The motors are warm.");
 }
 
 TEST(HdLibrary, NamesALibraryThatIsMissingBehindIt)
@@ -58,9 +58,8 @@ TEST(HdLibrary, NamesTheFunctionThatAnotherVersionLacksAndItsFile)
 TEST(HdLibrary, DescribesErrorsByNameNumberAndTheLibrarysWords)
 {
     const HdLibrary library({FAKE_HD});
-    EXPECT_EQ(library.describe(hd::error::warm_motors, 5),
-              "HD_WARM_MOTORS (0x200, internal code 5): The motors are warm.");
-    EXPECT_EQ(library.describe(0x999, -1), "unknown error (0x999, internal code -1): The stand-in's words.");
+    EXPECT_EQ(library.describe({0x200, 5}), "HD_WARM_MOTORS (0x200, internal code 5): The motors are warm.");
+    EXPECT_EQ(library.describe({0x999, -1}), "unknown error (0x999, internal code -1): The stand-in's words.");
 }
 
 TEST(HdLibrary, KnowsANameForEveryError)

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <functional>
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -45,7 +46,7 @@ TEST(Scheduling, ARefusalIsAnErrorNumber)
 {
     EXPECT_TRUE(holds_without_rights([] {
         std::atomic<int> memory{0};
-        const LockedMemory lock(memory);
+        const AtEnd lock = lock_memory(memory);
         return ask_for_real_time(false) == EPERM && ask_for_real_time(true) == EPERM && (memory != 0) == locks_are_real;
     }));
 }
@@ -107,12 +108,12 @@ TEST(Scheduling, MemoryThatTheProgramLockedStaysLocked)
     EXPECT_EQ(before > 0, locks_are_real);
     std::atomic<int> error{-1};
     {
-        const LockedMemory lock(error);
+        const AtEnd lock = lock_memory(error);
     }
     EXPECT_GE(locked_memory(), before);
     munlockall();
     {
-        const LockedMemory lock(error);
+        const AtEnd lock = lock_memory(error);
     }
     EXPECT_EQ(locked_memory(), 0);
 }
@@ -120,7 +121,7 @@ TEST(Scheduling, MemoryThatTheProgramLockedStaysLocked)
 TEST(Scheduling, AThreadGetsItsSchedulingBack)
 {
     {
-        const SchedulingKeeper keeper;
+        const AtEnd kept = keep_scheduling();
         ask_for_real_time(false);
     }
     EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);

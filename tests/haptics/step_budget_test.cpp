@@ -1,6 +1,6 @@
 // How often the scene is stepped, by how long its steps take: made-up durations, in simulated time.
 
-#include "ode_predictive_space/haptics/loop/step_budget.h"
+#include "ode_predictive_space/haptics/loop/loop_parts.h"
 
 #include "ode_predictive_space/haptics/loop.h"
 #include "tests/haptics/constants.h"

@@ -28,6 +28,7 @@ struct Program
             watchdog.physics_fresh(time);
         watchdog.device_answered(device_answers);
         watchdog.servo_ticked(time);
+        stale_ticks += watchdog.reason() == WatchdogReason::physics_stale ? 1 : 0;
     }
 
     void run(double seconds)
@@ -48,6 +49,7 @@ struct Program
     double time = 5;
     bool physics_runs = true;
     bool device_answers = true;
+    int stale_ticks = 0;
 };
 
 TEST(Watchdog, BeginsAtZeroAndRisesWhenAllIsWell)
@@ -107,7 +109,7 @@ TEST(Watchdog, WithoutPhysicsTheForceIsGoneWithinTenMilliseconds)
     EXPECT_NEAR(program.watchdog.factor(), dt / 0.25, 1e-12);
     program.run(0.3);
     EXPECT_EQ(program.watchdog.factor(), 1);
-    EXPECT_EQ(program.watchdog.count(WatchdogReason::physics_stale), 6u);
+    EXPECT_EQ(program.stale_ticks, 6);
 }
 
 TEST(Watchdog, SlowerPhysicsIsGivenItsTime)
@@ -119,7 +121,7 @@ TEST(Watchdog, SlowerPhysicsIsGivenItsTime)
         program.tick();
     }
     EXPECT_EQ(program.watchdog.factor(), 1);
-    EXPECT_EQ(program.watchdog.count(WatchdogReason::physics_stale), 0u);
+    EXPECT_EQ(program.stale_ticks, 0);
     program.physics_runs = false;
     program.run(0.046); // four periods and the decay
     EXPECT_EQ(program.watchdog.factor(), 0);

@@ -1,9 +1,12 @@
-// What a device's positions say of its motion.
+// What the states of a device say of its motion and its delay.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_MOTION_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_MOTION_H
 
 #include "ode_predictive_space/haptics/device.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace ode_predictive_space::haptics
 {
@@ -16,16 +19,48 @@ public:
     explicit DeviceMotion(double rate) : period_(1 / rate) {}
 
     /// The next state; its velocity is filled in where the device tells none (smoothed over some 2 ms).
-    void follow(DeviceState &state);
+    void follow(DeviceState &state)
+    {
+        tells_velocity_ = tells_velocity_ || !state.linear_velocity.isZero(0);
+        if (!has_last_)
+        {
+            measured_ = state;
+            last_ = state;
+            has_last_ = true;
+        }
+        // A device cannot have moved for less than its period, whatever two reads say of their times.
+        speed_ = (state.position - last_.position).norm() / std::max(period_, state.time - last_.time);
+        last_ = state;
+        estimate(state);
+        if (!tells_velocity_)
+            state.linear_velocity = velocity_;
+    }
 
     /// m/s; between the last two positions. 0 after the first.
     double speed() const { return speed_; }
 
     /// What comes next has nothing to do with what was.
-    void forget();
+    void forget()
+    {
+        has_last_ = false;
+        speed_ = 0;
+        velocity_.setZero();
+    }
 
 private:
-    void estimate(const DeviceState &state);
+    void estimate(const DeviceState &state)
+    {
+        const double elapsed = state.time - measured_.time;
+        if (elapsed >= whole_period * period_)
+        {
+            const Vector3 mean = (state.position - measured_.position) / elapsed;
+            velocity_ += (1 - std::exp(-elapsed / smoothing)) * (mean - velocity_);
+            measured_ = state;
+        }
+    }
+
+    static constexpr double smoothing = 0.002;   ///< s
+    static constexpr double whole_period = 0.99; ///< of one: times are rounded
 
     double period_; ///< s
     bool has_last_ = false;
@@ -34,6 +69,40 @@ private:
     DeviceState last_;
     DeviceState measured_; ///< at least a period before: from there on, the velocity is measured
     Vector3 velocity_ = Vector3::Zero();
+};
+
+/// The delay by which a device tells its position, from the time stamps of its states. It is the largest mean over some
+/// hundred readings: a mean, so that a single late state does not change it; the largest, so that the rendered stiffness does not vary.
+class DelayMeter
+{
+public:
+    /// @param age s; from the time stamp of a state to when it was read. Out of reason (below 0, above 0.1): not counted.
+    /// @param period s; of the device or the loop, the longer one: a state may be that old without being late.
+    void note(double age, double period)
+    {
+        if (!(age >= 0 && age <= oldest))
+            return;
+        sum_ += age;
+        if (++count_ < readings)
+            return;
+        const double mean = std::max(0.0, sum_ / readings - period);
+        if (mean > grown * delay_)
+            delay_ = mean;
+        sum_ = 0;
+        count_ = 0;
+    }
+
+    /// s; 0 before there is a mean.
+    double delay() const { return delay_; }
+
+private:
+    static constexpr int readings = 200;  ///< of which a delay is the mean
+    static constexpr double oldest = 0.1; ///< s
+    static constexpr double grown = 1.1;  ///< times the delay so far: less is the noise of the mean
+
+    double sum_ = 0; ///< s
+    int count_ = 0;
+    double delay_ = 0; ///< s
 };
 } // namespace ode_predictive_space::haptics
 

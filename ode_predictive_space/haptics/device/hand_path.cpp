@@ -15,6 +15,16 @@ double least_jerk_slope(double u)
 {
     return 30 * u * u * (1 - u) * (1 - u);
 }
+
+Capabilities capabilities_of_hand(const HandPathSettings &settings, double half_extent)
+{
+    Capabilities capabilities;
+    capabilities.name = "hand path";
+    capabilities.force_axes = 0;
+    const Vector3 half = Vector3::Constant(half_extent);
+    capabilities.workspace = {settings.centre - half, settings.centre + half};
+    return capabilities;
+}
 } // namespace
 
 HandPath::HandPath(const HandPathSettings &settings, std::uint64_t seed) : settings_(settings), random_(seed)
@@ -125,5 +135,22 @@ Vector3 HandPath::tremor_velocity(double time) const
         }
     }
     return 0.5 * settings_.tremor * sum;
+}
+
+HandPathDevice::HandPathDevice(const HandPathSettings &settings, std::uint64_t seed)
+    : SoftwareDevice(capabilities_of_hand(settings, HandPath(settings, seed).half_extent())), path_(settings, seed)
+{}
+
+void HandPathDevice::start()
+{
+    path_.draw_ahead();
+}
+
+DeviceState HandPathDevice::move_to(double seconds)
+{
+    DeviceState state;
+    state.position = path_.position(seconds);
+    state.linear_velocity = path_.velocity(seconds);
+    return state;
 }
 } // namespace ode_predictive_space::haptics

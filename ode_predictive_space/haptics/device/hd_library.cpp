@@ -1,8 +1,10 @@
 #include "ode_predictive_space/haptics/device/hd_library.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <dlfcn.h>
+#include <iterator>
 
 namespace ode_predictive_space::haptics
 {
@@ -10,6 +12,42 @@ namespace
 {
 /// Of errors taken at once. An error that comes up again while it is taken must not keep the servo thread.
 constexpr int most_errors_at_once = 32;
+
+struct KnownError
+{
+    std::uint32_t code;
+    const char *name;
+    HdConsequence consequence;
+};
+
+constexpr KnownError known_errors[] = {
+    {0x000, "HD_SUCCESS", HdConsequence::failed},
+    {0x100, "HD_INVALID_ENUM", HdConsequence::failed},
+    {0x101, "HD_INVALID_VALUE", HdConsequence::failed},
+    {0x102, "HD_INVALID_OPERATION", HdConsequence::failed},
+    {0x103, "HD_INVALID_INPUT_TYPE", HdConsequence::failed},
+    {0x104, "HD_BAD_HANDLE", HdConsequence::lost},
+    {0x200, "HD_WARM_MOTORS", HdConsequence::pause},
+    {0x201, "HD_EXCEEDED_MAX_FORCE", HdConsequence::pause},
+    {0x202, "HD_EXCEEDED_MAX_FORCE_IMPULSE", HdConsequence::pause},
+    {0x203, "HD_EXCEEDED_MAX_VELOCITY", HdConsequence::pause},
+    {0x204, "HD_FORCE_ERROR", HdConsequence::pause},
+    {0x300, "HD_DEVICE_FAULT", HdConsequence::lost},
+    {0x301, "HD_DEVICE_ALREADY_INITIATED", HdConsequence::lost},
+    {0x302, "HD_COMM_ERROR", HdConsequence::lost},
+    {0x303, "HD_COMM_CONFIG_ERROR", HdConsequence::lost},
+    {0x304, "HD_TIMER_ERROR", HdConsequence::lost},
+    {0x402, "HD_FRAME_ERROR", HdConsequence::failed},
+    {0x501, "HD_SCHEDULER_FULL", HdConsequence::failed},
+    {0x600, "HD_INVALID_LICENSE", HdConsequence::failed},
+};
+
+KnownError known_error(std::uint32_t code)
+{
+    const auto *const found = std::find_if(std::begin(known_errors), std::end(known_errors),
+                                           [code](const KnownError &each) { return each.code == code; });
+    return found != std::end(known_errors) ? *found : KnownError{code, "unknown error", HdConsequence::failed};
+}
 
 /// @throws DeviceError missing_library.
 void *load_first_of(const std::vector<std::string> &files)
@@ -73,97 +111,44 @@ hd::Functions functions_in(void *handle)
 
 HdConsequence consequence_of(std::uint32_t error_code)
 {
-    switch (error_code)
-    {
-    case hd::error::warm_motors:
-    case hd::error::exceeded_max_force:
-    case hd::error::exceeded_max_force_impulse:
-    case hd::error::exceeded_max_velocity:
-    case hd::error::force_error:
-        return HdConsequence::pause;
-    case hd::error::bad_handle:
-    case hd::error::device_fault:
-    case hd::error::device_already_initiated:
-    case hd::error::comm_error:
-    case hd::error::comm_config_error:
-    case hd::error::timer_error:
-        return HdConsequence::lost;
-    default:
-        return HdConsequence::failed;
-    }
+    return known_error(error_code).consequence;
 }
 
 const char *name_of_hd_error(std::uint32_t error_code)
 {
-    struct Name
-    {
-        std::uint32_t code;
-        const char *name;
-    };
-    static constexpr Name names[] = {{hd::error::success, "HD_SUCCESS"},
-                                     {hd::error::invalid_enum, "HD_INVALID_ENUM"},
-                                     {hd::error::invalid_value, "HD_INVALID_VALUE"},
-                                     {hd::error::invalid_operation, "HD_INVALID_OPERATION"},
-                                     {hd::error::invalid_input_type, "HD_INVALID_INPUT_TYPE"},
-                                     {hd::error::bad_handle, "HD_BAD_HANDLE"},
-                                     {hd::error::warm_motors, "HD_WARM_MOTORS"},
-                                     {hd::error::exceeded_max_force, "HD_EXCEEDED_MAX_FORCE"},
-                                     {hd::error::exceeded_max_force_impulse, "HD_EXCEEDED_MAX_FORCE_IMPULSE"},
-                                     {hd::error::exceeded_max_velocity, "HD_EXCEEDED_MAX_VELOCITY"},
-                                     {hd::error::force_error, "HD_FORCE_ERROR"},
-                                     {hd::error::device_fault, "HD_DEVICE_FAULT"},
-                                     {hd::error::device_already_initiated, "HD_DEVICE_ALREADY_INITIATED"},
-                                     {hd::error::comm_error, "HD_COMM_ERROR"},
-                                     {hd::error::comm_config_error, "HD_COMM_CONFIG_ERROR"},
-                                     {hd::error::timer_error, "HD_TIMER_ERROR"},
-                                     {hd::error::frame_error, "HD_FRAME_ERROR"},
-                                     {hd::error::scheduler_full, "HD_SCHEDULER_FULL"},
-                                     {hd::error::invalid_license, "HD_INVALID_LICENSE"}};
-    for (const Name &each : names)
-        if (each.code == error_code)
-            return each.name;
-    return "unknown error";
+    return known_error(error_code).name;
 }
 
-HdLibrary::HdLibrary(const std::vector<std::string> &files) : handle_(load_first_of(files))
-{
-    try
-    {
-        functions_ = functions_in(handle_);
-    }
-    catch (...)
-    {
-        dlclose(handle_);
-        throw;
-    }
-}
+HdLibrary::HdLibrary(const std::vector<std::string> &files) : functions_(functions_in(load_first_of(files))) {}
 
-HdLibrary::~HdLibrary()
+HdFault HdLibrary::take_errors() const
 {
-    dlclose(handle_);
-}
-
-hd::ErrorInfo HdLibrary::take_errors() const
-{
-    hd::ErrorInfo gravest{hd::error::success, 0, hd::invalid_handle};
+    HdFault gravest;
     for (int taken = 0; taken < most_errors_at_once; ++taken)
     {
         const hd::ErrorInfo error = functions_.get_error();
-        if (error.code == hd::error::success)
+        if (error.code == hd::success)
             break;
         // The newest comes first: of two as grave, the later one of this loop is the older.
         const bool is_pause = consequence_of(error.code) == HdConsequence::pause;
-        if (!is_pause || gravest.code == hd::error::success || consequence_of(gravest.code) == HdConsequence::pause)
-            gravest = error;
+        if (!is_pause || !gravest || consequence_of(gravest.code) == HdConsequence::pause)
+            gravest = {error.code, error.internal_code};
     }
     return gravest;
 }
 
-std::string HdLibrary::describe(std::uint32_t error_code, int internal_code) const
+std::string HdLibrary::describe(const HdFault &fault) const
 {
-    char code[64];
-    std::snprintf(code, sizeof code, " (0x%X, internal code %d)", static_cast<unsigned>(error_code), internal_code);
-    const char *words = functions_.get_error_string(error_code);
-    return name_of_hd_error(error_code) + std::string(code) + (words != nullptr ? std::string(": ") + words : "");
+    char numbers[64];
+    std::snprintf(numbers, sizeof numbers, " (0x%X, internal code %d)", static_cast<unsigned>(fault.code),
+                  fault.internal_code);
+    const char *words = functions_.get_error_string(fault.code);
+    return name_of_hd_error(fault.code) + std::string(numbers) + (words != nullptr ? std::string(": ") + words : "");
+}
+
+DeviceError HdLibrary::error(const std::string &doing, const HdFault &fault) const
+{
+    const bool is_lost = consequence_of(fault.code) == HdConsequence::lost;
+    return {is_lost ? DeviceFault::lost : DeviceFault::failed, "OpenHaptics: " + doing + ": " + describe(fault)};
 }
 } // namespace ode_predictive_space::haptics

@@ -12,15 +12,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// An error of the library, or none.
-struct HdFault
-{
-    std::uint32_t code = hd::error::success;
-    int internal_code = 0;
-
-    explicit operator bool() const { return code != hd::error::success; }
-};
-
 /// One frame of the arm, SI units; its time is not set.
 struct HdSample
 {
@@ -37,17 +28,31 @@ class HdServo
 public:
     /// @param longest_age frames for which a written force is rendered, >= 1
     /// @param pause frames without force after an error that passes, >= 1
-    HdServo(const HdLibrary &library, hd::Handle device, std::uint32_t longest_age, std::uint32_t pause);
+    HdServo(const HdLibrary &library, hd::Handle device, std::uint32_t longest_age, std::uint32_t pause)
+        : library_(library), device_(device), longest_age_(longest_age), pause_(pause), age_(longest_age)
+    {}
 
     /// For the library to call; @param servo an HdServo.
-    static std::uint32_t callback(void *servo);
+    static std::uint32_t callback(void *servo)
+    {
+        static_cast<HdServo *>(servo)->run_frame();
+        return hd::callback_continue;
+    }
 
     // --- Of the thread that reads and writes the device
 
-    void write(const Vector3 &force);
+    void write(const Vector3 &force)
+    {
+        forces_.draft() = force;
+        forces_.publish();
+    }
 
     /// The latest frame. What it tells is good if there is no end() after this call.
-    const HdSample &read();
+    const HdSample &read()
+    {
+        samples_.take();
+        return samples_.latest();
+    }
 
     /// From now on no force.
     void rest() { resting_.store(true, std::memory_order_release); }
@@ -63,24 +68,100 @@ public:
     hd::Enum calibration() const { return calibration_.load(std::memory_order_acquire); }
 
     /// The error that a pause began with, told once.
-    HdFault take_pause() { return unpacked(begun_pause_.exchange(0, std::memory_order_acq_rel)); }
+    HdFault take_pause() { return begun_pause_.exchange({}, std::memory_order_acq_rel); }
 
     /// The error for which no force is rendered at the moment.
-    HdFault pause() const { return unpacked(pause_fault_.load(std::memory_order_acquire)); }
+    HdFault pause() const { return pause_fault_.load(std::memory_order_acquire); }
 
     /// The error that ended it all.
-    HdFault end() const { return unpacked(end_.load(std::memory_order_acquire)); }
+    HdFault end() const { return end_.load(std::memory_order_acquire); }
 
 private:
-    void run_frame();
-    void calibrate();
-    void take_state();
-    Vector3 force_of_this_frame();
-    void note(const hd::ErrorInfo &error);
+    void run_frame()
+    {
+        library_->begin_frame(device_);
+        if (calibration() == 0)
+            calibrate();
+        take_state();
+        const Vector3 force = force_of_this_frame();
+        library_->set_doublev(hd::current_force, force.data());
+        library_->end_frame(device_);
 
-    // An atomic of its own size for what belongs together; an error's code is never 0.
-    static std::uint64_t packed(const hd::ErrorInfo &error);
-    static HdFault unpacked(std::uint64_t packed);
+        if (const HdFault fault = library_.take_errors())
+            note(fault);
+        // What was read in a frame that went wrong may be anything: its reader gets the error, too.
+        samples_.publish();
+        frames_.fetch_add(1, std::memory_order_acq_rel);
+    }
+
+    void calibrate()
+    {
+        hd::Enum calibration = library_->check_calibration();
+        if (calibration == hd::calibration_needs_update)
+        {
+            // The arm lies as it must (in its inkwell, for instance) and the library waits for leave to use that.
+            int styles = 0;
+            library_->get_integerv(hd::calibration_style, &styles);
+            const int first_style = styles & -styles;
+            library_->update_calibration(static_cast<hd::Enum>(first_style));
+            calibration = library_->check_calibration();
+        }
+        calibration_.store(calibration, std::memory_order_release);
+    }
+
+    void take_state()
+    {
+        double transform[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+        int buttons = 0;
+        HdSample &sample = samples_.draft();
+        sample.frame = frames() + 1;
+        library_->get_doublev(hd::current_position, sample.state.position.data());
+        library_->get_doublev(hd::current_velocity, sample.state.linear_velocity.data());
+        library_->get_doublev(hd::current_transform, transform);
+        library_->get_doublev(hd::current_angular_velocity, sample.state.angular_velocity.data());
+        library_->get_integerv(hd::current_buttons, &buttons);
+        sample.state.position *= metres_per_millimetre;
+        sample.state.linear_velocity *= metres_per_millimetre;
+        const Eigen::Map<const Eigen::Matrix4d> matrix(transform); // column by column, as Eigen keeps it
+        sample.state.orientation = Quaternion(Eigen::Matrix3d(matrix.topLeftCorner<3, 3>())).normalized();
+        sample.state.buttons = static_cast<std::uint32_t>(buttons);
+    }
+
+    Vector3 force_of_this_frame()
+    {
+        if (forces_.take())
+            age_ = 0;
+        const bool is_stale = age_ >= longest_age_;
+        if (!is_stale)
+            ++age_;
+        const bool is_paused = pause_left_ > 0;
+        if (is_paused && --pause_left_ == 0)
+            pause_fault_.store({}, std::memory_order_release);
+        if (resting_.load(std::memory_order_acquire))
+        {
+            frames_at_rest_.fetch_add(1, std::memory_order_acq_rel);
+            return Vector3::Zero();
+        }
+        return is_stale || is_paused || end() ? Vector3(Vector3::Zero()) : forces_.latest();
+    }
+
+    void note(const HdFault &fault)
+    {
+        if (consequence_of(fault.code) != HdConsequence::pause)
+        {
+            if (!end())
+                end_.store(fault, std::memory_order_release);
+            return;
+        }
+        if (pause_left_ == 0)
+            begun_pause_.store(fault, std::memory_order_release);
+        pause_fault_.store(fault, std::memory_order_release);
+        pause_left_ = pause_;
+    }
+
+    static constexpr double metres_per_millimetre = 1e-3;
+
+    static_assert(std::atomic<HdFault>::is_always_lock_free, "nothing may lock in a servo");
 
     const HdLibrary &library_;
     const hd::Handle device_;
@@ -97,9 +178,9 @@ private:
     std::atomic<std::uint64_t> frames_{0};
     std::atomic<std::uint64_t> frames_at_rest_{0};
     std::atomic<hd::Enum> calibration_{0};
-    std::atomic<std::uint64_t> begun_pause_{0};
-    std::atomic<std::uint64_t> pause_fault_{0};
-    std::atomic<std::uint64_t> end_{0};
+    std::atomic<HdFault> begun_pause_{HdFault()};
+    std::atomic<HdFault> pause_fault_{HdFault()};
+    std::atomic<HdFault> end_{HdFault()};
 };
 } // namespace ode_predictive_space::haptics
 

@@ -1,15 +1,31 @@
 #include "ode_predictive_space/haptics/drivers.h"
 
-#include "ode_predictive_space/haptics/device/hd_session.h"
+#include "ode_predictive_space/haptics/device/at_end.h"
+#include "ode_predictive_space/haptics/device/hd_servo.h"
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
+using namespace std::chrono_literals;
+
+constexpr auto longest_wait_for_first_frame = 1s;
+constexpr auto longest_wait_for_rest = 100ms;
+
+/// Zero is set in one frame and reaches the motors at its end; the next one proves that it got there.
+constexpr std::uint64_t frames_for_rest = 2;
+
+constexpr double millimetres_per_metre = 1e3; // the library tells N/mm, mm
+constexpr const char *servo_ended = "the servo thread has ended";
+constexpr const char *force_paused = "no force is rendered for a while";
+constexpr const char *servo_silent = "the servo thread runs no more";
+
 std::vector<std::string> files_of(const OpenHapticsSettings &settings)
 {
     return settings.library.empty() ? std::vector<std::string>{"libHD.so", "libHD.so.3.0"}
@@ -20,6 +36,34 @@ std::uint32_t frames_in(double seconds, double rate)
 {
     return static_cast<std::uint32_t>(std::fmax(1, std::ceil(seconds * rate)));
 }
+
+DeviceError hd_error(DeviceFault fault, const std::string &sentence)
+{
+    return {fault, "OpenHaptics: " + sentence};
+}
+
+/// The library has one scheduler, and stopping it for one device would stop it for all.
+AtEnd take_scheduler()
+{
+    static std::atomic<bool> is_taken{false};
+    if (is_taken.exchange(true))
+        throw hd_error(DeviceFault::permission_denied,
+                       "another device is open in this program, and the library has but one scheduler");
+    return AtEnd([] { is_taken.store(false); });
+}
+
+/// @return whether it came true in time.
+template <typename Condition> bool wait_for(Condition is_true, std::chrono::milliseconds longest)
+{
+    const auto end = std::chrono::steady_clock::now() + longest;
+    while (!is_true())
+    {
+        if (std::chrono::steady_clock::now() > end)
+            return false;
+        std::this_thread::sleep_for(200us);
+    }
+    return true;
+}
 } // namespace
 
 /// From open() to close(). The order of the members is the order of the steps; at the end, and when a step fails, those
@@ -28,12 +72,21 @@ class OpenHapticsDevice::Session
 {
 public:
     explicit Session(const OpenHapticsSettings &settings)
-        : library_(files_of(settings)), device_(library_, settings.configuration),
-          capabilities_(device_.read_capabilities()),
-          servo_(library_, device_.handle(), frames_in(force_timeout, capabilities_.rate),
-                 frames_in(recovery_time, capabilities_.rate)),
-          schedule_(library_, servo_), scheduler_(library_, device_, servo_)
-    {}
+        : scheduler_taken_(take_scheduler()), library_(files_of(settings)),
+          name_(settings.configuration.empty() ? "the default device" : "the device " + settings.configuration),
+          handle_(initialise(settings.configuration)), initialised_([this] { switch_off(); }),
+          capabilities_(read_capabilities()), servo_(library_, handle_, frames_in(force_timeout, capabilities_.rate),
+                                                     frames_in(recovery_time, capabilities_.rate)),
+          callback_(library_->schedule_asynchronous(HdServo::callback, &servo_, hd::default_priority)),
+          scheduled_([this] { library_->unschedule(callback_); })
+    {
+        check("the servo cannot be scheduled");
+        enable_force_output();
+        library_->start_scheduler();
+        started_ = AtEnd([this] { stop(); });
+        check("the scheduler cannot be started");
+        wait_until_ready();
+    }
 
     const Capabilities &capabilities() const { return capabilities_; }
 
@@ -53,46 +106,109 @@ public:
         servo_.write(force.allFinite() ? force : Vector3(Vector3::Zero()));
         throw_faults(servo_.take_pause()); // once: a caller that writes zero because of it has done what is to be done
         if (!force.allFinite())
-        {
-            throw DeviceError(DeviceFault::failed,
-                              "OpenHaptics: a force was written that is not finite; none is rendered");
-        }
+            throw hd_error(DeviceFault::failed, "a force was written that is not finite; none is rendered");
     }
 
     std::string what_is_wrong() const
     {
         if (const HdFault end = servo_.end())
-            return "the servo thread has ended: " + library_.describe(end.code, end.internal_code);
+            return std::string(servo_ended) + ": " + library_.describe(end);
         if (is_silent_)
-            return silence;
+            return servo_silent;
         if (const HdFault pause = servo_.pause())
-            return "no force is rendered for a while: " + library_.describe(pause.code, pause.internal_code);
+            return std::string(force_paused) + ": " + library_.describe(pause);
         return {};
     }
 
 private:
-    /// The library has one scheduler, and stopping it for one device would stop it for all.
-    class OnlyOne
+    /// @throws DeviceError when the library has an error to tell.
+    void check(const std::string &doing) const
     {
-    public:
-        OnlyOne()
+        if (const HdFault fault = library_.take_errors())
+            throw library_.error(doing, fault);
+    }
+
+    hd::Handle initialise(const std::string &configuration) const
+    {
+        library_.take_errors(); // left over from before
+        const hd::Handle handle = library_->init_device(configuration.empty() ? nullptr : configuration.c_str());
+        const HdFault fault = library_.take_errors();
+        if (handle != hd::invalid_handle && !fault)
         {
-            if (is_taken.exchange(true))
-            {
-                throw DeviceError(
-                    DeviceFault::permission_denied,
-                    "OpenHaptics: another device is open in this program, and the library has but one scheduler");
-            }
+            library_->make_current_device(handle);
+            return handle;
         }
-        ~OnlyOne() { is_taken.store(false); }
-        OnlyOne(const OnlyOne &) = delete;
-        OnlyOne &operator=(const OnlyOne &) = delete;
+        if (handle != hd::invalid_handle)
+            library_->disable_device(handle);
+        throw hd_error(fault.code != hd::invalid_license ? DeviceFault::not_found : DeviceFault::failed,
+                       name_ + " cannot be initialised: " + library_.describe(fault));
+    }
 
-    private:
-        static inline std::atomic<bool> is_taken{false};
-    };
+    void switch_off() const
+    {
+        library_->make_current_device(handle_);
+        library_->disable(hd::force_output);
+        library_->disable_device(handle_);
+    }
 
-    static constexpr const char *silence = "the servo thread runs no more";
+    double number(hd::Enum name) const
+    {
+        double value = 0;
+        library_->get_doublev(name, &value);
+        return value;
+    }
+
+    Capabilities read_capabilities() const
+    {
+        Capabilities capabilities;
+        int rate = 0;
+        double corners[6] = {};
+        const char *model = library_->get_string(hd::device_model_type);
+        library_->get_integerv(hd::update_rate, &rate);
+        library_->get_doublev(hd::usable_workspace, corners);
+        capabilities.name = model != nullptr ? model : "OpenHaptics device";
+        capabilities.input_axes = 6;
+        capabilities.force_axes = 3;
+        capabilities.max_force = number(hd::nominal_max_force);
+        capabilities.max_stiffness = number(hd::nominal_max_stiffness) * millimetres_per_metre;
+        capabilities.max_damping = number(hd::nominal_max_damping) * millimetres_per_metre;
+        capabilities.workspace = {Vector3(corners) / millimetres_per_metre,
+                                  Vector3(corners + 3) / millimetres_per_metre};
+        check("what " + name_ + " can do cannot be read");
+        // Some drivers measure the rate and have nothing to tell before their servo runs.
+        capabilities.rate = rate > 0 ? rate : 1000;
+        return capabilities;
+    }
+
+    /// With the library's own limits on it.
+    void enable_force_output() const
+    {
+        library_->enable(hd::max_force_clamping);
+        library_->enable(hd::force_ramping);
+        library_->enable(hd::force_output);
+        check("the force output of " + name_ + " cannot be switched on");
+    }
+
+    void wait_until_ready() const
+    {
+        if (!wait_for([this] { return servo_.frames() > 0; }, longest_wait_for_first_frame))
+            throw hd_error(DeviceFault::failed, "the scheduler was started and its servo thread does not run");
+        if (const HdFault end = servo_.end())
+            throw library_.error(servo_ended, end);
+        if (servo_.calibration() != hd::calibration_ok)
+            throw hd_error(DeviceFault::not_calibrated,
+                           "the device is not calibrated: put its stylus into the inkwell, or its arm into the neutral "
+                           "position, or calibrate it with the vendor's tool, and open it again");
+    }
+
+    /// Before the scheduler stops, zero force is set, and seen by one more frame.
+    void stop()
+    {
+        servo_.rest();
+        // When the servo thread stands still, the device switches its force output off instead.
+        wait_for([this] { return servo_.frames_at_rest() >= frames_for_rest; }, longest_wait_for_rest);
+        library_->stop_scheduler();
+    }
 
     void note_silence(std::uint64_t frame, double time)
     {
@@ -109,23 +225,26 @@ private:
     }
 
     /// @throws DeviceError for an end or silence, or a pause if there is one.
-    void throw_faults(const HdFault &pause)
+    void throw_faults(const HdFault &pause) const
     {
         if (const HdFault end = servo_.end())
-            throw hd_error(library_, "the servo thread has ended", end.code, end.internal_code);
+            throw library_.error(servo_ended, end);
         if (is_silent_)
-            throw DeviceError(DeviceFault::lost, std::string("OpenHaptics: ") + silence);
+            throw hd_error(DeviceFault::lost, servo_silent);
         if (pause)
-            throw hd_error(library_, "no force is rendered for a while", pause.code, pause.internal_code);
+            throw library_.error(force_paused, pause);
     }
 
-    OnlyOne only_one_;
+    AtEnd scheduler_taken_;
     HdLibrary library_;
-    HdDevice device_;
+    std::string name_; ///< of the device, in messages
+    hd::Handle handle_;
+    AtEnd initialised_;
     Capabilities capabilities_;
     HdServo servo_;
-    HdSchedule schedule_;
-    HdScheduler scheduler_;
+    hd::SchedulerHandle callback_;
+    AtEnd scheduled_;
+    AtEnd started_;
 
     std::uint64_t frame_ = 0;
     double time_of_frame_ = 0;
@@ -167,14 +286,14 @@ const Capabilities &OpenHapticsDevice::capabilities() const
 DeviceState OpenHapticsDevice::read(double time)
 {
     if (session_ == nullptr)
-        throw DeviceError(DeviceFault::not_open, "OpenHaptics: read() needs open()");
+        throw hd_error(DeviceFault::not_open, "read() needs open()");
     return session_->read(time);
 }
 
 void OpenHapticsDevice::write(const Wrench &wrench)
 {
     if (session_ == nullptr)
-        throw DeviceError(DeviceFault::not_open, "OpenHaptics: write() needs open()");
+        throw hd_error(DeviceFault::not_open, "write() needs open()");
     session_->write(wrench.force);
 }
 

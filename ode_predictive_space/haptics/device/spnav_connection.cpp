@@ -2,11 +2,13 @@
 
 #ifdef ODE_PREDICTIVE_SPACE_HAS_SPNAV
 
-#include "ode_predictive_space/haptics/device/sigpipe_guard.h"
+#include "ode_predictive_space/haptics/device/at_end.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -25,6 +27,23 @@ constexpr const char *server_settings = "/etc/spnavrc";
 
 /// Of events taken in one call: a server gone wild must not keep the servo loop. Mice send some hundred a second.
 constexpr int most_events_at_once = 256;
+
+/// Until the end, writing to a socket without a reader raises no signal in this thread: libspnav writes with write(), and a server
+/// that hangs up must not end the program.
+AtEnd block_sigpipe()
+{
+    sigset_t sigpipe, pending, mask_before;
+    sigemptyset(&sigpipe);
+    sigaddset(&sigpipe, SIGPIPE);
+    sigpending(&pending);
+    pthread_sigmask(SIG_BLOCK, &sigpipe, &mask_before);
+    return AtEnd([sigpipe, mask_before, was_pending = sigismember(&pending, SIGPIPE) == 1] {
+        const timespec at_once{0, 0};
+        if (!was_pending)
+            sigtimedwait(&sigpipe, nullptr, &at_once);
+        pthread_sigmask(SIG_SETMASK, &mask_before, nullptr);
+    });
+}
 
 /// Why a socket cannot be connected to; 0 when it can.
 int connect_error(const std::string &path)
@@ -111,7 +130,7 @@ class Connection final : public SpnavConnection
 public:
     Connection()
     {
-        const SigpipeGuard guard;
+        const AtEnd unblock = block_sigpipe();
         open_library();
         try
         {

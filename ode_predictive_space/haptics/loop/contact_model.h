@@ -5,7 +5,9 @@
 
 #include "ode_predictive_space/haptics/touch.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace ode_predictive_space::haptics
 {
@@ -39,14 +41,40 @@ public:
     /// @param all_known whether these are all.
     /// @param tool m, the scene's frame; where the probe was.
     /// @param time s; when this was so.
-    void set(const std::vector<Touch> &touches, bool all_known, const Vector3 &tool, double time);
+    void set(const std::vector<Touch> &touches, bool all_known, const Vector3 &tool, double time)
+    {
+        const auto end = std::partial_sort_copy(touches.begin(), touches.end(), touches_.begin(), touches_.end(),
+                                                [](const Touch &a, const Touch &b) { return a.depth > b.depth; });
+        count_ = static_cast<std::size_t>(end - touches_.begin());
+        all_known_ = all_known;
+        tool_ = tool;
+        time_ = time;
+    }
 
     /// What a probe touches that is at another place at another time. Touches from the side of entry are left out: they are
     /// those of geoms that the servo knows better.
     ///
     /// @param shifts one for each surface.
     /// @param touches is overwritten: those whose depth is above 0.
-    void evaluate(const Vector3 &tool, double time, const Shifts &shifts, std::vector<Touch> &touches) const;
+    void evaluate(const Vector3 &tool, double time, const Shifts &shifts, std::vector<Touch> &touches) const
+    {
+        touches.clear();
+        const Vector3 moved = tool - tool_;
+        for (std::size_t i = 0; i < count_; ++i)
+        {
+            Touch touch = touches_[i];
+            if (touch.from_entry_side)
+                continue; // the servo has the geom itself
+            const Vector3 carried = (time - time_) * touch.surface_velocity + shifts[i].moved_at(touch.point);
+            touch.depth -= touch.normal.dot(moved - carried);
+            if (touch.depth <= 0)
+                continue;
+            // The contact goes with the tool along the surface, and with the surface along the normal.
+            touch.point += moved - touch.normal * touch.normal.dot(moved - carried);
+            touch.surface_velocity += shifts[i].velocity_at(touches_[i].point);
+            touches.push_back(touch);
+        }
+    }
 
     std::size_t count() const { return count_; }
     const Touch &touch(std::size_t index) const { return touches_[index]; }

@@ -12,11 +12,8 @@
 // The scene steps the interval that has just passed, in which it knows what the hand did. Then it tries out how the touched bodies
 // will go on and how they answer a push, through all joints and contacts, and the servo moves them by that.
 
-#include "ode_predictive_space/haptics/loop/decoupled_loop.h"
-
 #include "ode_predictive_space/haptics/loop/decoupled_servo.h"
 #include "ode_predictive_space/haptics/loop/scene_motion.h"
-#include "ode_predictive_space/haptics/loop/step_budget.h"
 
 #include <cstdio>
 #include <ode/misc.h>
@@ -34,20 +31,132 @@ public:
           dt_(1 / parts.settings.physics_rate), motion_(sensor_, parts.probe.renderer().law().material().stiffness)
     {}
 
-    void run();
+    void run()
+    {
+        const int most_behind = parts_.settings.most_steps_behind;
+        Pacer pacer(parts_.time.start, dt_, most_behind);
+        if (goes_on())
+            look(pacer.due());
+        while (goes_on())
+        {
+            const double length = step_length();
+            pacer.set_period(length, most_behind * steps_per_period_);
+            parts_.counts.dropped += pacer.go_on(parts_.clock.now());
+            parts_.clock.sleep_until(pacer.due());
+            const double begin = parts_.clock.now();
+            parts_.scene.begin(begin);
+            parts_.guard->begin_step(begin);
+            advance(pacer.due(), length);
+            if (goes_on())
+                look(pacer.due());
+            const double end = parts_.clock.now();
+            budget_.note(end - begin);
+            parts_.scene.end(end, pacer.due() + length);
+        }
+        parts_.guard->end_steps();
+    }
 
     /// All that the hand got and the bodies have not got yet.
-    void push_rest();
+    void push_rest()
+    {
+        receive();
+        motion_.push_all(dt_);
+    }
 
 private:
-    bool goes_on() const;
-    double step_length();
-    void advance(double due, double length);
-    void look(double due);
-    void find_touches();
-    void receive();
-    void tell_of_shorter_steps();
-    void tell_of_surprise();
+    bool goes_on() const
+    {
+        return parts_.time.simulated < parts_.settings.duration && !parts_.must_end() && !servo_.ended();
+    }
+
+    /// s; of the step that comes next.
+    double step_length()
+    {
+        if (motion_.steps_per_period() != steps_per_period_)
+        {
+            steps_per_period_ = motion_.steps_per_period();
+            changed_ = parts_.time.simulated;
+            steps_ = 0;
+            parts_.probe.set_tick_length(dt_ / steps_per_period_);
+        }
+        return dt_ / steps_per_period_;
+    }
+
+    /// The interval that ends now, with what the hand got in it.
+    void advance(double due, double length)
+    {
+        receive();
+        motion_.push(due - length, length);
+        const unsigned long seed = dRandGetSeed();
+        work_.advance(length);
+        motion_.note_step(dRandGetSeed() != seed);
+        if (!motion_.repeats() && !surprised_)
+            tell_of_surprise();
+        ++steps_;
+        parts_.time.simulated = changed_ + static_cast<double>(steps_) * length;
+    }
+
+    void receive()
+    {
+        Impulse impulse;
+        while (servo_.impulses().receive(impulse))
+            motion_.receive(impulse);
+    }
+
+    void find_touches()
+    {
+        parts_.rendered.take();
+        sensor_.clear();
+        if (sensor_.tracker() != nullptr)
+        {
+            servo_.memory().take();
+            sensor_.tracker()->adopt(servo_.memory().latest());
+        }
+        parts_.probe.place(parts_.rendered.latest());
+        parts_.collide(work_);
+    }
+
+    void look(double due)
+    {
+        find_touches();
+        const RenderedTick &tick = parts_.rendered.latest();
+        Surroundings &surroundings = servo_.surroundings().draft();
+        surroundings.tool_jumps = tick.tool_jumps;
+        surroundings.planes.set(sensor_.touches(), !sensor_.saw_nonsense(), tick.tool.position, due);
+        const int steps = motion_.steps_per_period();
+        motion_.foresee(surroundings.planes, due, dt_, budget_.affordable(dt_), surroundings.forecast);
+        if (motion_.steps_per_period() != steps)
+            tell_of_shorter_steps();
+        if (sensor_.tracker() != nullptr)
+            sensor_.tracker()->hand_over(surroundings.geoms, due);
+        servo_.surroundings().publish();
+        parts_.probe.renderer().physics_fresh(parts_.clock.now());
+    }
+
+    void tell_of_shorter_steps()
+    {
+        std::array<char, std::tuple_size_v<decltype(Notice::text)>> text;
+        std::snprintf(
+            text.data(), text.size(),
+            "The scene is stepped %d times as often, at %.0f Hz: what the probe is near to has joints or contacts "
+            "that are too stiff and light for steps of %.1f ms.",
+            motion_.steps_per_period(), motion_.steps_per_period() / dt_, 1000 * dt_);
+        tell(text.data());
+    }
+
+    void tell_of_surprise()
+    {
+        surprised_ = true;
+        tell("The program's step does more than ODE's, or less: what is touched is taken to go on with its velocity. "
+             "Step "
+             "such a "
+             "scene at 200 Hz or more, or in one thread.");
+    }
+
+    void tell(std::string_view sentence)
+    {
+        parts_.guard->post(Notice(NoticeKind::coupling, parts_.now(), sentence), LoopGuard::Side::scene);
+    }
 
     LoopParts &parts_;
     DecoupledServo &servo_;
@@ -61,126 +170,6 @@ private:
     StepBudget budget_;
     bool surprised_ = false; ///< and it has been told
 };
-
-void SceneLoop::run()
-{
-    const int most_behind = parts_.settings.most_steps_behind;
-    Pacer pacer(parts_.time.start, dt_, most_behind);
-    if (goes_on())
-        look(pacer.due());
-    while (goes_on())
-    {
-        const double length = step_length();
-        pacer.set_period(length, most_behind * steps_per_period_);
-        parts_.counts.dropped += pacer.go_on(parts_.clock.now());
-        parts_.clock.sleep_until(pacer.due());
-        const double begin = parts_.clock.now();
-        parts_.scene.begin(begin);
-        parts_.guard->begin_step(begin);
-        advance(pacer.due(), length);
-        if (goes_on())
-            look(pacer.due());
-        const double end = parts_.clock.now();
-        budget_.note(end - begin);
-        parts_.scene.end(end, pacer.due() + length);
-    }
-    parts_.guard->end_steps();
-}
-
-bool SceneLoop::goes_on() const
-{
-    return parts_.time.simulated < parts_.settings.duration && !parts_.must_end() && !servo_.ended();
-}
-
-/// s; of the step that comes next.
-double SceneLoop::step_length()
-{
-    if (motion_.steps_per_period() != steps_per_period_)
-    {
-        steps_per_period_ = motion_.steps_per_period();
-        changed_ = parts_.time.simulated;
-        steps_ = 0;
-        parts_.probe.set_tick_length(dt_ / steps_per_period_);
-    }
-    return dt_ / steps_per_period_;
-}
-
-/// The interval that ends now, with what the hand got in it.
-void SceneLoop::advance(double due, double length)
-{
-    receive();
-    motion_.push(due - length, length);
-    const unsigned long seed = dRandGetSeed();
-    work_.advance(length);
-    motion_.note_step(dRandGetSeed() != seed);
-    if (!motion_.repeats() && !surprised_)
-        tell_of_surprise();
-    ++steps_;
-    parts_.time.simulated = changed_ + static_cast<double>(steps_) * length;
-}
-
-void SceneLoop::receive()
-{
-    Impulse impulse;
-    while (servo_.impulses().receive(impulse))
-        motion_.receive(impulse);
-}
-
-void SceneLoop::find_touches()
-{
-    parts_.rendered.take();
-    sensor_.clear();
-    if (sensor_.tracker() != nullptr)
-    {
-        servo_.memory().take();
-        sensor_.tracker()->adopt(servo_.memory().latest());
-    }
-    parts_.probe.place(parts_.rendered.latest());
-    parts_.collide(work_);
-}
-
-void SceneLoop::look(double due)
-{
-    find_touches();
-    const RenderedTick &tick = parts_.rendered.latest();
-    Surroundings &surroundings = servo_.surroundings().draft();
-    surroundings.tool_jumps = tick.tool_jumps;
-    surroundings.planes.set(sensor_.touches(), !sensor_.saw_nonsense(), tick.tool.position, due);
-    const int steps = motion_.steps_per_period();
-    motion_.foresee(surroundings.planes, due, dt_, budget_.affordable(dt_), surroundings.forecast);
-    if (motion_.steps_per_period() != steps)
-        tell_of_shorter_steps();
-    if (sensor_.tracker() != nullptr)
-        sensor_.tracker()->hand_over(surroundings.geoms, due);
-    servo_.surroundings().publish();
-    parts_.probe.renderer().physics_fresh(parts_.clock.now());
-}
-
-void SceneLoop::tell_of_shorter_steps()
-{
-    std::array<char, std::tuple_size_v<decltype(Notice::text)>> text;
-    std::snprintf(
-        text.data(), text.size(),
-        "The scene is stepped %d times as often, at %.0f Hz: what the probe is near to has joints or contacts "
-        "that are too stiff and light for steps of %.1f ms.",
-        motion_.steps_per_period(), motion_.steps_per_period() / dt_, 1000 * dt_);
-    parts_.guard->post_of_scene(Notice(NoticeKind::coupling, parts_.now(), text.data()));
-}
-
-void SceneLoop::tell_of_surprise()
-{
-    surprised_ = true;
-    parts_.guard->post_of_scene(Notice(NoticeKind::coupling, parts_.now(),
-                                       "The program's step does more than ODE's, or less: what is touched is taken to "
-                                       "go on with its velocity. Step such a "
-                                       "scene at 200 Hz or more, or in one thread."));
-}
-
-void SceneLoop::push_rest()
-{
-    receive();
-    motion_.push_all(dt_);
-}
 } // namespace
 
 void run_decoupled(LoopParts &parts, const SceneWork &work)
@@ -198,6 +187,7 @@ void run_decoupled(LoopParts &parts, const SceneWork &work)
             {1 / settings.rate, parts.priority_request(false), [&](double due) { servo_side.tick(due); }});
         scene_side.run();
     }
+
     probe.renderer().relax();
     servo_side.settle();
     scene_side.push_rest();

@@ -11,6 +11,8 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr std::size_t reserved_touches = 256; // before the deepest are chosen
+constexpr std::size_t most_shares = 2 * ContactModel::capacity;
+constexpr std::uint64_t unnumbered = ~std::uint64_t{0};
 
 /// Impulses that can be on their way before the watchdog has taken the force away from a scene that does not fetch them.
 std::size_t most_impulses(const LoopSettings &settings)
@@ -18,9 +20,50 @@ std::size_t most_impulses(const LoopSettings &settings)
     constexpr double decay = 0.01; // s; of the watchdog, at most
     const WatchdogLimits limits = WatchdogLimits::of(settings.rate, settings.physics_rate);
     const double ticks = std::ceil(settings.rate * (limits.stale_after + decay)) + 2;
-    return 2 * ContactModel::capacity * static_cast<std::size_t>(ticks);
+    return most_shares * static_cast<std::size_t>(ticks);
 }
 } // namespace
+
+HandImpulses::HandImpulses(std::size_t most, double start) : queue_(most), rendered_due_(start)
+{
+    given_.reserve(most + most_shares);
+    held_.reserve(most_shares);
+}
+
+void HandImpulses::foresee(const MotionForecast &forecast, const ContactModel &planes, double due,
+                           ContactModel::Shifts &shifts)
+{
+    given_.erase(given_.begin(), std::find_if(given_.begin(), given_.end(), [&](const Impulse &impulse) {
+                     return impulse.number > forecast.last_included();
+                 }));
+    const std::size_t known = given_.size();
+    for (const ForceShare &share : held_)
+        given_.push_back({share.object, share.point, (due - rendered_due_) * share.force, rendered_due_, unnumbered});
+    forecast.shift(given_, due, planes, shifts);
+    given_.resize(known);
+}
+
+void HandImpulses::settle(double now, const DeviceGate &gate, const std::vector<ForceShare> &shares)
+{
+    const std::uint64_t zeros = gate.zeros();
+    const bool guard_took_it = zeros != zeros_; // the servo has hung since
+    const double held_until = guard_took_it ? std::clamp(gate.last_zero(), settled_, now) : now;
+    for (const ForceShare &share : held_)
+        give(share, held_until - settled_);
+    zeros_ = zeros;
+    settled_ = now;
+    held_ = shares;
+    if (guard_took_it)
+        held_.clear();
+}
+
+/// The tick began when it was due: then the scene's semi-implicit steps and the forecast are of one kind, and create no energy.
+void HandImpulses::give(const ForceShare &share, double seconds)
+{
+    const Impulse impulse = {share.object, share.point, seconds * share.force, rendered_due_, ++numbered_};
+    if (queue_.give(impulse) && given_.size() + held_.size() < given_.capacity())
+        given_.push_back(impulse);
+}
 
 DecoupledServo::DecoupledServo(LoopParts &parts)
     : parts_(parts), renderer_(parts.probe.renderer()), impulses_(most_impulses(parts.settings), parts.time.start)

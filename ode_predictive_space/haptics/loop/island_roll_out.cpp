@@ -1,7 +1,7 @@
 #include "ode_predictive_space/haptics/loop/island_roll_out.h"
 
 #include "ode_predictive_space/haptics/contact/ode_vector.h"
-#include "ode_predictive_space/haptics/loop/world_bodies.h"
+#include "ode_predictive_space/haptics/loop/scene_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,17 +72,8 @@ void IslandRollOut::add(dBodyID body)
     if (!known_.insert(body).second)
         return;
     ends_ += dBodyGetNumJoints(body);
-    State state;
-    state.body = body;
-    state.position = from_ode(dBodyGetPosition(body));
-    const dReal *turn = dBodyGetQuaternion(body);
-    state.orientation = Quaternion(turn[0], turn[1], turn[2], turn[3]);
-    state.linear_velocity = from_ode(dBodyGetLinearVel(body));
-    state.angular_velocity = from_ode(dBodyGetAngularVel(body));
-    state.force = from_ode(dBodyGetForce(body));
-    state.torque = from_ode(dBodyGetTorque(body));
-    state.awake = dBodyIsEnabled(body) != 0;
-    states_.push_back(state);
+    states_.push_back({body, tool_state_of(body), from_ode(dBodyGetForce(body)), from_ode(dBodyGetTorque(body)),
+                       dBodyIsEnabled(body) != 0});
 }
 
 /// The nearest first.
@@ -120,7 +111,7 @@ void IslandRollOut::note_joint(dJointID joint, dBodyID body)
         joints_.push_back(joint);
     if (dJointFeedback *const feedback = dJointGetFeedback(joint))
     {
-        feedbacks_.push_back({joint, feedback});
+        feedbacks_.emplace_back(joint, feedback);
         dJointSetFeedback(joint, nullptr);
     }
 }
@@ -183,8 +174,8 @@ IslandRollOut::~IslandRollOut()
         dJointEnable(joint);
     for (const dBodyID body : held_)
         dBodyEnable(body);
-    for (const Feedback &feedback : feedbacks_)
-        dJointSetFeedback(feedback.joint, feedback.feedback);
+    for (const auto &[joint, feedback] : feedbacks_)
+        dJointSetFeedback(joint, feedback);
     dRandSetSeed(seed_);
 }
 
@@ -252,13 +243,13 @@ void IslandRollOut::restore() const
             setter(state.body, static_cast<dReal>(value.x()), static_cast<dReal>(value.y()),
                    static_cast<dReal>(value.z()));
         };
-        const Quaternion &turn = state.orientation;
+        const Quaternion &turn = state.motion.orientation;
         const dQuaternion quaternion = {static_cast<dReal>(turn.w()), static_cast<dReal>(turn.x()),
                                         static_cast<dReal>(turn.y()), static_cast<dReal>(turn.z())};
-        set(&dBodySetPosition, state.position);
+        set(&dBodySetPosition, state.motion.position);
         dBodySetQuaternion(state.body, quaternion);
-        set(&dBodySetLinearVel, state.linear_velocity);
-        set(&dBodySetAngularVel, state.angular_velocity);
+        set(&dBodySetLinearVel, state.motion.linear_velocity);
+        set(&dBodySetAngularVel, state.motion.angular_velocity);
         set(&dBodySetForce, state.force);
         set(&dBodySetTorque, state.torque);
         if (state.awake != (dBodyIsEnabled(state.body) != 0))

@@ -3,11 +3,12 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_ISLAND_ROLL_OUT_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_ISLAND_ROLL_OUT_H
 
-#include "ode_predictive_space/haptics/device.h"
+#include "ode_predictive_space/haptics/touch_sensor.h"
 
 #include <functional>
 #include <ode/ode.h>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace ode_predictive_space::haptics
@@ -66,19 +67,10 @@ private:
     struct State
     {
         dBodyID body;
-        Vector3 position;
-        Quaternion orientation;
-        Vector3 linear_velocity;
-        Vector3 angular_velocity;
+        ToolState motion;
         Vector3 force;
         Vector3 torque;
         bool awake;
-    };
-
-    struct Feedback
-    {
-        dJointID joint;
-        dJointFeedback *feedback;
     };
 
     void add(dBodyID body);
@@ -92,12 +84,12 @@ private:
     bool quick_;
     std::unordered_set<dBodyID> known_;
     std::vector<State> states_;
-    int ends_ = 0; ///< of the joints of these
-    std::vector<Feedback> feedbacks_;
-    std::vector<dJointID> joints_;        ///< those that last
-    std::vector<dBodyID> made_kinematic_; ///< at the border
-    std::vector<dJointID> switched_off_;  ///< beyond it
-    std::vector<dBodyID> held_;           ///< awake, but not to be stepped
+    int ends_ = 0;                                                 ///< of the joints of these
+    std::vector<std::pair<dJointID, dJointFeedback *>> feedbacks_; ///< of the program
+    std::vector<dJointID> joints_;                                 ///< those that last
+    std::vector<dBodyID> made_kinematic_;                          ///< at the border
+    std::vector<dJointID> switched_off_;                           ///< beyond it
+    std::vector<dBodyID> held_;                                    ///< awake, but not to be stepped
     unsigned long seed_;
     bool has_joints_ = false;
     bool has_contacts_ = false;

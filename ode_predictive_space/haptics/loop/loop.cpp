@@ -1,11 +1,9 @@
 #include "ode_predictive_space/haptics/loop.h"
 
-#include "ode_predictive_space/haptics/loop/coupled_loop.h"
-#include "ode_predictive_space/haptics/loop/decoupled_loop.h"
-#include "ode_predictive_space/haptics/safety.h"
+#include "ode_predictive_space/haptics/loop/loop_parts.h"
+#include "ode_predictive_space/haptics/safety/notice_desk.h"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -30,8 +28,8 @@ public:
         if (parts.settings.ask_for_priority)
         {
             parts.scheduling.asked = true;
-            keeper_.emplace();
-            memory_.emplace(parts.scheduling.memory_error);
+            scheduling_kept_ = keep_scheduling();
+            memory_locked_ = lock_memory(parts.scheduling.memory_error);
         }
         GuardDuties duties;
         duties.stall_after = stall_after(parts.settings.rate);
@@ -77,9 +75,35 @@ private:
 
     LoopParts &parts_;
     NoticeSink sink_;
-    std::optional<SchedulingKeeper> keeper_;
-    std::optional<LockedMemory> memory_;
+    AtEnd scheduling_kept_;
+    AtEnd memory_locked_;
 };
+
+/// The single-threaded loop: read, collide, force, step.
+void run_coupled(LoopParts &parts, const SceneWork &work)
+{
+    if (const auto ask = parts.priority_request(false))
+        ask();
+    const LoopSettings &settings = parts.settings;
+    const double period = 1 / settings.rate;
+    Pacer pacer(parts.time.start, period, settings.most_steps_behind);
+    for (std::uint64_t tick = 0; static_cast<double>(tick) * period < settings.duration && !parts.must_end(); ++tick)
+    {
+        parts.clock.sleep_until(pacer.due());
+        const double now = parts.clock.now();
+        parts.guard->beat(now);
+        parts.servo.begin(now);
+        parts.probe.begin(parts.time.first + static_cast<double>(tick) * period, now);
+        parts.collide(work);
+        parts.probe.render(period);
+        parts.note_rendered(parts.probe.last_tick());
+        parts.rendered.take();
+        work.advance(period);
+        parts.time.simulated = static_cast<double>(tick + 1) * period;
+        parts.counts.dropped += pacer.go_on(parts.clock.now());
+        parts.servo.end(parts.clock.now(), pacer.due());
+    }
+}
 
 void run_watched(LoopParts &parts, const SceneWork &work)
 {
@@ -92,18 +116,11 @@ void run_watched(LoopParts &parts, const SceneWork &work)
     {
         parts.settings.decoupled ? run_decoupled(parts, work) : run_coupled(parts, work);
     }
-    catch (const std::exception &error)
-    {
-        renderer.relax();
-        parts.guard->post(Notice(NoticeKind::exception, parts.now(),
-                                 "No force: the program's part of the loop failed: " + std::string(error.what())));
-        throw;
-    }
     catch (...)
     {
         renderer.relax();
         parts.guard->post(
-            Notice(NoticeKind::exception, parts.now(), "No force: the program's part of the loop failed."));
+            Notice(NoticeKind::exception, parts.now(), with_reason("No force: the program's part of the loop failed")));
         throw;
     }
     if (parts.must_end())
@@ -126,7 +143,7 @@ LoopReport HapticLoop::run(const SceneWork &work)
     LoopParts &parts = *parts_;
     if (parts.guard)
         throw std::logic_error("A haptic loop runs once");
-    const LoopParts::Turn turn(parts);
+    const AtEnd turn = parts.begin_turn();
     if (parts.probe.sensor() != nullptr)
         parts.probe.sensor()->prepare_all();
     run_watched(parts, work);

@@ -1,15 +1,16 @@
 #include "ode_predictive_space/haptics/loop/loop_guard.h"
 
+#include "ode_predictive_space/haptics/safety/notice_desk.h"
 #include "ode_predictive_space/haptics/safety/open_gates.h"
 
-#include <string>
 #include <utility>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double watch_period = 0.001; // s
+constexpr double watch_period = 0.001;  // s
+constexpr double speaker_period = 0.01; // s
 
 DeviceGate &guarded(DeviceGate &gate)
 {
@@ -19,12 +20,10 @@ DeviceGate &guarded(DeviceGate &gate)
 } // namespace
 
 LoopGuard::LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties)
-    : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)), last_beat_(no_beat), stopped_beat_(no_beat),
-      busy_beat_(no_beat), speaker_(duties_.sink),
-      watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }}))
-{
-    speaker_.start(clock);
-}
+    : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)),
+      watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }})),
+      speaker_(clock.start({speaker_period, {}, [this](double) { deliver_all(); }}))
+{}
 
 LoopGuard::~LoopGuard()
 {
@@ -36,7 +35,8 @@ void LoopGuard::end()
     if (watch_) // afterwards the device's gate may be gone
         gate_.set_guarded(false);
     watch_.reset();
-    speaker_.end();
+    speaker_.reset();
+    deliver_all();
 }
 
 void LoopGuard::look()
@@ -86,7 +86,7 @@ void LoopGuard::stop_force(double now, double beat)
 void LoopGuard::tell(std::string_view sentence)
 {
     const double time = duties_.time ? duties_.time() : clock_.now();
-    speaker_.post(NoticeSpeaker::Side::watch, Notice(NoticeKind::guard, time, sentence));
+    post(Notice(NoticeKind::guard, time, sentence), Side::watch);
 }
 
 /// @return false when it could not, and is to be tried again.
@@ -94,16 +94,37 @@ bool LoopGuard::take_force(double now)
 {
     try
     {
-        return gate_.close_with_zero(now) == DeviceGate::Outcome::zero;
-    }
-    catch (const std::exception &error)
-    {
-        tell("The device takes no zero force, and was closed: " + std::string(error.what()));
+        return gate_.close_with_zero(now);
     }
     catch (...)
     {
-        tell("The device takes no zero force, and was closed.");
+        tell(with_reason("The device takes no zero force, and was closed"));
     }
     return true;
+}
+
+void LoopGuard::deliver_all()
+{
+    for (Queue<Notice> &queue : posted_)
+    {
+        Notice notice;
+        while (queue.receive(notice))
+            deliver(notice);
+    }
+}
+
+void LoopGuard::deliver(const Notice &notice)
+{
+    if (!duties_.sink || sink_failed())
+        return;
+    try
+    {
+        duties_.sink(notice);
+    }
+    catch (...)
+    {
+        sink_error_ = std::current_exception();
+        sink_failed_.store(true, std::memory_order_release);
+    }
 }
 } // namespace ode_predictive_space::haptics

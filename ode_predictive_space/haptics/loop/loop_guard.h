@@ -3,8 +3,11 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_GUARD_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_GUARD_H
 
-#include "ode_predictive_space/haptics/loop/notice_speaker.h"
+#include "ode_predictive_space/haptics/exchange.h"
+#include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/safety/device_gate.h"
+
+#include <exception>
 
 namespace ode_predictive_space::haptics
 {
@@ -42,19 +45,26 @@ public:
     /// Of the same: there are no more steps.
     void end_steps() { last_step_.store(no_beat, std::memory_order_relaxed); }
 
-    /// See NoticeSpeaker. Of the servo.
-    void post(const Notice &notice) { speaker_.post(NoticeSpeaker::Side::servo, notice); }
-    /// The same, from the thread of a decoupled loop's scene.
-    void post_of_scene(const Notice &notice) { speaker_.post(NoticeSpeaker::Side::scene, notice); }
+    /// Who posts: each from one thread.
+    enum class Side
+    {
+        servo,
+        scene, ///< of a decoupled loop
+        watch,
+        count
+    };
+
+    /// Neither allocates nor waits. Lost when a hundred others of this side are on their way.
+    void post(const Notice &notice, Side side = Side::servo) { posted_[static_cast<std::size_t>(side)].give(notice); }
 
     /// Of the thread that made it, when the servo has ended: the watch is over, and what was posted is delivered.
     void end();
 
     /// Whether the sink threw; it is not called any more, then. From any thread.
-    bool sink_failed() const { return speaker_.sink_failed(); }
+    bool sink_failed() const { return sink_failed_.load(std::memory_order_acquire); }
 
     /// What it threw. After sink_failed().
-    std::exception_ptr sink_error() const { return speaker_.sink_error(); }
+    std::exception_ptr sink_error() const { return sink_error_; }
 
 private:
     void look();
@@ -62,21 +72,28 @@ private:
     void stop_force(double now, double beat);
     void tell(std::string_view sentence);
     bool take_force(double now);
+    void deliver_all();
+    void deliver(const Notice &notice);
 
     static constexpr double no_beat = -1;
+    static constexpr std::size_t most_notices = 100; ///< on their way
 
     LoopClock &clock_;
     DeviceGate &gate_;
     GuardDuties duties_;
-    std::atomic<double> last_beat_;
-    double stopped_beat_; ///< the last beat before a stall that has been dealt with
-    double busy_beat_;    ///< the same, told that the driver hangs
+    std::atomic<double> last_beat_{no_beat};
+    double stopped_beat_ = no_beat; ///< the last beat before a stall that has been dealt with
+    double busy_beat_ = no_beat;    ///< the same, told that the driver hangs
     std::atomic<double> last_step_{no_beat};
     double stopped_step_ = no_beat; ///< the last step before a stall that has been dealt with
     std::atomic<std::thread::id> scene_thread_{};
     bool ended_ = false; ///< must_end() has been dealt with
-    NoticeSpeaker speaker_;
-    std::unique_ptr<RunningTask> watch_; ///< last: it uses the others
+    Queue<Notice> posted_[static_cast<std::size_t>(Side::count)] = {
+        Queue<Notice>(most_notices), Queue<Notice>(most_notices), Queue<Notice>(most_notices)};
+    std::atomic<bool> sink_failed_{false};
+    std::exception_ptr sink_error_;
+    std::unique_ptr<RunningTask> watch_; ///< these two last: they use the others
+    std::unique_ptr<RunningTask> speaker_;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -1,11 +1,10 @@
 #include "ode_predictive_space/haptics/loop/loop_parts.h"
 
 #include "ode_predictive_space/haptics/contact/safe_collide.h"
-#include "ode_predictive_space/haptics/loop/body_check.h"
+#include "ode_predictive_space/haptics/loop/scene_bodies.h"
 #include "ode_predictive_space/haptics/safety.h"
 #include "ode_predictive_space/haptics/touch_sensor.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -35,59 +34,25 @@ LoopSettings checked(LoopSettings settings, HapticProbe &probe)
 }
 } // namespace
 
-void TickStatistics::begin(double now)
-{
-    if (began_)
-        periods_.add(now - begin_);
-    began_ = true;
-    begin_ = now;
-}
-
-void TickStatistics::end(double now, double next_due)
-{
-    computes_.add(now - begin_);
-    if (now > next_due)
-        overruns_.store(overruns() + 1, std::memory_order_relaxed);
-}
-
-Pacer::Pacer(double start, double period, int most_behind) : due_(start), period_(period), most_behind_(most_behind) {}
-
-std::uint64_t Pacer::go_on(double now)
-{
-    due_ += period_;
-    const double behind = std::floor((now - due_) / period_);
-    if (behind <= most_behind_)
-        return 0;
-    due_ += behind * period_;
-    return static_cast<std::uint64_t>(behind);
-}
-
 LoopParts::LoopParts(HapticProbe &haptic_probe, LoopSettings loop_settings)
     : probe(haptic_probe), settings(checked(std::move(loop_settings), haptic_probe)),
       clock(settings.clock != nullptr ? *settings.clock : machine_clock)
 {}
 
-LoopParts::Turn::Turn(LoopParts &parts) : parts_(parts), run_(std::make_shared<ActiveRun>())
+AtEnd LoopParts::begin_turn()
 {
-    parts_.probe.take(run_);
-    const std::lock_guard<std::mutex> lock(parts_.run_mutex_);
-    parts_.run_ = run_;
-}
-
-LoopParts::Turn::~Turn()
-{
-    parts_.probe.give_back();
-    run_->end();
+    const auto run = std::make_shared<ActiveRun>();
+    probe.take(run);
+    std::atomic_store(&run_, run);
+    return AtEnd([run, &probe = probe] {
+        probe.give_back();
+        run->end();
+    });
 }
 
 LoopParts::~LoopParts()
 {
-    std::shared_ptr<ActiveRun> run;
-    {
-        const std::lock_guard<std::mutex> lock(run_mutex_);
-        run = run_;
-    }
-    if (run)
+    if (const std::shared_ptr<ActiveRun> run = std::atomic_load(&run_))
         run->end_and_wait("a haptic loop");
 }
 

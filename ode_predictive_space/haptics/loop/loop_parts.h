@@ -8,16 +8,31 @@
 #include "ode_predictive_space/haptics/loop/scheduling.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 namespace ode_predictive_space::haptics
 {
 /// Of one kind of tick. Counted in one thread, read in any.
 class TickStatistics
 {
 public:
-    void begin(double now);
+    void begin(double now)
+    {
+        if (began_)
+            periods_.add(now - begin_);
+        began_ = true;
+        begin_ = now;
+    }
 
     /// @param next_due s; when the next tick was to begin.
-    void end(double now, double next_due);
+    void end(double now, double next_due)
+    {
+        computes_.add(now - begin_);
+        if (now > next_due)
+            overruns_.store(overruns() + 1, std::memory_order_relaxed);
+    }
 
     TimeSummary periods() const { return periods_.summary(); }
     TimeSummary computes() const { return computes_.summary(); }
@@ -36,7 +51,7 @@ private:
 class Pacer
 {
 public:
-    Pacer(double start, double period, int most_behind);
+    Pacer(double start, double period, int most_behind) : due_(start), period_(period), most_behind_(most_behind) {}
 
     double due() const { return due_; }
 
@@ -48,12 +63,41 @@ public:
     }
 
     /// The next deadline. @return how many were dropped, since more than most_behind would have to be made up for.
-    std::uint64_t go_on(double now);
+    std::uint64_t go_on(double now)
+    {
+        due_ += period_;
+        const double behind = std::floor((now - due_) / period_);
+        if (behind <= most_behind_)
+            return 0;
+        due_ += behind * period_;
+        return static_cast<std::uint64_t>(behind);
+    }
 
 private:
     double due_;
     double period_;
     int most_behind_;
+};
+
+/// How often there is time to step the scene: by how long its steps took, how many of them half of a period has time for. Times in s.
+class StepBudget
+{
+public:
+    /// @param took a step, with all that the loop and the program do for it.
+    void note(double took) { longest_ = std::max(took, forgetting * longest_.value_or(0)); }
+
+    /// At least one; no more as long as nothing was measured.
+    int affordable(double period) const
+    {
+        return longest_ ? static_cast<int>(std::clamp(0.5 * period / std::max(*longest_, shortest), 1.0, enough)) : 1;
+    }
+
+private:
+    static constexpr double forgetting = 0.95; ///< from step to step, of a step that was longer than the others
+    static constexpr double shortest = 1e-6;
+    static constexpr double enough = 100;
+
+    std::optional<double> longest_; ///< of late
 };
 
 /// s.
@@ -78,21 +122,6 @@ struct LoopCounts
 class LoopParts
 {
 public:
-    /// From the beginning of a run to its end: the probe is this loop's alone.
-    class Turn
-    {
-    public:
-        /// @throws std::logic_error when another loop runs the probe.
-        explicit Turn(LoopParts &parts);
-        ~Turn();
-        Turn(const Turn &) = delete;
-        Turn &operator=(const Turn &) = delete;
-
-    private:
-        LoopParts &parts_;
-        std::shared_ptr<ActiveRun> run_;
-    };
-
     /// @throws std::invalid_argument as HapticLoop does.
     LoopParts(HapticProbe &haptic_probe, LoopSettings loop_settings);
 
@@ -100,6 +129,10 @@ public:
     ~LoopParts();
     LoopParts(const LoopParts &) = delete;
     LoopParts &operator=(const LoopParts &) = delete;
+
+    /// A run begins: the probe is this loop's alone, until what is returned goes. @throws std::logic_error when another loop runs
+    /// the probe.
+    AtEnd begin_turn();
 
     /// The program's part of a tick. @throws std::runtime_error when the scene has a body that must not be stepped, before or after
     /// that; what the program throws.
@@ -136,9 +169,12 @@ public:
 private:
     void check_bodies();
 
-    mutable std::mutex run_mutex_; ///< of the one below
-    std::shared_ptr<ActiveRun> run_;
+    std::shared_ptr<ActiveRun> run_; ///< for other threads by std::atomic_load() and std::atomic_store()
 };
+
+/// The loop of two threads: the caller's steps the scene, another one is the servo. Until the duration is over or the loop must end.
+/// @throws what the law throws in the servo's thread, too.
+void run_decoupled(LoopParts &parts, const SceneWork &work);
 } // namespace ode_predictive_space::haptics
 
 #endif

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -32,12 +33,6 @@ double norm_of(const BodyMotion &motion, const Eigen::Matrix<double, 6, 6> &iner
 {
     return std::sqrt(std::max(0.0, motion.dot(inertia * motion)));
 }
-
-Quaternion orientation_of(dBodyID body)
-{
-    const dReal *turn = dBodyGetQuaternion(body);
-    return Quaternion(turn[0], turn[1], turn[2], turn[3]);
-}
 } // namespace
 
 SceneMotion::SceneMotion(TouchSensor &sensor, double stiffness) : sensor_(sensor), stiffness_(stiffness) {}
@@ -59,19 +54,21 @@ void SceneMotion::push(double a, double h)
         received_ = impulse->number;
     }
     waiting_.erase(waiting_.begin(), first_later);
+    push_now(last_, h);
+}
+
+void SceneMotion::push_now(const std::vector<Impulse> &impulses, double h)
+{
     shares_.clear();
-    for (const Impulse &impulse : last_)
+    for (const Impulse &impulse : impulses)
         shares_.push_back({impulse.object, impulse.point, impulse.impulse / h});
     sensor_.push(shares_);
 }
 
 void SceneMotion::push_all(double h)
 {
-    shares_.clear();
-    for (const std::vector<Impulse> *impulses : {&rest_, &waiting_})
-        for (const Impulse &impulse : *impulses)
-            shares_.push_back({impulse.object, impulse.point, impulse.impulse / h});
-    sensor_.push(shares_);
+    push_now(rest_, h);
+    push_now(waiting_, h);
     rest_.clear();
     waiting_.clear();
 }
@@ -107,25 +104,23 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
 void SceneMotion::note_step(bool drew_numbers)
 {
     quick_ = drew_numbers || (quick_ && !(has_joints_ && is_one_awake()));
-    if (!last_.empty() || touched_.empty())
-    {
-        touched_.clear();
+    const std::vector<Touched> touched = std::exchange(touched_, {});
+    if (!last_.empty() || touched.empty())
         return;
-    }
-    bool surprised = false;
-    for (const Touched &touched : touched_)
-    {
-        if (sensor_.body_of(touched.touch.object) == touched.body)
-        {
-            const Vector3 moved = motion_of(touched).head<3>();
-            const Vector3 foreseen = touched.foreseen.head<3>();
-            const double error = (moved - foreseen).norm();
-            surprised = surprised || (error > 0.25 * fall * foreseen_step_ * foreseen_step_ &&
-                                      error > 0.5 * std::max(moved.norm(), foreseen.norm()));
-        }
-    }
-    surprises_ = surprised ? surprises_ + 1 : 0;
-    touched_.clear();
+    const auto surprises = [this](const Touched &each) { return moved_otherwise(each); };
+    surprises_ = std::any_of(touched.begin(), touched.end(), surprises) ? surprises_ + 1 : 0;
+}
+
+/// Than was foreseen.
+bool SceneMotion::moved_otherwise(const Touched &touched) const
+{
+    if (sensor_.body_of(touched.touch.object) != touched.body)
+        return false;
+    const Vector3 moved = motion_of(touched).head<3>();
+    const Vector3 foreseen = touched.foreseen.head<3>();
+    const double error = (moved - foreseen).norm();
+    return error > 0.25 * fall * foreseen_step_ * foreseen_step_ &&
+           error > 0.5 * std::max(moved.norm(), foreseen.norm());
 }
 
 /// A step of sleeping bodies tells nothing of the stepper.
@@ -158,7 +153,7 @@ void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forec
             place.touch = touch;
             place.centre = touched.centre;
             place.velocity << from_ode(dBodyGetLinearVel(body)), from_ode(dBodyGetAngularVel(body));
-            forecast.add(place, wrenches_of(touched, pushes_of(touched)));
+            forecast.add(place, touched.wrenches);
         }
     }
 }
@@ -186,7 +181,7 @@ double SceneMotion::fastest_spring() const
     double square = 0;
     for (const Touched &touched : touched_)
     {
-        const ImpulseWrench push = wrenches_of(touched, pushes_of(touched)).col(0);
+        const ImpulseWrench push = touched.wrenches.col(0);
         const double stiffness = touched.touch.material ? touched.touch.material->stiffness : stiffness_;
         square = std::max(square, stiffness * push.dot(touched.inverse_inertia * push));
     }
@@ -205,7 +200,11 @@ std::vector<BodyImpulse> SceneMotion::rest() const
 
 SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
 {
-    Touched touched = {body, touch, from_ode(dBodyGetPosition(body)), orientation_of(body), {}, {}, {}};
+    Touched touched;
+    touched.body = body;
+    touched.touch = touch;
+    touched.centre = from_ode(dBodyGetPosition(body));
+    touched.orientation = tool_state_of(body).orientation;
     dMass mass;
     dBodyGetMass(body, &mass);
     Eigen::Matrix3d own;
@@ -217,34 +216,30 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     touched.inertia.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
     touched.inertia.bottomRightCorner<3, 3>() = turn * own * turn.transpose();
     touched.inverse_inertia = touched.inertia.inverse();
+    touched.pushes = pushes_at(touch, touched.centre);
+    for (std::size_t i = 0; i < touched.pushes.size(); ++i)
+    {
+        const Push &push = touched.pushes[i];
+        touched.wrenches.col(static_cast<int>(i)) << push.direction,
+            (push.point - touched.centre).cross(push.direction);
+    }
     return touched;
 }
 
 /// Along the normal; sideways, where friction acts; and sideways without a moment, as the normal of a round body turns.
-SceneMotion::Pushes SceneMotion::pushes_of(const Touched &touched)
+SceneMotion::Pushes SceneMotion::pushes_at(const Touch &touch, const Vector3 &centre)
 {
-    const Vector3 &point = touched.touch.point;
-    const Vector3 along = -touched.touch.normal;
+    const Vector3 &point = touch.point;
+    const Vector3 along = -touch.normal;
     const Vector3 aside = along.unitOrthogonal();
     const Vector3 across = along.cross(aside);
-    return {{{point, along}, {point, aside}, {point, across}, {touched.centre, aside}, {touched.centre, across}}};
-}
-
-MotionForecast::PushWrenches SceneMotion::wrenches_of(const Touched &touched, const Pushes &pushes)
-{
-    MotionForecast::PushWrenches wrenches;
-    for (std::size_t i = 0; i < pushes.size(); ++i)
-    {
-        const Push &push = pushes[i];
-        wrenches.col(static_cast<int>(i)) << push.direction, (push.point - touched.centre).cross(push.direction);
-    }
-    return wrenches;
+    return {{{point, along}, {point, aside}, {point, across}, {centre, aside}, {centre, across}}};
 }
 
 /// Since the scene was looked at.
 BodyMotion SceneMotion::motion_of(const Touched &touched)
 {
-    const Eigen::AngleAxisd turn(orientation_of(touched.body) * touched.orientation.conjugate());
+    const Eigen::AngleAxisd turn(tool_state_of(touched.body).orientation * touched.orientation.conjugate());
     BodyMotion motion;
     motion << from_ode(dBodyGetPosition(touched.body)) - touched.centre, turn.angle() * turn.axis();
     return motion;
@@ -266,8 +261,7 @@ void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, doubl
 {
     const Touched &touched = touched_[pushed];
     const double size = std::max(least_test, last_impulse_on(touched.touch.object));
-    const Pushes pushes = pushes_of(touched);
-    const MotionForecast::PushWrenches wrenches = wrenches_of(touched, pushes);
+    const Pushes &pushes = touched.pushes;
     Courses first;
     Courses found;
     for (std::size_t i = 0; i < pushes.size(); ++i)
@@ -285,7 +279,7 @@ void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, doubl
             for (std::size_t node = 1; node <= nodes; ++node)
             {
                 const BodyMotion free =
-                    static_cast<double>(node) * h * (touched.inverse_inertia * wrenches.col(column));
+                    static_cast<double>(node) * h * (touched.inverse_inertia * touched.wrenches.col(column));
                 const BodyMotion moved = i == 0 ? BodyMotion(first[seen][node] - forecast.free(seen)[node])
                                                 : BodyMotion(found[seen][node] - first[seen][node]);
                 course[node].col(column) = limited(moved / size, free, seen, pushed);

@@ -47,6 +47,14 @@ public:
     int steps_per_period() const { return steps_per_period_; }
 
 private:
+    /// A push that is tried.
+    struct Push
+    {
+        Vector3 point;     ///< m
+        Vector3 direction; ///< of length 1
+    };
+
+    using Pushes = std::array<Push, MotionForecast::tried_pushes>;
     /// A body, and what it was when the scene was looked at.
     struct Touched
     {
@@ -56,24 +64,19 @@ private:
         Quaternion orientation;
         Eigen::Matrix<double, 6, 6> inertia;         ///< mass and moments of inertia, the world's frame
         Eigen::Matrix<double, 6, 6> inverse_inertia; ///< of it
-        BodyMotion foreseen;                         ///< in the next step, if the hand does nothing
+        Pushes pushes;
+        MotionForecast::PushWrenches wrenches; ///< of the pushes
+        BodyMotion foreseen;                   ///< in the next step, if the hand does nothing
     };
 
-    /// A push that is tried.
-    struct Push
-    {
-        Vector3 point;     ///< m
-        Vector3 direction; ///< of length 1
-    };
-
-    using Pushes = std::array<Push, MotionForecast::tried_pushes>;
     using Courses = std::array<MotionForecast::Course<BodyMotion>, MotionForecast::most_touches>;
 
+    void push_now(const std::vector<Impulse> &impulses, double h);
     void find_touched(const ContactModel &planes, MotionForecast &forecast);
     static Touched touched_of(dBodyID body, const Touch &touch);
-    static Pushes pushes_of(const Touched &touched);
-    static MotionForecast::PushWrenches wrenches_of(const Touched &touched, const Pushes &pushes);
+    static Pushes pushes_at(const Touch &touch, const Vector3 &centre);
     static BodyMotion motion_of(const Touched &touched);
+    bool moved_otherwise(const Touched &touched) const;
     std::vector<BodyImpulse> rest() const;
     void choose_steps(IslandRollOut &island, double period, int affordable);
     double fastest_spring() const;

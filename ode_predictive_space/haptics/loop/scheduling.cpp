@@ -57,25 +57,19 @@ int ask_for_real_time(bool above_servo)
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted);
 }
 
-SchedulingKeeper::SchedulingKeeper()
+AtEnd keep_scheduling()
 {
-    pthread_getschedparam(pthread_self(), &policy_, &parameters_);
+    int policy = SCHED_OTHER;
+    sched_param parameters{};
+    pthread_getschedparam(pthread_self(), &policy, &parameters);
+    return AtEnd([policy, parameters] { pthread_setschedparam(pthread_self(), policy, &parameters); });
 }
 
-SchedulingKeeper::~SchedulingKeeper()
+AtEnd lock_memory(std::atomic<int> &error)
 {
-    pthread_setschedparam(pthread_self(), policy_, &parameters_);
-}
-
-LockedMemory::LockedMemory(std::atomic<int> &error)
-    : was_locked_(is_memory_locked()), granted_(mlockall(MCL_CURRENT | MCL_FUTURE) == 0)
-{
-    error = granted_ ? 0 : errno;
-}
-
-LockedMemory::~LockedMemory()
-{
-    if (granted_ && !was_locked_)
-        munlockall();
+    const bool was_locked = is_memory_locked(); // some of it: the system cannot unlock the rest alone
+    const bool granted = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+    error = granted ? 0 : errno;
+    return granted && !was_locked ? AtEnd([] { munlockall(); }) : AtEnd();
 }
 } // namespace ode_predictive_space::haptics

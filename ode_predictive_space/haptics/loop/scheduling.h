@@ -3,8 +3,9 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SCHEDULING_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SCHEDULING_H
 
+#include "ode_predictive_space/haptics/device/at_end.h"
+
 #include <atomic>
-#include <sched.h>
 #include <string>
 
 namespace ode_predictive_space::haptics
@@ -29,34 +30,14 @@ public:
 /// @return 0 or errno.
 int ask_for_real_time(bool above_servo);
 
-/// Gives the thread that made it, and that ends it, the scheduling back that it had.
-class SchedulingKeeper
-{
-public:
-    SchedulingKeeper();
-    ~SchedulingKeeper();
-    SchedulingKeeper(const SchedulingKeeper &) = delete;
-    SchedulingKeeper &operator=(const SchedulingKeeper &) = delete;
+/// What gives this thread the scheduling back that it has now. To be done in the same thread.
+AtEnd keep_scheduling();
 
-private:
-    int policy_ = SCHED_OTHER;
-    sched_param parameters_{};
-};
-
-/// As long as it lives, the process's memory stays where it is and is never paged out, as far as the system permits. What was locked
-/// before, by the program, is locked after.
-class LockedMemory
-{
-public:
-    explicit LockedMemory(std::atomic<int> &error);
-    ~LockedMemory();
-    LockedMemory(const LockedMemory &) = delete;
-    LockedMemory &operator=(const LockedMemory &) = delete;
-
-private:
-    bool was_locked_; ///< some of it: the system cannot unlock the rest alone
-    bool granted_;
-};
+/// From now on the process's memory stays where it is and is never paged out, as far as the system permits, until what is returned goes.
+/// What was locked before, by the program, is locked after.
+///
+/// @param error becomes 0 or errno.
+AtEnd lock_memory(std::atomic<int> &error);
 } // namespace ode_predictive_space::haptics
 
 #endif

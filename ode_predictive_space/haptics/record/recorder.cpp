@@ -1,5 +1,4 @@
 #include "ode_predictive_space/haptics/device/with_lock.h"
-#include "ode_predictive_space/haptics/record/file_error.h"
 #include "ode_predictive_space/haptics/record/recording_format.h"
 #include "ode_predictive_space/haptics/recording.h"
 
@@ -26,27 +25,12 @@ template <class Number> void append(std::string &text, Number number)
     text.append(digits.data(), result.ptr);
 }
 
-void append(std::string &text, const Vector3 &v)
+/// Of a text that may have any characters, as much as the reader takes of a line.
+std::string line_of(std::string text)
 {
-    append(text, v.x());
-    append(text, v.y());
-    append(text, v.z());
-}
-
-void append(std::string &text, const RecordedTick &tick)
-{
-    const std::size_t start = text.size();
-    const DeviceState &state = tick.state;
-    append(text, state.time);
-    append(text, state.position);
-    append(text, Vector3(state.orientation.vec()));
-    append(text, state.orientation.w());
-    append(text, tick.force);
-    append(text, state.buttons);
-    append(text, state.linear_velocity);
-    append(text, state.angular_velocity);
-    text.erase(start, 1); // the blank before the first number
-    text += '\n';
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    text.resize(std::min(text.size(), longest_recorded_line));
+    return text + '\n';
 }
 
 bool can_be_read_back(const DeviceState &state, const Vector3 &force)
@@ -142,30 +126,18 @@ void Recorder::close_file()
 
 void Recorder::write_header(const Capabilities &device, const std::string &law)
 {
-    text_ = device_line_mark;
-    append(text_, device.input_axes);
-    append(text_, device.force_axes);
-    for (const double limit : {device.max_force, device.max_stiffness, device.max_damping, device.rate})
-        append(text_, limit);
-    append(text_, device.workspace.min());
-    append(text_, device.workspace.max());
-    std::string name = device.name;
-    std::replace(name.begin(), name.end(), '\n', ' ');
-    text_ += ' ' + name;
-    text_.resize(std::min(text_.size(), longest_recorded_line)); // the reader takes no longer one
+    std::string line = device_line_mark;
+    visit_device(device, [&](auto number) { append(line, number); });
+    text_ = line_of(line + ' ' + device.name);
     if (device.delay > 0)
     {
-        text_ += std::string("\n") + delay_line_mark;
-        append(text_, device.delay);
+        line = delay_line_mark;
+        append(line, device.delay);
+        text_ += line_of(line);
     }
     if (!law.empty())
-    {
-        std::string line = '\n' + (law_line_mark + (' ' + law));
-        std::replace(line.begin() + 1, line.end(), '\n', ' ');
-        line.resize(std::min(line.size(), longest_recorded_line));
-        text_ += line;
-    }
-    text_ += "\n# t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz\n"
+        text_ += line_of(law_line_mark + (' ' + law));
+    text_ += "# t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz\n"
              "# s, m, quaternion, N, bits, m/s, rad/s; in the device's own frame\n";
 }
 
@@ -178,7 +150,10 @@ void Recorder::write_entries()
     {
         const Entry &entry = buffer_[i % buffer_.size()];
         append_loss(entry.lost_before);
-        append(text_, entry.tick);
+        const std::size_t start = text_.size();
+        visit_tick(entry.tick, [this](auto number) { append(text_, number); });
+        text_.erase(start, 1); // the blank before the first number
+        text_ += '\n';
         consumed_.store(i + 1, std::memory_order_release);
         if (text_.size() >= most_text)
             write_text();

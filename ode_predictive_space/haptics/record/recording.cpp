@@ -1,6 +1,5 @@
 #include "ode_predictive_space/haptics/recording.h"
 
-#include "ode_predictive_space/haptics/record/file_error.h"
 #include "ode_predictive_space/haptics/record/recording_format.h"
 
 #include <algorithm>
@@ -55,12 +54,22 @@ template <class Number> Number number_in(std::string_view word)
     return number;
 }
 
-double finite_in(std::string_view word)
+void read(std::string_view word, double &number)
 {
-    const double number = number_in<double>(word);
+    number = number_in<double>(word);
     if (!std::isfinite(number))
         throw std::invalid_argument("\"" + std::string(word) + "\" is not finite");
-    return number;
+}
+
+template <class Whole> void read(std::string_view word, Whole &number)
+{
+    number = number_in<Whole>(word);
+}
+
+/// What follows the mark that the line begins with.
+std::optional<std::string_view> after(std::string_view mark, std::string_view line)
+{
+    return line.substr(0, mark.size()) == mark ? std::optional(line.substr(mark.size())) : std::nullopt;
 }
 
 Quaternion of_length_one(const Quaternion &q)
@@ -112,14 +121,12 @@ public:
 
     void take(std::string_view line)
     {
-        const std::string_view mark = device_line_mark;
-        if (line.substr(0, mark.size()) == mark)
-            recording_.device = device_in(line.substr(mark.size()));
-        else if (const std::string_view delay_mark = delay_line_mark;
-                 recording_.device && line.substr(0, delay_mark.size()) == delay_mark)
-            recording_.device->delay = finite_in(Words(line.substr(delay_mark.size())).next());
-        else if (const std::string_view law_mark = law_line_mark; line.substr(0, law_mark.size()) == law_mark)
-            recording_.law = Words(line.substr(law_mark.size())).next();
+        if (const auto device = after(device_line_mark, line))
+            recording_.device = device_in(*device);
+        else if (const auto delay = after(delay_line_mark, line); delay && recording_.device)
+            read(Words(*delay).next(), recording_.device->delay);
+        else if (const auto law = after(law_line_mark, line))
+            recording_.law = Words(*law).next();
         else if (const std::string_view first = Words(line).next(); !first.empty() && first[0] != '#')
             add(tick_in(line));
     }
@@ -138,13 +145,7 @@ private:
     {
         Words words(line);
         Capabilities device;
-        device.input_axes = number_in<int>(words.next());
-        device.force_axes = number_in<int>(words.next());
-        for (double *limit : {&device.max_force, &device.max_stiffness, &device.max_damping, &device.rate})
-            *limit = finite_in(words.next());
-        for (Vector3 *corner : {&device.workspace.min(), &device.workspace.max()})
-            for (double &coordinate : *corner)
-                coordinate = finite_in(words.next());
+        visit_device(device, [&](auto &number) { read(words.next(), number); });
         device.name = words.rest();
         return device;
     }
@@ -153,18 +154,13 @@ private:
     {
         std::array<std::string_view, 18> words;
         const std::size_t count = split(line, words);
-        std::array<double, 18> numbers{};
-        for (std::size_t i = 0; i < count; ++i)
-            numbers[i] = i == 11 ? 0 : finite_in(words[i]);
         RecordedTick tick;
-        DeviceState &state = tick.state;
-        state.time = numbers[0];
-        state.position = Vector3(&numbers[1]);
-        state.orientation = of_length_one(Quaternion(&numbers[4])); // Eigen's order: x, y, z, w
-        tick.force = Vector3(&numbers[8]);
-        state.buttons = count > 11 ? number_in<std::uint32_t>(words[11]) : 0;
-        state.linear_velocity = Vector3(&numbers[12]);
-        state.angular_velocity = Vector3(&numbers[15]);
+        visit_tick(tick, [&, i = std::size_t{0}](auto &number) mutable {
+            if (i < count)
+                read(words[i], number);
+            ++i;
+        });
+        tick.state.orientation = of_length_one(tick.state.orientation);
         return tick;
     }
 

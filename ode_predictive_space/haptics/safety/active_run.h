@@ -4,8 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_ACTIVE_RUN_H
 
 #include <atomic>
-#include <condition_variable>
-#include <mutex>
+#include <future>
 #include <thread>
 
 namespace ode_predictive_space::haptics
@@ -18,7 +17,7 @@ public:
     bool is_told_to_stop() const { return stop_.load(std::memory_order_relaxed); }
 
     /// Of the loop: it has ended, and touches neither itself nor the probe any more.
-    void end() noexcept;
+    void end() { end_.set_value(); }
 
     /// Of a destructor: tell the loop to end, and wait for it. In the loop's own thread, or when it does not end within 5 s, the
     /// program is terminated: without force, and with a message.
@@ -27,13 +26,10 @@ public:
     void end_and_wait(const char *what) noexcept;
 
 private:
-    bool ends_soon() noexcept;
-
     const std::thread::id thread_ = std::this_thread::get_id();
     std::atomic<bool> stop_{false};
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    bool ended_ = false;
+    std::promise<void> end_;
+    const std::shared_future<void> ended_ = end_.get_future().share();
 };
 } // namespace ode_predictive_space::haptics
 

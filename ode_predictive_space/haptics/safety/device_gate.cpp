@@ -1,7 +1,10 @@
 #include "ode_predictive_space/haptics/safety/device_gate.h"
 
+#include "ode_predictive_space/haptics/device/at_end.h"
+
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -13,37 +16,17 @@ constexpr std::chrono::microseconds between_attempts(100);
 thread_local const DeviceGate *visited = nullptr; ///< by this thread, which is in its device
 } // namespace
 
-class DeviceGate::Visit
+/// @return false when a thread is in the device: then nothing is done.
+template <typename Work> bool DeviceGate::visit(const Work &work)
 {
-public:
-    Visit(DeviceGate &gate, User user) : gate_(gate), entered_(gate.enter(user)), visited_before_(visited)
-    {
-        if (entered_)
-            visited = &gate;
-    }
-    ~Visit()
-    {
-        if (entered_)
-        {
-            visited = visited_before_;
-            gate_.leave();
-        }
-    }
-    Visit(const Visit &) = delete;
-    Visit &operator=(const Visit &) = delete;
-
-    bool entered() const { return entered_; }
-
-private:
-    DeviceGate &gate_;
-    bool entered_;
-    const DeviceGate *visited_before_;
-};
-
-bool DeviceGate::enter(User user)
-{
-    User nobody = User::none;
-    return user_.compare_exchange_strong(nobody, user, std::memory_order_acquire, std::memory_order_relaxed);
+    if (!enter())
+        return false;
+    const AtEnd leaving([this, before = std::exchange(visited, this)] {
+        visited = before;
+        leave();
+    });
+    work();
+    return true;
 }
 
 /// Waits for another thread, but not for this one, which may be in the device itself.
@@ -51,7 +34,7 @@ bool DeviceGate::enter_soon()
 {
     for (int attempt = 0; attempt < most_attempts && visited != this; ++attempt)
     {
-        if (enter(User::guard))
+        if (enter())
             return true;
         std::this_thread::sleep_for(between_attempts);
     }
@@ -61,31 +44,28 @@ bool DeviceGate::enter_soon()
 bool DeviceGate::read(double time, DeviceState &state)
 {
     reader_.store(std::this_thread::get_id(), std::memory_order_relaxed);
-    const Visit visit(*this, User::servo);
-    if (visit.entered())
-        state = device_.read(time);
-    return visit.entered();
+    return visit([&] { state = device_.read(time); });
 }
 
 bool DeviceGate::write(const Wrench &wrench)
 {
-    const Visit visit(*this, User::servo);
-    // Looked at inside: the guard closes the gate from inside, too.
-    const bool is_zero = wrench.force.isZero(0) && wrench.torque.isZero(0);
-    const bool closed = closed_.load(std::memory_order_relaxed) || shut_.load(std::memory_order_relaxed);
-    if (!visit.entered() || (closed && !is_zero))
-        return false;
-    device_.write(wrench);
-    if (shut_.load(std::memory_order_relaxed)) // meanwhile, without waiting for this any longer
-        device_.write(Wrench());
-    return true;
+    bool written = false;
+    visit([&] {
+        // Looked at inside: the guard closes the gate from inside, too.
+        const bool closed = closed_.load(std::memory_order_relaxed) || shut_.load(std::memory_order_relaxed);
+        if (closed && !(wrench.force.isZero(0) && wrench.torque.isZero(0)))
+            return;
+        device_.write(wrench);
+        if (shut_.load(std::memory_order_relaxed)) // meanwhile, without waiting for this any longer
+            device_.write(Wrench());
+        written = true;
+    });
+    return written;
 }
 
 void DeviceGate::close_device() noexcept
 {
-    const Visit visit(*this, User::servo);
-    if (visit.entered())
-        device_.close();
+    visit([this] { device_.close(); });
 }
 
 bool DeviceGate::notice_closing()
@@ -109,23 +89,24 @@ void DeviceGate::shut() noexcept
         leave();
 }
 
-DeviceGate::Outcome DeviceGate::close_with_zero(double now)
+bool DeviceGate::close_with_zero(double now)
 {
-    const Visit visit(*this, User::guard);
-    closed_.store(true, std::memory_order_relaxed);
-    if (!visit.entered())
-        return Outcome::busy;
-    last_zero_.store(now, std::memory_order_relaxed);
-    zeros_.fetch_add(1, std::memory_order_release);
-    try
-    {
-        device_.write(Wrench());
-    }
-    catch (...)
-    {
-        device_.close();
-        throw;
-    }
-    return Outcome::zero;
+    const bool entered = visit([&] {
+        closed_.store(true, std::memory_order_relaxed);
+        last_zero_.store(now, std::memory_order_relaxed);
+        zeros_.fetch_add(1, std::memory_order_release);
+        try
+        {
+            device_.write(Wrench());
+        }
+        catch (...)
+        {
+            device_.close();
+            throw;
+        }
+    });
+    if (!entered)
+        closed_.store(true, std::memory_order_relaxed);
+    return entered;
 }
 } // namespace ode_predictive_space::haptics

@@ -22,9 +22,7 @@ public:
     explicit DeviceGate(Device &device) : device_(device) {}
 
     /// The device behind the gate: for calls that need no gate.
-    Device &device() { return device_; }
-    /// The same.
-    const Device &device() const { return device_; }
+    Device &device() const { return device_; }
 
     /// Of the servo. @return false when the guard is in the device: then state is left alone. @throws DeviceError
     bool read(double time, DeviceState &state);
@@ -40,16 +38,12 @@ public:
     /// Of the servo: opens the gate again. @return whether the guard had closed it.
     bool notice_closing();
 
-    /// What closing the gate came to.
-    enum class Outcome
-    {
-        zero, ///< the force is zero, and stays so until the servo has noticed
-        busy  ///< the servo is in the device: it does not hang in the program, or else the device's driver hangs
-    };
-
-    /// Of the guard: no force, and the gate is closed. @throws DeviceError when the device refuses; it has been closed then.
+    /// Of the guard: no force, and the gate is closed: the force is zero until the servo has noticed.
+    ///
     /// @param now s; on any clock.
-    Outcome close_with_zero(double now);
+    /// @return false when the servo is in the device: it does not hang in the program, or else the device's driver hangs.
+    /// @throws DeviceError when the device refuses; it has been closed then.
+    bool close_with_zero(double now);
 
     /// When the program ends: no force, and none ever again. From any thread. Another thread that is in the device is waited for,
     /// 20 ms at most; then zero is written all the same, and at once where this thread itself is in the device.
@@ -70,22 +64,13 @@ public:
     double last_zero() const { return last_zero_.load(std::memory_order_relaxed); }
 
 private:
-    enum class User
-    {
-        none,
-        servo,
-        guard
-    };
-
-    bool enter(User user);
+    bool enter() { return !taken_.exchange(true, std::memory_order_acquire); }
     bool enter_soon();
-    void leave() { user_.store(User::none, std::memory_order_release); }
-
-    /// Leaves on every way out of a call.
-    class Visit;
+    void leave() { taken_.store(false, std::memory_order_release); }
+    template <typename Work> bool visit(const Work &work);
 
     Device &device_;
-    std::atomic<User> user_{User::none};
+    std::atomic<bool> taken_{false}; ///< by a thread that is in the device
     std::atomic<bool> closed_{false};
     std::atomic<bool> shut_{false}; ///< for ever
     std::atomic<bool> guarded_{false};

@@ -4,25 +4,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double never = -std::numeric_limits<double>::infinity();
 constexpr double usual_rate = 1000;        // Hz
 constexpr double try_again_after = 0.1;    // s
 constexpr double shortest_silence = 0.004; // s
 constexpr double periods_of_silence = 4;
 constexpr double longest_gap = 0.5;    // s; after that, a device that answers again can be anywhere
 constexpr double longest_doubt = 0.01; // s; after that, a device that tells nonsense is one that does not answer
-constexpr const char *unknown_exception = "The device has thrown something that is no std::exception.";
 
 double rate_of(const Capabilities &capabilities)
 {
     return capabilities.rate > 0 ? capabilities.rate : usual_rate;
+}
+
+/// @return what closes it; nothing for a device that was open before.
+AtEnd opened(Device &device)
+{
+    if (device.status().open)
+        return AtEnd();
+    device.open();
+    return AtEnd([&device] { device.close(); });
 }
 
 bool is_finite(const DeviceState &state)
@@ -39,22 +45,8 @@ bool is_far_off(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
 }
 } // namespace
 
-DeviceLink::Opening::Opening(Device &device) : device_(device), opened_(!device.status().open)
-{
-    if (opened_)
-        device_.open();
-}
-
-DeviceLink::Opening::~Opening()
-{
-    if (opened_)
-        device_.close();
-}
-
 DeviceLink::DeviceLink(Device &device, const NoticeDesk &notices)
-    : gate_(device), opening_(device), notices_(notices), motion_(rate_of(device.capabilities())),
-      doubted_since_(never), next_try_(never), last_state_time_(std::numeric_limits<double>::quiet_NaN()),
-      last_answer_(never)
+    : gate_(device), opening_(opened(device)), notices_(notices), motion_(rate_of(device.capabilities()))
 {
     open_gates::add(gate_);
 }
@@ -88,15 +80,12 @@ DeviceLink::News DeviceLink::read(double time, double rate, double top_speed)
     return news;
 }
 
-/// @return whether the device answers.
-bool DeviceLink::read_state(double rate)
+/// @return what the call of the device returns, or false when it throws: the device has failed then.
+template <typename Call> bool DeviceLink::attempt(const Call &call)
 {
     try
     {
-        DeviceState state = state_;
-        if (!gate_.read(time_, state))
-            return answers_; // the guard is in it, just now: what it told before will do
-        return follow(state, rate);
+        return call();
     }
     catch (const std::exception &error)
     {
@@ -104,9 +93,19 @@ bool DeviceLink::read_state(double rate)
     }
     catch (...)
     {
-        fail(unknown_exception);
+        fail("The device has thrown something that is no std::exception.");
     }
     return false;
+}
+
+/// @return whether the device answers.
+bool DeviceLink::read_state(double rate)
+{
+    return attempt([&] {
+        DeviceState state = state_;
+        // With the guard in it, just now, what it told before will do.
+        return gate_.read(time_, state) ? follow(state, rate) : answers_;
+    });
 }
 
 bool DeviceLink::follow(const DeviceState &state, double rate)
@@ -180,21 +179,7 @@ void DeviceLink::release() noexcept
 
 Wrench DeviceLink::write(const Wrench &wrench)
 {
-    if (capabilities().force_axes == 0)
-        return wrench;
-    try
-    {
-        if (gate_.write(wrench))
-            return wrench;
-    }
-    catch (const std::exception &error)
-    {
-        fail(error.what());
-    }
-    catch (...)
-    {
-        fail(unknown_exception);
-    }
-    return {};
+    const bool written = capabilities().force_axes == 0 || attempt([&] { return gate_.write(wrench); });
+    return written ? wrench : Wrench();
 }
 } // namespace ode_predictive_space::haptics

@@ -3,10 +3,12 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_LINK_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_LINK_H
 
-#include "ode_predictive_space/haptics/device/delay_meter.h"
+#include "ode_predictive_space/haptics/device/at_end.h"
 #include "ode_predictive_space/haptics/device/device_motion.h"
 #include "ode_predictive_space/haptics/safety/device_gate.h"
 #include "ode_predictive_space/haptics/safety/notice_desk.h"
+
+#include <limits>
 
 namespace ode_predictive_space::haptics
 {
@@ -66,41 +68,30 @@ public:
     DeviceGate &gate() { return gate_; }
 
 private:
-    /// Open as long as this lives, or for longer if it was open before.
-    class Opening
-    {
-    public:
-        explicit Opening(Device &device);
-        ~Opening();
-        Opening(const Opening &) = delete;
-        Opening &operator=(const Opening &) = delete;
-
-    private:
-        Device &device_;
-        bool opened_;
-    };
-
+    template <typename Call> bool attempt(const Call &call);
     bool read_state(double rate);
     bool follow(const DeviceState &state, double rate);
     bool is_silent(const DeviceState &state, double rate);
     void fail(std::string_view why);
     void doubt(std::string_view why);
 
+    static constexpr double never = -std::numeric_limits<double>::infinity(); ///< s
+
     DeviceGate gate_;
-    Opening opening_;
+    AtEnd opening_; ///< closes the device if it was opened here
     const NoticeDesk &notices_;
     DeviceMotion motion_;
     DelayMeter delay_meter_;
     DeviceState state_;
     double time_ = 0; ///< s, simulated; of the last read()
     bool answers_ = false;
-    bool failed_ = false;      ///< and has not answered since
-    bool guard_acted_ = false; ///< since the last tick
-    double doubted_since_;     ///< s, simulated; since when the device tells nonsense, if it does
-    double next_try_;          ///< s, simulated; when a device that failed is tried again
-    double last_news_ = 0;     ///< s, simulated; when the device's state was a new one
-    double last_state_time_;   ///< s; of the last state, by the device
-    double last_answer_;       ///< s, simulated
+    bool failed_ = false;          ///< and has not answered since
+    bool guard_acted_ = false;     ///< since the last tick
+    double doubted_since_ = never; ///< s, simulated; since when the device tells nonsense, if it does
+    double next_try_ = never;      ///< s, simulated; when a device that failed is tried again
+    double last_news_ = 0;         ///< s, simulated; when the device's state was a new one
+    double last_state_time_ = std::numeric_limits<double>::quiet_NaN(); ///< s; of the last state, by the device
+    double last_answer_ = never;                                        ///< s, simulated
 };
 } // namespace ode_predictive_space::haptics
 

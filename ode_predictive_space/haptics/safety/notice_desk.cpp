@@ -1,11 +1,35 @@
 #include "ode_predictive_space/haptics/safety/notice_desk.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <utility>
 
 namespace ode_predictive_space::haptics
 {
+Notice::Notice(NoticeKind notice_kind, double notice_time, std::string_view sentence)
+    : kind(notice_kind), time(notice_time)
+{
+    const std::size_t length = std::min(sentence.size(), text.size() - 1);
+    std::copy_n(sentence.begin(), length, text.begin());
+}
+
+std::string with_reason(const std::string &sentence)
+{
+    try
+    {
+        throw;
+    }
+    catch (const std::exception &error)
+    {
+        return sentence + ": " + error.what();
+    }
+    catch (...)
+    {
+        return sentence + ".";
+    }
+}
+
 NoticeDesk::NoticeDesk(NoticeSink sink) : sink_(std::move(sink))
 {
     told_.fill({-std::numeric_limits<double>::infinity(), 0, {}});

@@ -7,6 +7,9 @@
 
 namespace ode_predictive_space::haptics
 {
+/// In a catch block: the sentence, which has no end yet, with what the exception says, if that is a std::exception.
+std::string with_reason(const std::string &sentence);
+
 /// Of one topic, one notice a second: those in between are held back, and told later as one, with their number.
 class NoticeDesk
 {

@@ -1,11 +1,15 @@
 #include "ode_predictive_space/haptics/safety/open_gates.h"
 
-#include "ode_predictive_space/haptics/safety/program_end.h"
-
 #include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <string_view>
+#include <sys/time.h>
+#include <unistd.h>
 
 namespace ode_predictive_space::haptics::open_gates
 {
@@ -51,13 +55,11 @@ Place *place_of(const DeviceGate *gate) noexcept
 
 bool is_taken(const Device &device) noexcept
 {
-    bool taken = false;
-    for (const Place *place = first_place; place != nullptr; place = place->next)
-    {
-        const DeviceGate *const gate = place->gate;
-        taken = taken || (gate != nullptr && &gate->device() == &device);
-    }
-    return taken;
+    const Place *place = first_place;
+    const auto has_device = [&](const DeviceGate *gate) { return gate != nullptr && &gate->device() == &device; };
+    while (place != nullptr && !has_device(place->gate))
+        place = place->next;
+    return place != nullptr;
 }
 
 /// @param unused a place, for when no other is free. @return false when the device is taken.
@@ -76,6 +78,86 @@ bool put(DeviceGate &gate, std::unique_ptr<Place> unused) noexcept
     unused->next = first_place;
     first_place = unused.release();
     return true;
+}
+
+bool is_empty() noexcept
+{
+    bool empty = true;
+    visit_all([&](const DeviceGate &, const Place &) { empty = false; });
+    return empty;
+}
+
+std::atomic<bool> is_installed{false};
+std::terminate_handler earlier_terminate_handler = nullptr;
+struct sigaction earlier_abort_action;
+
+/// In a signal handler.
+void tell(std::string_view sentence) noexcept
+{
+    if (write(STDERR_FILENO, sentence.data(), sentence.size()) < 0)
+        return; // there is no other place to say it
+}
+
+extern "C" void kill_hanging_program(int number)
+{
+    tell("ode_predictive_space: The program hangs in the device's driver at its end, and is killed: "
+         "only the device itself can remove its force.\n");
+    raise(number); // which has its default action again
+}
+
+/// SIGALRM kills the program when the work takes more than a second.
+template <typename Work> void within_a_second(const Work &work) noexcept
+{
+    struct sigaction action = {};
+    struct sigaction earlier_action = {};
+    action.sa_handler = &kill_hanging_program;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGALRM, &action, &earlier_action);
+    sigset_t alarm;
+    sigset_t earlier_mask;
+    sigemptyset(&alarm);
+    sigaddset(&alarm, SIGALRM);
+    pthread_sigmask(SIG_UNBLOCK, &alarm, &earlier_mask);
+    const itimerval second = {{0, 0}, {1, 0}};
+    itimerval earlier_timer = {};
+    setitimer(ITIMER_REAL, &second, &earlier_timer);
+    work();
+    setitimer(ITIMER_REAL, &earlier_timer, nullptr);
+    pthread_sigmask(SIG_SETMASK, &earlier_mask, nullptr);
+    sigaction(SIGALRM, &earlier_action, nullptr);
+}
+
+void end_forces_and_terminate()
+{
+    end_all_forces();
+    if (earlier_terminate_handler != nullptr)
+        earlier_terminate_handler();
+    std::abort();
+}
+
+/// abort() ends the program in the thread that called it: what is safe in a terminate handler is safe here.
+extern "C" void end_forces_and_abort(int number)
+{
+    if (!is_empty())
+    {
+        end_all_forces();
+        tell("ode_predictive_space: The program ends: no force any more.\n");
+    }
+    sigaction(SIGABRT, &earlier_abort_action, nullptr);
+    raise(number);
+}
+
+/// From the first call on, what ends the program takes the forces away first.
+void guard_program_end() noexcept
+{
+    if (is_installed.exchange(true))
+        return;
+    std::atexit(&end_all_forces);
+    std::at_quick_exit(&end_all_forces);
+    earlier_terminate_handler = std::set_terminate(&end_forces_and_terminate);
+    struct sigaction action = {};
+    action.sa_handler = &end_forces_and_abort;
+    sigaction(SIGABRT, &action, &earlier_abort_action);
 }
 } // namespace
 
@@ -119,19 +201,16 @@ bool close_unguarded(std::thread::id reader, double now) noexcept
     return any;
 }
 
-bool is_empty() noexcept
+void end_all_forces() noexcept
 {
-    bool empty = true;
-    visit_all([&](const DeviceGate &, const Place &) { empty = false; });
-    return empty;
-}
-
-void shut_all() noexcept
-{
-    visit_all([me = std::this_thread::get_id()](DeviceGate &gate, Place &place) {
-        // A driver that ends the program in this very call, too, is not called again.
-        if (place.shut_by.exchange(me) != me)
-            gate.shut();
+    if (is_empty())
+        return;
+    within_a_second([] {
+        visit_all([me = std::this_thread::get_id()](DeviceGate &gate, Place &place) {
+            // A driver that ends the program in this very call, too, is not called again.
+            if (place.shut_by.exchange(me) != me)
+                gate.shut();
+        });
     });
 }
 } // namespace ode_predictive_space::haptics::open_gates

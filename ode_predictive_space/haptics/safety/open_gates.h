@@ -7,8 +7,9 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A gate is in here as long as its renderer lives. The first one installs what takes the force away at the end of the program
-/// (see program_end.h).
+/// A gate is in here as long as its renderer lives. From the first one on, exit(), quick_exit(), std::terminate(), which an exception
+/// that is not caught calls, and abort() take the force from all of them; what the program installed for these before is called
+/// afterwards.
 ///
 /// The gates are read without a lock, so that the program may end anywhere: while a gate is added, or within a driver that a
 /// gate is just about to call.
@@ -24,11 +25,8 @@ void remove(DeviceGate &gate) noexcept;
 /// callbacks. @param now s; on the guard's clock. @return whether there was one.
 bool close_unguarded(std::thread::id reader, double now) noexcept;
 
-/// Whether there are none.
-bool is_empty() noexcept;
-
-/// No force, ever again. From any thread, and from handlers.
-void shut_all() noexcept;
+/// No force on any device, ever again. From any thread, and from handlers. The program ends within a second even where a driver hangs.
+void end_all_forces() noexcept;
 } // namespace open_gates
 } // namespace ode_predictive_space::haptics
 

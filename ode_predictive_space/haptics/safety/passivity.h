@@ -4,7 +4,9 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PASSIVITY_H
 
 #include "ode_predictive_space/haptics/device.h"
+#include "ode_predictive_space/haptics/device/check_argument.h"
 
+#include <algorithm>
 #include <array>
 
 namespace ode_predictive_space::haptics
@@ -27,12 +29,16 @@ class PassivityController
 public:
     /// @param max_damping N s/m, finite, >= 0; of the controller. Capabilities::max_damping suits; 0 makes it an observer.
     /// @throws std::invalid_argument
-    explicit PassivityController(double max_damping);
+    explicit PassivityController(double max_damping) : max_damping_(max_damping)
+    {
+        check_not_negative(max_damping, "damping of a passivity controller");
+        written_.fill(Vector3::Zero());
+    }
 
     /// Sets the round-trip delay: a position that is read now is the result of the force that was written so many ticks ago.
     ///
     /// @param ticks up to most_delay.
-    void set_delay(int ticks);
+    void set_delay(int ticks) { delay_ = static_cast<std::size_t>(std::clamp(ticks, 0, most_delay)); }
 
     static constexpr int most_delay = 63; ///< ticks
 
@@ -41,7 +47,28 @@ public:
     /// @param wished N; the law's force on the hand.
     /// @param dt seconds from this tick to the next, > 0.
     /// @return the wished force plus the controller's damping. All in the device's frame.
-    Vector3 control(const DeviceState &state, const Vector3 &wished, double dt);
+    Vector3 control(const DeviceState &state, const Vector3 &wished, double dt)
+    {
+        if (has_position_)
+            energy_ -=
+                written_[(newest_ + written_.size() - delay_) % written_.size()].dot(state.position - last_position_);
+        if (!std::isfinite(energy_))
+            energy_ = 0; // a fault that others look for; it must not stay here
+        last_position_ = state.position;
+        has_position_ = true;
+        if (energy_ > 0 && wished.isZero(0))
+            energy_ = 0;
+
+        // The damping that takes out in the coming tick, if the hand goes on as it does, what was created so far.
+        damping_ = 0;
+        const double squared_speed = state.linear_velocity.squaredNorm();
+        if (energy_ < 0 && squared_speed > 0)
+            damping_ = std::min(max_damping_, -energy_ / (squared_speed * dt));
+
+        newest_ = (newest_ + 1) % written_.size();
+        written_[newest_] = wished - damping_ * state.linear_velocity;
+        return written_[newest_];
+    }
 
     /// What was really written after control(), where that differs.
     void written(const Vector3 &force) { written_[newest_] = force; }
@@ -50,7 +77,13 @@ public:
     double damping() const { return damping_; } ///< N s/m; what the controller added in the last control()
 
     /// As at the start: no energy.
-    void reset();
+    void reset()
+    {
+        energy_ = 0;
+        damping_ = 0;
+        written_.fill(Vector3::Zero());
+        has_position_ = false;
+    }
 
 private:
     double max_damping_;

@@ -69,26 +69,16 @@ SafetyLimits SafetyLimits::of(const Capabilities &capabilities)
 
 const char *explanation_of(SafetyAction action)
 {
-    switch (action)
-    {
-    case SafetyAction::not_finite:
-        return "No force, as a number was not finite: the law or the device gave nonsense.";
-    case SafetyAction::too_fast:
-        return "No force, as the hand moved faster than the limit: it may be the device that throws it.";
-    case SafetyAction::waiting:
-        return "No force yet, as it has not been small since the start: the probe is in something.";
-    case SafetyAction::no_axes:
-        return "No force, as the device cannot push: its maximum of force is 0.";
-    case SafetyAction::ramping:
-        return "Less force than wished, as it comes back slowly after the start or a fault.";
-    case SafetyAction::clamped:
-        return "Less force than wished, as it was above the device's maximum.";
-    case SafetyAction::slew_limited:
-        return "The force lags behind the wished one, as that changed too fast.";
-    case SafetyAction::held_back:
-        return "Less force than wished, as the watchdog holds it back.";
-    }
-    return "unknown";
+    static constexpr const char *explanations[safety_action_count] = {
+        "No force, as a number was not finite: the law or the device gave nonsense.",
+        "No force, as the hand moved faster than the limit: it may be the device that throws it.",
+        "No force yet, as it has not been small since the start: the probe is in something.",
+        "No force, as the device cannot push: its maximum of force is 0.",
+        "Less force than wished, as it comes back slowly after the start or a fault.",
+        "Less force than wished, as it was above the device's maximum.",
+        "The force lags behind the wished one, as that changed too fast.",
+        "Less force than wished, as the watchdog holds it back."};
+    return explanations[static_cast<int>(action)];
 }
 
 std::string SafetyReport::summary() const

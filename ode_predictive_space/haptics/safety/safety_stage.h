@@ -1,4 +1,4 @@
-// The last stage before a device: it limits what is written.
+// What limits the force: the last stage before a device, and what can be rendered stably.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SAFETY_STAGE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SAFETY_STAGE_H
@@ -67,6 +67,12 @@ private:
     bool has_time_ = false;
     bool engaged_ = false;
 };
+
+/// As check_stability() without words, for where something has to be rendered: neither allocates nor throws. Damping that nothing would make passive
+/// becomes none.
+///
+/// @return what may be rendered; its stiffness and damping are those asked for, or less.
+Rendering renderable(const Capabilities &capabilities, const Rendering &rendering) noexcept;
 } // namespace ode_predictive_space::haptics
 
 #endif

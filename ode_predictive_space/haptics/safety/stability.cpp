@@ -1,7 +1,7 @@
 #include "ode_predictive_space/haptics/safety.h"
 
 #include "ode_predictive_space/haptics/device/check_argument.h"
-#include "ode_predictive_space/haptics/safety/stability.h"
+#include "ode_predictive_space/haptics/safety/safety_stage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,6 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-/// A bound, and why it is one: "3000 N/m is above <why>".
-struct Bound
-{
-    double value = unlimited;
-    std::string why;
-};
 
 template <typename... Parts> std::string sentence(const Parts &...parts)
 {
@@ -70,90 +63,52 @@ double stiffest_passive(const Rendering &rendering, double damping)
     return 2 * (*rendering.device_damping - damping) / (1 / rendering.rate + 2 * rendering.delay);
 }
 
-/// What makes a bound lower than the loop alone would.
-std::string and_delay(const Rendering &rendering)
+/// Why no more than this stiffness is rendered: "3000 N/m is above <why>".
+std::string bound_of(const Capabilities &capabilities, const Rendering &rendering, double most)
 {
-    return rendering.delay > 0 ? sentence(" with a delay of ", 1000 * rendering.delay, " ms") : "";
-}
-
-Bound bound_of_device(const Capabilities &capabilities, const Rendering &rendering)
-{
-    if (!(capabilities.max_stiffness > 0))
-        return {};
-    const double most = stiffest_of_device(capabilities, rendering);
-    if (!(most < capabilities.max_stiffness))
-        return {most, sentence("the ", most, " N/m that ", capabilities.name, " can render")};
-    const std::string late = rendering.device_damping ? "" : and_delay(rendering);
-    return {most,
-            sentence("the ", most, " N/m that ", capabilities.name, " can render at ", rendering.rate, " Hz", late)};
-}
-
-Bound bound_of_passivity(const Rendering &rendering, double damping)
-{
-    if (!rendering.device_damping)
-        return {};
-    const double most = stiffest_passive(rendering, damping);
-    return {most,
-            sentence("the ", most, " N/m that are passive at ", rendering.rate, " Hz with ", *rendering.device_damping,
-                     " N s/m in the device", rendering.delay > 0 ? " and" + and_delay(rendering).substr(5) : "")};
-}
-
-void clamp_damping(const Capabilities &capabilities, StabilityVerdict &verdict)
-{
-    const double most = capabilities.max_damping;
-    if (!(most > 0) || verdict.damping <= most)
-        return;
-    verdict.outcome = StabilityOutcome::clamped;
-    verdict.reason = sentence("A damping of ", verdict.damping, " N s/m is above the ", most, " N s/m that ",
-                              capabilities.name, " can render; ", most, " N s/m is used.");
-    verdict.damping = most;
-}
-
-void clamp_stiffness(const Capabilities &capabilities, const Rendering &rendering, StabilityVerdict &verdict)
-{
-    const Bound device = bound_of_device(capabilities, rendering);
-    const Bound passivity = bound_of_passivity(rendering, verdict.damping);
-    const Bound &bound = passivity.value < device.value ? passivity : device;
-    if (verdict.stiffness <= bound.value)
-        return;
-    verdict.outcome = StabilityOutcome::clamped;
-    verdict.reason += sentence(verdict.reason.empty() ? "" : " ", "A stiffness of ", verdict.stiffness,
-                               " N/m is above ", bound.why, "; ", bound.value, " N/m is used.");
-    verdict.stiffness = bound.value;
-}
-
-/// Refuses what no stiffness would make passive.
-bool refuse_damping(const Rendering &rendering, StabilityVerdict &verdict)
-{
-    const bool pushes = verdict.stiffness > 0 || verdict.damping > 0;
-    if (!rendering.device_damping || !pushes || verdict.damping < *rendering.device_damping)
-        return false;
-    const double damping = verdict.damping;
-    verdict = {};
-    verdict.outcome = StabilityOutcome::refused;
-    verdict.reason = sentence("Nothing is passive with a damping of ", damping, " N s/m, as the device itself has ",
-                              *rendering.device_damping, " N s/m, which is not more.");
-    return true;
+    const std::string delay =
+        rendering.delay > 0 ? sentence("with a delay of ", 1000 * rendering.delay, " ms") : std::string();
+    if (most < stiffest_of_device(capabilities, rendering))
+        return sentence("the ", most, " N/m that are passive at ", rendering.rate, " Hz with ",
+                        *rendering.device_damping, " N s/m in the device",
+                        delay.empty() ? "" : " and" + delay.substr(4));
+    std::string bound = sentence("the ", most, " N/m that ", capabilities.name, " can render");
+    if (most < capabilities.max_stiffness)
+        bound += sentence(" at ", rendering.rate, " Hz", rendering.device_damping || delay.empty() ? "" : " " + delay);
+    return bound;
 }
 } // namespace
 
 StabilityVerdict check_stability(const Capabilities &capabilities, const Rendering &rendering)
 {
-    StabilityVerdict verdict;
-    verdict.reason = nonsense(rendering);
-    if (!verdict.reason.empty())
-    {
-        verdict.outcome = StabilityOutcome::refused;
-        return verdict;
-    }
-    verdict.stiffness = rendering.stiffness;
-    verdict.damping = rendering.damping;
+    if (const std::string wrong = nonsense(rendering); !wrong.empty())
+        return {StabilityOutcome::refused, 0, 0, wrong};
+    StabilityVerdict verdict{StabilityOutcome::fine, rendering.stiffness, rendering.damping, ""};
     if (capabilities.force_axes == 0)
         return verdict; // nothing is rendered
 
-    clamp_damping(capabilities, verdict);
-    if (!refuse_damping(rendering, verdict))
-        clamp_stiffness(capabilities, rendering, verdict);
+    if (const double most = capabilities.max_damping; most > 0 && verdict.damping > most)
+    {
+        verdict.outcome = StabilityOutcome::clamped;
+        verdict.reason = sentence("A damping of ", verdict.damping, " N s/m is above the ", most, " N s/m that ",
+                                  capabilities.name, " can render; ", most, " N s/m is used.");
+        verdict.damping = most;
+    }
+    const bool pushes = verdict.stiffness > 0 || verdict.damping > 0;
+    if (rendering.device_damping && pushes && !(verdict.damping < *rendering.device_damping))
+    {
+        return {StabilityOutcome::refused, 0, 0,
+                sentence("Nothing is passive with a damping of ", verdict.damping, " N s/m, as the device itself has ",
+                         *rendering.device_damping, " N s/m, which is not more.")};
+    }
+    if (const double most = renderable(capabilities, rendering).stiffness; most < verdict.stiffness)
+    {
+        verdict.outcome = StabilityOutcome::clamped;
+        verdict.reason +=
+            sentence(verdict.reason.empty() ? "" : " ", "A stiffness of ", verdict.stiffness, " N/m is above ",
+                     bound_of(capabilities, rendering, most), "; ", most, " N/m is used.");
+        verdict.stiffness = most;
+    }
     return verdict;
 }
 

@@ -15,18 +15,11 @@ constexpr double longest_decay = 0.01; // s
 
 const char *explanation_of(WatchdogReason reason)
 {
-    switch (reason)
-    {
-    case WatchdogReason::none:
-        return "All is well.";
-    case WatchdogReason::device_lost:
-        return "The force is taken away, as the device does not answer.";
-    case WatchdogReason::physics_stale:
-        return "The force is taken away, as the scene has not been stepped for too long.";
-    case WatchdogReason::servo_late:
-        return "The force is taken away, as the servo loop misses its deadlines.";
-    }
-    return "unknown";
+    static constexpr const char *explanations[watchdog_reason_count] = {
+        "All is well.", "The force is taken away, as the device does not answer.",
+        "The force is taken away, as the scene has not been stepped for too long.",
+        "The force is taken away, as the servo loop misses its deadlines."};
+    return explanations[static_cast<int>(reason)];
 }
 
 WatchdogLimits WatchdogLimits::of(double servo_rate, double physics_rate)
@@ -60,7 +53,6 @@ void Watchdog::servo_ticked(double time)
     const double elapsed = has_ticked_ ? std::max(0.0, time - last_tick_) : 0;
     const Fault fault = find_fault(time, elapsed);
     reason_ = fault.reason;
-    ++counts_[static_cast<std::size_t>(reason_)];
 
     if (fault.reason == WatchdogReason::none)
         factor_ = limits_.ramp_time > elapsed ? std::min(1.0, factor_ + elapsed / limits_.ramp_time) : 1;

@@ -3,9 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_WATCHDOG_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_WATCHDOG_H
 
-#include <array>
 #include <atomic>
-#include <cstdint>
 
 namespace ode_predictive_space::haptics
 {
@@ -70,12 +68,6 @@ public:
     /// Why factor() falls or stays at 0; none while it rises.
     WatchdogReason reason() const { return reason_; }
 
-    /// In how many ticks this was the reason so far.
-    std::uint64_t count(WatchdogReason reason) const { return counts_[static_cast<std::size_t>(reason)]; }
-
-    /// As they were given.
-    const WatchdogLimits &limits() const { return limits_; }
-
 private:
     struct Fault
     {
@@ -96,7 +88,6 @@ private:
     int missed_in_a_row_ = 0;
     double factor_ = 0;
     WatchdogReason reason_ = WatchdogReason::device_lost;
-    std::array<std::uint64_t, watchdog_reason_count> counts_{};
 };
 } // namespace ode_predictive_space::haptics
 

@@ -1,0 +1,34 @@
+// What is to be done on every way out of a scope.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_AT_END_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_AT_END_H
+
+#include <functional>
+#include <utility>
+
+namespace ode_predictive_space::haptics
+{
+/// Does some work when it goes; made without any, nothing. Assigning swaps: the old work is done when the other one goes.
+class AtEnd
+{
+public:
+    AtEnd() = default;
+    explicit AtEnd(std::function<void()> work) : work_(std::move(work)) {}
+    AtEnd(AtEnd &&other) noexcept { work_.swap(other.work_); }
+    AtEnd &operator=(AtEnd &&other) noexcept
+    {
+        work_.swap(other.work_);
+        return *this;
+    }
+    ~AtEnd()
+    {
+        if (work_)
+            work_();
+    }
+
+private:
+    std::function<void()> work_; ///< must not throw
+};
+} // namespace ode_predictive_space::haptics
+
+#endif
