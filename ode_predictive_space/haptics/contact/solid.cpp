@@ -28,7 +28,7 @@ Solid Solid::of(dGeomID geom)
     switch (dGeomGetClass(geom))
     {
     case dSphereClass:
-        return Solid(Shape::sphere, Vector3(static_cast<double>(dGeomSphereGetRadius(geom)), 0, 0));
+        return Solid(Shape::capsule, Vector3(dGeomSphereGetRadius(geom), 0, 0));
     case dBoxClass:
         dGeomBoxGetLengths(geom, numbers);
         return Solid(Shape::box, 0.5 * Vector3(numbers[0], numbers[1], numbers[2]));
@@ -54,8 +54,6 @@ SurfaceFeature Solid::nearest(const Vector3 &point) const
 {
     switch (shape_)
     {
-    case Shape::sphere:
-        return nearest_of_ball(point, Vector3::Zero(), size_[0]);
     case Shape::box:
         return nearest_of_box(point);
     case Shape::capsule:

@@ -27,9 +27,8 @@ private:
     enum class Shape
     {
         unknown,
-        sphere,
         box,
-        capsule,
+        capsule, ///< a sphere is one without length
         cylinder,
         half_space
     };
