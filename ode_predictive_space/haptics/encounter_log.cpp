@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/encounter_log.h"
 
-#include <algorithm>
+#include "ode_predictive_space/haptics/contact/short_list.h"
+
 #include <sstream>
 
 namespace ode_predictive_space::haptics
@@ -36,9 +37,7 @@ void EncounterLog::add(double time, const std::vector<Encounter> &encounters, co
 
 EncounterLog::Listed *EncounterLog::find(std::uintptr_t object)
 {
-    const auto found =
-        std::find_if(listed_.begin(), listed_.end(), [&](const Listed &listed) { return listed.object == object; });
-    return found != listed_.end() ? &*found : nullptr;
+    return find_in(listed_, [&](const Listed &listed) { return listed.object == object; });
 }
 
 void EncounterLog::log_contact(double time, const Touch &touch)
@@ -77,8 +76,7 @@ void EncounterLog::list(double time, const std::vector<Encounter> &encounters)
         known->near = near;
         known->now = true;
     }
-    listed_.erase(std::remove_if(listed_.begin(), listed_.end(), [](const Listed &listed) { return !listed.now; }),
-                  listed_.end());
+    remove_from(listed_, [](const Listed &listed) { return !listed.now; });
 }
 
 EncounterSummary EncounterLog::summary() const

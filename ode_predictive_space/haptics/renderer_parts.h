@@ -43,7 +43,6 @@ public:
     void tell_of_watchdog();
 
     /// What the device can bear.
-    void set_rates(double rate, double physics_rate);
     void check_law();
     void check(double stiffness, double damping);
     Rendering rendering(double stiffness, double damping) const;

@@ -7,9 +7,8 @@
 #include "ode_predictive_space/haptics/contact/ode_vector.h"
 #include "ode_predictive_space/haptics/contact/probe_geom.h"
 #include "ode_predictive_space/haptics/contact/scene_geoms.h"
-#include "ode_predictive_space/haptics/contact/usual_touches.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,14 +17,6 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr int most_contacts = 256; // of one pair: a mesh gives many, of which one counts
-
-Vector3 velocity_at(dBodyID body, const Vector3 &point)
-{
-    dVector3 velocity;
-    dBodyGetPointVel(body, static_cast<dReal>(point.x()), static_cast<dReal>(point.y()), static_cast<dReal>(point.z()),
-                     velocity);
-    return from_ode(velocity);
-}
 
 // NaN is deeper than anything, so that it is never overlooked.
 bool is_shallower(const dContactGeom &a, const dContactGeom &b)
@@ -37,13 +28,13 @@ bool is_shallower(const dContactGeom &a, const dContactGeom &b)
 class TouchSensor::Parts
 {
 public:
-    Parts(dSpaceID space, double radius) : geom(space, radius)
+    /// As a ProbeGeom is made.
+    template <typename... Arguments> explicit Parts(Arguments... arguments) : geom(arguments...)
     {
-        tracker.emplace(radius);
-        reserve();
+        touches.reserve(usual_touches);
+        collided.reserve(usual_touches);
+        contacts.resize(most_contacts);
     }
-
-    explicit Parts(dGeomID program_geom) : geom(program_geom) { reserve(); }
 
     bool hold(dGeomID other);
     void collide(dGeomID other);
@@ -66,17 +57,12 @@ public:
     bool begins = false;                ///< by forget_sides(), until touches are asked for
     bool nonsense = false;
     bool resolved = true; ///< whether touches has all
-
-private:
-    void reserve()
-    {
-        touches.reserve(usual_touches);
-        collided.reserve(usual_touches);
-        contacts.resize(most_contacts);
-    }
 };
 
-TouchSensor::TouchSensor(dSpaceID space, double radius) : parts_(std::make_unique<Parts>(space, radius)) {}
+TouchSensor::TouchSensor(dSpaceID space, double radius) : parts_(std::make_unique<Parts>(space, radius))
+{
+    parts_->tracker.emplace(radius);
+}
 
 TouchSensor::TouchSensor(dGeomID geom) : parts_(std::make_unique<Parts>(geom)) {}
 
@@ -230,12 +216,7 @@ bool TouchSensor::Parts::hold(dGeomID other)
 
 ProbePlace TouchSensor::Parts::place() const
 {
-    ProbePlace probe;
-    probe.centre = tracker ? tracker->start() : geom.position();
-    probe.radius = geom.radius();
-    probe.begins = begins;
-    probe.tick = tick_length;
-    return probe;
+    return {tracker ? tracker->start() : Vector3(Vector3::Zero()), geom.radius(), begins, tick_length};
 }
 
 void TouchSensor::Parts::collide(dGeomID other)
@@ -265,8 +246,7 @@ void TouchSensor::Parts::resolve()
     if (tracker)
     {
         tracker->follow();
-        const bool all = tracker->touches(view, touches);
-        nonsense = nonsense || !all;
+        nonsense = !tracker->touches(view, touches) || nonsense;
     }
 }
 
@@ -286,7 +266,6 @@ bool TouchSensor::saw_nonsense()
 // ODE's normal is the way out for the first of the two geoms, which is the probe.
 void TouchSensor::Parts::add(const dContactGeom &contact, dGeomID other)
 {
-    const dBodyID body = dGeomGetBody(other);
     Touch touch;
     touch.point = from_ode(contact.pos);
     touch.normal = from_ode(contact.normal);
@@ -295,19 +274,19 @@ void TouchSensor::Parts::add(const dContactGeom &contact, dGeomID other)
         return;
     touch.object = object_of(other);
     touch.material = material_of(other);
-    if (body != nullptr)
+    if (const dBodyID body = dGeomGetBody(other))
     {
         bodies.keep(body);
-        touch.surface_velocity = velocity_at(body, touch.point);
+        const ToolState motion = tool_state_of(body);
+        touch.surface_velocity = motion.linear_velocity + motion.angular_velocity.cross(touch.point - motion.position);
     }
     if (!is_finite(touch))
     {
         nonsense = true;
         return;
     }
-    const auto known = std::find_if(collided.begin(), collided.end(),
-                                    [&](const Touch &earlier) { return earlier.object == touch.object; });
-    if (known == collided.end())
+    Touch *known = find_in(collided, [&](const Touch &earlier) { return earlier.object == touch.object; });
+    if (known == nullptr)
         collided.push_back(touch);
     else if (touch.depth > known->depth)
         *known = touch;

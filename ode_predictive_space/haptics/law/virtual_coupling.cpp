@@ -19,35 +19,19 @@ Vector3 rotation_vector(const Quaternion &rotation)
 }
 } // namespace
 
-VirtualCoupling::VirtualCoupling(const CouplingProperties &properties) : properties_(properties)
+void check(const CouplingProperties &coupling)
 {
-    check_not_negative(properties.stiffness, "stiffness of a virtual coupling");
-    check_not_negative(properties.damping, "damping of a virtual coupling");
-    check_not_negative(properties.angular_stiffness, "angular stiffness of a virtual coupling");
-    check_not_negative(properties.angular_damping, "angular damping of a virtual coupling");
+    check_not_negative(coupling.stiffness, "stiffness of a virtual coupling");
+    check_not_negative(coupling.damping, "damping of a virtual coupling");
+    check_not_negative(coupling.angular_stiffness, "angular stiffness of a virtual coupling");
+    check_not_negative(coupling.angular_damping, "angular damping of a virtual coupling");
 }
 
-Wrench VirtualCoupling::on_device(const ToolState &device, const ToolState &tool) const
+Wrench wrench_on_device(const CouplingProperties &coupling, const ToolState &device, const ToolState &tool)
 {
-    Wrench wrench;
-    wrench.force = properties_.stiffness * (tool.position - device.position) +
-                   properties_.damping * (tool.linear_velocity - device.linear_velocity);
-    wrench.torque = properties_.angular_stiffness * rotation_vector(tool.orientation * device.orientation.conjugate()) +
-                    properties_.angular_damping * (tool.angular_velocity - device.angular_velocity);
-    return wrench;
-}
-
-void VirtualCoupling::set_stiffness(double stiffness)
-{
-    check_not_negative(stiffness, "stiffness of a virtual coupling");
-    properties_.stiffness = stiffness;
-}
-
-Wrench opposite(const Wrench &wrench)
-{
-    Wrench result;
-    result.force = -wrench.force;
-    result.torque = -wrench.torque;
-    return result;
+    return {coupling.stiffness * (tool.position - device.position) +
+                coupling.damping * (tool.linear_velocity - device.linear_velocity),
+            coupling.angular_stiffness * rotation_vector(tool.orientation * device.orientation.conjugate()) +
+                coupling.angular_damping * (tool.angular_velocity - device.angular_velocity)};
 }
 } // namespace ode_predictive_space::haptics
