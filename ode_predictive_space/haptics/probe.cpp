@@ -75,10 +75,7 @@ HapticProbe::HapticProbe(Device &device, dBodyID tool, const CouplingProperties 
 HapticProbe::~HapticProbe()
 {
     std::shared_ptr<ActiveRun> run;
-    {
-        const std::lock_guard<std::mutex> lock(parts_->run_mutex);
-        run = parts_->run;
-    }
+    with_lock(parts_->run_mutex, [&] { run = parts_->run; });
     if (run)
         run->end_and_wait("a haptic probe");
     try

@@ -119,12 +119,6 @@ void Renderer::check(const CouplingProperties &coupling)
     parts_->check(coupling.stiffness, coupling.damping);
 }
 
-void Renderer::Parts::check_law()
-{
-    const Material material = law->material();
-    check(material.stiffness, material.damping);
-}
-
 void Renderer::Parts::check(double stiffness, double damping)
 {
     const Rendering wanted = rendering(stiffness, damping);
@@ -146,11 +140,6 @@ Rendering Renderer::Parts::rendering(double stiffness, double damping) const
     rendering.device_damping = settings.device_damping;
     rendering.delay = delay();
     return rendering;
-}
-
-double Renderer::Parts::delay() const
-{
-    return std::max(settings.delay.value_or(link.capabilities().delay), link.measured_delay());
 }
 
 double Renderer::delay() const

@@ -34,13 +34,13 @@ public:
         touches.reserve(usual_touches);
         collided.reserve(usual_touches);
         contacts.resize(most_contacts);
+        place.radius = geom.radius();
     }
 
     bool hold(dGeomID other);
     void collide(dGeomID other);
     void add(const dContactGeom &contact, dGeomID other);
     void resolve();
-    ProbePlace place() const;
     std::optional<Material> material_of(dGeomID other);
 
     ProbeGeom geom;
@@ -53,8 +53,7 @@ public:
     std::vector<Touch> touches;
     std::vector<Touch> collided;        ///< by dCollide()
     std::vector<dContactGeom> contacts; ///< most_contacts of them, for dCollide() to write to
-    double tick_length = 0;             ///< s
-    bool begins = false;                ///< by forget_sides(), until touches are asked for
+    ProbePlace place;                   ///< begins by forget_sides(), until touches are asked for
     bool nonsense = false;
     bool resolved = true; ///< whether touches has all
 };
@@ -110,12 +109,12 @@ void TouchSensor::set_materials(MaterialOf materials)
 
 void TouchSensor::set_tick_length(double seconds)
 {
-    parts_->tick_length = seconds;
+    parts_->place.tick = seconds;
 }
 
 void TouchSensor::prepare(dGeomID mesh)
 {
-    if (parts_->tracker && dGeomGetClass(mesh) == dTriMeshClass && dGeomTriMeshGetData(mesh) != nullptr)
+    if (parts_->tracker && parts_->meshes.knows(mesh))
         parts_->meshes.tree_of(mesh, {});
 }
 
@@ -144,7 +143,7 @@ void TouchSensor::forget_samples(dHeightfieldDataID data)
 
 void TouchSensor::forget_sides()
 {
-    parts_->begins = true;
+    parts_->place.begins = true;
     if (parts_->tracker)
         parts_->tracker->forget();
 }
@@ -175,6 +174,7 @@ void TouchSensor::pose(const ToolState &tool)
         return;
     }
     parts_->tracker->aim(tool.position);
+    parts_->place.centre = parts_->tracker->start();
     const ContactTracker::Region region = parts_->tracker->region();
     geom.look_around(tool.position, region.centre, region.radius);
     parts_->resolved = false;
@@ -205,18 +205,13 @@ bool TouchSensor::Parts::hold(dGeomID other)
         nonsense = true;
         return true;
     }
-    if (excluded.excludes(*nearby, place()))
+    if (excluded.excludes(*nearby, place))
         return true;
     if (const dBodyID body = dGeomGetBody(other))
         bodies.keep(body);
     nearby->set_material(material_of(other));
     tracker->add_if_near(std::move(*nearby));
     return true;
-}
-
-ProbePlace TouchSensor::Parts::place() const
-{
-    return {tracker ? tracker->start() : Vector3(Vector3::Zero()), geom.radius(), begins, tick_length};
 }
 
 void TouchSensor::Parts::collide(dGeomID other)
@@ -253,7 +248,7 @@ void TouchSensor::Parts::resolve()
 const std::vector<Touch> &TouchSensor::touches()
 {
     parts_->resolve();
-    parts_->begins = false;
+    parts_->place.begins = false;
     return parts_->touches;
 }
 
@@ -270,7 +265,7 @@ void TouchSensor::Parts::add(const dContactGeom &contact, dGeomID other)
     touch.point = from_ode(contact.pos);
     touch.normal = from_ode(contact.normal);
     touch.depth = static_cast<double>(contact.depth) - geom.margin();
-    if (excluded.excludes(other, touch.depth, place()))
+    if (excluded.excludes(other, touch.depth, place))
         return;
     touch.object = object_of(other);
     touch.material = material_of(other);
