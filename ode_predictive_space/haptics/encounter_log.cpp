@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/encounter_log.h"
 
-#include <algorithm>
+#include "ode_predictive_space/haptics/contact/short_list.h"
+
 #include <sstream>
 
 namespace ode_predictive_space::haptics
@@ -13,32 +14,27 @@ void EncounterLog::add(double time, HapticProbe &probe)
 void EncounterLog::add(double time, const std::vector<Encounter> &encounters, const std::vector<Touch> &touches)
 {
     std::vector<std::uintptr_t> touched;
-    std::vector<const Touch *> begun;
+    const std::size_t first = contacts_.size();
     for (const Touch &touch : touches)
     {
         if (touch.depth < 0)
             continue; // near, in a decoupled loop's margin
         touched.push_back(touch.object);
         if (std::find(touched_.begin(), touched_.end(), touch.object) == touched_.end())
-        {
             log_contact(time, touch);
-            begun.push_back(&touch);
-        }
     }
     touched_ = std::move(touched);
     list(time, encounters);
-    for (const Touch *touch : begun)
+    for (std::size_t i = first; i < contacts_.size(); ++i)
     {
-        const Listed *listed = find(touch->object);
+        const Listed *listed = find(contacts_[i].object);
         missed_ += listed == nullptr || !listed->near ? 1 : 0;
     }
 }
 
-EncounterLog::Listed *EncounterLog::find(std::uintptr_t object)
+const EncounterLog::Listed *EncounterLog::find(std::uintptr_t object) const
 {
-    const auto found =
-        std::find_if(listed_.begin(), listed_.end(), [&](const Listed &listed) { return listed.object == object; });
-    return found != listed_.end() ? &*found : nullptr;
+    return find_in(listed_, [&](const Listed &listed) { return listed.object == object; });
 }
 
 void EncounterLog::log_contact(double time, const Touch &touch)
@@ -58,27 +54,21 @@ void EncounterLog::log_contact(double time, const Touch &touch)
 /// A body of several geoms can be listed several times: the soonest comes first, and counts.
 void EncounterLog::list(double time, const std::vector<Encounter> &encounters)
 {
-    for (Listed &listed : listed_)
-        listed.now = false;
+    std::vector<Listed> now;
     for (const Encounter &encounter : encounters)
     {
         const std::uintptr_t object = object_of(encounter.geom);
-        Listed *known = find(object);
-        if (known == nullptr)
-        {
-            listed_.push_back({object, time, time, false, false});
-            known = &listed_.back();
-        }
-        if (known->now)
+        if (find_in(now, [&](const Listed &listed) { return listed.object == object; }) != nullptr)
             continue;
+        const Listed *known = find(object);
+        Listed listed = known != nullptr ? *known : Listed{object, time, time, false};
+        listed.near = encounter.seconds <= 0;
         // What is near was foretold for this moment, unless it was for an earlier one.
-        const bool near = encounter.seconds <= 0;
-        known->forecast = near && known->since < time ? known->forecast : time + encounter.seconds;
-        known->near = near;
-        known->now = true;
+        if (!listed.near || listed.since == time)
+            listed.forecast = time + encounter.seconds;
+        now.push_back(listed);
     }
-    listed_.erase(std::remove_if(listed_.begin(), listed_.end(), [](const Listed &listed) { return !listed.now; }),
-                  listed_.end());
+    listed_ = std::move(now);
 }
 
 EncounterSummary EncounterLog::summary() const

@@ -2,7 +2,6 @@
 
 #include "ode_predictive_space/haptics/contact/body_watch.h"
 #include "ode_predictive_space/haptics/device/with_lock.h"
-#include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
 
 #include <mutex>
@@ -35,15 +34,15 @@ public:
 
     void render_tool_body(double dt);
     void tell_if_gone();
-    void tell(std::string_view sentence);
+    void tell_of_loss(std::string_view sentence);
 
     std::mutex run_mutex; ///< of the one below
     std::shared_ptr<ActiveRun> run;
     Renderer renderer;
     std::unique_ptr<TouchSensor> sensor;
-    dBodyID tool_body = nullptr;
-    BodyWatch tool_watch; ///< has the tool's body as long as there is one
-    VirtualCoupling coupling;
+    std::uintptr_t tool = 0; ///< its body, in the watch as long as it is there
+    BodyWatch tool_watch;
+    CouplingProperties coupling;
     double tick_length = 0; ///< s
     int tool_jumps = 0;     ///< as RenderedTick has it
     bool told_of_loss = false;
@@ -65,8 +64,8 @@ HapticProbe::HapticProbe(Device &device, dGeomID geom, RenderSettings settings)
 HapticProbe::HapticProbe(Device &device, dBodyID tool, const CouplingProperties &coupling, RenderSettings settings)
     : parts_(std::make_unique<Parts>(device, std::move(settings)))
 {
-    parts_->tool_body = tool;
-    parts_->coupling = VirtualCoupling(coupling);
+    parts_->tool = reinterpret_cast<std::uintptr_t>(tool);
+    parts_->coupling = coupling;
     parts_->renderer.check(parts_->coupling);
     if (tool == nullptr)
         throw std::invalid_argument("The virtual coupling needs a body to hold");
@@ -76,10 +75,7 @@ HapticProbe::HapticProbe(Device &device, dBodyID tool, const CouplingProperties 
 HapticProbe::~HapticProbe()
 {
     std::shared_ptr<ActiveRun> run;
-    {
-        const std::lock_guard<std::mutex> lock(parts_->run_mutex);
-        run = parts_->run;
-    }
+    with_lock(parts_->run_mutex, [&] { run = parts_->run; });
     if (run)
         run->end_and_wait("a haptic probe");
     try
@@ -94,16 +90,14 @@ HapticProbe::~HapticProbe()
 
 void HapticProbe::Parts::tell_if_gone()
 {
-    if (sensor && sensor->is_gone() && !told_of_loss)
-    {
-        told_of_loss = true;
-        tell("No force: the probe's geom was destroyed with its space. The probe has to go first.");
-    }
+    if (sensor && sensor->is_gone())
+        tell_of_loss("No force: the probe's geom was destroyed with its space. The probe has to go first.");
 }
 
-void HapticProbe::Parts::tell(std::string_view sentence)
+void HapticProbe::Parts::tell_of_loss(std::string_view sentence)
 {
-    if (const NoticeSink &sink = renderer.notice_sink())
+    const NoticeSink &sink = renderer.notice_sink();
+    if (!std::exchange(told_of_loss, true) && sink)
         sink(Notice(NoticeKind::contact, renderer.last_tick().time, sentence));
 }
 
@@ -183,17 +177,13 @@ void HapticProbe::render(double dt)
 
 void HapticProbe::Parts::render_tool_body(double dt)
 {
-    if (tool_body != nullptr && !tool_watch.has(tool_body))
+    if (const dBodyID body = tool_watch.find(tool))
     {
-        tool_body = nullptr;
-        tell("No force: the tool's body was destroyed.");
-    }
-    if (tool_body == nullptr)
-    {
-        renderer.render({}, true, dt);
+        add_wrench(body, renderer.render(coupling, tool_state_of(body), dt));
         return;
     }
-    add_wrench(tool_body, renderer.render(coupling, tool_state_of(tool_body), dt));
+    tell_of_loss("No force: the tool's body was destroyed.");
+    renderer.render({}, true, dt);
 }
 
 const std::vector<Encounter> &HapticProbe::encounters()
@@ -255,7 +245,6 @@ TouchSensor *HapticProbe::sensor()
 
 dBodyID HapticProbe::tool_body() const
 {
-    const dBodyID body = parts_->tool_body;
-    return body != nullptr && parts_->tool_watch.has(body) ? body : nullptr;
+    return parts_->tool_watch.find(parts_->tool);
 }
 } // namespace ode_predictive_space::haptics

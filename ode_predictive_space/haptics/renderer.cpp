@@ -136,41 +136,37 @@ void Renderer::render(const std::vector<Touch> &touches, bool all_known, double 
 /// The touches as they are rendered: with what the device can render of their materials.
 void Renderer::Parts::feel(const std::vector<Touch> &touches, double dt)
 {
-    const Material own = rendered(law->material());
     felt.touches = touches;
-    const TouchView view = law->view();
-    felt.manifold.recognise(tick.tool.position, view, dt, felt.touches);
-    const ContactBirth birth(tick.tool, std::max(dt, 1 / settings.physics_rate));
-    felt.manifold.let_rise(birth, safety.engaged(), dt, felt.touches);
-    felt.manifold.solve(tick.tool.position, view, felt.touches);
+    bool less = false;
     for (Touch &touch : felt.touches)
     {
-        if (!touch.material)
-        {
-            touch.material = own;
-            continue;
-        }
-        const Material asked = *touch.material;
-        touch.material = rendered(asked);
-        if (touch.material->stiffness < asked.stiffness || touch.material->damping < asked.damping)
-        {
-            notices.tell_once_a_second(
-                topic_material, NoticeKind::stability,
-                "A material is softer or less damped than asked for: the device cannot render more.");
-        }
+        const Material asked = touch.material.value_or(law->material());
+        const Material possible = rendered(asked);
+        less = less || (touch.material && (possible.stiffness < asked.stiffness || possible.damping < asked.damping));
+        touch.material = possible;
     }
+    if (less)
+    {
+        notices.tell_once_a_second(
+            topic_material, NoticeKind::stability,
+            "A material is softer or less damped than asked for: the device cannot render more.");
+    }
+    std::optional<double> gap;
+    if (safety.engaged())
+        gap = std::max(dt, 1 / settings.physics_rate);
+    felt.manifold.follow(tick.tool, law->view(), dt, gap, felt.touches);
 }
 
-Wrench Renderer::render(const VirtualCoupling &coupling, const ToolState &body, double dt)
+Wrench Renderer::render(const CouplingProperties &coupling, const ToolState &body, double dt)
 {
-    VirtualCoupling softened = coupling;
-    softened.set_stiffness(rendered({coupling.stiffness(), coupling.damping()}).stiffness);
-    const Wrench wished = softened.on_device(tool(), body);
+    CouplingProperties softened = coupling;
+    softened.stiffness = rendered({coupling.stiffness, coupling.damping}).stiffness;
+    const Wrench wished = wrench_on_device(softened, tool(), body);
     Wrench given = parts_->write(wished, dt);
     if (parts_->link.capabilities().force_axes < 6 && parts_->link.answers())
         given.torque = parts_->watchdog->factor() * wished.torque;
     parts_->close_tick(wished.force, given.force);
-    return opposite(given);
+    return {-given.force, -given.torque};
 }
 
 /// @return what was written, in the scene's frame.

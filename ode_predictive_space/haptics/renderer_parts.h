@@ -31,7 +31,7 @@ public:
     void restart();
     void take_in(const DeviceLink::News &news);
     void move_clutch();
-    double delay() const;
+    double delay() const { return std::max(settings.delay.value_or(link.capabilities().delay), link.measured_delay()); }
     void tell_of_delay();
 
     /// A tick's force.
@@ -43,8 +43,7 @@ public:
     void tell_of_watchdog();
 
     /// What the device can bear.
-    void set_rates(double rate, double physics_rate);
-    void check_law();
+    void check_law() { check(law->material().stiffness, law->material().damping); }
     void check(double stiffness, double damping);
     Rendering rendering(double stiffness, double damping) const;
     Material rendered(const Material &material) const;

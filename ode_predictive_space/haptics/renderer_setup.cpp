@@ -1,12 +1,11 @@
 // How the hand's side of a probe is set up, and what the device can bear of what is asked for.
 
-#include "ode_predictive_space/haptics/contact/usual_touches.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 #include "ode_predictive_space/haptics/device/check_argument.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "ode_predictive_space/haptics/renderer_parts.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace ode_predictive_space::haptics
@@ -47,31 +46,27 @@ Renderer::Parts::Parts(Device &device, RenderSettings render_settings)
         passivity.emplace(device.capabilities().max_damping);
     if (settings.delay && !is_amount(*settings.delay))
         throw std::invalid_argument("The delay of a device must be finite and not negative");
-    set_rates(settings.rate, settings.physics_rate);
 }
 
 Renderer::Renderer(Device &device, RenderSettings settings)
     : parts_(std::make_unique<Parts>(device, std::move(settings)))
-{}
+{
+    set_rates(parts_->settings.rate, parts_->settings.physics_rate);
+}
 
 Renderer::~Renderer()
 {
     relax();
 }
 
-void Renderer::Parts::set_rates(double rate, double physics_rate)
+void Renderer::set_rates(double rate, double physics_rate)
 {
     if (!(rate > 0) || !(physics_rate > 0))
         throw std::invalid_argument("The rates of a servo loop and of its scene must be above 0");
-    settings.rate = rate;
-    settings.physics_rate = physics_rate;
-    watchdog.emplace(WatchdogLimits::of(rate, physics_rate));
-    check_law();
-}
-
-void Renderer::set_rates(double rate, double physics_rate)
-{
-    parts_->set_rates(rate, physics_rate);
+    parts_->settings.rate = rate;
+    parts_->settings.physics_rate = physics_rate;
+    parts_->watchdog.emplace(WatchdogLimits::of(rate, physics_rate));
+    parts_->check_law();
 }
 
 void Renderer::set_law(std::shared_ptr<ForceLaw> law)
@@ -117,15 +112,10 @@ const NoticeSink &Renderer::notice_sink() const
     return parts_->notices.sink();
 }
 
-void Renderer::check(const VirtualCoupling &coupling)
+void Renderer::check(const CouplingProperties &coupling)
 {
-    parts_->check(coupling.stiffness(), coupling.damping());
-}
-
-void Renderer::Parts::check_law()
-{
-    const Material material = law->material();
-    check(material.stiffness, material.damping);
+    haptics::check(coupling);
+    parts_->check(coupling.stiffness, coupling.damping);
 }
 
 void Renderer::Parts::check(double stiffness, double damping)
@@ -149,11 +139,6 @@ Rendering Renderer::Parts::rendering(double stiffness, double damping) const
     rendering.device_damping = settings.device_damping;
     rendering.delay = delay();
     return rendering;
-}
-
-double Renderer::Parts::delay() const
-{
-    return std::max(settings.delay.value_or(link.capabilities().delay), link.measured_delay());
 }
 
 double Renderer::delay() const

@@ -23,9 +23,7 @@ protected:
 
     std::vector<Touch> tick(std::vector<Touch> touches)
     {
-        manifold_.recognise(tool_.position, TouchView::all_together, dt, touches);
-        manifold_.let_rise(ContactBirth(tool_, dt), true, dt, touches);
-        manifold_.solve(tool_.position, TouchView::all_together, touches);
+        manifold_.follow(tool_, TouchView::all_together, dt, dt, touches);
         return touches;
     }
 

@@ -162,12 +162,12 @@ TEST(ContactTracker, HandsOverTheNearestOfTooManyGeoms)
     {
         const dGeomID sphere = dCreateSphere(world.space, 0.001);
         dGeomSetPosition(sphere, 0.05 + 0.001 * static_cast<double>(i * 37 % count), 0, 0);
-        tracker.add(*NearbyGeom::read(sphere, meshes, {}));
+        tracker.add_if_near(*NearbyGeom::read(sphere, meshes, {}));
     }
     NearbyGeoms geoms;
     tracker.hand_over(geoms, 5);
     EXPECT_EQ(geoms.time, 5);
-    ASSERT_EQ(geoms.count, NearbyGeoms::capacity);
+    ASSERT_EQ(geoms.geoms.size(), NearbyGeoms::capacity);
     for (const NearbyGeom &geom : geoms.geoms)
         EXPECT_LT(geom.to_scene({0, 0, 0}).x(), 0.05 + 0.001 * (static_cast<double>(NearbyGeoms::capacity) - 0.5));
 }
@@ -177,8 +177,7 @@ TEST(ContactTracker, LooksWhereverTheServoHoldsSomething)
     ContactMemory memory;
     memory.has_proxy = true;
     memory.proxy = {1, 0, 0};
-    memory.count = 1;
-    memory.places[0].at = {1.05, 0, 0}; // squeezed
+    memory.places.emplace_back().at = {1.05, 0, 0}; // squeezed
     ContactTracker tracker(radius);
     tracker.begin();
     tracker.aim({1, 0, 0});
@@ -292,7 +291,7 @@ TEST(ContactTracker, TakesWhatIsInItsRegionTheNearestFirst)
     const dGeomID between = add_box_at(0.5 * radius);
     NearbyGeoms geoms;
     tracker.hand_over(geoms, 0);
-    ASSERT_EQ(geoms.count, 3U);
+    ASSERT_EQ(geoms.geoms.size(), 3U);
     EXPECT_EQ(geoms.geoms[0].id(), near);
     EXPECT_EQ(geoms.geoms[1].id(), between);
     EXPECT_EQ(geoms.geoms[2].id(), far);
@@ -317,7 +316,7 @@ TEST(ContactTracker, KeepsAMeshAliveUntilAnotherTakesItsPlace)
     const NearbyGeom borrowed = geoms.geoms[0].later(0.01);
     EXPECT_EQ(tree.use_count(), 1) << "what is borrowed owns nothing";
     tracker.hand_over(geoms, 0.01);
-    EXPECT_EQ(geoms.count, 0U);
+    EXPECT_TRUE(geoms.geoms.empty());
     EXPECT_TRUE(tree.expired());
 }
 } // namespace

@@ -18,8 +18,7 @@ public:
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override
     {
         touches_ = touches;
-        manifold_.recognise(tool.position, law_.view(), dt, touches_);
-        manifold_.solve(tool.position, law_.view(), touches_);
+        manifold_.follow(tool, law_.view(), dt, {}, touches_);
         law_.forces(tool, touches_, dt, forces);
     }
 

@@ -63,10 +63,9 @@ private:
         double since;    ///< s
         double forecast; ///< s; when it can be near
         bool near;
-        bool now; ///< in this tick
     };
 
-    Listed *find(std::uintptr_t object);
+    const Listed *find(std::uintptr_t object) const;
     void log_contact(double time, const Touch &touch);
     void list(double time, const std::vector<Encounter> &encounters);
 

@@ -5,12 +5,8 @@
 
 #include "ode_predictive_space/haptics/force_law.h"
 
-#include <memory>
-
 namespace ode_predictive_space::haptics
 {
-class FeltMaterials;
-
 /// F = k d n for each touch: stiffness times depth, along the normal. Exactly that when damping and friction are 0. All three are
 /// the touch's material's.
 ///
@@ -34,7 +30,6 @@ class PenaltyLaw final : public ForceLaw
 public:
     /// @throws std::invalid_argument for a property that is negative or not finite.
     explicit PenaltyLaw(const Material &material = {});
-    ~PenaltyLaw() override;
 
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override;
     void reset() override;
@@ -50,12 +45,10 @@ private:
         bool slides;
     };
 
-    const Hold *hold_before(const Touch &touch) const;
     Vector3 friction_force(const Touch &touch, const Material &material, double normal_force, const Vector3 &moved,
                            double dt);
 
     Material material_;
-    std::unique_ptr<FeltMaterials> materials_;
     std::vector<Hold> holds_;                 // of this tick
     std::vector<Hold> last_holds_;            // of the tick before
     Vector3 last_position_ = Vector3::Zero(); // of the tool; means nothing while last_holds_ is empty

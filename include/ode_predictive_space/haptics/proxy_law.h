@@ -5,12 +5,8 @@
 
 #include "ode_predictive_space/haptics/force_law.h"
 
-#include <memory>
-
 namespace ode_predictive_space::haptics
 {
-class FeltMaterials;
-
 /// F = k (proxy - tool), with the stiffness of the touched material; of several, each plane has its own. The proxy is where the tool would be if no surface could be entered: the point nearest to the tool
 /// that no touch forbids (Zilles and Salisbury, "A constraint-based god-object method for haptic display", 1995).
 ///
@@ -33,7 +29,6 @@ class ProxyLaw final : public ForceLaw
 public:
     /// @throws std::invalid_argument for a property that is negative or not finite.
     explicit ProxyLaw(const Material &material = {});
-    ~ProxyLaw() override;
 
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override;
     TouchView view() const override { return TouchView::all_together; }
@@ -47,12 +42,9 @@ public:
 private:
     Vector3 friction(const Vector3 &tool, const Vector3 &lifted, double carried, const std::vector<Touch> &touches,
                      double dt);
-    double most_friction(bool slides) const;
-    Vector3 along_the_carriers(const std::vector<Touch> &touches, Vector3 vector) const;
+    double most_friction(const std::vector<Touch> &touches, bool slides) const;
 
     Material material_;
-    std::unique_ptr<FeltMaterials> materials_;
-    std::vector<Carry> carries_; // of each touch
     bool slides_ = false;
     Vector3 proxy_ = Vector3::Zero();
     bool has_proxy_ = false;

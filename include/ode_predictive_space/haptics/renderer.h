@@ -14,7 +14,6 @@
 namespace ode_predictive_space::haptics
 {
 class DeviceGate;
-class VirtualCoupling;
 
 /// How a device is rendered to.
 struct RenderSettings
@@ -92,7 +91,7 @@ public:
     ///
     /// @return what the body is to get: the opposite of what the hand really got, in the scene's frame. A torque that the device
     ///         cannot render is not felt, but still turns the body.
-    Wrench render(const VirtualCoupling &coupling, const ToolState &body, double dt);
+    Wrench render(const CouplingProperties &coupling, const ToolState &body, double dt);
 
     /// No force, now: at the end. The next force comes slowly, as at the start. Calls nothing but the device.
     void relax() noexcept;
@@ -122,7 +121,8 @@ public:
     double delay() const;
 
     /// For virtual couplings, as set_law() for laws: says what render() makes softer.
-    void check(const VirtualCoupling &coupling);
+    /// @throws std::invalid_argument when a property is negative or not finite, or the damping cannot be rendered.
+    void check(const CouplingProperties &coupling);
 
     /// Between two ticks; the force comes back slowly. @throws std::invalid_argument as the constructor does: what is stiff depends
     /// on the scale.

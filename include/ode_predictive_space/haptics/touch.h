@@ -53,7 +53,8 @@ struct Touch
                      ///< the surface that it goes on from; 0: nothing did
     double part = 1; ///< 0 to 1; of its depth, that is felt: less while an object rises that appeared around the probe
     std::optional<Material>
-        material; ///< nothing: the force law's own. A renderer fills it in with what the device can render
+        material; ///< nothing: the force law's own. A renderer fills it in with what the device can render, and goes there
+                  ///< gradually from the material of the touch that this one takes over from
 };
 
 /// What Touch::object is for a geom: its body, or itself if it has none.

@@ -1,6 +1,6 @@
 #include "ode_predictive_space/haptics/contact/body_watch.h"
 
-#include <algorithm>
+#include "ode_predictive_space/haptics/contact/short_list.h"
 
 namespace ode_predictive_space::haptics
 {
@@ -19,29 +19,24 @@ void BodyWatch::age()
 {
     for (Watched &watched : watched_)
         ++watched.age;
-    const auto first_old = std::partition( // the stable one allocates
-        watched_.begin(), watched_.end(), [](const Watched &watched) {
-            return watched.age <= longest_age && dJointGetBody(watched.joint, 0) != nullptr;
-        });
-    std::for_each(first_old, watched_.end(), [](const Watched &watched) { dJointGroupDestroy(watched.group); });
-    watched_.erase(first_old, watched_.end());
+    remove_from(watched_, [](const Watched &watched) {
+        const bool goes = watched.age > longest_age || watched.body() == nullptr;
+        if (goes)
+            dJointGroupDestroy(watched.group);
+        return goes;
+    });
 }
 
 dBodyID BodyWatch::find(std::uintptr_t object) const
 {
-    const auto found = std::find_if(watched_.begin(), watched_.end(), [&](const Watched &watched) {
-        return watched.object == object && dJointGetBody(watched.joint, 0) != nullptr;
-    });
-    return found != watched_.end() ? dJointGetBody(found->joint, 0) : nullptr;
+    const Watched *found = find_in(
+        watched_, [&](const Watched &watched) { return reinterpret_cast<std::uintptr_t>(watched.body()) == object; });
+    return found != nullptr ? found->body() : nullptr;
 }
 
 void BodyWatch::keep(dBodyID body)
 {
-    const auto object = reinterpret_cast<std::uintptr_t>(body);
-    const auto known = std::find_if(watched_.begin(), watched_.end(), [&](const Watched &watched) {
-        return watched.object == object && dJointGetBody(watched.joint, 0) != nullptr;
-    });
-    if (known != watched_.end())
+    if (Watched *known = find_in(watched_, [&](const Watched &watched) { return watched.body() == body; }))
     {
         known->age = 0;
         return;
@@ -49,12 +44,7 @@ void BodyWatch::keep(dBodyID body)
     const dJointGroupID group = dJointGroupCreate(0);
     const dJointID joint = dJointCreateNull(dBodyGetWorld(body), group);
     dJointAttach(joint, body, nullptr);
-    watched_.push_back({object, group, joint, 0});
-}
-
-bool BodyWatch::has(dBodyID body) const
-{
-    return find(reinterpret_cast<std::uintptr_t>(body)) != nullptr;
+    watched_.push_back({group, joint, 0});
 }
 
 bool BodyWatch::push(std::uintptr_t object, const Vector3 &force, const Vector3 &point)

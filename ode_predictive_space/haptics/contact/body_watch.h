@@ -28,9 +28,6 @@ public:
     /// The body is touched now. Not while its world is stepped.
     void keep(dBodyID body);
 
-    /// Whether this body was kept and is still there.
-    bool has(dBodyID body) const;
-
     /// @param object the body's address, as Touch::object has it.
     /// @return 0 when there is no such body: it is gone, or was never one.
     dBodyID find(std::uintptr_t object) const;
@@ -43,10 +40,11 @@ public:
 private:
     struct Watched
     {
-        std::uintptr_t object;
         dJointGroupID group; ///< of the joint alone: what is in a group survives its world
         dJointID joint;
         int age; ///< ticks since it was touched
+
+        dBodyID body() const { return dJointGetBody(joint, 0); } ///< 0 when it is gone
     };
 
     std::vector<Watched> watched_;

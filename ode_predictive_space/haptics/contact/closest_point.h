@@ -3,12 +3,20 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CLOSEST_POINT_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CLOSEST_POINT_H
 
-#include "ode_predictive_space/haptics/contact/constraint_plane.h"
+#include "ode_predictive_space/haptics/device.h"
 
 #include <vector>
 
 namespace ode_predictive_space::haptics
 {
+/// What a touch forbids to the proxy: all behind a plane.
+struct ConstraintPlane
+{
+    Vector3 normal = Vector3::UnitZ(); ///< of length 1, towards where the proxy may be
+    double depth = 0;                  ///< m; how far the tool is behind it
+    double share = 0;                  ///< m, >= 0; how far it lifts the proxy off the tool, along its normal
+};
+
 /// Finds the shortest x, from the tool, with normal . x >= depth for all planes, and writes it as the sum of share * normal:
 /// at most three shares are above zero, none is below. With one plane alone, its share is its depth, exactly.
 ///

@@ -1,105 +1,51 @@
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
 
-#include "ode_predictive_space/haptics/contact/closest_point.h"
-#include "ode_predictive_space/haptics/contact/usual_touches.h"
+#include "ode_predictive_space/haptics/contact/material.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// The cosine below which two planes are two surfaces, in the manifold and where planes are numbered. From facet to facet of one surface the normal turns by less than 60 degrees,
-/// also around an edge that the tool crosses quickly; two walls of a channel, a floor and its wall differ by more.
-constexpr double same_surface = 0.5;
-
 /// m; how far the place of a touch may be off another one's plane and yet be a place of it. Bodies that rest beside each other differ
 /// by less, and a step of that height cannot be felt.
 constexpr double flush = 2e-5;
 
-ConstraintPlane plane_of(const Touch &touch)
-{
-    ConstraintPlane plane;
-    plane.normal = touch.normal;
-    plane.depth = touch.depth;
-    return plane;
-}
+constexpr double rise_time = 0.5;     // s; of an object that appeared around the tool
+constexpr double unnoticed = 1e-4;    // m; so deep a contact may begin,
+constexpr double of_the_motion = 3.0; // or by so many times the motion of tool and surface
 
 /// Whether the second is a place in the plane of the first.
 bool is_flush(const Vector3 &normal, const Vector3 &point, const Vector3 &other)
 {
     return std::abs(normal.dot(other - point)) <= flush;
 }
-} // namespace
 
-FeatureNumbers::FeatureNumbers()
+/// The part of a depth that is felt after a time dt: 0 to 1.
+double risen(double part, double dt)
 {
-    now_.reserve(usual_touches);
-    before_.reserve(usual_touches);
+    return std::min(1.0, part + dt / rise_time);
 }
 
-void FeatureNumbers::begin()
+/// Of touches of different objects that go on in one plane (flush tiles, a ridge made of two boxes), the deepest counts, and the
+/// others carry nothing: by their edges alone, each would push again.
+void count_flush_touches_once(std::vector<Touch> &touches)
 {
-    now_.swap(before_);
-    now_.clear();
-}
-
-void FeatureNumbers::reset()
-{
-    now_.clear();
-    before_.clear();
-}
-
-/// 0 is for those that have none yet.
-void FeatureNumbers::number(std::vector<Touch> &touches, std::size_t first)
-{
-    while (recognise_one(touches, first))
-    {}
-    for (std::size_t i = first; i < touches.size(); ++i)
+    const auto counts = [](const Touch &touch) { return touch.from_entry_side && touch.carry.carries(); };
+    for (Touch &touch : touches)
     {
-        Touch &touch = touches[i];
-        for (unsigned number = 1; touch.feature == 0; ++number)
-            touch.feature = is_taken(touch.object, number) ? 0 : number;
-        now_.push_back({touch.object, touch.feature, touch.normal});
-    }
-}
-
-/// Of all touches without a number, and numbers without a touch, the two that agree best.
-bool FeatureNumbers::recognise_one(std::vector<Touch> &touches, std::size_t first) const
-{
-    double best = same_surface;
-    Touch *chosen = nullptr;
-    unsigned number = 0;
-    for (const Known &known : before_)
-    {
-        const auto has_it = [&](const Touch &touch) {
-            return touch.object == known.object && touch.feature == known.number;
+        const auto is_flush_and_deeper = [&](const Touch &other) {
+            const bool deeper = other.depth > touch.depth || (other.depth == touch.depth && &other < &touch);
+            return other.object != touch.object && deeper && counts(other) &&
+                   is_flush(other.normal, other.point, touch.point);
         };
-        const auto begin = touches.begin() + static_cast<std::ptrdiff_t>(first);
-        if (std::any_of(begin, touches.end(), has_it))
-            continue;
-        for (auto touch = begin; touch != touches.end(); ++touch)
-        {
-            const double agreement = touch->normal.dot(known.normal);
-            if (touch->object == known.object && touch->feature == 0 && agreement > best)
-            {
-                best = agreement;
-                chosen = &*touch;
-                number = known.number;
-            }
-        }
+        if (counts(touch) && find_in(touches, is_flush_and_deeper) != nullptr)
+            touch.carry = Carry{};
     }
-    if (chosen != nullptr)
-        chosen->feature = number;
-    return chosen != nullptr;
 }
-
-bool FeatureNumbers::is_taken(std::uintptr_t object, unsigned number) const
-{
-    const auto has_it = [&](const Known &known) { return known.object == object && known.number == number; };
-    return std::any_of(before_.begin(), before_.end(), has_it) || std::any_of(now_.begin(), now_.end(), has_it);
-}
+} // namespace
 
 ContactManifold::ContactManifold()
 {
@@ -108,37 +54,54 @@ ContactManifold::ContactManifold()
     planes_.reserve(usual_touches);
 }
 
-void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, std::vector<Touch> &touches)
+void ContactManifold::follow(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
+                             std::vector<Touch> &touches)
 {
+    depths_.clear();
     for (Touch &touch : touches)
     {
-        const Known *known = itself(touch);
-        const Known *carrier = known != nullptr && known->carries ? known : carrier_before(touch, view);
-        touch.id = known != nullptr ? known->id : ++last_id_;
-        touch.takes_over = carrier != nullptr ? carrier->id : 0;
-        if (known == nullptr || touch.from_entry_side || view != TouchView::all_together ||
-            !(known->normal.dot(touch.normal) < 0))
-            continue;
-        // The back of the object is nearer now: the tool came through it. The surface in front has moved with the object.
-        const double height = known->height + known->normal.dot(touch.surface_velocity) * dt;
-        const double depth = height - known->normal.dot(tool);
-        if (depth > 0)
-        {
-            touch.normal = known->normal;
-            touch.depth = depth;
-        }
-    }
-    depths_.clear();
-    for (const Touch &touch : touches)
+        recognise(tool.position, view, dt, touch);
         depths_.push_back(touch.depth);
+    }
+    let_rise(tool, dt, gap, touches);
+    solve(view, touches);
+    for (Touch &touch : touches)
+    {
+        const Known *last = taken_over_by(touch);
+        if (last != nullptr && last->touch.material && touch.material && touch.carry.carries())
+            touch.material = blended(*last->touch.material, *touch.material, dt);
+    }
+    before_.clear();
+    for (std::size_t i = 0; i < touches.size(); ++i)
+        before_.push_back({touches[i], depths_[i]});
+    tool_before_ = tool.position;
+}
+
+void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, Touch &touch)
+{
+    const Known *known = itself(touch);
+    const Known *carrier = known != nullptr && known->touch.carry.carries() ? known : carrier_before(touch, view);
+    touch.id = known != nullptr ? known->touch.id : ++last_id_;
+    touch.takes_over = carrier != nullptr ? carrier->touch.id : 0;
+    if (known == nullptr || touch.from_entry_side || view != TouchView::all_together ||
+        !(known->touch.normal.dot(touch.normal) < 0))
+        return;
+    // The back of the object is nearer now: the tool came through it. The surface in front has moved with the object.
+    const Vector3 &front = known->touch.normal;
+    const double height = front.dot(tool_before_) + known->touch.depth + front.dot(touch.surface_velocity) * dt;
+    const double depth = height - front.dot(tool);
+    if (depth > 0)
+    {
+        touch.normal = front;
+        touch.depth = depth;
+    }
 }
 
 const ContactManifold::Known *ContactManifold::itself(const Touch &touch) const
 {
-    const auto found = std::find_if(before_.begin(), before_.end(), [&](const Known &known) {
-        return known.object == touch.object && known.feature == touch.feature;
+    return find_in(before_, [&](const Known &known) {
+        return known.touch.object == touch.object && known.touch.feature == touch.feature;
     });
-    return found != before_.end() ? &*found : nullptr;
 }
 
 /// Of those that carried the tool, the one whose normal is most like it. Objects that are felt as if there were no other take over
@@ -149,10 +112,10 @@ const ContactManifold::Known *ContactManifold::carrier_before(const Touch &touch
     double agreement = same_surface;
     for (const Known &known : before_)
     {
-        const double cosine = known.normal.dot(touch.normal);
-        const bool reaches = view == TouchView::all_together || known.object == touch.object ||
-                             is_flush(known.normal, known.point, touch.point);
-        if (known.carries && reaches && cosine > agreement)
+        const double cosine = known.touch.normal.dot(touch.normal);
+        const bool reaches = view == TouchView::all_together || known.touch.object == touch.object ||
+                             is_flush(known.touch.normal, known.touch.point, touch.point);
+        if (known.touch.carry.carries() && reaches && cosine > agreement)
         {
             best = &known;
             agreement = cosine;
@@ -161,19 +124,9 @@ const ContactManifold::Known *ContactManifold::carrier_before(const Touch &touch
     return best;
 }
 
-const ContactManifold::Known *ContactManifold::object_before(const Touch &touch) const
-{
-    const auto found =
-        std::find_if(before_.begin(), before_.end(), [&](const Known &known) { return known.object == touch.object; });
-    return found != before_.end() ? &*found : nullptr;
-}
-
 const ContactManifold::Known *ContactManifold::taken_over_by(const Touch &touch) const
 {
-    const auto found = std::find_if(before_.begin(), before_.end(), [&](const Known &known) {
-        return touch.takes_over != 0 && known.id == touch.takes_over;
-    });
-    return found != before_.end() ? &*found : nullptr;
+    return find_in(before_, [&](const Known &known) { return known.touch.id == touch.takes_over; });
 }
 
 /// m; how deep along the touch's normal the tool was in what it touched before.
@@ -181,16 +134,16 @@ double ContactManifold::handed_over(const Touch &touch) const
 {
     double most = 0;
     for (const Known &known : before_)
-        most = std::max(most, known.depth * known.normal.dot(touch.normal));
+        most = std::max(most, known.depth * known.touch.normal.dot(touch.normal));
     return most;
 }
 
-void ContactManifold::let_rise(const ContactBirth &birth, bool watches, double dt, std::vector<Touch> &touches)
+void ContactManifold::let_rise(const ToolState &tool, double dt, std::optional<double> gap, std::vector<Touch> &touches)
 {
     bool all_of_it = true;
     for (Touch &touch : touches)
     {
-        touch.part = part_of(touch, birth, watches, dt);
+        touch.part = part_of(touch, tool, dt, gap);
         all_of_it = all_of_it && touch.part == 1;
         touch.depth *= touch.part;
     }
@@ -199,112 +152,53 @@ void ContactManifold::let_rise(const ContactBirth &birth, bool watches, double d
 }
 
 /// An object rises as a whole: its touches have the same part.
-double ContactManifold::part_of(const Touch &touch, const ContactBirth &birth, bool watches, double dt) const
+double ContactManifold::part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const
 {
-    if (const Known *object = object_before(touch))
-        return ContactBirth::risen(object->part, dt);
-    if (watches && !birth.began_at_surface(touch, handed_over(touch)))
+    if (const Known *known = find_in(before_, [&](const Known &other) { return other.touch.object == touch.object; }))
+        return risen(known->touch.part, dt);
+    const double moved = gap.value_or(0) * (touch.surface_velocity - tool.linear_velocity).norm();
+    if (gap && !(touch.depth <= unnoticed + of_the_motion * moved + handed_over(touch)))
         return 0;
     const Known *carrier = taken_over_by(touch);
-    return carrier != nullptr ? ContactBirth::risen(carrier->part, dt) : 1;
+    return carrier != nullptr ? risen(carrier->touch.part, dt) : 1;
 }
 
-void ContactManifold::solve(const Vector3 &tool, TouchView view, std::vector<Touch> &touches)
+void ContactManifold::solve(TouchView view, std::vector<Touch> &touches)
 {
-    const auto is_solved = [](const Touch &touch) { return touch.is_solved; };
-    if (!std::all_of(touches.begin(), touches.end(), is_solved))
+    while (const Touch *first = find_in(touches, [](const Touch &touch) { return !touch.is_solved; }))
     {
-        if (view == TouchView::all_together)
-        {
-            solve_together(touches);
-        }
-        else
-        {
-            for (std::size_t i = 0; i < touches.size(); ++i)
-                if (!is_solved(touches[i]))
-                    solve_alone(touches, i);
-        }
+        const std::uintptr_t object = first->object;
+        solve_group([&](const Touch &touch) { return view == TouchView::all_together || touch.object == object; },
+                    touches);
     }
     if (view == TouchView::each_object_alone)
         count_flush_touches_once(touches);
-    remember(tool, touches);
 }
 
-/// All planes at once. What the tracker's part lags behind stays, in proportion.
-void ContactManifold::solve_together(std::vector<Touch> &touches)
+/// The planes of a group share the shortest way out of all of them. What the tracker's part lags behind stays, in proportion.
+template <typename InGroup> void ContactManifold::solve_group(const InGroup &in_group, std::vector<Touch> &touches)
 {
     planes_.clear();
     Vector3 lag = Vector3::Zero();
     for (const Touch &touch : touches)
     {
-        planes_.push_back(plane_of(touch));
+        if (!in_group(touch))
+            continue;
+        planes_.push_back({touch.normal, touch.depth, 0});
         lag += touch.is_solved ? touch.carry.lag : Vector3(Vector3::Zero());
     }
     find_closest_point(planes_);
     double carried = 0;
     for (const ConstraintPlane &plane : planes_)
         carried += plane.share;
-    for (std::size_t i = 0; i < touches.size(); ++i)
-    {
-        const double share = planes_[i].share;
-        touches[i].carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
-        touches[i].is_solved = true;
-    }
-}
-
-/// The planes of one object share the shortest way out of it.
-///
-/// @param first of the object's touches.
-void ContactManifold::solve_alone(std::vector<Touch> &touches, std::size_t first)
-{
-    const auto same_object = [&](const Touch &touch) { return touch.object == touches[first].object; };
-    planes_.clear();
-    for (std::size_t i = first; i < touches.size(); ++i)
-        if (same_object(touches[i]))
-            planes_.push_back(plane_of(touches[i]));
-    if (planes_.size() > 1)
-        find_closest_point(planes_);
-    else
-        planes_[0].share = planes_[0].depth;
     std::size_t plane = 0;
-    for (std::size_t i = first; i < touches.size(); ++i)
-    {
-        if (same_object(touches[i]))
-        {
-            touches[i].carry = {planes_[plane++].share, Vector3::Zero()};
-            touches[i].is_solved = true;
-        }
-    }
-}
-
-void ContactManifold::remember(const Vector3 &tool, const std::vector<Touch> &touches)
-{
-    before_.clear();
-    for (std::size_t i = 0; i < touches.size(); ++i)
-    {
-        const Touch &touch = touches[i];
-        before_.push_back({touch.object, touch.feature, touch.id, touch.carry.carries(), touch.normal, touch.point,
-                           touch.normal.dot(tool) + touch.depth, depths_[i], touch.part});
-    }
-}
-
-void count_flush_touches_once(std::vector<Touch> &touches)
-{
-    const auto counts = [](const Touch &touch) { return touch.from_entry_side && touch.carry.carries(); };
     for (Touch &touch : touches)
     {
-        if (!counts(touch))
+        if (!in_group(touch))
             continue;
-        for (const Touch &other : touches)
-        {
-            const bool deeper = other.depth > touch.depth || (other.depth == touch.depth && &other < &touch);
-            if (other.object != touch.object && deeper && counts(other) &&
-                is_flush(other.normal, other.point, touch.point))
-            {
-                touch.carry = Carry{};
-                break;
-            }
-        }
+        const double share = planes_[plane++].share;
+        touch.carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
+        touch.is_solved = true;
     }
 }
 } // namespace ode_predictive_space::haptics

@@ -1,8 +1,9 @@
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 
+#include "ode_predictive_space/haptics/contact/contact_manifold.h"
 #include "ode_predictive_space/haptics/contact/excluded_geoms.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,6 +20,62 @@ constexpr double around = 1.5;  // times the proxy's way: the ball that holds al
 constexpr double steps_ahead = 2;    // times the tool's way: how far it may go until geoms come from another thread
 constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the sphere more have passed each other
 constexpr double in_contact = 1e-6;  // of the radius
+
+bool has_feature(const std::vector<TouchOfGeom> &touches, std::uintptr_t object, unsigned number)
+{
+    return find_in(touches, [&](const TouchOfGeom &told) {
+               return told.touch.object == object && told.touch.feature == number;
+           }) != nullptr;
+}
+
+/// Of all touches without a number, and numbers without a touch, the two that agree best.
+bool recognise_one(const std::vector<TouchOfGeom> &before, std::vector<TouchOfGeom> &now)
+{
+    double best = same_surface;
+    Touch *chosen = nullptr;
+    unsigned number = 0;
+    for (const TouchOfGeom &known : before)
+    {
+        if (has_feature(now, known.touch.object, known.touch.feature))
+            continue;
+        for (TouchOfGeom &told : now)
+        {
+            const double agreement = told.touch.normal.dot(known.touch.normal);
+            if (told.touch.object == known.touch.object && told.touch.feature == 0 && agreement > best)
+            {
+                best = agreement;
+                chosen = &told.touch;
+                number = known.touch.feature;
+            }
+        }
+    }
+    if (chosen != nullptr)
+        chosen->feature = number;
+    return chosen != nullptr;
+}
+
+/// Numbers the planes of objects (Touch::feature): a plane keeps its number from tick to tick, however many triangles it goes over.
+/// 0 is for those that have none yet.
+void number_features(const std::vector<TouchOfGeom> &before, std::vector<TouchOfGeom> &now)
+{
+    while (recognise_one(before, now))
+    {}
+    for (TouchOfGeom &told : now)
+    {
+        if (told.touch.feature != 0)
+            continue;
+        unsigned number = 1;
+        while (has_feature(before, told.touch.object, number) || has_feature(now, told.touch.object, number))
+            ++number;
+        told.touch.feature = number;
+    }
+}
+
+/// m; how far a touch carries the proxy.
+double way_of(const Touch &touch)
+{
+    return touch.carry.carries() ? (touch.carry.share * touch.normal + touch.carry.lag).norm() : 0;
+}
 } // namespace
 
 bool is_finite(const Touch &touch)
@@ -32,8 +89,14 @@ ContactTracker::ContactTracker(double radius) : radius_(radius)
     near_.reserve(usual_geoms);
     before_.reserve(usual_geoms);
     places_.reserve(usual_geoms);
-    carriers_.reserve(usual_geoms);
-    told_.reserve(usual_geoms);
+    told_.reserve(usual_touches);
+    told_before_.reserve(usual_touches);
+}
+
+void ContactTracker::Held::put(const Vector3 &at)
+{
+    place.at = at;
+    place.local = geom.to_local(at);
 }
 
 void ContactTracker::begin()
@@ -42,8 +105,9 @@ void ContactTracker::begin()
     for (const Held &held : near_)
         before_.push_back(held.place);
     near_.clear();
-    features_.begin();
-    pace_.adopts = false;
+    told_.swap(told_before_);
+    told_.clear();
+    adopts_ = false;
 }
 
 void ContactTracker::forget()
@@ -51,18 +115,18 @@ void ContactTracker::forget()
     has_proxy_ = false;
     before_.clear();
     near_.clear();
-    features_.reset();
-    carriers_.clear();
-    pace_.released = false;
+    told_.clear();
+    told_before_.clear();
+    released_ = false;
 }
 
 void ContactTracker::adopt(const ContactMemory &memory)
 {
-    pace_.adopts = true;
+    adopts_ = true;
     if (memory.has_proxy)
     {
         proxy_ = memory.proxy;
-        before_.assign(memory.places.begin(), memory.places.begin() + static_cast<std::ptrdiff_t>(memory.count));
+        before_ = memory.places;
     }
 }
 
@@ -70,31 +134,31 @@ void ContactTracker::remember_in(ContactMemory &memory) const
 {
     memory.has_proxy = has_proxy_;
     memory.proxy = proxy_;
-    memory.count = std::min(near_.size(), memory.places.size());
-    std::transform(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(memory.count), memory.places.begin(),
-                   [](const Held &held) { return held.place; });
+    memory.places.clear();
+    for (const Held &held : near_)
+        memory.places.push_back(held.place);
 }
 
 void ContactTracker::aim(const Vector3 &tool)
 {
-    pace_.travel = has_proxy_ ? Vector3(tool - tool_) : Vector3::Zero();
-    pace_.moved = pace_.travel.norm();
-    pace_.ahead = pace_.adopts ? steps_ahead * pace_.moved : 0;
+    travel_ = has_proxy_ ? Vector3(tool - tool_) : Vector3::Zero();
     tool_ = tool;
     if (!has_proxy_)
-    {
         proxy_ = tool;
-        has_proxy_ = true;
-    }
+    has_proxy_ = true;
     start_ = proxy_;
-    pace_.longest = std::max(radius_, catching_up * pace_.moved);
-    pace_.gently = !carriers_.empty() && !pace_.released && !pace_.adopts;
+}
+
+/// m; how far the proxy may go in this tick.
+double ContactTracker::longest_way() const
+{
+    return std::max(radius_, catching_up * travel_.norm());
 }
 
 /// m; how far the proxy may go in a tick, beyond what the tool's way makes of it.
 double ContactTracker::catch_up() const
 {
-    double stiffest = pace_.stiffness;
+    double stiffest = stiffness_;
     for (const Held &held : near_)
         stiffest = held.geom.material() ? std::max(stiffest, held.geom.material()->stiffness) : stiffest;
     return stiffest > 0 ? gentle / stiffest : radius_;
@@ -106,7 +170,7 @@ ContactTracker::Region ContactTracker::region() const
 {
     const Vector3 way = tool_ - start_;
     const double length = way.norm();
-    const double step = std::min(length, pace_.longest);
+    const double step = std::min(length, longest_way());
     Region region;
     region.centre = step < length ? Vector3(start_ + way * (step / length)) : tool_;
     double drift = 0;
@@ -117,22 +181,20 @@ ContactTracker::Region ContactTracker::region() const
         if ((place.at - start_).norm() > in_contact * radius_)
             farthest = std::max(farthest, (place.at - region.centre).norm());
     }
-    region.radius = radius_ + margin_ + pace_.ahead + std::max(around * step, farthest) + 2 * drift;
+    const double until_looked_for_again = adopts_ ? steps_ahead * travel_.norm() : 0;
+    region.radius = radius_ + margin_ + until_looked_for_again + std::max(around * step, farthest) + 2 * drift;
     return region;
 }
 
 TriangleList ContactTracker::touched_triangles(dGeomID geom) const
 {
-    const auto found = std::find_if(before_.begin(), before_.end(),
-                                    [&](const ContactMemory::Place &place) { return place.geom.id == geom; });
-    return found != before_.end() ? found->triangles : TriangleList();
+    const auto *place = find_in(before_, [&](const ContactMemory::Place &other) { return other.geom.id == geom; });
+    return place != nullptr ? place->triangles : TriangleList();
 }
 
-const ContactMemory::Place *ContactTracker::known(const NearbyGeom &geom) const
+bool ContactTracker::is_near(dGeomID geom) const
 {
-    const auto found = std::find_if(before_.begin(), before_.end(),
-                                    [&](const ContactMemory::Place &place) { return place.geom == geom.identity(); });
-    return found != before_.end() ? &*found : nullptr;
+    return find_in(near_, [&](const Held &held) { return held.geom.id() == geom; }) != nullptr;
 }
 
 void ContactTracker::add_if_near(NearbyGeom geom)
@@ -145,14 +207,14 @@ void ContactTracker::add_if_near(NearbyGeom geom)
 
 void ContactTracker::insert(NearbyGeom geom, double distance)
 {
-    const auto same = [&](const Held &held) { return held.geom.id() == geom.id(); };
-    if (std::any_of(near_.begin(), near_.end(), same))
+    if (is_near(geom.id()))
         return;
     Held held;
     held.distance = distance;
     held.start = start_;
     held.place.geom = geom.identity();
-    if (const ContactMemory::Place *last = known(geom))
+    const auto was_near = [&](const ContactMemory::Place &place) { return place.geom == held.place.geom; };
+    if (const ContactMemory::Place *last = find_in(before_, was_near))
     {
         const Vector3 carried = geom.to_scene(last->local);
         const double drift = (carried - last->at).norm();
@@ -169,18 +231,9 @@ void ContactTracker::insert(NearbyGeom geom, double distance)
 
 void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
 {
-    std::vector<std::pair<double, const NearbyGeom *>> nearest;
-    const double most = region().radius;
-    for (const Held &held : near_)
-    {
-        const bool all_go = near_.size() <= geoms.geoms.size();
-        nearest.emplace_back(all_go ? 0 : held.geom.distance(held.start, most), &held.geom);
-    }
-    geoms.count = std::min(near_.size(), geoms.geoms.size());
-    const auto end = nearest.begin() + static_cast<std::ptrdiff_t>(geoms.count);
-    std::nth_element(nearest.begin(), end, nearest.end());
-    std::transform(nearest.begin(), end, geoms.geoms.begin(), [](const auto &near) { return *near.second; });
-    std::fill(geoms.geoms.begin() + static_cast<std::ptrdiff_t>(geoms.count), geoms.geoms.end(), NearbyGeom());
+    geoms.geoms.clear();
+    for (std::size_t i = 0; i < std::min(near_.size(), NearbyGeoms::capacity); ++i)
+        geoms.geoms.push_back(near_[i].geom);
     geoms.time = time;
 }
 
@@ -190,28 +243,20 @@ SphereSlide::Task ContactTracker::task() const
     task.radius = radius_;
     task.goal = tool_;
     task.start = start_;
-    task.look = ahead * pace_.moved;
-    task.longest = pace_.longest;
+    task.look = ahead * travel_.norm();
+    task.longest = longest_way();
     task.margin = margin_;
-    if (pace_.gently)
+    const auto carries = [](const TouchOfGeom &told) { return told.touch.carry.carries(); };
+    if (find_in(told_before_, carries) != nullptr && !released_ &&
+        !adopts_) // a force is rendered, which is not to jump
     {
         double drift = 0;
         for (const Held &held : near_)
             drift = std::max(drift, held.place.drift);
-        task.reach_centre = start_ + pace_.travel;
-        task.reach = pace_.moved + drift + pace_.catch_up;
+        task.reach_centre = start_ + travel_;
+        task.reach = travel_.norm() + drift + catch_up_;
     }
     return task;
-}
-
-/// A touch that held the proxy at the last tick and is not reported at this one has released it.
-void ContactTracker::choose_pace()
-{
-    const bool all_there = std::all_of(carriers_.begin(), carriers_.end(), [&](const Carrier &carrier) {
-        return std::any_of(near_.begin(), near_.end(),
-                           [&](const Held &held) { return held.geom.id() == carrier.geom; });
-    });
-    pace_.released = pace_.released || !all_there;
 }
 
 void ContactTracker::follow()
@@ -219,48 +264,37 @@ void ContactTracker::follow()
     places_.clear();
     for (const Held &held : near_)
         places_.push_back({&held.geom, held.start, 0});
-    choose_pace();
     common_ = slide_.run(task(), places_);
-    pace_.catch_up = catch_up();
-    settle(common_);
+    const auto has_gone = [&](const TouchOfGeom &told) { return told.touch.carry.carries() && !is_near(told.geom); };
+    released_ = released_ || find_in(told_before_, has_gone) != nullptr;
+    catch_up_ = catch_up();
+    settle();
 }
 
-void ContactTracker::settle(bool common)
+/// While geoms squeeze the sphere, the place that is farthest from the tool is the one that is behind nothing. Then one that is too
+/// far from the proxy to be that of the same sphere is given up: the region() holds all places.
+void ContactTracker::settle()
 {
     if (near_.empty())
     {
-        const double way = (tool_ - start_).norm();
-        proxy_ = way > pace_.longest ? Vector3(start_ + (tool_ - start_) * (pace_.longest / way)) : tool_;
+        proxy_ = region().centre;
         return;
     }
+    proxy_ = places_.front().at;
     for (std::size_t i = 0; i < near_.size(); ++i)
     {
-        ContactMemory::Place &place = near_[i].place;
-        place.at = places_[i].at;
-        place.local = near_[i].geom.to_local(places_[i].at);
-        place.triangles = {};
+        near_[i].put(places_[i].at);
+        if (!common_ && (places_[i].at - tool_).squaredNorm() > (proxy_ - tool_).squaredNorm())
+            proxy_ = places_[i].at;
     }
     for (const SlidePlane &plane : slide_.planes())
         if (plane.share > 0 && plane.feature.triangle >= 0)
             near_[plane.place].place.triangles.add(plane.feature.triangle);
-    // While geoms squeeze the sphere, the place that is farthest from the tool is the one that is behind nothing.
-    const auto farthest = std::max_element(near_.begin(), near_.end(), [&](const Held &a, const Held &b) {
-        return (a.place.at - tool_).squaredNorm() < (b.place.at - tool_).squaredNorm();
-    });
-    proxy_ = common ? near_.front().place.at : farthest->place.at;
-    if (!common)
-        bring_together();
-}
-
-/// A place that is too far from the proxy to be that of the same sphere is given up: the region() holds all places.
-void ContactTracker::bring_together()
-{
     for (Held &held : near_)
     {
-        if ((held.place.at - proxy_).norm() > farthest_apart * radius_)
+        if (!common_ && (held.place.at - proxy_).norm() > farthest_apart * radius_)
         {
-            held.place.at = proxy_;
-            held.place.local = held.geom.to_local(proxy_);
+            held.put(proxy_);
             held.place.drift = 0;
         }
     }
@@ -268,24 +302,20 @@ void ContactTracker::bring_together()
 
 bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
 {
-    const std::size_t first = touches.size();
-    const bool several = std::any_of(near_.begin(), near_.end(), [&](const Held &held) {
-        return held.geom.object() != near_.front().geom.object();
-    });
+    const auto is_other = [&](const Held &held) { return held.geom.object() != near_.front().geom.object(); };
     told_.clear();
     if (near_.empty())
-        pace_.released = pace_.released && proxy_ != tool_;
-    else if (view == TouchView::all_together || !several || proxy_ == tool_)
-        tell_together(touches);
+        released_ = released_ && proxy_ != tool_;
+    else if (view == TouchView::all_together || find_in(near_, is_other) == nullptr || proxy_ == tool_)
+        tell_together();
     else
-        tell_each_object(touches);
-    features_.number(touches, first);
-    note_carriers(touches, first);
-    const auto first_nonsense = std::remove_if(touches.begin() + static_cast<std::ptrdiff_t>(first), touches.end(),
-                                               [](const Touch &touch) { return !is_finite(touch); });
-    const bool all = first_nonsense == touches.end();
-    touches.erase(first_nonsense, touches.end());
-    return all;
+        tell_each_object();
+    number_features(told_before_, told_);
+    const std::size_t most = touches.size() + told_.size();
+    for (const TouchOfGeom &told : told_)
+        if (is_finite(told.touch))
+            touches.push_back(told.touch);
+    return touches.size() == most;
 }
 
 /// m; from where the planes of the last slide let the sphere go, to the place to which it came.
@@ -297,18 +327,18 @@ Vector3 ContactTracker::lag_at(const Vector3 &place) const
     return lag.norm() <= in_contact * radius_ ? Vector3(Vector3::Zero()) : lag;
 }
 
-void ContactTracker::tell_together(std::vector<Touch> &touches)
+void ContactTracker::tell_together()
 {
     Vector3 lag = common_ ? lag_at(proxy_) : Vector3(Vector3::Zero());
-    pace_.released = pace_.released && !lag.isZero(0);
-    if (pace_.released)
+    released_ = released_ && !lag.isZero(0);
+    if (released_)
         lag.setZero();
-    if (tell_planes(lag, touches) == 0 && !lag.isZero(0))
-        carry_on(lag, touches);
+    if (tell_planes(lag) == 0 && !lag.isZero(0))
+        carry_on(lag);
 }
 
 /// What the last slide found. @return m; what the planes carry together.
-double ContactTracker::tell_planes(const Vector3 &lag, std::vector<Touch> &touches)
+double ContactTracker::tell_planes(const Vector3 &lag)
 {
     double carried = 0;
     for (const SlidePlane &plane : slide_.planes())
@@ -331,56 +361,46 @@ double ContactTracker::tell_planes(const Vector3 &lag, std::vector<Touch> &touch
         touch.carry = {plane.share, carried > 0 ? Vector3(plane.share / carried * lag) : Vector3(Vector3::Zero())};
         touch.is_solved = true;
         touch.material = geom.material();
-        touches.push_back(touch);
-        told_.push_back(geom.id());
+        told_.push_back({geom.id(), touch});
     }
     return carried;
 }
 
 /// The proxy has left all surfaces, and is on its way to the tool: what it left lets go of it no faster than it comes there.
-void ContactTracker::carry_on(const Vector3 &lag, std::vector<Touch> &touches)
+void ContactTracker::carry_on(const Vector3 &lag)
 {
     double sum = 0;
-    for (const Carrier &carrier : carriers_)
-        sum += (carrier.touch.carry.share * carrier.touch.normal + carrier.touch.carry.lag).norm();
-    for (const Carrier &carrier : carriers_)
+    for (const TouchOfGeom &carrier : told_before_)
+        sum += way_of(carrier.touch);
+    for (TouchOfGeom carrier : told_before_)
     {
-        Touch touch = carrier.touch;
-        const double part = (touch.carry.share * touch.normal + touch.carry.lag).norm() / sum;
-        touch.carry = {0, part * lag};
-        touch.depth = std::max(0.0, part * lag.dot(touch.normal));
-        touches.push_back(touch);
-        told_.push_back(carrier.geom);
+        if (!carrier.touch.carry.carries())
+            continue;
+        const double part = way_of(carrier.touch) / sum;
+        carrier.touch.carry = {0, part * lag};
+        carrier.touch.depth = std::max(0.0, part * lag.dot(carrier.touch.normal));
+        told_.push_back(carrier);
     }
 }
 
-void ContactTracker::note_carriers(const std::vector<Touch> &touches, std::size_t first)
-{
-    carriers_.clear();
-    for (std::size_t i = first; i < touches.size(); ++i)
-        if (touches[i].carry.carries())
-            carriers_.push_back({told_[i - first], touches[i]});
-}
-
 /// Each object holds off the tool as if there were no other; on which side of it the tool is, all of them have said.
-void ContactTracker::tell_each_object(std::vector<Touch> &touches)
+void ContactTracker::tell_each_object()
 {
-    for (std::size_t i = 0; i < near_.size(); ++i)
+    for (const Held &first : near_)
     {
-        const std::uintptr_t object = near_[i].geom.object();
-        const auto earlier = std::find_if(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(i),
-                                          [&](const Held &held) { return held.geom.object() == object; });
-        if (earlier != near_.begin() + static_cast<std::ptrdiff_t>(i))
+        const std::uintptr_t object = first.geom.object();
+        const auto is_of_it = [&](const Held &held) { return held.geom.object() == object; };
+        if (find_in(near_, is_of_it) != &first)
             continue;
         places_.clear();
         for (const Held &held : near_)
-            if (held.geom.object() == object)
+            if (is_of_it(held))
                 places_.push_back({&held.geom, held.place.at, 0});
         SphereSlide::Task alone = task();
         alone.longest = std::max(alone.longest, 2 * (proxy_ - tool_).norm());
         alone.reach = std::numeric_limits<double>::infinity();
         const bool common = slide_.run(alone, places_);
-        tell_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()), touches);
+        tell_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
     }
 }
 } // namespace ode_predictive_space::haptics

@@ -3,12 +3,47 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 
-#include "ode_predictive_space/haptics/contact/contact_manifold.h"
-#include "ode_predictive_space/haptics/contact/contact_memory.h"
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 
 namespace ode_predictive_space::haptics
 {
+/// The geoms around the probe, to be handed from the scene's tracker to the servo's; it keeps the meshes alive.
+struct NearbyGeoms
+{
+    static constexpr std::size_t capacity = 64;
+
+    std::vector<NearbyGeom> geoms;
+    double time = 0; ///< s; when this was so
+};
+
+/// On which side of which geom the proxy is, to be handed from the servo's tracker to the scene's.
+struct ContactMemory
+{
+    /// Where the proxy is with respect to a geom. The same place for all, but while geoms squeeze the sphere.
+    struct Place
+    {
+        GeomIdentity geom;
+        Vector3 at = Vector3::Zero();    ///< m; the scene's frame
+        Vector3 local = Vector3::Zero(); ///< m; the geom's frame
+        double drift = 0;                ///< m; how far the geom carried the proxy in the last tick
+        TriangleList triangles;          ///< touched
+    };
+
+    /// Makes room for as many as there can be, since the servo does not allocate.
+    ContactMemory() { places.reserve(NearbyGeoms::capacity); }
+
+    bool has_proxy = false;
+    Vector3 proxy = Vector3::Zero(); ///< m; the scene's frame
+    std::vector<Place> places;
+};
+
+/// A touch, and which of the object's geoms it is of.
+struct TouchOfGeom
+{
+    dGeomID geom;
+    Touch touch;
+};
+
 /// Whether all numbers of a touch are.
 bool is_finite(const Touch &touch);
 
@@ -38,7 +73,7 @@ public:
     void set_margin(double margin) { margin_ = margin; }
 
     /// N/m; of what has no material of its own. While a force is rendered, the proxy catches up no faster than the force may change.
-    void set_stiffness(double stiffness) { pace_.stiffness = stiffness; }
+    void set_stiffness(double stiffness) { stiffness_ = stiffness; }
 
     /// Forget what is near, but not on which side of it the proxy is.
     void begin();
@@ -66,7 +101,7 @@ public:
     /// felt depends on the scene alone: not on how many geoms around the region a space reports, and in which order.
     void add_if_near(NearbyGeom geom);
 
-    /// Of the scene's tracker: what was added, for the servo's. If it is too much, what is nearest to the proxy.
+    /// Of the scene's tracker: what was added, for the servo's. If it is too much, what came first.
     ///
     /// @param time s; when this was so.
     void hand_over(NearbyGeoms &geoms, double time) const;
@@ -95,59 +130,41 @@ private:
         double distance = 0;             ///< m; from the middle of the region, if the order goes by it
         Vector3 start = Vector3::Zero(); ///< m; the scene's frame, when the tick began
         ContactMemory::Place place;      ///< when it was over
-    };
 
-    /// What carried the proxy in the tick before, and which geom it belongs to.
-    struct Carrier
-    {
-        dGeomID geom;
-        Touch touch;
-    };
-
-    /// How far the proxy may go in this tick.
-    struct Pace
-    {
-        double stiffness = usual_stiffness; ///< N/m; of what has no material of its own
-        Vector3 travel = Vector3::Zero();   ///< m; of the tool, since the tick before
-        double moved = 0;                   ///< m; how far that is
-        double longest = 0;                 ///< m; how long the proxy's way may be
-        double ahead = 0;                   ///< m; how far it may go until geoms are looked for again
-        double catch_up = 0;                ///< m; see catch_up(), by what was near in the tick before
-        bool adopts = false;                ///< another tracker has the proxy
-        bool gently = false;                ///< a force is rendered, which is not to jump
-        bool released =
-            false; ///< what carried the proxy is gone, and it has not come to rest since: no force but by what it touches
+        void put(const Vector3 &at);
     };
 
     void insert(NearbyGeom geom, double distance);
-    void choose_pace();
+    bool is_near(dGeomID geom) const;
+    double longest_way() const;
     double catch_up() const;
-    void carry_on(const Vector3 &lag, std::vector<Touch> &touches);
-    void note_carriers(const std::vector<Touch> &touches, std::size_t first);
     SphereSlide::Task task() const;
-    const ContactMemory::Place *known(const NearbyGeom &geom) const;
-    void settle(bool common);
-    void bring_together();
+    void settle();
     Vector3 lag_at(const Vector3 &place) const;
-    void tell_together(std::vector<Touch> &touches);
-    double tell_planes(const Vector3 &lag, std::vector<Touch> &touches);
-    void tell_each_object(std::vector<Touch> &touches);
+    void tell_together();
+    double tell_planes(const Vector3 &lag);
+    void carry_on(const Vector3 &lag);
+    void tell_each_object();
 
     double radius_;
     double margin_ = 0;
+    double stiffness_ = usual_stiffness;
     bool has_proxy_ = false;
     Vector3 tool_ = Vector3::Zero();
-    Vector3 start_ = Vector3::Zero(); ///< m; the proxy when the tick began
-    Vector3 proxy_ = Vector3::Zero(); ///< m; when it was over
-    Pace pace_;
+    Vector3 travel_ = Vector3::Zero(); ///< m; of the tool, since the tick before
+    Vector3 start_ = Vector3::Zero();  ///< m; the proxy when the tick began
+    Vector3 proxy_ = Vector3::Zero();  ///< m; when it was over
+    bool adopts_ = false;              ///< another tracker has the proxy
+    bool released_ =
+        false; ///< what carried the proxy is gone, and it has not come to rest since: no force but by what it touches
+    double catch_up_ = 0; ///< m; see catch_up(), by what was near in the tick before
     std::vector<Held> near_;
     std::vector<ContactMemory::Place> before_;
     std::vector<SlidePlace> places_;
     SphereSlide slide_;
-    FeatureNumbers features_;
-    std::vector<Carrier> carriers_;
-    std::vector<dGeomID> told_; ///< of each touch of the last touches()
-    bool common_ = true;        ///< all geoms see the proxy at the same place
+    std::vector<TouchOfGeom> told_;        ///< in this tick
+    std::vector<TouchOfGeom> told_before_; ///< in the one before: what carried the proxy, and the numbers of planes
+    bool common_ = true;                   ///< all geoms see the proxy at the same place
 };
 } // namespace ode_predictive_space::haptics
 

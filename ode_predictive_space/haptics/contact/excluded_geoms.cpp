@@ -1,13 +1,11 @@
 #include "ode_predictive_space/haptics/contact/excluded_geoms.h"
 
-#include <algorithm>
-#include <utility>
+#include "ode_predictive_space/haptics/contact/short_list.h"
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr std::size_t usual_excluded_geoms = 64;
 constexpr double depth_still_outside = 0.01; // of the radius: a probe that begins no deeper is outside
 constexpr double shallow = 1e-4;             // m; the same for a probe without a radius
 
@@ -26,8 +24,8 @@ bool is_in(const NearbyGeom &geom, const ProbePlace &probe, double allowed)
 
 ExcludedGeoms::ExcludedGeoms()
 {
-    told_.reserve(usual_excluded_geoms);
-    before_.reserve(usual_excluded_geoms);
+    told_.reserve(usual_touches);
+    before_.reserve(usual_touches);
 }
 
 void ExcludedGeoms::begin()
@@ -38,9 +36,7 @@ void ExcludedGeoms::begin()
 
 const ExcludedGeoms::Told *ExcludedGeoms::before(const GeomIdentity &geom) const
 {
-    const auto found =
-        std::find_if(before_.begin(), before_.end(), [&](const Told &told) { return told.geom == geom; });
-    return found != before_.end() ? &*found : nullptr;
+    return find_in(before_, [&](const Told &told) { return told.geom == geom; });
 }
 
 bool ExcludedGeoms::excludes(const NearbyGeom &geom, const ProbePlace &probe)

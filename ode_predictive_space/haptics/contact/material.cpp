@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/touch.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "ode_predictive_space/haptics/contact/material.h"
 #include "ode_predictive_space/haptics/device/check_argument.h"
@@ -11,30 +12,39 @@ namespace
 {
 constexpr double blend_time = 0.02; // s
 
-double blended(double from, double to, double dt)
+struct Property
 {
-    const double most = std::max(from, to) * dt / blend_time;
-    return from + std::clamp(to - from, -most, most);
-}
+    double Material::*value;
+    const char *name;
+};
+
+constexpr Property properties[] = {{&Material::stiffness, "stiffness of a material"},
+                                   {&Material::damping, "damping of a material"},
+                                   {&Material::friction, "friction of a material"},
+                                   {&Material::static_friction, "static friction of a material"}};
 } // namespace
 
 void check(const Material &material)
 {
-    check_not_negative(material.stiffness, "stiffness of a material");
-    check_not_negative(material.damping, "damping of a material");
-    check_not_negative(material.friction, "friction of a material");
-    check_not_negative(material.static_friction, "static friction of a material");
+    for (const Property &property : properties)
+        check_not_negative(material.*property.value, property.name);
 }
 
 bool is_valid(const Material &material)
 {
-    return is_amount(material.stiffness) && is_amount(material.damping) && is_amount(material.friction) &&
-           is_amount(material.static_friction);
+    return std::all_of(std::begin(properties), std::end(properties),
+                       [&](const Property &property) { return is_amount(material.*property.value); });
 }
 
 Material blended(const Material &from, const Material &to, double dt)
 {
-    return {blended(from.stiffness, to.stiffness, dt), blended(from.damping, to.damping, dt),
-            blended(from.friction, to.friction, dt), blended(from.static_friction, to.static_friction, dt)};
+    Material result = from;
+    for (const Property &property : properties)
+    {
+        const double start = from.*property.value, end = to.*property.value;
+        const double most = std::max(start, end) * dt / blend_time;
+        result.*property.value += std::clamp(end - start, -most, most);
+    }
+    return result;
 }
 } // namespace ode_predictive_space::haptics

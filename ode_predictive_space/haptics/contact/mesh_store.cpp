@@ -1,16 +1,16 @@
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
 
 #include "ode_predictive_space/haptics/contact/ode_vector.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 #include "ode_predictive_space/haptics/touch.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr std::size_t most_entries = 256; // the oldest one goes then
+constexpr std::size_t most_meshes = 256; // the oldest one goes then
 constexpr int compared_at_once = 8;
 constexpr double rounding_of_corners = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5; // m, and of the coordinates
 
@@ -77,60 +77,55 @@ bool is_same(dGeomID geom, const MeshTree &tree, std::size_t triangle)
     }
     return true;
 }
+
+auto is_of(const void *data)
+{
+    return [data](const auto &entry) { return entry.data == data; };
+}
 } // namespace
 
 bool MeshStore::knows(dGeomID geom) const
 {
     const int kind = dGeomGetClass(geom);
     return (kind == dTriMeshClass && dGeomTriMeshGetData(geom) != nullptr) ||
-           (kind == dHeightfieldClass && tree_of_field(dGeomHeightfieldGetHeightfieldData(geom)) != nullptr);
+           (kind == dHeightfieldClass && find_in(fields_, is_of(dGeomHeightfieldGetHeightfieldData(geom))) != nullptr);
 }
 
 std::shared_ptr<const MeshTree> MeshStore::tree_of(dGeomID geom, const TriangleList &touched)
 {
-    return dGeomGetClass(geom) == dTriMeshClass ? tree_of_mesh(geom, touched)
-                                                : tree_of_field(dGeomHeightfieldGetHeightfieldData(geom));
-}
-
-std::shared_ptr<const MeshTree> MeshStore::tree_of_field(dHeightfieldDataID data) const
-{
-    const auto known =
-        std::find_if(fields_.begin(), fields_.end(), [&](const Field &field) { return field.data == data; });
-    return known != fields_.end() ? known->tree : nullptr;
+    if (dGeomGetClass(geom) == dHeightfieldClass)
+        return find_in(fields_, is_of(dGeomHeightfieldGetHeightfieldData(geom)))->tree;
+    const dTriMeshDataID data = dGeomTriMeshGetData(geom);
+    if (Entry *known = find_in(meshes_, is_of(data)))
+    {
+        if (!is_current(geom, *known, touched))
+            known->tree = make_tree(data);
+        return known->tree;
+    }
+    if (meshes_.size() == most_meshes)
+        meshes_.erase(meshes_.begin());
+    meshes_.push_back({data, make_tree(data)});
+    return meshes_.back().tree;
 }
 
 void MeshStore::set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples)
 {
-    Field field = {data, std::make_shared<const MeshTree>(triangles_of(samples))};
+    Entry field = {data, std::make_shared<const MeshTree>(triangles_of(samples))};
     forget_samples(data);
     fields_.push_back(std::move(field));
 }
 
 void MeshStore::forget_samples(dHeightfieldDataID data)
 {
-    fields_.erase(
-        std::remove_if(fields_.begin(), fields_.end(), [&](const Field &field) { return field.data == data; }),
-        fields_.end());
+    remove_from(fields_, is_of(data));
 }
 
-std::shared_ptr<const MeshTree> MeshStore::tree_of_mesh(dGeomID geom, const TriangleList &touched)
+void MeshStore::forget(dTriMeshDataID data)
 {
-    const dTriMeshDataID data = dGeomTriMeshGetData(geom);
-    const auto known =
-        std::find_if(entries_.begin(), entries_.end(), [&](const Entry &entry) { return entry.data == data; });
-    if (known != entries_.end())
-    {
-        if (!is_current(geom, *known, touched))
-            known->tree = make_tree(data);
-        return known->tree;
-    }
-    if (entries_.size() == most_entries)
-        entries_.erase(entries_.begin());
-    entries_.push_back({data, make_tree(data)});
-    return entries_.back().tree;
+    remove_from(meshes_, is_of(data));
 }
 
-bool MeshStore::is_current(dGeomID geom, Entry &entry, const TriangleList &touched) const
+bool MeshStore::is_current(dGeomID geom, Entry &entry, const TriangleList &touched)
 {
     const std::size_t count = entry.tree->count();
     if (static_cast<std::size_t>(dGeomTriMeshGetTriangleCount(geom)) != count)
@@ -145,12 +140,5 @@ bool MeshStore::is_current(dGeomID geom, Entry &entry, const TriangleList &touch
         return static_cast<std::size_t>(triangle) >= count ||
                is_same(geom, *entry.tree, static_cast<std::size_t>(triangle));
     });
-}
-
-void MeshStore::forget(dTriMeshDataID data)
-{
-    entries_.erase(
-        std::remove_if(entries_.begin(), entries_.end(), [&](const Entry &entry) { return entry.data == data; }),
-        entries_.end());
 }
 } // namespace ode_predictive_space::haptics

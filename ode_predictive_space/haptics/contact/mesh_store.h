@@ -47,29 +47,21 @@ public:
     /// Make the tree anew when it is needed next.
     void forget(dTriMeshDataID data);
 
-    std::size_t count() const { return entries_.size(); }
+    std::size_t count() const { return meshes_.size(); }
 
 private:
+    /// Of a dTriMeshDataID or of a dHeightfieldDataID.
     struct Entry
     {
-        dTriMeshDataID data;
+        const void *data;
         std::shared_ptr<const MeshTree> tree;
         std::size_t next = 0; ///< triangle to compare next
     };
 
-    /// Of a heightfield.
-    struct Field
-    {
-        dHeightfieldDataID data;
-        std::shared_ptr<const MeshTree> tree;
-    };
+    static bool is_current(dGeomID geom, Entry &entry, const TriangleList &touched);
 
-    std::shared_ptr<const MeshTree> tree_of_mesh(dGeomID geom, const TriangleList &touched);
-    std::shared_ptr<const MeshTree> tree_of_field(dHeightfieldDataID data) const;
-    bool is_current(dGeomID geom, Entry &entry, const TriangleList &touched) const;
-
-    std::vector<Entry> entries_;
-    std::vector<Field> fields_;
+    std::vector<Entry> meshes_;
+    std::vector<Entry> fields_;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -15,7 +15,6 @@ constexpr std::uint32_t large_fan = 12; // triangles at a corner
 constexpr int no_minimum = -2;          // instead of a triangle
 constexpr double same_place = 1e-7;     // of the distance
 constexpr double far = 2;               // times the radius of a node: from there, it is a dipole
-constexpr double pi = 3.14159265358979323846;
 
 struct PlaceHash
 {
@@ -184,7 +183,7 @@ double MeshTree::winding_number(const Vector3 &point) const
         return false;
     };
     tree_.descend(is_near, [&](std::uint32_t triangle) { angle += solid_angle(corners(triangle), point); });
-    return angle / (4 * pi);
+    return angle / (4 * EIGEN_PI);
 }
 
 SurfaceFeature MeshTree::nearest_of(std::size_t triangle, const Vector3 &point) const

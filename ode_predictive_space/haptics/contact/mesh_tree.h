@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MESH_TREE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MESH_TREE_H
 
-#include "ode_predictive_space/haptics/contact/surface_feature.h"
+#include "ode_predictive_space/haptics/contact/solid.h"
 #include "ode_predictive_space/surface/triangle_tree.h"
 
 namespace ode_predictive_space::haptics

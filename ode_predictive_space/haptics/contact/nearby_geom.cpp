@@ -10,23 +10,6 @@ namespace
 {
 constexpr double least_winding = 0.5;           // inside of a mesh
 constexpr double least_winding_of_field = 0.25; // below a heightfield, which has no bottom
-
-/// Of geoms that cannot be placed, too.
-Vector3 to_scene_by_ode(dGeomID geom, const Vector3 &point)
-{
-    dVector3 in_scene;
-    dGeomGetRelPointPos(geom, static_cast<dReal>(point.x()), static_cast<dReal>(point.y()),
-                        static_cast<dReal>(point.z()), in_scene);
-    return from_ode(in_scene);
-}
-
-Vector3 direction_by_ode(dGeomID geom, const Vector3 &direction)
-{
-    dVector3 in_scene;
-    dGeomVectorToWorld(geom, static_cast<dReal>(direction.x()), static_cast<dReal>(direction.y()),
-                       static_cast<dReal>(direction.z()), in_scene);
-    return from_ode(in_scene);
-}
 } // namespace
 
 std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, const TriangleList &touched)
@@ -37,9 +20,14 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
         return {};
     nearby.id_ = geom;
     nearby.object_ = object_of(geom);
-    nearby.position_ = to_scene_by_ode(geom, Vector3::Zero());
+    dVector3 in_scene; // by functions that know geoms that cannot be placed, too
+    dGeomGetRelPointPos(geom, 0, 0, 0, in_scene);
+    nearby.position_ = from_ode(in_scene);
     for (int axis = 0; axis < 3; ++axis)
-        nearby.rotation_.col(axis) = direction_by_ode(geom, Vector3::Unit(axis));
+    {
+        dGeomVectorToWorld(geom, axis == 0, axis == 1, axis == 2, in_scene);
+        nearby.rotation_.col(axis) = from_ode(in_scene);
+    }
     if (!nearby.is_solid() && nearby.is_finite())
     {
         nearby.mesh_ = meshes.tree_of(geom, touched);

@@ -5,6 +5,7 @@
 
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
 #include "ode_predictive_space/haptics/contact/solid.h"
+#include "ode_predictive_space/haptics/touch.h"
 
 #include <memory>
 #include <optional>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ode/ode.h>
 #include <ode_predictive_space/predictive_space.h>
 #include <stdexcept>
 
@@ -29,37 +30,53 @@ dGeomID checked(dGeomID geom)
 
 void place(dGeomID geom, const Vector3 &position)
 {
-    dGeomSetPosition(geom, static_cast<dReal>(position.x()), static_cast<dReal>(position.y()),
-                     static_cast<dReal>(position.z()));
+    const dVector3 there = {static_cast<dReal>(position.x()), static_cast<dReal>(position.y()),
+                            static_cast<dReal>(position.z())};
+    if (!std::equal(there, there + 3, dGeomGetPosition(geom)))
+        dGeomSetPosition(geom, there[0], there[1], there[2]);
 }
 } // namespace
 
 ProbeGeom::ProbeGeom(dSpaceID space, double radius)
-    : geom_(make_sphere(space, radius)), tool_(dCreateSphere(nullptr, static_cast<dReal>(radius))), own_(true),
-      turns_(false), radius_(radius), watch_(std::make_unique<GeomWatch>(geom_))
+    : geom_(make_sphere(space, radius)), tool_(dCreateSphere(nullptr, static_cast<dReal>(radius))), radius_(radius)
 {
+    watch(geom_);
     become_interactive();
 }
 
-ProbeGeom::ProbeGeom(dGeomID geom) : geom_(checked(geom)), own_(false), turns_(dGeomGetClass(geom) != dSphereClass)
+ProbeGeom::ProbeGeom(dGeomID geom) : geom_(checked(geom)), tool_(geom)
 {
     become_interactive();
     if (const dSpaceID space = dGeomGetSpace(geom))
     {
-        sentinel_ = dCreateSphere(space, 0);
-        dGeomDisable(sentinel_);
-        watch_ = std::make_unique<GeomWatch>(sentinel_);
+        watch(dCreateSphere(space, 0));
+        dGeomDisable(watched_);
     }
 }
 
+/// In a locked space body and world are left to the geom for good: to destroy them would move it.
 ProbeGeom::~ProbeGeom()
 {
-    if (const dGeomID watched = own_ ? geom_ : sentinel_; watched != nullptr && may_be_touched())
-        dGeomDestroy(watched);
-    if (watch_ && abandoned_ && !is_gone())
-        watch_->leave();
-    if (own_)
+    if (watched_ != nullptr && may_be_touched())
+        dGeomDestroy(watched_);
+    if (world_of_watch_ != nullptr && (!abandoned_ || is_gone()))
+        dWorldDestroy(world_of_watch_);
+    if (is_own())
         dGeomDestroy(tool_);
+}
+
+void ProbeGeom::watch(dGeomID geom)
+{
+    watched_ = geom;
+    world_of_watch_ = dWorldCreate();
+    watch_ = dBodyCreate(world_of_watch_);
+    dBodySetKinematic(watch_);
+    dGeomSetBody(geom, watch_);
+}
+
+bool ProbeGeom::is_gone() const
+{
+    return watch_ != nullptr && dBodyGetFirstGeom(watch_) == nullptr;
 }
 
 void ProbeGeom::become_interactive()
@@ -88,31 +105,20 @@ void ProbeGeom::set_margin(double margin)
 
 void ProbeGeom::follow(const ToolState &tool)
 {
-    if (!posed_ || tool.position != position_)
-    {
-        position_ = tool.position;
-        place(geom_, position_);
-    }
-    if (turns_ && (!posed_ || tool.orientation.coeffs() != orientation_.coeffs()))
-    {
-        orientation_ = tool.orientation;
-        const dQuaternion quaternion = {static_cast<dReal>(orientation_.w()), static_cast<dReal>(orientation_.x()),
-                                        static_cast<dReal>(orientation_.y()), static_cast<dReal>(orientation_.z())};
-        dGeomSetQuaternion(geom_, quaternion);
-    }
-    posed_ = true;
+    place(geom_, tool.position);
+    if (dGeomGetClass(geom_) == dSphereClass || (orientation_ && orientation_->coeffs() == tool.orientation.coeffs()))
+        return;
+    orientation_ = tool.orientation;
+    const dQuaternion quaternion = {static_cast<dReal>(tool.orientation.w()), static_cast<dReal>(tool.orientation.x()),
+                                    static_cast<dReal>(tool.orientation.y()), static_cast<dReal>(tool.orientation.z())};
+    dGeomSetQuaternion(geom_, quaternion);
 }
 
 void ProbeGeom::look_around(const Vector3 &tool, const Vector3 &centre, double radius)
 {
-    position_ = tool;
     place(tool_, tool);
     if (dGeomSphereGetRadius(geom_) != static_cast<dReal>(radius))
         dGeomSphereSetRadius(geom_, static_cast<dReal>(radius));
-    const dVector3 there = {static_cast<dReal>(centre.x()), static_cast<dReal>(centre.y()),
-                            static_cast<dReal>(centre.z())};
-    if (!posed_ || !std::equal(there, there + 3, dGeomGetPosition(geom_)))
-        place(geom_, centre);
-    posed_ = true;
+    place(geom_, centre);
 }
 } // namespace ode_predictive_space::haptics

@@ -3,15 +3,18 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PROBE_GEOM_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PROBE_GEOM_H
 
-#include "ode_predictive_space/haptics/contact/geom_watch.h"
 #include "ode_predictive_space/haptics/device.h"
 
-#include <memory>
+#include <ode/common.h>
+#include <optional>
 
 namespace ode_predictive_space::haptics
 {
 /// A sphere of the library's own, which covers the region in which it looks for what it can touch, or a geom of the program, which goes
 /// where the tool is. In a predictive space it gets the interactive role.
+///
+/// ODE does not tell when a space is destroyed with its geoms, but a geom that is destroyed leaves its body. So a geom of ours in
+/// the space gets a kinematic body of a world of its own, in which nothing happens.
 class ProbeGeom
 {
 public:
@@ -25,7 +28,7 @@ public:
     ProbeGeom &operator=(const ProbeGeom &) = delete;
 
     /// Whether it was destroyed with its space.
-    bool is_gone() const { return watch_ && !watch_->is_there(); }
+    bool is_gone() const;
 
     /// Whether it may be moved: it is not gone, and not in a space that stays locked.
     bool may_be_touched() const { return !abandoned_ && !is_gone(); }
@@ -34,10 +37,8 @@ public:
     dGeomID id() const { return geom_; }
 
     /// Of the tool's place and size.
-    dGeomID tool() const { return own_ ? tool_ : geom_; }
+    dGeomID tool() const { return tool_; }
 
-    /// m; the scene's frame: of the tool.
-    const Vector3 &position() const { return position_; }
     double radius() const { return radius_; } ///< m; of a sphere of its own
     double margin() const { return margin_; } ///< m; see TouchSensor::set_margin()
 
@@ -54,20 +55,19 @@ public:
     void look_around(const Vector3 &tool, const Vector3 &centre, double radius);
 
 private:
+    bool is_own() const { return tool_ != geom_; }
     void become_interactive();
+    void watch(dGeomID geom);
 
     dGeomID geom_;
-    dGeomID sentinel_ = nullptr; ///< of a geom of the program that is in a space: it goes with that
-    dGeomID tool_ = nullptr;     ///< of a sphere of its own: in no space, for dCollide()
-    bool own_;
-    bool abandoned_ = false; ///< nothing may be done to geom_
-    bool turns_;             ///< whether the orientation matters
-    bool posed_ = false;
-    double radius_ = 0; ///< m; without the margin
-    double margin_ = 0; ///< m
-    Vector3 position_ = Vector3::Zero();
-    Quaternion orientation_ = Quaternion::Identity();
-    std::unique_ptr<GeomWatch> watch_; ///< of the sphere of its own or the sentinel
+    dGeomID tool_;                          ///< of a sphere of its own, another one: in no space, for dCollide()
+    dGeomID watched_ = nullptr;             ///< geom_, or a sentinel beside a geom of the program that is in a space
+    dWorldID world_of_watch_ = nullptr;     ///< for watched_
+    dBodyID watch_ = nullptr;               ///< of watched_
+    bool abandoned_ = false;                ///< nothing may be done to geom_
+    double radius_ = 0;                     ///< m; without the margin
+    double margin_ = 0;                     ///< m
+    std::optional<Quaternion> orientation_; ///< as set last
 };
 } // namespace ode_predictive_space::haptics
 

@@ -18,6 +18,42 @@ SurfaceFeature nearest_of_ball(const Vector3 &point, const Vector3 &centre, doub
     feature.point = centre + radius * feature.normal;
     return feature;
 }
+
+/// @param half m; of the sides.
+SurfaceFeature nearest_of_box(const Vector3 &point, const Vector3 &half)
+{
+    SurfaceFeature feature = nearest_of_ball(point, point.cwiseMax(-half).cwiseMin(half), 0);
+    if (feature.distance > 0)
+        return feature;
+    int axis = 0;
+    feature.distance = -(half - point.cwiseAbs()).minCoeff(&axis);
+    feature.normal = std::copysign(1.0, point[axis]) * Vector3::Unit(axis);
+    feature.point[axis] = std::copysign(half[axis], point[axis]);
+    return feature;
+}
+
+SurfaceFeature nearest_of_cylinder(const Vector3 &point, double radius, double half_length)
+{
+    const double off_axis = point.head<2>().norm();
+    const Vector3 outwards = off_axis > 0 ? Vector3(point.x() / off_axis, point.y() / off_axis, 0) : Vector3::UnitX();
+    const double beside = off_axis - radius;
+    const double beyond = std::abs(point.z()) - half_length;
+    const Vector3 along = std::copysign(1.0, point.z()) * Vector3::UnitZ();
+
+    SurfaceFeature feature;
+    if (beside > 0 && beyond > 0) // the rim
+    {
+        feature.distance = std::hypot(beside, beyond);
+        feature.normal = (beside * outwards + beyond * along) / feature.distance;
+    }
+    else
+    {
+        feature.distance = std::max(beside, beyond);
+        feature.normal = beside > beyond ? outwards : along;
+    }
+    feature.point = point - feature.distance * feature.normal;
+    return feature;
+}
 } // namespace
 
 Solid Solid::of(dGeomID geom)
@@ -28,7 +64,7 @@ Solid Solid::of(dGeomID geom)
     switch (dGeomGetClass(geom))
     {
     case dSphereClass:
-        return Solid(Shape::sphere, Vector3(static_cast<double>(dGeomSphereGetRadius(geom)), 0, 0));
+        return Solid(Shape::capsule, Vector3(dGeomSphereGetRadius(geom), 0, 0));
     case dBoxClass:
         dGeomBoxGetLengths(geom, numbers);
         return Solid(Shape::box, 0.5 * Vector3(numbers[0], numbers[1], numbers[2]));
@@ -54,14 +90,12 @@ SurfaceFeature Solid::nearest(const Vector3 &point) const
 {
     switch (shape_)
     {
-    case Shape::sphere:
-        return nearest_of_ball(point, Vector3::Zero(), size_[0]);
     case Shape::box:
-        return nearest_of_box(point);
+        return nearest_of_box(point, size_);
     case Shape::capsule:
         return nearest_of_ball(point, Vector3(0, 0, std::clamp(point.z(), -size_[1], size_[1])), size_[0]);
     case Shape::cylinder:
-        return nearest_of_cylinder(point);
+        return nearest_of_cylinder(point, size_[0], size_[1]);
     case Shape::half_space:
     case Shape::unknown:
         break;
@@ -70,46 +104,6 @@ SurfaceFeature Solid::nearest(const Vector3 &point) const
     feature.normal = size_;
     feature.distance = size_.dot(point) - height_;
     feature.point = point - feature.distance * size_;
-    return feature;
-}
-
-SurfaceFeature Solid::nearest_of_box(const Vector3 &point) const
-{
-    SurfaceFeature feature;
-    feature.point = point.cwiseMax(-size_).cwiseMin(size_);
-    feature.distance = (point - feature.point).norm();
-    if (feature.distance > 0)
-    {
-        feature.normal = (point - feature.point) / feature.distance;
-        return feature;
-    }
-    int axis = 0;
-    feature.distance = -(size_ - point.cwiseAbs()).minCoeff(&axis);
-    feature.normal = std::copysign(1.0, point[axis]) * Vector3::Unit(axis);
-    feature.point[axis] = std::copysign(size_[axis], point[axis]);
-    return feature;
-}
-
-SurfaceFeature Solid::nearest_of_cylinder(const Vector3 &point) const
-{
-    const double off_axis = point.head<2>().norm();
-    const Vector3 outwards = off_axis > 0 ? Vector3(point.x() / off_axis, point.y() / off_axis, 0) : Vector3::UnitX();
-    const double beside = off_axis - size_[0];
-    const double beyond = std::abs(point.z()) - size_[1];
-    const Vector3 along = std::copysign(1.0, point.z()) * Vector3::UnitZ();
-
-    SurfaceFeature feature;
-    if (beside > 0 && beyond > 0) // the rim
-    {
-        feature.distance = std::hypot(beside, beyond);
-        feature.normal = (beside * outwards + beyond * along) / feature.distance;
-    }
-    else
-    {
-        feature.distance = std::max(beside, beyond);
-        feature.normal = beside > beyond ? outwards : along;
-    }
-    feature.point = point - feature.distance * feature.normal;
     return feature;
 }
 } // namespace ode_predictive_space::haptics

@@ -1,14 +1,26 @@
-// The primitives of ODE as solids: what of one is nearest to a point.
+// Surfaces: what of one is nearest to a point, and the primitives of ODE as solids.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SOLID_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SOLID_H
 
-#include "ode_predictive_space/haptics/contact/surface_feature.h"
+#include "ode_predictive_space/haptics/device.h"
 
 #include <ode/collision.h>
+#include <vector>
 
 namespace ode_predictive_space::haptics
 {
+/// A local minimum of the distance between a point and a surface. Lengths in m.
+struct SurfaceFeature
+{
+    Vector3 point = Vector3::Zero();   ///< on the surface
+    Vector3 normal = Vector3::UnitZ(); ///< of length 1; from the surface towards the point
+    double distance = 0;               ///< below 0 inside of a solid
+    int triangle = -1;                 ///< of a mesh: which one
+};
+
+using SurfaceFeatures = std::vector<SurfaceFeature>;
+
 /// A box, sphere, capsule, cylinder or half-space, in its own frame.
 class Solid
 {
@@ -27,17 +39,13 @@ private:
     enum class Shape
     {
         unknown,
-        sphere,
         box,
-        capsule,
+        capsule, ///< a sphere is one without length
         cylinder,
         half_space
     };
 
     explicit Solid(Shape shape, const Vector3 &size = Vector3::Zero()) : shape_(shape), size_(size) {}
-
-    SurfaceFeature nearest_of_box(const Vector3 &point) const;
-    SurfaceFeature nearest_of_cylinder(const Vector3 &point) const;
 
     Shape shape_;
     Vector3 size_;      ///< m; half the sides of a box; else radius and half of the length. Of a half-space its normal

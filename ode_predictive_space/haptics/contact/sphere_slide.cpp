@@ -1,7 +1,5 @@
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 
-#include "ode_predictive_space/haptics/contact/closest_point.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -64,14 +62,6 @@ Vector3 lift_of(const std::vector<ConstraintPlane> &planes)
     for (const ConstraintPlane &plane : planes)
         lift += plane.share * plane.normal;
     return lift;
-}
-
-ConstraintPlane constraint_of(const SlidePlane &plane)
-{
-    ConstraintPlane constraint;
-    constraint.normal = plane.feature.normal;
-    constraint.depth = plane.depth;
-    return constraint;
 }
 
 /// How far a step may go.
@@ -207,7 +197,7 @@ bool SphereSlide::find_target(const Vector3 &goal)
 {
     constraints_.clear();
     for (const SlidePlane &plane : planes_)
-        constraints_.push_back(constraint_of(plane));
+        constraints_.push_back({plane.feature.normal, plane.depth, 0});
     const bool found = find_place(constraints_);
     target_ = goal + lift_of(constraints_);
     return found;
@@ -262,11 +252,9 @@ Vector3 SphereSlide::target_of(std::size_t place, const Task &task, const std::v
     constraints_.clear();
     for (const SlidePlane &plane : planes_)
     {
+        const Vector3 &normal = plane.feature.normal;
         if (plane.place == place)
-        {
-            constraints_.push_back(constraint_of(plane));
-            constraints_.back().depth += plane.feature.normal.dot(task.goal - goal);
-        }
+            constraints_.push_back({normal, plane.depth + normal.dot(task.goal - goal), 0});
     }
     return find_place(constraints_) ? goal + lift_of(constraints_) : places[place].at;
 }

@@ -4,7 +4,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SPHERE_SLIDE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SPHERE_SLIDE_H
 
-#include "ode_predictive_space/haptics/contact/constraint_plane.h"
+#include "ode_predictive_space/haptics/contact/closest_point.h"
 #include "ode_predictive_space/haptics/contact/nearby_geom.h"
 
 #include <limits>

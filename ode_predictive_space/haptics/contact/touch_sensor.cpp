@@ -7,9 +7,8 @@
 #include "ode_predictive_space/haptics/contact/ode_vector.h"
 #include "ode_predictive_space/haptics/contact/probe_geom.h"
 #include "ode_predictive_space/haptics/contact/scene_geoms.h"
-#include "ode_predictive_space/haptics/contact/usual_touches.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,14 +17,6 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr int most_contacts = 256; // of one pair: a mesh gives many, of which one counts
-
-Vector3 velocity_at(dBodyID body, const Vector3 &point)
-{
-    dVector3 velocity;
-    dBodyGetPointVel(body, static_cast<dReal>(point.x()), static_cast<dReal>(point.y()), static_cast<dReal>(point.z()),
-                     velocity);
-    return from_ode(velocity);
-}
 
 // NaN is deeper than anything, so that it is never overlooked.
 bool is_shallower(const dContactGeom &a, const dContactGeom &b)
@@ -37,19 +28,19 @@ bool is_shallower(const dContactGeom &a, const dContactGeom &b)
 class TouchSensor::Parts
 {
 public:
-    Parts(dSpaceID space, double radius) : geom(space, radius)
+    /// As a ProbeGeom is made.
+    template <typename... Arguments> explicit Parts(Arguments... arguments) : geom(arguments...)
     {
-        tracker.emplace(radius);
-        reserve();
+        touches.reserve(usual_touches);
+        collided.reserve(usual_touches);
+        contacts.resize(most_contacts);
+        place.radius = geom.radius();
     }
-
-    explicit Parts(dGeomID program_geom) : geom(program_geom) { reserve(); }
 
     bool hold(dGeomID other);
     void collide(dGeomID other);
     void add(const dContactGeom &contact, dGeomID other);
     void resolve();
-    ProbePlace place() const;
     std::optional<Material> material_of(dGeomID other);
 
     ProbeGeom geom;
@@ -62,21 +53,15 @@ public:
     std::vector<Touch> touches;
     std::vector<Touch> collided;        ///< by dCollide()
     std::vector<dContactGeom> contacts; ///< most_contacts of them, for dCollide() to write to
-    double tick_length = 0;             ///< s
-    bool begins = false;                ///< by forget_sides(), until touches are asked for
+    ProbePlace place;                   ///< begins by forget_sides(), until touches are asked for
     bool nonsense = false;
     bool resolved = true; ///< whether touches has all
-
-private:
-    void reserve()
-    {
-        touches.reserve(usual_touches);
-        collided.reserve(usual_touches);
-        contacts.resize(most_contacts);
-    }
 };
 
-TouchSensor::TouchSensor(dSpaceID space, double radius) : parts_(std::make_unique<Parts>(space, radius)) {}
+TouchSensor::TouchSensor(dSpaceID space, double radius) : parts_(std::make_unique<Parts>(space, radius))
+{
+    parts_->tracker.emplace(radius);
+}
 
 TouchSensor::TouchSensor(dGeomID geom) : parts_(std::make_unique<Parts>(geom)) {}
 
@@ -124,12 +109,12 @@ void TouchSensor::set_materials(MaterialOf materials)
 
 void TouchSensor::set_tick_length(double seconds)
 {
-    parts_->tick_length = seconds;
+    parts_->place.tick = seconds;
 }
 
 void TouchSensor::prepare(dGeomID mesh)
 {
-    if (parts_->tracker && dGeomGetClass(mesh) == dTriMeshClass && dGeomTriMeshGetData(mesh) != nullptr)
+    if (parts_->tracker && parts_->meshes.knows(mesh))
         parts_->meshes.tree_of(mesh, {});
 }
 
@@ -158,7 +143,7 @@ void TouchSensor::forget_samples(dHeightfieldDataID data)
 
 void TouchSensor::forget_sides()
 {
-    parts_->begins = true;
+    parts_->place.begins = true;
     if (parts_->tracker)
         parts_->tracker->forget();
 }
@@ -189,6 +174,7 @@ void TouchSensor::pose(const ToolState &tool)
         return;
     }
     parts_->tracker->aim(tool.position);
+    parts_->place.centre = parts_->tracker->start();
     const ContactTracker::Region region = parts_->tracker->region();
     geom.look_around(tool.position, region.centre, region.radius);
     parts_->resolved = false;
@@ -219,23 +205,13 @@ bool TouchSensor::Parts::hold(dGeomID other)
         nonsense = true;
         return true;
     }
-    if (excluded.excludes(*nearby, place()))
+    if (excluded.excludes(*nearby, place))
         return true;
     if (const dBodyID body = dGeomGetBody(other))
         bodies.keep(body);
     nearby->set_material(material_of(other));
     tracker->add_if_near(std::move(*nearby));
     return true;
-}
-
-ProbePlace TouchSensor::Parts::place() const
-{
-    ProbePlace probe;
-    probe.centre = tracker ? tracker->start() : geom.position();
-    probe.radius = geom.radius();
-    probe.begins = begins;
-    probe.tick = tick_length;
-    return probe;
 }
 
 void TouchSensor::Parts::collide(dGeomID other)
@@ -265,15 +241,14 @@ void TouchSensor::Parts::resolve()
     if (tracker)
     {
         tracker->follow();
-        const bool all = tracker->touches(view, touches);
-        nonsense = nonsense || !all;
+        nonsense = !tracker->touches(view, touches) || nonsense;
     }
 }
 
 const std::vector<Touch> &TouchSensor::touches()
 {
     parts_->resolve();
-    parts_->begins = false;
+    parts_->place.begins = false;
     return parts_->touches;
 }
 
@@ -286,28 +261,27 @@ bool TouchSensor::saw_nonsense()
 // ODE's normal is the way out for the first of the two geoms, which is the probe.
 void TouchSensor::Parts::add(const dContactGeom &contact, dGeomID other)
 {
-    const dBodyID body = dGeomGetBody(other);
     Touch touch;
     touch.point = from_ode(contact.pos);
     touch.normal = from_ode(contact.normal);
     touch.depth = static_cast<double>(contact.depth) - geom.margin();
-    if (excluded.excludes(other, touch.depth, place()))
+    if (excluded.excludes(other, touch.depth, place))
         return;
     touch.object = object_of(other);
     touch.material = material_of(other);
-    if (body != nullptr)
+    if (const dBodyID body = dGeomGetBody(other))
     {
         bodies.keep(body);
-        touch.surface_velocity = velocity_at(body, touch.point);
+        const ToolState motion = tool_state_of(body);
+        touch.surface_velocity = motion.linear_velocity + motion.angular_velocity.cross(touch.point - motion.position);
     }
     if (!is_finite(touch))
     {
         nonsense = true;
         return;
     }
-    const auto known = std::find_if(collided.begin(), collided.end(),
-                                    [&](const Touch &earlier) { return earlier.object == touch.object; });
-    if (known == collided.end())
+    Touch *known = find_in(collided, [&](const Touch &earlier) { return earlier.object == touch.object; });
+    if (known == nullptr)
         collided.push_back(touch);
     else if (touch.depth > known->depth)
         *known = touch;

@@ -1,8 +1,6 @@
 #include "ode_predictive_space/haptics/law/force_shares.h"
 
-#include "ode_predictive_space/haptics/contact/usual_touches.h"
-
-#include <algorithm>
+#include "ode_predictive_space/haptics/contact/short_list.h"
 
 namespace ode_predictive_space::haptics
 {
@@ -77,10 +75,10 @@ void ForceSplit::split(const std::vector<Touch> &touches, const TouchForces &wis
     for (const ForceShare &share : before_)
     {
         const Vector3 force = mix.before * share.force;
-        const auto known = std::find_if(shares_.begin(), shares_.end(), [&](const ForceShare &now) {
+        const auto is_same = [&](const ForceShare &now) {
             return now.object == share.object && now.feature == share.feature;
-        });
-        if (known != shares_.end())
+        };
+        if (ForceShare *known = find_in(shares_, is_same))
             known->force += force;
         else if (!force.isZero(0))
             shares_.push_back({share.object, share.point, force, share.feature});

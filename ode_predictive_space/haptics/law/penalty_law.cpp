@@ -1,19 +1,15 @@
 #include "ode_predictive_space/haptics/penalty_law.h"
 
 #include "ode_predictive_space/haptics/contact/material.h"
-#include "ode_predictive_space/haptics/law/felt_materials.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 #include "ode_predictive_space/haptics/law/normal_force.h"
-
-#include <algorithm>
 
 namespace ode_predictive_space::haptics
 {
-PenaltyLaw::PenaltyLaw(const Material &material) : material_(material), materials_(std::make_unique<FeltMaterials>())
+PenaltyLaw::PenaltyLaw(const Material &material) : material_(material)
 {
     check(material);
 }
-
-PenaltyLaw::~PenaltyLaw() = default;
 
 void PenaltyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces)
 {
@@ -22,27 +18,17 @@ void PenaltyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches
     holds_.swap(last_holds_);
     holds_.clear();
 
-    materials_->follow(touches, material_, dt);
-    forces.resize(touches.size());
-    for (std::size_t i = 0; i < touches.size(); ++i)
+    forces.clear();
+    for (const Touch &touch : touches)
     {
-        const Material &material = (*materials_)[i];
-        const Carry carry = carry_of(touches[i]);
-        const bool carried_by_others = !carry.carries() && touches[i].depth > 0;
-        const double pressure =
-            normal_force(tool, touches[i], material, touches[i].normal, carry.share, !carried_by_others);
-        forces[i] = pressure * touches[i].normal + material.stiffness * carry.lag;
+        const Material material = touch.material.value_or(material_);
+        const Carry carry = carry_of(touch);
+        const bool carried_by_others = !carry.carries() && touch.depth > 0;
+        const double pressure = normal_force(tool, touch, material, !carried_by_others);
+        forces.push_back(pressure * touch.normal + material.stiffness * carry.lag);
         if (std::max(material.friction, material.static_friction) > 0)
-            forces[i] += friction_force(touches[i], material, pressure, moved, dt);
+            forces.back() += friction_force(touch, material, pressure, moved, dt);
     }
-}
-
-const PenaltyLaw::Hold *PenaltyLaw::hold_before(const Touch &touch) const
-{
-    const auto found = std::find_if(last_holds_.begin(), last_holds_.end(), [&](const Hold &hold) {
-        return touch.takes_over != 0 && hold.touch == touch.takes_over;
-    });
-    return found != last_holds_.end() ? &*found : nullptr;
 }
 
 Vector3 PenaltyLaw::friction_force(const Touch &touch, const Material &material, double normal_force,
@@ -53,7 +39,8 @@ Vector3 PenaltyLaw::friction_force(const Touch &touch, const Material &material,
     // A new touch takes hold where it is.
     Vector3 stretch = Vector3::Zero();
     bool slides = false;
-    if (const Hold *before = hold_before(touch))
+    const auto took_hold = [&](const Hold &hold) { return touch.takes_over != 0 && hold.touch == touch.takes_over; };
+    if (const Hold *before = find_in(last_holds_, took_hold))
     {
         stretch = tangent(before->stretch + moved - touch.surface_velocity * dt);
         slides = before->slides;
@@ -74,6 +61,5 @@ void PenaltyLaw::reset()
 {
     last_holds_.clear();
     holds_.clear();
-    materials_->reset();
 }
 } // namespace ode_predictive_space::haptics

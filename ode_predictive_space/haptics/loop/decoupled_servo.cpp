@@ -147,13 +147,15 @@ bool DecoupledServo::feel_geoms(const Surroundings &scene, double due)
     }
     tracker_->aim(renderer_.tool().position);
     tracker_->set_stiffness(renderer_.law().material().stiffness);
-    const std::size_t count = scene.tool_jumps == tool_jumps_ ? nearby.count : 0;
-    for (std::size_t i = 0; i < count; ++i)
+    if (scene.tool_jumps == tool_jumps_)
     {
-        NearbyGeom geom = nearby.geoms[i].later(due - nearby.time);
-        const ContactModel::Shift shift = shift_of(geom.object(), scene.planes);
-        geom.shift(shift.moved, shift.turned, shift.velocity, shift.spin);
-        tracker_->add(std::move(geom));
+        for (const NearbyGeom &known : nearby.geoms)
+        {
+            NearbyGeom geom = known.later(due - nearby.time);
+            const ContactModel::Shift shift = shift_of(geom.object(), scene.planes);
+            geom.shift(shift.moved, shift.turned, shift.velocity, shift.spin);
+            tracker_->add(std::move(geom));
+        }
     }
     tracker_->follow();
     tracker_->remember_in(memory_.draft());
