@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "ode_predictive_space/space/geom_shape.h"
 #include "ode_predictive_space/space/noticed_geom.h"
 #include "ode_predictive_space/space/one_at_a_time.h"
 #include "ode_predictive_space/space/pair_filter.h"
@@ -66,15 +65,6 @@ void dxPredictiveSpace::add(dxGeom *geom)
     geom->tome_ex = nullptr;
     if (predicts_)
         enrol(geom);
-}
-
-// Among few geoms, a look at shapes pays where contacts are dear to find.
-bool dxPredictiveSpace::has_data_within() const
-{
-    for (const dxGeom *geom = first; geom; geom = geom->next)
-        if (has_data(geom))
-            return true;
-    return false;
 }
 
 // Without memory the space is as before.
@@ -277,8 +267,6 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     const bool nested_call = lock_count > 0;
     const Lock lock(this);
     ticks_ += !nested_call;
-    if (!predicts_ && by_shape() && has_data_within())
-        start_predicting();
     if (predicts_)
         collide_predicted(nested_call, data, callback);
     else
@@ -379,11 +367,11 @@ void dxPredictiveSpace::note_disabled(dxGeom *geom)
 
 void dxPredictiveSpace::set_proximity_test(ProximityTest test)
 {
-    if (test == ProximityTest::sphere)
+    if (test != ProximityTest::box)
         start_predicting();
     broadphase_.set_proximity_test(test);
     asked_hulls_.clear();
-    if (predicts_ && !by_box())
+    if (!by_box())
         for (dxGeom *geom = first; geom; geom = geom->next)
             note_changed_line(geom);
     forget_catching_up();

@@ -136,7 +136,6 @@ private:
     Violation find_touching(ode_predictive_space::GeomScene &now);
 
     // predictive_space.cpp
-    bool has_data_within() const;
     void start_predicting();
     void enrol(dxGeom *geom);
     void dismiss(dxGeom *geom);

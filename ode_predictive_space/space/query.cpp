@@ -68,7 +68,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     dAASSERT(geom && callback);
     const Lock lock(this);
     // By the shape test, data that were changed in place have to be noticed first.
-    if (static_cast<std::size_t>(count) <= tuning::few_to_ask && !(by_shape() && has_data_within()))
+    if (static_cast<std::size_t>(count) <= tuning::few_to_ask && !by_shape())
         return ask_each(data, geom, callback);
     if (!catch_up("dSpaceCollide2"))
         return;

@@ -105,7 +105,7 @@ TEST_F(FewGeoms, ArePredictedWhenTheSpaceIsValidated)
     EXPECT_TRUE(predicts());
 }
 
-TEST_F(FewGeoms, ArePredictedBySphereAlsoAfterwards)
+TEST_F(FewGeoms, ArePredictedBySphereAndShapeAlsoAfterwards)
 {
     fill();
     expect_row();
@@ -159,19 +159,6 @@ TEST_F(FewGeoms, MayBeginToBePredictedWithinTheirCallbacks)
     dSpaceCollide(space, &calls, ask_for_encounters);
     EXPECT_EQ(calls, few - 1);
     EXPECT_TRUE(predicts());
-}
-
-TEST_F(FewGeoms, ArePredictedByShapeWhenOneIsMadeOfData)
-{
-    fill();
-    dGeomDestroy(geoms.back());
-    geoms.pop_back();
-    dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
-    EXPECT_FALSE(predicts());
-    const dGeomID mesh = number_geom(create_geom(GeomKind::trimesh, 1, space), few);
-    dGeomSetPosition(mesh, 0, 100, 0);
-    EXPECT_TRUE(predicts());
-    dGeomDestroy(mesh);
 }
 
 TEST_F(FewGeoms, AreToldThatTheirDataHaveChanged)
