@@ -210,6 +210,7 @@ void dxPredictiveSpace::poll_moves()
 void dxPredictiveSpace::note_change(ProxyId id)
 {
     hulls_.outdate(geoms_[id]);
+    asked_hulls_.erase(id); // of the data before, which may change unnoticed now
     broadphase_.mark_changed(id);
     listen_to(geoms_[id]);
     note_changed_line(geoms_[id]);

@@ -183,6 +183,23 @@ TEST_F(HullData, ChangedWhileNoGeomHasThemIsReadAnew)
     EXPECT_EQ(pairs(), 1u);
 }
 
+// A geom for which a question needed them has others since.
+TEST_F(HullData, ChangedWhileNoGeomHasThemAnyMoreIsReadAnew)
+{
+    MeshArrays arrays(octahedron), others(octahedron);
+    const dGeomID first = create_mesh(arrays);
+    const dGeomID probe = dCreateSphere(nullptr, REAL(0.3));
+    dGeomSetPosition(probe, REAL(-0.8), REAL(-0.8), 0);
+    EXPECT_EQ(collide2(probe, as_geom(space)).size(), 0u);
+    dGeomDestroy(probe);
+    dGeomTriMeshSetData(first, others.id());
+    dGeomSetPosition(first, 50, 0, 0);
+    EXPECT_EQ(pairs(), 0u);
+    arrays.move_corners({0.4, 0.4, 0});
+    create_mesh(arrays);
+    EXPECT_EQ(pairs(), 1u);
+}
+
 TEST_F(HullData, OfAConvexIsThatOfThePointsThatWereSet)
 {
     const ConvexArrays small(octahedron), large(cube);

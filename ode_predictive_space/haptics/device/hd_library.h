@@ -101,8 +101,8 @@ HdConsequence consequence_of(std::uint32_t error_code);
 /// As in the library's own header, "HD_WARM_MOTORS"; "unknown error" for a code that is not known.
 const char *name_of_hd_error(std::uint32_t error_code);
 
-/// An error of the library, or none.
-struct HdFault
+/// An error of the library, or none. Read and written as one number of 64 bits.
+struct alignas(8) HdFault
 {
     std::uint32_t code = hd::success;
     int internal_code = 0;
