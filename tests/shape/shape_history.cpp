@@ -396,7 +396,8 @@ ShapeHistory::Truth ShapeHistory::brute_force(dGeomID probe) const
 {
     Truth truth;
     for (const Member &member : members_)
-        if (dGeomGetClass(probe) != dRayClass || member.kind != GeomKind::trimesh || touch_within_box(probe, member.geom))
+        if (dGeomGetClass(probe) != dRayClass || member.kind != GeomKind::trimesh ||
+            touch_within_box(probe, member.geom))
             compare(member.geom, probe, truth);
     return truth;
 }
