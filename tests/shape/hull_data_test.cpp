@@ -186,9 +186,9 @@ TEST_F(HullData, ChangedWhileNoGeomHasThemIsReadAnew)
 // A geom for which a question needed them has others since.
 TEST_F(HullData, ChangedWhileNoGeomHasThemAnyMoreIsReadAnew)
 {
-    MeshArrays arrays(octahedron), others(octahedron);
-    const dGeomID first = create_mesh(arrays);
-    const dGeomID probe = dCreateSphere(nullptr, REAL(0.3));
+    const Polyhedron small = octahedron.changed(0.7 * same, here); // the middle of the ball is beside its box
+    MeshArrays arrays(small), others(small);
+    const dGeomID first = create_mesh(arrays), probe = dCreateSphere(nullptr, REAL(0.3));
     dGeomSetPosition(probe, REAL(-0.8), REAL(-0.8), 0);
     EXPECT_EQ(collide2(probe, as_geom(space)).size(), 0u);
     dGeomDestroy(probe);
