@@ -113,6 +113,31 @@ TEST_F(IslandRollOutTest, WhatSleepsGoesOnSleeping)
     EXPECT_NE(dBodyIsEnabled(scene_.bodies[1]), 0);
 }
 
+// ODE counts the steps for which a body has been idle. Trials must neither add to the count nor reset it.
+TEST_F(IslandRollOutTest, AnIdleBodyFallsAsleepWhenItWouldHave)
+{
+    constexpr int idle_steps = 10;
+    const dJointID peg = dJointCreateBall(dBodyGetWorld(other_), nullptr);
+    dJointAttach(peg, other_, nullptr);
+    dJointSetBallAnchor(peg, 1, 0, 0);
+    dBodySetAutoDisableFlag(other_, 1);
+    dBodySetAutoDisableSteps(other_, idle_steps);
+    dBodySetAutoDisableTime(other_, 0);
+    dBodyEnable(other_);
+    for (int step = 1; step <= idle_steps; ++step)
+    {
+        {
+            IslandRollOut island({scene_.bodies[0]}, false);
+            for (int trial = 0; trial < 8; ++trial)
+                island.run(4, 0.01, {}, [](std::size_t) {});
+        }
+        EXPECT_NE(dBodyIsEnabled(other_), 0) << step;
+        EXPECT_EQ(dBodyGetAutoDisableSteps(other_), idle_steps);
+        scene_.step(0.01);
+    }
+    EXPECT_EQ(dBodyIsEnabled(other_), 0);
+}
+
 // A row of balls, each joined to the next: longer than what is tried out.
 class LongRow : public testing::TestWithParam<bool>
 {

@@ -12,13 +12,35 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Whether ODE counts the steps until it falls asleep: waking it would begin that anew.
+/// Whether ODE counts the steps for which the body has been idle.
 bool is_falling_asleep(dBodyID body)
 {
     const double speed = from_ode(dBodyGetLinearVel(body)).norm();
     const double spin = from_ode(dBodyGetAngularVel(body)).norm();
     return dBodyGetAutoDisableFlag(body) != 0 && speed < dBodyGetAutoDisableLinearThreshold(body) &&
            spin < dBodyGetAutoDisableAngularThreshold(body);
+}
+
+/// Enables a body that was disabled here. dBodyEnable() resets its count of idle steps. To switch its automatic disabling off and on
+/// does not, but sets its steps, time and samples to those of the world, and forgets samples: a mean of several begins anew.
+void enable_again(dBodyID body)
+{
+    if (!is_falling_asleep(body))
+        return dBodyEnable(body);
+    const int steps = dBodyGetAutoDisableSteps(body);
+    const dReal time = dBodyGetAutoDisableTime(body);
+    const int samples = dBodyGetAutoDisableAverageSamplesCount(body);
+    dBodySetAutoDisableFlag(body, 0);
+    dBodySetAutoDisableSteps(body, steps);
+    dBodySetAutoDisableTime(body, time);
+    dBodySetAutoDisableAverageSamplesCount(body, static_cast<unsigned>(samples));
+    dBodySetAutoDisableFlag(body, 1);
+}
+
+/// What a body's joint joins it to; 0 for the world.
+dBodyID other_body(dJointID joint, dBodyID body)
+{
+    return dJointGetBody(joint, dJointGetBody(joint, 0) == body ? 1 : 0);
 }
 
 /// None for a joint that does not go through a point.
@@ -88,7 +110,7 @@ void IslandRollOut::add_connected()
         {
             const dJointID joint = dBodyGetJoint(body, n);
             note_joint(joint, body);
-            const dBodyID other = dJointGetBody(joint, dJointGetBody(joint, 0) == body ? 1 : 0);
+            const dBodyID other = other_body(joint, body);
             if (other == nullptr || known_.count(other) != 0)
                 continue;
             if (ends_ < most)
@@ -116,7 +138,8 @@ void IslandRollOut::note_joint(dJointID joint, dBodyID body)
     }
 }
 
-/// It goes on with the velocity that it has, and leads nowhere else: ODE steps all that joints lead to.
+/// Bodies at the border are kinematic: they keep their velocities. ODE steps whatever a joint leads to, so the joints that lead beyond
+/// them are disabled.
 void IslandRollOut::hold_border(const std::vector<dBodyID> &border)
 {
     const std::unordered_set<dBodyID> within = known_;
@@ -125,7 +148,14 @@ void IslandRollOut::hold_border(const std::vector<dBodyID> &border)
         if (known_.count(body) != 0)
             continue;
         add(body);
-        switch_joints_off(body, [&](dBodyID other) { return within.count(other) == 0; });
+        for (int n = 0; n < dBodyGetNumJoints(body); ++n)
+        {
+            const dJointID joint = dBodyGetJoint(body, n);
+            if (dJointIsEnabled(joint) == 0 || within.count(other_body(joint, body)) != 0)
+                continue;
+            dJointDisable(joint);
+            disabled_joints_.push_back(joint);
+        }
         if (dBodyIsKinematic(body) == 0)
         {
             dBodySetKinematic(body);
@@ -134,34 +164,15 @@ void IslandRollOut::hold_border(const std::vector<dBodyID> &border)
     }
 }
 
-/// All others stay where they are. To wake one that is falling asleep would have that begin anew: it is stepped alone.
+/// All other bodies are disabled, so that ODE does not step them.
 void IslandRollOut::hold_others()
 {
     for (const dBodyID body : bodies_of(dBodyGetWorld(states_.front().body)))
     {
         if (dBodyIsEnabled(body) == 0 || known_.count(body) != 0)
             continue;
-        if (is_falling_asleep(body))
-        {
-            add(body);
-            switch_joints_off(body, [](dBodyID) { return true; });
-            continue;
-        }
         dBodyDisable(body);
         held_.push_back(body);
-    }
-}
-
-/// Those whose other end, where there may be no body, leaves(it).
-template <typename Leaves> void IslandRollOut::switch_joints_off(dBodyID body, Leaves leaves)
-{
-    for (int n = 0; n < dBodyGetNumJoints(body); ++n)
-    {
-        const dJointID joint = dBodyGetJoint(body, n);
-        if (dJointIsEnabled(joint) == 0 || !leaves(dJointGetBody(joint, dJointGetBody(joint, 0) == body ? 1 : 0)))
-            continue;
-        dJointDisable(joint);
-        switched_off_.push_back(joint);
     }
 }
 
@@ -170,10 +181,10 @@ IslandRollOut::~IslandRollOut()
     restore();
     for (const dBodyID body : made_kinematic_)
         dBodySetDynamic(body);
-    for (const dJointID joint : switched_off_)
+    for (const dJointID joint : disabled_joints_)
         dJointEnable(joint);
     for (const dBodyID body : held_)
-        dBodyEnable(body);
+        enable_again(body);
     for (const auto &[joint, feedback] : feedbacks_)
         dJointSetFeedback(joint, feedback);
     dRandSetSeed(seed_);

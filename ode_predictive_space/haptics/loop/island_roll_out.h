@@ -23,8 +23,8 @@ struct BodyImpulse
 
 /// Steps the bodies that hang together with some touched ones by joints and contacts, by ODE's own stepper and with the joints that
 /// there are, then puts all back: poses, velocities, forces, joints' feedback, ODE's random numbers. Other bodies of the scene do not take
-/// part. Of a large island it takes those nearest to the touched ones, joint by joint, up to most_ends of joints; what they hang on then
-/// goes on with the velocity that it has. What it cannot put back: callbacks of moved bodies are called; a body that hangs together with a
+/// part. Of a large island, the bodies nearest to the touched ones are stepped, counted in joints between them, up to most_ends. The bodies
+/// that these are joined to move on at constant velocity. What it cannot put back: callbacks of moved bodies are called; a body that hangs together with a
 /// touched one does not fall asleep.
 ///
 /// Used from the scene's thread, after the program has made its contact joints and before it steps the world.
@@ -50,8 +50,8 @@ public:
     /// 2 / that make ODE itself unstable.
     double fastest_swing(double dt);
 
-    /// How much takes part, beside the touched bodies: each body with its joints, contacts included, of which each has two ends. The cube of
-    /// it is what dWorldStep() takes: of the touched parts of a pile, a look of 30 steps then takes some milliseconds.
+    /// Bodies are added as long as all of them together have fewer ends of joints than this; a contact between two bodies has two. The
+    /// cost of dWorldStep() grows with the cube of the number of joints.
     static constexpr int most_ends = 60, most_ends_by_quick_step = 150;
 
     /// Whether a joint holds one of the bodies, contacts included.
@@ -78,7 +78,6 @@ private:
     void note_joint(dJointID joint, dBodyID body);
     void hold_border(const std::vector<dBodyID> &border);
     void hold_others();
-    template <typename Leaves> void switch_joints_off(dBodyID body, Leaves leaves);
     void restore() const;
 
     bool quick_;
@@ -88,8 +87,8 @@ private:
     std::vector<std::pair<dJointID, dJointFeedback *>> feedbacks_; ///< of the program
     std::vector<dJointID> joints_;                                 ///< those that last
     std::vector<dBodyID> made_kinematic_;                          ///< at the border
-    std::vector<dJointID> switched_off_;                           ///< beyond it
-    std::vector<dBodyID> held_;                                    ///< awake, but not to be stepped
+    std::vector<dJointID> disabled_joints_;                        ///< beyond it
+    std::vector<dBodyID> held_;                                    ///< disabled, to be enabled again
     unsigned long seed_;
     bool has_joints_ = false;
     bool has_contacts_ = false;
