@@ -116,21 +116,21 @@ void Renderer::render(const std::vector<Touch> &touches, bool all_known, double 
     FeltTouches &felt = parts_->felt;
     parts_->feel(touches, dt);
     parts_->law->forces(tool(), felt.touches, dt, felt.forces);
-    Wrench wished;
-    wished.force = sum_of(felt.forces);
+    Wrench requested;
+    requested.force = sum_of(felt.forces);
     if (!all_known)
     {
-        wished.force.setConstant(std::numeric_limits<double>::quiet_NaN());
+        requested.force.setConstant(std::numeric_limits<double>::quiet_NaN());
         parts_->notices.tell_once_a_second(
             topic_contact, NoticeKind::contact,
             "No force: a contact of the probe, or the velocity of what it touches, is not a number.");
     }
-    const Vector3 given = parts_->write(wished, dt).force;
+    const Vector3 given = parts_->write(requested, dt).force;
     if (given.isZero(0))
         felt.split.clear();
     else
         felt.split.split(felt.touches, felt.forces, given);
-    parts_->close_tick(wished.force, given);
+    parts_->close_tick(requested.force, given);
 }
 
 /// The touches as they are rendered: with what the device can render of their materials.
@@ -161,20 +161,20 @@ Wrench Renderer::render(const CouplingProperties &coupling, const ToolState &bod
 {
     CouplingProperties softened = coupling;
     softened.stiffness = rendered({coupling.stiffness, coupling.damping}).stiffness;
-    const Wrench wished = wrench_on_device(softened, tool(), body);
-    Wrench given = parts_->write(wished, dt);
+    const Wrench requested = wrench_on_device(softened, tool(), body);
+    Wrench given = parts_->write(requested, dt);
     if (parts_->link.capabilities().force_axes < 6 && parts_->link.answers())
-        given.torque = parts_->watchdog->factor() * wished.torque;
-    parts_->close_tick(wished.force, given.force);
+        given.torque = parts_->watchdog->factor() * requested.torque;
+    parts_->close_tick(requested.force, given.force);
     return {-given.force, -given.torque};
 }
 
 /// @return what was written, in the scene's frame.
-Wrench Renderer::Parts::write(const Wrench &wished, double dt)
+Wrench Renderer::Parts::write(const Wrench &requested, double dt)
 {
     watchdog->device_answered(link.answers());
     watchdog->servo_ticked(clock_time);
-    tick.wrench = link.answers() ? link.write(limited(wished, dt)) : Wrench();
+    tick.wrench = link.answers() ? link.write(limited(requested, dt)) : Wrench();
     tell_of_watchdog();
     notices.tell_held_back();
     if (passivity)
@@ -184,9 +184,9 @@ Wrench Renderer::Parts::write(const Wrench &wished, double dt)
             placement.rotation * tick.wrench.torque / placement.force_scale};
 }
 
-Wrench Renderer::Parts::limited(const Wrench &wished, double dt)
+Wrench Renderer::Parts::limited(const Wrench &requested, double dt)
 {
-    Wrench at_device = mapping.to_device(wished);
+    Wrench at_device = mapping.to_device(requested);
     if (passivity && !mapping.clutched())
     {
         passivity->set_delay(static_cast<int>(std::lround(
@@ -201,9 +201,9 @@ Wrench Renderer::Parts::limited(const Wrench &wished, double dt)
     return safe;
 }
 
-void Renderer::Parts::close_tick(const Vector3 &wished, const Vector3 &force)
+void Renderer::Parts::close_tick(const Vector3 &requested, const Vector3 &force)
 {
-    tick.wished = wished;
+    tick.wished = requested;
     tick.force = force;
     tick.allowance = watchdog->factor();
     tick.device_answers = link.answers();

@@ -36,9 +36,9 @@ public:
 
     /// A tick's force.
     void feel(const std::vector<Touch> &touches, double dt);
-    Wrench write(const Wrench &wished, double dt);
-    Wrench limited(const Wrench &wished, double dt);
-    void close_tick(const Vector3 &wished, const Vector3 &force);
+    Wrench write(const Wrench &requested, double dt);
+    Wrench limited(const Wrench &requested, double dt);
+    void close_tick(const Vector3 &requested, const Vector3 &force);
     void tell_of_safety();
     void tell_of_watchdog();
 

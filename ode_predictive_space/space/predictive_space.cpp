@@ -161,7 +161,7 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
 {
     forget_catching_up();
     if (IS_SPACE(geom))
-        return; // it is polled, and stays dirty: each move of a geom in it would be a notice
+        return; // polled at each update; as long as it is dirty, ODE does not report further moves inside it
     listen_to(geom);
     unchanged_ += !broadphase_.report_closely(proxy_of(geom), NoticedGeom(geom), followed);
     note_changed_line(geom);
@@ -210,7 +210,7 @@ void dxPredictiveSpace::poll_moves()
 void dxPredictiveSpace::note_change(ProxyId id)
 {
     hulls_.outdate(geoms_[id]);
-    asked_hulls_.erase(id); // of the data before, which may change unnoticed now
+    asked_hulls_.erase(id); // its data may be others now; changes of the old ones are not reported for this geom
     broadphase_.mark_changed(id);
     listen_to(geoms_[id]);
     note_changed_line(geoms_[id]);

@@ -103,7 +103,7 @@ private:
     struct Question
     {
         dxGeom *geom;
-        std::optional<ode_predictive_space::RayProbe> line; // to follow; else its box asks
+        std::optional<ode_predictive_space::RayProbe> line; // of a ray that is followed along its line
     };
     Question question_of(dxGeom *geom);
     bool is_caught_up() const;

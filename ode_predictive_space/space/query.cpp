@@ -198,10 +198,10 @@ ConvexShape dxPredictiveSpace::shape_now(dxGeom *geom)
     lines_known_.store(true, std::memory_order_release);
 }
 
-// All geoms whose bounding box may overlap that of the probe. Of a line, only geoms that a ray can touch without meeting their box are
-// looked for in its box: they come last.
+// All geoms whose bounding box may overlap that of the probe. A ray is followed along its line; the geoms that it can touch without
+// meeting their box are found by its box, and come last.
 //
-// @return the number of those that it can only touch where it meets their box.
+// @return the number of geoms found along the line.
 std::size_t dxPredictiveSpace::find_near(const Question &question, std::vector<ProxyId> &found)
 {
     const FloatBox box = FloatBox::around(to_box(question.geom->aabb));

@@ -31,13 +31,13 @@ Vector3 total(const ForceSplit &split)
     return sum;
 }
 
-TEST(ForceSplit, WhatIsNotLimitedIsAsItWasWished)
+TEST(ForceSplit, WhatIsNotLimitedIsAsRequested)
 {
     ForceSplit split;
-    const TouchForces wished = {{1, 0, 0}, {0, 2, 0}};
-    split.split({touch_of(1), touch_of(2)}, wished, {1, 2, 0});
-    EXPECT_LE((share_of(split, 1) - wished[0]).norm(), 1e-15);
-    EXPECT_LE((share_of(split, 2) - wished[1]).norm(), 1e-15);
+    const TouchForces requested = {{1, 0, 0}, {0, 2, 0}};
+    split.split({touch_of(1), touch_of(2)}, requested, {1, 2, 0});
+    EXPECT_LE((share_of(split, 1) - requested[0]).norm(), 1e-15);
+    EXPECT_LE((share_of(split, 2) - requested[1]).norm(), 1e-15);
 }
 
 TEST(ForceSplit, AClampedForceIsSharedInProportion)
@@ -80,14 +80,14 @@ TEST(ForceSplit, TheSumIsAlwaysWhatWasGiven)
     for (int tick = 0; tick < 2000; ++tick)
     {
         std::vector<Touch> touches;
-        TouchForces wished;
+        TouchForces requested;
         for (std::uintptr_t object = 1 + random() % 3; object < 5; object += 1 + random() % 3)
         {
             touches.push_back(touch_of(object));
-            wished.push_back(vector());
+            requested.push_back(vector());
         }
         const Vector3 given = vector();
-        split.split(touches, wished, given);
+        split.split(touches, requested, given);
         ASSERT_LE((total(split) - given).norm(), 1e-13) << tick;
     }
 }
@@ -96,18 +96,18 @@ TEST(ForceSplit, TheSumIsAlwaysWhatWasGiven)
 TEST(ForceSplit, AForceInFreeSpaceHasAShareOfItsOwn)
 {
     ForceSplit split;
-    const TouchForces wished = {{0, 0, 2}, {-1, 0, 0}, {0, 0, -0.5}};
+    const TouchForces requested = {{0, 0, 2}, {-1, 0, 0}, {0, 0, -0.5}};
     for (int tick = 0; tick < 3; ++tick)
     {
-        split.split({touch_of(1)}, wished, {-1, 0, 1.5});
-        EXPECT_LE((share_of(split, 1) - wished[0]).norm(), 1e-15);
+        split.split({touch_of(1)}, requested, {-1, 0, 1.5});
+        EXPECT_LE((share_of(split, 1) - requested[0]).norm(), 1e-15);
         EXPECT_LE((total(split) - Vector3(-1, 0, 1.5)).norm(), 1e-15);
     }
     // Clamped, all are shortened alike.
     split.clear();
-    split.split({touch_of(1)}, wished, {-0.5, 0, 0.75});
-    split.split({touch_of(1)}, wished, {-0.5, 0, 0.75});
-    EXPECT_LE((share_of(split, 1) - 0.5 * wished[0]).norm(), 1e-12);
+    split.split({touch_of(1)}, requested, {-0.5, 0, 0.75});
+    split.split({touch_of(1)}, requested, {-0.5, 0, 0.75});
+    EXPECT_LE((share_of(split, 1) - 0.5 * requested[0]).norm(), 1e-12);
 }
 
 TEST(ForceSplit, WithoutATouchFreeSpaceAloneHasAShare)

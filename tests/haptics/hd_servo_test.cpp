@@ -213,7 +213,7 @@ TEST_F(HdServoTest, PausesForAsLongAsMotorsAreWarm)
     EXPECT_TRUE(error_of_read(0.001).has_value());
     write_for(3 * frames_of_a_pause);
     EXPECT_TRUE(fake.playing().isZero());
-    EXPECT_TRUE(error_of_read(0.002).has_value()) << "or the force would be wished in full when it comes back";
+    EXPECT_TRUE(error_of_read(0.002).has_value()) << "or the full force would be requested when it comes back";
     EXPECT_FALSE(device.status().ready);
 }
 

@@ -93,7 +93,7 @@ protected:
         return ticks;
     }
 
-    /// N; the largest change of the wished force from tick to tick, once pressed.
+    /// N; the largest change of the requested force from tick to tick, once pressed.
     static double largest_jump(const std::vector<RenderedTick> &ticks)
     {
         double largest = 0;

@@ -49,10 +49,10 @@ TEST(Passivity, DoesNothingToWhatIsPassive)
     SimulatedWall wall(500, 0);
     for (int tick = 0; tick < 5000; ++tick)
     {
-        const Vector3 wished(wall.force_at(hand.position), 0, 0);
-        const Vector3 force = controller.control(hand.state(), wished, dt);
+        const Vector3 requested(wall.force_at(hand.position), 0, 0);
+        const Vector3 force = controller.control(hand.state(), requested, dt);
         EXPECT_NEAR(controller.energy(), std::max(0.0, controller.energy()), 1e-6);
-        EXPECT_NEAR((force - wished).norm(), 0, 0.02);
+        EXPECT_NEAR((force - requested).norm(), 0, 0.02);
         hand.move(force.x(), dt);
     }
     EXPECT_NEAR(hand.position, -1.0 / 500, 1e-6);
@@ -68,7 +68,7 @@ TEST(Passivity, AddsTheDampingThatTakesTheSurplusOutInOneTick)
     EXPECT_NEAR(force.x(), 1 - 0.4 * 0.5, 1e-12);
     controller.control(state_at(0.0001 + 0.5 * dt, 0.5), Vector3(0, 0, 0), dt);
     EXPECT_NEAR(controller.energy(), -0.0001 + 0.0001 - 1 * 0.5 * dt,
-                1e-12); // what the wished force did meanwhile remains
+                1e-12); // what the requested force did meanwhile remains
 }
 
 TEST(Passivity, DampsNoMoreThanItMay)
@@ -114,8 +114,8 @@ struct LateWall
         least_energy = 0;
         for (int tick = 0; tick < 10000; ++tick)
         {
-            const Vector3 wished(wall.force_at(hand.position), 0, 0);
-            hand.move(controller.control(hand.state(), wished, dt).x(), dt);
+            const Vector3 requested(wall.force_at(hand.position), 0, 0);
+            hand.move(controller.control(hand.state(), requested, dt).x(), dt);
             least_energy = std::min(least_energy, controller.energy());
             if (tick < 1000)
                 first.add(hand.position);

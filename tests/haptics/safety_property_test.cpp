@@ -77,7 +77,7 @@ TEST(SafetyStage, WhateverComesInWhatGoesOutIsSafe)
         limits.engage_force = random.between(0, 20);
         limits.engage_torque = 100;
         SafetyStage stage(limits);
-        Wrench last, wished;
+        Wrench last, requested;
         double time = 0, known_time = 0;
         bool first = true;
         int pushed = 0;
@@ -88,15 +88,15 @@ TEST(SafetyStage, WhateverComesInWhatGoesOutIsSafe)
                    : std::isfinite(time)   ? time + random.between(0, 0.004)
                                            : 0;
             if (random.one_in(4))
-                wished.force = any_vector(random, random.one_in(wildness));
+                requested.force = any_vector(random, random.one_in(wildness));
             if (random.one_in(4))
-                wished.torque = any_vector(random, random.one_in(wildness));
+                requested.torque = any_vector(random, random.one_in(wildness));
             const Vector3 velocity = random.one_in(wildness) ? any_vector(random, true) : random.in_cube(0.5);
             const double allowance = random.one_in(wildness) ? any_number(random)
                                      : random.one_in(5)      ? random.between(0, 1)
                                                              : 1;
 
-            const Wrench now = stage.limit(wished, velocity, time, allowance);
+            const Wrench now = stage.limit(requested, velocity, time, allowance);
 
             Expectation expectation{limits, 0, 0};
             expectation.allowance = std::isfinite(allowance) ? std::clamp(allowance, 0.0, 1.0) : 0;

@@ -38,19 +38,19 @@ struct Loop
 {
     explicit Loop(const SafetyLimits &limits) : stage(limits) {}
 
-    Wrench tick(const Wrench &wished, double speed = 0, double allowance = 1)
+    Wrench tick(const Wrench &requested, double speed = 0, double allowance = 1)
     {
         time += dt;
-        return stage.limit(wished, Vector3(speed, 0, 0), time, allowance);
+        return stage.limit(requested, Vector3(speed, 0, 0), time, allowance);
     }
 
     /// Engaged, its ramp over, at that force.
-    void settle(const Wrench &wished)
+    void settle(const Wrench &requested)
     {
         tick(Wrench());
         for (int i = 0; i < 300; ++i)
-            tick(wished);
-        ASSERT_EQ(tick(wished).force, wished.force);
+            tick(requested);
+        ASSERT_EQ(tick(requested).force, requested.force);
     }
 
     SafetyStage stage;
@@ -120,15 +120,16 @@ TEST(SafetyStage, TakesNonsenseForNothingAndComesBackSlowly)
         {
             Loop loop(test_limits());
             loop.settle(wrench_of(3));
-            Wrench wished = wrench_of(3);
+            Wrench requested = wrench_of(3);
             Vector3 velocity = Vector3::Zero();
             double allowance = 1;
-            double *const places[] = {&wished.force.x(), &wished.torque.z(), &velocity.y(), &allowance, &loop.time};
+            double *const places[] = {&requested.force.x(), &requested.torque.z(), &velocity.y(), &allowance,
+                                      &loop.time};
             const double time = loop.time;
             *places[what] = bad;
             for (int i = 0; i < 5; ++i)
             {
-                const Wrench wrench = loop.stage.limit(wished, velocity, loop.time, allowance);
+                const Wrench wrench = loop.stage.limit(requested, velocity, loop.time, allowance);
                 EXPECT_EQ(wrench.force.norm(), 0);
                 EXPECT_EQ(wrench.torque.norm(), 0);
                 EXPECT_TRUE(loop.stage.report().did(SafetyAction::not_finite));
@@ -155,14 +156,14 @@ TEST(SafetyStage, ClampsToTheMaximumAndKeepsTheDirection)
 {
     Loop loop(test_limits());
     loop.settle(wrench_of(1));
-    Wrench wished;
+    Wrench requested;
     for (const double size : {20.0, 1e6, 1e160, 8e307})
     {
-        wished.force = size * Vector3(1, 2, -1.5);
-        wished.torque = size * Vector3(0, -1, 1);
+        requested.force = size * Vector3(1, 2, -1.5);
+        requested.torque = size * Vector3(0, -1, 1);
         Wrench wrench;
         for (int i = 0; i < 50; ++i)
-            wrench = loop.tick(wished);
+            wrench = loop.tick(requested);
         EXPECT_NEAR(wrench.force.norm(), 8, 1e-12);
         EXPECT_LE(wrench.force.norm(), 8);
         EXPECT_NEAR(wrench.force.normalized().dot(Vector3(1, 2, -1.5).normalized()), 1, 1e-12);

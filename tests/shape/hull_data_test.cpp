@@ -183,8 +183,8 @@ TEST_F(HullData, ChangedWhileNoGeomHasThemIsReadAnew)
     EXPECT_EQ(pairs(), 1u);
 }
 
-// A geom for which a question needed them has others since.
-TEST_F(HullData, ChangedWhileNoGeomHasThemAnyMoreIsReadAnew)
+// A question needed the hull of the old data; their geom has other data since.
+TEST_F(HullData, ChangedWhileUnusedIsReadAgainAlsoAfterAQuestion)
 {
     const Polyhedron small = octahedron.changed(0.7 * same, here); // the middle of the ball is beside its box
     MeshArrays arrays(small), others(small);

@@ -56,7 +56,7 @@ struct SafetyLimits
     double max_torque_rate = 0; ///< N m/s
     double max_speed = 0;       ///< m/s; of the hand. Beyond it there is no force
     double ramp_time = 0.5;     ///< s; from nothing to everything, after the start and after each fault
-    double engage_force = 0;    ///< N; there is no force before the wished one was once no more than this
+    double engage_force = 0;    ///< N; there is no force before the requested one was once no more than this
     double engage_torque = 0;   ///< N m; likewise
 
     /// What suits a device:

@@ -12,8 +12,8 @@ namespace ode_predictive_space
 /// A straight line between two points, as a probe for EnvelopeTree::walk().
 ///
 /// Box and line are apart when they are apart along one of six axes: those of the box, and those perpendicular to one of
-/// them and to the line (separating axes: Gottschalk, Lin, Manocha 1996). All lengths are doubled: sums and differences stand for
-/// centres and half sizes. All is computed in single precision with a margin larger than its round-off, about 4e-6 of the
+/// them and to the line (separating axes: Gottschalk, Lin, Manocha 1996). Sums and differences of end points
+/// and corners take the place of centres and half sizes, so all lengths are doubled. All is computed in single precision with a margin larger than its round-off, about 4e-6 of the
 /// largest coordinate of the line and of the size of the box: a box that the line misses by less may count as met.
 class RayProbe
 {
@@ -22,8 +22,8 @@ public:
     ///
     /// @param miss by how much the line may miss a box and still meet it.
     RayProbe(const Vector3 &start, const Vector3 &end, double miss = 0)
-        : centre_(nearest(start + end)), way_(nearest(end - start)), next_way_(way_.rotated()), reach_(abs(way_)),
-          next_reach_(abs(next_way_)),
+        : centre_(nearest(start + end)), span_(nearest(end - start)), next_span_(span_.rotated()), reach_(abs(span_)),
+          next_reach_(abs(next_span_)),
           margin_(Float4::all(rounding) * (abs(centre_) + reach_) + Float4::all(static_cast<float>(2 * miss)))
     {}
 
@@ -35,7 +35,7 @@ public:
         const Float4 offset = (high + low) - centre_;
         const Float4 extent = (high - low) * Float4::all(1 + rounding) + margin_;
         const Mask4 along_box = abs(offset) > extent + reach_;
-        const Float4 distance = offset * next_way_ - offset.rotated() * way_;
+        const Float4 distance = offset * next_span_ - offset.rotated() * span_;
         const Mask4 across = abs(distance) > extent * next_reach_ + extent.rotated() * reach_;
         constexpr unsigned three_lanes = 7;
         return ((along_box | across).bits() & three_lanes) == 0;
@@ -46,9 +46,9 @@ private:
     static constexpr float rounding = 8 * std::numeric_limits<float>::epsilon();
     static Float4 nearest(const Vector3 &vector) { return Float4::nearest(vector.data()); }
 
-    Float4 centre_, way_; // of the line
-    Float4 next_way_;     // rotated, as the next
-    Float4 reach_;        // |way|
+    Float4 centre_, span_; // of the line
+    Float4 next_span_;     // rotated, as the next
+    Float4 reach_;         // |span|
     Float4 next_reach_;
     Float4 margin_;
 };

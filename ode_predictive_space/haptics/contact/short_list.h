@@ -12,14 +12,14 @@ namespace ode_predictive_space::haptics
 /// Room for this many is made before the first tick: more than a probe usually has at a time.
 constexpr std::size_t usual_touches = 64;
 
-/// The first element for which this is so; 0 when there is none.
+/// The first element that satisfies the predicate; null when there is none.
 template <typename List, typename Predicate> auto find_in(List &list, const Predicate &is_it)
 {
     const auto found = std::find_if(std::begin(list), std::end(list), is_it);
     return found != std::end(list) ? &*found : nullptr;
 }
 
-/// Those for which this is so go, the others keep their order.
+/// Removes the elements that satisfy the predicate. The others keep their order.
 template <typename List, typename Predicate> void remove_from(List &list, const Predicate &is_it)
 {
     list.erase(std::remove_if(std::begin(list), std::end(list), is_it), std::end(list));

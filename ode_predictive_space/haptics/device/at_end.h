@@ -1,4 +1,4 @@
-// What is to be done on every way out of a scope.
+// A function that is called on every way out of a scope.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_AT_END_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_AT_END_H
@@ -8,7 +8,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Does some work when it goes; made without any, nothing. Assigning swaps: the old work is done when the other one goes.
+/// Calls a function when it is destroyed; default-constructed, none. Assigning swaps the functions. A function that captures no more than
+/// two pointers is kept without allocating.
 class AtEnd
 {
 public:

@@ -10,7 +10,7 @@ constexpr double parallel = 1e-9; ///< square of the sine between vectors below 
 
 struct Mix
 {
-    double wished = 0;
+    double requested = 0;
     double before = 0;
 };
 
@@ -22,25 +22,25 @@ double part_along(const Vector3 &a, const Vector3 &b)
 }
 
 /// The combination of the two that comes nearest to what was given. Limits only shorten: neither part is more than 1.
-Mix find_mix(const Vector3 &given, const Vector3 &wished, const Vector3 &before)
+Mix find_mix(const Vector3 &given, const Vector3 &requested, const Vector3 &before)
 {
-    const double ww = wished.squaredNorm();
+    const double ww = requested.squaredNorm();
     const double pp = before.squaredNorm();
-    const double wp = wished.dot(before);
+    const double wp = requested.dot(before);
     const double determinant = ww * pp - wp * wp;
     Mix mix;
     if (determinant > parallel * ww * pp)
     {
-        const double gw = given.dot(wished);
+        const double gw = given.dot(requested);
         const double gp = given.dot(before);
-        mix.wished = std::clamp((gw * pp - gp * wp) / determinant, 0.0, 1.0);
+        mix.requested = std::clamp((gw * pp - gp * wp) / determinant, 0.0, 1.0);
         mix.before = std::clamp((gp * ww - gw * wp) / determinant, 0.0, 1.0);
     }
     else
     {
-        // Of one direction: what is wished now comes first.
-        mix.wished = std::clamp(part_along(given, wished), 0.0, 1.0);
-        mix.before = std::clamp(part_along(given - mix.wished * wished, before), 0.0, 1.0);
+        // Of one direction: what is requested now comes first.
+        mix.requested = std::clamp(part_along(given, requested), 0.0, 1.0);
+        mix.before = std::clamp(part_along(given - mix.requested * requested, before), 0.0, 1.0);
     }
     return mix;
 }
@@ -60,17 +60,17 @@ ForceSplit::ForceSplit()
     before_.reserve(usual_touches);
 }
 
-void ForceSplit::split(const std::vector<Touch> &touches, const TouchForces &wished, const Vector3 &given)
+void ForceSplit::split(const std::vector<Touch> &touches, const TouchForces &requested, const Vector3 &given)
 {
     std::swap(shares_, before_);
     shares_.clear();
-    const Mix mix = find_mix(given, sum_of(wished), sum(before_));
+    const Mix mix = find_mix(given, sum_of(requested), sum(before_));
     for (std::size_t i = 0; i < touches.size(); ++i)
-        shares_.push_back({touches[i].object, touches[i].point, mix.wished * wished[i], touches[i].feature});
-    for (std::size_t i = touches.size(); i < wished.size(); ++i)
+        shares_.push_back({touches[i].object, touches[i].point, mix.requested * requested[i], touches[i].feature});
+    for (std::size_t i = touches.size(); i < requested.size(); ++i)
     {
         const auto entry = static_cast<unsigned>(i - touches.size());
-        shares_.push_back({free_space, Vector3::Zero(), mix.wished * wished[i], entry});
+        shares_.push_back({free_space, Vector3::Zero(), mix.requested * requested[i], entry});
     }
     for (const ForceShare &share : before_)
     {

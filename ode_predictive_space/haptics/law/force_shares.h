@@ -11,16 +11,16 @@ namespace ode_predictive_space::haptics
 ///
 /// What a law wishes is limited on its way to the device: clamped, scaled, and kept from changing too fast. The last of these
 /// mixes the wish of this tick with the force of the tick before, which other objects may have made. So the force that was written
-/// is written as a W + b P, with W what is wished now and P what was given before; each object gets a times its part of W and b times
+/// is written as a W + b P, with W what is requested now and P what was given before; each object gets a times its part of W and b times
 /// its part of P. Neither allocates nor locks when it has seen as many touches before.
 class ForceSplit
 {
 public:
     ForceSplit();
 
-    /// @param wished N; one for each touch, and then those in free space, each of which has a share of its own.
+    /// @param requested N; one for each touch, and then those in free space, each of which has a share of its own.
     /// @param given N; what was written of their sum. All finite, the scene's frame.
-    void split(const std::vector<Touch> &touches, const TouchForces &wished, const Vector3 &given);
+    void split(const std::vector<Touch> &touches, const TouchForces &requested, const Vector3 &given);
 
     /// One for each touch, in their order, those in free space, then those of objects that were left but whose force is not gone yet. Their sum is
     /// what was given; there are none when nothing is touched or was before.

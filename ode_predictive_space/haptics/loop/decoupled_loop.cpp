@@ -148,9 +148,7 @@ private:
     {
         surprised_ = true;
         tell("The program's step does more than ODE's, or less: what is touched is taken to go on with its velocity. "
-             "Step "
-             "such a "
-             "scene at 200 Hz or more, or in one thread.");
+             "Step such a scene at 200 Hz or more, or in one thread.");
     }
 
     void tell(std::string_view sentence)
@@ -187,7 +185,6 @@ void run_decoupled(LoopParts &parts, const SceneWork &work)
             {1 / settings.rate, parts.priority_request(false), [&](double due) { servo_side.tick(due); }});
         scene_side.run();
     }
-
     probe.renderer().relax();
     servo_side.settle();
     scene_side.push_rest();

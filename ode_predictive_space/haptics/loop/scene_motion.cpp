@@ -123,7 +123,7 @@ bool SceneMotion::moved_otherwise(const Touched &touched) const
            error > 0.5 * std::max(moved.norm(), foreseen.norm());
 }
 
-/// A step of sleeping bodies tells nothing of the stepper.
+/// While all touched bodies sleep, a step has no constraints, and does not show by which stepper it was made.
 bool SceneMotion::is_one_awake() const
 {
     return std::any_of(touched_.begin(), touched_.end(), [&](const Touched &touched) {

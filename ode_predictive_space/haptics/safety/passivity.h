@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace ode_predictive_space::haptics
 {
@@ -22,7 +23,7 @@ namespace ode_predictive_space::haptics
 /// Where device and driver are late (see set_delay()), the observer compares each motion with the force under which it came about. The
 /// damping is late, too; so a delay has to make walls softer first (see check_stability()).
 ///
-/// While no force is wished, nothing is stored that could be given back: then a credit ends, so that it cannot hide later
+/// While no force is requested, nothing is stored that could be given back: then a credit ends, so that it cannot hide later
 /// activity; a debt stays.
 class PassivityController
 {
@@ -44,10 +45,10 @@ public:
 
     /// One tick, before the safety stage.
     ///
-    /// @param wished N; the law's force on the hand.
+    /// @param requested N; the law's force on the hand.
     /// @param dt seconds from this tick to the next, > 0.
-    /// @return the wished force plus the controller's damping. All in the device's frame.
-    Vector3 control(const DeviceState &state, const Vector3 &wished, double dt)
+    /// @return the requested force plus the controller's damping. All in the device's frame.
+    Vector3 control(const DeviceState &state, const Vector3 &requested, double dt)
     {
         if (has_position_)
             energy_ -=
@@ -56,7 +57,7 @@ public:
             energy_ = 0; // a fault that others look for; it must not stay here
         last_position_ = state.position;
         has_position_ = true;
-        if (energy_ > 0 && wished.isZero(0))
+        if (energy_ > 0 && requested.isZero(0))
             energy_ = 0;
 
         // The damping that takes out in the coming tick, if the hand goes on as it does, what was created so far.
@@ -66,7 +67,7 @@ public:
             damping_ = std::min(max_damping_, -energy_ / (squared_speed * dt));
 
         newest_ = (newest_ + 1) % written_.size();
-        written_[newest_] = wished - damping_ * state.linear_velocity;
+        written_[newest_] = requested - damping_ * state.linear_velocity;
         return written_[newest_];
     }
 

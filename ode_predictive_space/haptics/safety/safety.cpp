@@ -74,10 +74,10 @@ const char *explanation_of(SafetyAction action)
         "No force, as the hand moved faster than the limit: it may be the device that throws it.",
         "No force yet, as it has not been small since the start: the probe is in something.",
         "No force, as the device cannot push: its maximum of force is 0.",
-        "Less force than wished, as it comes back slowly after the start or a fault.",
-        "Less force than wished, as it was above the device's maximum.",
-        "The force lags behind the wished one, as that changed too fast.",
-        "Less force than wished, as the watchdog holds it back."};
+        "Less force than requested, as it comes back slowly after the start or a fault.",
+        "Less force than requested, as it was above the device's maximum.",
+        "The force follows the requested one late, as that changed too fast.",
+        "Less force than requested, as the watchdog holds it back."};
     return explanations[static_cast<int>(action)];
 }
 
@@ -103,19 +103,19 @@ SafetyStage::SafetyStage(const SafetyLimits &limits) : limits_(limits)
     check_not_negative(limits.engage_torque, "torque to engage");
 }
 
-Wrench SafetyStage::limit(const Wrench &wished, const Vector3 &velocity, double time, double allowance)
+Wrench SafetyStage::limit(const Wrench &requested, const Vector3 &velocity, double time, double allowance)
 {
     const std::uint32_t before = report_.now;
     report_.now = 0;
     const double elapsed = time_since_last_call(time);
 
     Wrench result;
-    if (must_be_zero(wished, velocity, time, allowance))
+    if (must_be_zero(requested, velocity, time, allowance))
         ramp_ = 0;
-    else if (has_engaged(wished))
+    else if (has_engaged(requested))
     {
         const double allowed = std::clamp(allowance, 0.0, 1.0);
-        const Wrench target = scale_down(clamp(wished), elapsed, allowed);
+        const Wrench target = scale_down(clamp(requested), elapsed, allowed);
         result = bound(slew(target, elapsed), allowed);
     }
 
@@ -134,33 +134,33 @@ double SafetyStage::time_since_last_call(double time)
     return elapsed;
 }
 
-bool SafetyStage::must_be_zero(const Wrench &wished, const Vector3 &velocity, double time, double allowance)
+bool SafetyStage::must_be_zero(const Wrench &requested, const Vector3 &velocity, double time, double allowance)
 {
-    const bool finite = wished.force.allFinite() && wished.torque.allFinite() && velocity.allFinite() &&
+    const bool finite = requested.force.allFinite() && requested.torque.allFinite() && velocity.allFinite() &&
                         std::isfinite(time) && std::isfinite(allowance);
     if (!finite)
         take(SafetyAction::not_finite);
     else if (velocity.norm() > limits_.max_speed)
         take(SafetyAction::too_fast);
-    else if (limits_.max_force == 0 && limits_.max_torque == 0 && !is_zero(wished))
+    else if (limits_.max_force == 0 && limits_.max_torque == 0 && !is_zero(requested))
         take(SafetyAction::no_axes);
     return report_.now != 0;
 }
 
-bool SafetyStage::has_engaged(const Wrench &wished)
+bool SafetyStage::has_engaged(const Wrench &requested)
 {
-    if (wished.force.norm() <= limits_.engage_force && wished.torque.norm() <= limits_.engage_torque)
+    if (requested.force.norm() <= limits_.engage_force && requested.torque.norm() <= limits_.engage_torque)
         engaged_ = true;
     if (!engaged_)
         take(SafetyAction::waiting);
     return engaged_;
 }
 
-Wrench SafetyStage::clamp(const Wrench &wished)
+Wrench SafetyStage::clamp(const Wrench &requested)
 {
-    Wrench result = bound(wished, 1);
-    const bool changes_torque = limits_.max_torque > 0 && result.torque != wished.torque;
-    if (result.force != wished.force || changes_torque)
+    Wrench result = bound(requested, 1);
+    const bool changes_torque = limits_.max_torque > 0 && result.torque != requested.torque;
+    if (result.force != requested.force || changes_torque)
         take(SafetyAction::clamped);
     return result;
 }

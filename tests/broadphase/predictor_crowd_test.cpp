@@ -1,0 +1,127 @@
+// Predictions of many objects that are near one another, or that move in steps of any length.
+
+#include "ode_predictive_space/broadphase/predict/predictor.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/broadphase/support/numbers.h"
+#include "tests/broadphase/support/random.h"
+#include "tests/broadphase/support/world.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr double ball_radius = 0.1;
+
+// A lattice of balls that fly all in the same direction, so near to each other that envelopes of the first reach overlap.
+class Lattice
+{
+public:
+    Lattice()
+    {
+        for (int i = 0; i < 64; ++i)
+            world.add(ball(0.25 * Vector3(i % 4, i / 4 % 4, i / 16), ball_radius, {0.001, 0, 0}));
+    }
+
+    void fly(int ticks)
+    {
+        for (int i = 0; i < ticks; ++i)
+        {
+            world.advance();
+            ASSERT_TRUE(world.tick().empty());
+        }
+    }
+
+    void spread_out()
+    {
+        for (ProxyId id : world.members())
+            world.place(id, 50 * world.object(id).centre);
+    }
+
+    double mean_reach() const
+    {
+        double sum = 0;
+        for (const ProxyRecord &record : world.broadphase.proxies().records)
+            sum += record.reach;
+        return sum / 64;
+    }
+
+    World world;
+};
+
+TEST(Predictor, TheReachShrinksWhereNeighboursAreTestedInVainAndGrowsWhereThereAreNone)
+{
+    Lattice lattice;
+    lattice.fly(1);
+    EXPECT_NEAR(lattice.mean_reach(), tuning::first_reach, 0.1);
+    lattice.fly(1000);
+    const double among_neighbours = lattice.mean_reach();
+    EXPECT_LT(among_neighbours, 0.5 * tuning::first_reach);
+    lattice.spread_out();
+    lattice.fly(1000);
+    EXPECT_GT(lattice.mean_reach(), tuning::first_reach);
+}
+
+// Objects that fly or fall, with steps of any length.
+class Flock
+{
+public:
+    Flock(double variation, double falling) : variation_(variation)
+    {
+        for (int i = 0; i < 400; ++i)
+        {
+            world.add(ball(random_.vector(3), ball_radius, random_.vector(0.003)));
+            falls_.push_back(random_.chance(falling));
+        }
+    }
+
+    std::uint64_t predictions_of(int ticks)
+    {
+        const std::uint64_t before = world.broadphase.counters().repredictions;
+        for (int i = 0; i < ticks; ++i)
+            tick();
+        return world.broadphase.counters().repredictions - before;
+    }
+
+    World world;
+
+private:
+    void tick()
+    {
+        const double seconds = World::step * (1 + random_.uniform(-variation_, variation_));
+        for (ProxyId id : world.members())
+        {
+            Object &object = world.object(id);
+            if (falls_[id])
+                object.velocity->z() -= 9.81 * seconds;
+            world.place(id, object.centre + seconds * *object.velocity);
+        }
+        ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
+        ASSERT_EQ(world.violated_invariant(), "");
+    }
+
+    double variation_;
+    Random random_{3};
+    std::vector<bool> falls_;
+};
+
+TEST(Predictor, StepsOfAnyLengthBreakNoPredictions)
+{
+    for (double falling : {0.0, 0.2})
+    {
+        const std::uint64_t fixed = Flock(0, falling).predictions_of(200);
+        const std::uint64_t varying = Flock(0.8, falling).predictions_of(200);
+        EXPECT_LE(varying, 1.25 * static_cast<double>(fixed)) << falling;
+        EXPECT_LT(fixed, 400u * 200 / 20) << "predictions last";
+    }
+}
+
+TEST(Predictor, WhatFallsIsPredictedAlmostAsSeldomAsWhatFlies)
+{
+    EXPECT_LE(Flock(0, 1).predictions_of(200), 2 * Flock(0, 0).predictions_of(200));
+}
+} // namespace
+} // namespace ode_predictive_space
