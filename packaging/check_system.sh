@@ -27,11 +27,8 @@ newest_clang() { inside apt-cache pkgnames clang- | sed -nE 's/^clang-([0-9]+)$/
 make_chroot "$suite"
 copy_sources "$2"
 clang=$(newest_clang)
-install_in_chroot g++ "clang-$clang" cmake ninja-build pkg-config libode-dev libeigen3-dev libgtest-dev libbenchmark-dev \
-    libcli11-dev nlohmann-json3-dev
-for package in g++ "clang-$clang" cmake libode-dev libeigen3-dev; do
-    inside dpkg-query --show "$package"
-done
+install_in_chroot g++ "clang-$clang" cmake ninja-build pkg-config libode-dev libeigen3-dev
+show_versions g++ "clang-$clang" cmake libode-dev libeigen3-dev
 
 build_with gcc gcc g++
 build_consumers consumer_gcc -DCMAKE_PREFIX_PATH=/tmp/gcc/prefix
@@ -39,10 +36,6 @@ build_with clang "clang-$clang" "clang++-$clang"
 build_consumers consumer_clang -DCMAKE_PREFIX_PATH=/tmp/clang/prefix -DCMAKE_C_COMPILER="clang-$clang" \
     -DCMAKE_CXX_COMPILER="clang++-$clang"
 
-say 'The tests of the contract'
-inside cmake -S /tmp/sources -B /tmp/tests -G Ninja -DCMAKE_BUILD_TYPE=Release -DODE_PREDICTIVE_SPACE_BUILD_DEMOS=OFF \
-    -DODE_PREDICTIVE_SPACE_BUILD_TESTS=ON >/dev/null
-inside ninja -C /tmp/tests tests_of_contract | tail -n 1
-inside ctest --test-dir /tmp/tests --label-regex '^contract$' --parallel "$(nproc)" --output-on-failure | tail -n 5
+test_contract
 make_packages
 rm -rf "$chroot"

@@ -20,7 +20,7 @@ entries() {
 
 inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 
-install_in_chroot() { inside apt-get -q install --yes --no-install-recommends "$@" >/dev/null; }
+install_in_chroot() { inside apt-get -q -o Dpkg::Use-Pty=0 install --yes --no-install-recommends "$@" >/dev/null; }
 
 # Options for mmdebstrap. Where this system's apt is told to take an archive that is out of date, as a snapshot is after some days,
 # that of the chroot is told so, too. Signatures are checked in any case.
@@ -66,5 +66,17 @@ build_with() {
 build_consumers() {
     inside cmake -S /tmp/sources/tests/install/consumer -B "/tmp/$1" -G Ninja "${@:2}" >/dev/null
     inside ninja -C "/tmp/$1" | tail -n 1
-    inside ctest --test-dir "/tmp/$1" --output-on-failure
+    inside sh -c 'cd "$0" && ctest --output-on-failure' "/tmp/$1"
 }
+
+# test_contract [options of cmake]: the tests of the promises to programs.
+test_contract() {
+    say 'The tests of the contract'
+    install_in_chroot libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
+    inside cmake -S /tmp/sources -B /tmp/tests -G Ninja -DCMAKE_BUILD_TYPE=Release -DODE_PREDICTIVE_SPACE_BUILD_DEMOS=OFF \
+        -DODE_PREDICTIVE_SPACE_BUILD_TESTS=ON "$@" >/dev/null
+    inside ninja -C /tmp/tests tests_of_contract | tail -n 1
+    inside sh -c 'cd /tmp/tests && ctest --label-regex "^contract$" --parallel "$(nproc)" --output-on-failure' | tail -n 8
+}
+
+show_versions() { for package in "$@"; do inside dpkg-query --show "$package"; done; }

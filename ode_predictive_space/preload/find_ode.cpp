@@ -57,10 +57,17 @@ template <typename Function> void look_up(void *handle, const char *name, Functi
 }
 } // namespace
 
+// Older C libraries search the symbols, too, and wait while another thread loads an object.
 link_map *object_at(const void *address)
 {
+#if __GLIBC_PREREQ(2, 35)
     dl_find_object object;
     return _dl_find_object(const_cast<void *>(address), &object) == 0 ? object.dlfo_link_map : nullptr;
+#else
+    Dl_info symbol;
+    void *map = nullptr;
+    return dladdr1(address, &symbol, &map, RTLD_DL_LINKMAP) != 0 ? static_cast<link_map *>(map) : nullptr;
+#endif
 }
 
 Object find_definition(const char *function, const link_map *caller)

@@ -90,7 +90,7 @@ void LiveCounters::print(const Totals &since, const Totals &now, Clock::time_poi
     std::fprintf(stderr, terminal_ ? "\r%s\x1b[K" : "%s\n", live_line(since, now, elapsed).c_str());
 }
 
-report::Page page_of(const std::string &program, const std::vector<SpaceCounts *> &pages, const Settings &settings,
+report::Page page_of(const std::string &command, const std::vector<SpaceCounts *> &pages, const Settings &settings,
                      const std::string &still_running)
 {
     Settings all = settings;
@@ -104,6 +104,6 @@ report::Page page_of(const std::string &program, const std::vector<SpaceCounts *
     text = text.empty() ? "No space of ODE was seen.\n" : text;
     if (!still_running.empty())
         text += "\nStill running when the program had ended, and counted up to then: " + still_running + "\n";
-    return {"ode-predictive-run " + program, text, {plot_of(pages)}};
+    return {"ode-predictive-run " + command, text, {plot_of(pages)}};
 }
 } // namespace ode_predictive_space::preload

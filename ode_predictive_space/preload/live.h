@@ -51,8 +51,9 @@ private:
 /// The statistics of all processes, the time per dSpaceCollide() in the spaces that were collided most often, and what the run
 /// does not tell.
 ///
+/// @param command the program and its arguments, for the title.
 /// @param still_running the processes that outlive the program; empty: none does.
-report::Page page_of(const std::string &program, const std::vector<SpaceCounts *> &pages, const Settings &settings,
+report::Page page_of(const std::string &command, const std::vector<SpaceCounts *> &pages, const Settings &settings,
                      const std::string &still_running);
 } // namespace ode_predictive_space::preload
 

@@ -52,6 +52,14 @@ Settings wanted()
     return read_settings([](const char *name) { return std::getenv(name); }, complaints);
 }
 
+std::string text_of(char *const *command)
+{
+    std::string text = *command;
+    while (*++command)
+        text += std::string(" ") + *command;
+    return text;
+}
+
 // Not `counted`: that is the question of a launcher around this one.
 bool asks_for_counts(const RunOptions &options, const Settings &settings)
 {
@@ -104,7 +112,7 @@ bool write_plots(const RunOptions &options, CountsFile &counts, const Settings &
         return true;
     try
     {
-        ode_predictive_space::report::Page page = page_of(options.command[0], counts.pages(), settings, list_of(left));
+        ode_predictive_space::report::Page page = page_of(text_of(options.command), counts.pages(), settings, list_of(left));
         page.answer = gain_of(options.record_file);
         say("report: %s", ode_predictive_space::report::write_page(options.report_folder, page).c_str());
         return true;

@@ -14,6 +14,7 @@ constexpr std::size_t fewest_events = 50;
 // What runs differ by on a busy machine, and what no program notices.
 constexpr double least_gain = 0.1;
 constexpr double least_microseconds = 1;
+constexpr double noticed_share = 0.01; // of the callbacks
 
 double with_spared_callbacks(const Findings &findings)
 {
@@ -27,10 +28,19 @@ bool is_worth(double before, double now)
 
 std::string said_of_shape(const Findings &findings)
 {
-    if (findings.spared == 0)
-        return formatted("%.3g \xc2\xb5s by shape, which spares no callback", findings.shape);
-    return formatted("%.3g \xc2\xb5s by shape, which also spares %.3g of %.3g callbacks (%.3g \xc2\xb5s in dCollide)",
-                     findings.shape, findings.spared, findings.callbacks, findings.spared_time);
+    const std::string shape = readable(findings.shape) + " \xc2\xb5s by shape, ";
+    if (findings.spared < noticed_share * findings.callbacks)
+        return shape + "which spares less than 1 % of the callbacks";
+    return shape + "which also spares " + readable(findings.spared) + " of " + readable(findings.callbacks) +
+           " callbacks (" + readable(findings.spared_time) + " \xc2\xb5s in dCollide)";
+}
+
+const char *reason_to_leave(const Findings &findings)
+{
+    const double best = std::min(findings.box, with_spared_callbacks(findings));
+    if (findings.own < least_microseconds)
+        return "there is nothing to gain";
+    return best < findings.own ? "the gain is too small to notice" : "predictive spaces are not faster here";
 }
 } // namespace
 
@@ -46,29 +56,20 @@ Advice advice_for(const Findings &findings)
 
 std::string sentence_for(const Findings &findings)
 {
-    const char *option = findings.own_is_simple ? " --space all" : "";
-    const std::string by_shape = said_of_shape(findings);
+    const std::string option = findings.own_is_simple ? " --space all" : "";
+    const std::string own = readable(findings.own) + " \xc2\xb5s in the program's own spaces (" + findings.own_name + ")";
+    const std::string figures = "a collide and the moves before it take " + own + ", " + readable(findings.box) +
+                                " \xc2\xb5s in predictive ones, " + said_of_shape(findings) + ".";
     switch (advice_for(findings))
     {
     case Advice::unknown:
-        return formatted("Not known: only %zu collides and questions were recorded.", findings.events);
+        return "Not known: only " + std::to_string(findings.events) + " collides and questions were recorded.";
     case Advice::leave:
-        return formatted("Leave it: it does not pay here. A collide and the moves before it take %.3g \xc2\xb5s in the "
-                         "program's own spaces (%s), %.3g \xc2\xb5s in predictive ones, ",
-                         findings.own, findings.own_name.c_str(), findings.box) +
-               by_shape + ".";
+        return std::string("Leave it, as ") + reason_to_leave(findings) + ": " + figures;
     case Advice::use:
-        return formatted("Use it (ode-predictive-run%s): a collide and the moves before it take %.3g \xc2\xb5s instead "
-                         "of %.3g \xc2\xb5s in the "
-                         "program's own spaces (%s); ",
-                         option, findings.box, findings.own, findings.own_name.c_str()) +
-               by_shape + ".";
+        return "Use it (ode-predictive-run" + option + "): " + figures;
     case Advice::use_by_shape:
-        return formatted(
-                   "Use it by shape (ode-predictive-run%s --proximity shape): a collide and the moves before it take "
-                   "%.3g \xc2\xb5s in the program's own spaces (%s), %.3g \xc2\xb5s in predictive ones, ",
-                   option, findings.own, findings.own_name.c_str(), findings.box) +
-               by_shape + ".";
+        return "Use it by shape (ode-predictive-run" + option + " --proximity shape): " + figures;
     }
     return "";
 }

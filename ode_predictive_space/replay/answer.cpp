@@ -60,9 +60,8 @@ std::vector<std::string> row_of(const std::string &name, const Cost &cost)
 {
     if (!cost.failure.empty())
         return {name, "ends: " + cost.failure};
-    return {name, formatted("%.3g", 1e6 * per_event(cost.collides, cost)),
-            formatted("%.3g", 1e6 * per_event(cost.notices, cost)),
-            formatted("%.4g", per_event(static_cast<double>(cost.callbacks), cost))};
+    return {name, readable(1e6 * per_event(cost.collides, cost)), readable(1e6 * per_event(cost.notices, cost)),
+            readable(per_event(static_cast<double>(cost.callbacks), cost))};
 }
 
 report::Curve times_of(const std::string &name, const Cost &cost)

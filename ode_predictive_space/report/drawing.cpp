@@ -126,7 +126,7 @@ std::string grid(const Plot &plot, const Axis &x, const Axis &y)
            number((y.begin + y.end) / 2) + ") rotate(-90)\">" + text_at(0, 0, "middle", plot.y_label) + "</g>\n";
 }
 
-std::string drawn(const Curve &curve, const char *colour, const Axis &x, const Axis &y)
+std::string drawn(const Curve &curve, const char *colour, double stroke_width, const Axis &x, const Axis &y)
 {
     const bool dots = curve.style == Curve::Style::dots;
     std::string text;
@@ -137,8 +137,8 @@ std::string drawn(const Curve &curve, const char *colour, const Axis &x, const A
                      : column + "," + row + " ";
     }
     return dots ? text
-                : "<polyline fill=\"none\" stroke=\"" + std::string(colour) + "\" stroke-width=\"1.3\" points=\"" +
-                      text + "\"/>\n";
+                : "<polyline fill=\"none\" stroke=\"" + std::string(colour) + "\" stroke-width=\"" +
+                      number(stroke_width) + "\" points=\"" + text + "\"/>\n";
 }
 } // namespace
 
@@ -172,7 +172,8 @@ std::string svg(const Plot &plot)
     for (std::size_t i = 0; i < curves.size(); ++i)
     {
         const char *colour = colours[i % std::size(colours)];
-        marks += drawn(curves[i], colour, x, y);
+        // Those below are wider: of curves that coincide, each can be seen.
+        marks += drawn(curves[i], colour, 1.2 + 1.4 * static_cast<double>(curves.size() - 1 - i), x, y);
         legend +=
             "<span style=\"color: " + std::string(colour) + "\">&#9632;</span> " + escaped(curves[i].name) + " &nbsp; ";
     }

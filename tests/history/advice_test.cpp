@@ -49,13 +49,15 @@ TEST(Advice, SaysWhatToDoAndWhy)
 {
     Findings findings = found(400, 40, 45);
     EXPECT_EQ(sentence_for(findings).find("Use it (ode-predictive-run): "), 0u) << sentence_for(findings);
-    EXPECT_NE(sentence_for(findings).find("40 \xc2\xb5s instead of 400 \xc2\xb5s"), std::string::npos);
+    EXPECT_NE(sentence_for(findings).find("400 \xc2\xb5s in the program's own spaces (hash), 40 \xc2\xb5s in"), std::string::npos);
     findings.own_is_simple = true;
     EXPECT_EQ(sentence_for(findings).find("Use it (ode-predictive-run --space all): "), 0u)
         << "simple spaces are replaced only then";
     findings.spared_time = 30;
     EXPECT_EQ(sentence_for(findings).find("Use it by shape (ode-predictive-run --space all --proximity shape): "), 0u);
-    EXPECT_EQ(sentence_for(found(1, 2, 3)).find("Leave it: it does not pay here."), 0u);
+    EXPECT_EQ(sentence_for(found(10, 20, 30)).find("Leave it, as predictive spaces are not faster here: "), 0u);
+    EXPECT_EQ(sentence_for(found(10, 9.5, 30)).find("Leave it, as the gain is too small to notice: "), 0u);
+    EXPECT_EQ(sentence_for(found(0.9, 0.1, 0.2)).find("Leave it, as there is nothing to gain: "), 0u);
 }
 
 TEST(Advice, NamesSparedCallbacksWhereThereAreAny)
@@ -63,7 +65,18 @@ TEST(Advice, NamesSparedCallbacksWhereThereAreAny)
     Findings findings = found(400, 40, 45);
     EXPECT_NE(sentence_for(findings).find("which also spares 60 of 100 callbacks"), std::string::npos);
     findings.spared = 0;
-    EXPECT_NE(sentence_for(findings).find("by shape, which spares no callback."), std::string::npos)
+    EXPECT_NE(sentence_for(findings).find("by shape, which spares less than 1 % of the callbacks."), std::string::npos)
+        << sentence_for(findings);
+}
+
+TEST(Advice, HasNoExponents)
+{
+    Findings findings = found(4000, 1234, 5678.4);
+    findings.callbacks = 2000;
+    findings.spared = 1030.2;
+    EXPECT_NE(sentence_for(findings).find("1234 \xc2\xb5s in predictive ones, 5678 \xc2\xb5s by shape, which also spares "
+                                          "1030 of 2000 callbacks"),
+              std::string::npos)
         << sentence_for(findings);
 }
 

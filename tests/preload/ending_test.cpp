@@ -147,6 +147,7 @@ TEST_P(EndOfAProgram, LeavesAPageWithPlots)
     constexpr int of_the_run = 1, of_its_replay_in_three_spaces = 2 * 3;
     EXPECT_EQ(count_of("<polyline", page.str()), of_the_run + of_its_replay_in_three_spaces) << page.str();
     EXPECT_TRUE(contains(page.str(), "dSpaceCollide 3 calls")) << page.str();
+    EXPECT_TRUE(contains(page.str(), "<title>ode-predictive-run " + program + "</title>")) << page.str();
     unlink((folder + "/index.html").c_str());
     rmdir(folder.c_str());
 }

@@ -23,8 +23,8 @@ MouseDevice::MouseDevice(const MouseSettings &settings) : SoftwareDevice(capabil
     check_positive(settings.metres_per_pixel, "mouse: metres per pixel");
     check_positive(settings.metres_per_wheel_step, "mouse: metres per wheel step");
     check_positive(settings.smoothing, "mouse: the time constant of smoothing");
-    for (const double size : Vector3(settings.workspace.sizes()))
-        check_positive(size, "mouse: the size of the workspace");
+    for (int axis = 0; axis < 3; ++axis)
+        check_positive(settings.workspace.sizes()[axis], "mouse: the size of the workspace");
     MouseDevice::start();
 }
 

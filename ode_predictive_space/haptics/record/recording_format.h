@@ -27,8 +27,8 @@ constexpr double exact_length_tolerance = 1e-6;
 template <class Device, class Visit> void visit_device(Device &device, Visit visit)
 {
     const auto visit_all = [&](auto &vector) {
-        for (auto &number : vector)
-            visit(number);
+        for (int i = 0; i < vector.size(); ++i)
+            visit(vector[i]);
     };
     visit(device.input_axes);
     visit(device.force_axes);
@@ -44,8 +44,8 @@ template <class Device, class Visit> void visit_device(Device &device, Visit vis
 template <class Tick, class Visit> void visit_tick(Tick &tick, Visit visit)
 {
     const auto visit_all = [&](auto &vector) {
-        for (auto &number : vector)
-            visit(number);
+        for (int i = 0; i < vector.size(); ++i)
+            visit(vector[i]);
     };
     visit(tick.state.time);
     visit_all(tick.state.position);
