@@ -112,7 +112,8 @@ bool write_plots(const RunOptions &options, CountsFile &counts, const Settings &
         return true;
     try
     {
-        ode_predictive_space::report::Page page = page_of(text_of(options.command), counts.pages(), settings, list_of(left));
+        ode_predictive_space::report::Page page =
+            page_of(text_of(options.command), counts.pages(), settings, list_of(left));
         page.answer = gain_of(options.record_file);
         say("report: %s", ode_predictive_space::report::write_page(options.report_folder, page).c_str());
         return true;

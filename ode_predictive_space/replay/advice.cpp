@@ -57,7 +57,8 @@ Advice advice_for(const Findings &findings)
 std::string sentence_for(const Findings &findings)
 {
     const std::string option = findings.own_is_simple ? " --space all" : "";
-    const std::string own = readable(findings.own) + " \xc2\xb5s in the program's own spaces (" + findings.own_name + ")";
+    const std::string own =
+        readable(findings.own) + " \xc2\xb5s in the program's own spaces (" + findings.own_name + ")";
     const std::string figures = "a collide and the moves before it take " + own + ", " + readable(findings.box) +
                                 " \xc2\xb5s in predictive ones, " + said_of_shape(findings) + ".";
     switch (advice_for(findings))

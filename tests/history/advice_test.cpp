@@ -49,7 +49,8 @@ TEST(Advice, SaysWhatToDoAndWhy)
 {
     Findings findings = found(400, 40, 45);
     EXPECT_EQ(sentence_for(findings).find("Use it (ode-predictive-run): "), 0u) << sentence_for(findings);
-    EXPECT_NE(sentence_for(findings).find("400 \xc2\xb5s in the program's own spaces (hash), 40 \xc2\xb5s in"), std::string::npos);
+    EXPECT_NE(sentence_for(findings).find("400 \xc2\xb5s in the program's own spaces (hash), 40 \xc2\xb5s in"),
+              std::string::npos);
     findings.own_is_simple = true;
     EXPECT_EQ(sentence_for(findings).find("Use it (ode-predictive-run --space all): "), 0u)
         << "simple spaces are replaced only then";
@@ -74,9 +75,10 @@ TEST(Advice, HasNoExponents)
     Findings findings = found(4000, 1234, 5678.4);
     findings.callbacks = 2000;
     findings.spared = 1030.2;
-    EXPECT_NE(sentence_for(findings).find("1234 \xc2\xb5s in predictive ones, 5678 \xc2\xb5s by shape, which also spares "
-                                          "1030 of 2000 callbacks"),
-              std::string::npos)
+    EXPECT_NE(
+        sentence_for(findings).find("1234 \xc2\xb5s in predictive ones, 5678 \xc2\xb5s by shape, which also spares "
+                                    "1030 of 2000 callbacks"),
+        std::string::npos)
         << sentence_for(findings);
 }
 

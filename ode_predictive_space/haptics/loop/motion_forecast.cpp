@@ -19,7 +19,8 @@ void MotionForecast::set_nodes(std::size_t nodes, double node_length)
 void MotionForecast::add(const Place &place, const PushWrenches &pushes)
 {
     places_[count_] = place;
-    places_[count_].combination = pushes.completeOrthogonalDecomposition().solve(Eigen::Matrix<double, 6, 6>::Identity());
+    places_[count_].combination =
+        pushes.completeOrthogonalDecomposition().solve(Eigen::Matrix<double, 6, 6>::Identity());
     ++count_;
 }
 
