@@ -20,13 +20,6 @@ namespace ode_predictive_space
 class EnvelopeTree
 {
 public:
-    /// A box that overlaps the probe of this number.
-    struct Hit
-    {
-        std::uint32_t probe;
-        ProxyId proxy;
-    };
-
     /// Adds a proxy that is not in the tree. The box must be bounded().
     void insert(ProxyId proxy, const FloatBox &box);
 
@@ -84,11 +77,12 @@ private:
     using Index = std::int32_t;
     static constexpr Index none = -1;
     static constexpr std::size_t walk_room = 256;
-    static_assert(most_together + 2 <= walk_room, "all probes begin in there");
+    static_assert(most_together <= walk_room, "all probes begin in there");
 
+    /// A node that the probe of this number overlaps.
     struct Step
     {
-        Index pair;
+        Index content;
         std::uint32_t probe;
     };
 
@@ -102,7 +96,7 @@ private:
     };
     static_assert(sizeof(Node) == 32, "two siblings share a cache line");
 
-    template <typename Probe, typename Visit> void walk_below(Index pair, const Probe &probe, Visit &visit) const;
+    template <typename Probe, typename Visit> void walk_below(Index pair, const Probe &probe, const Visit &visit) const;
     void make_room(ProxyId proxy);
     Index allocate_pair();
     void free_pair(Index first);
@@ -127,7 +121,7 @@ private:
 
 // Depth first. Whether the box of a branch overlaps is as good as random: store always, advance on a hit.
 template <typename Probe, typename Visit>
-void EnvelopeTree::walk_below(Index pair, const Probe &probe, Visit &visit) const
+void EnvelopeTree::walk_below(Index pair, const Probe &probe, const Visit &visit) const
 {
     Index waiting[walk_room]; // pairs of siblings whose parent overlaps
     waiting[0] = pair;
@@ -152,50 +146,37 @@ void EnvelopeTree::walk_below(Index pair, const Probe &probe, Visit &visit) cons
 }
 
 // Level by level, so that the processor can look at several pairs of siblings at once: their addresses are known long before
-// their boxes. Whether a box overlaps is as good as random, and a branch on it would often be mispredicted: store always,
-// advance on a hit.
+// their boxes. Whether a box overlaps is as good as random: store always, advance on a hit.
 template <typename Probe, typename Visit>
 void EnvelopeTree::walk_together(const Probe *probes, std::size_t count, Visit visit) const
 {
     if (nodes_.empty())
         return;
-    Step waiting[walk_room]; // pairs of siblings whose parent overlaps
-    Hit found[walk_room];
-    std::vector<Step> postponed; // for large queries that overflow the room
-    std::size_t begin = 0, end = 0, found_count = 0;
+    Step waiting[walk_room]; // a ring
+    std::size_t begin = 0, end = 0;
     for (std::uint32_t i = 0; i < count; ++i)
     {
-        const bool overlaps = probes[i].overlaps(nodes_[0].box);
-        if (overlaps && nodes_[0].leaf())
-            visit(i, nodes_[0].proxy());
-        else if (overlaps)
-            waiting[end++] = {nodes_[0].content, i};
+        waiting[end] = {nodes_[0].content, i};
+        end += probes[i].overlaps(nodes_[0].box);
     }
     while (begin < end)
     {
-        const Step step = waiting[begin++];
-        const Node *pair = &nodes_[static_cast<std::size_t>(step.pair)];
-        for (const Node *node = pair; node < pair + 2; ++node)
+        const Step step = waiting[begin++ % walk_room];
+        const Probe &probe = probes[step.probe];
+        const auto visit_one = [&](ProxyId proxy) { visit(step.probe, proxy); };
+        if (step.content < 0)
+            visit_one(static_cast<ProxyId>(~step.content));
+        else if (end - begin + 2 > walk_room)
+            walk_below(step.content, probe, visit_one);
+        else
         {
-            const bool overlaps = probes[step.probe].overlaps(node->box);
-            waiting[end] = {node->content, step.probe};
-            prefetch(&nodes_[static_cast<std::size_t>(std::max(node->content, 0))]);
-            end += overlaps & !node->leaf();
-            found[found_count] = {step.probe, node->proxy()};
-            found_count += overlaps & node->leaf();
-        }
-        if (found_count + 2 > walk_room || begin == end)
-        {
-            std::for_each(found, found + found_count, [&](const Hit &hit) { visit(hit.probe, hit.proxy); });
-            found_count = 0;
-        }
-        if (end + 2 > walk_room || begin == end)
-        {
-            postponed.insert(postponed.end(), waiting + begin, waiting + end);
-            begin = 0;
-            end = std::min(postponed.size(), walk_room / 2);
-            std::copy(postponed.end() - static_cast<std::ptrdiff_t>(end), postponed.end(), waiting);
-            postponed.resize(postponed.size() - end);
+            const Node *const two = &nodes_[static_cast<std::size_t>(step.content)];
+            for (const Node *node = two; node < two + 2; ++node)
+            {
+                waiting[end % walk_room] = {node->content, step.probe};
+                prefetch(&nodes_[static_cast<std::size_t>(std::max(node->content, 0))]);
+                end += probe.overlaps(node->box);
+            }
         }
     }
 }
