@@ -88,8 +88,11 @@ constexpr std::size_t part_of_bulk = 3;
 constexpr std::size_t queries_together = 16;
 
 /// Levels above an envelope in a tree: when a branch so small holds the envelope and its next one, that stays in its place.
-/// (game 1,000)
+/// (rain 1,000, heap 2,000: more is better; game 1,000: 3 is)
 constexpr int levels_nearby = 4;
+
+/// How much the half area of a box in a tree counts beside that by which it grows. (game 10,000, heap 2,000: 0 and 0.1 are worse)
+constexpr float weight_of_size = 0.001f;
 
 /// Geoms up to which a question looks at each. (nested 22)
 constexpr std::size_t few_to_ask = 32;

@@ -52,20 +52,27 @@ struct BoxListTest : testing::Test
 
     void expect_found(const FloatBox &box) const
     {
-        std::set<ProxyId> found, overlapping;
-        list.find(box, [&](ProxyId id) { EXPECT_TRUE(found.insert(id).second) << id << " is found twice"; });
+        std::set<ProxyId> overlapping, all;
         for (const auto &[id, other] : expected)
+        {
+            all.insert(id);
             if (box.overlaps(other))
                 overlapping.insert(id);
-        EXPECT_EQ(found, overlapping);
+        }
         expect_walked(BoxProbe(box), overlapping);
-        expect_walked(box, overlapping);
+        expect_walked(ProbeOfAll(), all);
     }
+
+    // It says that places without a box are met, too.
+    struct ProbeOfAll
+    {
+        unsigned overlaps(const FourBoxes &) const { return four_lanes; }
+    };
 
     template <typename Probe> void expect_walked(const Probe &probe, const std::set<ProxyId> &overlapping) const
     {
         std::set<ProxyId> walked;
-        list.walk(probe, [&](ProxyId id) { EXPECT_TRUE(walked.insert(id).second); });
+        list.walk(probe, [&](ProxyId id) { EXPECT_TRUE(walked.insert(id).second) << id << " is found twice"; });
         EXPECT_EQ(walked, overlapping);
     }
 

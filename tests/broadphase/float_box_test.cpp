@@ -183,41 +183,6 @@ TEST(FloatBox, OverlapIsThatOfEachAxis)
             expected = expected && std::max(a.low[axis], b.low[axis]) <= std::min(a.high[axis], b.high[axis]);
         ASSERT_EQ(a.overlaps(b), expected);
         ASSERT_EQ(b.overlaps(a), expected);
-        ASSERT_EQ(BoxProbe(a).overlaps(b), expected);
-        ASSERT_EQ(BoxProbe(b).overlaps(a), expected);
-    }
-}
-
-TEST(BoxProbe, AnswersAsTheBoxDoesAtInfinityAndInTouch)
-{
-    const float sides[] = {-float_infinity, -largest_float, -1, -0.0f, 0, 1, largest_float, float_infinity};
-    Random random(6);
-    auto any_box = [&] {
-        FloatBox box;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            box.low[axis] = sides[random.index(8)];
-            box.high[axis] = sides[random.index(8)];
-        }
-        return box;
-    };
-    int overlaps = 0;
-    for (int i = 0; i < 200000; ++i)
-    {
-        const FloatBox a = any_box(), b = any_box();
-        ASSERT_EQ(BoxProbe(a).overlaps(b), a.overlaps(b)) << i;
-        overlaps += a.overlaps(b);
-    }
-    EXPECT_GT(overlaps, 1000);
-}
-
-TEST(BoxProbe, GivesItsBoxBack)
-{
-    Random random(7);
-    for (int i = 0; i < 1000; ++i)
-    {
-        const FloatBox box = random.box(1, 1);
-        ASSERT_TRUE(BoxProbe(box).box() == box);
     }
 }
 
@@ -257,16 +222,14 @@ TEST(FloatBox, HalfAreaIsThatOfThreeSides)
     EXPECT_FLOAT_EQ(FloatBox::around(cube(7, 7)).half_area(), 0);
 }
 
-TEST(FloatBox, TheAreaOfTwoIsThatOfTheBoxAroundBoth)
+TEST(FloatBox, TheAreaIsThatOfThreeSides)
 {
     Random random(9);
     for (int i = 0; i < 1000; ++i)
     {
-        const FloatBox a = random.box(10, 3), b = random.box(10, 3), both = a.merged(b);
-        const float x = both.high[0] - both.low[0], y = both.high[1] - both.low[1], z = both.high[2] - both.low[2];
-        ASSERT_FLOAT_EQ(a.merged_half_area(b), x * y + y * z + z * x);
-        ASSERT_EQ(a.merged_half_area(b), both.half_area());
-        ASSERT_EQ(a.merged_half_area(b), b.merged_half_area(a));
+        const FloatBox box = random.box(10, 3);
+        const float x = box.high[0] - box.low[0], y = box.high[1] - box.low[1], z = box.high[2] - box.low[2];
+        ASSERT_FLOAT_EQ(box.half_area(), x * y + y * z + z * x);
     }
 }
 

@@ -129,10 +129,10 @@ TEST(RayProbe, ATreeIsFollowedAlongTheLine)
     {
         RayProbe line;
         std::size_t &asked;
-        bool overlaps(const FloatBox &box) const
+        unsigned overlaps(const FourBoxes &boxes) const
         {
             ++asked;
-            return line.overlaps(box);
+            return line.overlaps(boxes);
         }
     };
     std::size_t asked = 0, found_along = 0, found_in_box = 0;
@@ -148,7 +148,7 @@ TEST(RayProbe, ATreeIsFollowedAlongTheLine)
         ASSERT_EQ(found, expected);
         found_along += found.size();
         const Box bounds(start.cwiseMin(end), start.cwiseMax(end));
-        tree.query(FloatBox::around(bounds), [&](ProxyId) { ++found_in_box; });
+        tree.walk(BoxProbe(FloatBox::around(bounds)), [&](ProxyId) { ++found_in_box; });
     }
     EXPECT_GT(found_along, 100u);
     EXPECT_GT(found_in_box, 50 * found_along);

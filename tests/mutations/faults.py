@@ -136,22 +136,30 @@ def index_faults():
     indices = (("broadphase", "*AnyIndex*:EnvelopeIndex.*:*AnyWorld*"),)
     yield Fault(
         "stale_ancestors", "index", tree,
-        "rotate(index);\n        if (unchanged)\n            return;", "rotate(index);\n        if (unchanged || index != 0)\n            return;", trees)
+        "        index = place / width;\n        node_of(place).boxes.set(place % width, box);",
+        "        index = place / width;", trees)
     yield Fault(
-        "stale_box_after_rotation", "index", tree,
-        "changed.box = nodes_[changed.content].box.merged(nodes_[changed.content + 1].box);", "(void)changed;", trees)
-    yield Fault("lost_link_of_a_leaf", "index", tree, "adopt(pair + 1);\n    adopt(place);", "adopt(place);", trees)
+        "lost_link_of_a_leaf", "index", tree,
+        "leaf_place_[static_cast<ProxyId>(~entry.content)] = place;", ";", trees)
     yield Fault(
-        "sibling_lost_on_removal", "index", tree, "move_node(leaf ^ 1, parent);", "move_node(leaf, parent);", trees)
+        "entry_lost_when_a_node_is_cut", "index", tree,
+        "fill(sibling, entries.data() + size, entries.data() + entries.size());",
+        "fill(sibling, entries.data() + size, entries.data() + entries.size() - 1);", trees)
+    yield Fault(
+        "last_place_lost_on_removal", "index", tree, "put(place, {node.boxes[last], node.content[last]});", ";", trees)
     yield Fault(
         "large_query_cut_off", "index", BROADPHASE + "index/envelope_tree.h",
-        "postponed.resize(postponed.size() - end);", "postponed.clear();",
-        (("contract", "Contract.09_*"), ("broadphase", "EnvelopeTree.*")))
+        "walk_below(step.node, probe, [&](ProxyId proxy) { visit(step.probe, proxy); });", ";", trees)
+    yield Fault(
+        "places_without_a_box_met", "index", BROADPHASE + "index/envelope_tree.h",
+        "probe.overlaps(node.boxes) & ~(~0u << node.count)", "probe.overlaps(node.boxes)",
+        (("broadphase", "RayProbe.*:EnvelopeTree.*"),))
     yield Fault(
         "tree_not_asked", "index", index,
         "find_in_tree(boxes_.data() + i, std::min(boxes_.size() - i, EnvelopeTree::most_together), batch, idle, pairs);", ";",
         indices)
-    yield Fault("list_not_asked", "index", index, "list_.find(swept.box, [&](ProxyId other) {", "BoxList().find(swept.box, [&](ProxyId other) {", indices)
+    yield Fault("list_not_asked", "index", index, "list_.walk(BoxProbe(swept.box), [&](ProxyId other) {",
+                "BoxList().walk(BoxProbe(swept.box), [&](ProxyId other) {", indices)
     yield Fault(
         "pairs_within_the_batch_left_out", "index", index, "if (boxes_.size() > 1)\n        sort_and_sweep_",
         "if (boxes_.empty())\n        sort_and_sweep_", indices)
@@ -170,8 +178,8 @@ def index_faults():
         "Float4::rounded_down(box.max().data(), -1)", "-Float4::rounded_down(box.max().data(), 1)",
         (("contract", "Contract.01_*:Contract.09_*"), ("broadphase", "FloatBox.*")))
     yield Fault(
-        "touching_boxes_apart", "index", BROADPHASE + "base/float_box.h",
-        "(low_ <= Float4::load(other.low + 2))", "(low_ < Float4::load(other.low + 2))",
+        "touching_boxes_apart", "index", BROADPHASE + "base/four_boxes.h",
+        "(low_[axis] <= boxes.highs(axis))", "(low_[axis] < boxes.highs(axis))",
         (("contract", "Contract.01_*:Contract.09_*"), ("broadphase", "BoxProbe.*:EnvelopeTree.*")))
 
 

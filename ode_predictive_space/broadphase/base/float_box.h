@@ -53,13 +53,10 @@ struct FloatBox
 
     FloatBox merged(const FloatBox &other) const { return of(merged_lows(other), merged_highs(other).last_three()); }
 
-    /// Half the surface area: the cost measure of a tree node.
-    float half_area() const { return merged_half_area(*this); }
-
-    /// The same of merged(other).
-    float merged_half_area(const FloatBox &other) const
+    /// Half the surface area: the cost measure of a tree.
+    float half_area() const
     {
-        const Float4 sides = merged_highs(other).last_three() - merged_lows(other);
+        const Float4 sides = Float4::load(low + 2).last_three() - Float4::load(low);
         return (sides * sides.rotated()).sum_of_three();
     }
 
@@ -85,34 +82,6 @@ private:
     Float4 merged_highs(const FloatBox &other) const { return max(Float4::load(low + 2), Float4::load(other.low + 2)); }
 };
 static_assert(sizeof(FloatBox) == 6 * sizeof(float), "low and high are read as one array");
-
-/// A box that is compared with many others: overlaps() in two vector comparisons.
-class BoxProbe
-{
-public:
-    explicit BoxProbe(const FloatBox &box)
-        : high_(box.high[0], box.high[1], box.high[2], infinity), low_(-infinity, box.low[0], box.low[1], box.low[2])
-    {}
-
-    // The two loads overlap by two components. The odd ones are compared with infinity.
-    bool overlaps(const FloatBox &other) const
-    {
-        return ((Float4::load(other.low) <= high_) & (low_ <= Float4::load(other.low + 2))).bits() == four_lanes;
-    }
-
-    FloatBox box() const
-    {
-        FloatBox box;
-        low_.last_three().store(box.low);
-        high_.store_three(box.high);
-        return box;
-    }
-
-private:
-    static constexpr float infinity = std::numeric_limits<float>::infinity();
-
-    Float4 high_, low_;
-};
 
 /// An object and its envelope.
 struct SweptProxy

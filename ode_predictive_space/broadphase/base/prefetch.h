@@ -16,6 +16,13 @@ inline void prefetch(const void *address)
     asm volatile("");
 }
 
+/// The same for `bytes` bytes from the beginning of a line on.
+template <std::size_t bytes> void prefetch_lines(const void *begin)
+{
+    for (std::size_t offset = 0; offset < bytes; offset += 64)
+        prefetch(static_cast<const char *>(begin) + offset);
+}
+
 /// The same for `bytes` bytes, wherever in a line they begin.
 template <std::size_t bytes> void prefetch_block(const void *begin)
 {

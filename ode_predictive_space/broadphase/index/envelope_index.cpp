@@ -103,7 +103,7 @@ void EnvelopeIndex::look_up(const Batch &batch, const IdSet &idle, std::vector<C
     for (std::size_t i = 0; i < boxes_.size() && !tree_.empty(); i += EnvelopeTree::most_together)
         find_in_tree(boxes_.data() + i, std::min(boxes_.size() - i, EnvelopeTree::most_together), batch, idle, pairs);
     for (const SweptProxy &swept : boxes_)
-        list_.find(swept.box, [&](ProxyId other) {
+        list_.walk(BoxProbe(swept.box), [&](ProxyId other) {
             if (!batch.contains(other) && !idle.contains(other))
                 pairs.push_back({swept.proxy, other});
         });

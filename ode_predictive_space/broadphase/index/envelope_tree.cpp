@@ -1,258 +1,273 @@
 #include "ode_predictive_space/broadphase/index/envelope_tree.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace ode_predictive_space
 {
+namespace
+{
+Float4 half_areas(const Float4 *sides)
+{
+    return sides[0] * sides[1] + sides[1] * sides[2] + sides[2] * sides[0];
+}
+
+// The place whose box grows least when it takes another in. Of those that grow nearly alike, a small one is better.
+std::size_t place_of_least_growth(const FourBoxes &boxes, std::size_t count, const FloatBox &box)
+{
+    Float4 sides[3], grown_sides[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        sides[axis] = boxes.highs(axis) - boxes.lows(axis);
+        grown_sides[axis] =
+            max(boxes.highs(axis), Float4::all(box.high[axis])) - min(boxes.lows(axis), Float4::all(box.low[axis]));
+    }
+    float cost[FourBoxes::most];
+    (half_areas(grown_sides) - Float4::all(1 - tuning::weight_of_size) * half_areas(sides)).store(cost);
+    std::size_t best = 0;
+    for (std::size_t place = 1; place < count; ++place)
+        best = cost[place] < cost[best] ? place : best;
+    return best;
+}
+} // namespace
+
 void EnvelopeTree::make_room(ProxyId proxy)
 {
-    if (proxy >= leaf_node_.size())
-        leaf_node_.resize(std::max<std::size_t>(proxy + 1, 2 * leaf_node_.size()), none);
+    if (proxy >= leaf_place_.size())
+        leaf_place_.resize(std::max<std::size_t>(proxy + 1, 2 * leaf_place_.size()), none);
 }
 
-EnvelopeTree::Index EnvelopeTree::allocate_pair()
+EnvelopeTree::Index EnvelopeTree::allocate()
 {
-    if (!free_pairs_.empty())
-    {
-        const Index first = free_pairs_.back();
-        free_pairs_.pop_back();
-        return first;
-    }
-    const Index first = static_cast<Index>(nodes_.size());
-    resize_array(nodes_, nodes_.size() + 2);
-    return first;
-}
-
-void EnvelopeTree::free_pair(Index first)
-{
-    free_pairs_.push_back(first);
-}
-
-// Makes the nodes below, or the proxy in it, point to this node.
-void EnvelopeTree::adopt(Index node)
-{
-    const Node &self = nodes_[node];
-    if (self.leaf())
-        leaf_node_[self.proxy()] = node;
+    Index node = free_;
+    if (node != none)
+        free_ = nodes_[node].parent;
     else
-        nodes_[self.content].parent = nodes_[self.content + 1].parent = node;
-}
-
-void EnvelopeTree::move_node(Index from, Index to)
-{
-    nodes_[to].box = nodes_[from].box;
-    nodes_[to].content = nodes_[from].content;
-    adopt(to);
-}
-
-void EnvelopeTree::swap_nodes(Index left, Index right)
-{
-    std::swap(nodes_[left].box, nodes_[right].box);
-    std::swap(nodes_[left].content, nodes_[right].content);
-    adopt(left);
-    adopt(right);
-}
-
-// Greedy descent: at each node, stop here (the new leaf becomes its sibling) or go into the child that grows least.
-EnvelopeTree::Index EnvelopeTree::find_sibling(const FloatBox &box, Index start) const
-{
-    Index index = start;
-    float merged = nodes_[start].box.merged_half_area(box);
-    while (!nodes_[index].leaf())
     {
-        const Node &node = nodes_[index];
-        const float inherited = merged - node.box.half_area();
-        float best = merged, best_grown = 0;
-        Index next = none;
-        for (Index child = node.content; child < node.content + 2; ++child)
-        {
-            const FloatBox &own = nodes_[child].box;
-            const float grown = own.merged_half_area(box);
-            const float cost = inherited + (nodes_[child].leaf() ? grown : grown - own.half_area());
-            if (cost < best)
-            {
-                best = cost;
-                best_grown = grown;
-                next = child;
-            }
-        }
-        if (next == none)
-            return index;
-        index = next;
-        merged = best_grown;
+        node = static_cast<Index>(nodes_.size());
+        resize_array(nodes_, nodes_.size() + 1);
     }
-    return index;
+    nodes_[node] = Node();
+    return node;
+}
+
+void EnvelopeTree::release(Index node)
+{
+    nodes_[node].parent = free_;
+    free_ = node;
+}
+
+void EnvelopeTree::put(Index place, const Entry &entry)
+{
+    Node &node = node_of(place);
+    node.boxes.set(place % width, entry.box);
+    node.content[place % width] = entry.content;
+    if (entry.content < 0)
+        leaf_place_[static_cast<ProxyId>(~entry.content)] = place;
+    else
+        nodes_[entry.content].parent = place;
 }
 
 void EnvelopeTree::clear()
 {
     nodes_.clear();
-    free_pairs_.clear();
-    std::fill(leaf_node_.begin(), leaf_node_.end(), none);
+    std::fill(leaf_place_.begin(), leaf_place_.end(), none);
+    root_ = free_ = none;
 }
 
 void EnvelopeTree::insert(ProxyId proxy, const FloatBox &box)
 {
     make_room(proxy);
-    if (nodes_.empty())
+    if (empty())
+        root_ = allocate();
+    Index index = root_;
+    for (Node *node = &nodes_[index]; node->count > 0 && !node->is_lowest(); node = &nodes_[index])
     {
-        nodes_.resize(2);
-        nodes_[0] = {box, none, static_cast<Index>(~proxy)};
-        leaf_node_[proxy] = 0;
-        return;
+        const std::size_t place = place_of_least_growth(node->boxes, node->count, box);
+        node->boxes.enlarge(place, box);
+        index = node->content[place];
     }
-    insert_below(proxy, box, 0);
+    add(index, {box, static_cast<Index>(~proxy)});
 }
 
-// The content of the node becomes the first of two children; the caller fills the second.
-EnvelopeTree::Index EnvelopeTree::open_pair(Index node)
+void EnvelopeTree::add(Index index, const Entry &entry)
 {
-    const Index pair = allocate_pair();
-    move_node(node, pair);
-    nodes_[node].content = pair;
-    return pair;
+    Node &node = nodes_[index];
+    if (node.is_full())
+        split(index, entry);
+    else
+        put(width * index + node.count++, entry);
 }
 
-void EnvelopeTree::insert_below(ProxyId proxy, const FloatBox &box, Index start)
+namespace
 {
-    const Index place = find_sibling(box, start);
-    const Index pair = open_pair(place);
-    nodes_[pair + 1].box = box;
-    nodes_[pair + 1].content = static_cast<Index>(~proxy);
-    adopt(pair + 1);
-    adopt(place);
-    refit_upwards(place);
+float doubled_centre(const FloatBox &box, int axis)
+{
+    return box.low[axis] + box.high[axis];
+}
+
+template <typename Overfull> void sort_along(Overfull &entries, int axis)
+{
+    for (auto *entry = entries.begin() + 1; entry != entries.end(); ++entry)
+        for (auto *one = entry;
+             one != entries.begin() && doubled_centre(one->box, axis) < doubled_centre(one[-1].box, axis); --one)
+            std::swap(*one, one[-1]);
+}
+
+// Sorts the entries along the axis on which they are best cut into two and three, or three and two: where the sum of half areas, each
+// times the entries in it, is least.
+//
+// @return the number of those in the first part.
+template <typename Overfull> std::size_t cut(Overfull &entries)
+{
+    Overfull best = entries;
+    std::size_t size = 2;
+    float least = std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        sort_along(entries, axis);
+        const FloatBox first = entries[0].box.merged(entries[1].box), last = entries[3].box.merged(entries[4].box);
+        const FloatBox &middle = entries[2].box;
+        const float early = 2 * first.half_area() + 3 * last.merged(middle).half_area(),
+                    late = 3 * first.merged(middle).half_area() + 2 * last.half_area();
+        if (!(std::min(early, late) < least))
+            continue;
+        least = std::min(early, late);
+        size = early <= late ? 2 : 3;
+        best = entries;
+    }
+    entries = best;
+    return size;
+}
+} // namespace
+
+void EnvelopeTree::fill(Index node, const Entry *begin, const Entry *end)
+{
+    nodes_[node].boxes = FourBoxes();
+    nodes_[node].count = static_cast<Index>(end - begin);
+    for (Index place = width * node; begin < end; ++begin, ++place)
+        put(place, *begin);
+}
+
+// A part of the entries goes into a new node beside this one; above a root, there is a new root.
+void EnvelopeTree::split(Index index, const Entry &extra)
+{
+    Overfull entries;
+    for (std::size_t place = 0; place < FourBoxes::most; ++place)
+        entries[place] = {nodes_[index].boxes[place], nodes_[index].content[place]};
+    entries.back() = extra;
+    const std::size_t size = cut(entries);
+    const Index sibling = allocate();
+    fill(index, entries.data(), entries.data() + size);
+    fill(sibling, entries.data() + size, entries.data() + entries.size());
+    const Entry left = {nodes_[index].boxes.merged(), index};
+    const Entry right = {nodes_[sibling].boxes.merged(), sibling};
+    const Index parent = nodes_[index].parent;
+    if (parent == none)
+    {
+        root_ = allocate();
+        add(root_, left);
+        return add(root_, right);
+    }
+    put(parent, left);
+    add(parent / width, right);
 }
 
 // An envelope that stays among the same neighbours stays where it is: to take it out and to look for the best place takes several
-// times as long. The tree does not get worse beyond the branch that held it and holds it now.
+// times as long.
 void EnvelopeTree::move(ProxyId proxy, const FloatBox &box)
 {
-    const Index leaf = leaf_node_[proxy];
-    Index holder = leaf;
-    for (int level = 0; level < tuning::levels_nearby && nodes_[holder].parent != none; ++level)
-    {
-        holder = nodes_[holder].parent;
-        if (nodes_[holder].box.contains(box))
+    const Index place = leaf_place_[proxy];
+    Index holder = node_of(place).parent;
+    for (int level = 0; level < tuning::levels_nearby && holder != none; ++level, holder = node_of(holder).parent)
+        if (box_at(holder).contains(box))
         {
-            nodes_[leaf].box = box;
-            shrink_upwards(nodes_[leaf].parent);
-            return;
+            node_of(place).boxes.set(place % width, box);
+            return refit_upwards(place / width);
         }
-    }
-    Index start = take_out(proxy);
-    if (start == none)
-    {
-        insert(proxy, box);
-        return;
-    }
-    while (start != 0 && !nodes_[start].box.contains(box))
-        start = nodes_[start].parent;
-    insert_below(proxy, box, start);
+    remove(proxy);
+    insert(proxy, box);
 }
 
-// Returns the node that took the place of the proxy's parent; none when the tree is empty now.
-EnvelopeTree::Index EnvelopeTree::take_out(ProxyId proxy)
+void EnvelopeTree::remove(ProxyId proxy)
 {
-    const Index leaf = leaf_node_[proxy];
-    leaf_node_[proxy] = none;
-    if (leaf == 0)
-    {
-        nodes_.clear();
-        free_pairs_.clear();
-        return none;
-    }
-    const Index parent = nodes_[leaf].parent;
-    const Index pair = nodes_[parent].content;
-    move_node(leaf ^ 1, parent);
-    free_pair(pair);
-    if (parent != 0)
-        shrink_upwards(nodes_[parent].parent);
-    return parent;
+    const Index place = leaf_place_[proxy];
+    leaf_place_[proxy] = none;
+    take_out(place);
 }
 
-// After a removal. The next insertion improves the shape.
-void EnvelopeTree::shrink_upwards(Index index)
+// The last place takes its part. Nodes without places go, too, and roots with one.
+void EnvelopeTree::take_out(Index place)
 {
-    for (; index != none; index = nodes_[index].parent)
+    Node &node = node_of(place);
+    const auto last = static_cast<std::size_t>(--node.count);
+    if (place % width != node.count)
+        put(place, {node.boxes[last], node.content[last]});
+    node.boxes.clear(last);
+    if (node.count > 0)
+        refit_upwards(place / width);
+    else if (node.parent == none)
+        return clear();
+    else
     {
-        Node &node = nodes_[index];
-        const FloatBox merged = nodes_[node.content].box.merged(nodes_[node.content + 1].box);
-        if (merged == node.box)
-            return;
-        node.box = merged;
+        const Index parent = node.parent;
+        release(place / width);
+        return take_out(parent);
+    }
+    for (const Node *root = &nodes_[root_]; root->count == 1 && !root->is_lowest(); root = &nodes_[root_])
+    {
+        release(root_);
+        root_ = root->content[0];
+        nodes_[root_].parent = none;
     }
 }
 
+// The boxes around the node and those above it become as small, or as large, as what is in them.
 void EnvelopeTree::refit_upwards(Index index)
 {
-    for (; index != none; index = nodes_[index].parent)
+    for (Index place = nodes_[index].parent; place != none; place = node_of(place).parent)
     {
-        Node &node = nodes_[index];
-        const FloatBox merged = nodes_[node.content].box.merged(nodes_[node.content + 1].box);
-        const bool unchanged = merged == node.box;
-        node.box = merged;
-        rotate(index);
-        if (unchanged)
+        const FloatBox box = nodes_[index].boxes.merged();
+        if (box == box_at(place))
             return;
+        index = place / width;
+        node_of(place).boxes.set(place % width, box);
     }
-}
-
-// Exchanges a child with a grandchild from the other side when that makes the other child smaller.
-void EnvelopeTree::rotate(Index index)
-{
-    const Index pair = nodes_[index].content;
-    float best = 0;
-    Index best_child = none, best_grandchild = none;
-    for (Index child = pair; child < pair + 2; ++child)
-    {
-        const Index other = child ^ 1;
-        if (nodes_[other].leaf())
-            continue;
-        const Index grandchildren = nodes_[other].content;
-        const float area = nodes_[other].box.half_area();
-        for (Index grandchild = grandchildren; grandchild < grandchildren + 2; ++grandchild)
-        {
-            const float gain = area - nodes_[child].box.merged_half_area(nodes_[grandchild ^ 1].box);
-            if (gain > best)
-            {
-                best = gain;
-                best_child = child;
-                best_grandchild = grandchild;
-            }
-        }
-    }
-    if (best_child == none)
-        return;
-    swap_nodes(best_child, best_grandchild);
-    Node &changed = nodes_[best_child ^ 1];
-    changed.box = nodes_[changed.content].box.merged(nodes_[changed.content + 1].box);
 }
 
 bool EnvelopeTree::consistent() const
 {
-    return nodes_.empty() || (nodes_[0].parent == none && consistent(0));
+    return empty() || (nodes_[root_].parent == none && consistent(root_, depth()));
 }
 
-bool EnvelopeTree::consistent(Index index) const
+bool EnvelopeTree::consistent(Index index, int depth) const
 {
     const Node &node = nodes_[index];
-    if (node.leaf())
-        return leaf_node_[node.proxy()] == index;
-    for (Index child = node.content; child < node.content + 2; ++child)
-        if (nodes_[child].parent != index || !node.box.contains(nodes_[child].box) || !consistent(child))
+    if (node.count < 1 || node.count > width || node.is_lowest() != (depth == 1))
+        return false;
+    for (Index i = 0; i < node.count; ++i)
+    {
+        const Index content = node.content[i], place = width * index + i;
+        if (node.is_lowest() ? leaf_place_[static_cast<ProxyId>(~content)] != place
+                             : nodes_[content].parent != place || !(box_at(place) == nodes_[content].boxes.merged()) ||
+                                   !consistent(content, depth - 1))
             return false;
+    }
     return true;
 }
 
-int EnvelopeTree::depth(Index index) const
+int EnvelopeTree::depth() const
 {
-    const Node &node = nodes_[index];
-    return node.leaf() ? 1 : 1 + std::max(depth(node.content), depth(node.content + 1));
+    if (empty())
+        return 0;
+    int depth = 1;
+    for (const Node *node = &nodes_[root_]; !node->is_lowest(); node = &nodes_[node->content[0]])
+        ++depth;
+    return depth;
 }
 
 std::size_t EnvelopeTree::bytes() const
 {
-    return nodes_.capacity() * sizeof(Node) + (free_pairs_.capacity() + leaf_node_.capacity()) * sizeof(Index);
+    return nodes_.capacity() * sizeof(Node) + leaf_place_.capacity() * sizeof(Index);
 }
 } // namespace ode_predictive_space

@@ -4,19 +4,18 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_TREE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_TREE_H
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
-#include "ode_predictive_space/broadphase/base/float_box.h"
+#include "ode_predictive_space/broadphase/base/four_boxes.h"
 #include "ode_predictive_space/broadphase/base/memory.h"
 #include "ode_predictive_space/broadphase/base/prefetch.h"
 
 namespace ode_predictive_space
 {
-/// A binary tree of bounded boxes with an object in each leaf.
-///
-/// Siblings are stored side by side (nodes 2k and 2k + 1), so that a visit of both touches one cache line; node 0 is the
-/// root and node 1 unused. Leaves are inserted where they enlarge the tree least, and rotations keep it shallow.
+/// An R-tree (Guttman 1984) of bounded boxes: each node has up to four boxes, around the nodes below it or, in the lowest level, of
+/// objects. A visit of a node compares all four at once. All ways from the root down are equally long.
 class EnvelopeTree
 {
 public:
@@ -24,10 +23,10 @@ public:
     void insert(ProxyId proxy, const FloatBox &box);
 
     /// Removes a proxy that is in the tree.
-    void remove(ProxyId proxy) { take_out(proxy); }
+    void remove(ProxyId proxy);
 
     /// Gives a proxy that is in the tree another box: the same as remove() and insert(), but quicker when the box is near
-    /// the old one, because the search begins there.
+    /// the old one, because it stays where it is.
     void move(ProxyId proxy, const FloatBox &box);
 
     /// Removes all proxies.
@@ -36,22 +35,15 @@ public:
     /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
     void build(const std::vector<SweptProxy> &leaves);
 
-    bool empty() const { return nodes_.empty(); }
-
-    /// Proxies in it.
-    std::size_t size() const { return nodes_.size() / 2 - free_pairs_.size(); }
-
-    /// Calls visit(proxy) for every proxy whose box overlaps `box`.
-    template <typename Visit> void query(const FloatBox &box, Visit visit) const { walk(BoxProbe(box), visit); }
+    bool empty() const { return root_ == none; }
 
     /// Calls visit(proxy) for every proxy whose box overlaps the probe, which has any shape and a function
-    /// `bool overlaps(const FloatBox &) const`. The function is called for the boxes of whole branches, too, and must be true
-    /// for a box that holds a box which it overlaps.
+    /// `unsigned overlaps(const FourBoxes &) const` that gives a bit for each. The function is called for the boxes of whole branches,
+    /// too, and must be true for a box that holds a box which it overlaps; for places without a box it may say anything.
     template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
     {
-        if (nodes_.empty() || !probe.overlaps(nodes_[0].box))
-            return;
-        nodes_[0].leaf() ? visit(nodes_[0].proxy()) : walk_below(nodes_[0].content, probe, visit);
+        if (!empty())
+            walk_below(root_, probe, visit);
     }
 
     /// The same for several probes at once, which is faster where nodes are not in the cache: no probe waits for another's.
@@ -63,121 +55,120 @@ public:
     static constexpr std::size_t most_together = tuning::queries_together;
 
     /// The box stored for a proxy that is in the tree.
-    const FloatBox &box(ProxyId proxy) const { return nodes_[leaf_node_[proxy]].box; }
+    FloatBox box(ProxyId proxy) const { return box_at(leaf_place_[proxy]); }
 
     /// Checks links and boxes.
     bool consistent() const;
 
-    /// Nodes on the longest way from the root to a leaf.
-    int depth() const { return nodes_.empty() ? 0 : depth(0); }
+    /// Nodes on each way from the root to a proxy.
+    int depth() const;
 
     std::size_t bytes() const;
 
 private:
-    using Index = std::int32_t;
+    using Index = std::int32_t; // of a node; or of a place in one, as four times its index and the number of the place
     static constexpr Index none = -1;
+    static constexpr Index width = FourBoxes::most;
     static constexpr std::size_t walk_room = 256;
-    static_assert(most_together <= walk_room, "all probes begin in there");
+    static_assert(most_together + width <= walk_room, "all probes begin in there");
 
     /// A node that the probe of this number overlaps.
     struct Step
     {
-        Index content;
+        Index node;
         std::uint32_t probe;
     };
 
-    struct Node
+    struct alignas(64) Node
+    {
+        FourBoxes boxes;      // the first `count` of them
+        Index content[width]; // >= 0: the node in the box; < 0: ~proxy
+        Index parent = none;  // the place that it is in; of a free node, the next one
+        Index count = 0;
+        bool is_lowest() const { return content[0] < 0; }
+        bool is_full() const { return count == width; }
+    };
+    static_assert(sizeof(Node) == 128, "two cache lines");
+
+    /// What a place holds.
+    struct Entry
     {
         FloatBox box;
-        Index parent;
-        Index content; // >= 0: first of its two children; < 0: ~proxy of a leaf
-        bool leaf() const { return content < 0; }
-        ProxyId proxy() const { return static_cast<ProxyId>(~content); }
+        Index content;
     };
-    static_assert(sizeof(Node) == 32, "two siblings share a cache line");
+    using Overfull = std::array<Entry, width + 1>;
 
-    template <typename Probe, typename Visit> void walk_below(Index pair, const Probe &probe, const Visit &visit) const;
+    template <typename Probe, typename Visit> void walk_below(Index node, const Probe &probe, const Visit &visit) const;
+    /// Calls visit(content) for each place of the node that the probe overlaps.
+    template <typename Probe, typename Visit> static void look_at(const Node &node, const Probe &probe, Visit visit)
+    {
+        for (unsigned hits = probe.overlaps(node.boxes) & ~(~0u << node.count); hits != 0; hits &= hits - 1)
+            visit(node.content[__builtin_ctz(hits)]);
+    }
+
+    Node &node_of(Index place) { return nodes_[place / width]; }
+    FloatBox box_at(Index place) const { return nodes_[place / width].boxes[place % width]; }
     void make_room(ProxyId proxy);
-    Index allocate_pair();
-    void free_pair(Index first);
-    Index find_sibling(const FloatBox &box, Index start) const;
-    Index open_pair(Index node);
-    void insert_below(ProxyId proxy, const FloatBox &box, Index start);
-    Index take_out(ProxyId proxy);
-    void adopt(Index node);
-    void move_node(Index from, Index to);
-    void swap_nodes(Index left, Index right);
+    Index allocate();
+    void release(Index node);
+    void put(Index place, const Entry &entry);
+    void add(Index node, const Entry &entry);
+    void split(Index node, const Entry &extra);
+    void fill(Index node, const Entry *begin, const Entry *end);
+    void take_out(Index place);
     void refit_upwards(Index node);
-    void shrink_upwards(Index node);
-    void rotate(Index node);
     class Builder;
-    bool consistent(Index node) const;
-    int depth(Index node) const;
+    bool consistent(Index node, int depth) const;
 
     std::vector<Node, CacheLineAllocator<Node>> nodes_;
-    std::vector<Index> free_pairs_;
-    std::vector<Index> leaf_node_; // by proxy
+    std::vector<Index> leaf_place_; // by proxy
+    Index root_ = none, free_ = none;
 };
 
-// Depth first. Whether the box of a branch overlaps is as good as random: store always, advance on a hit.
+// Depth first.
 template <typename Probe, typename Visit>
-void EnvelopeTree::walk_below(Index pair, const Probe &probe, const Visit &visit) const
+void EnvelopeTree::walk_below(Index node, const Probe &probe, const Visit &visit) const
 {
-    Index waiting[walk_room]; // pairs of siblings whose parent overlaps
-    waiting[0] = pair;
+    Index waiting[walk_room];
+    waiting[0] = node;
     for (std::size_t count = 1; count > 0;)
     {
         const Index next = waiting[--count];
-        if (count + 2 > walk_room)
-        {
+        if (count + width > walk_room)
             walk_below(next, probe, visit);
-            continue;
-        }
-        const Node *const two = &nodes_[static_cast<std::size_t>(next)];
-        for (const Node *node = two; node < two + 2; ++node)
-        {
-            const bool overlaps = probe.overlaps(node->box);
-            waiting[count] = node->content;
-            count += overlaps & !node->leaf();
-            if (overlaps & node->leaf())
-                visit(node->proxy());
-        }
+        else
+            look_at(nodes_[next], probe, [&](Index content) {
+                if (content < 0)
+                    visit(static_cast<ProxyId>(~content));
+                else
+                    waiting[count++] = content;
+            });
     }
 }
 
-// Level by level, so that the processor can look at several pairs of siblings at once: their addresses are known long before
-// their boxes. Whether a box overlaps is as good as random: store always, advance on a hit.
+// Level by level, so that the processor can look at several nodes at once: their addresses are known long before their boxes.
 template <typename Probe, typename Visit>
 void EnvelopeTree::walk_together(const Probe *probes, std::size_t count, Visit visit) const
 {
-    if (nodes_.empty())
+    if (empty())
         return;
     Step waiting[walk_room]; // a ring
     std::size_t begin = 0, end = 0;
     for (std::uint32_t i = 0; i < count; ++i)
-    {
-        waiting[end] = {nodes_[0].content, i};
-        end += probes[i].overlaps(nodes_[0].box);
-    }
+        waiting[end++] = {root_, i};
     while (begin < end)
     {
         const Step step = waiting[begin++ % walk_room];
         const Probe &probe = probes[step.probe];
-        const auto visit_one = [&](ProxyId proxy) { visit(step.probe, proxy); };
-        if (step.content < 0)
-            visit_one(static_cast<ProxyId>(~step.content));
-        else if (end - begin + 2 > walk_room)
-            walk_below(step.content, probe, visit_one);
+        if (end - begin + width > walk_room)
+            walk_below(step.node, probe, [&](ProxyId proxy) { visit(step.probe, proxy); });
         else
-        {
-            const Node *const two = &nodes_[static_cast<std::size_t>(step.content)];
-            for (const Node *node = two; node < two + 2; ++node)
-            {
-                waiting[end % walk_room] = {node->content, step.probe};
-                prefetch(&nodes_[static_cast<std::size_t>(std::max(node->content, 0))]);
-                end += probe.overlaps(node->box);
-            }
-        }
+            look_at(nodes_[step.node], probe, [&](Index content) {
+                if (content < 0)
+                    return visit(step.probe, static_cast<ProxyId>(~content));
+                waiting[end++ % walk_room] = {content, step.probe};
+                prefetch_lines<sizeof(Node)>(&nodes_[content]);
+            });
     }
 }
 } // namespace ode_predictive_space

@@ -21,7 +21,13 @@ public:
         }
     }
 
-    void build(Index root) { build(root, centres_.data(), centres_.data() + centres_.size()); }
+    Index build()
+    {
+        std::ptrdiff_t room_below = 1; // leaves that a node below has room for
+        while (width * room_below < static_cast<std::ptrdiff_t>(centres_.size()))
+            room_below *= width;
+        return build(centres_.data(), centres_.data() + centres_.size(), room_below);
+    }
 
 private:
     /// A leaf while it is sorted: its centre, times two, and its place in the list of leaves.
@@ -61,35 +67,44 @@ private:
         float middle(int axis) const { return 0.5f * low[axis] + 0.5f * high[axis]; }
     };
 
-    void build(Index index, Centre *begin, Centre *end)
+    Index build(Centre *begin, Centre *end, std::ptrdiff_t room_below)
     {
-        if (end - begin == 1)
+        const Index index = tree_.allocate();
+        Centre *const middle = split(begin, end, room_below, 2 * room_below);
+        for (const auto &[from, to] : {std::pair(begin, middle), std::pair(middle, end)})
         {
-            tree_.nodes_[index].box = leaves_[begin->leaf].box;
-            tree_.nodes_[index].content = static_cast<Index>(~leaves_[begin->leaf].proxy);
-            tree_.adopt(index);
-            return;
+            Centre *const quarter = split(from, to, room_below, room_below);
+            add_part(index, from, quarter, room_below);
+            add_part(index, quarter, to, room_below);
         }
-        Centre *middle = split(begin, end);
-        const Index pair = tree_.allocate_pair();
-        tree_.nodes_[index].content = pair;
-        tree_.adopt(index);
-        build(pair, begin, middle);
-        build(pair + 1, middle, end);
-        tree_.nodes_[index].box = tree_.nodes_[pair].box.merged(tree_.nodes_[pair + 1].box);
+        return index;
     }
 
-    // At the middle of the widest spread, or at the median where that would leave nearly all on one side: no tree gets deep.
-    Centre *split(Centre *begin, Centre *end)
+    void add_part(Index index, Centre *begin, Centre *end, std::ptrdiff_t room)
     {
+        if (begin == end)
+            return;
+        if (room == 1)
+            return tree_.add(index, {leaves_[begin->leaf].box, static_cast<Index>(~leaves_[begin->leaf].proxy)});
+        const Index below = build(begin, end, room / width);
+        tree_.add(index, {tree_.nodes_[below].boxes.merged(), below});
+    }
+
+    // None when all have room in one node below. At the middle of the widest spread, or at the median where that would leave nearly all on
+    // one side, or more than there is room for.
+    Centre *split(Centre *begin, Centre *end, std::ptrdiff_t room_below, std::ptrdiff_t most)
+    {
+        const std::ptrdiff_t count = end - begin;
+        if (count <= room_below)
+            return end;
         constexpr std::ptrdiff_t least_part = 8;
         const Spread spread(begin, end);
         const int axis = spread.widest();
         Centre *middle = partition(begin, end, axis, spread.middle(axis));
         const std::ptrdiff_t smaller = std::min(middle - begin, end - middle);
-        if (smaller > 0 && least_part * smaller >= end - begin)
+        if (smaller > 0 && least_part * smaller >= count && count - smaller <= most)
             return middle;
-        middle = begin + (end - begin) / 2;
+        middle = begin + count / 2;
         std::nth_element(begin, middle, end, [this, axis](const Centre &a, const Centre &b) {
             return a.place[axis] != b.place[axis] ? a.place[axis] < b.place[axis]
                                                   : leaves_[a.leaf].proxy < leaves_[b.leaf].proxy;
@@ -126,9 +141,6 @@ void EnvelopeTree::build(const std::vector<SweptProxy> &leaves)
         return;
     for (const SweptProxy &leaf : leaves)
         make_room(leaf.proxy);
-    nodes_.reserve(2 * leaves.size());
-    nodes_.resize(2);
-    nodes_[0].parent = none;
-    Builder(*this, leaves).build(0);
+    root_ = Builder(*this, leaves).build();
 }
 } // namespace ode_predictive_space

@@ -193,13 +193,8 @@ std::size_t SortAndSweep::find_pairs(const std::vector<SweptProxy> &items, std::
     for (const SweptProxy &item : items)
         (item.box.bounded() ? bounded_ : unbounded_).push_back(item);
     std::size_t comparisons = compare_each_with_each(unbounded_, pairs) + unbounded_.size() * bounded_.size();
-    for (const SweptProxy &one : unbounded_)
-    {
-        const BoxProbe probe(one.box);
-        for (const SweptProxy &other : bounded_)
-            if (probe.overlaps(other.box))
-                pairs.push_back(in_order(one.proxy, other.proxy));
-    }
+    for (const SweptProxy &one : bounded_) // the others are in the list
+        list_.walk(BoxProbe(one.box), [&](ProxyId other) { pairs.push_back(in_order(one.proxy, other)); });
     return comparisons + find_bounded_pairs(bounded_, pairs);
 }
 

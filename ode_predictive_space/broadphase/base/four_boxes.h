@@ -1,0 +1,109 @@
+// Four boxes side by side, and what is compared with all of them at once.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_FOUR_BOXES_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_FOUR_BOXES_H
+
+#include <cstddef>
+#include <limits>
+
+#include "ode_predictive_space/broadphase/base/float_box.h"
+
+namespace ode_predictive_space
+{
+/// The sides of up to four boxes, by axis and box. Places without a box hold NaN.
+struct alignas(16) FourBoxes
+{
+    static constexpr std::size_t most = 4;
+
+    float low[3][most], high[3][most];
+
+    FourBoxes()
+    {
+        for (std::size_t place = 0; place < most; ++place)
+            clear(place);
+    }
+
+    /// The same box in all places.
+    static FourBoxes all(const FloatBox &box)
+    {
+        FourBoxes boxes;
+        for (std::size_t place = 0; place < most; ++place)
+            boxes.set(place, box);
+        return boxes;
+    }
+
+    FloatBox operator[](std::size_t place) const
+    {
+        return {{low[0][place], low[1][place], low[2][place]}, {high[0][place], high[1][place], high[2][place]}};
+    }
+
+    void set(std::size_t place, const FloatBox &box)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            low[axis][place] = box.low[axis];
+            high[axis][place] = box.high[axis];
+        }
+    }
+
+    /// The box takes in another one.
+    void enlarge(std::size_t place, const FloatBox &box)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            low[axis][place] = std::min(low[axis][place], box.low[axis]);
+            high[axis][place] = std::max(high[axis][place], box.high[axis]);
+        }
+    }
+
+    void clear(std::size_t place)
+    {
+        constexpr float none = std::numeric_limits<float>::quiet_NaN();
+        set(place, {{none, none, none}, {none, none, none}});
+    }
+
+    /// The box around all; there is one in the first place.
+    FloatBox merged() const
+    {
+        FloatBox box = (*this)[0];
+        for (int axis = 0; axis < 3; ++axis)
+            for (std::size_t place = 1; place < most; ++place)
+            {
+                box.low[axis] = std::min(box.low[axis], low[axis][place]); // not NaN
+                box.high[axis] = std::max(box.high[axis], high[axis][place]);
+            }
+        return box;
+    }
+
+    Float4 lows(int axis) const { return Float4::load_aligned(low[axis]); }
+    Float4 highs(int axis) const { return Float4::load_aligned(high[axis]); }
+};
+
+/// A box that is compared with many others.
+class BoxProbe
+{
+public:
+    explicit BoxProbe(const FloatBox &box)
+        : low_{Float4::all(box.low[0]), Float4::all(box.low[1]), Float4::all(box.low[2])}, high_{
+                                                                                               Float4::all(box.high[0]),
+                                                                                               Float4::all(box.high[1]),
+                                                                                               Float4::all(box.high[2])}
+    {}
+
+    /// A bit for each box that overlaps this one.
+    unsigned overlaps(const FourBoxes &boxes) const
+    {
+        return (along(boxes, 0) & along(boxes, 1) & along(boxes, 2)).bits();
+    }
+
+private:
+    Mask4 along(const FourBoxes &boxes, int axis) const
+    {
+        return (low_[axis] <= boxes.highs(axis)) & (high_[axis] >= boxes.lows(axis));
+    }
+
+    Float4 low_[3], high_[3];
+};
+} // namespace ode_predictive_space
+
+#endif
