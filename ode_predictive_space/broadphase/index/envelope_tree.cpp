@@ -101,16 +101,11 @@ void EnvelopeTree::add(Index index, const Entry &entry)
 
 namespace
 {
-float doubled_centre(const FloatBox &box, int axis)
-{
-    return box.low[axis] + box.high[axis];
-}
-
 template <typename Overfull> void sort_along(Overfull &entries, int axis)
 {
     for (auto *entry = entries.begin() + 1; entry != entries.end(); ++entry)
         for (auto *one = entry;
-             one != entries.begin() && doubled_centre(one->box, axis) < doubled_centre(one[-1].box, axis); --one)
+             one != entries.begin() && one->box.doubled_centre(axis) < one[-1].box.doubled_centre(axis); --one)
             std::swap(*one, one[-1]);
 }
 
@@ -171,6 +166,67 @@ void EnvelopeTree::split(Index index, const Entry &extra)
     }
     put(parent, left);
     add(parent / width, right);
+}
+
+namespace
+{
+// In two halves, along the axis on which they spread most; not at all when there is room for them.
+SweptProxy *halve(SweptProxy *begin, SweptProxy *end, std::ptrdiff_t room)
+{
+    if (end - begin <= room)
+        return end;
+    Float4 least = begin->box.doubled_centres(), most = least;
+    for (const SweptProxy *leaf = begin + 1; leaf < end; ++leaf)
+    {
+        least = min(least, leaf->box.doubled_centres());
+        most = max(most, leaf->box.doubled_centres());
+    }
+    float spread[4];
+    (most - least).store(spread);
+    const auto axis = static_cast<int>(std::max_element(spread, spread + 3) - spread);
+    SweptProxy *const middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end, [axis](const SweptProxy &one, const SweptProxy &other) {
+        const float place = one.box.doubled_centre(axis), other_place = other.box.doubled_centre(axis);
+        return place != other_place ? place < other_place : one.proxy < other.proxy;
+    });
+    return middle;
+}
+} // namespace
+
+void EnvelopeTree::build(std::vector<SweptProxy> leaves)
+{
+    clear();
+    if (leaves.empty())
+        return;
+    for (const SweptProxy &leaf : leaves)
+        make_room(leaf.proxy);
+    std::ptrdiff_t room_below = 1;
+    while (width * room_below < static_cast<std::ptrdiff_t>(leaves.size()))
+        room_below *= width;
+    root_ = built(leaves.data(), leaves.data() + leaves.size(), room_below);
+}
+
+// A node with all these below it.
+//
+// @param room_below the most that can be below one of its places.
+EnvelopeTree::Index EnvelopeTree::built(SweptProxy *begin, SweptProxy *end, std::ptrdiff_t room_below)
+{
+    const Index index = allocate();
+    SweptProxy *const middle = halve(begin, end, room_below);
+    SweptProxy *const parts[] = {begin, halve(begin, middle, room_below), middle, halve(middle, end, room_below), end};
+    for (int i = 0; i < width; ++i)
+    {
+        if (parts[i] == parts[i + 1])
+            continue;
+        if (room_below == 1)
+            add(index, {parts[i]->box, static_cast<Index>(~parts[i]->proxy)});
+        else
+        {
+            const Index below = built(parts[i], parts[i + 1], room_below / width);
+            add(index, {nodes_[below].boxes.merged(), below});
+        }
+    }
+    return index;
 }
 
 // An envelope that stays among the same neighbours stays where it is: to take it out and to look for the best place takes several

@@ -33,7 +33,7 @@ public:
     void clear();
 
     /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
-    void build(const std::vector<SweptProxy> &leaves);
+    void build(std::vector<SweptProxy> leaves);
 
     bool empty() const { return root_ == none; }
 
@@ -117,7 +117,7 @@ private:
     void fill(Index node, const Entry *begin, const Entry *end);
     void take_out(Index place);
     void refit_upwards(Index node);
-    class Builder;
+    Index built(SweptProxy *begin, SweptProxy *end, std::ptrdiff_t room_below);
     bool consistent(Index node, int depth) const;
 
     std::vector<Node, CacheLineAllocator<Node>> nodes_;
