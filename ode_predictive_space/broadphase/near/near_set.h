@@ -201,12 +201,16 @@ template <typename Visit> void NearSet::drop_retired(Visit visit)
     activate_disturbed();
     if (!has_retired_)
         return;
-    keep_pairs([&](const CandidatePair &pair, std::size_t) {
-        const bool stays = !is_retired(pair);
-        if (!stays)
+    const auto goes = [&](const CandidatePair &pair) {
+        const bool goes = is_retired(pair);
+        if (goes)
             visit(pair);
-        return stays;
-    });
+        return goes;
+    };
+    if (looks_.empty())
+        pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), goes), pairs_.end());
+    else
+        keep_pairs([&](const CandidatePair &pair, std::size_t) { return !goes(pair); });
     std::fill(is_retired_.begin(), is_retired_.end(), std::uint8_t{0});
     has_retired_ = false;
 }
