@@ -90,7 +90,7 @@ void tree_query(benchmark::State &state)
     std::size_t found = 0;
     while (state.KeepRunning())
     {
-        tree.query(probes[random.index(probes.size())].box, [&](ProxyId) { ++found; });
+        tree.walk(BoxProbe(probes[random.index(probes.size())].box), [&](ProxyId) { ++found; });
     }
     state.counters["found"] = benchmark::Counter(static_cast<double>(found), benchmark::Counter::kAvgIterations);
 }
