@@ -42,9 +42,9 @@ extern "C" {
  * any length and may vary.
  *
  * A space of up to 16 geoms compares their boxes with one another, as a simple space does: that costs less than to predict. It begins
- * to predict with its seventeenth geom, with dPredictiveProximitySphere or dPredictiveProximityShape, when a role is set, and when it
- * is asked for a time, for encounters or to be validated, and then never ends. Until then its statistics count ticks and callbacks
- * alone.
+ * to predict with its seventeenth geom, with dPredictiveProximitySphere, with dPredictiveProximityShape as soon as there is a convex, mesh
+ * or heightfield among them, when a role is set, and when it is asked for a time, for encounters or to be validated, and then never
+ * ends. Until then its statistics count ticks and callbacks alone.
  *
  * Time is counted in ticks. A tick is one dSpaceCollide() on the space after something has moved: while nothing moves, no
  * time passes. In a program that only asks, the first question after a move counts as one, from the seventeenth in a row on. Lengths are in the

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "ode_predictive_space/space/geom_shape.h"
 #include "ode_predictive_space/space/noticed_geom.h"
 #include "ode_predictive_space/space/one_at_a_time.h"
 #include "ode_predictive_space/space/pair_filter.h"
@@ -268,6 +269,8 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     const bool nested_call = lock_count > 0;
     const Lock lock(this);
     ticks_ += !nested_call;
+    if (!predicts_ && looks_at_shapes())
+        start_predicting();
     if (predicts_)
         collide_predicted(nested_call, data, callback);
     else
@@ -293,6 +296,14 @@ void dxPredictiveSpace::collide_each(void *data, dNearCallback *callback)
     }
     for (auto pair = pairs.begin(); pair != end; ++pair)
         call_back(pair->one, pair->other, data, callback);
+}
+
+bool dxPredictiveSpace::has_geoms_with_data() const
+{
+    bool any = false;
+    for (const dxGeom *geom = first; geom; geom = geom->next)
+        any |= has_data(geom);
+    return any;
 }
 
 void dxPredictiveSpace::clean_each()
@@ -368,11 +379,11 @@ void dxPredictiveSpace::note_disabled(dxGeom *geom)
 
 void dxPredictiveSpace::set_proximity_test(ProximityTest test)
 {
-    if (test != ProximityTest::box)
+    if (test == ProximityTest::sphere)
         start_predicting();
     broadphase_.set_proximity_test(test);
     asked_hulls_.clear();
-    if (!by_box())
+    if (predicts_ && !by_box())
         for (dxGeom *geom = first; geom; geom = geom->next)
             note_changed_line(geom);
     forget_catching_up();

@@ -139,6 +139,9 @@ private:
     void start_predicting();
     void enrol(dxGeom *geom);
     void dismiss(dxGeom *geom);
+    // By the shape test; among few primitives, that does not pay.
+    bool looks_at_shapes() const { return by_shape() && (predicts_ || has_geoms_with_data()); }
+    bool has_geoms_with_data() const;
     void collide_each(void *data, dNearCallback *callback);
     void clean_each();
     void collide_predicted(bool nested_call, void *data, dNearCallback *callback);

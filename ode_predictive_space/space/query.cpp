@@ -68,7 +68,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     dAASSERT(geom && callback);
     const Lock lock(this);
     // By the shape test, data that were changed in place have to be noticed first.
-    if (static_cast<std::size_t>(count) <= tuning::few_to_ask && !by_shape())
+    if (static_cast<std::size_t>(count) <= tuning::few_to_ask && !looks_at_shapes())
         return ask_each(data, geom, callback);
     if (!catch_up("dSpaceCollide2"))
         return;
@@ -122,13 +122,17 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
 [[gnu::always_inline]] inline void dxPredictiveSpace::answer(dxGeom *other, const Question &question, bool is_on_line,
                                                              void *data, dNearCallback *callback)
 {
+    const auto are_primitives = [&] {
+        return by_shape() && !question.line && !has_data(other) && !has_data(question.geom);
+    };
     const int flags = flags_beside_others(other);
     if (!enabled(flags))
         return;
     if (flags & GEOM_AABB_BAD)
         compute_box(other);
     if (aabbs_overlap(other, question.geom) && bits_agree(other, question.geom) &&
-        wants_callback(other, question.geom) && (by_box() || may_touch(other, question, is_on_line)))
+        wants_callback(other, question.geom) &&
+        (by_box() || are_primitives() || may_touch(other, question, is_on_line)))
         callback(data, other, question.geom);
 }
 

@@ -105,7 +105,29 @@ TEST_F(FewGeoms, ArePredictedWhenTheSpaceIsValidated)
     EXPECT_TRUE(predicts());
 }
 
-TEST_F(FewGeoms, ArePredictedBySphereAndShapeAlsoAfterwards)
+TEST_F(FewGeoms, AreNotPredictedByShapeUntilAContactIsDearToFind)
+{
+    fill();
+    dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+    EXPECT_FALSE(predicts());
+    const dGeomID probe = number_geom(dCreateSphere(nullptr, 0.1), -2);
+    dGeomSetPosition(probe, dGeomGetPosition(geoms[3])[0], 0, 0);
+    EXPECT_EQ(collide2(as_geom(space), probe).size(), 1u);
+    dGeomDestroy(probe);
+    EXPECT_FALSE(predicts()) << "by a question";
+    dGeomDestroy(geoms.back());
+    geoms.pop_back();
+    const float heights[4] = {0, 0, 0, 0};
+    const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildSingle(field, heights, 0, 4, 4, 2, 2, 1, 0, 1, 0);
+    const dGeomID ground = number_geom(dCreateHeightfield(space, field, 1), few);
+    dGeomSetPosition(ground, 0, 100, 0);
+    EXPECT_TRUE(predicts());
+    dGeomDestroy(ground);
+    dGeomHeightfieldDataDestroy(field);
+}
+
+TEST_F(FewGeoms, ArePredictedBySphereAlsoAfterwards)
 {
     fill();
     expect_row();

@@ -94,6 +94,8 @@ TEST_F(Replay, JudgesCallbacksByTheirContacts)
 
 TEST_F(Replay, LeavesOutPairsByShapeAndSaysSo)
 {
+    for (int i = 0; i < 16; ++i) // in smaller scenes, shapes are not looked at
+        ball_at(dReal(10 * i), 50, 0);
     ball_at(0, 0, 0);
     ball_at(dReal(1.9), dReal(1.9), 0);
     ball_at(1, 0, 0);

@@ -332,7 +332,7 @@ def shape_faults():
         "rays_by_shape_meet_envelopes", "shapes", query, "if (question.line && ", "if (false && ",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
-        "data_not_noticed_by_questions", "shapes", query, "tuning::few_to_ask && !by_shape())", "tuning::few_to_ask)",
+        "data_not_noticed_by_questions", "shapes", query, "tuning::few_to_ask && !looks_at_shapes())", "tuning::few_to_ask)",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
         "planes_for_all_shapes_on_a_heightfield", "shapes", terrain,
@@ -457,7 +457,10 @@ def space_faults():
         "few_geoms_forgotten", "space", space, "tuning::few_objects)\n        start_predicting();",
         "tuning::few_objects)\n        predicts_ = true;", contract("FewGeoms.*"))
     yield Fault(
-        "few_geoms_by_box_alone", "space", space, "if (test != ProximityTest::box)\n        start_predicting();", "",
+        "dear_contacts_among_few_geoms_not_noticed", "space", space, "if (!predicts_ && looks_at_shapes())\n        start_predicting();", "",
+        contract("FewGeoms.*"))
+    yield Fault(
+        "few_geoms_by_box_alone", "space", space, "if (test == ProximityTest::sphere)\n        start_predicting();", "",
         contract("FewGeoms.*"))
     # What throws in the middle.
     faults = lambda pattern: (("faults", pattern),)
