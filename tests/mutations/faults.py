@@ -335,6 +335,11 @@ def shape_faults():
         "data_not_noticed_by_questions", "shapes", query, "tuning::few_to_ask && !looks_at_shapes())", "tuning::few_to_ask)",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
+        "rests_by_shapes_out_of_date", "shapes", BROADPHASE + "near/near_set.cpp",
+        "return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]); });",
+        "return looks_[i].due == 0 && test.looks_near(pairs_[i], looks_[i], payoff_); });",
+        (("shape_contract", "ShapeProximity.*"),))
+    yield Fault(
         "planes_for_all_shapes_on_a_heightfield", "shapes", terrain,
         "if (shape_.kind != ShapeKind::rounded)", "if (shape_.kind == ShapeKind::half_space)", heightfields)
     yield Fault(

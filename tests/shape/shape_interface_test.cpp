@@ -110,6 +110,53 @@ TEST_F(ShapeProximity, JudgesCapsulesByBoxesBesideMeshesThatKeepTheirTriangles)
     dGeomDestroy(coherent);
 }
 
+// In between, looks at primitives are given up and tried again.
+TEST_F(ShapeProximity, ReportsWhatComesToRestBeforeItIsLookedAtAgain)
+{
+    std::vector<dGeomID> row, others;
+    for (int i = 0; i < 60; ++i) // they touch at their ends, so that looks do not pay
+    {
+        row.push_back(dCreateBox(space, 4, 1, 1));
+        dGeomSetPosition(row.back(), dReal(3.9) * i, 0, 0);
+    }
+    const float corners[] = {-1, -1, -1, 1, -1, -1, 0, 1, -1, 0, 0, 1};
+    const dTriIndex sides[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+    const dTriMeshDataID data = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildSingle(data, corners, 3 * sizeof(float), 4, sides, 12, 3 * sizeof(dTriIndex));
+    const dGeomID mesh = dCreateTriMesh(space, data, nullptr, nullptr, nullptr); // is looked at in any case
+    dGeomSetPosition(mesh, 0, -50, 0);
+    row.push_back(ball(0, -51));
+    for (int i = 0; i < 4; ++i)
+    {
+        ball(0, dReal(50 + 10 * i));
+        others.push_back(ball(dReal(1.9), dReal(51.9 + 10 * i))); // the boxes overlap, the balls do not
+    }
+    const auto wiggle = [](const std::vector<dGeomID> &geoms, int tick) {
+        for (const dGeomID geom : geoms)
+        {
+            const dReal *place = dGeomGetPosition(geom);
+            dGeomSetPosition(geom, place[0] + (tick % 2 ? 1e-4 : -1e-4), place[1], place[2]);
+        }
+    };
+    constexpr int nearer = 100, still = 2070, end = 2200;
+    for (int tick = 0; tick < end; ++tick)
+    {
+        wiggle(row, tick);
+        if (tick < still)
+            wiggle(others, tick);
+        if (tick == nearer)
+            for (std::size_t i = 0; i < others.size(); ++i)
+                dGeomSetPosition(others[i], 1, dReal(50.5 + 10 * static_cast<double>(i)), 0);
+        const std::size_t reported = collide(space).size();
+        if (tick > nearer)
+        {
+            ASSERT_EQ(reported, 59u + 1 + others.size()) << "tick " << tick;
+        }
+    }
+    dGeomDestroy(mesh);
+    dGeomTriMeshDataDestroy(data);
+}
+
 TEST_F(ShapeProximity, NeedsNoLookAtBallsThatTouch)
 {
     ball(0, 0);

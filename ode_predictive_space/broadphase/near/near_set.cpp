@@ -33,10 +33,8 @@ CandidatePair *NearSet::report_by_shape(ShapeTest &test, Place *places, UpdateNu
         reset_cheap_looks();
     if (is_time_to_rest())
     {
-        let_rest(places, update, [&](std::size_t i) {
-            return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]) &&
-                   test.looks_near(pairs_[i], looks_[i], payoff_);
-        });
+        // As they were reported. (The shapes of those that were not looked at are out of date.)
+        let_rest(places, update, [&](std::size_t i) { return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]); });
         wanted_.clear();
         has_dear_ = false;
         for_each([&](const CandidatePair &pair, PairState) {
