@@ -122,6 +122,7 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
 [[gnu::always_inline]] inline void dxPredictiveSpace::answer(dxGeom *other, const Question &question, bool is_on_line,
                                                              void *data, dNearCallback *callback)
 {
+    // Asked here, because may_touch() is a call, and a space of primitives has no other pairs.
     const auto are_primitives = [&] {
         return by_shape() && !question.line && !has_data(other) && !has_data(question.geom);
     };

@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_FOUR_BOXES_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_FOUR_BOXES_H
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
@@ -84,11 +85,13 @@ class BoxProbe
 {
 public:
     explicit BoxProbe(const FloatBox &box)
-        : low_{Float4::all(box.low[0]), Float4::all(box.low[1]), Float4::all(box.low[2])}, high_{
-                                                                                               Float4::all(box.high[0]),
-                                                                                               Float4::all(box.high[1]),
-                                                                                               Float4::all(box.high[2])}
-    {}
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            low_[axis] = Float4::all(box.low[axis]);
+            high_[axis] = Float4::all(box.high[axis]);
+        }
+    }
 
     /// A bit for each box that overlaps this one.
     unsigned overlaps(const FourBoxes &boxes) const

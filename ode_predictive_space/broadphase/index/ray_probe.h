@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_RAY_PROBE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_RAY_PROBE_H
 
+#include <cmath>
 #include <limits>
 
 #include "ode_predictive_space/broadphase/base/four_boxes.h"
