@@ -55,10 +55,9 @@ TEST(BrokenState, NamesTheBodyAndWhatIsBroken)
         }
     }
     EXPECT_EQ(broken_state_of(nullptr), "");
-    EXPECT_EQ(broken_state_around(nullptr), "");
 }
 
-TEST(BrokenState, IsFoundInSpacesAroundAndWithin)
+TEST(SceneBodies, AreInSpacesAroundAndWithin)
 {
     const OdeUse ode;
     ProbeWorld world;
@@ -68,21 +67,91 @@ TEST(BrokenState, IsFoundInSpacesAroundAndWithin)
     const dBodyID body = world.add_body({0, 0, 0}, 1);
     const dGeomID geom = dCreateSphere(innermost, 1);
     dGeomSetBody(geom, body);
-    EXPECT_EQ(broken_state_around(probe), "");
+    SceneBodies bodies(probe);
+    EXPECT_EQ(bodies.broken_state(nullptr, probe), "");
     dBodySetLinearVel(body, nan, 0, 0);
-    EXPECT_EQ(broken_state_around(probe), broken_state_of(body));
+    EXPECT_EQ(bodies.broken_state(nullptr, probe), broken_state_of(body));
     EXPECT_NE(broken_state_of(body).find(address(geom)), std::string::npos);
 }
 
-TEST(BrokenState, IsNotLookedForInAQuadtree)
+TEST(SceneBodies, OfAKnownWorldNeedNoGeom)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    const dGeomID probe = dCreateSphere(world.space, 1);
+    const dBodyID body = world.add_body({0, 0, 0}, 1);
+    dBodySetAngularVel(body, nan, 0, 0);
+    EXPECT_EQ(SceneBodies(probe).broken_state(nullptr, probe), "");
+    EXPECT_EQ(SceneBodies(nullptr).broken_state(body, nullptr), broken_state_of(body)) << "it is the tool";
+    world.add_moving_box({1, 1, 1}, {3, 0, 0}, 1);
+    EXPECT_EQ(SceneBodies(probe).broken_state(nullptr, probe), broken_state_of(body));
+}
+
+TEST(SceneBodies, AreNotLookedForInAQuadtree)
 {
     const OdeUse ode;
     const dVector3 centre = {};
     const dVector3 extents = {1, 1, 1};
     const dSpaceID tree = dQuadTreeSpaceCreate(nullptr, centre, extents, 1);
     const dGeomID probe = dCreateSphere(tree, 1);
-    EXPECT_EQ(broken_state_around(probe), "") << "which cannot list its geoms";
+    EXPECT_EQ(SceneBodies(probe).broken_state(nullptr, probe), "") << "which cannot list its geoms";
     dSpaceDestroy(tree);
+}
+
+TEST(SceneBodies, MayComeLater)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    const dGeomID probe = dCreateSphere(world.space, 1);
+    SceneBodies bodies(probe);
+    EXPECT_EQ(bodies.broken_state(nullptr, probe), "");
+    const dBodyID late = world.add_moving_box({1, 1, 1}, {3, 0, 0}, 1);
+    dBodySetLinearVel(late, nan, 0, 0);
+    EXPECT_EQ(bodies.broken_state(nullptr, probe), broken_state_of(late));
+    dBodySetLinearVel(late, 0, 0, 0);
+    EXPECT_EQ(bodies.broken_state(nullptr, probe), "");
+    const dBodyID later = world.add_body({3, 0, 0}, 1);
+    dBodySetLinearVel(later, nan, 0, 0);
+    EXPECT_EQ(bodies.broken_state(nullptr, probe), broken_state_of(later));
+}
+
+TEST(SceneBodies, GoWithTheirWorldAndThoseOfTheNextOneAreFound)
+{
+    const OdeUse ode;
+    const dSpaceID space = dSimpleSpaceCreate(nullptr);
+    const dGeomID probe = dCreateSphere(space, 1);
+    dWorldID world = dWorldCreate();
+    dGeomSetBody(probe, dBodyCreate(world));
+    SceneBodies bodies(probe);
+    for (int i = 0; i < 3; ++i)
+    {
+        EXPECT_EQ(bodies.broken_state(nullptr, probe), "");
+        dWorldDestroy(world);
+        world = dWorldCreate();
+        const dBodyID body = dBodyCreate(world);
+        dGeomSetBody(probe, body);
+        dBodySetLinearVel(body, nan, 0, 0);
+        EXPECT_EQ(bodies.broken_state(nullptr, probe), broken_state_of(body));
+        dBodySetLinearVel(body, 0, 0, 0);
+    }
+    dWorldDestroy(world);
+    EXPECT_EQ(bodies.broken_state(nullptr, probe), "");
+    dSpaceDestroy(space);
+}
+
+TEST(SceneBodies, LeaveAWorldAsItWas)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    const dBodyID body = world.add_moving_box({1, 1, 1}, {3, 0, 0}, 1);
+    {
+        SceneBodies bodies(dBodyGetFirstGeom(body));
+        EXPECT_EQ(bodies.broken_state(nullptr, dBodyGetFirstGeom(body)), "");
+        EXPECT_EQ(dBodyGetNumJoints(body), 0);
+        EXPECT_EQ(dBodyGetNextGeom(dBodyGetFirstGeom(body)), nullptr);
+    }
+    EXPECT_EQ(first_body_of(dBodyGetWorld(body)), body);
+    EXPECT_EQ(next_body_of_world(body), nullptr);
 }
 
 using LoopBodyTest = HapticLoopTest;

@@ -187,8 +187,9 @@ class LoopParts;
 /// called several times as often, with a shorter dt. The probe's tool must not be a body then.
 ///
 /// A body whose position, rotation, velocity, spin, force or torque is not finite ends the loop before the scene is collided or
-/// stepped with it, with a std::runtime_error that names the body. This is looked at for all bodies with a geom in the spaces around
-/// the probe's, except in ODE's quadtrees, before and after collide().
+/// stepped with it, with a std::runtime_error that names the body. Before and after collide(), all bodies are looked at of the
+/// worlds that have a body with a geom in the spaces around the probe's, except in ODE's quadtrees, when the run begins. Where there is
+/// no such world yet, the first one is found later.
 ///
 /// However the loop ends, it ends with zero force: the duration is over, stop() or a StopRequest (within 1 ms, even while the
 /// program's part of a tick runs), an exception of the program (which run() rethrows), a lost device. Scene and servo that hang are

@@ -167,7 +167,8 @@ void IslandRollOut::hold_border(const std::vector<dBodyID> &border)
 /// All other bodies are disabled, so that ODE does not step them.
 void IslandRollOut::hold_others()
 {
-    for (const dBodyID body : bodies_of(dBodyGetWorld(states_.front().body)))
+    const dWorldID world = dBodyGetWorld(states_.front().body);
+    for (dBodyID body = first_body_of(world); body != nullptr; body = next_body_of_world(body))
     {
         if (dBodyIsEnabled(body) == 0 || known_.count(body) != 0)
             continue;

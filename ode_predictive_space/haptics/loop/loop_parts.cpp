@@ -1,7 +1,6 @@
 #include "ode_predictive_space/haptics/loop/loop_parts.h"
 
 #include "ode_predictive_space/haptics/contact/safe_collide.h"
-#include "ode_predictive_space/haptics/loop/scene_bodies.h"
 #include "ode_predictive_space/haptics/safety.h"
 #include "ode_predictive_space/haptics/touch_sensor.h"
 
@@ -44,7 +43,9 @@ AtEnd LoopParts::begin_turn()
     const auto run = std::make_shared<ActiveRun>();
     probe.take(run);
     std::atomic_store(&run_, run);
-    return AtEnd([run, &probe = probe] {
+    bodies_.emplace(scene_geom());
+    return AtEnd([run, this] {
+        bodies_.reset();
         probe.give_back();
         run->end();
     });
@@ -85,13 +86,17 @@ void LoopParts::note_rendered(const RenderedTick &tick)
     counts.held_back.store(probe.renderer().held_back(), std::memory_order_relaxed);
 }
 
+/// By which the scene is found. @return may be 0.
+dGeomID LoopParts::scene_geom() const
+{
+    const dBodyID tool = probe.tool_body();
+    return tool != nullptr ? dBodyGetFirstGeom(tool) : probe.geom();
+}
+
 // Before ODE does anything with them, and before the world is stepped.
 void LoopParts::check_bodies()
 {
-    const dBodyID tool = probe.tool_body();
-    std::string broken = broken_state_of(tool);
-    if (broken.empty())
-        broken = broken_state_around(tool != nullptr ? dBodyGetFirstGeom(tool) : probe.geom());
+    const std::string broken = bodies_->broken_state(probe.tool_body(), scene_geom());
     if (!broken.empty())
         throw std::runtime_error(broken);
 }

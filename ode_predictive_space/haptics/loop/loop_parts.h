@@ -5,6 +5,7 @@
 
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/loop/loop_guard.h"
+#include "ode_predictive_space/haptics/loop/scene_bodies.h"
 #include "ode_predictive_space/haptics/loop/scheduling.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
 
@@ -167,9 +168,11 @@ public:
     LoopCounts counts;
 
 private:
+    dGeomID scene_geom() const;
     void check_bodies();
 
-    std::shared_ptr<ActiveRun> run_; ///< for other threads by std::atomic_load() and std::atomic_store()
+    std::optional<SceneBodies> bodies_; ///< during a run
+    std::shared_ptr<ActiveRun> run_;    ///< for other threads by std::atomic_load() and std::atomic_store()
 };
 
 /// The loop of two threads: the caller's steps the scene, another one is the servo. Until the duration is over or the loop must end.

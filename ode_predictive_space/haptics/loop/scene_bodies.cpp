@@ -1,21 +1,27 @@
 #include "ode_predictive_space/haptics/loop/scene_bodies.h"
 
-#include "ode_predictive_space/haptics/contact/scene_geoms.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <ode/objects.h>
+#include <optional>
 #include <stdexcept>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
+constexpr std::ptrdiff_t furthest_begin = 64; // bytes
+
+/// Zero times what is not finite is not a number.
 bool is_finite(const dReal *numbers, int count)
 {
-    return std::all_of(numbers, numbers + count, [](dReal number) { return std::isfinite(number); });
+    dReal sum = 0;
+    for (int i = 0; i < count; ++i)
+        sum += 0 * numbers[i];
+    return sum == 0;
 }
 
 /// @return 0 when all is finite.
@@ -44,16 +50,17 @@ const ListedBody &listed(dBodyID body)
     return *reinterpret_cast<const ListedBody *>(body);
 }
 
-/// Asked of a world of its own.
-bool keeps_bodies_as_expected()
+/// Where in a world its list begins. Asked of a world of its own. @return none when its bodies are not listed as expected.
+std::optional<std::ptrdiff_t> find_begin_of_list()
 {
     const dWorldID world = dWorldCreate();
     const dBodyID first = dBodyCreate(world);
     const dBodyID second = dBodyCreate(world);
     const bool as_expected = listed(second).world == world && listed(second).next == first &&
                              listed(first).next == nullptr && listed(first).tome == &listed(second).next;
+    const std::ptrdiff_t begin = reinterpret_cast<char *>(listed(second).tome) - reinterpret_cast<char *>(world);
     dWorldDestroy(world);
-    return as_expected;
+    return as_expected && begin >= 0 && begin <= furthest_begin ? std::optional(begin) : std::nullopt;
 }
 } // namespace
 
@@ -71,31 +78,80 @@ std::string broken_state_of(dBodyID body)
     return sentence.data();
 }
 
-std::string broken_state_around(dGeomID geom)
+dBodyID first_body_of(dWorldID world)
 {
-    const dSpaceID scene = outermost_space_of(geom);
-    dBodyID broken = nullptr;
-    if (scene != nullptr)
-    {
-        for_each_geom(scene, [&](dGeomID other) {
-            const dBodyID body = dGeomGetBody(other);
-            if (broken == nullptr && body != nullptr && broken_part_of(body) != nullptr)
-                broken = body;
-        });
-    }
-    return broken_state_of(broken);
+    static const std::optional<std::ptrdiff_t> begin = find_begin_of_list();
+    if (!begin)
+        throw std::runtime_error("this version of ODE keeps the bodies of a world in an unknown way");
+    return *reinterpret_cast<dBodyID *>(reinterpret_cast<char *>(world) + *begin);
 }
 
-std::vector<dBodyID> bodies_of(dWorldID world)
+dBodyID next_body_of_world(dBodyID body)
 {
-    static const bool known = keeps_bodies_as_expected();
-    if (!known)
-        throw std::runtime_error("this version of ODE keeps the bodies of a world in an unknown way");
-    std::vector<dBodyID> bodies;
-    const dBodyID begin = dBodyCreate(world);
-    for (dBodyID body = listed(begin).next; body != nullptr; body = listed(body).next)
-        bodies.push_back(body);
-    dBodyDestroy(begin);
-    return bodies;
+    return listed(body).next;
+}
+
+WatchedWorld::WatchedWorld(dWorldID world) : geom_(dCreateSphere(nullptr, 1))
+{
+    const dBodyID mark = dBodyCreate(world);
+    dBodyDisable(mark);
+    dGeomSetBody(geom_, mark);
+}
+
+WatchedWorld::~WatchedWorld()
+{
+    if (geom_ == nullptr)
+        return;
+    if (const dBodyID mark = dGeomGetBody(geom_))
+        dBodyDestroy(mark);
+    dGeomDestroy(geom_);
+}
+
+dWorldID WatchedWorld::world() const
+{
+    const dBodyID mark = dGeomGetBody(geom_);
+    return mark != nullptr ? dBodyGetWorld(mark) : nullptr;
+}
+
+std::string SceneBodies::broken_state(dBodyID tool, dGeomID geom)
+{
+    const dSpaceID scene = outermost_space_of(geom);
+    if (forget_destroyed() || (worlds_.empty() && scene != nullptr && dSpaceGetNumGeoms(scene) != searched_))
+        find_worlds(scene);
+    add_world_of(tool);
+    for (const WatchedWorld &watched : worlds_)
+    {
+        for (dBodyID body = first_body_of(watched.world()); body != nullptr; body = next_body_of_world(body))
+        {
+            if (broken_part_of(body) != nullptr)
+                return broken_state_of(body);
+        }
+    }
+    return {};
+}
+
+/// @return whether there was one.
+bool SceneBodies::forget_destroyed()
+{
+    const std::size_t known = worlds_.size();
+    remove_from(worlds_, [](const WatchedWorld &watched) { return watched.world() == nullptr; });
+    return worlds_.size() != known;
+}
+
+void SceneBodies::find_worlds(dSpaceID scene)
+{
+    if (scene == nullptr)
+        return;
+    for_each_geom(scene, [this](dGeomID geom) { add_world_of(dGeomGetBody(geom)); });
+    searched_ = dSpaceGetNumGeoms(scene);
+}
+
+void SceneBodies::add_world_of(dBodyID body)
+{
+    if (body == nullptr)
+        return;
+    const dWorldID world = dBodyGetWorld(body);
+    if (find_in(worlds_, [world](const WatchedWorld &watched) { return watched.world() == world; }) == nullptr)
+        worlds_.emplace_back(world);
 }
 } // namespace ode_predictive_space::haptics
