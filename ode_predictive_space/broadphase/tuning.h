@@ -78,8 +78,8 @@ constexpr std::size_t most_sampled = 64;
 
 // --- Index ---
 
-/// Objects up to which a list is looked through more quickly than any tree. (game 100, ragdolls 20)
-constexpr std::size_t small_scene = 256;
+/// Objects up to which a list is looked through more quickly than any tree. (game 150; ragdolls 20 and rain 200: a tree is better)
+constexpr std::size_t small_scene = 192;
 
 /// A batch of more than this part of the scene, one over the number, is swept with all others. (heap 500)
 constexpr std::size_t part_of_bulk = 3;

@@ -101,12 +101,13 @@ void EnvelopeTree::add(Index index, const Entry &entry)
 
 namespace
 {
+// No two have the same content: so every machine sorts them alike.
 template <typename Overfull> void sort_along(Overfull &entries, int axis)
 {
-    for (auto *entry = entries.begin() + 1; entry != entries.end(); ++entry)
-        for (auto *one = entry;
-             one != entries.begin() && one->box.doubled_centre(axis) < one[-1].box.doubled_centre(axis); --one)
-            std::swap(*one, one[-1]);
+    std::sort(entries.begin(), entries.end(), [axis](const auto &one, const auto &other) {
+        const float place = one.box.doubled_centre(axis), other_place = other.box.doubled_centre(axis);
+        return place != other_place ? place < other_place : one.content < other.content;
+    });
 }
 
 // Sorts the entries along the axis on which they are best cut into two and three, or three and two: where the sum of half areas, each
