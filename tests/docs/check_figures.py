@@ -51,6 +51,7 @@ COLUMNS = {
     },
     "worlds_instructions.json": {"ours": "predictive-box", "now": "predictive-box", "best ODE / ours": "ratio"},
     "worlds_instructions_before.json": {"before": "predictive-box"},
+    "worlds_times.csv": {"dSpaceCollide": "ratio", "whole tick": "ratio of whole ticks"},
     "scenes_instructions.json": {"ours": "predictive-box", "now": "predictive-box", "best ODE / ours": "ratio"},
     "scenes_instructions_before.json": {"before": "predictive-box"},
     "instructions_without_hardening.json": {
@@ -70,6 +71,7 @@ KEYS = {
     "ticks.csv": ["scene", "n"],
     "whole_ticks.csv": ["scene", "n", "space"],
     "worlds_by_shape.csv": ["scene", "n"],
+    "worlds_times.csv": ["scene", "n"],
 }
 
 NAMING = ("line", "scene", "objects", "n", "what", "space")  # columns of pages that name a row
