@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/probe_world.h"
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <ode/ode.h>
@@ -211,10 +212,16 @@ struct HandWay
     double length;     ///< m
     double speed;      ///< m/s
     double duration;   ///< s; from the moment at which the hand sets out
+    double sway = 0;   ///< m; to and fro in x, once per second
 
     static constexpr double rests = 1; ///< s; before that, the forces ramp in
 
-    Vector3 at(double time) const { return from + std::clamp((time - rests) * speed, 0.0, length) * direction; }
+    Vector3 at(double time) const
+    {
+        const double out = std::max(time - rests, 0.0);
+        return from + std::min(out * speed, length) * direction +
+               sway * std::sin(2 * EIGEN_PI * out) * Vector3::UnitX();
+    }
 };
 
 /// A scene to be built, and a hand for it.
@@ -364,6 +371,15 @@ inline CouplingCase leaning(double duration)
     };
     box.hand = {{0, 0, 0.12}, -Vector3::UnitZ(), 0.01562, 0.02, duration};
     box.spread_across = 0;
+    return box;
+}
+
+/// The same hand, with friction, to and fro on the box: the box is too heavy to go with it.
+inline CouplingCase scrubbing(double duration)
+{
+    CouplingCase box = leaning(duration);
+    box.hand.sway = 0.02;
+    box.friction = 0.4;
     return box;
 }
 

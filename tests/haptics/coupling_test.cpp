@@ -140,6 +140,11 @@ TEST_P(LeaningTest, HalfAMinuteIsAsOneThread)
     expect_steady(30);
 }
 
+TEST_P(LeaningTest, TenSecondsOfScrubbingAreAsOneThread)
+{
+    expect_even(10);
+}
+
 INSTANTIATE_TEST_SUITE_P(Loops, LeaningTest, leaning_loops, leaning_name);
 
 TEST(Coupling, ItIsToldWhenTheSceneIsSteppedMoreOften)

@@ -1,4 +1,4 @@
-// A hand that leans on a box, in two threads as in one. QuickStep lifts the box by up to 2 mm now and then: the hand must not feel it.
+// A hand that leans on a box, or scrubs it, in two threads as in one. QuickStep lifts the box by up to 2 mm now and then: the hand must not feel it.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_LEANING_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_LEANING_H
@@ -10,6 +10,7 @@
 #include <iostream>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -17,25 +18,35 @@ namespace ode_predictive_space::haptics
 class LeaningTest : public testing::TestWithParam<std::tuple<Stepper, int>>
 {
 protected:
-    /// Prints the energy balance.
     static void expect_steady(double seconds)
     {
-        const auto [stepper, rate] = GetParam();
-        const Outcome truth = lean(seconds, stepper, one_thread);
-        const Outcome found = lean(seconds, stepper, rate);
-        std::cout << "one thread:  " << truth << "\ntwo threads: " << found << '\n';
+        const auto [truth, found] = expect_balanced(leaning(seconds));
         EXPECT_NEAR(found.peak_force, truth.peak_force, 0.05 * truth.peak_force);
         EXPECT_NEAR(found.least_force, truth.peak_force, 0.05 * truth.peak_force);
+    }
+
+    static void expect_even(double seconds)
+    {
+        const auto [truth, found] = expect_balanced(scrubbing(seconds));
+        EXPECT_NEAR(found.peak_force, truth.peak_force, 0.1 * truth.peak_force);
+        EXPECT_NEAR(found.least_force, truth.least_force, 0.1 * truth.least_force);
+        EXPECT_GT(truth.hand_work, 0.01 * seconds) << "nothing was scrubbed";
+        EXPECT_NEAR(found.hand_work, truth.hand_work, 0.05 * truth.hand_work);
+    }
+
+private:
+    /// Prints the energy balance. @return in one thread and in two.
+    static std::pair<Outcome, Outcome> expect_balanced(const CouplingCase &scenario)
+    {
+        const auto [stepper, rate] = GetParam();
+        const Outcome truth = CoupledRun(scenario, Vector3::Zero(), stepper, one_thread).outcome();
+        const Outcome found = CoupledRun(scenario, Vector3::Zero(), stepper, rate).outcome();
+        std::cout << "one thread:  " << truth << "\ntwo threads: " << found << '\n';
         EXPECT_NEAR(found.impulse, truth.impulse, 0.05 * truth.impulse);
         EXPECT_LE(found.unmatched, 1e-9);
         EXPECT_LE(found.made_energy, truth.made_energy + 0.05 * std::abs(found.hand_work));
         EXPECT_LE(found.given_to_hand, truth.given_to_hand + 0.05 * std::abs(truth.hand_work));
-    }
-
-private:
-    static Outcome lean(double seconds, Stepper stepper, double rate)
-    {
-        return CoupledRun(leaning(seconds), Vector3::Zero(), stepper, rate).outcome();
+        return {truth, found};
     }
 };
 
