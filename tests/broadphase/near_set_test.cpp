@@ -153,6 +153,32 @@ TEST_F(NearSetTest, ObjectsAtRestAreLookedAtWhenTheyMove)
         EXPECT_TRUE(set.rests(id));
 }
 
+TEST_F(NearSetTest, WhatHasNotMovedSinceTheFirstReportsRestsSoon)
+{
+    report();
+    EXPECT_EQ(set.resting(), 0u);
+    move({0});
+    report();
+    EXPECT_EQ(firsts(set.active()), (std::vector<ProxyId>{0}));
+    while (reports < 8)
+        report();
+    EXPECT_TRUE(set.active().empty());
+}
+
+TEST_F(NearSetTest, PairsAtRestDoNotTakeTheMemoryOfActiveOnes)
+{
+    constexpr std::size_t many = 200, pairs = many * (many - 1) / 2;
+    set.resize(many);
+    places.resize(many, places.front());
+    scene.overlapping.clear();
+    for (ProxyId id = objects; id < many; ++id)
+        for (ProxyId other = 0; other < id; ++other)
+            set.add({id, other}, false);
+    let_all_rest();
+    EXPECT_TRUE(set.active().empty());
+    EXPECT_LT(set.bytes(), 2 * pairs * sizeof(CandidatePair) + 20000);
+}
+
 TEST_F(NearSetTest, PairsOfMovedObjectsAreTestedOn)
 {
     scene.overlapping = {1};

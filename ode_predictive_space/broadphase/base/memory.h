@@ -29,11 +29,17 @@ template <typename T> void free_memory(std::vector<T> &elements)
     elements = std::vector<T>();
 }
 
+/// Gives the memory back that a one-off spike has left in an array.
+template <typename T> void give_back_spare(std::vector<T> &elements)
+{
+    if (elements.capacity() > tuning::kept_scratch && elements.size() < elements.capacity() / 8)
+        elements.shrink_to_fit();
+}
+
 /// Empties an array that is filled again in the next tick. It keeps its memory, unless that was grown by a one-off spike.
 template <typename T> void clear_scratch(std::vector<T> &scratch)
 {
-    if (scratch.capacity() > tuning::kept_scratch && scratch.size() < scratch.capacity() / 8)
-        free_memory(scratch);
+    give_back_spare(scratch);
     scratch.clear();
 }
 

@@ -197,6 +197,7 @@ template <typename Overlap> void NearSet::let_rest(Place *places, UpdateNumber u
             rest(overlap(i) ? overlapping_ : separated_, pair, places);
         return stays;
     });
+    give_back_spare(pairs_);
     rested_ = update;
 }
 
