@@ -13,36 +13,32 @@ void EncounterLog::add(double time, HapticProbe &probe)
 
 void EncounterLog::add(double time, const std::vector<Encounter> &encounters, const std::vector<Touch> &touches)
 {
+    const std::vector<Listed> now = list(time, encounters);
     std::vector<std::uintptr_t> touched;
-    const std::size_t first = contacts_.size();
     for (const Touch &touch : touches)
     {
         if (touch.depth < 0)
             continue; // near, in a decoupled loop's margin
         touched.push_back(touch.object);
-        if (std::find(touched_.begin(), touched_.end(), touch.object) == touched_.end())
-            log_contact(time, touch);
-    }
-    touched_ = std::move(touched);
-    list(time, encounters);
-    for (std::size_t i = first; i < contacts_.size(); ++i)
-    {
-        const Listed *listed = find(contacts_[i].object);
+        if (std::find(touched_.begin(), touched_.end(), touch.object) != touched_.end())
+            continue;
+        log_contact(time, touch.object);
+        const Listed *listed = find(now, touch.object);
         missed_ += listed == nullptr || !listed->near ? 1 : 0;
     }
+    touched_ = std::move(touched);
+    listed_ = now;
 }
 
-const EncounterLog::Listed *EncounterLog::find(std::uintptr_t object) const
+const EncounterLog::Listed *EncounterLog::find(const std::vector<Listed> &list, std::uintptr_t object)
 {
-    return find_in(listed_, [&](const Listed &listed) { return listed.object == object; });
+    return find_in(list, [&](const Listed &listed) { return listed.object == object; });
 }
 
-void EncounterLog::log_contact(double time, const Touch &touch)
+void EncounterLog::log_contact(double time, std::uintptr_t object)
 {
-    LoggedContact contact;
-    contact.object = touch.object;
-    contact.time = time;
-    if (const Listed *listed = find(touch.object))
+    LoggedContact contact{object, time};
+    if (const Listed *listed = find(listed_, object))
     {
         contact.foretold = true;
         contact.warning = time - listed->since;
@@ -52,15 +48,15 @@ void EncounterLog::log_contact(double time, const Touch &touch)
 }
 
 /// A body of several geoms can be listed several times: the soonest comes first, and counts.
-void EncounterLog::list(double time, const std::vector<Encounter> &encounters)
+std::vector<EncounterLog::Listed> EncounterLog::list(double time, const std::vector<Encounter> &encounters) const
 {
     std::vector<Listed> now;
     for (const Encounter &encounter : encounters)
     {
         const std::uintptr_t object = object_of(encounter.geom);
-        if (find_in(now, [&](const Listed &listed) { return listed.object == object; }) != nullptr)
+        if (find(now, object) != nullptr)
             continue;
-        const Listed *known = find(object);
+        const Listed *known = find(listed_, object);
         Listed listed = known != nullptr ? *known : Listed{object, time, time, false};
         listed.near = encounter.seconds <= 0;
         // What is near was foretold for this moment, unless it was for an earlier one.
@@ -68,7 +64,7 @@ void EncounterLog::list(double time, const std::vector<Encounter> &encounters)
             listed.forecast = time + encounter.seconds;
         now.push_back(listed);
     }
-    listed_ = std::move(now);
+    return now;
 }
 
 EncounterSummary EncounterLog::summary() const
@@ -76,27 +72,24 @@ EncounterSummary EncounterLog::summary() const
     EncounterSummary summary;
     summary.contacts = contacts_.size();
     summary.missed = missed_;
-    double warning = 0;
-    double early = 0;
     for (const LoggedContact &contact : contacts_)
     {
         if (!contact.foretold)
             continue;
         ++summary.foretold;
-        warning += contact.warning;
-        const double earliness = contact.time - contact.forecast;
-        if (earliness < -1e-9)
-        {
+        summary.mean_warning += contact.warning;
+        const double early = contact.time - contact.forecast;
+        if (early < -1e-9)
             ++summary.late;
-            continue;
+        else
+        {
+            summary.mean_early += early;
+            summary.max_early = std::max(summary.max_early, early);
         }
-        early += earliness;
-        summary.max_early = std::max(summary.max_early, earliness);
     }
-    if (summary.foretold > 0)
-        summary.mean_warning = warning / static_cast<double>(summary.foretold);
-    if (summary.foretold > summary.late)
-        summary.mean_early = early / static_cast<double>(summary.foretold - summary.late);
+    const std::size_t in_time = summary.foretold - summary.late;
+    summary.mean_warning /= static_cast<double>(std::max<std::size_t>(summary.foretold, 1));
+    summary.mean_early /= static_cast<double>(std::max<std::size_t>(in_time, 1));
     return summary;
 }
 

@@ -10,7 +10,7 @@ int main()
 {
     try
     {
-        std::printf("connected to %s\n", connect_to_spacenavd()->mouse().c_str());
+        std::printf("connected to %s\n", SpnavConnection().mouse().c_str());
     }
     catch (const DeviceError &error)
     {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <memory>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,7 +20,7 @@ DeviceError error_of_connecting()
 {
     try
     {
-        connect_to_spacenavd();
+        SpnavConnection();
     }
     catch (const DeviceError &error)
     {
@@ -32,16 +33,16 @@ DeviceError error_of_connecting()
 TEST(SpnavConnection, TellsTheMousesName)
 {
     const FakeSpacenavd server;
-    EXPECT_EQ(connect_to_spacenavd()->mouse(), "Stand-in Mouse");
+    EXPECT_EQ(SpnavConnection().mouse(), "Stand-in Mouse");
 }
 
 TEST(SpnavConnection, WorksWithAnOldServer)
 {
     FakeSpacenavd server(SpacenavdManner::old);
-    const auto connection = connect_to_spacenavd();
+    SpnavConnection connection;
     server.send_motion(1, 2, 3, 4, 5, 6);
     SpnavInput input;
-    connection->receive(input);
+    connection.receive(input);
     EXPECT_EQ(input.translation, Vector3(1, 2, -3));
     EXPECT_EQ(input.rotation, Vector3(4, 5, -6));
 }
@@ -49,7 +50,7 @@ TEST(SpnavConnection, WorksWithAnOldServer)
 TEST(SpnavConnection, FindsTheMouseWhileItIsMoved)
 {
     const FakeSpacenavd server(SpacenavdManner::busy_mouse);
-    EXPECT_NO_THROW(connect_to_spacenavd());
+    EXPECT_NO_THROW(SpnavConnection());
 }
 
 TEST(SpnavConnection, SaysThatTheServerHasNoMouse)
@@ -67,7 +68,7 @@ TEST(SpnavConnection, SurvivesAServerThatHangsUp)
         try
         {
             SpnavInput input;
-            connect_to_spacenavd()->receive(input);
+            SpnavConnection().receive(input);
             FAIL();
         }
         catch (const DeviceError &error)
@@ -121,12 +122,12 @@ TEST(SpnavConnectionDeathTest, NamesTheSocketThatMustNotBeOpened)
 TEST(SpnavConnection, IsTheOnlyOneOfItsProgram)
 {
     const FakeSpacenavd server;
-    auto first = connect_to_spacenavd();
+    auto first = std::make_unique<SpnavConnection>();
     const DeviceError error = error_of_connecting();
     EXPECT_EQ(error.fault(), DeviceFault::permission_denied);
     EXPECT_PRED_FORMAT2(IsSubstring, "another device of this program", error.what());
     SpnavInput input;
     EXPECT_NO_THROW(first->receive(input)) << "the first one goes on";
     first.reset();
-    EXPECT_NO_THROW(connect_to_spacenavd());
+    EXPECT_NO_THROW(SpnavConnection());
 }

@@ -14,8 +14,8 @@ namespace ode_predictive_space::haptics
 /// Each use states unit and frame.
 using Vector3 = Eigen::Vector3d;
 
-/// Converts from and to Eigen::Quaterniond, but is not aligned as that is: to 16 bytes, or to 32 where a program is compiled for
-/// AVX. With it the layout of this library's structs would depend on how a program is compiled.
+/// Converts from and to Eigen::Quaterniond. Not aligned, or the layout of this library's structs would depend on how a program is
+/// compiled.
 using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 /// What a device can do. All in SI units, in the device's own frame: x to the right, y up, z towards the person.
@@ -29,8 +29,7 @@ struct Capabilities
     double max_damping = 0;   ///< N s/m; the same
     double rate = 1000;       ///< Hz; nominal rate of its servo loop
     Eigen::AlignedBox3d workspace{Vector3::Constant(-0.1), Vector3::Constant(0.1)}; ///< m; within reach of the hand
-    double delay =
-        0; ///< s; from a position to the force that answers it, by device and driver, beyond the loop's own period
+    double delay = 0; ///< s; from a position to its force, by device and driver, beyond the loop's own period
 };
 
 /// Where the handle of a device is. SI units, the device's own frame.
@@ -82,9 +81,7 @@ const char *name_of(DeviceFault fault);
 class DeviceError : public std::runtime_error
 {
 public:
-    /// @param message one sentence; what() gives it.
     DeviceError(DeviceFault fault, const std::string &message) : std::runtime_error(message), fault_(fault) {}
-    /// What kind of fault it is: whether it may pass by itself.
     DeviceFault fault() const { return fault_; }
 
 private:
@@ -161,6 +158,10 @@ public:
 protected:
     /// Not open.
     explicit SoftwareDevice(Capabilities capabilities) : capabilities_(std::move(capabilities)) {}
+
+    /// Of a device that renders no force.
+    SoftwareDevice(const std::string &name, int input_axes,
+                   const Eigen::AlignedBox3d &workspace = Capabilities().workspace);
 
     /// Go back to the beginning of the motion. The device is not open if this throws.
     virtual void start() {}

@@ -15,9 +15,8 @@ const std::vector<std::string> &device_names();
 
 /// A device, not yet open.
 ///
-/// virtual: a VirtualDevice whose hand wants to follow a HandPath in its workspace; hand-path: a HandPathDevice; replay:FILE:
-/// a ReplayDevice of that file; mouse: a MouseDevice, which wants to be fed; spacenav: a SpacenavDevice; openhaptics: an
-/// OpenHapticsDevice; all with their default settings.
+/// Each is of the class that its name tells, with the default settings. The hand of "virtual" wants to follow a HandPath in the
+/// workspace; "mouse" wants to be fed.
 /// @param seed of the hand's path, for the first two.
 /// @throws std::invalid_argument for another name; the message lists the names.
 std::unique_ptr<Device> make_device(const std::string &name, std::uint64_t seed = 1);
@@ -75,7 +74,7 @@ public:
     /// words where it gave one.
     void open() override;
     void close() noexcept override;
-    const Capabilities &capabilities() const override;
+    const Capabilities &capabilities() const override { return capabilities_; }
 
     /// @throws DeviceError also when the force is not finite (failed); zero is rendered then.
     void write(const Wrench &wrench) override;
@@ -107,11 +106,14 @@ struct SpacenavSettings
 ///
 /// The cap's deflection is a rate: read() integrates it to a position, which starts at the origin and stops at the
 /// workspace's walls, and to an orientation. A pause of more than `longest_step` between two reads counts as that.
-/// There is no force: write() is accepted and ignored.
+/// There is no force: write() is accepted and ignored. One device can be open at a time, because libspnav has one connection for
+/// the whole program.
 ///
 /// The environment variable SPNAV_SOCKET names another server than that at /var/run/spnav.sock. If it is set and does
-/// not answer, open() fails; there is no falling back.
-class SpacenavDevice final : public Device
+/// not answer, open() fails; there is no falling back. open() throws DeviceError missing_library (this was built without
+/// libspnav), missing_file (no server at the socket), permission_denied (the socket's, libspnav's connection is taken, or
+/// SPNAV_SOCKET is set in a set-user-ID program), not_found (the server has no mouse), lost.
+class SpacenavDevice final : public SoftwareDevice
 {
 public:
     static constexpr double longest_step = 0.05;   ///< s
@@ -121,27 +123,23 @@ public:
     explicit SpacenavDevice(const SpacenavSettings &settings = {});
     ~SpacenavDevice() override;
 
-    /// Does nothing when it is open. One device can be open at a time, because libspnav has one connection for the
-    /// whole program.
-    ///
-    /// @throws DeviceError missing_library (this was built without libspnav), missing_file (no server at the socket),
-    /// permission_denied (the socket's, libspnav's connection is taken, or SPNAV_SOCKET is set in a set-user-ID program),
-    /// not_found (the server has no mouse), lost.
-    void open() override;
     void close() noexcept override;
-    const Capabilities &capabilities() const override { return capabilities_; }
 
-    /// @throws DeviceError lost, also when a mouse is unplugged; until close().
-    DeviceState read(double time) override;
+    /// @throws DeviceError lost, also when a mouse is unplugged; read() does the same, until close().
     void write(const Wrench &wrench) override;
-    DeviceStatus status() const override;
+
+protected:
+    void start() override;
+    DeviceState move_to(double seconds) override;
+    std::string idle_reason() const override;
 
 private:
-    class Session;
+    struct Session;
+
+    void check_connection() const;
 
     SpacenavSettings settings_;
-    Capabilities capabilities_;
-    std::unique_ptr<Session> session_;
+    std::unique_ptr<Session> session_; ///< while it is open
 };
 } // namespace ode_predictive_space::haptics
 

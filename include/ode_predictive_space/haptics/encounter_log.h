@@ -65,9 +65,9 @@ private:
         bool near;
     };
 
-    const Listed *find(std::uintptr_t object) const;
-    void log_contact(double time, const Touch &touch);
-    void list(double time, const std::vector<Encounter> &encounters);
+    static const Listed *find(const std::vector<Listed> &list, std::uintptr_t object);
+    void log_contact(double time, std::uintptr_t object);
+    std::vector<Listed> list(double time, const std::vector<Encounter> &encounters) const;
 
     std::vector<Listed> listed_;
     std::vector<std::uintptr_t> touched_; ///< in the tick before

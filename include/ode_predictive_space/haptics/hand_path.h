@@ -92,7 +92,6 @@ struct HandPathSettings
 class HandPath
 {
 public:
-    /// The same settings and seed give the same path.
     HandPath(const HandPathSettings &settings, std::uint64_t seed);
 
     /// Where the hand is `time` seconds after the start, in metres. Not const: reaches are drawn as they are needed, up to
@@ -126,15 +125,14 @@ private:
 
     struct Sine
     {
-        double frequency; ///< Hz
-        double phase;     ///< radians
+        double rate;  ///< radians/s
+        double phase; ///< radians
     };
 
     const Reach &reach_at(double time);
     Vector3 draw_target(const Vector3 &from);
     void add_reach();
-    Vector3 tremor(double time) const;
-    Vector3 tremor_velocity(double time) const;
+    template <class Value> Vector3 tremor(Value value_of) const;
 
     HandPathSettings settings_;
     Random random_;
@@ -142,12 +140,11 @@ private:
     std::vector<Reach> reaches_; ///< in the order of time, without gaps
 };
 
-/// The handle follows a HandPath: reaches of least jerk, with tremor. The same settings, seed and times give the same
-/// states. Forces are accepted and have no effect: see VirtualDevice for a hand that gives way.
+/// The handle follows a HandPath. Forces are accepted and have no effect: see VirtualDevice for a hand that gives way.
 class HandPathDevice : public SoftwareDevice
 {
 public:
-    /// Not open. The arguments are those of HandPath.
+    /// The arguments are those of HandPath.
     explicit HandPathDevice(const HandPathSettings &settings = {}, std::uint64_t seed = 1);
 
 protected:

@@ -4,12 +4,12 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RECORDING_H
 
 #include "ode_predictive_space/haptics/device.h"
+#include "ode_predictive_space/haptics/exchange.h"
 
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
-#include <cstdio>
-#include <memory>
+#include <fstream>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -21,11 +21,8 @@ namespace ode_predictive_space::haptics
 ///
 /// In a file it is a line of numbers between blanks:
 ///     t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz
-/// s, m, quaternion, N, bits, m/s, rad/s, in the device's own frame. The first 8 are the TUM trajectory format, and a file of
-/// only these, or of the first 12, can be read, too. Lines that begin with # are comments, but for one that begins with
-/// "# ode_predictive_space device:" and tells what the device can do, and one that begins with "# ode_predictive_space law:" and
-/// names the force law. Numbers are printed so that reading gives back the same
-/// doubles.
+/// s, m, quaternion, N, bits, m/s, rad/s, in the device's own frame; docs/haptics/recording.md has the rest of the format. Numbers are
+/// printed so that reading gives back the same doubles.
 struct RecordedTick
 {
     DeviceState state;               ///< its time: what read() was given
@@ -48,45 +45,43 @@ constexpr std::size_t most_recorded_ticks = 10'000'000;
 /// The most characters of a line, without its end. The longest line of numbers that a Recorder writes has less than 500.
 constexpr std::size_t longest_recorded_line = 4096;
 
-/// Read a run.
-///
-/// Quaternions that are of length 1 but for the few digits that they were written with are made so. The memory used is bounded
-/// whatever is in the file.
+/// Read a run. Quaternions that are of length 1 but for the few digits that they were written with are made so. The memory used is
+/// bounded whatever is in the file.
 /// @param most_ticks a file with more is bad.
 /// @throws DeviceError: missing_file, permission_denied; bad_file, which names the line.
 Recording read_recording(const std::string &file, std::size_t most_ticks = most_recorded_ticks);
 
 /// Writes a run to a file while the servo loop runs.
 ///
-/// add() puts a tick into a buffer whose memory is reserved when the recorder is made (some 200 bytes per tick); flush()
-/// writes what is in the buffer to the file. By default a thread of the recorder's own calls flush() 20 times a second; it
-/// inherits the scheduling of the thread that makes the recorder, so make it before that one becomes a real-time thread.
-/// A buffer that is full takes no more until it has been flushed: such ticks are lost, lost() counts them, and a comment in
-/// the file says how many are missing and where.
+/// add() puts a tick into a buffer that is made with the recorder (some 200 bytes per tick); flush() writes what is in it to the
+/// file. The recorder's own thread, which does that 20 times a second, inherits the scheduling of the thread that makes the
+/// recorder: make it before that one becomes a real-time thread. Ticks that find the buffer full are lost; a comment in the file
+/// says how many are missing and where.
 class Recorder
 {
 public:
-    /// Where flush() is called.
+    /// Who calls flush(), beside close().
     enum class Flush
     {
         by_itself, ///< a thread of the recorder's
-        by_caller  ///< and close()
+        by_caller
     };
 
     /// Make the file, or empty it.
     ///
     /// @param device what the device can do: a replay must have the same limits and workspace to give the same forces. Of a
     /// name of thousands of characters, the end is not written: see longest_recorded_line.
+    /// @param law ForceLaw::name(): one line. Without it, a replay does not know by which law the forces were made.
     /// @param capacity of the buffer, in ticks, > 0: one minute of 1 kHz by default.
     /// @throws DeviceError: missing_file (no such folder), permission_denied. std::invalid_argument.
-    Recorder(const std::string &file, const Capabilities &device, Flush flush = Flush::by_itself,
-             std::size_t capacity = 60000);
-
-    /// The same, and the file names the law, too: without it, a replay does not know by which one the forces were made.
-    ///
-    /// @param law ForceLaw::name(): one line.
     Recorder(const std::string &file, const Capabilities &device, const std::string &law,
              Flush flush = Flush::by_itself, std::size_t capacity = 60000);
+
+    /// The same, and the file names no law.
+    Recorder(const std::string &file, const Capabilities &device, Flush flush = Flush::by_itself,
+             std::size_t capacity = 60000)
+        : Recorder(file, device, std::string(), flush, capacity)
+    {}
 
     /// As close(), but what cannot be written is lost without a word.
     ~Recorder();
@@ -111,7 +106,7 @@ public:
     void close();
 
     std::size_t lost() const { return lost_; }         ///< ticks so far; from any thread
-    std::size_t recorded() const { return produced_; } ///< ticks so far; from any thread
+    std::size_t recorded() const { return recorded_; } ///< ticks so far; from any thread
 
 private:
     struct Entry
@@ -120,35 +115,26 @@ private:
         std::size_t lost_before; ///< of all ticks up to this one
     };
 
-    struct FileCloser
-    {
-        void operator()(std::FILE *file) const { std::fclose(file); }
-    };
-
     void write_header(const Capabilities &device, const std::string &law);
     void write_entries();
     void append_loss(std::size_t lost);
     void write_text();
-    [[noreturn]] void fail();
+    void check_file() const;
     void close_file();
     void flush_often();
-    bool stops_within(std::chrono::milliseconds time);
-    void stop_thread();
 
     std::string name_;
-    std::vector<Entry> buffer_;            ///< a ring: entry i is at i modulo its size
-    std::atomic<std::size_t> produced_{0}; ///< entries; only add() changes it
-    std::atomic<std::size_t> consumed_{0}; ///< entries; only flush() changes it
-    std::atomic<std::size_t> lost_{0};     ///< ticks; only add() changes it
-    double last_time_;                     ///< s; of add()
-    std::mutex file_mutex_;                ///< guards what follows, up to the thread
-    std::unique_ptr<std::FILE, FileCloser> file_;
-    bool failed_ = false;
+    Queue<Entry> buffer_;
+    std::atomic<std::size_t> recorded_{0};                        ///< ticks; only add() changes it
+    std::atomic<std::size_t> lost_{0};                            ///< the same
+    double last_time_ = -std::numeric_limits<double>::infinity(); ///< s; of add()
+    std::mutex file_mutex_;                                       ///< guards what follows, up to the thread
+    std::ofstream file_;
+    std::size_t written_ = 0; ///< ticks
     std::size_t losses_written_ = 0;
     std::string text_; ///< not yet written
-    std::mutex thread_mutex_;
-    std::condition_variable stop_;
     bool stopping_ = false;
+    std::condition_variable stop_;
     std::thread thread_;
 };
 

@@ -60,22 +60,14 @@ public:
 
     const Vector3 &true_position() const { return position_; } ///< m; what encoders and delay hide
     const Vector3 &true_velocity() const { return velocity_; } ///< m/s; the same
-    const Vector3 &rendered_force() const
-    {
-        return rendered_.front();
-    } ///< N; what the hand feels until the next read()
+    /// N; what the hand feels until the next read().
+    const Vector3 &rendered_force() const { return rendered_.front(); }
 
 protected:
     void start() override;
     DeviceState move_to(double seconds) override;
 
 private:
-    struct Reading
-    {
-        Vector3 position;
-        Vector3 velocity;
-    };
-
     /// Of the hand over one step; not aligned, for the reason given at Quaternion.
     using Transition = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
 
@@ -87,12 +79,12 @@ private:
 
     VirtualDeviceSettings settings_;
     TargetPath target_;
-    double seconds_ = 0;            ///< up to which the hand has moved
-    Vector3 target_position_;       ///< m; at that time
-    Vector3 position_;              ///< m
-    Vector3 velocity_;              ///< m/s
-    std::vector<Vector3> rendered_; ///< N; the force of this tick, then those of the next ones: force_delay + 1
-    std::vector<Reading> readings_; ///< what is told in this tick, then later: position_delay + 1
+    double seconds_ = 0;                ///< up to which the hand has moved
+    Vector3 target_position_;           ///< m; at that time
+    Vector3 position_;                  ///< m
+    Vector3 velocity_;                  ///< m/s
+    std::vector<Vector3> rendered_;     ///< N; the force of this tick, then those of the next ones: force_delay + 1
+    std::vector<DeviceState> readings_; ///< what is told in this tick, then later: position_delay + 1
 };
 } // namespace ode_predictive_space::haptics
 

@@ -71,8 +71,6 @@ public:
     const WorkspacePlacement &placement() const { return placement_; }
 
 private:
-    ToolState map(const DeviceState &device) const;
-
     WorkspacePlacement placement_;
     Quaternion grip_ = Quaternion::Identity(); // the tool's orientation in the handle's frame
     bool clutched_ = false;

@@ -13,6 +13,14 @@ const char *name_of(DeviceFault fault)
     return names[static_cast<int>(fault)];
 }
 
+SoftwareDevice::SoftwareDevice(const std::string &name, int input_axes, const Eigen::AlignedBox3d &workspace)
+{
+    capabilities_.name = name;
+    capabilities_.input_axes = input_axes;
+    capabilities_.force_axes = 0;
+    capabilities_.workspace = workspace;
+}
+
 void SoftwareDevice::open()
 {
     if (!open_)

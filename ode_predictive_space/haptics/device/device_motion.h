@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ode_predictive_space::haptics
 {
@@ -22,16 +23,18 @@ public:
     void follow(DeviceState &state)
     {
         tells_velocity_ = tells_velocity_ || !state.linear_velocity.isZero(0);
-        if (!has_last_)
-        {
-            measured_ = state;
-            last_ = state;
-            has_last_ = true;
-        }
+        if (!last_)
+            last_ = measured_ = state;
         // A device cannot have moved for less than its period, whatever two reads say of their times.
-        speed_ = (state.position - last_.position).norm() / std::max(period_, state.time - last_.time);
+        speed_ = (state.position - last_->position).norm() / std::max(period_, state.time - last_->time);
         last_ = state;
-        estimate(state);
+        const double elapsed = state.time - measured_.time;
+        if (elapsed >= whole_period * period_)
+        {
+            const Vector3 mean = (state.position - measured_.position) / elapsed;
+            velocity_ += (1 - std::exp(-elapsed / smoothing)) * (mean - velocity_);
+            measured_ = state;
+        }
         if (!tells_velocity_)
             state.linear_velocity = velocity_;
     }
@@ -42,31 +45,19 @@ public:
     /// What comes next has nothing to do with what was.
     void forget()
     {
-        has_last_ = false;
+        last_.reset();
         speed_ = 0;
         velocity_.setZero();
     }
 
 private:
-    void estimate(const DeviceState &state)
-    {
-        const double elapsed = state.time - measured_.time;
-        if (elapsed >= whole_period * period_)
-        {
-            const Vector3 mean = (state.position - measured_.position) / elapsed;
-            velocity_ += (1 - std::exp(-elapsed / smoothing)) * (mean - velocity_);
-            measured_ = state;
-        }
-    }
-
     static constexpr double smoothing = 0.002;   ///< s
     static constexpr double whole_period = 0.99; ///< of one: times are rounded
 
     double period_; ///< s
-    bool has_last_ = false;
     bool tells_velocity_ = false;
     double speed_ = 0;
-    DeviceState last_;
+    std::optional<DeviceState> last_;
     DeviceState measured_; ///< at least a period before: from there on, the velocity is measured
     Vector3 velocity_ = Vector3::Zero();
 };

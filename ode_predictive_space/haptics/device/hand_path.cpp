@@ -15,16 +15,6 @@ double least_jerk_slope(double u)
 {
     return 30 * u * u * (1 - u) * (1 - u);
 }
-
-Capabilities capabilities_of_hand(const HandPathSettings &settings, double half_extent)
-{
-    Capabilities capabilities;
-    capabilities.name = "hand path";
-    capabilities.force_axes = 0;
-    const Vector3 half = Vector3::Constant(half_extent);
-    capabilities.workspace = {settings.centre - half, settings.centre + half};
-    return capabilities;
-}
 } // namespace
 
 HandPath::HandPath(const HandPathSettings &settings, std::uint64_t seed) : settings_(settings), random_(seed)
@@ -33,7 +23,7 @@ HandPath::HandPath(const HandPathSettings &settings, std::uint64_t seed) : setti
     {
         for (Sine &sine : axis)
         {
-            sine.frequency = random_.uniform(8, 12);
+            sine.rate = full_turn * random_.uniform(8, 12);
             sine.phase = random_.uniform(0, full_turn);
         }
     }
@@ -41,7 +31,8 @@ HandPath::HandPath(const HandPathSettings &settings, std::uint64_t seed) : setti
 
 Vector3 HandPath::position(double time)
 {
-    return intended_position(time) + settings_.scale * tremor(time);
+    return intended_position(time) +
+           settings_.scale * tremor([time](const Sine &sine) { return std::sin(sine.rate * time + sine.phase); });
 }
 
 Vector3 HandPath::intended_position(double time)
@@ -57,7 +48,8 @@ Vector3 HandPath::velocity(double time)
     const Reach &reach = reach_at(time);
     const double u = std::clamp((time - reach.start) / reach.duration, 0.0, 1.0);
     const Vector3 hand = least_jerk_slope(u) / reach.duration * (reach.to - reach.from);
-    return settings_.scale * (hand + tremor_velocity(time));
+    const auto slope = [time](const Sine &sine) { return sine.rate * std::cos(sine.rate * time + sine.phase); };
+    return settings_.scale * (hand + tremor(slope));
 }
 
 std::array<double, 2> HandPath::reach_times(double time)
@@ -111,35 +103,21 @@ Vector3 HandPath::draw_target(const Vector3 &from)
     }
 }
 
-Vector3 HandPath::tremor(double time) const
-{
-    Vector3 sum;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        const auto &[first, second] = tremor_[axis];
-        sum[axis] = std::sin(full_turn * first.frequency * time + first.phase) +
-                    std::sin(full_turn * second.frequency * time + second.phase);
-    }
-    return 0.5 * settings_.tremor * sum;
-}
-
-Vector3 HandPath::tremor_velocity(double time) const
+template <class Value> Vector3 HandPath::tremor(Value value_of) const
 {
     Vector3 sum = Vector3::Zero();
     for (int axis = 0; axis < 3; ++axis)
-    {
-        for (const Sine &sine : tremor_[axis])
-        {
-            const double turn_rate = full_turn * sine.frequency;
-            sum[axis] += turn_rate * std::cos(turn_rate * time + sine.phase);
-        }
-    }
+        for (const Sine &sine : tremor_[static_cast<std::size_t>(axis)])
+            sum[axis] += value_of(sine);
     return 0.5 * settings_.tremor * sum;
 }
 
 HandPathDevice::HandPathDevice(const HandPathSettings &settings, std::uint64_t seed)
-    : SoftwareDevice(capabilities_of_hand(settings, HandPath(settings, seed).half_extent())), path_(settings, seed)
-{}
+    : SoftwareDevice("hand path", 3), path_(settings, seed)
+{
+    const Vector3 half = Vector3::Constant(path_.half_extent());
+    capabilities_.workspace = {settings.centre - half, settings.centre + half};
+}
 
 void HandPathDevice::start()
 {

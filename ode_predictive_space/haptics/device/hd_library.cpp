@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <dlfcn.h>
 #include <iterator>
 
@@ -70,44 +69,18 @@ std::string file_of(void *symbol)
     Dl_info info{};
     return symbol != nullptr && dladdr(symbol, &info) != 0 ? info.dli_fname : "the library";
 }
+} // namespace
 
-template <typename Function> void find(void *handle, const char *name, Function *&function)
+hd::Symbol hd::symbol_of(void *library, const char *name)
 {
-    void *symbol = dlsym(handle, name);
-    if (symbol == nullptr)
+    void *const address = dlsym(library, name);
+    if (address == nullptr)
     {
         throw DeviceError(DeviceFault::missing_symbol,
-                          "OpenHaptics: " + file_of(dlsym(handle, "hdInitDevice")) + " has no function " + name);
+                          "OpenHaptics: " + file_of(dlsym(library, "hdInitDevice")) + " has no function " + name);
     }
-    // The way POSIX gives for an object pointer that is a function's.
-    std::memcpy(&function, &symbol, sizeof symbol);
+    return {address};
 }
-
-hd::Functions functions_in(void *handle)
-{
-    hd::Functions functions{};
-    find(handle, "hdInitDevice", functions.init_device);
-    find(handle, "hdDisableDevice", functions.disable_device);
-    find(handle, "hdMakeCurrentDevice", functions.make_current_device);
-    find(handle, "hdBeginFrame", functions.begin_frame);
-    find(handle, "hdEndFrame", functions.end_frame);
-    find(handle, "hdGetError", functions.get_error);
-    find(handle, "hdGetErrorString", functions.get_error_string);
-    find(handle, "hdGetString", functions.get_string);
-    find(handle, "hdEnable", functions.enable);
-    find(handle, "hdDisable", functions.disable);
-    find(handle, "hdGetDoublev", functions.get_doublev);
-    find(handle, "hdGetIntegerv", functions.get_integerv);
-    find(handle, "hdSetDoublev", functions.set_doublev);
-    find(handle, "hdStartScheduler", functions.start_scheduler);
-    find(handle, "hdStopScheduler", functions.stop_scheduler);
-    find(handle, "hdScheduleAsynchronous", functions.schedule_asynchronous);
-    find(handle, "hdUnschedule", functions.unschedule);
-    find(handle, "hdCheckCalibration", functions.check_calibration);
-    find(handle, "hdUpdateCalibration", functions.update_calibration);
-    return functions;
-}
-} // namespace
 
 HdConsequence consequence_of(std::uint32_t error_code)
 {
@@ -119,7 +92,7 @@ const char *name_of_hd_error(std::uint32_t error_code)
     return known_error(error_code).name;
 }
 
-HdLibrary::HdLibrary(const std::vector<std::string> &files) : functions_(functions_in(load_first_of(files))) {}
+HdLibrary::HdLibrary(const std::vector<std::string> &files) : functions_(load_first_of(files)) {}
 
 HdFault HdLibrary::take_errors() const
 {

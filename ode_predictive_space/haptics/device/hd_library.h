@@ -61,28 +61,42 @@ constexpr Enum calibration_needs_update = 0x5001;
 constexpr std::uint32_t success = 0;
 constexpr std::uint32_t invalid_license = 0x600;
 
-/// The library's functions, hdInitDevice and so on, by our names.
+/// Where a function of the library is; becomes a pointer of the type that is declared for it.
+struct Symbol
+{
+    void *address;
+    template <typename Function> operator Function *() const { return reinterpret_cast<Function *>(address); }
+};
+
+/// @throws DeviceError missing_symbol.
+Symbol symbol_of(void *library, const char *name);
+
+/// The library's functions by our names.
 struct Functions
 {
-    Handle (*init_device)(const char *configuration);
-    void (*disable_device)(Handle);
-    void (*make_current_device)(Handle);
-    void (*begin_frame)(Handle);
-    void (*end_frame)(Handle);
-    ErrorInfo (*get_error)(); ///< takes the newest error off the library's stack
-    const char *(*get_error_string)(std::uint32_t code);
-    const char *(*get_string)(Enum);
-    void (*enable)(Enum);
-    void (*disable)(Enum);
-    void (*get_doublev)(Enum, double *);
-    void (*get_integerv)(Enum, int *);
-    void (*set_doublev)(Enum, const double *);
-    void (*start_scheduler)();
-    void (*stop_scheduler)();
-    SchedulerHandle (*schedule_asynchronous)(Callback, void *data, std::uint16_t priority);
-    void (*unschedule)(SchedulerHandle);
-    Enum (*check_calibration)();
-    void (*update_calibration)(Enum style);
+    explicit Functions(void *loaded) : library(loaded) {}
+
+    void *library;
+    Handle (*init_device)(const char *configuration) = symbol_of(library, "hdInitDevice");
+    void (*disable_device)(Handle) = symbol_of(library, "hdDisableDevice");
+    void (*make_current_device)(Handle) = symbol_of(library, "hdMakeCurrentDevice");
+    void (*begin_frame)(Handle) = symbol_of(library, "hdBeginFrame");
+    void (*end_frame)(Handle) = symbol_of(library, "hdEndFrame");
+    ErrorInfo (*get_error)() = symbol_of(library, "hdGetError"); ///< takes the newest error off the library's stack
+    const char *(*get_error_string)(std::uint32_t code) = symbol_of(library, "hdGetErrorString");
+    const char *(*get_string)(Enum) = symbol_of(library, "hdGetString");
+    void (*enable)(Enum) = symbol_of(library, "hdEnable");
+    void (*disable)(Enum) = symbol_of(library, "hdDisable");
+    void (*get_doublev)(Enum, double *) = symbol_of(library, "hdGetDoublev");
+    void (*get_integerv)(Enum, int *) = symbol_of(library, "hdGetIntegerv");
+    void (*set_doublev)(Enum, const double *) = symbol_of(library, "hdSetDoublev");
+    void (*start_scheduler)() = symbol_of(library, "hdStartScheduler");
+    void (*stop_scheduler)() = symbol_of(library, "hdStopScheduler");
+    SchedulerHandle (*schedule_asynchronous)(Callback, void *data,
+                                             std::uint16_t priority) = symbol_of(library, "hdScheduleAsynchronous");
+    void (*unschedule)(SchedulerHandle) = symbol_of(library, "hdUnschedule");
+    Enum (*check_calibration)() = symbol_of(library, "hdCheckCalibration");
+    void (*update_calibration)(Enum style) = symbol_of(library, "hdUpdateCalibration");
 };
 } // namespace ode_predictive_space::haptics::hd
 

@@ -15,7 +15,8 @@ namespace ode_predictive_space::haptics
 /// One frame of the arm, SI units; its time is not set.
 struct HdSample
 {
-    std::uint64_t frame = 0; ///< counted from 1; 0: no frame yet
+    std::uint64_t frame = 0;  ///< counted from 1; 0: no frame yet
+    hd::Enum calibration = 0; ///< what the library said in the first frame
     DeviceState state;
 };
 
@@ -59,13 +60,8 @@ public:
 
     // --- Of any thread
 
-    std::uint64_t frames() const { return frames_.load(std::memory_order_acquire); }
-
     /// Frames since rest() in which zero was set.
     std::uint64_t frames_at_rest() const { return frames_at_rest_.load(std::memory_order_acquire); }
-
-    /// What the library said in the first frame, 0 before that.
-    hd::Enum calibration() const { return calibration_.load(std::memory_order_acquire); }
 
     /// The error that a pause began with, told once.
     HdFault take_pause() { return begun_pause_.exchange({}, std::memory_order_acq_rel); }
@@ -80,7 +76,7 @@ private:
     void run_frame()
     {
         library_->begin_frame(device_);
-        if (calibration() == 0)
+        if (calibration_ == 0)
             calibrate();
         take_state();
         const Vector3 force = force_of_this_frame();
@@ -91,22 +87,20 @@ private:
             note(fault);
         // What was read in a frame that went wrong may be anything: its reader gets the error, too.
         samples_.publish();
-        frames_.fetch_add(1, std::memory_order_acq_rel);
     }
 
     void calibrate()
     {
-        hd::Enum calibration = library_->check_calibration();
-        if (calibration == hd::calibration_needs_update)
+        calibration_ = library_->check_calibration();
+        if (calibration_ == hd::calibration_needs_update)
         {
             // The arm lies as it must (in its inkwell, for instance) and the library waits for leave to use that.
             int styles = 0;
             library_->get_integerv(hd::calibration_style, &styles);
             const int first_style = styles & -styles;
             library_->update_calibration(static_cast<hd::Enum>(first_style));
-            calibration = library_->check_calibration();
+            calibration_ = library_->check_calibration();
         }
-        calibration_.store(calibration, std::memory_order_release);
     }
 
     void take_state()
@@ -114,7 +108,8 @@ private:
         double transform[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
         int buttons = 0;
         HdSample &sample = samples_.draft();
-        sample.frame = frames() + 1;
+        sample.frame = ++frame_;
+        sample.calibration = calibration_;
         library_->get_doublev(hd::current_position, sample.state.position.data());
         library_->get_doublev(hd::current_velocity, sample.state.linear_velocity.data());
         library_->get_doublev(hd::current_transform, transform);
@@ -171,13 +166,13 @@ private:
     // Of the servo thread alone.
     std::uint32_t age_;
     std::uint32_t pause_left_ = 0;
+    std::uint64_t frame_ = 0;
+    hd::Enum calibration_ = 0;
 
     Snapshot<HdSample> samples_;
     Snapshot<Vector3> forces_;
     std::atomic<bool> resting_{false};
-    std::atomic<std::uint64_t> frames_{0};
     std::atomic<std::uint64_t> frames_at_rest_{0};
-    std::atomic<hd::Enum> calibration_{0};
     std::atomic<HdFault> begun_pause_{HdFault()};
     std::atomic<HdFault> pause_fault_{HdFault()};
     std::atomic<HdFault> end_{HdFault()};

@@ -6,19 +6,8 @@
 
 namespace ode_predictive_space::haptics
 {
-namespace
-{
-Capabilities capabilities_of(const MouseSettings &settings)
-{
-    Capabilities capabilities;
-    capabilities.name = "mouse";
-    capabilities.force_axes = 0;
-    capabilities.workspace = settings.workspace;
-    return capabilities;
-}
-} // namespace
-
-MouseDevice::MouseDevice(const MouseSettings &settings) : SoftwareDevice(capabilities_of(settings)), settings_(settings)
+MouseDevice::MouseDevice(const MouseSettings &settings)
+    : SoftwareDevice("mouse", 3, settings.workspace), settings_(settings)
 {
     check_positive(settings.metres_per_pixel, "mouse: metres per pixel");
     check_positive(settings.metres_per_wheel_step, "mouse: metres per wheel step");

@@ -22,9 +22,6 @@ constexpr auto longest_wait_for_rest = 100ms;
 constexpr std::uint64_t frames_for_rest = 2;
 
 constexpr double millimetres_per_metre = 1e3; // the library tells N/mm, mm
-constexpr const char *servo_ended = "the servo thread has ended";
-constexpr const char *force_paused = "no force is rendered for a while";
-constexpr const char *servo_silent = "the servo thread runs no more";
 
 std::vector<std::string> files_of(const OpenHapticsSettings &settings)
 {
@@ -95,7 +92,7 @@ public:
         const HdSample &sample = servo_.read();
         note_silence(sample.frame, time);
         const HdFault begun = servo_.take_pause();
-        throw_faults(begun ? begun : servo_.pause());
+        throw_fault(begun ? begun : servo_.pause());
         DeviceState state = sample.state;
         state.time = time_of_frame_;
         return state;
@@ -104,21 +101,13 @@ public:
     void write(const Vector3 &force)
     {
         servo_.write(force.allFinite() ? force : Vector3(Vector3::Zero()));
-        throw_faults(servo_.take_pause()); // once: a caller that writes zero because of it has done what is to be done
+        throw_fault(servo_.take_pause()); // once: a caller that writes zero because of it has done what is to be done
         if (!force.allFinite())
             throw hd_error(DeviceFault::failed, "a force was written that is not finite; none is rendered");
     }
 
-    std::string what_is_wrong() const
-    {
-        if (const HdFault end = servo_.end())
-            return std::string(servo_ended) + ": " + library_.describe(end);
-        if (is_silent_)
-            return servo_silent;
-        if (const HdFault pause = servo_.pause())
-            return std::string(force_paused) + ": " + library_.describe(pause);
-        return {};
-    }
+    /// Why no force is rendered now.
+    std::optional<DeviceError> fault() const { return fault_with(servo_.pause()); }
 
 private:
     /// @throws DeviceError when the library has an error to tell.
@@ -189,13 +178,12 @@ private:
         check("the force output of " + name_ + " cannot be switched on");
     }
 
-    void wait_until_ready() const
+    void wait_until_ready()
     {
-        if (!wait_for([this] { return servo_.frames() > 0; }, longest_wait_for_first_frame))
+        if (!wait_for([this] { return servo_.read().frame > 0; }, longest_wait_for_first_frame))
             throw hd_error(DeviceFault::failed, "the scheduler was started and its servo thread does not run");
-        if (const HdFault end = servo_.end())
-            throw library_.error(servo_ended, end);
-        if (servo_.calibration() != hd::calibration_ok)
+        throw_fault({});
+        if (servo_.read().calibration != hd::calibration_ok)
             throw hd_error(DeviceFault::not_calibrated,
                            "the device is not calibrated: put its stylus into the inkwell, or its arm into the neutral "
                            "position, or calibrate it with the vendor's tool, and open it again");
@@ -224,15 +212,22 @@ private:
         }
     }
 
-    /// @throws DeviceError for an end or silence, or a pause if there is one.
-    void throw_faults(const HdFault &pause) const
+    /// An end or silence, or a pause if there is one.
+    std::optional<DeviceError> fault_with(const HdFault &pause) const
     {
         if (const HdFault end = servo_.end())
-            throw library_.error(servo_ended, end);
+            return library_.error("the servo thread has ended", end);
         if (is_silent_)
-            throw hd_error(DeviceFault::lost, servo_silent);
+            return hd_error(DeviceFault::lost, "the servo thread runs no more");
         if (pause)
-            throw library_.error(force_paused, pause);
+            return library_.error("no force is rendered for a while", pause);
+        return std::nullopt;
+    }
+
+    void throw_fault(const HdFault &pause) const
+    {
+        if (const auto fault = fault_with(pause))
+            throw DeviceError(*fault);
     }
 
     AtEnd scheduler_taken_;
@@ -278,11 +273,6 @@ void OpenHapticsDevice::close() noexcept
     session_.reset();
 }
 
-const Capabilities &OpenHapticsDevice::capabilities() const
-{
-    return capabilities_;
-}
-
 DeviceState OpenHapticsDevice::read(double time)
 {
     if (session_ == nullptr)
@@ -301,7 +291,7 @@ DeviceStatus OpenHapticsDevice::status() const
 {
     if (session_ == nullptr)
         return {false, false, "the device is not open"};
-    const std::string what_is_wrong = session_->what_is_wrong();
-    return {true, what_is_wrong.empty(), what_is_wrong};
+    const auto fault = session_->fault();
+    return {true, !fault, fault ? fault->what() : ""};
 }
 } // namespace ode_predictive_space::haptics

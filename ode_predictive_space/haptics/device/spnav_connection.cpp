@@ -2,8 +2,6 @@
 
 #ifdef ODE_PREDICTIVE_SPACE_HAS_SPNAV
 
-#include "ode_predictive_space/haptics/device/at_end.h"
-
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -124,128 +122,103 @@ DeviceError lost(const std::string &why)
     return {DeviceFault::lost, "3D mouse: " + why};
 }
 
-/// libspnav's one connection, from its opening to its closing.
-class Connection final : public SpnavConnection
+/// Before each question: at a closed socket libspnav would ask for ever.
+void ensure_server()
 {
-public:
-    Connection()
+    errno = 0;
+    if (look_into_inbox() == Inbox::closed)
+        throw lost("spacenavd has hung up");
+}
+
+/// @return the mouse's name.
+/// @throws DeviceError not_found, when the server says that it has none; lost.
+std::string find_mouse()
+{
+    constexpr const char *unknown = "3D mouse";
+    if (spnav_protocol() < 1)
+        return unknown; // an old server, which does not tell
+    // A motion that comes in front of an answer is taken for the answer, and the question has failed.
+    constexpr int attempts = 3;
+    for (int attempt = 0; attempt < attempts; ++attempt)
     {
-        const AtEnd unblock = block_sigpipe();
-        open_library();
-        try
-        {
-            find_mouse();
-        }
-        catch (...)
-        {
-            spnav_close();
-            throw;
-        }
-    }
-
-    ~Connection() override { spnav_close(); }
-
-    std::string mouse() const override { return mouse_; }
-
-    void receive(SpnavInput &input) override
-    {
-        for (int taken = 0; taken < most_events_at_once; ++taken)
-        {
-            spnav_event event{};
-            if (spnav_poll_event(&event) != 0)
-            {
-                take(event, input);
-                continue;
-            }
-            const Inbox inbox = look_into_inbox();
-            if (inbox == Inbox::closed)
-                throw lost("spacenavd has gone");
-            if (inbox == Inbox::empty)
-                return;
-        }
-    }
-
-private:
-    /// @throws DeviceError not_found, when the server says that it has none; lost.
-    void find_mouse()
-    {
-        if (spnav_protocol() < 1)
-            return; // an old server, which does not tell
-        // A motion that comes in front of an answer is taken for the answer, and the question has failed.
-        constexpr int attempts = 3;
-        for (int attempt = 0; attempt < attempts; ++attempt)
-        {
-            ensure_server();
-            if (spnav_dev_type() >= 0)
-            {
-                take_name();
-                return;
-            }
-        }
         ensure_server();
-        throw DeviceError(DeviceFault::not_found, "3D mouse: spacenavd runs and knows of no mouse");
-    }
-
-    /// Before each question: at a closed socket libspnav would ask for ever.
-    static void ensure_server()
-    {
-        errno = 0;
-        if (look_into_inbox() == Inbox::closed)
-            throw lost("spacenavd has hung up");
-    }
-
-    void take_name()
-    {
+        if (spnav_dev_type() < 0)
+            continue;
         ensure_server();
         char name[128];
-        if (spnav_dev_name(name, sizeof name) > 0)
-            mouse_ = name;
+        return spnav_dev_name(name, sizeof name) > 0 ? name : unknown;
     }
+    ensure_server();
+    throw DeviceError(DeviceFault::not_found, "3D mouse: spacenavd runs and knows of no mouse");
+}
 
-    static void take(const spnav_event &event, SpnavInput &input)
+void take_button(const spnav_event_button &button, std::uint32_t &buttons)
+{
+    if (button.bnum < 0 || button.bnum >= 32)
+        return;
+    const std::uint32_t bit = std::uint32_t{1} << button.bnum;
+    buttons = button.press != 0 ? buttons | bit : buttons & ~bit;
+}
+
+void take_event(const spnav_event &event, SpnavInput &input)
+{
+    switch (event.type)
     {
-        switch (event.type)
-        {
-        case SPNAV_EVENT_MOTION:
-            // The server's z points away from the person, and its turns about that go the other way round.
-            input.translation = Vector3(event.motion.x, event.motion.y, -event.motion.z);
-            input.rotation = Vector3(event.motion.rx, event.motion.ry, -event.motion.rz);
-            break;
-        case SPNAV_EVENT_BUTTON:
-            take_button(event.button, input.buttons);
-            break;
-        case SPNAV_EVENT_DEV:
-            if (event.dev.op == SPNAV_DEV_RM)
-                throw lost("a mouse was unplugged");
-            break;
-        default:
-            break;
-        }
+    case SPNAV_EVENT_MOTION:
+        // The server's z points away from the person, and its turns about that go the other way round.
+        input.translation = Vector3(event.motion.x, event.motion.y, -event.motion.z);
+        input.rotation = Vector3(event.motion.rx, event.motion.ry, -event.motion.rz);
+        break;
+    case SPNAV_EVENT_BUTTON:
+        take_button(event.button, input.buttons);
+        break;
+    case SPNAV_EVENT_DEV:
+        if (event.dev.op == SPNAV_DEV_RM)
+            throw lost("a mouse was unplugged");
+        break;
+    default:
+        break;
     }
-
-    static void take_button(const spnav_event_button &button, std::uint32_t &buttons)
-    {
-        if (button.bnum < 0 || button.bnum >= 32)
-            return;
-        const std::uint32_t bit = std::uint32_t{1} << button.bnum;
-        buttons = button.press != 0 ? buttons | bit : buttons & ~bit;
-    }
-
-    std::string mouse_ = "3D mouse";
-};
+}
 } // namespace
 
-std::unique_ptr<SpnavConnection> connect_to_spacenavd()
+SpnavConnection::SpnavConnection()
 {
-    return std::make_unique<Connection>();
+    const AtEnd unblock = block_sigpipe();
+    open_library();
+    opened_ = AtEnd(spnav_close);
+    mouse_ = find_mouse();
+}
+
+void SpnavConnection::receive(SpnavInput &input)
+{
+    for (int taken = 0; taken < most_events_at_once; ++taken)
+    {
+        spnav_event event{};
+        if (spnav_poll_event(&event) != 0)
+        {
+            take_event(event, input);
+            continue;
+        }
+        const Inbox inbox = look_into_inbox();
+        if (inbox == Inbox::closed)
+            throw lost("spacenavd has gone");
+        if (inbox == Inbox::empty)
+            return;
+    }
 }
 } // namespace ode_predictive_space::haptics
 
 #else
 
-std::unique_ptr<ode_predictive_space::haptics::SpnavConnection> ode_predictive_space::haptics::connect_to_spacenavd()
+namespace ode_predictive_space::haptics
+{
+SpnavConnection::SpnavConnection()
 {
     throw DeviceError(DeviceFault::missing_library, "3D mouse: this was built without libspnav");
 }
+
+void SpnavConnection::receive(SpnavInput &) {}
+} // namespace ode_predictive_space::haptics
 
 #endif

@@ -4,8 +4,8 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_DEVICES_SPNAV_CONNECTION_H
 
 #include "ode_predictive_space/haptics/device.h"
+#include "ode_predictive_space/haptics/device/at_end.h"
 
-#include <memory>
 #include <string>
 
 namespace ode_predictive_space::haptics
@@ -18,24 +18,28 @@ struct SpnavInput
     std::uint32_t buttons = 0;
 };
 
+/// libspnav's one connection, from its opening to its closing.
 class SpnavConnection
 {
 public:
-    virtual ~SpnavConnection() = default;
+    /// Waits for the server's answers, for a second at most.
+    ///
+    /// @throws DeviceError as SpacenavDevice::open() does.
+    SpnavConnection();
 
     /// The mouse's name, for people.
-    virtual std::string mouse() const = 0;
+    const std::string &mouse() const { return mouse_; }
 
     /// Takes what the server has sent since the last call, without waiting for more.
     ///
     /// @throws DeviceError lost, when the server is gone or a mouse unplugged.
-    virtual void receive(SpnavInput &input) = 0;
+    void receive(SpnavInput &input);
+
+private:
+    AtEnd opened_;
+    std::string mouse_;
 };
 
-/// Waits for the server's answers, for a second at most.
-///
-/// @throws DeviceError as SpacenavDevice::open() does.
-std::unique_ptr<SpnavConnection> connect_to_spacenavd();
 } // namespace ode_predictive_space::haptics
 
 #endif

@@ -110,7 +110,9 @@ void VirtualDevice::start()
     position_ = target_position_;
     velocity_.setZero();
     rendered_.assign(static_cast<std::size_t>(settings_.force_delay) + 1, Vector3::Zero());
-    readings_.assign(static_cast<std::size_t>(settings_.position_delay) + 1, {quantised(position_), Vector3::Zero()});
+    DeviceState at_rest;
+    at_rest.position = quantised(position_);
+    readings_.assign(static_cast<std::size_t>(settings_.position_delay) + 1, at_rest);
 }
 
 DeviceState VirtualDevice::move_to(double seconds)
@@ -121,11 +123,7 @@ DeviceState VirtualDevice::move_to(double seconds)
     // The force that is written next is the last of the row; until then, the last one goes on.
     std::rotate(rendered_.begin(), rendered_.begin() + 1, rendered_.end());
     rendered_.back() = limited(last_wrench().force);
-
-    DeviceState state;
-    state.position = readings_.front().position;
-    state.linear_velocity = readings_.front().velocity;
-    return state;
+    return readings_.front();
 }
 
 void VirtualDevice::write(const Wrench &wrench)
@@ -168,12 +166,13 @@ void VirtualDevice::move_hand_by(const Transition &change, double seconds)
 
 void VirtualDevice::measure(double elapsed)
 {
-    const Reading before = readings_.back();
-    Reading now{quantised(position_), before.velocity};
+    const DeviceState before = readings_.back();
+    DeviceState now = before;
+    now.position = quantised(position_);
     if (elapsed > 0)
     {
         const double weight = elapsed / (elapsed + 1 / (full_turn * settings_.velocity_cutoff));
-        now.velocity += weight * ((now.position - before.position) / elapsed - before.velocity);
+        now.linear_velocity += weight * ((now.position - before.position) / elapsed - before.linear_velocity);
     }
     std::rotate(readings_.begin(), readings_.begin() + 1, readings_.end());
     readings_.back() = now;

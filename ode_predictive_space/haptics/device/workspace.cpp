@@ -1,8 +1,8 @@
 #include "ode_predictive_space/haptics/workspace.h"
 
-#include <cmath>
-
 #include "ode_predictive_space/haptics/device/check_argument.h"
+
+#include <cmath>
 
 namespace ode_predictive_space::haptics
 {
@@ -51,7 +51,7 @@ void WorkspaceMapping::clutch(bool held, const DeviceState &device)
 {
     if (held && !clutched_)
     {
-        held_ = map(device);
+        held_ = to_scene(device);
         held_.linear_velocity.setZero();
         held_.angular_velocity.setZero();
     }
@@ -65,11 +65,8 @@ void WorkspaceMapping::clutch(bool held, const DeviceState &device)
 
 ToolState WorkspaceMapping::to_scene(const DeviceState &device) const
 {
-    return clutched_ ? held_ : map(device);
-}
-
-ToolState WorkspaceMapping::map(const DeviceState &device) const
-{
+    if (clutched_)
+        return held_;
     const WorkspacePlacement &p = placement_;
     ToolState tool;
     tool.position = p.offset + p.scale * (p.rotation * device.position);

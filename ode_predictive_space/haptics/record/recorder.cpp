@@ -7,7 +7,6 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 namespace ode_predictive_space::haptics
 {
@@ -41,20 +40,17 @@ bool can_be_read_back(const DeviceState &state, const Vector3 &force)
 }
 } // namespace
 
-Recorder::Recorder(const std::string &file, const Capabilities &device, Flush flush, std::size_t capacity)
-    : Recorder(file, device, std::string(), flush, capacity)
-{}
-
 Recorder::Recorder(const std::string &file, const Capabilities &device, const std::string &law, Flush flush,
                    std::size_t capacity)
-    : name_(file), last_time_(-std::numeric_limits<double>::infinity())
+    : name_(file), buffer_(capacity)
 {
     if (capacity == 0)
         throw std::invalid_argument("recording " + file + ": a buffer for no ticks");
-    buffer_.resize(capacity);
-    file_.reset(std::fopen(file.c_str(), "w"));
+    errno = 0;
+    file_.open(file);
     if (!file_)
         throw file_error(file, errno);
+    text_.reserve(most_text + longest_recorded_line);
     write_header(device, law);
     if (flush == Flush::by_itself)
         thread_ = std::thread([this] { flush_often(); });
@@ -74,61 +70,54 @@ Recorder::~Recorder()
 
 bool Recorder::add(double time, const DeviceState &state, const Vector3 &force) noexcept
 {
-    const std::size_t produced = produced_.load(std::memory_order_relaxed);
-    const bool full = produced - consumed_.load(std::memory_order_acquire) == buffer_.size();
-    if (full || !std::isfinite(time) || time <= last_time_ || !can_be_read_back(state, force))
+    Entry entry{{state, force}, lost_};
+    entry.tick.state.time = time;
+    if (!std::isfinite(time) || time <= last_time_ || !can_be_read_back(state, force) || !buffer_.give(entry))
     {
-        lost_.fetch_add(1, std::memory_order_relaxed);
+        ++lost_;
         return false;
     }
-    Entry &entry = buffer_[produced % buffer_.size()];
-    entry.tick.state = state;
-    entry.tick.state.time = time;
-    entry.tick.force = force;
-    entry.lost_before = lost_.load(std::memory_order_relaxed);
     last_time_ = time;
-    produced_.store(produced + 1, std::memory_order_release);
+    ++recorded_;
     return true;
 }
 
 void Recorder::flush()
 {
     with_lock(file_mutex_, [this] {
-        if (file_)
+        if (file_.is_open())
+        {
             write_entries();
+            check_file();
+        }
     });
 }
 
 void Recorder::close()
 {
-    stop_thread();
+    with_lock(file_mutex_, [this] { stopping_ = true; });
+    stop_.notify_all();
+    if (thread_.joinable())
+        thread_.join();
     with_lock(file_mutex_, [this] { close_file(); });
 }
 
 void Recorder::close_file()
 {
-    if (!file_)
+    if (!file_.is_open())
         return;
-    try
-    {
-        write_entries();
-        append_loss(lost_);
-        write_text();
-    }
-    catch (const DeviceError &)
-    {
-        file_.reset();
-        throw;
-    }
-    if (std::fclose(file_.release()) != 0)
-        fail();
+    write_entries();
+    append_loss(lost_);
+    write_text();
+    file_.close();
+    check_file();
 }
 
 void Recorder::write_header(const Capabilities &device, const std::string &law)
 {
     std::string line = device_line_mark;
     visit_device(device, [&](auto number) { append(line, number); });
-    text_ = line_of(line + ' ' + device.name);
+    text_ += line_of(line + ' ' + device.name);
     if (device.delay > 0)
     {
         line = delay_line_mark;
@@ -143,18 +132,14 @@ void Recorder::write_header(const Capabilities &device, const std::string &law)
 
 void Recorder::write_entries()
 {
-    if (failed_)
-        fail();
-    const std::size_t produced = produced_.load(std::memory_order_acquire);
-    for (std::size_t i = consumed_.load(std::memory_order_relaxed); i != produced; ++i)
+    Entry entry;
+    for (const std::size_t end = recorded_; file_ && written_ != end && buffer_.receive(entry); ++written_)
     {
-        const Entry &entry = buffer_[i % buffer_.size()];
         append_loss(entry.lost_before);
         const std::size_t start = text_.size();
         visit_tick(entry.tick, [this](auto number) { append(text_, number); });
         text_.erase(start, 1); // the blank before the first number
         text_ += '\n';
-        consumed_.store(i + 1, std::memory_order_release);
         if (text_.size() >= most_text)
             write_text();
     }
@@ -173,46 +158,20 @@ void Recorder::append_loss(std::size_t lost)
 
 void Recorder::write_text()
 {
-    if (std::fwrite(text_.data(), 1, text_.size(), file_.get()) != text_.size() || std::fflush(file_.get()) != 0)
-        fail();
+    file_.write(text_.data(), static_cast<std::streamsize>(text_.size())).flush();
     text_.clear();
 }
 
-void Recorder::fail()
+void Recorder::check_file() const
 {
-    failed_ = true;
-    throw DeviceError(DeviceFault::failed, "recording " + name_ + ": it could not be written to its end");
+    if (!file_)
+        throw DeviceError(DeviceFault::failed, "recording " + name_ + ": it could not be written to its end");
 }
 
 void Recorder::flush_often()
 {
-    while (!stops_within(flush_period))
-    {
-        try
-        {
-            flush();
-        }
-        catch (...)
-        {
-            return; // close() will say so
-        }
-    }
-}
-
-bool Recorder::stops_within(std::chrono::milliseconds time)
-{
-    std::unique_lock<std::mutex> lock(thread_mutex_);
-    return stop_.wait_for(lock, time, [this] { return stopping_; });
-}
-
-void Recorder::stop_thread()
-{
-    {
-        const std::lock_guard<std::mutex> lock(thread_mutex_);
-        stopping_ = true;
-    }
-    stop_.notify_all();
-    if (thread_.joinable())
-        thread_.join();
+    std::unique_lock<std::mutex> lock(file_mutex_);
+    while (!stop_.wait_for(lock, flush_period, [this] { return stopping_; }))
+        write_entries();
 }
 } // namespace ode_predictive_space::haptics

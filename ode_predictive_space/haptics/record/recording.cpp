@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <string_view>
 
 namespace ode_predictive_space::haptics
@@ -16,54 +15,23 @@ namespace
 {
 constexpr double length_tolerance = 0.01; // of a quaternion, in a file of few digits
 
-/// Takes the words of a line one by one.
-class Words
+/// Takes the first word off the text, and the blanks around it; an empty word if there is none.
+std::string_view take_word(std::string_view &text)
 {
-public:
-    explicit Words(std::string_view line) : rest_(line) {}
+    constexpr const char *blanks = " \t\r";
+    const auto skip_blanks = [&] { text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size())); };
+    skip_blanks();
+    const std::string_view word = text.substr(0, text.find_first_of(blanks));
+    text.remove_prefix(word.size());
+    skip_blanks();
+    return word;
+}
 
-    /// @return an empty word at the end of the line.
-    std::string_view next()
-    {
-        skip_blanks();
-        const std::string_view word = rest_.substr(0, rest_.find_first_of(blanks));
-        rest_.remove_prefix(word.size());
-        return word;
-    }
-
-    std::string_view rest()
-    {
-        skip_blanks();
-        return rest_;
-    }
-
-private:
-    static constexpr const char *blanks = " \t\r";
-
-    void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size())); }
-
-    std::string_view rest_;
-};
-
-template <class Number> Number number_in(std::string_view word)
+template <class Number> void read(std::string_view word, Number &number)
 {
-    Number number{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc() || end != word.data() + word.size())
-        throw std::invalid_argument("\"" + std::string(word) + "\" is not a number that can be there");
-    return number;
-}
-
-void read(std::string_view word, double &number)
-{
-    number = number_in<double>(word);
-    if (!std::isfinite(number))
-        throw std::invalid_argument("\"" + std::string(word) + "\" is not finite");
-}
-
-template <class Whole> void read(std::string_view word, Whole &number)
-{
-    number = number_in<Whole>(word);
+    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(number))
+        throw std::invalid_argument("\"" + std::string(word) + "\" is not a number that can be there, or not finite");
 }
 
 /// What follows the mark that the line begins with.
@@ -80,39 +48,6 @@ Quaternion of_length_one(const Quaternion &q)
     return std::abs(error) > exact_length_tolerance ? Quaternion(q.normalized()) : q;
 }
 
-/// Takes the lines of a file one by one.
-class Lines
-{
-public:
-    explicit Lines(std::istream &stream) : stream_(stream) {}
-
-    /// @return false at the end of the file.
-    bool next()
-    {
-        stream_.getline(characters_.data(), static_cast<std::streamsize>(characters_.size()));
-        const bool cut = stream_.fail() && !stream_.eof() && !stream_.bad();
-        if (!cut && stream_.fail())
-            return false;
-        ++number_;
-        if (cut)
-            throw std::invalid_argument("it has more than " + std::to_string(longest_recorded_line) + " characters");
-        return true;
-    }
-
-    std::string_view line() const
-    {
-        const auto taken = static_cast<std::size_t>(stream_.gcount());
-        return {characters_.data(), stream_.eof() ? taken : taken - 1}; // without the end of the line
-    }
-
-    std::size_t number() const { return number_; }
-
-private:
-    std::istream &stream_;
-    std::array<char, longest_recorded_line + 1> characters_;
-    std::size_t number_ = 0;
-};
-
 /// Makes a recording of lines. What it throws says what is wrong with the line.
 class Reader
 {
@@ -121,13 +56,13 @@ public:
 
     void take(std::string_view line)
     {
-        if (const auto device = after(device_line_mark, line))
+        if (auto device = after(device_line_mark, line))
             recording_.device = device_in(*device);
-        else if (const auto delay = after(delay_line_mark, line); delay && recording_.device)
-            read(Words(*delay).next(), recording_.device->delay);
-        else if (const auto law = after(law_line_mark, line))
-            recording_.law = Words(*law).next();
-        else if (const std::string_view first = Words(line).next(); !first.empty() && first[0] != '#')
+        else if (auto delay = after(delay_line_mark, line); delay && recording_.device)
+            read(take_word(*delay), recording_.device->delay);
+        else if (auto law = after(law_line_mark, line))
+            recording_.law = take_word(*law);
+        else if (std::string_view rest = line; !is_comment(take_word(rest)))
             add(tick_in(line));
     }
 
@@ -141,36 +76,36 @@ public:
     }
 
 private:
+    static bool is_comment(std::string_view first_word) { return first_word.empty() || first_word[0] == '#'; }
+
     static Capabilities device_in(std::string_view line)
     {
-        Words words(line);
         Capabilities device;
-        visit_device(device, [&](auto &number) { read(words.next(), number); });
-        device.name = words.rest();
+        visit_device(device, [&](auto &number) { read(take_word(line), number); });
+        device.name = line;
         return device;
     }
 
     RecordedTick tick_in(std::string_view line)
     {
-        std::array<std::string_view, 18> words;
-        const std::size_t count = split(line, words);
+        std::size_t count = 0;
         RecordedTick tick;
-        visit_tick(tick, [&, i = std::size_t{0}](auto &number) mutable {
-            if (i < count)
-                read(words[i], number);
-            ++i;
+        visit_tick(tick, [&](auto &number) {
+            if (const std::string_view word = take_word(line); !word.empty())
+            {
+                read(word, number);
+                ++count;
+            }
         });
+        while (!take_word(line).empty())
+            ++count;
+        check_columns(count);
         tick.state.orientation = of_length_one(tick.state.orientation);
         return tick;
     }
 
-    std::size_t split(std::string_view line, std::array<std::string_view, 18> &words)
+    void check_columns(std::size_t count)
     {
-        Words all(line);
-        std::size_t count = 0;
-        for (std::string_view word = all.next(); !word.empty(); word = all.next(), ++count)
-            if (count < words.size())
-                words[count] = word;
         if (count != 8 && count != 12 && count != 18)
             throw std::invalid_argument(std::to_string(count) + " numbers where 8, 12 or 18 are expected");
         if (columns_ != 0 && count != columns_)
@@ -179,7 +114,6 @@ private:
                                         " in the lines before");
         }
         columns_ = count;
-        return count;
     }
 
     void add(const RecordedTick &tick)
@@ -204,17 +138,25 @@ Recording read_recording(const std::string &file, std::size_t most_ticks)
     if (!stream)
         throw file_error(file, errno);
     Reader reader(most_ticks);
-    Lines lines(stream);
+    std::array<char, longest_recorded_line + 1> line;
+    std::size_t number = 0;
     try
     {
-        while (lines.next())
-            reader.take(lines.line());
-        return reader.finish();
+        while (stream.getline(line.data(), line.size()))
+        {
+            ++number;
+            const auto taken = static_cast<std::size_t>(stream.gcount()); // with the end of the line, if it has one
+            reader.take({line.data(), stream.eof() ? taken : taken - 1});
+        }
+        if (stream.eof() || stream.bad())
+            return reader.finish();
+        ++number;
+        throw std::invalid_argument("it has more than " + std::to_string(longest_recorded_line) + " characters");
     }
     catch (const std::invalid_argument &error)
     {
         throw DeviceError(DeviceFault::bad_file,
-                          "recording " + file + ", line " + std::to_string(lines.number()) + ": " + error.what());
+                          "recording " + file + ", line " + std::to_string(number) + ": " + error.what());
     }
 }
 
@@ -236,9 +178,7 @@ ForceError compare_forces(const std::vector<Vector3> &recorded, const std::vecto
         result.max = std::max(result.max, error.norm());
     }
     result.rms = std::sqrt(errors / static_cast<double>(recorded.size()));
-    const bool nothing_recorded = truth == 0;
-    result.relative =
-        nothing_recorded ? (errors == 0 ? 0 : std::numeric_limits<double>::infinity()) : std::sqrt(errors / truth);
+    result.relative = errors == 0 ? 0 : std::sqrt(errors / truth); // infinite where nothing was recorded
     return result;
 }
 } // namespace ode_predictive_space::haptics

@@ -48,6 +48,7 @@ void derive_velocities(std::vector<RecordedTick> &ticks)
     }
 }
 
+/// What the device could do at least, of which the file tells nothing.
 Capabilities capabilities_without_device(const std::vector<RecordedTick> &ticks)
 {
     Capabilities capabilities;
@@ -55,29 +56,19 @@ Capabilities capabilities_without_device(const std::vector<RecordedTick> &ticks)
     capabilities.force_axes = 0;
     capabilities.workspace.setEmpty();
     for (const RecordedTick &tick : ticks)
-    {
-        capabilities.workspace.extend(tick.state.position + Vector3::Constant(margin));
-        capabilities.workspace.extend(tick.state.position - Vector3::Constant(margin));
-    }
+        capabilities.workspace.extend(tick.state.position);
+    capabilities.workspace.min().array() -= margin;
+    capabilities.workspace.max().array() += margin;
     const double duration = ticks.back().state.time - ticks.front().state.time;
     if (duration > 0)
         capabilities.rate = static_cast<double>(ticks.size() - 1) / duration;
     return capabilities;
 }
-
-Capabilities capabilities_before_open(const std::string &file)
-{
-    Capabilities capabilities;
-    capabilities.name = "replay of " + file;
-    capabilities.input_axes = 6;
-    capabilities.force_axes = 0;
-    return capabilities;
-}
 } // namespace
 
-ReplayDevice::ReplayDevice(const std::string &file) : SoftwareDevice(capabilities_before_open(file)), file_(file) {}
+ReplayDevice::ReplayDevice(const std::string &file) : SoftwareDevice("replay of " + file, 6), file_(file) {}
 
-ReplayDevice::ReplayDevice(Recording recording) : SoftwareDevice(capabilities_before_open("a run"))
+ReplayDevice::ReplayDevice(Recording recording) : SoftwareDevice("replay of a run", 6)
 {
     if (recording.ticks.empty())
         throw std::invalid_argument("replay: a recording without ticks");
