@@ -81,7 +81,9 @@ const char *name_of(DeviceFault fault);
 class DeviceError : public std::runtime_error
 {
 public:
+    /// @param message one sentence; what() gives it.
     DeviceError(DeviceFault fault, const std::string &message) : std::runtime_error(message), fault_(fault) {}
+    /// What kind of fault it is: whether it may pass by itself.
     DeviceFault fault() const { return fault_; }
 
 private:

@@ -84,7 +84,7 @@ struct HandPathSettings
     double tremor = 0.0002;           ///< largest tremor along each axis, metres of the hand
 };
 
-/// Position of the hand at any time. The same settings and seed give the same path.
+/// Position of the hand at any time.
 ///
 /// A reach from A to B in time T follows A + (B - A) (10 u^3 - 15 u^4 + 6 u^5), u = t / T: the movement of least jerk,
 /// which is how people reach (Flash and Hogan, 1985). It starts and ends at rest. Tremor is the sum of two sines of 8 to
@@ -92,6 +92,7 @@ struct HandPathSettings
 class HandPath
 {
 public:
+    /// The same settings and seed give the same path.
     HandPath(const HandPathSettings &settings, std::uint64_t seed);
 
     /// Where the hand is `time` seconds after the start, in metres. Not const: reaches are drawn as they are needed, up to

@@ -5,7 +5,6 @@
 
 #include "ode_predictive_space/haptics/device.h"
 
-#include <array>
 #include <atomic>
 
 namespace ode_predictive_space::haptics
@@ -46,7 +45,7 @@ private:
     void shift(int axis, double distance) noexcept;
 
     MouseSettings settings_;
-    std::array<std::atomic<double>, 3> target_; ///< m; what the events add up to
+    std::atomic<double> target_[3]; ///< m; what the events add up to
     std::atomic<std::uint32_t> buttons_{0};
     Vector3 between_;  ///< m; after the first filter
     Vector3 position_; ///< m; after the second

@@ -32,9 +32,8 @@ struct WorkspacePlacement
 ///     velocities   scale R v,  R omega
 ///     wrench       force_scale R^-1 (force, torque)
 ///
-/// Forces are not scaled by default: what is 1 N in the scene is 1 N in the hand. Hence a wall of k N/m in the scene feels like
-/// scale * k N/m, as the tool goes scale times as deep (see stiffness_at_device()), and the energy of the hand is not that of the
-/// scene: force_scale 1 / scale would give the hand the stiffness of the scene, force_scale = scale the energy.
+/// Forces are not scaled by default: what is 1 N in the scene is 1 N in the hand. A wall of k N/m in the scene then feels like
+/// scale * k N/m, as the tool goes scale times as deep: see stiffness_at_device().
 ///
 /// The clutch: while it is held, the device moves freely, without force, and the tool stays where it is. When it is released, the
 /// tool moves on from there; the offset has changed, and the way the tool lies in the hand (R q becomes R q g). Speeds do not jump,

@@ -43,7 +43,7 @@ void MouseDevice::start()
 {
     const Vector3 centre = settings_.workspace.center();
     for (int axis = 0; axis < 3; ++axis)
-        target_[static_cast<std::size_t>(axis)] = centre[axis];
+        target_[axis] = centre[axis];
     buttons_ = 0;
     between_ = position_ = centre;
     seconds_ = 0;
@@ -72,7 +72,7 @@ void MouseDevice::shift(int axis, double distance) noexcept
 {
     if (!std::isfinite(distance))
         return;
-    std::atomic<double> &target = target_[static_cast<std::size_t>(axis)];
+    std::atomic<double> &target = target_[axis];
     const double low = settings_.workspace.min()[axis];
     const double high = settings_.workspace.max()[axis];
     double old = target;

@@ -2,6 +2,7 @@
 
 #include "ode_predictive_space/haptics/device/at_end.h"
 #include "ode_predictive_space/haptics/device/hd_servo.h"
+#include "ode_predictive_space/haptics/virtual_device.h"
 
 #include <atomic>
 #include <chrono>
@@ -246,15 +247,12 @@ private:
     bool is_silent_ = false;
 };
 
-OpenHapticsDevice::OpenHapticsDevice(OpenHapticsSettings settings) : settings_(std::move(settings))
+// The least of those that are in the field, until open() asks the device.
+OpenHapticsDevice::OpenHapticsDevice(OpenHapticsSettings settings)
+    : settings_(std::move(settings)), capabilities_(device_preset("Touch"))
 {
-    // The least of those that are in the field, until open() asks the device.
     capabilities_.name = "OpenHaptics device";
     capabilities_.input_axes = 6;
-    capabilities_.max_force = 3.3;
-    capabilities_.max_stiffness = 400;
-    capabilities_.max_damping = 4;
-    capabilities_.workspace = {Vector3::Constant(-0.075), Vector3::Constant(0.075)};
 }
 
 OpenHapticsDevice::~OpenHapticsDevice() = default;
