@@ -1,18 +1,49 @@
-// A tick of the hand's side: read, law, safety, write, and what there is to tell. How it is set up: renderer_setup.cpp.
+// From the device to the tool, and from touches to the device: read, law, safety, write, and what there is to tell.
 
 #include "ode_predictive_space/haptics/renderer.h"
 
+#include "ode_predictive_space/haptics/contact/contact_manifold.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
+#include "ode_predictive_space/haptics/device/check_argument.h"
+#include "ode_predictive_space/haptics/law/force_shares.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
-#include "ode_predictive_space/haptics/renderer_parts.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
+#include "ode_predictive_space/haptics/safety/device_link.h"
+#include "ode_predictive_space/haptics/safety/passivity.h"
+#include "ode_predictive_space/haptics/safety/safety_stage.h"
+#include "ode_predictive_space/haptics/safety/watchdog.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
+constexpr double usual_stiffness = 500; // N/m
+
+/// As stiff in the hand, whatever the scale.
+std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const WorkspaceMapping &mapping)
+{
+    Material material;
+    const double stiffness = capabilities.max_stiffness > 0 ? capabilities.max_stiffness / 2 : usual_stiffness;
+    material.stiffness = mapping.stiffness_in_scene(stiffness);
+    return std::make_shared<ProxyLaw>(material);
+}
+
+// With a device that cannot push, one can still push what is in the scene, as hard as with any other.
+SafetyLimits usual_limits(const Capabilities &capabilities)
+{
+    if (capabilities.force_axes > 0)
+        return SafetyLimits::of(capabilities);
+    Capabilities desktop = capabilities;
+    desktop.force_axes = 3;
+    desktop.max_force = 7.9; // N; a PHANToM Desktop
+    return SafetyLimits::of(desktop);
+}
+
 constexpr double jump = 10; // times the maximum of speed
 
 /// Topics of notices: there is at most one notice a second on each.
@@ -37,6 +68,326 @@ constexpr SafetyAction worth_telling[] = {SafetyAction::not_finite, SafetyAction
                                           SafetyAction::no_axes, SafetyAction::clamped};
 } // namespace
 
+class Renderer::Parts
+{
+public:
+    Parts(Device &device, RenderSettings render_settings)
+        : settings(std::move(render_settings)), notices(settings.notice), link(device, notices),
+          mapping(settings.placement), law(settings.law ? settings.law : usual_law(device.capabilities(), mapping)),
+          safety(settings.safety ? *settings.safety : usual_limits(device.capabilities()))
+    {
+        forces.reserve(usual_touches);
+        felt.reserve(usual_touches);
+        if (settings.passivity_control)
+            passivity.emplace(device.capabilities().max_damping);
+        if (settings.delay && !is_amount(*settings.delay))
+            throw std::invalid_argument("The delay of a device must be finite and not negative");
+    }
+
+    double delay() const { return std::max(settings.delay.value_or(link.capabilities().delay), link.measured_delay()); }
+
+    void restart()
+    {
+        relaxed = false;
+        safety.reset();
+        law->reset();
+        manifold.reset();
+        split.clear();
+        link.forget_motion();
+        if (passivity)
+            passivity->reset();
+    }
+
+    void take_in(const DeviceLink::News &news)
+    {
+        tick.state = link.state();
+        if (news.has_jumped)
+        {
+            ++tick.tool_jumps;
+            restart();
+            notices.tell_once_a_second(topic_jump, NoticeKind::device,
+                                       "No force until the probe is free: the device's position has jumped.");
+        }
+        if (news.came_back)
+            news.only_doubted ? safety.restart_ramp() : restart();
+        if (news.had_failed)
+            notices.tell(NoticeKind::device, link.capabilities().name + " answers again; the force comes back slowly.");
+        if (news.was_away)
+            ++tick.tool_jumps;
+        move_clutch();
+        tick.tool = mapping.to_scene(tick.state);
+    }
+
+    // Where the clutch is let go, the tool may be deep in something: no force jumps at the hand.
+    void move_clutch()
+    {
+        const bool was_held = mapping.clutched();
+        mapping.clutch(is_held(settings.clutch_button, tick.state), tick.state);
+        if (was_held && !mapping.clutched())
+            safety.reset();
+    }
+
+    /// What is rendered from now on is as soft as the delay wants it: rendered() goes by that. The law itself is not changed.
+    void tell_of_delay()
+    {
+        const Material material = law->material();
+        const StabilityVerdict verdict =
+            check_stability(link.capabilities(), rendering(material.stiffness, material.damping));
+        if (verdict.outcome != StabilityOutcome::fine)
+            notices.tell(NoticeKind::stability, verdict.reason);
+    }
+
+    void render(const std::vector<Touch> &touches, bool all_known, double dt)
+    {
+        feel(touches, dt);
+        law->forces(tick.tool, felt, dt, forces);
+        Wrench requested;
+        requested.force = sum_of(forces);
+        if (!all_known)
+        {
+            requested.force.setConstant(std::numeric_limits<double>::quiet_NaN());
+            notices.tell_once_a_second(
+                topic_contact, NoticeKind::contact,
+                "No force: a contact of the probe, or the velocity of what it touches, is not a number.");
+        }
+        const Vector3 given = write(requested, dt).force;
+        if (given.isZero(0))
+            split.clear();
+        else
+            split.split(felt, forces, given);
+        close_tick(requested.force, given);
+    }
+
+    /// The touches as they are rendered: with what the device can render of their materials.
+    void feel(const std::vector<Touch> &touches, double dt)
+    {
+        felt = touches;
+        bool less = false;
+        for (Touch &touch : felt)
+        {
+            const Material asked = touch.material.value_or(law->material());
+            const Material possible = rendered(asked);
+            less =
+                less || (touch.material && (possible.stiffness < asked.stiffness || possible.damping < asked.damping));
+            touch.material = possible;
+        }
+        if (less)
+        {
+            notices.tell_once_a_second(
+                topic_material, NoticeKind::stability,
+                "A material is softer or less damped than asked for: the device cannot render more.");
+        }
+        std::optional<double> gap;
+        if (safety.engaged())
+            gap = std::max(dt, 1 / settings.physics_rate);
+        manifold.follow(tick.tool, law->view(), dt, gap, felt);
+    }
+
+    /// @return what was written, in the scene's frame.
+    Wrench write(const Wrench &requested, double dt)
+    {
+        watchdog->device_answered(link.answers());
+        watchdog->servo_ticked(clock_time);
+        tick.wrench = link.answers() ? link.write(limited(requested, dt)) : Wrench();
+        tell_of_watchdog();
+        notices.tell_held_back();
+        if (passivity)
+            passivity->written(tick.wrench.force);
+        const WorkspacePlacement &placement = mapping.placement();
+        return {placement.rotation * tick.wrench.force / placement.force_scale,
+                placement.rotation * tick.wrench.torque / placement.force_scale};
+    }
+
+    Wrench limited(const Wrench &requested, double dt)
+    {
+        Wrench at_device = mapping.to_device(requested);
+        if (passivity && !mapping.clutched())
+        {
+            passivity->set_delay(static_cast<int>(std::lround(
+                std::min(1.0, delay() / dt / PassivityController::most_delay) * PassivityController::most_delay)));
+            at_device.force = passivity->control(tick.state, at_device.force, dt);
+        }
+        Vector3 velocity = tick.state.linear_velocity;
+        if (link.speed() > safety.limits().max_speed) // whatever the device tells
+            velocity = link.speed() * Vector3::UnitX();
+        Wrench safe = safety.limit(at_device, velocity, tick.time, watchdog->factor());
+        tell_of_safety();
+        return safe;
+    }
+
+    void close_tick(const Vector3 &requested, const Vector3 &force)
+    {
+        tick.wished = requested;
+        tick.force = force;
+        tick.allowance = watchdog->factor();
+        tick.device_answers = link.answers();
+        tick.saturated = link.answers() && safety.report().did(SafetyAction::clamped);
+        if (recorder)
+            recorder(tick);
+    }
+
+    void tell_of_safety()
+    {
+        for (const SafetyAction action : worth_telling)
+        {
+            if (safety.report().began(action))
+            {
+                notices.tell_once_a_second(topic_safety + static_cast<std::size_t>(action), NoticeKind::safety,
+                                           explanation_of(action));
+            }
+        }
+    }
+
+    // A device that does not answer has been told of.
+    void tell_of_watchdog()
+    {
+        const WatchdogReason reason = watchdog->reason();
+        const bool worth = reason == WatchdogReason::physics_stale || reason == WatchdogReason::servo_late;
+        if (worth && reason != last_reason && !link.guard_acted()) // of that, the guard has told
+        {
+            notices.tell_once_a_second(topic_watchdog + static_cast<std::size_t>(reason), NoticeKind::watchdog,
+                                       explanation_of(reason));
+        }
+        last_reason = reason;
+    }
+
+    void check_law() { check(law->material().stiffness, law->material().damping); }
+
+    void check(double stiffness, double damping)
+    {
+        const Rendering wanted = rendering(stiffness, damping);
+        const StabilityVerdict verdict = check_stability(link.capabilities(), wanted);
+        if (verdict.outcome == StabilityOutcome::refused || verdict.damping < wanted.damping)
+            throw std::invalid_argument(verdict.reason);
+        if (verdict.outcome == StabilityOutcome::clamped && verdict.reason != stability_told)
+            notices.tell(NoticeKind::stability, verdict.reason);
+        stability_told = verdict.reason;
+    }
+
+    /// @param stiffness,damping of the scene.
+    Rendering rendering(double stiffness, double damping) const
+    {
+        Rendering rendering;
+        rendering.stiffness = mapping.stiffness_at_device(stiffness);
+        rendering.damping = mapping.stiffness_at_device(damping);
+        rendering.rate = settings.rate;
+        rendering.device_damping = settings.device_damping;
+        rendering.delay = delay();
+        return rendering;
+    }
+
+    Material rendered(const Material &material) const
+    {
+        const Rendering wanted = rendering(material.stiffness, material.damping);
+        const Rendering possible = renderable(link.capabilities(), wanted);
+        Material result = material;
+        if (possible.stiffness < wanted.stiffness)
+            result.stiffness = mapping.stiffness_in_scene(possible.stiffness);
+        if (possible.damping < wanted.damping)
+            result.damping = mapping.stiffness_in_scene(possible.damping);
+        return result;
+    }
+
+    RenderSettings settings; ///< its law is 0 as long as that is the default, its sink of notices is in the desk
+    NoticeDesk notices;
+    DeviceLink link;
+    WorkspaceMapping mapping;
+    std::shared_ptr<ForceLaw> law;
+    SafetyStage safety;
+    std::optional<Watchdog> watchdog; ///< always there: made anew when the rates change
+    std::optional<PassivityController> passivity;
+    std::function<void(const RenderedTick &)> recorder;
+    std::vector<Touch> felt; ///< with the materials that are rendered
+    ContactManifold manifold;
+    TouchForces forces; ///< N; by the law
+    ForceSplit split;   ///< of what the hand got of them
+    RenderedTick tick;
+    double clock_time = 0;
+    bool relaxed = false; ///< and has not been read since
+    WatchdogReason last_reason = WatchdogReason::none;
+    std::string stability_told; ///< why the law is rendered softer; empty when it is not
+};
+
+Renderer::Renderer(Device &device, RenderSettings settings)
+    : parts_(std::make_unique<Parts>(device, std::move(settings)))
+{
+    set_rates(parts_->settings.rate, parts_->settings.physics_rate);
+}
+
+Renderer::~Renderer()
+{
+    relax();
+}
+
+void Renderer::set_rates(double rate, double physics_rate)
+{
+    if (!(rate > 0) || !(physics_rate > 0))
+        throw std::invalid_argument("The rates of a servo loop and of its scene must be above 0");
+    parts_->settings.rate = rate;
+    parts_->settings.physics_rate = physics_rate;
+    parts_->watchdog.emplace(WatchdogLimits::of(rate, physics_rate));
+    parts_->check_law();
+}
+
+void Renderer::set_law(std::shared_ptr<ForceLaw> law)
+{
+    parts_->law = std::move(law);
+    parts_->settings.law = parts_->law;
+    parts_->check_law();
+    parts_->law->reset();
+}
+
+ForceLaw &Renderer::law()
+{
+    return *parts_->law;
+}
+
+void Renderer::set_placement(const WorkspacePlacement &placement)
+{
+    parts_->mapping = WorkspaceMapping(placement);
+    if (!parts_->settings.law)
+        parts_->law = usual_law(parts_->link.capabilities(), parts_->mapping);
+    parts_->check_law();
+    parts_->restart(); // the tool jumps, perhaps into something
+    ++parts_->tick.tool_jumps;
+}
+
+const WorkspaceMapping &Renderer::mapping() const
+{
+    return parts_->mapping;
+}
+
+void Renderer::set_recorder(std::function<void(const RenderedTick &)> recorder)
+{
+    parts_->recorder = std::move(recorder);
+}
+
+void Renderer::set_notice_sink(NoticeSink sink)
+{
+    parts_->notices.set_sink(std::move(sink));
+}
+
+const NoticeSink &Renderer::notice_sink() const
+{
+    return parts_->notices.sink();
+}
+
+void Renderer::check(const CouplingProperties &coupling)
+{
+    haptics::check(coupling);
+    parts_->check(coupling.stiffness, coupling.damping);
+}
+
+double Renderer::delay() const
+{
+    return parts_->delay();
+}
+
+Material Renderer::rendered(const Material &material) const
+{
+    return parts_->rendered(material);
+}
+
 void Renderer::read(double time, double clock_time)
 {
     parts_->tick.time = time;
@@ -53,108 +404,16 @@ void Renderer::read(double time, double clock_time)
         parts_->take_in(news);
 }
 
-void Renderer::Parts::take_in(const DeviceLink::News &news)
-{
-    tick.state = link.state();
-    if (news.has_jumped)
-    {
-        ++tick.tool_jumps;
-        restart();
-        notices.tell_once_a_second(topic_jump, NoticeKind::device,
-                                   "No force until the probe is free: the device's position has jumped.");
-    }
-    if (news.came_back)
-        news.only_doubted ? safety.restart_ramp() : restart();
-    if (news.had_failed)
-        notices.tell(NoticeKind::device, link.capabilities().name + " answers again; the force comes back slowly.");
-    if (news.was_away)
-        ++tick.tool_jumps;
-    move_clutch();
-    tick.tool = mapping.to_scene(tick.state);
-}
-
-// Where the clutch is let go, the tool may be deep in something: no force jumps at the hand.
-void Renderer::Parts::move_clutch()
-{
-    const bool was_held = mapping.clutched();
-    mapping.clutch(is_held(settings.clutch_button, tick.state), tick.state);
-    if (was_held && !mapping.clutched())
-        safety.reset();
-}
-
-/// What is rendered from now on is as soft as the delay wants it: rendered() goes by that. The law itself is not changed.
-void Renderer::Parts::tell_of_delay()
-{
-    const Material material = law->material();
-    const StabilityVerdict verdict =
-        check_stability(link.capabilities(), rendering(material.stiffness, material.damping));
-    if (verdict.outcome != StabilityOutcome::fine)
-        notices.tell(NoticeKind::stability, verdict.reason);
-}
-
-void Renderer::Parts::restart()
-{
-    relaxed = false;
-    safety.reset();
-    law->reset();
-    felt.manifold.reset();
-    felt.split.clear();
-    link.forget_motion();
-    if (passivity)
-        passivity->reset();
-}
-
 void Renderer::relax() noexcept
 {
-    parts_->felt.split.clear();
+    parts_->split.clear();
     parts_->link.release();
     parts_->relaxed = true;
 }
 
 void Renderer::render(const std::vector<Touch> &touches, bool all_known, double dt)
 {
-    FeltTouches &felt = parts_->felt;
-    parts_->feel(touches, dt);
-    parts_->law->forces(tool(), felt.touches, dt, felt.forces);
-    Wrench requested;
-    requested.force = sum_of(felt.forces);
-    if (!all_known)
-    {
-        requested.force.setConstant(std::numeric_limits<double>::quiet_NaN());
-        parts_->notices.tell_once_a_second(
-            topic_contact, NoticeKind::contact,
-            "No force: a contact of the probe, or the velocity of what it touches, is not a number.");
-    }
-    const Vector3 given = parts_->write(requested, dt).force;
-    if (given.isZero(0))
-        felt.split.clear();
-    else
-        felt.split.split(felt.touches, felt.forces, given);
-    parts_->close_tick(requested.force, given);
-}
-
-/// The touches as they are rendered: with what the device can render of their materials.
-void Renderer::Parts::feel(const std::vector<Touch> &touches, double dt)
-{
-    felt.touches = touches;
-    bool less = false;
-    for (Touch &touch : felt.touches)
-    {
-        const Material asked = touch.material.value_or(law->material());
-        const Material possible = rendered(asked);
-        less = less || (touch.material && (possible.stiffness < asked.stiffness || possible.damping < asked.damping));
-        touch.material = possible;
-    }
-    if (less)
-    {
-        notices.tell_once_a_second(
-            topic_material, NoticeKind::stability,
-            "A material is softer or less damped than asked for: the device cannot render more.");
-    }
-    std::optional<double> gap;
-    if (safety.engaged())
-        gap = std::max(dt, 1 / settings.physics_rate);
-    felt.manifold.follow(tick.tool, law->view(), dt, gap, felt.touches);
+    parts_->render(touches, all_known, dt);
 }
 
 Wrench Renderer::render(const CouplingProperties &coupling, const ToolState &body, double dt)
@@ -167,74 +426,6 @@ Wrench Renderer::render(const CouplingProperties &coupling, const ToolState &bod
         given.torque = parts_->watchdog->factor() * requested.torque;
     parts_->close_tick(requested.force, given.force);
     return {-given.force, -given.torque};
-}
-
-/// @return what was written, in the scene's frame.
-Wrench Renderer::Parts::write(const Wrench &requested, double dt)
-{
-    watchdog->device_answered(link.answers());
-    watchdog->servo_ticked(clock_time);
-    tick.wrench = link.answers() ? link.write(limited(requested, dt)) : Wrench();
-    tell_of_watchdog();
-    notices.tell_held_back();
-    if (passivity)
-        passivity->written(tick.wrench.force);
-    const WorkspacePlacement &placement = mapping.placement();
-    return {placement.rotation * tick.wrench.force / placement.force_scale,
-            placement.rotation * tick.wrench.torque / placement.force_scale};
-}
-
-Wrench Renderer::Parts::limited(const Wrench &requested, double dt)
-{
-    Wrench at_device = mapping.to_device(requested);
-    if (passivity && !mapping.clutched())
-    {
-        passivity->set_delay(static_cast<int>(std::lround(
-            std::min(1.0, delay() / dt / PassivityController::most_delay) * PassivityController::most_delay)));
-        at_device.force = passivity->control(tick.state, at_device.force, dt);
-    }
-    Vector3 velocity = tick.state.linear_velocity;
-    if (link.speed() > safety.limits().max_speed) // whatever the device tells
-        velocity = link.speed() * Vector3::UnitX();
-    Wrench safe = safety.limit(at_device, velocity, tick.time, watchdog->factor());
-    tell_of_safety();
-    return safe;
-}
-
-void Renderer::Parts::close_tick(const Vector3 &requested, const Vector3 &force)
-{
-    tick.wished = requested;
-    tick.force = force;
-    tick.allowance = watchdog->factor();
-    tick.device_answers = link.answers();
-    tick.saturated = link.answers() && safety.report().did(SafetyAction::clamped);
-    if (recorder)
-        recorder(tick);
-}
-
-void Renderer::Parts::tell_of_safety()
-{
-    for (const SafetyAction action : worth_telling)
-    {
-        if (safety.report().began(action))
-        {
-            notices.tell_once_a_second(topic_safety + static_cast<std::size_t>(action), NoticeKind::safety,
-                                       explanation_of(action));
-        }
-    }
-}
-
-// A device that does not answer has been told of.
-void Renderer::Parts::tell_of_watchdog()
-{
-    const WatchdogReason reason = watchdog->reason();
-    const bool worth = reason == WatchdogReason::physics_stale || reason == WatchdogReason::servo_late;
-    if (worth && reason != last_reason && !link.guard_acted()) // of that, the guard has told
-    {
-        notices.tell_once_a_second(topic_watchdog + static_cast<std::size_t>(reason), NoticeKind::watchdog,
-                                   explanation_of(reason));
-    }
-    last_reason = reason;
 }
 
 void Renderer::note_fresh_physics()
@@ -259,7 +450,7 @@ const ToolState &Renderer::tool() const
 
 const std::vector<ForceShare> &Renderer::shares() const
 {
-    return parts_->felt.split.shares();
+    return parts_->split.shares();
 }
 
 const RenderedTick &Renderer::last_tick() const
