@@ -8,12 +8,6 @@ namespace
 {
 constexpr double parallel = 1e-9; ///< square of the sine between vectors below which they count as parallel
 
-struct Mix
-{
-    double requested = 0;
-    double before = 0;
-};
-
 /// How much of b is in a.
 double part_along(const Vector3 &a, const Vector3 &b)
 {
@@ -21,27 +15,21 @@ double part_along(const Vector3 &a, const Vector3 &b)
     return square > 0 ? a.dot(b) / square : 0;
 }
 
-/// The combination of the two that comes nearest to what was given. Limits only shorten: neither part is more than 1.
-Mix find_mix(const Vector3 &given, const Vector3 &requested, const Vector3 &before)
+/// The parts of the two that together come nearest to what was given. Limits only shorten: neither is more than 1.
+Eigen::Vector2d find_mix(const Vector3 &given, const Vector3 &requested, const Vector3 &before)
 {
     const double ww = requested.squaredNorm();
     const double pp = before.squaredNorm();
     const double wp = requested.dot(before);
     const double determinant = ww * pp - wp * wp;
-    Mix mix;
+    const double gw = given.dot(requested);
+    const double gp = given.dot(before);
+    Eigen::Vector2d mix(gw * pp - gp * wp, gp * ww - gw * wp);
     if (determinant > parallel * ww * pp)
-    {
-        const double gw = given.dot(requested);
-        const double gp = given.dot(before);
-        mix.requested = std::clamp((gw * pp - gp * wp) / determinant, 0.0, 1.0);
-        mix.before = std::clamp((gp * ww - gw * wp) / determinant, 0.0, 1.0);
-    }
-    else
-    {
-        // Of one direction: what is requested now comes first.
-        mix.requested = std::clamp(part_along(given, requested), 0.0, 1.0);
-        mix.before = std::clamp(part_along(given - mix.requested * requested, before), 0.0, 1.0);
-    }
+        return (mix / determinant).cwiseMax(0).cwiseMin(1);
+    // Of one direction: what is requested now comes first.
+    mix[0] = std::clamp(part_along(given, requested), 0.0, 1.0);
+    mix[1] = std::clamp(part_along(given - mix[0] * requested, before), 0.0, 1.0);
     return mix;
 }
 
@@ -64,17 +52,17 @@ void ForceSplit::split(const std::vector<Touch> &touches, const TouchForces &req
 {
     std::swap(shares_, before_);
     shares_.clear();
-    const Mix mix = find_mix(given, sum_of(requested), sum(before_));
+    const Eigen::Vector2d mix = find_mix(given, sum_of(requested), sum(before_));
     for (std::size_t i = 0; i < touches.size(); ++i)
-        shares_.push_back({touches[i].object, touches[i].point, mix.requested * requested[i], touches[i].feature});
+        shares_.push_back({touches[i].object, touches[i].point, mix[0] * requested[i], touches[i].feature});
     for (std::size_t i = touches.size(); i < requested.size(); ++i)
     {
         const auto entry = static_cast<unsigned>(i - touches.size());
-        shares_.push_back({free_space, Vector3::Zero(), mix.requested * requested[i], entry});
+        shares_.push_back({free_space, Vector3::Zero(), mix[0] * requested[i], entry});
     }
     for (const ForceShare &share : before_)
     {
-        const Vector3 force = mix.before * share.force;
+        const Vector3 force = mix[1] * share.force;
         const auto is_same = [&](const ForceShare &now) {
             return now.object == share.object && now.feature == share.feature;
         };

@@ -9,10 +9,10 @@ namespace ode_predictive_space::haptics
 {
 /// Divides the force that the hand really got among the objects that made it, so that each of them gets the opposite of its part.
 ///
-/// What a law wishes is limited on its way to the device: clamped, scaled, and kept from changing too fast. The last of these
-/// mixes the wish of this tick with the force of the tick before, which other objects may have made. So the force that was written
-/// is written as a W + b P, with W what is requested now and P what was given before; each object gets a times its part of W and b times
-/// its part of P. Neither allocates nor locks when it has seen as many touches before.
+/// What a law wishes is shortened on its way to the device, and kept from changing too fast, which mixes it with the force of the
+/// tick before, which other objects may have made. So the force is split into a W + b P, with W what is requested now and P what
+/// was given before; each object gets a times its part of W and b times its part of P. Does not allocate when it has seen as many
+/// touches before.
 class ForceSplit
 {
 public:
