@@ -7,21 +7,16 @@
 
 namespace ode_predictive_space::haptics
 {
-/// F = k d n for each touch: stiffness times depth, along the normal. Exactly that when damping and friction are 0. All three are
-/// the touch's material's.
+/// F = k d n for each touch: stiffness times depth, along the normal; exactly that when damping and friction are 0. All three
+/// are the touch's material's. d is the depth, or the plane's part of the shortest way out of an object that has several.
 ///
-/// Damping adds b times the speed at which tool and surface approach each other (Kelvin and Voigt's spring and dashpot). Where
-/// that would pull, on leaving a surface quickly, there is no force.
+/// Damping adds b times the speed at which tool and surface approach each other (Kelvin and Voigt). Where that would pull, on
+/// leaving a surface quickly, there is no force.
 ///
-/// Friction is a spring of the same stiffness in the tangent plane, with one end on the surface and the other on the tool. It
-/// slips as soon as it would pull by more than static friction times the normal force, and then pulls by friction times it, until that
-/// holds it again. This is the elasto-plastic model of Hayward and
-/// Armstrong ("A new computational model of friction applied to haptic rendering", 2000): it works on displacements,
-/// not on the sign of a measured velocity, hence it neither chatters nor creeps while it holds. Turning of the tool is
-/// left out: the tool is a point to friction.
-///
-/// d is the depth, for an object that is touched in one place. Several planes of one object share the shortest way out of it, and
-/// d is the part of each: in a right corner that is its depth again.
+/// Friction is a spring of the same stiffness in the tangent plane, from the surface to the tool. It slips when it would pull
+/// by more than static friction times the normal force, and then pulls by friction times it until that holds it again (Hayward
+/// and Armstrong, "A new computational model of friction applied to haptic rendering", 2000). It works on displacements, not
+/// on the sign of a measured velocity, hence it neither chatters nor creeps. The tool is a point to friction.
 ///
 /// Objects know nothing of each other: in a notch between two of them, each pushes as if it were alone. But touches of objects
 /// that go on in one plane count once: flush tiles are one floor. The proxy law is right in both.

@@ -18,9 +18,9 @@ class ActiveRun;
 struct Encounter
 {
     dGeomID geom = nullptr; ///< owned by the space
-    double seconds =
-        0; ///< from now to the earliest time at which it can be near; 0: it is near now. Near are two whose
-           ///< bounding boxes overlap, or with dPredictiveProximityShape, whose shapes may touch
+    /// From now to the earliest time at which it can be near; 0: it is near now. Near are two whose bounding boxes overlap, or
+    /// with dPredictiveProximityShape, whose shapes may touch.
+    double seconds = 0;
 };
 
 /// Binds a device to an ODE world. The hand moves a geom of the scene, feels what that touches, and pushes it back: the touched
@@ -38,8 +38,7 @@ struct Encounter
 ///     probe.render(dt);                            // law, reactions on the bodies, safety, write to the device
 ///     dWorldStep(world, dt);                       // as before
 ///
-/// HapticLoop does this at a fixed rate, and watches over it. Any space will do; in a predictive one the probe's geom gets the
-/// interactive role.
+/// HapticLoop does this at a fixed rate, and watches over it. Any space will do; see TouchSensor.
 ///
 /// All from one thread, but where it says otherwise. Errors of the device end with zero force and a notice, never with an
 /// exception. Destroy the probe before its world, its space, its geom, its tool and its device, and after its loop has ended. A probe

@@ -7,23 +7,21 @@
 
 namespace ode_predictive_space::haptics
 {
-/// F = k (proxy - tool), with the stiffness of the touched material; of several, each plane has its own. The proxy is where the tool would be if no surface could be entered: the point nearest to the tool
-/// that no touch forbids (Zilles and Salisbury, "A constraint-based god-object method for haptic display", 1995).
+/// F = k (proxy - tool). The proxy is where the tool would be if no surface could be entered: the point nearest to it that no
+/// touch forbids (Zilles and Salisbury, "A constraint-based god-object method for haptic display", 1995). A touch forbids what
+/// is behind the plane that lies its depth above the tool, along its normal.
 ///
-/// A touch forbids what is behind the plane that lies its depth above the tool, along its normal. Up to three such planes carry
-/// the proxy (a face, an edge, a corner); each of them pushes along its own normal by what it contributes, so that the parts
-/// add up to k (proxy - tool) and every object feels its own part. On one plane without friction that is k d n.
-/// Where no point is allowed (a slit narrower than the tool), or only one that is unreasonably far (a very sharp wedge), each
-/// plane pushes by k d n as if it were alone.
+/// Up to three planes carry the proxy (a face, an edge, a corner). Each pushes along its own normal by what it contributes, with
+/// the stiffness of its own material, so that the parts add up and every object feels its own: k d n on one plane without
+/// friction. Where no point is allowed (a slit narrower than the tool), or only one that is unreasonably far (a very sharp
+/// wedge), each plane pushes by k d n as if it were alone.
 ///
-/// Friction: the proxy stays where it is on the surfaces, and moves along with them, as long as the tool is in the friction
-/// cone below it; otherwise it follows just as far as the cone's edge (Salisbury and Tarr 1997; Harwin and Melder 2002). The cone is that of
-/// static friction as long as the proxy stays, and that of friction while it slides.
-/// Damping acts along each carrying plane's normal, and never pulls; it is not part of proxy().
+/// Friction: the proxy stays on the surfaces, and moves with them, as long as the tool is in the cone of static friction below
+/// it; else it follows just to the edge of the cone of friction (Salisbury and Tarr 1997; Harwin and Melder 2002). Damping acts
+/// along each carrying plane's normal, and never pulls; it is not part of proxy().
 ///
-/// Where a touch does not know by which side the tool came in (Touch::from_entry_side), the law remembers it: when the tool has gone
-/// so far into a thin object that its surface at the back is nearer, and the normal turns round, the surface in front keeps
-/// pushing until the tool leaves the object.
+/// Where a touch does not know by which side the tool came in (Touch::from_entry_side), and the tool has gone so far into a thin
+/// object that its back is nearer, the front keeps pushing until the tool leaves the object.
 class ProxyLaw final : public ForceLaw
 {
 public:

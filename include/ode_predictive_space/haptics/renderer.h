@@ -18,8 +18,8 @@ class DeviceGate;
 /// How a device is rendered to.
 struct RenderSettings
 {
-    std::shared_ptr<ForceLaw>
-        law; ///< 0: ProxyLaw with what is half of the device's stiffness in the hand, 500 N/m if that is not known
+    /// 0: ProxyLaw with what is half of the device's stiffness in the hand, 500 N/m if that is not known.
+    std::shared_ptr<ForceLaw> law;
     WorkspacePlacement placement;          ///< of the device's workspace in the scene
     std::optional<SafetyLimits> safety;    ///< nothing: SafetyLimits::of() the device
     double rate = 1000;                    ///< Hz; how often the device is read and written

@@ -23,8 +23,7 @@ struct Material
 /// The same, by its first name.
 using SurfaceProperties = Material;
 
-/// What a touch adds to the way from the tool to its proxy: share times the touch's normal, and its part of the lag. All
-/// touches together make that way, exactly.
+/// What a touch adds to the way from the tool to its proxy: share times its normal, and its lag. All touches make that way.
 struct Carry
 {
     double share = 0;              ///< m, >= 0
@@ -34,8 +33,8 @@ struct Carry
     bool carries() const { return share > 0 || !lag.isZero(0); }
 };
 
-/// A contact of the probe with an object, in the scene's frame, SI units: a plane of it that holds off the probe, or nearly. An
-/// object may have several at once: the floor and the walls of a channel.
+/// A plane of an object that holds off the probe, or nearly, in the scene's frame. An object may have several at once: the
+/// floor and the walls of a channel.
 struct Touch
 {
     Vector3 point = Vector3::Zero();            ///< m
@@ -48,13 +47,12 @@ struct Touch
     bool is_solved = false;       ///< whether the next one is known: laws get it with each touch
     Carry carry;                  ///< the solved constraint
     std::uint32_t id = 0;         ///< which touch: the same from tick to tick; 0 before it is recognised
-    std::uint32_t takes_over =
-        0;           ///< the id of the one that carried the tool here in the tick before: its own, or that of
-                     ///< the surface that it goes on from; 0: nothing did
+    /// The id of the one that carried the tool here in the tick before: its own, or that of the surface that it goes on
+    /// from; 0: nothing did.
+    std::uint32_t takes_over = 0;
     double part = 1; ///< 0 to 1; of its depth, that is felt: less while an object rises that appeared around the probe
-    std::optional<Material>
-        material; ///< nothing: the force law's own. A renderer fills it in with what the device can render, and goes there
-                  ///< gradually from the material of the touch that this one takes over from
+    /// Nothing: the force law's own. A renderer fills in what the device can render, gradually from what it takes over from.
+    std::optional<Material> material;
 };
 
 /// What Touch::object is for a geom: its body, or itself if it has none.

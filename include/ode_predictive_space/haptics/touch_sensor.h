@@ -20,33 +20,30 @@ class ContactTracker;
 /// What a geom is made of; nothing: what the force law says.
 using MaterialOf = std::function<std::optional<Material>(dGeomID)>;
 
-/// A geom that follows the hand, tells what it touches, and pushes what it touches.
+/// A geom that follows the hand, tells what it touches, and pushes what it touches. In a predictive space it gets the interactive
+/// role. Which geoms it cannot touch is set as everywhere in ODE, by dGeomSetCategoryBits() and dGeomSetCollideBits().
 ///
 /// Each tick: clear(), pose(), the program's dSpaceCollide() with touch() in its near callback, push(). In between the
 /// program may destroy anything except this geom: what is gone is not pushed.
 ///
 /// The sphere that the sensor makes holds to boxes, spheres, capsules, cylinders, planes, triangle meshes and, with set_samples(),
 /// heightfields: it is touched from the side by which the tool came, until it comes back through there, however thin the
-/// object, fast the tool, or deep it is. What the near callback does not tell of any more (destroyed, disabled, filtered
-/// out) is released, and so is a mesh with other triangles. All else is touched as dCollide() says at the moment: convex
-/// geoms, other heightfields, transforms and classes of the program, and all things that a geom of the program touches.
+/// object, fast the tool, or deep it is. What the near callback does not tell of any more is released, and so is a mesh with
+/// other triangles. All else is touched as dCollide() says at the moment, and so is all that a geom of the program touches.
 ///
 /// What the sensor is in when it begins, or begins elsewhere, is not touched until the sensor has been outside of it once.
 /// The same holds for a solid that appears around the sphere and holds all of it, and for a mesh that holds its middle.
-///
-/// Which geoms the probe cannot touch is set as everywhere in ODE, by dGeomSetCategoryBits() and dGeomSetCollideBits().
 class TouchSensor
 {
 public:
-    /// Makes a sphere. In a predictive space it gets the interactive role.
+    /// Makes a sphere.
     ///
     /// @param space is not owned, and must outlive the sensor.
     /// @param radius m, > 0.
     /// @throws std::invalid_argument when the radius or the space is not one.
     TouchSensor(dSpaceID space, double radius);
 
-    /// A geom of the program: of any class but planes and spaces, and without a body. In a predictive space it gets the
-    /// interactive role.
+    /// A geom of the program: of any class but planes and spaces, and without a body.
     ///
     /// A disabled sphere without size is put beside it into its space: ODE does not tell when a space is destroyed with its geoms, but
     /// this sphere tells it. The destruction of the geom alone cannot be found out.
