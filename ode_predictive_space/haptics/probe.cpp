@@ -32,9 +32,29 @@ class HapticProbe::Parts
 public:
     Parts(Device &device, RenderSettings settings) : renderer(device, std::move(settings)) {}
 
-    void render_tool_body(double dt);
-    void tell_if_gone();
-    void tell_of_loss(std::string_view sentence);
+    void render_tool_body(double dt)
+    {
+        if (const dBodyID body = tool_watch.find(tool))
+        {
+            add_wrench(body, renderer.render(coupling, tool_state_of(body), dt));
+            return;
+        }
+        tell_of_loss("No force: the tool's body was destroyed.");
+        renderer.render({}, true, dt);
+    }
+
+    void tell_if_gone()
+    {
+        if (sensor && sensor->is_gone())
+            tell_of_loss("No force: the probe's geom was destroyed with its space. The probe has to go first.");
+    }
+
+    void tell_of_loss(std::string_view sentence)
+    {
+        const NoticeSink &sink = renderer.notice_sink();
+        if (!std::exchange(told_of_loss, true) && sink)
+            sink(Notice(NoticeKind::contact, renderer.last_tick().time, sentence));
+    }
 
     std::mutex run_mutex; ///< of the one below
     std::shared_ptr<ActiveRun> run;
@@ -86,19 +106,6 @@ HapticProbe::~HapticProbe()
     {
         // a notice is not worth the program's end
     }
-}
-
-void HapticProbe::Parts::tell_if_gone()
-{
-    if (sensor && sensor->is_gone())
-        tell_of_loss("No force: the probe's geom was destroyed with its space. The probe has to go first.");
-}
-
-void HapticProbe::Parts::tell_of_loss(std::string_view sentence)
-{
-    const NoticeSink &sink = renderer.notice_sink();
-    if (!std::exchange(told_of_loss, true) && sink)
-        sink(Notice(NoticeKind::contact, renderer.last_tick().time, sentence));
 }
 
 void HapticProbe::take(std::shared_ptr<ActiveRun> run)
@@ -173,17 +180,6 @@ void HapticProbe::render(double dt)
     {
         parts_->render_tool_body(dt);
     }
-}
-
-void HapticProbe::Parts::render_tool_body(double dt)
-{
-    if (const dBodyID body = tool_watch.find(tool))
-    {
-        add_wrench(body, renderer.render(coupling, tool_state_of(body), dt));
-        return;
-    }
-    tell_of_loss("No force: the tool's body was destroyed.");
-    renderer.render({}, true, dt);
 }
 
 const std::vector<Encounter> &HapticProbe::encounters()

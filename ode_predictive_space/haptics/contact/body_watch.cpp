@@ -9,22 +9,12 @@ namespace
 constexpr int longest_age = 100; // ticks
 }
 
-BodyWatch::~BodyWatch()
-{
-    for (const Watched &watched : watched_)
-        dJointGroupDestroy(watched.group);
-}
-
 void BodyWatch::age()
 {
     for (Watched &watched : watched_)
         ++watched.age;
-    remove_from(watched_, [](const Watched &watched) {
-        const bool goes = watched.age > longest_age || watched.body() == nullptr;
-        if (goes)
-            dJointGroupDestroy(watched.group);
-        return goes;
-    });
+    remove_from(watched_,
+                [](const Watched &watched) { return watched.age > longest_age || watched.body() == nullptr; });
 }
 
 dBodyID BodyWatch::find(std::uintptr_t object) const
@@ -41,10 +31,10 @@ void BodyWatch::keep(dBodyID body)
         known->age = 0;
         return;
     }
-    const dJointGroupID group = dJointGroupCreate(0);
-    const dJointID joint = dJointCreateNull(dBodyGetWorld(body), group);
-    dJointAttach(joint, body, nullptr);
-    watched_.push_back({group, joint, 0});
+    Watched watched = {decltype(Watched::group)(dJointGroupCreate(0)), nullptr, 0};
+    watched.joint = dJointCreateNull(dBodyGetWorld(body), watched.group.get());
+    dJointAttach(watched.joint, body, nullptr);
+    watched_.push_back(std::move(watched));
 }
 
 bool BodyWatch::push(std::uintptr_t object, const Vector3 &force, const Vector3 &point)

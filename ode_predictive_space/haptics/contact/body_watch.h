@@ -5,6 +5,7 @@
 
 #include "ode_predictive_space/haptics/touch.h"
 
+#include <memory>
 #include <ode/objects.h>
 #include <vector>
 
@@ -17,11 +18,6 @@ namespace ode_predictive_space::haptics
 class BodyWatch
 {
 public:
-    BodyWatch() = default;
-    ~BodyWatch();
-    BodyWatch(const BodyWatch &) = delete;
-    BodyWatch &operator=(const BodyWatch &) = delete;
-
     /// A tick begins: what was not touched for long is forgotten.
     void age();
 
@@ -38,9 +34,15 @@ public:
     bool push(std::uintptr_t object, const Vector3 &force, const Vector3 &point);
 
 private:
+    struct DestroyGroup
+    {
+        void operator()(dJointGroupID group) const { dJointGroupDestroy(group); }
+    };
+
     struct Watched
     {
-        dJointGroupID group; ///< of the joint alone: what is in a group survives its world
+        /// Of the joint alone: what is in a group survives its world.
+        std::unique_ptr<dxJointGroup, DestroyGroup> group;
         dJointID joint;
         int age; ///< ticks since it was touched
 

@@ -79,7 +79,9 @@ void ContactManifold::follow(const ToolState &tool, TouchView view, double dt, s
 
 void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, Touch &touch)
 {
-    const Known *known = itself(touch);
+    const Known *known = find_in(before_, [&](const Known &before) {
+        return before.touch.object == touch.object && before.touch.feature == touch.feature;
+    });
     const Known *carrier = known != nullptr && known->touch.carry.carries() ? known : carrier_before(touch, view);
     touch.id = known != nullptr ? known->touch.id : ++last_id_;
     touch.takes_over = carrier != nullptr ? carrier->touch.id : 0;
@@ -95,13 +97,6 @@ void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, 
         touch.normal = front;
         touch.depth = depth;
     }
-}
-
-const ContactManifold::Known *ContactManifold::itself(const Touch &touch) const
-{
-    return find_in(before_, [&](const Known &known) {
-        return known.touch.object == touch.object && known.touch.feature == touch.feature;
-    });
 }
 
 /// Of those that carried the tool, the one whose normal is most like it. Objects that are felt as if there were no other take over
@@ -163,42 +158,38 @@ double ContactManifold::part_of(const Touch &touch, const ToolState &tool, doubl
     return carrier != nullptr ? risen(carrier->touch.part, dt) : 1;
 }
 
+/// The planes of a group share the shortest way out of all of them. What the tracker's part lags behind stays, in proportion.
 void ContactManifold::solve(TouchView view, std::vector<Touch> &touches)
 {
     while (const Touch *first = find_in(touches, [](const Touch &touch) { return !touch.is_solved; }))
     {
-        const std::uintptr_t object = first->object;
-        solve_group([&](const Touch &touch) { return view == TouchView::all_together || touch.object == object; },
-                    touches);
+        const auto in_group = [&, object = first->object](const Touch &touch) {
+            return view == TouchView::all_together || touch.object == object;
+        };
+        planes_.clear();
+        Vector3 lag = Vector3::Zero();
+        for (const Touch &touch : touches)
+        {
+            if (!in_group(touch))
+                continue;
+            planes_.push_back({touch.normal, touch.depth, 0});
+            lag += carry_of(touch).lag;
+        }
+        find_closest_point(planes_);
+        double carried = 0;
+        for (const ConstraintPlane &plane : planes_)
+            carried += plane.share;
+        std::size_t plane = 0;
+        for (Touch &touch : touches)
+        {
+            if (!in_group(touch))
+                continue;
+            const double share = planes_[plane++].share;
+            touch.carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
+            touch.is_solved = true;
+        }
     }
     if (view == TouchView::each_object_alone)
         count_flush_touches_once(touches);
-}
-
-/// The planes of a group share the shortest way out of all of them. What the tracker's part lags behind stays, in proportion.
-template <typename InGroup> void ContactManifold::solve_group(const InGroup &in_group, std::vector<Touch> &touches)
-{
-    planes_.clear();
-    Vector3 lag = Vector3::Zero();
-    for (const Touch &touch : touches)
-    {
-        if (!in_group(touch))
-            continue;
-        planes_.push_back({touch.normal, touch.depth, 0});
-        lag += touch.is_solved ? touch.carry.lag : Vector3(Vector3::Zero());
-    }
-    find_closest_point(planes_);
-    double carried = 0;
-    for (const ConstraintPlane &plane : planes_)
-        carried += plane.share;
-    std::size_t plane = 0;
-    for (Touch &touch : touches)
-    {
-        if (!in_group(touch))
-            continue;
-        const double share = planes_[plane++].share;
-        touch.carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
-        touch.is_solved = true;
-    }
 }
 } // namespace ode_predictive_space::haptics

@@ -22,15 +22,14 @@ class ContactManifold
 public:
     ContactManifold();
 
-    /// One tick. Gives each touch its id, what it takes over from, and what it carries. Does not allocate when it has seen as many
-    /// touches before.
+    /// One tick. Gives each touch its id, what it takes over from, its part, its material (see blended()) and what it carries. Does
+    /// not allocate when it has seen as many touches before.
     ///
     /// - A touch by which the tool is about to be pushed out at the back of a thin object is turned round to the side by which it
     ///   came, if all objects are seen together.
-    /// - A contact begins at the surface and gets deeper by the motion of tool and surface. One that is deep from the beginning was
-    ///   made so: an object that appeared around the probe, or was put there. Its surface comes up through the tool within half a
-    ///   second, so that the force rises slowly. What the tool goes on to from such an object rises on from there.
-    /// - The material of a touch is reached gradually from that of what it takes over from (see blended()).
+    /// - A contact begins at the surface and gets deeper by the motion of tool and surface. One that is deep from the beginning is an
+    ///   object that appeared around the probe: its surface comes up through the tool within half a second. What the tool goes on
+    ///   to from such an object rises on from there.
     ///
     /// @param dt s; since the tick before.
     /// @param gap s; how long a contact may have gone unnoticed; nothing: new touches are felt at once, however deep.
@@ -48,7 +47,6 @@ private:
         double depth; ///< m; all of it
     };
 
-    const Known *itself(const Touch &touch) const;
     const Known *carrier_before(const Touch &touch, TouchView view) const;
     const Known *taken_over_by(const Touch &touch) const;
     void recognise(const Vector3 &tool, TouchView view, double dt, Touch &touch);
@@ -56,7 +54,6 @@ private:
     double part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const;
     void let_rise(const ToolState &tool, double dt, std::optional<double> gap, std::vector<Touch> &touches);
     void solve(TouchView view, std::vector<Touch> &touches);
-    template <typename InGroup> void solve_group(const InGroup &in_group, std::vector<Touch> &touches);
 
     std::vector<Known> before_;
     Vector3 tool_before_ = Vector3::Zero(); ///< m

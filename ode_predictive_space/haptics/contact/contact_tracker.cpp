@@ -12,7 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr std::size_t usual_geoms = NearbyGeoms::capacity;
 constexpr double ahead = 1.5;     // times the tool's way: how far ahead surfaces are looked for
 constexpr double catching_up = 2; // times the tool's way: how far the proxy may go in a tick
 constexpr double gentle = 0.09; // N; by how much the force may change in a tick beyond what the tool's way makes of it
@@ -74,7 +73,7 @@ void number_features(const std::vector<TouchOfGeom> &before, std::vector<TouchOf
 /// m; how far a touch carries the proxy.
 double way_of(const Touch &touch)
 {
-    return touch.carry.carries() ? (touch.carry.share * touch.normal + touch.carry.lag).norm() : 0;
+    return (touch.carry.share * touch.normal + touch.carry.lag).norm();
 }
 } // namespace
 
@@ -86,9 +85,9 @@ bool is_finite(const Touch &touch)
 
 ContactTracker::ContactTracker(double radius) : radius_(radius)
 {
-    near_.reserve(usual_geoms);
-    before_.reserve(usual_geoms);
-    places_.reserve(usual_geoms);
+    near_.reserve(NearbyGeoms::capacity);
+    before_.reserve(NearbyGeoms::capacity);
+    places_.reserve(NearbyGeoms::capacity);
     told_.reserve(usual_touches);
     told_before_.reserve(usual_touches);
 }
@@ -155,15 +154,6 @@ double ContactTracker::longest_way() const
     return std::max(radius_, catching_up * travel_.norm());
 }
 
-/// m; how far the proxy may go in a tick, beyond what the tool's way makes of it.
-double ContactTracker::catch_up() const
-{
-    double stiffest = stiffness_;
-    for (const Held &held : near_)
-        stiffest = held.geom.material() ? std::max(stiffest, held.geom.material()->stiffness) : stiffest;
-    return stiffest > 0 ? gentle / stiffest : radius_;
-}
-
 // All that the proxy may reach lies between two balls: one about where it is, and one about the tool that goes through
 // there.
 ContactTracker::Region ContactTracker::region() const
@@ -211,7 +201,7 @@ void ContactTracker::insert(NearbyGeom geom, double distance)
         return;
     Held held;
     held.distance = distance;
-    held.start = start_;
+    Vector3 start = start_;
     held.place.geom = geom.identity();
     const auto was_near = [&](const ContactMemory::Place &place) { return place.geom == held.place.geom; };
     if (const ContactMemory::Place *last = find_in(before_, was_near))
@@ -220,11 +210,12 @@ void ContactTracker::insert(NearbyGeom geom, double distance)
         const double drift = (carried - last->at).norm();
         if (drift <= farthest_carried * radius_)
         {
-            held.start = drift > 0 ? carried : last->at;
+            start = drift > 0 ? carried : last->at;
             held.place.drift = drift;
         }
     }
     held.geom = std::move(geom);
+    held.put(start);
     const auto farther = [](double length, const Held &other) { return length < other.distance; };
     near_.insert(std::upper_bound(near_.begin(), near_.end(), distance, farther), std::move(held));
 }
@@ -263,11 +254,14 @@ void ContactTracker::follow()
 {
     places_.clear();
     for (const Held &held : near_)
-        places_.push_back({&held.geom, held.start, 0});
+        places_.push_back({&held.geom, held.place.at, 0});
     common_ = slide_.run(task(), places_);
     const auto has_gone = [&](const TouchOfGeom &told) { return told.touch.carry.carries() && !is_near(told.geom); };
     released_ = released_ || find_in(told_before_, has_gone) != nullptr;
-    catch_up_ = catch_up();
+    double stiffest = stiffness_;
+    for (const Held &held : near_)
+        stiffest = held.geom.material() ? std::max(stiffest, held.geom.material()->stiffness) : stiffest;
+    catch_up_ = stiffest > 0 ? gentle / stiffest : radius_;
     settle();
 }
 

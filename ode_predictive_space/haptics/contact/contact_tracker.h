@@ -51,9 +51,8 @@ bool is_finite(const Touch &touch);
 /// respect to each geom its place is remembered in the geom's frame, so that it goes with what moves and turns. What holds
 /// the proxy off the tool is touched, from the proxy's side.
 ///
-/// Each tick: begin(), aim(), add_if_near() for each geom that the near callback tells, follow(), touches(). A geom that is not told
-/// is forgotten: its contact has ended, whatever became of it. That is safe since the region() in which geoms are looked for
-/// holds the proxy, hence all that it touches.
+/// Each tick: begin(), aim(), add_if_near() for each geom that the near callback tells, follow(), touches(). The region() in which
+/// geoms are looked for holds all that the proxy touches: the contact of a geom that is not told has ended.
 ///
 /// In two threads there are two. The servo's owns the sides: each tick it is given the geoms that the scene's found at the
 /// last step, where they are by now. The scene's goes on from the servo's memory in each step: adopt(), and hand_over()
@@ -97,8 +96,8 @@ public:
 
     void add(NearbyGeom geom) { insert(std::move(geom), 0); }
 
-    /// Of what the near callback tells: the same for a geom whose surface is in the region(). The nearest comes first. So what is
-    /// felt depends on the scene alone: not on how many geoms around the region a space reports, and in which order.
+    /// The same for a geom whose surface is in the region(). The nearest comes first, so that what is felt does not depend on which
+    /// geoms around the region a space tells, and in which order.
     void add_if_near(NearbyGeom geom);
 
     /// Of the scene's tracker: what was added, for the servo's. If it is too much, what came first.
@@ -120,16 +119,13 @@ public:
     /// Of the servo's tracker, after follow(): for adopt().
     void remember_in(ContactMemory &memory) const;
 
-    static constexpr double usual_stiffness = 1000; ///< N/m; unless another is set
-
 private:
     /// A geom, and where the proxy is with respect to it.
     struct Held
     {
         NearbyGeom geom;
-        double distance = 0;             ///< m; from the middle of the region, if the order goes by it
-        Vector3 start = Vector3::Zero(); ///< m; the scene's frame, when the tick began
-        ContactMemory::Place place;      ///< when it was over
+        double distance = 0;        ///< m; from the middle of the region, if the order goes by it
+        ContactMemory::Place place; ///< when the tick began; after follow(), when it was over
 
         void put(const Vector3 &at);
     };
@@ -137,7 +133,6 @@ private:
     void insert(NearbyGeom geom, double distance);
     bool is_near(dGeomID geom) const;
     double longest_way() const;
-    double catch_up() const;
     SphereSlide::Task task() const;
     void settle();
     Vector3 lag_at(const Vector3 &place) const;
@@ -148,16 +143,16 @@ private:
 
     double radius_;
     double margin_ = 0;
-    double stiffness_ = usual_stiffness;
+    double stiffness_ = 1000;
     bool has_proxy_ = false;
     Vector3 tool_ = Vector3::Zero();
     Vector3 travel_ = Vector3::Zero(); ///< m; of the tool, since the tick before
     Vector3 start_ = Vector3::Zero();  ///< m; the proxy when the tick began
     Vector3 proxy_ = Vector3::Zero();  ///< m; when it was over
     bool adopts_ = false;              ///< another tracker has the proxy
-    bool released_ =
-        false; ///< what carried the proxy is gone, and it has not come to rest since: no force but by what it touches
-    double catch_up_ = 0; ///< m; see catch_up(), by what was near in the tick before
+    /// What carried the proxy is gone, and it has not come to rest since: no force but by what it touches.
+    bool released_ = false;
+    double catch_up_ = 0; ///< m; how far the proxy may go in a tick beyond the tool's way, by what was near before
     std::vector<Held> near_;
     std::vector<ContactMemory::Place> before_;
     std::vector<SlidePlace> places_;

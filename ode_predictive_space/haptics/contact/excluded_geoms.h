@@ -19,11 +19,8 @@ struct ProbePlace
     double tick = 0;                  ///< s; since the tick before
 };
 
-/// There is no side from which the probe came into such a geom, so that any force would be arbitrary: nothing of it is felt
-/// until the probe has been outside of it once. Excluded are
-/// - all geoms that the probe is in when it begins, however little;
-/// - those that appear around it later, or are put there, if all of the probe is in a solid, or its middle in a mesh. What
-///   came there by its own motion is not excluded, and what the probe is in with a part of it shows a side.
+/// There is no side from which the probe came into such a geom, so that any force would be arbitrary: see TouchSensor. What came
+/// around the probe by its own motion is not excluded.
 ///
 /// Each tick: begin(), then excludes() for each geom that the near callback tells.
 class ExcludedGeoms

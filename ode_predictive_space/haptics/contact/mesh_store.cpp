@@ -24,22 +24,22 @@ TriangleCorners triangle_of(dGeomID geom, int index)
 /// The cells' diagonals go from the one with the higher x to the one with the higher z, as in ODE. They face upwards.
 std::vector<TriangleCorners> triangles_of(const HeightfieldSamples &samples)
 {
-    const int columns = samples.width_samples;
-    const int rows = samples.depth_samples;
+    const auto columns = static_cast<std::size_t>(std::max(0, samples.width_samples));
+    const auto rows = static_cast<std::size_t>(std::max(0, samples.depth_samples));
     if (!(samples.width > 0 && samples.depth > 0 && columns >= 2 && rows >= 2) ||
-        samples.heights.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))
+        samples.heights.size() != columns * rows)
         throw std::invalid_argument("A heightfield needs a width and a depth, and a height for each of its samples");
-    const auto at = [&](int x, int z) -> Vector3 {
-        const double height =
-            samples
-                .heights[static_cast<std::size_t>(z) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
-        return {samples.width * (static_cast<double>(x) / (columns - 1) - 0.5), samples.scale * height + samples.offset,
-                samples.depth * (static_cast<double>(z) / (rows - 1) - 0.5)};
+    const auto part = [](std::size_t i, std::size_t count) {
+        return static_cast<double>(i) / static_cast<double>(count - 1) - 0.5;
+    };
+    const auto at = [&](std::size_t x, std::size_t z) -> Vector3 {
+        return {samples.width * part(x, columns), samples.scale * samples.heights[x + z * columns] + samples.offset,
+                samples.depth * part(z, rows)};
     };
     std::vector<TriangleCorners> triangles;
-    for (int z = 0; z + 1 < rows; ++z)
+    for (std::size_t z = 0; z + 1 < rows; ++z)
     {
-        for (int x = 0; x + 1 < columns; ++x)
+        for (std::size_t x = 0; x + 1 < columns; ++x)
         {
             triangles.push_back({at(x, z), at(x, z + 1), at(x + 1, z)});
             triangles.push_back({at(x + 1, z + 1), at(x + 1, z), at(x, z + 1)});

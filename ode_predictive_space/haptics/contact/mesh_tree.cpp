@@ -204,16 +204,13 @@ double MeshTree::add(const Vector3 &point, std::uint32_t triangle, double radius
     };
     if (std::any_of(features.begin() + static_cast<std::ptrdiff_t>(first), features.end(), same))
         return feature.distance;
-    if (!is_minimum(found, triangle, point))
-    {
-        if (found.part == TrianglePart::corner && fan_size(triangles_[triangle][found.index]) > large_fan)
-        {
-            feature.triangle = no_minimum; // so that the others of the fan need not look
-            features.push_back(feature);
-        }
-        return feature.distance;
-    }
-    features.push_back(feature);
+    const bool is_told = is_minimum(found, triangle, point);
+    if (!is_told)
+        feature.triangle = no_minimum;
+    const bool in_large_fan =
+        found.part == TrianglePart::corner && fan_size(triangles_[triangle][found.index]) > large_fan;
+    if (is_told || in_large_fan) // there, so that the others of the fan need not look
+        features.push_back(feature);
     return feature.distance;
 }
 
@@ -227,16 +224,11 @@ bool MeshTree::is_minimum(const NearestOnTriangle &nearest, std::uint32_t triang
     for (std::uint32_t i = fan_begin_[vertex]; i < fan_begin_[vertex + 1]; ++i)
     {
         const std::uint32_t neighbour = fans_[i];
-        if (neighbour != triangle && has(neighbour, other) &&
+        const TriangleArrays::Indices &corner = triangles_[neighbour];
+        if (neighbour != triangle && (corner[0] == other || corner[1] == other || corner[2] == other) &&
             nearest_on_triangle(point, corners(neighbour)).squared_distance < nearer * nearest.squared_distance)
             return false;
     }
     return true;
-}
-
-bool MeshTree::has(std::uint32_t triangle, std::uint32_t vertex) const
-{
-    const TriangleArrays::Indices &vertices = triangles_[triangle];
-    return vertices[0] == vertex || vertices[1] == vertex || vertices[2] == vertex;
 }
 } // namespace ode_predictive_space::haptics

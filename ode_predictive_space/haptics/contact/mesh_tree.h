@@ -54,7 +54,6 @@ private:
     Dipole sum_of(const TriangleTree::Node &node) const;
     bool is_minimum(const NearestOnTriangle &nearest, std::uint32_t triangle, const Vector3 &point) const;
     std::uint32_t fan_size(std::uint32_t vertex) const { return fan_begin_[vertex + 1] - fan_begin_[vertex]; }
-    bool has(std::uint32_t triangle, std::uint32_t vertex) const;
     double add(const Vector3 &point, std::uint32_t triangle, double radius, std::size_t first,
                SurfaceFeatures &features) const;
 

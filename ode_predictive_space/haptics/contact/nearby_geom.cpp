@@ -46,31 +46,22 @@ NearbyGeom NearbyGeom::later(double dt) const
 {
     NearbyGeom geom = *this;
     geom.mesh_ = std::shared_ptr<const MeshTree>(std::shared_ptr<const void>(), mesh_.get());
-    if (!linear_.allFinite() || !angular_.allFinite())
-        return geom;
-    geom.centre_ += dt * linear_;
-    geom.position_ += dt * linear_;
-    geom.turn(dt * angular_);
+    if (linear_.allFinite() && angular_.allFinite())
+        geom.shift(dt * linear_, dt * angular_, Vector3::Zero(), Vector3::Zero());
     return geom;
-}
-
-/// About the centre, by a rotation vector.
-void NearbyGeom::turn(const Vector3 &vector)
-{
-    const double angle = vector.norm();
-    if (angle != 0)
-    {
-        const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
-        rotation_ = turn * rotation_;
-        position_ = centre_ + turn * (position_ - centre_);
-    }
 }
 
 void NearbyGeom::shift(const Vector3 &moved, const Vector3 &turned, const Vector3 &velocity, const Vector3 &spin)
 {
     position_ += moved;
     centre_ += moved;
-    turn(turned);
+    const double angle = turned.norm();
+    if (angle != 0)
+    {
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, turned / angle).toRotationMatrix();
+        rotation_ = turn * rotation_;
+        position_ = centre_ + turn * (position_ - centre_);
+    }
     linear_ += velocity;
     angular_ += spin;
 }

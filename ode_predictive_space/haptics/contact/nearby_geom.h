@@ -82,7 +82,6 @@ public:
     bool is_solid() const { return solid_.is_known(); }
 
 private:
-    void turn(const Vector3 &vector);
     void move_to_scene(SurfaceFeature &feature) const;
 
     dGeomID id_ = nullptr;

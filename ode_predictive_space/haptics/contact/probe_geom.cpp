@@ -59,8 +59,8 @@ ProbeGeom::~ProbeGeom()
 {
     if (watched_ != nullptr && may_be_touched())
         dGeomDestroy(watched_);
-    if (world_of_watch_ != nullptr && (!abandoned_ || is_gone()))
-        dWorldDestroy(world_of_watch_);
+    if (watch_ != nullptr && (!abandoned_ || is_gone()))
+        dWorldDestroy(dBodyGetWorld(watch_));
     if (is_own())
         dGeomDestroy(tool_);
 }
@@ -68,8 +68,7 @@ ProbeGeom::~ProbeGeom()
 void ProbeGeom::watch(dGeomID geom)
 {
     watched_ = geom;
-    world_of_watch_ = dWorldCreate();
-    watch_ = dBodyCreate(world_of_watch_);
+    watch_ = dBodyCreate(dWorldCreate());
     dBodySetKinematic(watch_);
     dGeomSetBody(geom, watch_);
 }

@@ -10,8 +10,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A sphere of the library's own, which covers the region in which it looks for what it can touch, or a geom of the program, which goes
-/// where the tool is. In a predictive space it gets the interactive role.
+/// A sphere of the library's own, or a geom of the program: see TouchSensor.
 ///
 /// ODE does not tell when a space is destroyed with its geoms, but a geom that is destroyed leaves its body. So a geom of ours in
 /// the space gets a kinematic body of a world of its own, in which nothing happens.
@@ -62,8 +61,7 @@ private:
     dGeomID geom_;
     dGeomID tool_;                          ///< of a sphere of its own, another one: in no space, for dCollide()
     dGeomID watched_ = nullptr;             ///< geom_, or a sentinel beside a geom of the program that is in a space
-    dWorldID world_of_watch_ = nullptr;     ///< for watched_
-    dBodyID watch_ = nullptr;               ///< of watched_
+    dBodyID watch_ = nullptr;               ///< of watched_; alone in its world
     bool abandoned_ = false;                ///< nothing may be done to geom_
     double radius_ = 0;                     ///< m; without the margin
     double margin_ = 0;                     ///< m

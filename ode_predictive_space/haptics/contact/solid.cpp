@@ -58,46 +58,52 @@ SurfaceFeature nearest_of_cylinder(const Vector3 &point, double radius, double h
 
 Solid Solid::of(dGeomID geom)
 {
+    Solid solid;
     dReal first = 0;
     dReal second = 0;
     dVector4 numbers = {};
-    switch (dGeomGetClass(geom))
+    const int geom_class = dGeomGetClass(geom);
+    switch (geom_class)
     {
     case dSphereClass:
-        return Solid(Shape::capsule, Vector3(dGeomSphereGetRadius(geom), 0, 0));
+        solid.size_ = Vector3(dGeomSphereGetRadius(geom), 0, 0);
+        break;
     case dBoxClass:
         dGeomBoxGetLengths(geom, numbers);
-        return Solid(Shape::box, 0.5 * Vector3(numbers[0], numbers[1], numbers[2]));
+        solid.size_ = 0.5 * Vector3(numbers[0], numbers[1], numbers[2]);
+        break;
     case dCapsuleClass:
         dGeomCapsuleGetParams(geom, &first, &second);
-        return Solid(Shape::capsule, Vector3(first, 0.5 * second, 0));
+        solid.size_ = Vector3(first, 0.5 * second, 0);
+        break;
     case dCylinderClass:
         dGeomCylinderGetParams(geom, &first, &second);
-        return Solid(Shape::cylinder, Vector3(first, 0.5 * second, 0));
+        solid.size_ = Vector3(first, 0.5 * second, 0);
+        break;
     case dPlaneClass:
-    {
         dGeomPlaneGetParams(geom, numbers);
-        Solid solid(Shape::half_space, Vector3(numbers[0], numbers[1], numbers[2]));
+        solid.size_ = Vector3(numbers[0], numbers[1], numbers[2]);
         solid.height_ = static_cast<double>(numbers[3]);
+        break;
+    default:
         return solid;
     }
-    default:
-        return Solid(Shape::unknown);
-    }
+    solid.class_ = geom_class;
+    return solid;
 }
 
 SurfaceFeature Solid::nearest(const Vector3 &point) const
 {
-    switch (shape_)
+    switch (class_)
     {
-    case Shape::box:
+    case dBoxClass:
         return nearest_of_box(point, size_);
-    case Shape::capsule:
+    case dSphereClass:
+    case dCapsuleClass:
         return nearest_of_ball(point, Vector3(0, 0, std::clamp(point.z(), -size_[1], size_[1])), size_[0]);
-    case Shape::cylinder:
+    case dCylinderClass:
         return nearest_of_cylinder(point, size_[0], size_[1]);
-    case Shape::half_space:
-    case Shape::unknown:
+    default: // a half-space
         break;
     }
     SurfaceFeature feature;

@@ -25,30 +25,20 @@ using SurfaceFeatures = std::vector<SurfaceFeature>;
 class Solid
 {
 public:
-    Solid() : Solid(Shape::unknown) {}
-
     /// Unknown when the geom is of another class.
     static Solid of(dGeomID geom);
 
-    bool is_known() const { return shape_ != Shape::unknown; }
+    bool is_known() const { return class_ != unknown; }
 
     /// The place of its surface that is nearest. A point inside has a negative distance, and the normal is the way out.
     SurfaceFeature nearest(const Vector3 &point) const;
 
 private:
-    enum class Shape
-    {
-        unknown,
-        box,
-        capsule, ///< a sphere is one without length
-        cylinder,
-        half_space
-    };
+    static constexpr int unknown = -1;
 
-    explicit Solid(Shape shape, const Vector3 &size = Vector3::Zero()) : shape_(shape), size_(size) {}
-
-    Shape shape_;
-    Vector3 size_;      ///< m; half the sides of a box; else radius and half of the length. Of a half-space its normal
+    int class_ = unknown; ///< ODE's
+    /// m; half the sides of a box; else radius and half of the length, 0 of a sphere. Of a half-space its normal.
+    Vector3 size_ = Vector3::Zero();
     double height_ = 0; ///< m; of a half-space's surface, along its normal
 };
 } // namespace ode_predictive_space::haptics

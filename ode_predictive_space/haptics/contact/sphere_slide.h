@@ -25,8 +25,7 @@ struct SlidePlane
     std::size_t place = 0; ///< which geom's, by its index
     SurfaceFeature feature;
     double depth = 0; ///< m; how far the goal is behind the plane on which the sphere's centre would be in contact
-    double share =
-        0; ///< m; what the plane adds to the way from the goal to the sphere's centre; 0 if it does not carry it
+    double share = 0; ///< m; of the way from the goal to the sphere's centre; 0 if it does not carry it
 };
 
 /// Each step takes the surfaces near the centre as planes, and goes to the place that is nearest to the goal and behind none

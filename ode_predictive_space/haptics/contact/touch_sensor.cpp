@@ -37,11 +37,86 @@ public:
         place.radius = geom.radius();
     }
 
-    bool hold(dGeomID other);
-    void collide(dGeomID other);
-    void add(const dContactGeom &contact, dGeomID other);
-    void resolve();
-    std::optional<Material> material_of(dGeomID other);
+    /// @return false when only dCollide() knows its surface.
+    bool hold(dGeomID other)
+    {
+        std::optional<NearbyGeom> nearby = NearbyGeom::read(other, meshes, tracker->touched_triangles(other));
+        if (!nearby)
+            return false;
+        if (!nearby->is_finite())
+        {
+            nonsense = true;
+            return true;
+        }
+        if (excluded.excludes(*nearby, place))
+            return true;
+        if (const dBodyID body = dGeomGetBody(other))
+            bodies.keep(body);
+        nearby->set_material(material_of(other));
+        tracker->add_if_near(std::move(*nearby));
+        return true;
+    }
+
+    void collide(dGeomID other)
+    {
+        const int count = dCollide(geom.tool(), other, most_contacts, contacts.data(), sizeof(dContactGeom));
+        if (count > 0)
+            add(*std::max_element(contacts.begin(), contacts.begin() + count, is_shallower), other);
+    }
+
+    // ODE's normal is the way out for the first of the two geoms, which is the probe.
+    void add(const dContactGeom &contact, dGeomID other)
+    {
+        Touch touch;
+        touch.point = from_ode(contact.pos);
+        touch.normal = from_ode(contact.normal);
+        touch.depth = static_cast<double>(contact.depth) - geom.margin();
+        if (excluded.excludes(other, touch.depth, place))
+            return;
+        touch.object = object_of(other);
+        touch.material = material_of(other);
+        if (const dBodyID body = dGeomGetBody(other))
+        {
+            bodies.keep(body);
+            const ToolState motion = tool_state_of(body);
+            touch.surface_velocity =
+                motion.linear_velocity + motion.angular_velocity.cross(touch.point - motion.position);
+        }
+        if (!is_finite(touch))
+        {
+            nonsense = true;
+            return;
+        }
+        Touch *known = find_in(collided, [&](const Touch &earlier) { return earlier.object == touch.object; });
+        if (known == nullptr)
+            collided.push_back(touch);
+        else if (touch.depth > known->depth)
+            *known = touch;
+    }
+
+    std::optional<Material> material_of(dGeomID other)
+    {
+        std::optional<Material> material = materials ? materials(other) : std::nullopt;
+        if (material && !is_valid(*material))
+        {
+            nonsense = true;
+            material.reset();
+        }
+        return material;
+    }
+
+    void resolve()
+    {
+        if (resolved)
+            return;
+        resolved = true;
+        touches = collided;
+        if (tracker)
+        {
+            tracker->follow();
+            nonsense = !tracker->touches(view, touches) || nonsense;
+        }
+    }
 
     ProbeGeom geom;
     std::optional<ContactTracker> tracker; ///< of the sphere that the sensor makes
@@ -194,57 +269,6 @@ bool TouchSensor::touch(dGeomID first, dGeomID second)
     return true;
 }
 
-/// @return false when only dCollide() knows its surface.
-bool TouchSensor::Parts::hold(dGeomID other)
-{
-    std::optional<NearbyGeom> nearby = NearbyGeom::read(other, meshes, tracker->touched_triangles(other));
-    if (!nearby)
-        return false;
-    if (!nearby->is_finite())
-    {
-        nonsense = true;
-        return true;
-    }
-    if (excluded.excludes(*nearby, place))
-        return true;
-    if (const dBodyID body = dGeomGetBody(other))
-        bodies.keep(body);
-    nearby->set_material(material_of(other));
-    tracker->add_if_near(std::move(*nearby));
-    return true;
-}
-
-void TouchSensor::Parts::collide(dGeomID other)
-{
-    const int count = dCollide(geom.tool(), other, most_contacts, contacts.data(), sizeof(dContactGeom));
-    if (count > 0)
-        add(*std::max_element(contacts.begin(), contacts.begin() + count, is_shallower), other);
-}
-
-std::optional<Material> TouchSensor::Parts::material_of(dGeomID other)
-{
-    std::optional<Material> material = materials ? materials(other) : std::nullopt;
-    if (material && !is_valid(*material))
-    {
-        nonsense = true;
-        material.reset();
-    }
-    return material;
-}
-
-void TouchSensor::Parts::resolve()
-{
-    if (resolved)
-        return;
-    resolved = true;
-    touches = collided;
-    if (tracker)
-    {
-        tracker->follow();
-        nonsense = !tracker->touches(view, touches) || nonsense;
-    }
-}
-
 const std::vector<Touch> &TouchSensor::touches()
 {
     parts_->resolve();
@@ -256,35 +280,6 @@ bool TouchSensor::saw_nonsense()
 {
     parts_->resolve();
     return parts_->nonsense;
-}
-
-// ODE's normal is the way out for the first of the two geoms, which is the probe.
-void TouchSensor::Parts::add(const dContactGeom &contact, dGeomID other)
-{
-    Touch touch;
-    touch.point = from_ode(contact.pos);
-    touch.normal = from_ode(contact.normal);
-    touch.depth = static_cast<double>(contact.depth) - geom.margin();
-    if (excluded.excludes(other, touch.depth, place))
-        return;
-    touch.object = object_of(other);
-    touch.material = material_of(other);
-    if (const dBodyID body = dGeomGetBody(other))
-    {
-        bodies.keep(body);
-        const ToolState motion = tool_state_of(body);
-        touch.surface_velocity = motion.linear_velocity + motion.angular_velocity.cross(touch.point - motion.position);
-    }
-    if (!is_finite(touch))
-    {
-        nonsense = true;
-        return;
-    }
-    Touch *known = find_in(collided, [&](const Touch &earlier) { return earlier.object == touch.object; });
-    if (known == nullptr)
-        collided.push_back(touch);
-    else if (touch.depth > known->depth)
-        *known = touch;
 }
 
 void TouchSensor::push(const std::vector<ForceShare> &shares)
