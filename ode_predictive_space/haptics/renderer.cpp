@@ -407,7 +407,7 @@ void Renderer::read(double time, double clock_time)
 void Renderer::relax() noexcept
 {
     parts_->split.clear();
-    parts_->link.release();
+    parts_->link.gate().release();
     parts_->relaxed = true;
 }
 
@@ -440,7 +440,7 @@ void Renderer::physics_fresh(double clock_time)
 
 void Renderer::tell_held_back()
 {
-    parts_->notices.tell_all_held_back();
+    parts_->notices.tell_held_back(0);
 }
 
 const ToolState &Renderer::tool() const

@@ -63,9 +63,24 @@ bool DeviceGate::write(const Wrench &wrench)
     return written;
 }
 
-void DeviceGate::close_device() noexcept
+/// @return why the device was closed: it refuses zero.
+std::exception_ptr DeviceGate::zero_or_close() noexcept
 {
-    visit([this] { device_.close(); });
+    try
+    {
+        device_.write(Wrench());
+        return nullptr;
+    }
+    catch (...)
+    {
+        device_.close();
+        return std::current_exception();
+    }
+}
+
+void DeviceGate::release() noexcept
+{
+    visit([this] { zero_or_close(); });
 }
 
 bool DeviceGate::notice_closing()
@@ -77,36 +92,24 @@ void DeviceGate::shut() noexcept
 {
     shut_.store(true, std::memory_order_relaxed);
     const bool entered = enter_soon();
-    try
-    {
-        device_.write(Wrench());
-    }
-    catch (...)
-    {
-        device_.close();
-    }
+    zero_or_close();
     if (entered)
         leave();
 }
 
 bool DeviceGate::close_with_zero(double now)
 {
+    std::exception_ptr error;
     const bool entered = visit([&] {
         closed_.store(true, std::memory_order_relaxed);
         last_zero_.store(now, std::memory_order_relaxed);
         zeros_.fetch_add(1, std::memory_order_release);
-        try
-        {
-            device_.write(Wrench());
-        }
-        catch (...)
-        {
-            device_.close();
-            throw;
-        }
+        error = zero_or_close();
     });
     if (!entered)
         closed_.store(true, std::memory_order_relaxed);
+    if (error)
+        std::rethrow_exception(error);
     return entered;
 }
 } // namespace ode_predictive_space::haptics

@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/device.h"
 
 #include <atomic>
+#include <exception>
 #include <thread>
 
 namespace ode_predictive_space::haptics
@@ -32,8 +33,8 @@ public:
     /// @throws DeviceError
     bool write(const Wrench &wrench);
 
-    /// Of the servo: closes a device that does not accept zero force. Left to the guard when that is in the device.
-    void close_device() noexcept;
+    /// Of the servo: no force; the device is closed when it refuses. Left to the guard when that is in the device.
+    void release() noexcept;
 
     /// Of the servo: opens the gate again. @return whether the guard had closed it.
     bool notice_closing();
@@ -51,10 +52,9 @@ public:
 
     /// Whether a guard looks after this device.
     void set_guarded(bool guarded) { guarded_.store(guarded, std::memory_order_relaxed); }
-    /// The same.
     bool is_guarded() const { return guarded_.load(std::memory_order_relaxed); }
 
-    /// The thread that read last: the servo's. From any thread.
+    /// The thread that read last: the servo's.
     std::thread::id reader() const { return reader_.load(std::memory_order_relaxed); }
 
     /// How often the guard took the force away.
@@ -66,6 +66,7 @@ public:
 private:
     bool enter() { return !taken_.exchange(true, std::memory_order_acquire); }
     bool enter_soon();
+    std::exception_ptr zero_or_close() noexcept;
     void leave() { taken_.store(false, std::memory_order_release); }
     template <typename Work> bool visit(const Work &work);
 

@@ -31,17 +31,18 @@ AtEnd opened(Device &device)
     return AtEnd([&device] { device.close(); });
 }
 
-bool is_finite(const DeviceState &state)
+/// Why this state cannot be; 0 when it can. Even a device whose workspace is told too small is not beyond it by a metre and twice its
+/// size.
+const char *nonsense_in(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
 {
-    return std::isfinite(state.time) && state.position.allFinite() && state.orientation.coeffs().allFinite() &&
-           state.linear_velocity.allFinite() && state.angular_velocity.allFinite();
-}
-
-/// Beyond its workspace by a metre and by twice its size: where no device can be, even one whose workspace is told too small.
-bool is_far_off(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
-{
-    return !workspace.isEmpty() &&
-           workspace.exteriorDistance(state.position) > std::max(1.0, 2 * workspace.diagonal().norm());
+    const bool is_finite = std::isfinite(state.time) && state.position.allFinite() &&
+                           state.orientation.coeffs().allFinite() && state.linear_velocity.allFinite() &&
+                           state.angular_velocity.allFinite();
+    if (!is_finite)
+        return "The device tells a position, a velocity or a time that is not a number.";
+    const bool is_far_off = !workspace.isEmpty() &&
+                            workspace.exteriorDistance(state.position) > std::max(1.0, 2 * workspace.diagonal().norm());
+    return is_far_off ? "The device tells a position far outside of its workspace." : nullptr;
 }
 } // namespace
 
@@ -66,7 +67,11 @@ DeviceLink::News DeviceLink::read(double time, double rate, double top_speed)
 {
     time_ = time;
     const bool answered = answers_;
-    answers_ = time >= next_try_ && read_state(rate);
+    answers_ = time >= next_try_ && attempt([&] {
+                   DeviceState state = state_;
+                   // With the guard in it, just now, what it told before will do.
+                   return gate_.read(time_, state) ? follow(state, rate) : answered;
+               });
     News news;
     if (answers_)
     {
@@ -98,26 +103,11 @@ template <typename Call> bool DeviceLink::attempt(const Call &call)
     return false;
 }
 
-/// @return whether the device answers.
-bool DeviceLink::read_state(double rate)
-{
-    return attempt([&] {
-        DeviceState state = state_;
-        // With the guard in it, just now, what it told before will do.
-        return gate_.read(time_, state) ? follow(state, rate) : answers_;
-    });
-}
-
 bool DeviceLink::follow(const DeviceState &state, double rate)
 {
-    if (!is_finite(state))
+    if (const char *const nonsense = nonsense_in(state, capabilities().workspace))
     {
-        doubt("The device tells a position, a velocity or a time that is not a number.");
-        return false;
-    }
-    if (is_far_off(state, capabilities().workspace))
-    {
-        doubt("The device tells a position far outside of its workspace.");
+        doubt(nonsense);
         return false;
     }
     const double slower_rate = std::min(capabilities().rate, rate);
@@ -146,7 +136,7 @@ void DeviceLink::fail(std::string_view why)
 {
     answers_ = false;
     next_try_ = time_ + try_again_after;
-    release();
+    gate_.release(); // before anything else that might fail
     if (!failed_)
     {
         failed_ = true;
@@ -154,7 +144,7 @@ void DeviceLink::fail(std::string_view why)
     }
 }
 
-/// Of one state that cannot be: the next may be right again, and the hand still lean on what it leant on.
+/// The next state may be right again, and the hand still lean on what it leant on.
 void DeviceLink::doubt(std::string_view why)
 {
     if (!failed_)
@@ -162,19 +152,6 @@ void DeviceLink::doubt(std::string_view why)
     fail(why);
     if (time_ - doubted_since_ < longest_doubt)
         next_try_ = time_;
-}
-
-// Zero, before anything else that might fail.
-void DeviceLink::release() noexcept
-{
-    try
-    {
-        gate_.write(Wrench());
-    }
-    catch (...)
-    {
-        gate_.close_device();
-    }
 }
 
 Wrench DeviceLink::write(const Wrench &wrench)

@@ -46,9 +46,6 @@ public:
     /// @return what was written: zero when it could not be.
     Wrench write(const Wrench &wrench);
 
-    /// Zero, or close the device.
-    void release() noexcept;
-
     bool answers() const { return answers_; }
 
     /// What notice_guard() returned.
@@ -69,7 +66,6 @@ public:
 
 private:
     template <typename Call> bool attempt(const Call &call);
-    bool read_state(double rate);
     bool follow(const DeviceState &state, double rate);
     bool is_silent(const DeviceState &state, double rate);
     void fail(std::string_view why);

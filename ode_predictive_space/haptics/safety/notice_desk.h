@@ -21,7 +21,7 @@ public:
     void set_sink(NoticeSink sink) { sink_ = std::move(sink); }
     const NoticeSink &sink() const { return sink_; }
 
-    /// A tick begins. @param time s, simulated; of its notices.
+    /// A tick begins. @param time s, simulated.
     void set_time(double time) { time_ = time; }
 
     void tell(NoticeKind kind, std::string_view sentence) const;
@@ -29,11 +29,8 @@ public:
     /// @param topic below most_topics.
     void tell_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence);
 
-    /// What was held back of the topics that have been quiet for a second.
-    void tell_held_back() { tell_held_back(tell_again_after); }
-
-    /// What was held back of all topics: at the end of a run.
-    void tell_all_held_back() { tell_held_back(0); }
+    /// What was held back of the topics that have been quiet for so long, in s. At the end of a run: for no time.
+    void tell_held_back(double quiet_for = tell_again_after);
 
     /// How many notices were held back, so far.
     std::uint64_t held_back() const { return held_back_; }
@@ -48,8 +45,6 @@ private:
         int times = 0; ///< held back since
         Notice notice; ///< the last of those
     };
-
-    void tell_held_back(double quiet_for);
 
     NoticeSink sink_;
     double time_ = 0; ///< s, simulated

@@ -1,10 +1,11 @@
 #include "ode_predictive_space/haptics/safety/open_gates.h"
 
+#include "ode_predictive_space/haptics/device/with_lock.h"
+
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
-#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <string_view>
@@ -25,7 +26,7 @@ struct Place
 };
 
 std::atomic<Place *> first_place{nullptr};
-std::mutex changes; // of gates. Nothing throws and no driver is called while it is locked; no handler takes it
+std::mutex changes; // of gates. No driver is called while it is locked, and no handler takes it
 
 thread_local int visits = 0; // of this thread, one within another
 
@@ -45,39 +46,23 @@ template <typename Visit> void visit_all(const Visit &visit) noexcept
     --visits;
 }
 
-Place *place_of(const DeviceGate *gate) noexcept
+/// The first place whose gate is such a one, which may be 0. @return 0 when there is none.
+template <typename Predicate> Place *find_place(const Predicate &is_it) noexcept
 {
     Place *place = first_place;
-    while (place != nullptr && place->gate != gate)
+    while (place != nullptr && !is_it(place->gate.load()))
         place = place->next;
     return place;
 }
 
-bool is_taken(const Device &device) noexcept
+Place &free_place()
 {
-    const Place *place = first_place;
-    const auto has_device = [&](const DeviceGate *gate) { return gate != nullptr && &gate->device() == &device; };
-    while (place != nullptr && !has_device(place->gate))
-        place = place->next;
-    return place != nullptr;
-}
-
-/// @param unused a place, for when no other is free. @return false when the device is taken.
-bool put(DeviceGate &gate, std::unique_ptr<Place> unused) noexcept
-{
-    const std::lock_guard<std::mutex> lock(changes);
-    if (is_taken(gate.device()))
-        return false;
-    if (Place *const free = place_of(nullptr))
-    {
-        free->shut_by = std::thread::id();
-        free->gate = &gate;
-        return true;
-    }
-    unused->gate = &gate;
-    unused->next = first_place;
-    first_place = unused.release();
-    return true;
+    if (Place *const free = find_place([](const DeviceGate *gate) { return gate == nullptr; }))
+        return *free;
+    auto *const place = new Place;
+    place->next = first_place;
+    first_place = place;
+    return *place;
 }
 
 bool is_empty() noexcept
@@ -164,8 +149,13 @@ void guard_program_end() noexcept
 void add(DeviceGate &gate)
 {
     guard_program_end();
-    if (!put(gate, std::make_unique<Place>()))
-        throw std::logic_error("Another probe renders to this device: one of them would have no guard");
+    with_lock(changes, [&] {
+        if (find_place([&](const DeviceGate *other) { return other != nullptr && &other->device() == &gate.device(); }))
+            throw std::logic_error("Another probe renders to this device: one of them would have no guard");
+        Place &place = free_place();
+        place.shut_by = std::thread::id();
+        place.gate = &gate;
+    });
 }
 
 void remove(DeviceGate &gate) noexcept
@@ -173,7 +163,7 @@ void remove(DeviceGate &gate) noexcept
     Place *place = nullptr;
     {
         const std::lock_guard<std::mutex> lock(changes);
-        place = place_of(&gate);
+        place = find_place([&](const DeviceGate *known) { return known == &gate; });
         if (place != nullptr)
             place->gate = nullptr;
     }

@@ -206,9 +206,8 @@ void SafetyStage::restart_ramp()
 
 void SafetyStage::reset()
 {
-    last_ = Wrench();
+    restart_ramp();
     has_time_ = false;
-    ramp_ = 0;
     engaged_ = false;
 }
 } // namespace ode_predictive_space::haptics

@@ -33,8 +33,7 @@ struct WatchdogLimits
     double ramp_time = 0.25;     ///< s from none to full force, when all is well again
 
     /// What suits two rates in Hz: a sign of life is overdue 3 ms after it should have come, but not less than 4 ms after the one
-    /// before. The force is gone 8 ms after it should have come. That is 9 ms after the last one at 1 kHz, and 10 ms at 500 Hz, but
-    /// 18 ms at 100 Hz: whether a scene hangs, or only uses the time that it has, cannot be told before its step is due.
+    /// before. Whether a scene hangs, or only uses the time that it has, cannot be told before its step is due.
     static WatchdogLimits of(double servo_rate, double physics_rate);
 };
 
@@ -44,9 +43,7 @@ struct WatchdogLimits
 /// comes back within ramp_time. It begins at 0, and rises when everything has shown that it lives.
 ///
 /// physics_fresh() may be called from any thread; all else belongs to the servo loop. Neither allocates nor locks. Times are in seconds
-/// on one clock.
-///
-/// A servo loop that hangs cannot be helped by what runs in it: then the device's own watchdog has to act.
+/// on one clock. Of a servo loop that hangs, the loop's guard takes care.
 class Watchdog
 {
 public:
