@@ -18,32 +18,29 @@ protected:
         Touch touch;
         touch.object = 1;
         touch.normal = -Vector3::UnitX();
-        planes_.set({touch}, true, Vector3::Zero(), 1);
-        MotionForecast::Place place;
+        MotionForecast::Place &place = forecast_->places[0];
         place.touch = touch;
         place.centre = Vector3(0.1, 0, 0);
         place.velocity << 0.5, 0, 0, 0, 0, 0;
-        MotionForecast::PushWrenches pushes = MotionForecast::PushWrenches::Zero();
+        MotionForecast::Response pushes = MotionForecast::Response::Zero();
         pushes.topLeftCorner<3, 3>().setIdentity();
-        forecast_->begin(1);
-        forecast_->set_nodes(2, node);
-        forecast_->add(place, pushes);
+        place.combination = pushes.transpose();
+        forecast_->time = 1;
+        forecast_->node_length = node;
+        forecast_->count = 1;
         for (int i = 0; i <= 2; ++i)
         {
-            forecast_->free(0)[i] << 0.5 * node * i, 0, 0.001 * i * i, 0, 0, 0;
-            forecast_->response(0, 0)[i] = pushes * (node * i / 2.0);
+            place.free[i] << 0.5 * node * i, 0, 0.001 * i * i, 0, 0, 0;
+            forecast_->response[0][0][i] = pushes * (node * i / 2.0);
         }
     }
 
-    ContactModel::Shift shift_at(double time, const std::vector<Impulse> &impulses = {})
+    Shift shift_at(double time, const std::vector<Impulse> &impulses = {})
     {
-        ContactModel::Shifts shifts;
-        forecast_->shift(impulses, time, planes_, shifts);
-        return shifts[0];
+        return shift_of(1, forecast_->shifts(impulses, time));
     }
 
     std::unique_ptr<MotionForecast> forecast_ = std::make_unique<MotionForecast>();
-    ContactModel planes_;
 };
 
 TEST_F(MotionForecastTest, ABodyGoesWhereItWasRolledOutTo)
@@ -57,8 +54,8 @@ TEST_F(MotionForecastTest, ABodyGoesWhereItWasRolledOutTo)
 TEST_F(MotionForecastTest, WhatTheHandGotMovesItTheOtherWay)
 {
     const Impulse impulse = {1, Vector3(0.1, 0, 0), Vector3(-4, 0, 0), 1 + 0.5 * node, 1};
-    const ContactModel::Shift without = shift_at(1 + node);
-    const ContactModel::Shift with = shift_at(1 + node, {impulse});
+    const Shift without = shift_at(1 + node);
+    const Shift with = shift_at(1 + node, {impulse});
     EXPECT_LE((with.moved - without.moved - Vector3(0.5 * node * 2, 0, 0)).norm(), 1e-12);
     EXPECT_LE((with.velocity - without.velocity - Vector3(2, 0, 0)).norm(), 1e-12);
 }
@@ -67,7 +64,7 @@ TEST_F(MotionForecastTest, ImpulsesThatTheSceneHasGotAndThoseOfOthersAreLeftOut)
 {
     const Impulse old = {1, Vector3(0.1, 0, 0), Vector3(-4, 0, 0), 1, 7};
     const Impulse other = {2, Vector3(0.1, 0, 0), Vector3(-4, 0, 0), 1, 8};
-    forecast_->set_included(7);
+    forecast_->last_included = 7;
     EXPECT_LE((shift_at(1 + node, {old, other}).moved - shift_at(1 + node).moved).norm(), 1e-15);
 }
 } // namespace

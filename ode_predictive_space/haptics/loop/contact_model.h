@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MODEL_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MODEL_H
 
+#include "ode_predictive_space/haptics/contact/short_list.h"
 #include "ode_predictive_space/haptics/touch.h"
 
 #include <algorithm>
@@ -11,31 +12,41 @@
 
 namespace ode_predictive_space::haptics
 {
+/// What an object did besides going on with its velocity.
+struct Shift
+{
+    std::uintptr_t object = 0;          ///< as Touch has it
+    Vector3 moved = Vector3::Zero();    ///< m; its centre of mass
+    Vector3 velocity = Vector3::Zero(); ///< m/s; of that
+    Vector3 turned = Vector3::Zero();   ///< rad; the vector of a rotation about the centre
+    Vector3 spin = Vector3::Zero();     ///< rad/s
+    Vector3 centre = Vector3::Zero();   ///< m; before that
+
+    Vector3 moved_at(const Vector3 &point) const { return moved + turned.cross(point - centre); }
+    Vector3 velocity_at(const Vector3 &point) const { return velocity + spin.cross(point - centre); }
+};
+
+/// One for each touch that is foreseen, the deepest first.
+using Shifts = std::array<Shift, 4>;
+
+/// The deepest touch says how far the whole object has gone. @return none for an object that is not foreseen.
+inline Shift shift_of(std::uintptr_t object, const Shifts &shifts)
+{
+    const Shift *const found = find_in(shifts, [object](const Shift &shift) { return shift.object == object; });
+    return found != nullptr ? *found : Shift();
+}
+
 /// The surfaces around the probe as planes that move: one for each touch, as it was when the scene was looked at last. Of
 /// fixed size, to be handed from thread to thread; what it costs does not depend on the scene.
 ///
-/// A plane moves with the velocity that the surface had at the contact, and by what else was forecast of it (see
-/// MotionForecast). Depth changes by how the tool moves along the normal: that is exact for a flat surface, whatever the
-/// shape of the probe, as long as the probe does not turn.
+/// A plane moves with the velocity that the surface had at the contact, and by what else was forecast of its object. Depth changes by
+/// how the tool moves along the normal: that is exact for a flat surface, whatever the shape of the probe, as long as the probe does not
+/// turn.
 class ContactModel
 {
 public:
     /// If there are more touches than that, the deepest are kept.
     static constexpr std::size_t capacity = 32;
-
-    /// What a surface's body did besides going on with its velocity.
-    struct Shift
-    {
-        Vector3 moved = Vector3::Zero();    ///< m; its centre of mass
-        Vector3 velocity = Vector3::Zero(); ///< m/s; of that
-        Vector3 turned = Vector3::Zero();   ///< rad; the vector of a rotation about the centre
-        Vector3 spin = Vector3::Zero();     ///< rad/s
-        Vector3 centre = Vector3::Zero();   ///< m; before that
-
-        Vector3 moved_at(const Vector3 &point) const { return moved + turned.cross(point - centre); }
-        Vector3 velocity_at(const Vector3 &point) const { return velocity + spin.cross(point - centre); }
-    };
-    using Shifts = std::array<Shift, capacity>;
 
     /// @param touches as TouchSensor tells them, those with a negative depth included.
     /// @param all_known whether these are all.
@@ -54,7 +65,6 @@ public:
     /// What a probe touches that is at another place at another time. Touches from the side of entry are left out: they are
     /// those of geoms that the servo knows better.
     ///
-    /// @param shifts one for each surface.
     /// @param touches is overwritten: those whose depth is above 0.
     void evaluate(const Vector3 &tool, double time, const Shifts &shifts, std::vector<Touch> &touches) const
     {
@@ -65,13 +75,14 @@ public:
             Touch touch = touches_[i];
             if (touch.from_entry_side)
                 continue; // the servo has the geom itself
-            const Vector3 carried = (time - time_) * touch.surface_velocity + shifts[i].moved_at(touch.point);
+            const Shift shift = shift_of(touch.object, shifts);
+            const Vector3 carried = (time - time_) * touch.surface_velocity + shift.moved_at(touch.point);
             touch.depth -= touch.normal.dot(moved - carried);
             if (touch.depth <= 0)
                 continue;
+            touch.surface_velocity += shift.velocity_at(touch.point);
             // The contact goes with the tool along the surface, and with the surface along the normal.
             touch.point += moved - touch.normal * touch.normal.dot(moved - carried);
-            touch.surface_velocity += shifts[i].velocity_at(touches_[i].point);
             touches.push_back(touch);
         }
     }

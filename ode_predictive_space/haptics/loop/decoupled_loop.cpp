@@ -33,25 +33,24 @@ public:
 
     void run()
     {
-        const int most_behind = parts_.settings.most_steps_behind;
-        Pacer pacer(parts_.time.start, dt_, most_behind);
+        double due = parts_.time.start;
         if (goes_on())
-            look(pacer.due());
+            look(due);
         while (goes_on())
         {
             const double length = step_length();
-            pacer.set_period(length, most_behind * steps_per_period_);
-            parts_.counts.dropped += pacer.go_on(parts_.clock.now());
-            parts_.clock.sleep_until(pacer.due());
+            const int most_behind = parts_.settings.most_steps_behind * steps_per_period_;
+            parts_.dropped += go_on(due, length, most_behind, parts_.clock.now());
+            parts_.clock.sleep_until(due);
             const double begin = parts_.clock.now();
             parts_.scene.begin(begin);
             parts_.guard->begin_step(begin);
-            advance(pacer.due(), length);
+            advance(due, length);
             if (goes_on())
-                look(pacer.due());
+                look(due);
             const double end = parts_.clock.now();
             budget_.note(end - begin);
-            parts_.scene.end(end, pacer.due() + length);
+            parts_.scene.end(end, due + length);
         }
         parts_.guard->end_steps();
     }
@@ -99,7 +98,7 @@ private:
     void receive()
     {
         Impulse impulse;
-        while (servo_.impulses().receive(impulse))
+        while (servo_.impulses.queue().receive(impulse))
             motion_.receive(impulse);
     }
 
@@ -109,8 +108,8 @@ private:
         sensor_.clear();
         if (sensor_.tracker() != nullptr)
         {
-            servo_.memory().take();
-            sensor_.tracker()->adopt(servo_.memory().latest());
+            servo_.memory.take();
+            sensor_.tracker()->adopt(servo_.memory.latest());
         }
         parts_.probe.place(parts_.rendered.latest());
         parts_.collide(work_);
@@ -120,7 +119,7 @@ private:
     {
         find_touches();
         const RenderedTick &tick = parts_.rendered.latest();
-        Surroundings &surroundings = servo_.surroundings().draft();
+        Surroundings &surroundings = servo_.surroundings.draft();
         surroundings.tool_jumps = tick.tool_jumps;
         surroundings.planes.set(sensor_.touches(), !sensor_.saw_nonsense(), tick.tool.position, due);
         const int steps = motion_.steps_per_period();
@@ -129,7 +128,7 @@ private:
             tell_of_shorter_steps();
         if (sensor_.tracker() != nullptr)
             sensor_.tracker()->hand_over(surroundings.geoms, due);
-        servo_.surroundings().publish();
+        servo_.surroundings.publish();
         parts_.probe.renderer().physics_fresh(parts_.clock.now());
     }
 
@@ -151,10 +150,7 @@ private:
              "Step such a scene at 200 Hz or more, or in one thread.");
     }
 
-    void tell(std::string_view sentence)
-    {
-        parts_.guard->post(Notice(NoticeKind::coupling, parts_.now(), sentence), LoopGuard::Side::scene);
-    }
+    void tell(std::string_view sentence) { parts_.tell(NoticeKind::coupling, sentence, LoopGuard::Side::scene); }
 
     LoopParts &parts_;
     DecoupledServo &servo_;
@@ -182,7 +178,7 @@ void run_decoupled(LoopParts &parts, const SceneWork &work)
     parts.note_rendered(probe.last_tick());
     {
         const std::unique_ptr<RunningTask> servo_task = parts.clock.start(
-            {1 / settings.rate, parts.priority_request(false), [&](double due) { servo_side.tick(due); }});
+            {1 / settings.rate, [&] { parts.ask_for_priority(false); }, [&](double due) { servo_side.tick(due); }});
         scene_side.run();
     }
     probe.renderer().relax();

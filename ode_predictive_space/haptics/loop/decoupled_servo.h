@@ -6,9 +6,13 @@
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "ode_predictive_space/haptics/loop/loop_parts.h"
 #include "ode_predictive_space/haptics/loop/motion_forecast.h"
+#include "ode_predictive_space/haptics/safety/watchdog.h"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <optional>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -28,26 +32,71 @@ struct Surroundings
 class HandImpulses
 {
 public:
-    /// @param most that can be on their way. @param start s, on the clock.
-    HandImpulses(std::size_t most, double start);
+    explicit HandImpulses(const LoopParts &parts)
+        : queue_(most_on_their_way(parts.settings)), rendered_due_(parts.time.start)
+    {
+        given_.reserve(most_on_their_way(parts.settings) + most_shares);
+        held_.reserve(most_shares);
+    }
 
     /// To the scene.
     Queue<Impulse> &queue() { return queue_; }
 
     /// How touched bodies move by what is not in the forecast: the impulses that the scene has not got, and the force that is being held,
     /// as long as nothing else is known.
-    void foresee(const MotionForecast &forecast, const ContactModel &planes, double due, ContactModel::Shifts &shifts);
+    Shifts foresee(const MotionForecast &forecast, double due)
+    {
+        const auto is_new = [&](const Impulse &impulse) { return impulse.number > forecast.last_included; };
+        given_.erase(given_.begin(), std::find_if(given_.begin(), given_.end(), is_new));
+        const std::size_t known = given_.size();
+        for (const ForceShare &share : held_)
+            given_.push_back(
+                {share.object, share.point, (due - rendered_due_) * share.force, rendered_due_, unnumbered});
+        const Shifts shifts = forecast.shifts(given_, due);
+        given_.resize(known);
+        return shifts;
+    }
 
     /// After each write: what the force before it gave to the hand goes to the scene, and the shares of the new one are held.
     ///
     /// @param now s, on the clock.
-    void settle(double now, const DeviceGate &gate, const std::vector<ForceShare> &shares);
+    void settle(double now, const DeviceGate &gate, const std::vector<ForceShare> &shares)
+    {
+        const std::uint64_t zeros = gate.zeros();
+        const bool guard_took_it = zeros != zeros_; // the servo has hung since
+        const double held_until = guard_took_it ? std::clamp(gate.last_zero(), settled_, now) : now;
+        for (const ForceShare &share : held_)
+            give(share, held_until - settled_);
+        zeros_ = zeros;
+        settled_ = now;
+        held_ = shares;
+        if (guard_took_it)
+            held_.clear();
+    }
 
     /// s, on the clock: when the tick of the last write was due.
     void set_due(double due) { rendered_due_ = due; }
 
 private:
-    void give(const ForceShare &share, double seconds);
+    static constexpr std::size_t most_shares = 2 * ContactModel::capacity;
+    static constexpr std::uint64_t unnumbered = ~std::uint64_t{0};
+
+    /// Before the watchdog has taken the force away from a scene that does not fetch them.
+    static std::size_t most_on_their_way(const LoopSettings &settings)
+    {
+        constexpr double decay = 0.01; // s; of the watchdog, at most
+        const WatchdogLimits limits = WatchdogLimits::of(settings.rate, settings.physics_rate);
+        const double ticks = std::ceil(settings.rate * (limits.stale_after + decay)) + 2;
+        return most_shares * static_cast<std::size_t>(ticks);
+    }
+
+    /// The tick began when it was due: then the scene's semi-implicit steps and the forecast are of one kind, and create no energy.
+    void give(const ForceShare &share, double seconds)
+    {
+        const Impulse impulse = {share.object, share.point, seconds * share.force, rendered_due_, ++numbered_};
+        if (queue_.give(impulse) && given_.size() + held_.size() < given_.capacity())
+            given_.push_back(impulse);
+    }
 
     Queue<Impulse> queue_;
     std::vector<Impulse> given_;   ///< what the latest forecast does not include
@@ -62,36 +111,119 @@ private:
 class DecoupledServo
 {
 public:
-    explicit DecoupledServo(LoopParts &parts);
+    explicit DecoupledServo(LoopParts &parts) : impulses(parts), parts_(parts), renderer_(parts.probe.renderer())
+    {
+        if (parts.probe.sensor()->tracker() != nullptr)
+            tracker_.emplace(parts.probe.sensor()->radius());
+        touches_.reserve(reserved_touches);
+    }
 
-    void tick(double due);
+    void tick(double due)
+    {
+        const double now = parts_.clock.now();
+        parts_.guard->beat(now);
+        if (ended())
+            return;
+        parts_.servo.begin(now);
+        if (parts_.must_end())
+        {
+            end();
+            return;
+        }
+        try
+        {
+            render(due);
+            settle();
+            impulses.set_due(due);
+        }
+        catch (...)
+        {
+            error_ = std::current_exception();
+            end();
+        }
+        parts_.servo.end(parts_.clock.now(), due + 1 / parts_.settings.rate);
+    }
 
     /// After each write: what the force before it gave to the hand, to the impulses.
-    void settle();
+    void settle() { impulses.settle(parts_.clock.now(), renderer_.gate(), renderer_.shares()); }
 
     /// By an exception of the law. Of the scene's thread, when the servo has ended or ended() is true.
     std::exception_ptr error() const { return error_; }
     bool ended() const { return ended_.load(std::memory_order_acquire); }
 
-    Snapshot<Surroundings> &surroundings() { return surroundings_; }
-    Snapshot<ContactMemory> &memory() { return memory_; }
-    Queue<Impulse> &impulses() { return impulses_.queue(); }
+    // The scene's thread has the other ends of these.
+    Snapshot<Surroundings> surroundings;
+    Snapshot<ContactMemory> memory;
+    HandImpulses impulses;
 
 private:
-    void render(double due);
-    bool feel(const Surroundings &scene, double due);
-    bool feel_geoms(const Surroundings &scene, double due);
-    ContactModel::Shift shift_of(std::uintptr_t object, const ContactModel &planes) const;
-    void end();
+    static constexpr std::size_t reserved_touches = 256; ///< before the deepest are chosen
+
+    void render(double due)
+    {
+        surroundings.take();
+        const Surroundings &scene = surroundings.latest();
+        shifts_ = impulses.foresee(scene.forecast, due);
+        renderer_.read(parts_.time.first + (due - parts_.time.start), parts_.clock.now());
+        const bool all_known = feel(scene, due);
+        renderer_.render(touches_, all_known, 1 / parts_.settings.rate);
+        parts_.note_rendered(renderer_.last_tick());
+    }
+
+    /// @return whether the touches are all there are.
+    bool feel(const Surroundings &scene, double due)
+    {
+        touches_.clear();
+        if (scene.tool_jumps == renderer_.last_tick().tool_jumps)
+            scene.planes.evaluate(renderer_.tool().position, due, shifts_, touches_);
+        const bool all_known = !tracker_ || feel_geoms(scene, due);
+        if (touches_.size() > ContactModel::capacity)
+        {
+            std::nth_element(touches_.begin(), touches_.begin() + ContactModel::capacity, touches_.end(),
+                             [](const Touch &a, const Touch &b) { return a.depth > b.depth; });
+            touches_.resize(ContactModel::capacity);
+        }
+        return all_known && scene.planes.all_known();
+    }
+
+    bool feel_geoms(const Surroundings &scene, double due)
+    {
+        tracker_->begin();
+        if (renderer_.last_tick().tool_jumps != tool_jumps_)
+        {
+            tool_jumps_ = renderer_.last_tick().tool_jumps;
+            tracker_->forget();
+        }
+        tracker_->aim(renderer_.tool().position);
+        tracker_->set_stiffness(renderer_.law().material().stiffness);
+        if (scene.tool_jumps == tool_jumps_)
+        {
+            for (const NearbyGeom &known : scene.geoms.geoms)
+            {
+                NearbyGeom geom = known.later(due - scene.geoms.time);
+                const Shift shift = shift_of(geom.object(), shifts_);
+                geom.shift(shift.moved, shift.turned, shift.velocity, shift.spin);
+                tracker_->add(std::move(geom));
+            }
+        }
+        tracker_->follow();
+        tracker_->remember_in(memory.draft());
+        memory.publish();
+        return tracker_->touches(renderer_.law().view(), touches_);
+    }
+
+    void end()
+    {
+        renderer_.relax();
+        settle();
+        ended_.store(true, std::memory_order_release);
+    }
 
     LoopParts &parts_;
     Renderer &renderer_;
-    Snapshot<Surroundings> surroundings_;
-    Snapshot<ContactMemory> memory_;
     std::optional<ContactTracker> tracker_; ///< of the probe's own sphere
     int tool_jumps_ = 0;                    ///< as RenderedTick has it
-    HandImpulses impulses_;
-    ContactModel::Shifts shifts_;
+    Shifts shifts_;
     std::vector<Touch> touches_;
     std::exception_ptr error_;
     std::atomic<bool> ended_{false};

@@ -133,8 +133,8 @@ void IslandRollOut::note_joint(dJointID joint, dBodyID body)
         joints_.push_back(joint);
     if (dJointFeedback *const feedback = dJointGetFeedback(joint))
     {
-        feedbacks_.emplace_back(joint, feedback);
         dJointSetFeedback(joint, nullptr);
+        at_end([=] { dJointSetFeedback(joint, feedback); });
     }
 }
 
@@ -154,12 +154,12 @@ void IslandRollOut::hold_border(const std::vector<dBodyID> &border)
             if (dJointIsEnabled(joint) == 0 || within.count(other_body(joint, body)) != 0)
                 continue;
             dJointDisable(joint);
-            disabled_joints_.push_back(joint);
+            at_end([=] { dJointEnable(joint); });
         }
         if (dBodyIsKinematic(body) == 0)
         {
             dBodySetKinematic(body);
-            made_kinematic_.push_back(body);
+            at_end([=] { dBodySetDynamic(body); });
         }
     }
 }
@@ -173,21 +173,13 @@ void IslandRollOut::hold_others()
         if (dBodyIsEnabled(body) == 0 || known_.count(body) != 0)
             continue;
         dBodyDisable(body);
-        held_.push_back(body);
+        at_end([=] { enable_again(body); });
     }
 }
 
 IslandRollOut::~IslandRollOut()
 {
     restore();
-    for (const dBodyID body : made_kinematic_)
-        dBodySetDynamic(body);
-    for (const dJointID joint : disabled_joints_)
-        dJointEnable(joint);
-    for (const dBodyID body : held_)
-        enable_again(body);
-    for (const auto &[joint, feedback] : feedbacks_)
-        dJointSetFeedback(joint, feedback);
     dRandSetSeed(seed_);
 }
 
@@ -268,5 +260,4 @@ void IslandRollOut::restore() const
             state.awake ? dBodyEnable(state.body) : dBodyDisable(state.body);
     }
 }
-
 } // namespace ode_predictive_space::haptics

@@ -3,12 +3,12 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_ISLAND_ROLL_OUT_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_ISLAND_ROLL_OUT_H
 
+#include "ode_predictive_space/haptics/device/at_end.h"
 #include "ode_predictive_space/haptics/touch_sensor.h"
 
 #include <functional>
 #include <ode/ode.h>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 namespace ode_predictive_space::haptics
@@ -35,14 +35,13 @@ public:
     /// @param quick whether to step by dWorldQuickStep(), else by dWorldStep().
     IslandRollOut(const std::vector<dBodyID> &touched, bool quick);
 
-    /// Puts everything back.
     ~IslandRollOut();
     IslandRollOut(const IslandRollOut &) = delete;
     IslandRollOut &operator=(const IslandRollOut &) = delete;
 
     /// Steps several times from where all is now, then puts the bodies back there.
     ///
-    /// @param impulses given to the bodies in the first step. @param look called after each step, with its number from 1 on.
+    /// @param impulses given in the first step. @param look called after each step, with its number from 1 on.
     void run(std::size_t steps, double dt, const std::vector<BodyImpulse> &impulses,
              const std::function<void(std::size_t)> &look);
 
@@ -64,6 +63,7 @@ public:
     bool is_stacked() const { return is_stacked_; }
 
 private:
+    /// Of a body, to be restored.
     struct State
     {
         dBodyID body;
@@ -79,22 +79,19 @@ private:
     void hold_border(const std::vector<dBodyID> &border);
     void hold_others();
     void restore() const;
+    template <typename Work> void at_end(const Work &work) { undo_.emplace_back(work); }
 
     bool quick_;
     std::unordered_set<dBodyID> known_;
     std::vector<State> states_;
-    int ends_ = 0;                                                 ///< of the joints of these
-    std::vector<std::pair<dJointID, dJointFeedback *>> feedbacks_; ///< of the program
-    std::vector<dJointID> joints_;                                 ///< those that last
-    std::vector<dBodyID> made_kinematic_;                          ///< at the border
-    std::vector<dJointID> disabled_joints_;                        ///< beyond it
-    std::vector<dBodyID> held_;                                    ///< disabled, to be enabled again
+    int ends_ = 0;                 ///< of the joints of these
+    std::vector<dJointID> joints_; ///< those that last
+    std::vector<AtEnd> undo_;      ///< what was done to bodies and joints so that no others are stepped
     unsigned long seed_;
     bool has_joints_ = false;
     bool has_contacts_ = false;
     bool is_stacked_ = false;
 };
-
 } // namespace ode_predictive_space::haptics
 
 #endif

@@ -35,9 +35,13 @@ public:
         duties.stall_after = stall_after(parts.settings.rate);
         duties.scene_stall_after = stall_after(parts.settings.physics_rate);
         duties.must_end = [&parts] { return parts.is_told_to_stop(); };
-        duties.sink = counted(parts.settings.notice ? parts.settings.notice : sink_);
+        duties.sink = [&parts, sink = parts.settings.notice ? parts.settings.notice : sink_](const Notice &notice) {
+            ++parts.notices;
+            if (sink)
+                sink(notice);
+        };
         duties.time = [&parts] { return parts.now(); };
-        duties.prepare = parts.priority_request(true);
+        duties.prepare = [&parts] { parts.ask_for_priority(true); };
         parts.guard = std::make_unique<LoopGuard>(parts.clock, parts.probe.renderer().gate(), std::move(duties));
         parts.probe.renderer().set_notice_sink([&parts](const Notice &notice) { parts.guard->post(notice); });
     }
@@ -49,7 +53,8 @@ public:
         if (parts_.probe.sensor() != nullptr)
             parts_.probe.sensor()->set_margin(0);
         parts_.probe.renderer().tell_held_back();
-        tell_of_scheduling();
+        if (parts_.scheduling.refused())
+            parts_.tell(NoticeKind::scheduling, parts_.scheduling.text());
         parts_.guard->end();
         parts_.probe.renderer().set_notice_sink(sink_);
     }
@@ -58,21 +63,6 @@ public:
     Watch &operator=(const Watch &) = delete;
 
 private:
-    NoticeSink counted(NoticeSink sink)
-    {
-        return [&parts = parts_, sink = std::move(sink)](const Notice &notice) {
-            ++parts.counts.notices;
-            if (sink)
-                sink(notice);
-        };
-    }
-
-    void tell_of_scheduling()
-    {
-        if (parts_.scheduling.refused())
-            parts_.guard->post(Notice(NoticeKind::scheduling, parts_.now(), parts_.scheduling.text()));
-    }
-
     LoopParts &parts_;
     NoticeSink sink_;
     AtEnd scheduling_kept_;
@@ -82,14 +72,13 @@ private:
 /// The single-threaded loop: read, collide, force, step.
 void run_coupled(LoopParts &parts, const SceneWork &work)
 {
-    if (const auto ask = parts.priority_request(false))
-        ask();
+    parts.ask_for_priority(false);
     const LoopSettings &settings = parts.settings;
     const double period = 1 / settings.rate;
-    Pacer pacer(parts.time.start, period, settings.most_steps_behind);
+    double due = parts.time.start;
     for (std::uint64_t tick = 0; static_cast<double>(tick) * period < settings.duration && !parts.must_end(); ++tick)
     {
-        parts.clock.sleep_until(pacer.due());
+        parts.clock.sleep_until(due);
         const double now = parts.clock.now();
         parts.guard->beat(now);
         parts.servo.begin(now);
@@ -100,8 +89,8 @@ void run_coupled(LoopParts &parts, const SceneWork &work)
         parts.rendered.take();
         work.advance(period);
         parts.time.simulated = static_cast<double>(tick + 1) * period;
-        parts.counts.dropped += pacer.go_on(parts.clock.now());
-        parts.servo.end(parts.clock.now(), pacer.due());
+        parts.dropped += go_on(due, period, settings.most_steps_behind, parts.clock.now());
+        parts.servo.end(parts.clock.now(), due);
     }
 }
 
@@ -119,14 +108,13 @@ void run_watched(LoopParts &parts, const SceneWork &work)
     catch (...)
     {
         renderer.relax();
-        parts.guard->post(
-            Notice(NoticeKind::exception, parts.now(), with_reason("No force: the program's part of the loop failed")));
+        parts.tell(NoticeKind::exception, with_reason("No force: the program's part of the loop failed"));
         throw;
     }
     if (parts.must_end())
     {
         renderer.relax();
-        parts.guard->post(Notice(NoticeKind::stop, parts.now(), "No force: the loop was asked to end."));
+        parts.tell(NoticeKind::stop, "No force: the loop was asked to end.");
     }
 }
 } // namespace
@@ -179,10 +167,10 @@ LoopReport HapticLoop::report() const
         report.real_time_factor = parts.time.simulated / elapsed;
     }
     report.overruns = parts.servo.overruns();
-    report.dropped_steps = parts.counts.dropped;
-    report.saturated = parts.counts.saturated;
-    report.notices = parts.counts.notices;
-    report.held_back = parts.counts.held_back;
+    report.dropped_steps = parts.dropped;
+    report.saturated = parts.saturated;
+    report.notices = parts.notices;
+    report.held_back = parts.held_back;
     report.scheduling = parts.scheduling.text();
     return report;
 }

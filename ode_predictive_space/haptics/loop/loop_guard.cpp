@@ -42,10 +42,16 @@ void LoopGuard::end()
 void LoopGuard::look()
 {
     const double beat = last_beat_.load(std::memory_order_relaxed);
+    const double step = last_step_.load(std::memory_order_acquire);
     const double now = clock_.now();
-    if (beat != no_beat && beat != stopped_beat_ && now - beat >= duties_.stall_after)
+    if (beat != stopped_beat_ && now - beat >= duties_.stall_after)
         stop_force(now, beat);
-    look_at_scene(now);
+    if (step != stopped_step_ && now - step >= duties_.scene_stall_after)
+    {
+        stopped_step_ = step;
+        if (open_gates::close_unguarded(scene_thread_.load(std::memory_order_relaxed), now))
+            tell("No force at another probe of the program: the scene has hung for too long.");
+    }
     // The loop itself may sleep until its next deadline, or wait for the scene.
     if (!ended_ && duties_.must_end && duties_.must_end())
         ended_ = take_force(now);
@@ -57,30 +63,16 @@ void LoopGuard::begin_step(double now)
     last_step_.store(now, std::memory_order_release);
 }
 
-void LoopGuard::look_at_scene(double now)
-{
-    const double step = last_step_.load(std::memory_order_acquire);
-    if (step == no_beat || step == stopped_step_ || now - step < duties_.scene_stall_after)
-        return;
-    stopped_step_ = step;
-    if (open_gates::close_unguarded(scene_thread_.load(std::memory_order_relaxed), now))
-        tell("No force at another probe of the program: the scene has hung for too long.");
-}
-
 void LoopGuard::stop_force(double now, double beat)
 {
-    if (take_force(now))
-    {
+    const bool taken = take_force(now);
+    if (taken)
         stopped_beat_ = beat;
-        open_gates::close_unguarded(gate_.reader(), now);
-        tell("No force: the loop has hung for too long in the program's part of it.");
-    }
-    else if (busy_beat_ != beat)
-    {
-        busy_beat_ = beat;
-        open_gates::close_unguarded(gate_.reader(), now);
-        tell("The loop is stuck in the device's driver: only the device itself can remove its force.");
-    }
+    else if (std::exchange(busy_beat_, beat) == beat)
+        return; // it has been told
+    open_gates::close_unguarded(gate_.reader(), now);
+    tell(taken ? "No force: the loop has hung for too long in the program's part of it."
+               : "The loop is stuck in the device's driver: only the device itself can remove its force.");
 }
 
 void LoopGuard::tell(std::string_view sentence)

@@ -8,25 +8,24 @@
 #include "ode_predictive_space/haptics/safety/device_gate.h"
 
 #include <exception>
+#include <limits>
 
 namespace ode_predictive_space::haptics
 {
-/// What a guard is to do.
+/// What a guard is to do. Called from its threads; each function may be empty.
 struct GuardDuties
 {
     double stall_after = 0.005;     ///< s; so long after the last beat, the servo hangs
     double scene_stall_after = 0;   ///< s; so long after the last step, the scene's thread hangs
-    std::function<bool()> must_end; ///< from the guard's thread: whether there is to be no force any more
-    NoticeSink sink;                ///< may be empty
-    std::function<double()>
-        time; ///< s; of notices: simulated, as all notices have it. From the guard's thread; empty: the clock's
-    std::function<void()> prepare; ///< where the guard runs, before it begins; may be empty
+    std::function<bool()> must_end; ///< whether there is to be no force any more
+    NoticeSink sink;
+    std::function<double()> time;  ///< s, simulated; of notices
+    std::function<void()> prepare; ///< where the guard runs, before it begins
 };
 
 /// Looks every millisecond whether the servo still ticks, and whether it is to end; when it does not or is, sets the force to zero.
 ///
-/// It also hands the servo's notices to the program's sink, so that no servo has to wait for a terminal. Nor does the watch wait:
-/// the sink is called beside it.
+/// A thread beside the watch hands all notices to the program's sink, so that neither servo nor watch has to wait for a terminal.
 class LoopGuard
 {
 public:
@@ -35,15 +34,15 @@ public:
     LoopGuard(const LoopGuard &) = delete;
     LoopGuard &operator=(const LoopGuard &) = delete;
 
-    /// Of the servo: it ticks. The first one begins the watch.
+    /// Of the servo: it ticks. The first beat begins the watch.
     void beat(double now) { last_beat_.store(now, std::memory_order_relaxed); }
 
-    /// Of the scene's thread, where it is not the servo's: it begins a step. Without force after a stall are the probes that the program
-    /// runs in this thread beside the loop's own.
+    /// Of the scene's thread, where it is not the servo's: it begins a step. After a stall, the probes that the program runs in this thread
+    /// beside the loop's own are without force.
     void begin_step(double now);
 
     /// Of the same: there are no more steps.
-    void end_steps() { last_step_.store(no_beat, std::memory_order_relaxed); }
+    void end_steps() { last_step_.store(never, std::memory_order_relaxed); }
 
     /// Who posts: each from one thread.
     enum class Side
@@ -57,7 +56,7 @@ public:
     /// Neither allocates nor waits. Lost when a hundred others of this side are on their way.
     void post(const Notice &notice, Side side = Side::servo) { posted_[static_cast<std::size_t>(side)].give(notice); }
 
-    /// Of the thread that made it, when the servo has ended: the watch is over, and what was posted is delivered.
+    /// When the servo has ended: the watch is over, and what was posted is delivered.
     void end();
 
     /// Whether the sink threw; it is not called any more, then. From any thread.
@@ -68,24 +67,23 @@ public:
 
 private:
     void look();
-    void look_at_scene(double now);
     void stop_force(double now, double beat);
     void tell(std::string_view sentence);
     bool take_force(double now);
     void deliver_all();
     void deliver(const Notice &notice);
 
-    static constexpr double no_beat = -1;
+    static constexpr double never = std::numeric_limits<double>::infinity();
     static constexpr std::size_t most_notices = 100; ///< on their way
 
     LoopClock &clock_;
     DeviceGate &gate_;
     GuardDuties duties_;
-    std::atomic<double> last_beat_{no_beat};
-    double stopped_beat_ = no_beat; ///< the last beat before a stall that has been dealt with
-    double busy_beat_ = no_beat;    ///< the same, told that the driver hangs
-    std::atomic<double> last_step_{no_beat};
-    double stopped_step_ = no_beat; ///< the last step before a stall that has been dealt with
+    std::atomic<double> last_beat_{never};
+    double stopped_beat_ = never; ///< the last beat before a stall that has been dealt with
+    double busy_beat_ = never;    ///< the same, told that the driver hangs
+    std::atomic<double> last_step_{never};
+    double stopped_step_ = never; ///< the last step before a stall that has been dealt with
     std::atomic<std::thread::id> scene_thread_{};
     bool ended_ = false; ///< must_end() has been dealt with
     Queue<Notice> posted_[static_cast<std::size_t>(Side::count)] = {

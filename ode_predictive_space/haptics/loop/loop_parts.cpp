@@ -67,23 +67,19 @@ bool LoopParts::must_end() const
     return is_told_to_stop() || guard->sink_failed();
 }
 
-std::function<void()> LoopParts::priority_request(bool above_servo)
+void LoopParts::ask_for_priority(bool above_servo)
 {
-    if (!settings.ask_for_priority)
-        return {};
-    return [this, above_servo] {
-        const int error = ask_for_real_time(above_servo);
-        if (!above_servo)
-            scheduling.priority_error = error;
-    };
+    const int error = settings.ask_for_priority ? ask_for_real_time(above_servo) : 0;
+    if (!above_servo)
+        scheduling.priority_error = error;
 }
 
 void LoopParts::note_rendered(const RenderedTick &tick)
 {
     rendered.draft() = tick;
     rendered.publish();
-    counts.saturated.store(counts.saturated + (tick.saturated ? 1 : 0), std::memory_order_relaxed);
-    counts.held_back.store(probe.renderer().held_back(), std::memory_order_relaxed);
+    saturated += tick.saturated ? 1 : 0;
+    held_back = probe.renderer().held_back();
 }
 
 /// By which the scene is found. @return may be 0.

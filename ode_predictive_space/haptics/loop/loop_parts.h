@@ -48,37 +48,16 @@ private:
     bool began_ = false;
 };
 
-/// Absolute deadlines, of which some may be made up for and the rest is dropped.
-class Pacer
+/// From a deadline to the next. @return how many were dropped, since more than most_behind would have to be made up for.
+inline std::uint64_t go_on(double &due, double period, int most_behind, double now)
 {
-public:
-    Pacer(double start, double period, int most_behind) : due_(start), period_(period), most_behind_(most_behind) {}
-
-    double due() const { return due_; }
-
-    /// From the next deadline on.
-    void set_period(double period, int most_behind)
-    {
-        period_ = period;
-        most_behind_ = most_behind;
-    }
-
-    /// The next deadline. @return how many were dropped, since more than most_behind would have to be made up for.
-    std::uint64_t go_on(double now)
-    {
-        due_ += period_;
-        const double behind = std::floor((now - due_) / period_);
-        if (behind <= most_behind_)
-            return 0;
-        due_ += behind * period_;
-        return static_cast<std::uint64_t>(behind);
-    }
-
-private:
-    double due_;
-    double period_;
-    int most_behind_;
-};
+    due += period;
+    const double behind = std::floor((now - due) / period);
+    if (behind <= most_behind)
+        return 0;
+    due += behind * period;
+    return static_cast<std::uint64_t>(behind);
+}
 
 /// How often there is time to step the scene: by how long its steps took, how many of them half of a period has time for. Times in s.
 class StepBudget
@@ -108,15 +87,6 @@ struct LoopTimes
     std::atomic<double> start{0};     ///< on the clock
     std::atomic<double> end{0};       ///< on the clock; 0 while it runs
     std::atomic<double> simulated{0}; ///< since the start
-};
-
-/// See LoopReport.
-struct LoopCounts
-{
-    std::atomic<std::uint64_t> dropped{0};
-    std::atomic<std::uint64_t> saturated{0};
-    std::atomic<std::uint64_t> notices{0};
-    std::atomic<std::uint64_t> held_back{0};
 };
 
 /// What a run of a loop of either kind needs. It belongs to the caller's thread, but for what says otherwise.
@@ -151,8 +121,14 @@ public:
     /// Of the servo.
     void note_rendered(const RenderedTick &tick);
 
-    /// For the thread that is to run it: asks for its priority. Empty where none is to be asked for.
-    std::function<void()> priority_request(bool above_servo);
+    /// Real-time priority for the calling thread, unless none is to be asked for.
+    void ask_for_priority(bool above_servo);
+
+    /// To the sink of notices, by the guard. Of the thread of the servo, or of the side's.
+    void tell(NoticeKind kind, std::string_view sentence, LoopGuard::Side side = LoopGuard::Side::servo)
+    {
+        guard->post(Notice(kind, now(), sentence), side);
+    }
 
     HapticProbe &probe;
     LoopSettings settings;
@@ -165,7 +141,10 @@ public:
     TickStatistics scene;
     std::atomic<bool> stopped{false};
     LoopTimes time;
-    LoopCounts counts;
+    std::atomic<std::uint64_t> dropped{0}; ///< this and the next: see LoopReport
+    std::atomic<std::uint64_t> saturated{0};
+    std::atomic<std::uint64_t> notices{0};
+    std::atomic<std::uint64_t> held_back{0};
 
 private:
     dGeomID scene_geom() const;

@@ -32,16 +32,14 @@ using ImpulseWrench = Eigen::Matrix<double, 6, 1>;
 ///
 /// Straight lines between the nodes, and beyond the last. J is the hand's; the body gets the opposite. Of each touch some pushes were
 /// tried; an impulse counts as the combination of them that comes nearest to it.
-class MotionForecast
+struct MotionForecast
 {
-public:
-    static constexpr std::size_t most_touches = 4;
-    static constexpr std::size_t most_nodes = 2; ///< the next step, and one that comes late
-    static constexpr int tried_pushes = 5;       ///< of one touch
+    static constexpr std::size_t most_touches = std::tuple_size_v<Shifts>;
+    static constexpr std::size_t nodes = 2; ///< the next step, and one that comes late
+    static constexpr int tried_pushes = 5;  ///< of one touch
 
     /// 0 at the beginning, then one value for each node.
-    template <typename Value> using Course = std::array<Value, most_nodes + 1>;
-    using PushWrenches = Eigen::Matrix<double, 6, tried_pushes>;
+    template <typename Value> using Course = std::array<Value, nodes + 1>;
     using Response = Eigen::Matrix<double, 6, tried_pushes>; ///< by push: the motion of a body
 
     /// A touched place of a body.
@@ -51,60 +49,20 @@ public:
         Vector3 centre;                                     ///< m; of the body's mass
         BodyMotion velocity;                                ///< m/s, rad/s; when the scene was looked at
         Eigen::Matrix<double, tried_pushes, 6> combination; ///< from an impulse to the pushes that were tried
+        Course<BodyMotion> free;                            ///< the motion of the body if the hand does nothing
     };
 
-    /// Nothing is touched. @param time s; when the scene was looked at.
-    void begin(double time);
-
-    /// @param nodes how many, 1 to most_nodes. @param node_length s; from one to the next.
-    void set_nodes(std::size_t nodes, double node_length);
-
-    /// The next free index is its.
-    ///
-    /// @param pushes what was tried, with impulses of 1 N s.
-    void add(const Place &place, const PushWrenches &pushes);
-
-    std::size_t count() const { return count_; }
-    Course<BodyMotion> &free(std::size_t touch) { return free_[touch]; }
-    Course<BodyMotion> free_of_velocity(std::size_t touch) const; ///< as if nothing acted on it
-    Course<Response> &response(std::size_t pushed, std::size_t seen) { return response_[pushed][seen]; }
-
-    /// Which impulses the scene had got.
-    void set_included(std::uint64_t last) { last_included_ = last; }
-    std::uint64_t last_included() const { return last_included_; }
+    double time = 0;                 ///< s; when the scene was looked at
+    double node_length = 1;          ///< s
+    std::uint64_t last_included = 0; ///< the number of the last impulse that the scene had got
+    std::size_t count = 0;           ///< of places
+    std::array<Place, most_touches> places;
+    std::array<std::array<Course<Response>, most_touches>, most_touches> response; ///< by the place that is pushed
 
     /// What the touched bodies did besides going on with the velocities that they had.
     ///
     /// @param impulses those that the scene has got are left out.
-    void shift(const std::vector<Impulse> &impulses, double now, const ContactModel &planes,
-               ContactModel::Shifts &shifts) const;
-
-private:
-    /// A time as a place between two nodes.
-    struct Moment
-    {
-        std::size_t node; ///< the earlier one
-        double part;      ///< of the way to the later one; above 1 beyond the last
-    };
-
-    struct Motion
-    {
-        BodyMotion moved;
-        BodyMotion velocity;
-    };
-
-    Moment moment(double elapsed) const;
-    std::size_t pushed_by(const Impulse &impulse) const;
-    void add_response(const Impulse &impulse, double now, std::array<Motion, most_touches> &motions) const;
-
-    std::array<Place, most_touches> places_;
-    std::array<Course<BodyMotion>, most_touches> free_;
-    std::array<std::array<Course<Response>, most_touches>, most_touches> response_;
-    std::size_t count_ = 0;
-    std::size_t nodes_ = 1;
-    double node_length_ = 1;
-    double time_ = 0;
-    std::uint64_t last_included_ = 0;
+    Shifts shifts(const std::vector<Impulse> &impulses, double now) const;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -91,51 +91,33 @@ dBodyID next_body_of_world(dBodyID body)
     return listed(body).next;
 }
 
-WatchedWorld::WatchedWorld(dWorldID world) : geom_(dCreateSphere(nullptr, 1))
+void SceneBodies::DestroyMark::operator()(dGeomID geom) const
 {
-    const dBodyID mark = dBodyCreate(world);
-    dBodyDisable(mark);
-    dGeomSetBody(geom_, mark);
+    if (const dBodyID body = dGeomGetBody(geom))
+        dBodyDestroy(body);
+    dGeomDestroy(geom);
 }
 
-WatchedWorld::~WatchedWorld()
+/// @return 0 when it was destroyed.
+dWorldID SceneBodies::world_of(const Mark &mark)
 {
-    if (geom_ == nullptr)
-        return;
-    if (const dBodyID mark = dGeomGetBody(geom_))
-        dBodyDestroy(mark);
-    dGeomDestroy(geom_);
-}
-
-dWorldID WatchedWorld::world() const
-{
-    const dBodyID mark = dGeomGetBody(geom_);
-    return mark != nullptr ? dBodyGetWorld(mark) : nullptr;
+    const dBodyID body = dGeomGetBody(mark.get());
+    return body != nullptr ? dBodyGetWorld(body) : nullptr;
 }
 
 std::string SceneBodies::broken_state(dBodyID tool, dGeomID geom)
 {
     const dSpaceID scene = outermost_space_of(geom);
-    if (forget_destroyed() || (worlds_.empty() && scene != nullptr && dSpaceGetNumGeoms(scene) != searched_))
+    const std::size_t known = worlds_.size();
+    remove_from(worlds_, [](const Mark &mark) { return world_of(mark) == nullptr; });
+    if (worlds_.size() != known || (worlds_.empty() && scene != nullptr && dSpaceGetNumGeoms(scene) != searched_))
         find_worlds(scene);
     add_world_of(tool);
-    for (const WatchedWorld &watched : worlds_)
-    {
-        for (dBodyID body = first_body_of(watched.world()); body != nullptr; body = next_body_of_world(body))
-        {
+    for (const Mark &mark : worlds_)
+        for (dBodyID body = first_body_of(world_of(mark)); body != nullptr; body = next_body_of_world(body))
             if (broken_part_of(body) != nullptr)
                 return broken_state_of(body);
-        }
-    }
     return {};
-}
-
-/// @return whether there was one.
-bool SceneBodies::forget_destroyed()
-{
-    const std::size_t known = worlds_.size();
-    remove_from(worlds_, [](const WatchedWorld &watched) { return watched.world() == nullptr; });
-    return worlds_.size() != known;
 }
 
 void SceneBodies::find_worlds(dSpaceID scene)
@@ -151,7 +133,11 @@ void SceneBodies::add_world_of(dBodyID body)
     if (body == nullptr)
         return;
     const dWorldID world = dBodyGetWorld(body);
-    if (find_in(worlds_, [world](const WatchedWorld &watched) { return watched.world() == world; }) == nullptr)
-        worlds_.emplace_back(world);
+    if (find_in(worlds_, [world](const Mark &mark) { return world_of(mark) == world; }) != nullptr)
+        return;
+    const dBodyID marked = dBodyCreate(world);
+    dBodyDisable(marked);
+    worlds_.emplace_back(dCreateSphere(nullptr, 1));
+    dGeomSetBody(worlds_.back().get(), marked);
 }
 } // namespace ode_predictive_space::haptics

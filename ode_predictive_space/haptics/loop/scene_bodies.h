@@ -5,9 +5,9 @@
 
 #include "ode_predictive_space/haptics/contact/scene_geoms.h"
 
+#include <memory>
 #include <ode/common.h>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ode_predictive_space::haptics
@@ -28,33 +28,8 @@ dBodyID first_body_of(dWorldID world);
 /// @return 0 after the last one.
 dBodyID next_body_of_world(dBodyID body);
 
-/// A world that may be destroyed at any time.
-///
-/// ODE does not tell when a world is destroyed, but it takes its bodies off their geoms. So the world gets a body, disabled and without
-/// joints, which is never stepped, and the body a geom that is in no space.
-class WatchedWorld
-{
-public:
-    explicit WatchedWorld(dWorldID world);
-    ~WatchedWorld();
-    WatchedWorld(WatchedWorld &&other) noexcept : geom_(std::exchange(other.geom_, nullptr)) {}
-    WatchedWorld &operator=(WatchedWorld &&other) noexcept
-    {
-        std::swap(geom_, other.geom_);
-        return *this;
-    }
-
-    /// @return 0 when it was destroyed.
-    dWorldID world() const;
-
-private:
-    dGeomID geom_;
-};
-
-/// All bodies of the worlds of a scene: of those that have a body with a geom in the spaces around the probe's and within those, except
-/// in ODE's quadtrees.
-///
-/// The geoms are searched for such worlds at first, when a world was destroyed, and when their number changes while no world is known.
+/// All bodies of the worlds of a scene, which HapticLoop tells of. The geoms are searched for such worlds at first, when a world was
+/// destroyed, and when their number changes while no world is known.
 class SceneBodies
 {
 public:
@@ -68,11 +43,20 @@ public:
     std::string broken_state(dBodyID tool, dGeomID geom);
 
 private:
+    struct DestroyMark
+    {
+        void operator()(dGeomID geom) const;
+    };
+
+    /// ODE does not tell when a world is destroyed, but it takes its bodies off their geoms. So a world gets a body, disabled and
+    /// without joints, which is never stepped, and the body this geom, which is in no space.
+    using Mark = std::unique_ptr<dxGeom, DestroyMark>;
+
     void find_worlds(dSpaceID scene);
     void add_world_of(dBodyID body);
-    bool forget_destroyed();
+    static dWorldID world_of(const Mark &mark);
 
-    std::vector<WatchedWorld> worlds_;
+    std::vector<Mark> worlds_;
     int searched_ = 0; ///< how many geoms there were in the outermost space
 };
 } // namespace ode_predictive_space::haptics

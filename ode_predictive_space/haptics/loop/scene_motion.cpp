@@ -10,7 +10,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr std::size_t nodes = MotionForecast::most_nodes;
+constexpr std::size_t nodes = MotionForecast::nodes;
 constexpr double least_test = 1e-3; // N s; the response to less is noise
 
 /// Angular frequency times step. ODE itself is unstable from 2 on.
@@ -25,9 +25,8 @@ constexpr double most_spring_of_stack = 0.25;
 /// s; by QuickStep, a body in contact jumps by up to 1.75 g times the square of a step: at 4 ms, with 500 N/m, 5 % of 2.8 N.
 constexpr double longest_quick_step = 0.004;
 
-constexpr int most_steps = 8;     // per period
-constexpr double fall = 9.81;     // m/s^2; a surprise of less than a quarter of what falls is none
-constexpr int most_surprises = 5; // one after the other
+constexpr int most_steps = 8; // per period
+constexpr double fall = 9.81; // m/s^2; a surprise of less than a quarter of what falls is none
 
 double norm_of(const BodyMotion &motion, const Eigen::Matrix<double, 6, 6> &inertia)
 {
@@ -76,8 +75,8 @@ void SceneMotion::push_all(double h)
 void SceneMotion::foresee(const ContactModel &planes, double time, double period, int affordable,
                           MotionForecast &forecast)
 {
-    forecast.begin(time);
-    forecast.set_included(received_);
+    forecast.time = time;
+    forecast.last_included = received_;
     find_touched(planes, forecast);
     if (touched_.empty())
         return;
@@ -88,15 +87,17 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
     has_joints_ = island.has_joints();
     choose_steps(island, period, affordable);
     const double h = period / steps_per_period_;
-    forecast.set_nodes(nodes, h);
-    Courses free;
-    try_out(island, rest(), h, free);
+    foreseen_step_ = h;
+    forecast.node_length = h;
+    const Courses free = try_out(island, rest(), h);
     for (std::size_t i = 0; i < touched_.size(); ++i)
     {
         touched_[i].foreseen = free[i][1];
-        forecast.free(i) = repeats() ? free[i] : forecast.free_of_velocity(i);
+        MotionForecast::Place &place = forecast.places[i];
+        place.free = free[i];
+        for (std::size_t node = 0; node <= nodes && !repeats(); ++node)
+            place.free[node] = static_cast<double>(node) * h * place.velocity;
     }
-    foreseen_step_ = h;
     for (std::size_t i = 0; i < touched_.size(); ++i)
         find_response(island, i, h, forecast);
 }
@@ -131,15 +132,11 @@ bool SceneMotion::is_one_awake() const
     });
 }
 
-bool SceneMotion::repeats() const
-{
-    return surprises_ < most_surprises;
-}
-
 /// The deepest ones whose bodies can move, all of one world.
 void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forecast)
 {
     touched_.clear();
+    forecast.count = 0;
     for (std::size_t i = 0; i < planes.count() && touched_.size() < MotionForecast::most_touches; ++i)
     {
         const Touch &touch = planes.touch(i);
@@ -149,11 +146,12 @@ void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forec
         {
             touched_.push_back(touched_of(body, touch));
             const Touched &touched = touched_.back();
-            MotionForecast::Place place;
+            MotionForecast::Place &place = forecast.places[forecast.count++];
             place.touch = touch;
             place.centre = touched.centre;
             place.velocity << from_ode(dBodyGetLinearVel(body)), from_ode(dBodyGetAngularVel(body));
-            forecast.add(place, touched.wrenches);
+            place.combination =
+                touched.wrenches.completeOrthogonalDecomposition().solve(Eigen::Matrix<double, 6, 6>::Identity());
         }
     }
 }
@@ -216,24 +214,27 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     touched.inertia.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
     touched.inertia.bottomRightCorner<3, 3>() = turn * own * turn.transpose();
     touched.inverse_inertia = touched.inertia.inverse();
-    touched.pushes = pushes_at(touch, touched.centre);
-    for (std::size_t i = 0; i < touched.pushes.size(); ++i)
-    {
-        const Push &push = touched.pushes[i];
-        touched.wrenches.col(static_cast<int>(i)) << push.direction,
-            (push.point - touched.centre).cross(push.direction);
-    }
+    touched.pushes = pushes_on(touched);
+    int column = 0;
+    for (const BodyImpulse &push : touched.pushes)
+        touched.wrenches.col(column++) << push.impulse, (push.point - touched.centre).cross(push.impulse);
     return touched;
 }
 
 /// Along the normal; sideways, where friction acts; and sideways without a moment, as the normal of a round body turns.
-SceneMotion::Pushes SceneMotion::pushes_at(const Touch &touch, const Vector3 &centre)
+SceneMotion::Pushes SceneMotion::pushes_on(const Touched &touched)
 {
-    const Vector3 &point = touch.point;
-    const Vector3 along = -touch.normal;
+    const dBodyID body = touched.body;
+    const Vector3 &point = touched.touch.point;
+    const Vector3 &centre = touched.centre;
+    const Vector3 along = -touched.touch.normal;
     const Vector3 aside = along.unitOrthogonal();
     const Vector3 across = along.cross(aside);
-    return {{{point, along}, {point, aside}, {point, across}, {centre, aside}, {centre, across}}};
+    return {{{body, point, along},
+             {body, point, aside},
+             {body, point, across},
+             {body, centre, aside},
+             {body, centre, across}}};
 }
 
 /// Since the scene was looked at.
@@ -245,15 +246,17 @@ BodyMotion SceneMotion::motion_of(const Touched &touched)
     return motion;
 }
 
-void SceneMotion::try_out(IslandRollOut &island, const std::vector<BodyImpulse> &impulses, double h,
-                          Courses &courses) const
+SceneMotion::Courses SceneMotion::try_out(IslandRollOut &island, const std::vector<BodyImpulse> &impulses,
+                                          double h) const
 {
-    for (MotionForecast::Course<BodyMotion> &course : courses)
+    Courses courses;
+    for (Course &course : courses)
         course[0].setZero();
     island.run(nodes, h, impulses, [&](std::size_t node) {
         for (std::size_t i = 0; i < touched_.size(); ++i)
             courses[i][node] = motion_of(touched_[i]);
     });
+    return courses;
 }
 
 /// The first push is as strong as the last one of the hand; the others are tried beside it, which friction needs.
@@ -263,28 +266,28 @@ void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, doubl
     const double size = std::max(least_test, last_impulse_on(touched.touch.object));
     const Pushes &pushes = touched.pushes;
     Courses first;
-    Courses found;
     for (std::size_t i = 0; i < pushes.size(); ++i)
     {
         std::vector<BodyImpulse> impulses = rest();
-        impulses.push_back({touched.body, pushes[0].point, size * pushes[0].direction});
+        impulses.push_back({touched.body, pushes[0].point, size * pushes[0].impulse});
         if (i > 0)
-            impulses.push_back({touched.body, pushes[i].point, size * pushes[i].direction});
-        try_out(island, impulses, h, i == 0 ? first : found);
+            impulses.push_back({touched.body, pushes[i].point, size * pushes[i].impulse});
+        const Courses found = try_out(island, impulses, h);
         const auto column = static_cast<int>(i);
+        const BodyMotion unhindered = touched.inverse_inertia * touched.wrenches.col(column);
         for (std::size_t seen = 0; seen < touched_.size(); ++seen)
         {
-            MotionForecast::Course<MotionForecast::Response> &course = forecast.response(pushed, seen);
+            const Course &before = i == 0 ? forecast.places[seen].free : first[seen];
+            auto &course = forecast.response[pushed][seen];
             course[0].setZero();
             for (std::size_t node = 1; node <= nodes; ++node)
             {
-                const BodyMotion free =
-                    static_cast<double>(node) * h * (touched.inverse_inertia * touched.wrenches.col(column));
-                const BodyMotion moved = i == 0 ? BodyMotion(first[seen][node] - forecast.free(seen)[node])
-                                                : BodyMotion(found[seen][node] - first[seen][node]);
-                course[node].col(column) = limited(moved / size, free, seen, pushed);
+                const BodyMotion moved = (found[seen][node] - before[node]) / size;
+                course[node].col(column) = limited(moved, static_cast<double>(node) * h * unhindered, seen, pushed);
             }
         }
+        if (i == 0)
+            first = found;
     }
 }
 

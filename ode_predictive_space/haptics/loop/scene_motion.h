@@ -33,7 +33,7 @@ public:
 
     /// Whether the program's steps are those of ODE alone. When several in a row were not, bodies are taken to go on with the velocities that
     /// they have.
-    bool repeats() const;
+    bool repeats() const { return surprises_ < most_surprises; }
 
     /// All that is left, for a step of a length h.
     void push_all(double h);
@@ -47,14 +47,8 @@ public:
     int steps_per_period() const { return steps_per_period_; }
 
 private:
-    /// A push that is tried.
-    struct Push
-    {
-        Vector3 point;     ///< m
-        Vector3 direction; ///< of length 1
-    };
+    using Pushes = std::array<BodyImpulse, MotionForecast::tried_pushes>;
 
-    using Pushes = std::array<Push, MotionForecast::tried_pushes>;
     /// A body, and what it was when the scene was looked at.
     struct Touched
     {
@@ -64,23 +58,26 @@ private:
         Quaternion orientation;
         Eigen::Matrix<double, 6, 6> inertia;         ///< mass and moments of inertia, the world's frame
         Eigen::Matrix<double, 6, 6> inverse_inertia; ///< of it
-        Pushes pushes;
-        MotionForecast::PushWrenches wrenches; ///< of the pushes
-        BodyMotion foreseen;                   ///< in the next step, if the hand does nothing
+        Pushes pushes;                               ///< that are tried, of 1 N s
+        Eigen::Matrix<double, 6, MotionForecast::tried_pushes> wrenches; ///< of the pushes
+        BodyMotion foreseen;                                             ///< in the next step, if the hand does nothing
     };
 
-    using Courses = std::array<MotionForecast::Course<BodyMotion>, MotionForecast::most_touches>;
+    using Course = MotionForecast::Course<BodyMotion>;
+    using Courses = std::array<Course, MotionForecast::most_touches>;
+
+    static constexpr int most_surprises = 5; ///< one after the other
 
     void push_now(const std::vector<Impulse> &impulses, double h);
     void find_touched(const ContactModel &planes, MotionForecast &forecast);
     static Touched touched_of(dBodyID body, const Touch &touch);
-    static Pushes pushes_at(const Touch &touch, const Vector3 &centre);
+    static Pushes pushes_on(const Touched &touched);
     static BodyMotion motion_of(const Touched &touched);
     bool moved_otherwise(const Touched &touched) const;
     std::vector<BodyImpulse> rest() const;
     void choose_steps(IslandRollOut &island, double period, int affordable);
     double fastest_spring() const;
-    void try_out(IslandRollOut &island, const std::vector<BodyImpulse> &impulses, double h, Courses &courses) const;
+    Courses try_out(IslandRollOut &island, const std::vector<BodyImpulse> &impulses, double h) const;
     void find_response(IslandRollOut &island, std::size_t pushed, double h, MotionForecast &forecast);
     BodyMotion limited(const BodyMotion &found, const BodyMotion &free, std::size_t seen, std::size_t pushed) const;
     double last_impulse_on(std::uintptr_t object) const;
