@@ -224,7 +224,7 @@ constexpr Scene scenes[] = {
     {"teleports", 400, dPredictiveProximityBox, teleport, 1577087047315669492u, 1577087047315669492u},
     {"churn", 300, dPredictiveProximityBox, come_and_go, 9310613444816265680u, 9310613444816265680u},
     {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 13064261639271928691u, 13064261639271928691u},
-    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 1398625728917286583u, 1398625728917286583u},
+    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 18082462671848864595u, 18082462671848864595u},
 };
 
 class GoldenScene : public OdeTest, public testing::WithParamInterface<Scene>

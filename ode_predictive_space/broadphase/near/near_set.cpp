@@ -14,7 +14,7 @@ CandidatePair *NearSet::report(const OverlapTest &test, Place *places, UpdateNum
         if (test(pair))
             *end++ = pair;
     end = std::copy(overlapping_.begin(), overlapping_.end(), end);
-    if (is_time_to_rest())
+    if (is_time_to_rest() || rests_early())
         let_rest(places, update, [&](std::size_t i) { return test(pairs_[i]); });
     return end;
 }
