@@ -13,7 +13,7 @@ void EncounterLog::add(double time, HapticProbe &probe)
 
 void EncounterLog::add(double time, const std::vector<Encounter> &encounters, const std::vector<Touch> &touches)
 {
-    const std::vector<Listed> now = list(time, encounters);
+    std::vector<Listed> now = list(time, encounters);
     std::vector<std::uintptr_t> touched;
     for (const Touch &touch : touches)
     {
@@ -27,7 +27,7 @@ void EncounterLog::add(double time, const std::vector<Encounter> &encounters, co
         missed_ += listed == nullptr || !listed->near ? 1 : 0;
     }
     touched_ = std::move(touched);
-    listed_ = now;
+    listed_ = std::move(now);
 }
 
 const EncounterLog::Listed *EncounterLog::find(const std::vector<Listed> &list, std::uintptr_t object)
@@ -87,9 +87,9 @@ EncounterSummary EncounterLog::summary() const
             summary.max_early = std::max(summary.max_early, early);
         }
     }
-    const std::size_t in_time = summary.foretold - summary.late;
-    summary.mean_warning /= static_cast<double>(std::max<std::size_t>(summary.foretold, 1));
-    summary.mean_early /= static_cast<double>(std::max<std::size_t>(in_time, 1));
+    const auto divide = [](double &sum, std::size_t count) { sum = count > 0 ? sum / static_cast<double>(count) : 0; };
+    divide(summary.mean_warning, summary.foretold);
+    divide(summary.mean_early, summary.foretold - summary.late);
     return summary;
 }
 

@@ -294,7 +294,7 @@ public:
     WorkspaceMapping mapping;
     std::shared_ptr<ForceLaw> law;
     SafetyStage safety;
-    std::optional<Watchdog> watchdog; ///< always there: made anew when the rates change
+    std::optional<Watchdog> watchdog; ///< replaced when the rates change; never empty after construction
     std::optional<PassivityController> passivity;
     std::function<void(const RenderedTick &)> recorder;
     std::vector<Touch> felt; ///< with the materials that are rendered

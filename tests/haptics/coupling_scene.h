@@ -212,7 +212,7 @@ struct HandWay
     double length;     ///< m
     double speed;      ///< m/s
     double duration;   ///< s; from the moment at which the hand sets out
-    double sway = 0;   ///< m; to and fro in x, once per second
+    double sway = 0;   ///< m; amplitude of an oscillation along x at 1 Hz
 
     static constexpr double rests = 1; ///< s; before that, the forces ramp in
 
@@ -374,7 +374,7 @@ inline CouplingCase leaning(double duration)
     return box;
 }
 
-/// The same hand, with friction, to and fro on the box: the box is too heavy to go with it.
+/// The same hand with friction, rubbing back and forth over the box, which is too heavy to be dragged along.
 inline CouplingCase scrubbing(double duration)
 {
     CouplingCase box = leaning(duration);

@@ -84,7 +84,7 @@ private:
     Vector3 position_;                  ///< m
     Vector3 velocity_;                  ///< m/s
     std::vector<Vector3> rendered_;     ///< N; the force of this tick, then those of the next ones: force_delay + 1
-    std::vector<DeviceState> readings_; ///< what is told in this tick, then later: position_delay + 1
+    std::vector<DeviceState> readings_; ///< what this read() returns, then what later ones do: position_delay + 1
 };
 } // namespace ode_predictive_space::haptics
 

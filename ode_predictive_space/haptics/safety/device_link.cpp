@@ -31,8 +31,8 @@ AtEnd opened(Device &device)
     return AtEnd([&device] { device.close(); });
 }
 
-/// Why this state cannot be; 0 when it can. Even a device whose workspace is told too small is not beyond it by a metre and twice its
-/// size.
+/// Why the state is impossible; 0 when it is possible. A device may leave the workspace that it reports, which may be too small, but
+/// not by a metre and twice the size of that.
 const char *nonsense_in(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
 {
     const bool is_finite = std::isfinite(state.time) && state.position.allFinite() &&
