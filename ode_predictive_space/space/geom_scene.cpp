@@ -37,11 +37,11 @@ double spin_of(dBodyID body)
     return Vector3(spin[0], spin[1], spin[2]).norm();
 }
 
-// How far the geom's matrix is from a rotation. ODE keeps that of a body a rotation; a sphere is the same however it is turned;
-// and of a ray's matrix only the direction counts, dGeomRaySet() sets no more.
+// How far the geom's matrix is from a rotation. A sphere is the same for any matrix; and only the direction in a ray's matrix
+// counts, dGeomRaySet() sets no more.
 double skew_of_geom(const dxGeom *geom)
 {
-    if (!(geom->gflags & GEOM_PLACEABLE) || turns_safely(geom))
+    if (!(geom->gflags & GEOM_PLACEABLE) || geom->type == dSphereClass)
         return 0;
     const dReal *R = geom->final_posr->R;
     return geom->type == dRayClass ? std::abs(Vector3(R[2], R[6], R[10]).squaredNorm() - 1) : skew_of(R);

@@ -3,8 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -14,11 +12,12 @@
 #include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/space/hull_store.h"
 #include "ode_predictive_space/space/ode_internals.h"
+#include "ode_predictive_space/space/rotation.h"
 
 namespace ode_predictive_space
 {
 /// Radius of the sphere around the position of a sphere, box, capsule or cylinder that holds the geom in every orientation; infinite
-/// for other classes, and for geoms that do not turn with a body, because their rotation matrix can be anything.
+/// for other classes, and for geoms that do not turn about their position or whose matrix stretches them.
 double bounding_sphere(const dxGeom *geom);
 
 /// A sphere, box or capsule whose pose is known: its bounding box follows from its pose by a formula that ODE shares.
@@ -36,7 +35,7 @@ inline const dReal *sizes_of(const dxGeom *geom)
 inline bool turns_safely(const dxGeom *geom)
 {
     const bool turns_with_body = (geom->body != nullptr) & (geom->offset_posr == nullptr);
-    return (geom->type == dSphereClass) | turns_with_body;
+    return geom->type == dSphereClass || (turns_with_body && keeps_within_sphere(geom->final_posr->R));
 }
 
 /// Does a geom with these flags take part in collisions? It must be enabled and have a size.
@@ -79,22 +78,7 @@ const dReal *valid_aabb(dxGeom *geom);
 /// its edge, too; a space or a transform may hold a heightfield; and user classes are unknown.
 bool judged_by_box_alone(const dxGeom *geom);
 
-/// The sum of what the products of the columns of a matrix are off those of a rotation; NaN when an entry is.
-inline double skew_of(const dMatrix3 R)
-{
-    const std::array<Vector3, 3> columns{Vector3(R[0], R[4], R[8]), Vector3(R[1], R[5], R[9]),
-                                         Vector3(R[2], R[6], R[10])};
-    double skew = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j <= i; ++j)
-            skew += std::abs(columns[i].dot(columns[j]) - (i == j ? 1 : 0));
-    return skew;
-}
-/// Beyond this, ODE's colliders find contacts anywhere in the bounding box. (A rotation matrix is integrated and normalised, so
-/// it is not exact.)
-constexpr double most_skew = sizeof(dReal) == sizeof(double) ? 1e-6 : 1e-5;
-/// Is the matrix of a geom other than a sphere no rotation? dGeomSetQuaternion() makes such a one of a quaternion that is not of
-/// length 1. The pose must be valid.
+/// Is the matrix of a geom other than a sphere no rotation? The pose must be valid.
 bool is_skewed(const dxGeom *geom);
 
 /// Can a ray touch the geom without meeting its bounding box? Besides the classes above this holds for convexes: ODE computes

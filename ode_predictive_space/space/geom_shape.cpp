@@ -123,7 +123,7 @@ bool take_pose(dxGeom *geom, ConvexShape &shape)
         shape.centre += offset[0] * shape.axes[0] + offset[1] * shape.axes[1] + offset[2] * shape.axes[2];
     }
     shape.place_slack = rounded_places * double{std::numeric_limits<dReal>::epsilon()} * shape.centre.lpNorm<1>();
-    return (turns_safely(geom) || skew_of(pose.R) <= most_skew) && shape.centre.lpNorm<1>() <= largest_length;
+    return (geom->type == dSphereClass || skew_of(pose.R) <= most_skew) && shape.centre.lpNorm<1>() <= largest_length;
 }
 
 bool take_sizes(const dxGeom *geom, ConvexShape &shape)

@@ -3,8 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_NOTICED_GEOM_H
 #define ODE_PREDICTIVE_SPACE_SPACE_NOTICED_GEOM_H
 
-#include <cmath>
-
 #include "ode_predictive_space/space/geom_scene.h"
 
 namespace ode_predictive_space
@@ -20,14 +18,8 @@ public:
     const dReal *position() const { return geom_->final_posr->pos; }
     const dReal *rotation() const { return geom_->final_posr->R; }
 
-    /// A geom that has lost its body may turn by any matrix. That of a body is a rotation, unless its quaternion is not finite.
-    bool turns_safely() const
-    {
-        constexpr dReal more_than_two_cosines = dReal(1.5);
-        const dReal *const row = rotation();
-        return geom_->type == dSphereClass ||
-               (geom_->body != nullptr && std::abs(row[0] + row[1]) <= more_than_two_cosines);
-    }
+    /// A geom that has a pose, and had no offset when it was looked at, has none now: only its matrix may have changed.
+    bool turns_safely() const { return geom_->type == dSphereClass || keeps_within_sphere(rotation()); }
 
     Solid solid() const { return solid_of(geom_); }
     double radius() const { return bounding_sphere(geom_); }

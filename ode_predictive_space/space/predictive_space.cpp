@@ -152,8 +152,7 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
     if (followed != Followed::moved)
         return look_closely(geom, followed);
     listen_to(geom);
-    if (!geom->body)
-        note_changed_line(geom);
+    note_changed_line(geom);
     forget_catching_up();
 }
 
@@ -168,7 +167,7 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
     note_changed_line(geom);
 }
 
-// By the sphere and shape tests, rays are followed along their lines. (The matrix of a geom with a body stays a rotation.)
+// By the sphere and shape tests, rays are followed along their lines.
 inline void dxPredictiveSpace::note_changed_line(const dxGeom *geom)
 {
     if (by_box())

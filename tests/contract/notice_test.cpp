@@ -90,6 +90,100 @@ TEST_F(Notice, AGeomThatLosesItsBodyAndIsStretched)
     });
 }
 
+// Beyond the reach of a unit cube that turns in any way, and within that of a stretched one.
+constexpr dReal out_of_reach = 1.6;
+
+// A cube on a body, in a scene of enough geoms to be predicted, and a ball that only a stretched cube reaches.
+dBodyID cube_beside_ball(Scenario &scene)
+{
+    const dBodyID body = scene.body(scene.box(1, 0, 0, 0), 0, 0, 0);
+    scene.sphere(0.3, 0, out_of_reach, 0);
+    for (int i = 0; i < 20; ++i)
+        scene.sphere(0.1, 20 + i, 0, 0);
+    for (int tick = 0; tick < 20; ++tick)
+    {
+        dBodySetPosition(body, 0.0001 * tick, 0, 0);
+        scene.tick();
+    }
+    return body;
+}
+
+// Its rows are not orthogonal: ODE leaves the second one as it is.
+void stretch(dBodyID body)
+{
+    const dMatrix3 stretched = {1, 0, 0, 0, 0.2, 3, 1, 0, 0, 0, 1, 0};
+    dBodySetRotation(body, stretched);
+}
+
+void move_on(Scenario &scene, dBodyID body)
+{
+    for (int tick = 0; tick < 20; ++tick)
+    {
+        dBodySetPosition(body, 0.002 + 0.0001 * tick, 0, 0);
+        scene.tick();
+    }
+}
+
+TEST_F(Notice, ABodyWhoseMatrixIsMadeNoRotation)
+{
+    expect_as_simple([](Scenario &scene) {
+        const dBodyID body = cube_beside_ball(scene);
+        stretch(body);
+        scene.tick();
+        move_on(scene, body);
+        dBodySetAngularVel(body, 0, 0, 1); // a step makes it a rotation again
+        for (int tick = 0; tick < 20; ++tick)
+        {
+            scene.step(0.01);
+            scene.tick();
+        }
+    });
+}
+
+TEST_F(Notice, ABodyThatIsStretchedAndMovedBeforeOneTick)
+{
+    expect_as_simple([](Scenario &scene) {
+        const dBodyID body = cube_beside_ball(scene);
+        stretch(body);
+        move_on(scene, body);
+    });
+}
+
+// dGeomRaySet() writes the third column of the matrix that the cube has, too.
+TEST_F(Notice, ARayThatChangesTheMatrixOfItsBody)
+{
+    for (const bool is_in_space : {true, false})
+        expect_as_simple([is_in_space](Scenario &scene) {
+            const dBodyID body = cube_beside_ball(scene);
+            dBodySetPosition(body, 0, 0.3, 0);
+            dGeomID ray = dCreateRay(is_in_space ? scene.space() : nullptr, 10);
+            scene.numbered(ray);
+            dGeomSetBody(ray, body);
+            scene.tick();
+            dGeomRaySet(ray, 0, 0.35, 0, 0, 1, 0);
+            for (int tick = 0; tick < 20; ++tick)
+            {
+                if (tick == 10 && !is_in_space)
+                    dGeomSetBody(ray, nullptr); // what it wrote stays
+                dBodySetPosition(body, 0, 0.35 + 0.0001 * tick, 0);
+                scene.tick();
+            }
+            dGeomDestroy(ray);
+        });
+}
+
+TEST_F(Notice, AGeomThatGetsABodyWhoseMatrixIsNoRotation)
+{
+    expect_as_simple([](Scenario &scene) {
+        const dBodyID body = cube_beside_ball(scene), other = dBodyCreate(scene.world());
+        dBodySetPosition(other, 0.0021, 0, 0);
+        stretch(other);
+        dGeomSetBody(dBodyGetFirstGeom(body), other);
+        scene.tick();
+        move_on(scene, other);
+    });
+}
+
 TEST_F(Notice, ABodyThatFallsAsleepWithItsVelocity)
 {
     expect_as_simple([](Scenario &scene) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "tests/contract/support/geom_zoo.h"
 
@@ -124,7 +125,21 @@ private:
     {
         const int space = random_.chance(0.04) ? -1 : random_.chance(0.8) ? 0 : any_space();
         const auto where = place();
-        add(Action::make_geom, slot, space, static_cast<int>(any_kind()), {size(), where[0], where[1], where[2]});
+        const GeomKind kind = any_kind();
+        if (kind == GeomKind::ray)
+            rays_.push_back(slot);
+        add(Action::make_geom, slot, space, static_cast<int>(kind), {size(), where[0], where[1], where[2]});
+    }
+
+    // On a body of its own, or on that of another geom, whose matrix it changes.
+    void aim_ray()
+    {
+        if (rays_.empty())
+            return;
+        const int ray = rays_[static_cast<std::size_t>(random_.below(static_cast<int>(rays_.size())))];
+        if (bodies_ > 0 && random_.chance(0.5))
+            add(Action::attach, ray, any_body(), 0);
+        add(Action::aim_ray, ray, -1, random_.below(125), place());
     }
 
     void make_object(int slot)
@@ -250,7 +265,7 @@ private:
         const int geom = any_geom();
         const int body = any_body();
         const auto where = place();
-        switch (random_.below(30))
+        switch (random_.below(33))
         {
         case 0:
         case 1:
@@ -309,6 +324,12 @@ private:
             return add(Action::role, geom, -1, random_.below(2));
         case 28:
             return random_.chance(0.2) ? settings() : void();
+        case 29:
+            return add(Action::distort_geom, geom, -1, random_.below(36), {where[0], where[1], where[2], anywhere()});
+        case 30:
+            return add(Action::distort_body, body, -1, random_.below(36), {where[0], where[1], where[2], anywhere()});
+        case 31:
+            return aim_ray();
         default:
             return change_spaces();
         }
@@ -360,6 +381,7 @@ private:
     double speed_ = 1;
     int bodies_ = 0;
     int spaces_ = 0;
+    std::vector<int> rays_; // slots in which rays were made
 };
 } // namespace
 

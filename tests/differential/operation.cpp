@@ -48,7 +48,10 @@ const char *action_name(Action action)
                                         "query_throwing_bounds",
                                         "change_in_place",
                                         "ask_times",
-                                        "shape_margin"};
+                                        "shape_margin",
+                                        "distort_geom",
+                                        "distort_body",
+                                        "aim_ray"};
     static_assert(sizeof names / sizeof *names == static_cast<std::size_t>(Action::last) + 1, "a name for each");
     return names[static_cast<int>(action)];
 }

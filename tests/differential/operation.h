@@ -54,7 +54,10 @@ enum class Action
     change_in_place, ///< convex or mesh subject gets size value[0], its own data changed in place once it has such
     ask_times, ///< in a predictive space: when geoms subject and object meet, and the first `number` encounters of subject
     shape_margin, ///< of space subject: value[0]
-    last = shape_margin
+    distort_geom, ///< geom subject gets a matrix that may be no rotation: that of turn_geom, changed as `number` says, of two digits
+    distort_body, ///< body subject, likewise
+    aim_ray,      ///< geom subject, if it is a ray: from value[0..2], in a direction that `number` chooses
+    last = aim_ray
 };
 
 enum class DriveMode

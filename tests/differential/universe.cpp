@@ -3,6 +3,7 @@
 #include "tests/differential/universe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 #include <ode_predictive_space/predictive_space.h>
@@ -26,6 +27,40 @@ template <typename Slot> bool has_slot(const std::vector<Slot> &slots, int index
 void rotation_of(const Operation &operation, dMatrix3 rotation)
 {
     dRFromAxisAndAngle(rotation, operation.value[0], operation.value[1], operation.value[2], operation.value[3]);
+}
+
+// Rows stay independent, as dBodySetRotation() asks.
+void distorted_rotation_of(const Operation &operation, dMatrix3 matrix)
+{
+    rotation_of(operation, matrix);
+    const int row = 4 * (operation.number / 4 % 3), column = operation.number / 12 % 3;
+    switch (operation.number % 4)
+    {
+    case 0: // it is hardly distorted, by its two digits alone
+        break;
+    case 1:
+        for (int i = 0; i < 3; ++i)
+            matrix[row + i] *= 1.5;
+        break;
+    case 2:
+        matrix[row + column] += 0.4;
+        break;
+    default:
+        for (int i = 0; i < 12; i += 4)
+            matrix[i + column] *= 0.6;
+    }
+    for (int i = 0; i < 12; ++i)
+        matrix[i] = std::round(100 * matrix[i]) / 100;
+}
+
+// Of a ray without an offset ODE moves the body, and changes its matrix, without a notice to the body's other geoms; this is one.
+void aim_ray(dGeomID ray, const Operation &operation)
+{
+    const auto &from = operation.value;
+    const int number = operation.number;
+    dGeomRaySet(ray, from[0], from[1], from[2], number % 5 - 2, number / 5 % 5 - 2, number / 25 % 5 - 2.5);
+    if (const dBodyID body = dGeomGetBody(ray); body && !dGeomIsOffset(ray))
+        dBodySetPosition(body, from[0], from[1], from[2]);
 }
 
 bool is_within(dSpaceID space, dGeomID maybe_ancestor)
@@ -325,6 +360,15 @@ void Universe::apply_to_geom(const Operation &operation, GeomSlot &geom)
         if (placeable)
             dGeomSetRotation(geom.id, rotation);
         break;
+    case Action::distort_geom:
+        distorted_rotation_of(operation, rotation);
+        if (placeable)
+            dGeomSetRotation(geom.id, rotation);
+        break;
+    case Action::aim_ray:
+        if (geom.kind == GeomKind::ray)
+            aim_ray(geom.id, operation);
+        break;
     case Action::resize:
         resize_geom(geom.id, geom.kind, value[0]);
         geom.own_data = nullptr;
@@ -362,6 +406,10 @@ void Universe::apply_to_body(const Operation &operation, dBodyID body)
         break;
     case Action::turn_body:
         rotation_of(operation, rotation);
+        dBodySetRotation(body, rotation);
+        break;
+    case Action::distort_body:
+        distorted_rotation_of(operation, rotation);
         dBodySetRotation(body, rotation);
         break;
     case Action::enable_body:

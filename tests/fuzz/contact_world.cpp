@@ -216,12 +216,29 @@ void ContactWorld::turn(int slot, const Vector3d &axis, double angle)
     dGeomSetQuaternion(turned->geom, product);
 }
 
+namespace
+{
+// A body's quaternion is made one of length 1; its matrix need be no rotation. ODE asks that its first rows are independent.
+void set_matrix_of(dGeomID geom, const dQuaternion quaternion)
+{
+    dMatrix3 matrix;
+    dRfromQ(matrix, quaternion);
+    for (dReal &entry : matrix)
+        entry = std::round(100 * entry) / 100;
+    const Vector3d first(matrix[0], matrix[1], matrix[2]), second(matrix[4], matrix[5], matrix[6]);
+    if (first.cross(second).norm() > 1e-3)
+        dGeomSetRotation(geom, matrix);
+}
+} // namespace
+
 void ContactWorld::set_quaternion(int slot, const Eigen::Vector4d &quaternion)
 {
     const Slot *turned = find(slot);
     if (!turned || turned->form.type == dPlaneClass)
         return;
     const dQuaternion q{real(quaternion[0]), real(quaternion[1]), real(quaternion[2]), real(quaternion[3])};
+    if (dGeomGetBody(turned->geom))
+        return set_matrix_of(turned->geom, q);
     dGeomSetQuaternion(turned->geom, q);
 }
 

@@ -68,7 +68,7 @@ public:
     void place_beside(int slot, int other, const Eigen::Vector3d &direction, bool with_contact, double part);
     void move(int slot, const Eigen::Vector3d &by);
     void turn(int slot, const Eigen::Vector3d &axis, double angle);
-    /// To a quaternion of any length. On a geom without body, the matrix is then no rotation.
+    /// To the matrix of a quaternion of any length, of two digits on a body: it need be no rotation.
     void set_quaternion(int slot, const Eigen::Vector4d &quaternion);
     void set_offset(int slot, const Eigen::Vector3d &offset);
     void set_velocity(int slot, const Eigen::Vector3d &linear, const Eigen::Vector3d &angular);

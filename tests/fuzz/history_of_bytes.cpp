@@ -108,7 +108,7 @@ private:
     Operation operation(const std::uint8_t *bytes) const
     {
         Operation made;
-        made.action = static_cast<Action>(bytes[0] % (static_cast<int>(Action::last) + 1));
+        made.action = action(bytes[0]);
         made.subject = bytes[1] % geoms;
         made.object = bytes[2] % geoms;
         made.number = bytes[3];
@@ -116,6 +116,15 @@ private:
             made.value[i] = coordinate(bytes[4 + i]);
         fit(made, bytes);
         return made;
+    }
+
+    // Actions that came later have the last bytes, so that the inputs found before mean what they meant.
+    static Action action(std::uint8_t byte)
+    {
+        constexpr int first_ones = static_cast<int>(Action::distort_geom), repeated = 252 / first_ones * first_ones;
+        if (byte < repeated)
+            return static_cast<Action>(byte % first_ones);
+        return static_cast<Action>(first_ones + byte % (static_cast<int>(Action::last) + 1 - first_ones));
     }
 
     // Into what the action takes.
@@ -134,6 +143,7 @@ private:
             break;
         case Action::destroy_body:
         case Action::turn_body:
+        case Action::distort_body:
         case Action::force:
             made.subject %= bodies;
             break;

@@ -77,6 +77,17 @@ def notice_faults():
         "unchanged_not_followed_by_shapes", "notices", entry, "if (shapes_.in_use())\n        look_at(id);", "",
         (("shape_contract", "ShapeProximity.*:ShapeContacts.AreThose*"),))
     yield Fault(
+        "stretched_on_its_body", "notices", SOURCES + "space/noticed_geom.h",
+        "return geom_->type == dSphereClass || keeps_within_sphere(rotation());", "return geom_->type == dSphereClass || geom_->body;",
+        (("contract", "Notice.*"), HISTORIES))
+    yield Fault(
+        "rows_of_a_matrix_forgotten", "notices", SOURCES + "space/rotation.h", ".bits() & three_lanes) == three_lanes;",
+        ".bits() & 1) == 1;", (("contract", "Notice.*"), HISTORIES))
+    yield Fault(
+        "skew_of_bodies_forgotten", "notices", SOURCES + "space/geom_scene.cpp",
+        "if (!(geom->gflags & GEOM_PLACEABLE) || geom->type == dSphereClass)",
+        "if (!(geom->gflags & GEOM_PLACEABLE) || geom->type == dSphereClass || geom->body)", CONTACT_HISTORIES)
+    yield Fault(
         "turns_unsafely", "notices", entry, " || (watch == Watch::centre && !object.turns_safely())", "",
         (("contract", "Notice.*"), HISTORIES))
     yield Fault(
