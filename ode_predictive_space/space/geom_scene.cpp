@@ -87,23 +87,28 @@ double rounding_at([[maybe_unused]] const Box &bounds)
                std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
 }
 
+bool is_finite(const Box &box)
+{
+    constexpr double most = std::numeric_limits<double>::max();
+    return box.min().minCoeff() >= -most && box.max().maxCoeff() <= most;
+}
+
 // The sphere of the sphere test. Around the geom's centre, if the class has one that holds the geom in every orientation,
 // otherwise around its bounding box. It follows from the pose, the sizes and the box alone: a pair is reported or not whatever
 // was before. Infinite for geoms that are judged by their boxes.
 struct JudgedSphere
 {
-    Vector3 centre;
-    double radius;
+    Vector3 centre = Vector3::Zero();
+    double radius = std::numeric_limits<double>::infinity();
 
-    JudgedSphere(const dxGeom *geom, const Box &bounds) : centre(bounds.center()), radius(circumscribed_radius(geom))
+    JudgedSphere(const dxGeom *geom, const Box &bounds)
     {
         const double skew = skew_of_geom(geom);
-        if (judged_by_box_alone(geom) || !(skew <= most_skew))
-            radius = std::numeric_limits<double>::infinity();
-        else if (std::isfinite(radius))
-            radius *= 1 + skew;
-        else
-            radius = 0.5 * bounds.diagonal().norm();
+        if (judged_by_box_alone(geom) || !(skew <= most_skew) || !is_finite(bounds))
+            return;
+        const double circumscribed = circumscribed_radius(geom);
+        centre = bounds.center();
+        radius = std::isfinite(circumscribed) ? circumscribed * (1 + skew) : 0.5 * bounds.diagonal().norm();
         radius += rounding_at(bounds);
     }
 

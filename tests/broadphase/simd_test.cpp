@@ -141,7 +141,8 @@ TEST(Float4, ArithmeticIsThatOfEachLane)
     expect_lane_by_lane([](Float4 a, Float4 b) { return a + b; }, [](float a, float b) { return a + b; });
     expect_lane_by_lane([](Float4 a, Float4 b) { return a - b; }, [](float a, float b) { return a - b; });
     expect_lane_by_lane([](Float4 a, Float4 b) { return a * b; }, [](float a, float b) { return a * b; });
-    expect_lane_by_lane([](Float4 a, Float4 b) { return a / b; }, [](float a, float b) { return a / b; });
+    expect_lane_by_lane([](Float4 a, Float4 b) { return quotient_or_zero(a, b); },
+                        [](float a, float b) { return b != 0 ? a / b : 0; });
     expect_lane_by_lane([](Float4 a, Float4) { return abs(a); }, [](float a, float) { return std::fabs(a); });
 }
 

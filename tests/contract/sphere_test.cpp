@@ -78,6 +78,11 @@ Ball ball_of(dGeomID geom)
     dGeomGetAABB(geom, box);
     double half = 0;
     Ball ball{};
+    if (!std::all_of(box, box + 6, [](dReal side) { return std::isfinite(side); }))
+    {
+        ball.radius = infinity;
+        return ball;
+    }
     for (std::size_t i = 0; i < 3; ++i)
     {
         ball.centre[i] = (box[2 * i] + box[2 * i + 1]) / 2;

@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space
 {
-/// The sides of up to four boxes, by axis and box. Places without a box hold NaN.
+/// The sides of up to four boxes, by axis and box. Places without a box hold an inverted one, larger than all that are bounded().
 struct alignas(16) FourBoxes
 {
     static constexpr std::size_t most = 4;
@@ -59,18 +59,18 @@ struct alignas(16) FourBoxes
 
     void clear(std::size_t place)
     {
-        constexpr float none = std::numeric_limits<float>::quiet_NaN();
-        set(place, {{none, none, none}, {none, none, none}});
+        constexpr float beyond = 1e16f;
+        set(place, {{beyond, beyond, beyond}, {-beyond, -beyond, -beyond}});
     }
 
-    /// The box around all; there is one in the first place.
+    /// The box around all, which are bounded(); there is one in the first place.
     FloatBox merged() const
     {
         FloatBox box = (*this)[0];
         for (int axis = 0; axis < 3; ++axis)
             for (std::size_t place = 1; place < most; ++place)
             {
-                box.low[axis] = std::min(box.low[axis], low[axis][place]); // not NaN
+                box.low[axis] = std::min(box.low[axis], low[axis][place]);
                 box.high[axis] = std::max(box.high[axis], high[axis][place]);
             }
         return box;

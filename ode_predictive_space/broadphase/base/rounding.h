@@ -15,12 +15,14 @@ inline float round_down(double value)
     // One part in 2^23 is one or two units in the last place. FLT_MIN covers numbers too small for that, also where the
     // processor flushes denormal numbers to zero.
     constexpr float unit = std::numeric_limits<float>::epsilon();
+    if (std::isnan(value))
+        return -std::numeric_limits<float>::infinity();
     const float nearest = static_cast<float>(value);
-    const float margin = std::abs(nearest) * unit + std::numeric_limits<float>::min();
-    const float lowered = nearest - (static_cast<double>(nearest) > value ? margin : 0.0f);
-    if (lowered == lowered)
-        return lowered;
-    return value > 0 ? std::numeric_limits<float>::max() : -std::numeric_limits<float>::infinity();
+    if (!(static_cast<double>(nearest) > value))
+        return nearest;
+    if (nearest > std::numeric_limits<float>::max())
+        return std::numeric_limits<float>::max();
+    return nearest - (std::abs(nearest) * unit + std::numeric_limits<float>::min());
 }
 
 /// A float >= value, likewise. Infinity when value is NaN or above the range of float.

@@ -73,10 +73,6 @@ public:
     {
         return each(a, b, [](float x, float y) { return x * y; });
     }
-    friend Float4 operator/(Float4 a, Float4 b)
-    {
-        return each(a, b, [](float x, float y) { return x / y; });
-    }
     friend Float4 operator-(Float4 a) { return all(0) - a; }
     friend Float4 max(Float4 a, Float4 b) { return each(a, b, larger); }
     friend Float4 min(Float4 a, Float4 b) { return each(a, b, smaller); }
@@ -88,6 +84,10 @@ public:
     friend Float4 finite_or_zero(Float4 a)
     {
         return each(a, a, [](float x, float) { return std::abs(x) < std::numeric_limits<float>::infinity() ? x : 0; });
+    }
+    friend Float4 quotient_or_zero(Float4 a, Float4 b)
+    {
+        return each(a, b, [](float x, float y) { return y != 0 ? x / y : 0; });
     }
     friend Mask4 operator==(Float4 a, Float4 b)
     {

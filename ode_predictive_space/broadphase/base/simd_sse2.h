@@ -61,8 +61,9 @@ public:
         const __m128d signs = _mm_set1_pd(sign);
         const __m128d xy = _mm_mul_pd(_mm_loadu_pd(three), signs), z = _mm_mul_pd(_mm_load_sd(three + 2), signs);
         const Float4 nearest = joined(xy, z);
+        const Float4 finite = min(abs(nearest), all(std::numeric_limits<float>::max()));
         const Float4 margin =
-            abs(nearest) * all(std::numeric_limits<float>::epsilon()) + all(std::numeric_limits<float>::min());
+            finite * all(std::numeric_limits<float>::epsilon()) + all(std::numeric_limits<float>::min());
         const __m128d above_xy = _mm_cmpgt_pd(_mm_cvtps_pd(nearest.lanes_), xy);
         const __m128d above_z = _mm_cmpgt_pd(_mm_cvtps_pd(_mm_movehl_ps(nearest.lanes_, nearest.lanes_)), z);
         const __m128 above = _mm_shuffle_ps(_mm_castpd_ps(above_xy), _mm_castpd_ps(above_z), _MM_SHUFFLE(2, 0, 2, 0));
@@ -103,7 +104,6 @@ public:
     friend Float4 operator+(Float4 a, Float4 b) { return Float4(_mm_add_ps(a.lanes_, b.lanes_)); }
     friend Float4 operator-(Float4 a, Float4 b) { return Float4(_mm_sub_ps(a.lanes_, b.lanes_)); }
     friend Float4 operator*(Float4 a, Float4 b) { return Float4(_mm_mul_ps(a.lanes_, b.lanes_)); }
-    friend Float4 operator/(Float4 a, Float4 b) { return Float4(_mm_div_ps(a.lanes_, b.lanes_)); }
     friend Float4 operator-(Float4 a) { return all(0) - a; }
 
     /// In each lane the larger or smaller number; b where one is NaN.
@@ -120,6 +120,14 @@ public:
     {
         const __m128 finite = _mm_cmplt_ps(abs(a).lanes_, _mm_set1_ps(std::numeric_limits<float>::infinity()));
         return Float4(_mm_and_ps(finite, a.lanes_));
+    }
+
+    /// Each lane of a divided by that of b; 0 where b is 0.
+    friend Float4 quotient_or_zero(Float4 a, Float4 b)
+    {
+        const __m128 divides = _mm_cmpneq_ps(b.lanes_, _mm_setzero_ps());
+        const __m128 divisor = _mm_or_ps(_mm_and_ps(divides, b.lanes_), _mm_andnot_ps(divides, _mm_set1_ps(1)));
+        return Float4(_mm_and_ps(divides, _mm_div_ps(a.lanes_, divisor)));
     }
 
     friend Mask4 operator==(Float4 a, Float4 b) { return Mask4(_mm_cmpeq_ps(a.lanes_, b.lanes_)); }

@@ -80,14 +80,15 @@ public:
         for (std::size_t place = 0; place + 1 < size(); ++place)
         {
             const BoxProbe probe(box(place));
-            std::size_t block = (place + 1) / per_block;
+            std::size_t first = (place + 1) / per_block * per_block;
             unsigned behind = ~0u << (place + 1) % per_block;
-            for (; block < blocks_.size(); ++block, behind = ~0u)
-                for (unsigned found = probe.overlaps(blocks_[block]) & behind; found; found &= found - 1)
-                {
-                    const auto bit = static_cast<std::size_t>(__builtin_ctz(found));
-                    visit(proxies_[place], proxies_[per_block * block + bit]);
-                }
+            for (; first < size(); first += per_block, behind = ~0u)
+            {
+                const std::size_t left = std::min(size() - first, per_block);
+                for (unsigned found = probe.overlaps(blocks_[first / per_block]) & behind & ~(~0u << left); found;
+                     found &= found - 1)
+                    visit(proxies_[place], proxies_[first + static_cast<std::size_t>(__builtin_ctz(found))]);
+            }
         }
     }
 

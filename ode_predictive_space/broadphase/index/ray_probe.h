@@ -20,7 +20,7 @@ namespace ode_predictive_space
 class RayProbe
 {
 public:
-    /// Both finite; a line of no length is a point.
+    /// Both in a box that is bounded(); a line of no length is a point.
     ///
     /// @param miss by how much the line may miss a box and still meet it.
     RayProbe(const Vector3 &start, const Vector3 &end, double miss = 0)
@@ -40,11 +40,15 @@ public:
     /// A bit for each box that the line meets, also for a box that is infinite or not a number: nothing is known to be apart.
     unsigned overlaps(const FourBoxes &boxes) const
     {
+        // Lines are bounded, boxes need not be: what is farther away than all lines makes no difference.
+        const Float4 beyond = Float4::all(4e15f);
         Float4 offset[3], extent[3];
         for (int axis = 0; axis < 3; ++axis)
         {
-            offset[axis] = (boxes.highs(axis) + boxes.lows(axis)) - centre_[axis];
-            extent[axis] = (boxes.highs(axis) - boxes.lows(axis)) * Float4::all(1 + rounding) + margin_[axis];
+            const Float4 low = min(max(boxes.lows(axis), -beyond), beyond);
+            const Float4 high = max(min(boxes.highs(axis), beyond), -beyond);
+            offset[axis] = (high + low) - centre_[axis];
+            extent[axis] = (high - low) * Float4::all(1 + rounding) + margin_[axis];
         }
         const auto along = [&](int axis) { return abs(offset[axis]) > extent[axis] + reach_[axis]; };
         const auto across = [&](int one, int other) {

@@ -22,14 +22,14 @@ inline std::int32_t updates_between(UpdateNumber from, UpdateNumber to)
     return static_cast<std::int32_t>((to - from) << 5) / 32;
 }
 
-/// What the notice of a move compares with what.
+/// What the notice of a move compares with what. No number has both low bits: see Place.
 enum class Watch : std::uint8_t
 {
-    look,    ///< nothing: the object is looked at in the next update
-    centre,  ///< the centre with the box of allowed centres
-    sphere,  ///< the tight box of a sphere with the envelope
-    capsule, ///< that of a segment along the z axis with a radius
-    box      ///< that of a box, also one around a cylinder
+    look = 0,    ///< nothing: the object is looked at in the next update
+    centre = 1,  ///< the centre with the box of allowed centres
+    sphere = 2,  ///< the tight box of a sphere with the envelope
+    capsule = 4, ///< that of a segment along the z axis with a radius
+    box = 5      ///< that of a box, also one around a cylinder
 };
 
 /// An object whose bounding box follows from its pose alone, by the formula of its kind.
@@ -58,12 +58,15 @@ struct TightBox
 {
     Float4 low, high;
 
-    /// A box of these half sizes, and outwards by more than round-off, that of the program's own box included.
+    /// A box of these half sizes, and outwards by more than round-off, that of the program's own box included. Around a centre
+    /// beyond single precision, it is not finite.
     static TightBox around(Float4 centre, Float4 half)
     {
         constexpr float unit = 6 * std::numeric_limits<float>::epsilon(), least = 8 * std::numeric_limits<float>::min();
         const Float4 outer = half + ((abs(centre) + half) * Float4::all(unit) + Float4::all(least));
-        return {centre - outer, centre + outer};
+        const Float4 finite =
+            min(outer, Float4::all(std::numeric_limits<float>::max())); // infinity less itself is no number
+        return {centre - finite, centre + finite};
     }
 
     static TightBox of(const FloatBox &box)
@@ -92,12 +95,8 @@ public:
     }
 
     /// Until it is set again, the envelope holds nothing.
-    void forget_envelope()
-    {
-        const Float4 nothing = Float4::all(std::numeric_limits<float>::quiet_NaN());
-        set_envelope({nothing, nothing});
-    }
-    bool has_envelope() const { return low_[0] <= high_[0]; }
+    void forget_envelope() { set_envelope({Float4::all(infinity), Float4::all(-infinity)}); }
+    bool has_envelope() const { return low_[0] != infinity || high_[0] != -infinity; }
     FloatBox envelope() const { return {{low_[0], low_[1], low_[2]}, {high_[0], high_[1], high_[2]}}; }
     void set_envelope(const TightBox &box)
     {
@@ -116,18 +115,18 @@ public:
 
     // --- The tight box ---
 
-    Watch watch() const { return static_cast<Watch>(state_ & watch_bits); }
+    Watch watch() const { return static_cast<Watch>(state_ >> watch_shift); }
     /// Does each notice measure the tight box?
     bool watches_solid() const { return watch() > Watch::centre; }
-    void set_watch(Watch watch) { state_ = (state_ & ~watch_bits) | static_cast<std::uint32_t>(watch); }
+    void set_watch(Watch watch) { state_ = (state_ & ~watch_bits) | static_cast<std::uint32_t>(watch) << watch_shift; }
     static constexpr UpdateNumber last_update = ~UpdateNumber{0} >> 5;
-    UpdateNumber moved() const { return state_ >> bits_below_update; }
+    UpdateNumber moved() const { return state_ & last_update; }
 
     /// @return false when it was noted before.
     bool note_move(UpdateNumber update)
     {
-        const std::uint32_t state = (update << bits_below_update) | counted_bit | (state_ & low_bits);
-        const bool is_new = (state ^ state_) > low_bits;
+        const std::uint32_t state = update | counted_bit | (state_ & kept_bits);
+        const bool is_new = state != state_;
         state_ = state;
         return is_new;
     }
@@ -135,7 +134,7 @@ public:
     void note_doubtful_move(UpdateNumber update)
     {
         if (moved() != update)
-            state_ = (update << bits_below_update) | (state_ & low_bits);
+            state_ = update | (state_ & kept_bits);
     }
 
     /// From now on the tight box is watched, by the formula of the solid.
@@ -195,7 +194,7 @@ public:
     TightBox tight_lanes() const { return {tight_low(), tight_high()}; }
 
     /// Does the envelope hold the tight box? False when anything is not a number.
-    bool holds() const { return holds(tight_low(), tight_high()); }
+    bool holds() const { return has_envelope() && holds(tight_low(), tight_high()); }
     /// Is a side of the envelope at infinity, and not that of the object? It holds the object wherever it goes, and meets all others.
     bool is_boundless() const
     {
@@ -238,8 +237,9 @@ public:
 
 private:
     static constexpr float infinity = std::numeric_limits<float>::infinity();
-    static constexpr std::uint32_t watch_bits = 7, doubt_bit = 8, low_bits = watch_bits | doubt_bit, counted_bit = 16;
-    static constexpr int bits_below_update = 5;
+    static constexpr int watch_shift = 29;
+    static constexpr std::uint32_t doubt_bit = 1u << 27, counted_bit = 1u << 28, watch_bits = 7u << watch_shift,
+                                   kept_bits = watch_bits | doubt_bit;
 
     Float4 low() const { return Float4::load_aligned(low_); }
     Float4 high() const { return Float4::load_aligned(high_); }
@@ -268,7 +268,8 @@ private:
                along_z;
     }
 
-    static float digest_of(Float4 centre) { return (centre * Float4(1, 1.3717f, 1.7391f, 0)).sum_of_three(); }
+    // Halves: a sum of numbers beyond single precision is infinite, not none.
+    static float digest_of(Float4 centre) { return (centre * Float4(0.25f, 0.34293f, 0.43478f, 0)).sum_of_three(); }
 
     Followed follow_centre(Float4 centre)
     {
@@ -293,8 +294,9 @@ private:
     float tight_low_[3];
     float half_z_ = 0;
     float tight_high_[3];
-    std::uint32_t state_ =
-        0; // the update that will see the last move; a side of the box overflows single precision; the watch
+    // The update that will see the last move; a side of the box overflows single precision; the move is counted; the watch. It is
+    // compared as a float with the rest of its vector, and is a finite one: two bits of its exponent are the low ones of the watch.
+    std::uint32_t state_ = 0;
 };
 static_assert(sizeof(Place) == 64, "one cache line per notice");
 

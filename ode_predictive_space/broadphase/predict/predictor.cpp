@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ode_predictive_space
 {
@@ -39,10 +40,17 @@ Float4 load_three(const float *three)
     return {three[0], three[1], three[2], 0};
 }
 
+// Squares of these, and of their sums, are finite.
+Float4 bounded(Float4 vector)
+{
+    const Float4 most = Float4::all(1e15f);
+    return min(max(vector, -most), most);
+}
+
 // Of a box; of what is finite of it.
 Float4 middle_of(const TightBox &box)
 {
-    return Float4::all(0.5f) * finite_or_zero(box.low) + Float4::all(0.5f) * finite_or_zero(box.high);
+    return bounded(Float4::all(0.5f) * finite_or_zero(box.low) + Float4::all(0.5f) * finite_or_zero(box.high));
 }
 
 Vector3 finite_centre(const Box &bounds)
@@ -62,8 +70,8 @@ float size_of(const TightBox &box)
 // Ticks until the path has gone so far. The root of speed t + 1/2 acceleration t^2 = way.
 float ticks_to_travel(float way, float speed, float acceleration)
 {
-    const float root = std::sqrt(speed * speed + 2 * acceleration * way);
-    return 2 * way / (speed + root);
+    const float pace = speed + std::sqrt(speed * speed + 2 * acceleration * way);
+    return pace > 0 ? 2 * way / pace : std::numeric_limits<float>::infinity();
 }
 
 // A number that looks random, from 0 to 1.
@@ -99,12 +107,12 @@ Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Ti
 {
     Outcome outcome;
     outcome.ticks = static_cast<float>(ticks_between(record.since, now));
-    outcome.displacement = centre - load_three(record.position);
+    outcome.displacement = bounded(centre) - bounded(load_three(record.position));
     const float step = record.has_body ? static_cast<float>(step_estimate_.step()) : 1;
     const Float4 acceleration = load_three(record.acceleration);
     const Motion motion{Float4::all(step) * load_three(record.velocity) + Float4::all(0.5f) * acceleration,
                         acceleration};
-    const Float4 expected = motion.displacement(outcome.ticks);
+    const Float4 expected = bounded(motion.displacement(outcome.ticks));
     const float squared_way = dot(expected, expected);
     const float along = squared_way > 0 ? dot(outcome.displacement, expected) / squared_way : 0;
     const float part = std::clamp(along, 0.0f, tuning::longest_step);
@@ -189,7 +197,7 @@ Predictor::Motion Predictor::motion_of(ProxyRecord &record, const Outcome &outco
         record.role = Role::interactive;
     record.has_body = seen.velocity && record.role != Role::fixed_interactive;
     if (record.has_body)
-        return motion_of_body(record, outcome, Float4::nearest(seen.velocity->data()));
+        return motion_of_body(record, outcome, bounded(Float4::nearest(seen.velocity->data())));
     Motion motion;
     if (moved && outcome.ticks > 0)
         motion.velocity = Float4::all(1 / outcome.ticks) * outcome.displacement;
@@ -214,10 +222,9 @@ TightBox Predictor::swept(const TightBox &box, const Motion &motion, float ticks
 {
     const Float4 zero = Float4::all(0), end = motion.displacement(ticks);
     Float4 low = min(end, zero), high = max(end, zero);
-    const Float4 turn = -motion.velocity / motion.acceleration; // NaN or infinite where there is none
+    const Float4 turn = quotient_or_zero(-motion.velocity, motion.acceleration);
     const Float4 turned = min(max(turn, zero), Float4::all(ticks));
-    const Float4 extreme =
-        finite_or_zero(turned * (motion.velocity + Float4::all(0.5f) * turned * motion.acceleration));
+    const Float4 extreme = turned * (motion.velocity + Float4::all(0.5f) * turned * motion.acceleration);
     low = min(low, extreme);
     high = max(high, extreme);
     constexpr float unit = 4 * std::numeric_limits<float>::epsilon();
@@ -274,7 +281,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     note_farthest(tight);
     centre.store_three(record.position);
     if (record.has_body)
-        Float4::nearest(seen.velocity->data()).store_three(record.velocity);
+        bounded(Float4::nearest(seen.velocity->data())).store_three(record.velocity);
     else
         motion.velocity.store_three(record.velocity);
     motion.acceleration.store_three(record.acceleration);
@@ -294,7 +301,7 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
         return false;
     Place &place = proxies.places[id];
     const TightBox tight = place.tight_lanes();
-    const Float4 centre = middle_of(tight), displacement = centre - load_three(record.position);
+    const Float4 centre = middle_of(tight), displacement = centre - bounded(load_three(record.position));
     const float leap = static_cast<float>(ticks_between(record.since, now)) * tuning::leap * record.size;
     if (!is_finite(tight) || !(dot(displacement, displacement) > leap * leap))
         return false;

@@ -72,7 +72,8 @@ void approach_closest(const ConvexShape &first, const ConvexShape &second, Vecto
     {
         const Vector3 corner = nearest_along(towards, first, second);
         const double length = towards.norm();
-        largest.improve({towards.dot(corner) / length - around - rounded, towards / length});
+        if (length > 0)
+            largest.improve({towards.dot(corner) / length - around - rounded, towards / length});
         if (!nearest)
             nearest.emplace(corner);
         else if (!nearest->add(corner))

@@ -61,7 +61,7 @@ void NearestPoint::move_towards(const Weights &weights)
 {
     double part = 1;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
-        if (weights[i] <= 0)
+        if (weights[i] <= 0 && weights[i] != weights_[i])
             part = std::min(part, weights_[i] / (weights_[i] - weights[i]));
     for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
     {
