@@ -235,6 +235,10 @@ void dxPredictiveSpace::geom_changed(dxGeom *geom)
 }
 
 // Computes all boxes, also those that the space does not need yet. Moves stay reported for the next collide.
+//
+// The caller clears the flag of this space afterwards. ODE's rule is that a space is dirty while a geom in it is: dGeomMoved()
+// reports a move to the spaces above only up to the first geom that is dirty already. So this function leaves no geom in this
+// space dirty, at no depth; poll_moves() also reads the classes of new geoms, to find the spaces among them.
 void dxPredictiveSpace::cleanGeoms()
 {
     if (!first)
@@ -243,18 +247,9 @@ void dxPredictiveSpace::cleanGeoms()
     const Lock lock(this);
     if (!predicts_)
         return clean_each();
+    poll_moves();
     for (dxGeom *geom = first; geom; geom = geom->next)
-    {
-        if (IS_SPACE(geom))
-            static_cast<dxSpace *>(geom)->cleanGeoms();
-        compute_box_beside_others(geom);
-        if (!(geom->gflags & GEOM_DIRTY))
-            continue;
-        if (const ProxyId id = proxy_of(geom); polled_.contains(id))
-            note_change(id);
-        else
-            dirty(geom);
-    }
+        valid_aabb(geom);
 }
 
 void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
