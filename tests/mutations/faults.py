@@ -461,10 +461,22 @@ def space_faults():
     yield Fault(
         "sphere_of_a_box_too_small", "space", scene, "std::sqrt(x * x + y * y + z * z) / 2", "std::sqrt(x * x + 0 * y + z * z) / 2",
         contract("EveryPlaceableClass*:Notice.*") + (HISTORIES,))
+    nests = contract("*AllNests.*predicting_at_once")
     yield Fault(
         "nested_spaces_not_cleaned", "space", scene,
         "if (IS_SPACE(geom))\n        static_cast<dxSpace *>(geom)->cleanGeoms();\n    compute_box_beside_others(geom);",
-        "compute_box_beside_others(geom);", contract("Contract.11_*"))
+        "compute_box_beside_others(geom);", nests)
+    yield Fault(
+        "new_spaces_stay_dirty_when_cleaned", "space", space, "    poll_moves();\n    for (dxGeom *geom = first;",
+        "    const bool unprepared = std::exchange(unprepared_, false);\n    poll_moves();\n    unprepared_ = unprepared;\n"
+        "    for (dxGeom *geom = first;", nests)
+    yield Fault(
+        "moved_spaces_stay_dirty_when_cleaned", "space", space, "    poll_moves();\n    for (dxGeom *geom = first;",
+        "    if (unprepared_)\n        prepare();\n    for (dxGeom *geom = first;", nests)
+    yield Fault(
+        "cleaned_without_the_spaces_inside", "space", space,
+        "for (dxGeom *geom = first; geom; geom = geom->next)\n        valid_aabb(geom);",
+        "for (dxGeom *geom = first; geom; geom = geom->next)\n        compute_box_beside_others(geom);", nests)
     # Few geoms.
     yield Fault(
         "few_geoms_stay_dirty", "space", space, "compute_box_beside_others(geom);\n        listen_to(geom);",
