@@ -71,6 +71,9 @@ const auto every_flavour =
 // Of so many that not all predictions that break are made anew in one tick.
 const auto explosions = ::testing::Values(Flavour::explosion);
 
+// By box alone: by the other tests, pairs of spaces would be left out.
+const auto nests = ::testing::Values(Flavour::nests);
+
 #ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
 INSTANTIATE_TEST_SUITE_P(Long, Differential,
                          ::testing::Combine(every_flavour, ::testing::Values(Size{"tiny", 20, 4000, 400},
@@ -83,6 +86,10 @@ INSTANTIATE_TEST_SUITE_P(Long, DifferentialBySpheres,
                          name_of);
 INSTANTIATE_TEST_SUITE_P(LongExplosions, Differential,
                          ::testing::Combine(explosions, ::testing::Values(Size{"many", 1000, 300, 60})), name_of);
+INSTANTIATE_TEST_SUITE_P(LongNests, Differential,
+                         ::testing::Combine(nests, ::testing::Values(Size{"tiny", 20, 2000, 400},
+                                                                     Size{"medium", 200, 500, 50})),
+                         name_of);
 INSTANTIATE_TEST_SUITE_P(LongExplosions, DifferentialBySpheres,
                          ::testing::Combine(explosions, ::testing::Values(Size{"many", 600, 300, 30})), name_of);
 #else
@@ -97,6 +104,10 @@ INSTANTIATE_TEST_SUITE_P(Short, DifferentialBySpheres,
                          name_of);
 INSTANTIATE_TEST_SUITE_P(ShortExplosions, Differential,
                          ::testing::Combine(explosions, ::testing::Values(Size{"many", 500, 150, 6})), name_of);
+INSTANTIATE_TEST_SUITE_P(ShortNests, Differential,
+                         ::testing::Combine(nests, ::testing::Values(Size{"tiny", 20, 500, 100},
+                                                                     Size{"medium", 150, 150, 10})),
+                         name_of);
 INSTANTIATE_TEST_SUITE_P(ShortExplosions, DifferentialBySpheres,
                          ::testing::Combine(explosions, ::testing::Values(Size{"many", 400, 100, 4})), name_of);
 #endif

@@ -72,7 +72,8 @@ private:
         // In metres per second: from creeping to crossing the scene in a few ticks.
         speed_ = std::pow(10, random_.between(-2, 1.3));
         bodies_ = random_.chance(0.2) ? 0 : static_cast<int>(random_.between(0.3, 1) * profile_.geoms);
-        spaces_ = profile_.nested_spaces ? random_.below(4) : 0;
+        if (profile_.nested_spaces)
+            spaces_ = is(Flavour::nests) ? most_nested : random_.below(4);
         for (int i = 1; i <= spaces_; ++i)
             make_space(i);
         for (int i = 0; i < bodies_; ++i)
@@ -109,9 +110,21 @@ private:
 
     void make_space(int slot)
     {
+        if (is(Flavour::nests))
+            return make_deep_space(slot);
         const int kinds = is(Flavour::extreme) ? 2 : 3; // a hash space aborts on extreme coordinates
         const int parent = random_.chance(0.2) ? -1 : random_.below(slot);
         add(Action::make_space, slot, parent, random_.below(kinds) + 16 * random_.below(2));
+    }
+
+    // Most are in the one before. Some begin a nest of their own, around which is no predictive space. A quadtree space that does
+    // not destroy its geoms leaves them unfit for others.
+    void make_deep_space(int slot)
+    {
+        const int parent = random_.chance(0.2) ? -1 : random_.chance(0.8) ? slot - 1 : random_.below(slot);
+        const int kind = random_.below(static_cast<int>(NestedKind::last) + 1);
+        const bool cleans_up = kind == static_cast<int>(NestedKind::quadtree) || random_.chance(0.5);
+        add(Action::make_space, slot, parent, kind + 16 * cleans_up);
     }
 
     void make_body(int slot)
@@ -123,7 +136,8 @@ private:
 
     void make_geom(int slot)
     {
-        const int space = random_.chance(0.04) ? -1 : random_.chance(0.8) ? 0 : any_space();
+        const double outermost = is(Flavour::nests) ? 0.2 : 0.8;
+        const int space = random_.chance(0.04) ? -1 : random_.chance(outermost) ? 0 : any_space();
         const auto where = place();
         const GeomKind kind = any_kind();
         if (kind == GeomKind::ray)
@@ -183,6 +197,8 @@ private:
             return random_.below(3);
         case Flavour::teleport:
             return 2;
+        case Flavour::nests:
+            return random_.below(12);
         case Flavour::wild:
             return random_.below(profile_.geoms / 4 + 4);
         default:
@@ -259,9 +275,33 @@ private:
         }
     }
 
+    // Updates of one space, and moves between them.
+    void happen_in_nests()
+    {
+        switch (random_.below(7))
+        {
+        case 0:
+            return add(Action::clean, any_space(), -1, 0);
+        case 1:
+            return add(Action::ask_bounds, space_reference(any_space()), -1, 0);
+        case 2:
+            return add(Action::query, any_geom(), space_reference(any_space()), 0);
+        case 3:
+        {
+            const int space = space_reference(1 + random_.below(spaces_));
+            add(Action::take_out, space, -1, 0);
+            return random_.chance(0.8) ? add(Action::put_in, space, any_space(), 0) : void();
+        }
+        default:
+            return add(Action::move_geom, any_geom(), -1, 0, place());
+        }
+    }
+
     // One thing that a program may do.
     void happen()
     {
+        if (is(Flavour::nests) && random_.chance(0.7))
+            return happen_in_nests();
         const int geom = any_geom();
         const int body = any_body();
         const auto where = place();
@@ -374,6 +414,8 @@ private:
         }
     }
 
+    static constexpr int most_nested = 6;
+
     Profile profile_;
     Random random_;
     History history_;
@@ -387,8 +429,8 @@ private:
 
 const char *flavour_name(Flavour flavour)
 {
-    static const char *const names[flavour_count] = {"calm", "mixed",   "wild",     "teleport",
-                                                     "pile", "extreme", "explosion"};
+    static const char *const names[flavour_count] = {"calm", "mixed",   "wild",      "teleport",
+                                                     "pile", "extreme", "explosion", "nests"};
     return names[static_cast<int>(flavour)];
 }
 

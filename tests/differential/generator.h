@@ -19,7 +19,8 @@ enum class Flavour
     pile,      ///< gravity and contacts
     extreme,   ///< coordinates and velocities that are huge, tiny, infinite or not numbers
     explosion, ///< now and then much happens at once, to many
-    last = explosion
+    nests,     ///< deep nests of spaces of all classes, updated in every manner
+    last = nests
 };
 constexpr int flavour_count = static_cast<int>(Flavour::last) + 1;
 const char *flavour_name(Flavour flavour);

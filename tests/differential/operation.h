@@ -73,7 +73,10 @@ enum class NestedKind
 {
     of_same_kind,
     simple,
-    hash
+    hash,
+    sweep_and_prune,
+    quadtree,
+    last = quadtree
 };
 
 struct Operation

@@ -73,7 +73,7 @@ int main(int argc, char **argv)
     app.add_option("--ticks", options.ticks, "length of a history")->check(CLI::PositiveNumber);
     app.add_option("--geoms", options.geoms, "geoms in a scene")->check(CLI::PositiveNumber);
     app.add_option("--flavour", options.flavour, "what the histories are about (default: each in turn)")
-        ->check(CLI::IsMember({"all", "calm", "mixed", "wild", "teleport", "pile", "extreme", "explosion"}));
+        ->check(CLI::IsMember({"all", "calm", "mixed", "wild", "teleport", "pile", "extreme", "explosion", "nests"}));
     app.add_flag("--flat", options.flat, "no nested spaces");
     app.add_flag("--spheres", options.spheres, "by the measure of spheres: no pair left out has a contact");
     app.add_flag("--shapes", options.shapes, "the same by the shape test");

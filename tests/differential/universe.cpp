@@ -164,6 +164,24 @@ void Universe::make_body(const Operation &operation)
         dBodySetKinematic(body);
 }
 
+dSpaceID Universe::create_space(NestedKind kind, dSpaceID parent) const
+{
+    const dVector3 centre{}, extents{setup_.extent, setup_.extent, setup_.extent};
+    switch (kind)
+    {
+    case NestedKind::hash:
+        return dHashSpaceCreate(parent);
+    case NestedKind::sweep_and_prune:
+        return dSweepAndPruneSpaceCreate(parent, dSAP_AXES_XYZ);
+    case NestedKind::quadtree:
+        return dQuadTreeSpaceCreate(parent, centre, extents, 3);
+    case NestedKind::of_same_kind:
+        return kind_ == SpaceKind::predictive ? dPredictiveSpaceCreate(parent) : dSimpleSpaceCreate(parent);
+    default:
+        return dSimpleSpaceCreate(parent);
+    }
+}
+
 void Universe::make_space(const Operation &operation)
 {
     SpaceSlot &space = slot_at(spaces_, operation.subject);
@@ -175,10 +193,7 @@ void Universe::make_space(const Operation &operation)
     SpaceSlot made;
     made.predictive = nested_kind == NestedKind::of_same_kind && kind_ == SpaceKind::predictive;
     made.needs_cleaning = !made.predictive;
-    if (nested_kind == NestedKind::hash)
-        made.id = dHashSpaceCreate(parent);
-    else
-        made.id = made.predictive ? dPredictiveSpaceCreate(parent) : dSimpleSpaceCreate(parent);
+    made.id = create_space(nested_kind, parent);
     if (made.predictive)
         dPredictiveSpaceSetProximity(made.id, proximity_);
     dSpaceSetCleanup(made.id, operation.number / 16);
@@ -186,21 +201,19 @@ void Universe::make_space(const Operation &operation)
     spaces_[static_cast<std::size_t>(operation.subject)] = made;
 }
 
-// Clears the slots of what goes with a space that cleans up.
+// Clears the slots of what goes with a space that cleans up. (dSpaceGetGeom() does not work with a quadtree space.)
 void Universe::forget_contents(dSpaceID space)
 {
-    for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
+    for (GeomSlot &geom : geoms_)
+        if (geom.id && dGeomGetSpace(geom.id) == space)
+            geom = GeomSlot();
+    for (SpaceSlot &inner : spaces_)
     {
-        dGeomID geom = dSpaceGetGeom(space, i);
-        const int number = geom_number(geom);
-        if (number < first_space_reference)
-        {
-            geoms_[static_cast<std::size_t>(number)] = GeomSlot();
+        if (!inner.id || dGeomGetSpace(as_geom(inner.id)) != space)
             continue;
-        }
-        if (dSpaceGetCleanup(as_space(geom)))
-            forget_contents(as_space(geom));
-        spaces_[static_cast<std::size_t>(number - first_space_reference)] = SpaceSlot();
+        if (dSpaceGetCleanup(inner.id))
+            forget_contents(inner.id);
+        inner = SpaceSlot();
     }
 }
 

@@ -70,7 +70,7 @@ private:
         dSpaceID id = nullptr;
         bool predictive = false;
         bool needs_cleaning =
-            false; ///< a simple or hash space, which aborts when a clean geom is added among dirty ones
+            false; ///< a space of ODE's own, which may abort when a clean geom is added among dirty ones
     };
 
     GeomSlot *find_geom(int slot);
@@ -85,6 +85,7 @@ private:
     void make_geom(const Operation &operation);
     void make_body(const Operation &operation);
     void make_space(const Operation &operation);
+    dSpaceID create_space(NestedKind kind, dSpaceID parent) const;
     void destroy_body(int slot);
     void destroy_space(int slot);
     void forget_contents(dSpaceID space);
