@@ -105,8 +105,8 @@ INSTANTIATE_TEST_SUITE_P(Short, DifferentialBySpheres,
 INSTANTIATE_TEST_SUITE_P(ShortExplosions, Differential,
                          ::testing::Combine(explosions, ::testing::Values(Size{"many", 500, 150, 6})), name_of);
 INSTANTIATE_TEST_SUITE_P(ShortNests, Differential,
-                         ::testing::Combine(nests, ::testing::Values(Size{"tiny", 20, 500, 100},
-                                                                     Size{"medium", 150, 150, 10})),
+                         ::testing::Combine(nests, ::testing::Values(Size{"tiny", 20, 1000, 200},
+                                                                     Size{"medium", 150, 200, 20})),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(ShortExplosions, DifferentialBySpheres,
                          ::testing::Combine(explosions, ::testing::Values(Size{"many", 400, 100, 4})), name_of);
