@@ -109,7 +109,7 @@ void enter_spaces(void *data, dGeomID first, dGeomID second)
         dSpaceCollide2(first, second, data, enter_spaces);
 }
 
-/// Four spaces in each other, and one beside them. Each of the four holds a post and a mover, 100 m from those of the next.
+/// Four spaces in each other, and a probe outside. Each space holds a post and a mover, 100 m from those of the next.
 class Nest
 {
 public:
@@ -124,7 +124,7 @@ public:
             parents_[level] = level - 1;
             movers_[level] = sphere(level, 3);
             if (predicting == Predicting::when_filled && is_as_simple(classes[level]))
-                for (int i = 0; i < 14; ++i) // 17 with the others: one more than a predictive space scans
+                for (int i = 0; i < 15; ++i) // at least 17 with the others: a predictive space scans 16
                     sphere(level, 6 + 3 * i);
         }
         // Last, so that the inner space is not the first in ODE's lists, where cleanGeoms() finds a dirty geom by chance.
