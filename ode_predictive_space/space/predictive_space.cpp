@@ -104,10 +104,8 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     dxSpace::remove(geom);
     if (predicts_)
         dismiss(geom);
-    // In this space a geom with a bad box need not be dirty (see listen_to()), nor a space that holds such a geom. In any other
-    // space it must be.
-    if ((geom->gflags & GEOM_AABB_BAD) || IS_SPACE(geom))
-        geom->gflags |= GEOM_DIRTY;
+    // In this space a geom that has moved need not be dirty (see listen_to()). In any other space it must be.
+    geom->gflags |= GEOM_DIRTY;
 }
 
 void dxPredictiveSpace::dismiss(dxGeom *geom)

@@ -314,6 +314,25 @@ TEST_F(Contract, 11_ANestedSpaceIsDirtyWhenItLeavesWithDirtyGeoms)
     dSpaceDestroy(outer);
 }
 
+// A simple space takes all geoms behind a clean one in its list for clean.
+TEST_F(Contract, 11_AGeomThatHasMovedIsDirtyWhenItLeaves)
+{
+    dSpaceID predictive = dPredictiveSpaceCreate(nullptr), simple = dSimpleSpaceCreate(nullptr);
+    dGeomID ball = dCreateSphere(predictive, 0.5), neighbour = dCreateSphere(simple, 0.5);
+    dPredictiveSpaceSetGeomRole(predictive, ball, dPredictiveRoleInteractive);
+    collide(predictive);
+    collide(simple);
+    dGeomSetPosition(ball, 5, 0, 0);
+    dReal box[6];
+    dGeomGetAABB(ball, box);
+    dSpaceRemove(predictive, ball);
+    dGeomSetPosition(neighbour, 5, 0, 0);
+    dSpaceAdd(simple, ball);
+    EXPECT_EQ(collide(simple).size(), 1u);
+    dSpaceDestroy(simple);
+    dSpaceDestroy(predictive);
+}
+
 // New data make a mesh dirty without a word to anybody, and its next move makes the space around it dirty in the same way.
 void expect_moves_are_noticed_beside_a_new_mesh(dSpaceID outer, dSpaceID nested)
 {

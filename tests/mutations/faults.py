@@ -429,8 +429,11 @@ def space_faults():
         "if (first == second && first->body)", contract("Contract.01_*"))
     yield Fault("missed_removal", "space", space, "broadphase_.remove(id);", "", contract("Contract.03_*:Notice.*"))
     yield Fault(
-        "leaves_clean_with_a_bad_box", "space", space, "if ((geom->gflags & GEOM_AABB_BAD) || IS_SPACE(geom))",
-        "if (IS_SPACE(geom))", contract("Contract.05_*:Contract.06_*") + (HISTORIES,))
+        "leaves_clean_with_a_bad_box", "space", space, "    geom->gflags |= GEOM_DIRTY;\n}",
+        "    geom->gflags |= IS_SPACE(geom) ? GEOM_DIRTY : 0;\n}", contract("Contract.05_*:Contract.06_*") + (HISTORIES,))
+    yield Fault(
+        "leaves_clean_with_a_good_box", "space", space, "    geom->gflags |= GEOM_DIRTY;\n}",
+        "    geom->gflags |= (geom->gflags & GEOM_AABB_BAD) || IS_SPACE(geom) ? GEOM_DIRTY : 0;\n}", contract("Contract.11_A*"))
     yield Fault(
         "meshes_not_polled", "space", space, "if (geoms_[id]->type == dTriMeshClass || IS_SPACE(geoms_[id]))",
         "if (IS_SPACE(geoms_[id]))", contract("Contract.12_*"))
@@ -461,7 +464,7 @@ def space_faults():
     yield Fault(
         "sphere_of_a_box_too_small", "space", scene, "std::sqrt(x * x + y * y + z * z) / 2", "std::sqrt(x * x + 0 * y + z * z) / 2",
         contract("EveryPlaceableClass*:Notice.*") + (HISTORIES,))
-    nests = contract("*AllNests.*predicting_at_once")
+    nests = contract("Contract.11_*")
     yield Fault(
         "nested_spaces_not_cleaned", "space", scene,
         "if (IS_SPACE(geom))\n        static_cast<dxSpace *>(geom)->cleanGeoms();\n    compute_box_beside_others(geom);",
