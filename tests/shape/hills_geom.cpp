@@ -1,5 +1,6 @@
 #include "tests/shape/hills_geom.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -99,12 +100,40 @@ void Hills::build(std::mt19937_64 &random)
     }
 }
 
+double Hills::height(int column, int row) const
+{
+    return computed_[static_cast<std::size_t>(column + row * columns_)] * scale_ + offset_;
+}
+
+double Hills::highest() const
+{
+    const auto [low, high] = std::minmax_element(computed_.begin(), computed_.end());
+    return std::max(*low * scale_, *high * scale_) + offset_;
+}
+
+double Hills::lowest_beside(const Eigen::Vector3d &centre, const Eigen::Vector3d &half) const
+{
+    const auto first = [&](Eigen::Index axis, double side, int samples) {
+        const double begin = (centre[axis] - half[axis] + 0.5 * side) / side * (samples - 1);
+        return repeats_ ? 0 : static_cast<int>(std::clamp<double>(std::floor(begin), 0, samples - 2));
+    };
+    const auto last = [&](Eigen::Index axis, double side, int samples) {
+        const double end = (centre[axis] + half[axis] + 0.5 * side) / side * (samples - 1);
+        return repeats_ ? samples - 1 : static_cast<int>(std::clamp<double>(std::ceil(end), 1, samples - 1));
+    };
+    double lowest = highest();
+    for (int row = first(2, depth_, rows_); row <= last(2, depth_, rows_); ++row)
+        for (int column = first(0, width_, columns_); column <= last(0, width_, columns_); ++column)
+            lowest = std::min(lowest, height(column, row));
+    return lowest;
+}
+
 Eigen::Vector3d Hills::place(std::mt19937_64 &random) const
 {
-    const auto column = random() % static_cast<unsigned>(columns_), row = random() % static_cast<unsigned>(rows_);
-    const double height = computed_[column + row * static_cast<unsigned>(columns_)] * scale_ + offset_;
-    const double x = (static_cast<double>(column) + between(random, -0.6, 0.6)) / (columns_ - 1),
-                 z = (static_cast<double>(row) + between(random, -0.6, 0.6)) / (rows_ - 1);
-    return {width_ * (x - 0.5), height, depth_ * (z - 0.5)};
+    const int column = static_cast<int>(random() % static_cast<unsigned>(columns_)),
+              row = static_cast<int>(random() % static_cast<unsigned>(rows_));
+    const double x = (column + between(random, -0.6, 0.6)) / (columns_ - 1),
+                 z = (row + between(random, -0.6, 0.6)) / (rows_ - 1);
+    return {width_ * (x - 0.5), height(column, row), depth_ * (z - 0.5)};
 }
 } // namespace ode_predictive_space

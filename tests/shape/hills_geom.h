@@ -26,6 +26,15 @@ public:
     dHeightfieldDataID id() const { return id_; }
     /// A place near the ground, or a little beyond its edge, seen from the geom.
     Eigen::Vector3d place(std::mt19937_64 &random) const;
+    /// Sides of all cells together along x and z, and of one cell.
+    Eigen::Vector3d sides() const { return {width_, 0, depth_}; }
+    Eigen::Vector3d cell() const { return {width_ / (columns_ - 1), 0, depth_ / (rows_ - 1)}; }
+    double height(int column, int row) const;
+    double highest() const;
+    /// The lowest sample of the cells below or above a box, of one that does not repeat; of the whole otherwise.
+    double lowest_beside(const Eigen::Vector3d &centre, const Eigen::Vector3d &half) const;
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
 
     /// Other samples in the same place. ODE's bounds stay those of the old ones.
     void change_in_place(std::mt19937_64 &random);

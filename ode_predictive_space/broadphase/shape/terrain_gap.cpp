@@ -1,5 +1,6 @@
 #include "ode_predictive_space/broadphase/shape/terrain_gap.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "ode_predictive_space/broadphase/shape/gap.h"
@@ -30,19 +31,21 @@ public:
     Box box() const { return Box(centre_ - half_box_, centre_ + half_box_); }
 
     // Between the shape and what is solid below a cell. ODE finds contacts of spheres, boxes and capsules where they are below the
-    // plane of a triangle and in its column; of all other shapes, where their boxes are below the highest corner of a cell. At the
-    // edge of the terrain the plane of a flat part goes on.
+    // plane of a triangle and in its column, or where their boxes are below all corners of all cells beside them; of all other shapes,
+    // where their boxes are below the highest corner of a cell. At the edge of the terrain the plane of a flat part goes on, and beside
+    // a steep corner a box that is below all ground may be outside of all planes.
     double gap_to(const HeightGrid::Cell &cell) const
     {
         if (shape_.kind != ShapeKind::rounded)
             return cell.distance;
         const int column = cell.column, row = cell.row;
-        const double b = grid_.height(column + 1, row), c = grid_.height(column, row + 1);
+        const double a = grid_.height(column, row), b = grid_.height(column + 1, row),
+                     c = grid_.height(column, row + 1), d = grid_.height(column + 1, row + 1);
         const Vector3 at_b(cell.x + grid_.size().cell_x, b, cell.z);
-        const double low = gap_to_plane(at_b, b - grid_.height(column, row), c - grid_.height(column, row));
-        const double a_away = grid_.height(column + 1, row + 1);
-        const double high = gap_to_plane(at_b, a_away - c, a_away - b);
-        return std::max(cell.distance, std::min(low, high));
+        const double low = gap_to_plane(at_b, b - a, c - a);
+        const double high = gap_to_plane(at_b, d - c, d - b);
+        const double until_below = centre_.y() + half_box_.y() - std::min({a, b, c, d});
+        return std::max(cell.distance, std::min({low, high, until_below}));
     }
 
 private:
