@@ -289,6 +289,30 @@ TEST_F(ShapeProximity, NoticesThatAGeomGrowsWithinItsEnvelope)
     EXPECT_EQ(pairs(), 1u);
 }
 
+// Until the next report a postponed pair was judged by its gap before: Validate took such a pair for a fault of the space.
+TEST_F(ShapeProximity, IsValidWhenAGeomHasGrownSinceTheLastReport)
+{
+    for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
+        dPredictiveSpaceSetDeviation(space, role, 1, 0, 0);
+    const dGeomID other = ball(REAL(1.8), REAL(1.8)), box = dCreateBox(space, 2, 2, 2);
+    for (bool at_rest : {false, true})
+    {
+        dGeomBoxSetLengths(box, 2, 2, 2);
+        for (int i = 0; i < 100; ++i)
+        {
+            if (!at_rest)
+                dGeomSetPosition(box, REAL(-0.0001) * i, 0, 0);
+            pairs();
+        }
+        EXPECT_EQ(pairs(), 0u) << at_rest;
+        dGeomBoxSetLengths(box, REAL(2.4), REAL(2.4), REAL(2.4));
+        dContactGeom contact;
+        ASSERT_GT(dCollide(box, other, 1, &contact, sizeof contact), 0);
+        EXPECT_EQ(dPredictiveSpaceValidate(space), 1) << at_rest;
+        EXPECT_EQ(pairs(), 1u) << at_rest;
+    }
+}
+
 TEST_F(ShapeProximity, NoticesThatAPlaneMoves)
 {
     ball(0, 0);

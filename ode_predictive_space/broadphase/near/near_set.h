@@ -96,11 +96,11 @@ public:
         for_current(separated_, PairState::separated, visit);
     }
 
-    /// Calls visit(pair) for the active pairs that were postponed at the last report.
+    /// Calls visit(pair) for the active pairs that were postponed at the last report, and whose shapes are the ones of that report.
     template <typename Visit> void for_each_postponed(const MeasuredShapes &shapes, Visit visit) const
     {
         for (std::size_t i = 0; i < looks_.size(); ++i)
-            if (!is_retired(pairs_[i]) && shapes.travel(pairs_[i]) < looks_[i].due)
+            if (!is_retired(pairs_[i]) && !shapes.renewed(pairs_[i]) && shapes.travel(pairs_[i]) < looks_[i].due)
                 visit(pairs_[i]);
     }
 
