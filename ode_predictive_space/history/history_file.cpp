@@ -4,6 +4,8 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "ode_predictive_space/history/no_signal_of_writing.h"
@@ -11,10 +13,24 @@
 namespace ode_predictive_space::history
 {
 HistoryFile::HistoryFile(const std::string &path, bool only_new)
-    : file_(open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (only_new ? O_EXCL : O_TRUNC), 0666))
+    : file_(open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (only_new ? O_EXCL : 0), 0666))
 {
     if (file_ < 0)
         error_ = errno;
+    else if ((error_ = take()) != 0)
+        ::close(std::exchange(file_, -1));
+}
+
+// Locks the file and only then removes its content. A device and a file on a system without locks are taken as they are.
+// @return 0, or the errno of what failed.
+int HistoryFile::take()
+{
+    struct stat status;
+    if (fstat(file_, &status) != 0 || !S_ISREG(status.st_mode))
+        return 0;
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        return EBUSY;
+    return ftruncate(file_, 0) == 0 ? 0 : errno;
 }
 
 HistoryFile::~HistoryFile()
@@ -48,6 +64,12 @@ void HistoryFile::fail()
     error_ = errno;
     if (file_ >= 0 && ftruncate(file_, static_cast<off_t>(size_)) != 0)
         error_ = errno;
+}
+
+void HistoryFile::give_up(int error)
+{
+    if (error_ == 0)
+        error_ = error;
 }
 
 bool HistoryFile::close()

@@ -1,12 +1,15 @@
 // dPredictiveSpaceRecord(): a space that is recorded has other virtual functions than one that is not, which costs nothing.
 
+#include <cerrno>
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <unordered_map>
 
 #include "ode_predictive_space/history.h"
 #include "ode_predictive_space/history/recorder.h"
+#include "ode_predictive_space/process/printable.h"
 #include "ode_predictive_space/space/predictive_space.h"
 
 namespace ode_predictive_space::history
@@ -95,12 +98,13 @@ template <typename Space> void give_functions_of(dxPredictiveSpace *space)
 }
 
 bool begin_recording(dxPredictiveSpace *space, const char *path, std::uint64_t limit)
+try
 {
     HistoryFile file(path, false);
     if (!file.is_open())
     {
-        dMessage(d_ERR_UNKNOWN, "dPredictiveSpaceRecord(): %s cannot be written: %s", path,
-                 std::strerror(file.error()));
+        dMessage(d_ERR_UNKNOWN, "dPredictiveSpaceRecord(): %s cannot be written: %s", printable(path).c_str(),
+                 file.error() == EBUSY ? "another recording is being written to it" : std::strerror(file.error()));
         return false;
     }
     auto recorder = std::make_unique<Recorder>(std::move(file), limit, note_of_process());
@@ -110,6 +114,11 @@ bool begin_recording(dxPredictiveSpace *space, const char *path, std::uint64_t l
     }
     give_functions_of<RecordedSpace>(space);
     return true;
+}
+catch (const std::bad_alloc &)
+{
+    dMessage(d_ERR_UNKNOWN, "dPredictiveSpaceRecord(): there is no memory for a recording");
+    return false;
 }
 } // namespace
 } // namespace ode_predictive_space::history
@@ -127,10 +136,8 @@ int dPredictiveSpaceRecord(dSpaceID space, const char *path, unsigned long limit
     auto *self = static_cast<dxPredictiveSpace *>(space);
     CHECK_NOT_LOCKED(self);
     const bool was_written = end_recording(self);
-    if (path)
-        return begin_recording(self, path, limit ? limit : default_limit);
     give_functions_of<dxPredictiveSpace>(self);
     if (!was_written)
         dMessage(d_ERR_UNKNOWN, "%s(): the recording could not be written to its end", __func__);
-    return was_written;
+    return path ? begin_recording(self, path, limit ? limit : default_limit) : was_written;
 }

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstring>
 #include <iterator>
+#include <new>
 #include <type_traits>
 #include <utility>
 
@@ -76,11 +77,8 @@ Recorder::~Recorder()
 bool Recorder::close()
 {
     const std::lock_guard<std::mutex> guard(mutex_);
-    if (!over_)
-    {
-        Record(buffer_, RecordKind::end).add(EndReason::closed);
+    if (!over_ && append([&] { Record(buffer_, RecordKind::end).add(EndReason::closed); }))
         file_.write(buffer_);
-    }
     over_ = true;
     return file_.close();
 }
@@ -91,31 +89,59 @@ void Recorder::leave_to_parent()
     file_.abandon();
 }
 
-Recorder::Event Recorder::begin_collide(dSpaceID space)
+// Records are in the buffer as a whole or, when memory runs out, not at all.
+template <typename Make> bool Recorder::append(Make make)
+{
+    const std::size_t before = buffer_.size();
+    try
+    {
+        make();
+        return true;
+    }
+    catch (const std::bad_alloc &)
+    {
+        buffer_.resize(before);
+        cut();
+        return false;
+    }
+}
+
+// There is no end record: a recording with an end is whole.
+void Recorder::cut()
+{
+    file_.write(buffer_);
+    file_.give_up(ENOMEM);
+    over_ = true;
+}
+
+template <typename Make> Recorder::Event Recorder::begin_event(Make make)
 {
     const std::lock_guard<std::mutex> guard(mutex_);
-    if (over_)
-        return {nullptr, 0};
     const std::size_t before = buffer_.size();
-    look_at(space, true);
-    Record(buffer_, RecordKind::collide).add(geoms_.at(space).id);
-    return finish_event(before);
+    if (over_ || !append(make))
+        return {nullptr, 0};
+    return write_event(before);
+}
+
+Recorder::Event Recorder::begin_collide(dSpaceID space)
+{
+    return begin_event([&] {
+        look_at(space, true);
+        Record(buffer_, RecordKind::collide).add(geoms_.at(space).id);
+    });
 }
 
 Recorder::Event Recorder::begin_collide2(dGeomID first, dGeomID second)
 {
-    const std::lock_guard<std::mutex> guard(mutex_);
-    if (over_)
-        return {nullptr, 0};
-    const std::size_t before = buffer_.size();
-    look_at(first, false);
-    look_at(second, false);
-    Record(buffer_, RecordKind::collide2).add(geoms_.at(first).id).add(geoms_.at(second).id);
-    return finish_event(before);
+    return begin_event([&] {
+        look_at(first, false);
+        look_at(second, false);
+        Record(buffer_, RecordKind::collide2).add(geoms_.at(first).id).add(geoms_.at(second).id);
+    });
 }
 
 // Written before the collide, which may be the one that the program does not survive.
-Recorder::Event Recorder::finish_event(std::size_t before)
+Recorder::Event Recorder::write_event(std::size_t before)
 {
     const std::size_t still_to_come = (unfinished_ + 1) * pairs_size + end_size;
     if (file_.size() + buffer_.size() + still_to_come > limit_)
@@ -153,7 +179,7 @@ void Recorder::Event::end()
     if (recorder_->over_)
         return;
     --recorder_->unfinished_;
-    Record(recorder_->buffer_, RecordKind::pairs).add(number_).add(pairs_).add(hash_);
+    recorder_->append([&] { Record(recorder_->buffer_, RecordKind::pairs).add(number_).add(pairs_).add(hash_); });
 }
 
 // Of a geom in a space that is not known, the outermost space comes first.

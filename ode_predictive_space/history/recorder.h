@@ -22,6 +22,7 @@
 namespace ode_predictive_space::history
 {
 /// Any number of spaces, of any kind. Calls from several threads are safe; what they change meanwhile may be recorded in part.
+/// When memory runs out, the recording is cut after its last whole record, and the program goes on without it.
 class Recorder
 {
 public:
@@ -58,7 +59,7 @@ public:
     /// dSpaceCollide2(first, second), likewise.
     Event begin_collide2(dGeomID first, dGeomID second);
 
-    /// Nothing more is written: the limit is reached, the file could not be written, or it is closed.
+    /// Nothing more is written: the limit is reached, the file could not be written, memory has run out, or it is closed.
     bool is_over() const { return over_; }
 
     /// Ends the recording. @return whether all of it is in the file.
@@ -83,6 +84,9 @@ private:
     };
 
     class Record;
+    template <typename Make> bool append(Make make);
+    template <typename Make> Event begin_event(Make make);
+    void cut();
     void look_at(dGeomID geom, bool is_collide);
     bool is_known(dGeomID geom) const;
     void visit(dGeomID geom, bool is_collide);
@@ -93,7 +97,7 @@ private:
     void write_body(const KnownBody &known, std::uint16_t fields);
     void forget_absent();
     void count_member(std::uint32_t parent, int change);
-    Event finish_event(std::size_t before);
+    Event write_event(std::size_t before);
 
     std::mutex mutex_;
     HistoryFile file_;

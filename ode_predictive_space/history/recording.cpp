@@ -1,5 +1,6 @@
 #include "ode_predictive_space/history/recording.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -30,7 +31,14 @@ Recording Recording::read(const std::string &path)
 Recording::Recording(std::vector<char> bytes) : bytes_(std::move(bytes))
 {
     Check check(*this);
-    check.take_header();
-    check.take_records();
+    if (check.take_header())
+        check.take_records();
+}
+
+std::size_t Recording::whole_bytes() const
+{
+    if (records_.empty())
+        return std::min(bytes_.size(), header_size);
+    return records_.back().content + records_.back().size;
 }
 } // namespace ode_predictive_space::history

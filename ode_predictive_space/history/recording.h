@@ -1,4 +1,5 @@
 // Reads and validates a recorded history. An accepted history can be replayed without further checks, even from a hostile file.
+// A file that is cut, as when the program was killed, is accepted up to its last whole record.
 
 #ifndef ODE_PREDICTIVE_SPACE_HISTORY_RECORDING_H
 #define ODE_PREDICTIVE_SPACE_HISTORY_RECORDING_H
@@ -15,7 +16,7 @@
 
 namespace ode_predictive_space::history
 {
-/// A file that is no recording, or a broken one.
+/// A file that is no recording, or one that contradicts itself.
 struct BadRecording : std::runtime_error
 {
     BadRecording(std::size_t offset, const std::string &what)
@@ -85,9 +86,13 @@ public:
     std::uint32_t body_count() const { return body_count_; }
     std::uint32_t stand_ins() const { return stand_ins_; }
     std::size_t bytes() const { return bytes_.size(); }
+
+    /// Bytes of the header and of the whole records, where a recording that is cut ends. Less than bytes() when the last record
+    /// or the header is cut.
+    std::size_t whole_bytes() const;
     const std::string &note() const { return note_; }
 
-    /// It ends as its recorder wanted, not with the program's crash.
+    /// It ends as its recorder wanted. Otherwise it is cut: by the program's crash, or because its recorder had no disk or memory.
     bool has_end() const { return has_end_; }
     bool reached_limit() const { return reached_limit_; }
 

@@ -9,11 +9,13 @@
 
 namespace ode_predictive_space::history
 {
-void Recording::Check::take_header()
+bool Recording::Check::take_header()
 {
     const std::vector<char> &bytes = recording_.bytes_;
-    if (bytes.size() < header_size || std::memcmp(bytes.data(), magic, sizeof magic) != 0)
+    if (!std::equal(bytes.begin(), bytes.begin() + std::min(bytes.size(), sizeof magic), magic))
         throw BadRecording(0, "this is no recorded history of ODE");
+    if (bytes.size() < header_size)
+        return false;
     std::uint32_t version, size_of_real;
     std::memcpy(&version, bytes.data() + sizeof magic, sizeof version);
     std::memcpy(&size_of_real, bytes.data() + sizeof magic + sizeof version, sizeof size_of_real);
@@ -24,27 +26,51 @@ void Recording::Check::take_header()
         throw BadRecording(sizeof magic + 4, size_of_real == 4   ? "recorded in single precision; this ODE has double"
                                              : size_of_real == 8 ? "recorded in double precision; this ODE has single"
                                                                  : "there is no such precision");
+    return true;
 }
 
 void Recording::Check::take_records()
 {
-    const std::vector<char> &bytes = recording_.bytes_;
-    for (std::size_t at = header_size; at < bytes.size();)
-    {
-        if (recording_.has_end_)
-            throw BadRecording(at, "something follows the end");
-        if (bytes.size() - at < record_header_size)
-            throw BadRecording(at, "the file ends within a record");
-        Record record{};
-        std::memcpy(&record.size, bytes.data() + at, sizeof record.size);
-        record.kind = static_cast<RecordKind>(bytes[at + sizeof record.size]);
-        record.content = at + record_header_size;
-        if (record.size > bytes.size() - record.content)
-            throw BadRecording(at, "the file ends within a record");
+    for (Record record{}; next_record(record); recording_.records_.push_back(record))
         take(record);
-        recording_.records_.push_back(record);
-        at = record.content + record.size;
+    if (recording_.has_end_ && recording_.whole_bytes() < recording_.bytes_.size())
+        throw BadRecording(recording_.whole_bytes(), "something follows the end");
+}
+
+namespace
+{
+// Only notes, meshes and convexes are longer. A longer size is none that a recorder has written, also where the file is cut.
+constexpr std::uint32_t most_of_other_kinds = 1000;
+
+bool can_be_cut(const Record &record)
+{
+    switch (record.kind)
+    {
+    case RecordKind::note:
+    case RecordKind::mesh:
+    case RecordKind::convex:
+        return true;
+    default:
+        return record.kind <= RecordKind::last && record.size <= most_of_other_kinds;
     }
+}
+} // namespace
+
+// @return whether there is a further record, which is whole. A program that was killed leaves the beginning of one.
+bool Recording::Check::next_record(Record &record) const
+{
+    const std::vector<char> &bytes = recording_.bytes_;
+    const std::size_t at = recording_.whole_bytes();
+    if (recording_.has_end_ || bytes.size() - at < record_header_size)
+        return false;
+    std::memcpy(&record.size, bytes.data() + at, sizeof record.size);
+    record.kind = static_cast<RecordKind>(bytes[at + sizeof record.size]);
+    record.content = at + record_header_size;
+    if (record.size <= bytes.size() - record.content)
+        return true;
+    if (!can_be_cut(record))
+        throw BadRecording(at, "the record is longer than one of its kind");
+    return false;
 }
 
 void Recording::Check::take(const Record &record)

@@ -15,7 +15,8 @@ class Recording::Check
 public:
     explicit Check(Recording &recording) : recording_(recording) {}
 
-    void take_header();
+    /// @return whether it is whole.
+    bool take_header();
     void take_records();
 
 private:
@@ -32,6 +33,7 @@ private:
         convex
     };
 
+    bool next_record(Record &record) const;
     void take(const Record &record);
     void take_mesh(const Record &record);
     void take_convex(const Record &record);

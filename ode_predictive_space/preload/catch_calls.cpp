@@ -14,7 +14,7 @@
 
 #include <ode/collision.h>
 
-#include "ode_predictive_space/preload/built_in_ode.h"
+#include "ode_predictive_space/preload/program_file.h"
 #include "ode_predictive_space/preload/find_ode.h"
 #include "ode_predictive_space/preload/looked_up.h"
 #include "ode_predictive_space/preload/say.h"
@@ -69,9 +69,31 @@ bool path_of_substitute(char *path, std::size_t size)
 
 // Loading the substitute loads the ODE that it was built with. Therefore the program's must be that one, or a second copy
 // would come into the process.
-bool can_be_served(const Ode &ode)
+bool is_expected_library(const Ode &ode)
 {
     return find_loaded(ODE_SONAME).map == ode.object.map;
+}
+
+// The substitute cannot even be loaded then: the names of the functions that it is linked with contain the precision.
+bool has_other_precision(const Ode &ode)
+{
+    using Check = int (*)(const char *);
+    const auto check = reinterpret_cast<Check>(find_symbol(ode.object.handle, "dCheckConfiguration"));
+    return check && !check(sizeof(dReal) == sizeof(double) ? "ODE_double_precision" : "ODE_single_precision");
+}
+
+enum class Match
+{
+    served,
+    other_precision,
+    other_library
+};
+
+Match match_of(const Ode &ode)
+{
+    if (has_other_precision(ode))
+        return Match::other_precision;
+    return is_expected_library(ode) ? Match::served : Match::other_library;
 }
 
 // 0 when it cannot be loaded; dlerror() then tells why.
@@ -104,14 +126,23 @@ Ode *new_ode(const Object &object)
     return ode;
 }
 
+const char *file_of(const Ode &ode)
+{
+    return ode.object.map->l_name[0] ? ode.object.map->l_name : program_invocation_name;
+}
+
 // Has it served, if that can be; under the lock.
-const Ode *introduce(Ode *ode, bool served, Attach attach)
+const Ode *introduce(Ode *ode, Match match, Attach attach)
 {
     if (ode_count == most_odes)
         std::abort();
-    if (!served)
+    if (match == Match::other_precision)
+        say("the ODE of this program (%s) has another precision (dSINGLE, dDOUBLE) than this was built for; the program "
+            "keeps its own spaces",
+            file_of(*ode));
+    else if (match == Match::other_library)
         say("the ODE of this program (%s) is not %s, which this was built for; the program keeps its own spaces",
-            ode->object.map->l_name[0] ? ode->object.map->l_name : program_invocation_name, ODE_SONAME);
+            file_of(*ode), ODE_SONAME);
     else if (!attach)
         say("%s; the program keeps its own spaces", dlerror());
     else
@@ -151,15 +182,15 @@ const Caller *remember(const link_map *map, const Ode *ode)
 const Ode *meet_ode(const Object &object)
 {
     Ode *met = new_ode(object);
-    const bool served = can_be_served(*met);
-    const Attach attach = served ? load_substitute(*met) : nullptr;
+    const Match match = match_of(*met);
+    const Attach attach = match == Match::served ? load_substitute(*met) : nullptr;
 
     pthread_mutex_lock(&lock);
     const Ode *ode = known(object.map);
     if (ode)
         std::free(met);
     else
-        ode = introduce(met, served, attach);
+        ode = introduce(met, match, attach);
     pthread_mutex_unlock(&lock);
     return ode;
 }

@@ -7,13 +7,17 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include <unistd.h>
+
 #include "ode_predictive_space/preload/counts_file.h"
 #include "ode_predictive_space/preload/gain.h"
 #include "ode_predictive_space/preload/live.h"
+#include "ode_predictive_space/preload/program_file.h"
 #include "ode_predictive_space/preload/report.h"
 #include "ode_predictive_space/preload/run_options.h"
 #include "ode_predictive_space/preload/say.h"
@@ -39,10 +43,46 @@ std::string path_of_preload()
     return path;
 }
 
-void preload()
+std::string variable(const char *name)
 {
-    const char *others = std::getenv("LD_PRELOAD");
-    const std::string all = path_of_preload() + (others && *others ? std::string(":") + others : "");
+    const char *value = std::getenv(name);
+    return value ? value : "";
+}
+
+// As execvp() finds it; empty: nowhere.
+std::string path_of_program(const std::string &program)
+{
+    if (program.find('/') != std::string::npos)
+        return program;
+    std::istringstream folders(variable("PATH"));
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (const std::string path = folder + "/" + program; access(path.c_str(), X_OK) == 0)
+            return path;
+    return "";
+}
+
+// GCC's shared runtime, and Clang's, ends a program in which it is not the first library, before any of ours runs.
+void refuse_sanitizer_behind_us(const char *program, const std::string &others)
+{
+    const std::string first = std::filesystem::path(others.substr(0, others.find_first_of(": "))).filename();
+    const std::string options = variable("ASAN_OPTIONS");
+    for (const std::string runtime : {"libasan.so", "libclang_rt.asan"})
+    {
+        char library[256];
+        find_needed_library(path_of_program(program).c_str(), runtime.c_str(), library, sizeof library);
+        if (*library && first.rfind(runtime, 0) != 0 && options.find("verify_asan_link_order=0") == std::string::npos)
+            fail("%s is built with AddressSanitizer, whose library has to be loaded before any other: put "
+                 "LD_PRELOAD=%s before the command",
+                 program, library);
+    }
+}
+
+// Libraries that are preloaded already stay in front: some have to be the first.
+void preload(const char *program)
+{
+    const std::string others = variable("LD_PRELOAD");
+    refuse_sanitizer_behind_us(program, others);
+    const std::string all = (others.empty() ? "" : others + ":") + path_of_preload();
     setenv("LD_PRELOAD", all.c_str(), 1);
 }
 
@@ -139,7 +179,7 @@ bool write_plots(const RunOptions &options, CountsFile &counts, const Settings &
 int main(int argc, char **argv)
 {
     const RunOptions options = take_options(argc, argv);
-    preload();
+    preload(*options.command);
     const Settings settings = wanted();
     if (!asks_for_counts(options, settings))
         become(options.command);

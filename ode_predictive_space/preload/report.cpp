@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "ode_predictive_space/preload/output_file.h"
+#include "ode_predictive_space/process/printable.h"
 
 namespace ode_predictive_space::preload
 {
@@ -93,7 +94,7 @@ std::string report_text(const Settings &settings, const char *program, int proce
         text += comparison(spaces);
     if (text.empty())
         return text;
-    return formatted("ode_predictive_space: %s (process %d)\n", program, process_id) + text;
+    return formatted("ode_predictive_space: %s (process %d)\n", printable(program).c_str(), process_id) + text;
 }
 
 bool write_report(const Settings &settings, const std::string &text, const std::vector<SpaceCounts *> &spaces)

@@ -12,10 +12,14 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <getopt.h>
 
+#include "ode_predictive_space/history/history_file.h"
 #include "ode_predictive_space/preload/settings.h"
+#include "ode_predictive_space/preload/survivors.h"
+#include "ode_predictive_space/process/printable.h"
 #include "ode_predictive_space/report/page.h"
 
 namespace ode_predictive_space::preload
@@ -136,13 +140,21 @@ std::string writable(const char *file, const char *option)
     return path;
 }
 
-// The file of an earlier run goes: a program takes an existing one for that of another process.
+// The file of an earlier run goes: a program takes an existing one for that of another process. That of a run which has not ended
+// stays, also when the process that wrote it has.
 std::string recording(const char *file)
 {
     const std::string path = writable(file, "--record");
     std::error_code none;
-    if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none))
+    if (!std::filesystem::exists(path, none))
+        return path;
+    if (!std::filesystem::is_regular_file(path, none))
         fail("--record: %s is no regular file", path.c_str());
+    const std::vector<std::string> others = processes_with("ODE_PREDICTIVE_RECORD=" + path);
+    if (!others.empty())
+        fail("--record: %s is the recording of another run: %s", path.c_str(), list_of(others).c_str());
+    if (history::HistoryFile(path, false).error() == EBUSY)
+        fail("--record: another program is recording to %s", path.c_str());
     std::filesystem::remove(path, none);
     return path;
 }
@@ -223,12 +235,12 @@ void record_for_report(RunOptions &options)
 
 void fail(const char *format, ...)
 {
+    char text[5000]; // a path and a sentence
     va_list arguments;
     va_start(arguments, format);
-    std::fputs("ode-predictive-run: ", stderr);
-    std::vfprintf(stderr, format, arguments);
-    std::fputs("\n", stderr);
+    std::vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    std::fprintf(stderr, "ode-predictive-run: %s\n", printable(text).c_str());
     std::exit(2);
 }
 

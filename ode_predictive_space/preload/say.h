@@ -3,18 +3,23 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <cstring>
+
+#include "ode_predictive_space/process/printable.h"
 
 namespace ode_predictive_space::preload
 {
-/// One line on standard error, in one piece, so that the lines of several processes do not mix.
+/// One line on standard error, printable and in one piece, so that the lines of several processes do not mix.
 __attribute__((format(printf, 1, 2))) inline void say(const char *format, ...)
 {
-    char line[1024];
+    char line[1024], shown[4 * sizeof line];
+    std::size_t size = 0;
     va_list arguments;
     va_start(arguments, format);
     std::vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
-    std::fprintf(stderr, "ode_predictive_space: %s\n", line);
+    put_printable(line, line + std::strlen(line), [&](char each) { shown[size++] = each; });
+    std::fprintf(stderr, "ode_predictive_space: %.*s\n", static_cast<int>(size), shown);
 }
 } // namespace ode_predictive_space::preload
 

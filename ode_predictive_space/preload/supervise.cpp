@@ -11,6 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "ode_predictive_space/process/printable.h"
+
 namespace ode_predictive_space::preload
 {
 namespace
@@ -115,7 +117,7 @@ void become(char **command)
 {
     execvp(command[0], command);
     const int reason = errno;
-    std::fprintf(stderr, "ode-predictive-run: %s: %s\n", command[0], std::strerror(reason));
+    std::fprintf(stderr, "ode-predictive-run: %s: %s\n", printable(command[0]).c_str(), std::strerror(reason));
     _exit(reason == ENOENT ? 127 : 126);
 }
 

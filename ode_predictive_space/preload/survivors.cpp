@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include <unistd.h>
+
 namespace ode_predictive_space::preload
 {
 namespace
@@ -35,14 +37,14 @@ int number_of(const std::string &name)
     return end.ptr == name.data() + name.size() ? number : 0;
 }
 
-std::set<int> processes_with(const std::string &setting)
+std::set<int> numbers_of_processes_with(const std::string &setting)
 {
     std::set<int> found;
     std::error_code end; // of what can be read
     for (std::filesystem::directory_iterator each("/proc", end), last; !end && each != last; each.increment(end))
     {
         const int process = number_of(each->path().filename());
-        if (process > 0 && has_in_environment(process, setting))
+        if (process > 0 && process != getpid() && has_in_environment(process, setting))
             found.insert(process);
     }
     return found;
@@ -54,6 +56,14 @@ std::string described(int process)
     name.erase(std::remove(name.begin(), name.end(), '\n'), name.end());
     return name + " (process " + std::to_string(process) + ")";
 }
+
+std::vector<std::string> described(const std::set<int> &processes)
+{
+    std::vector<std::string> all;
+    for (int process : processes)
+        all.push_back(described(process));
+    return all;
+}
 } // namespace
 
 bool is_alive(int process)
@@ -63,16 +73,18 @@ bool is_alive(int process)
     return name_end != std::string::npos && std::strchr("ZX", text[name_end + 2]) == nullptr;
 }
 
+std::vector<std::string> processes_with(const std::string &setting)
+{
+    return described(numbers_of_processes_with(setting));
+}
+
 std::vector<std::string> survivors(CountsFile &counts)
 {
-    std::set<int> processes = processes_with(std::string(counts_variable) + "=" + counts.name());
+    std::set<int> processes = numbers_of_processes_with(std::string(counts_variable) + "=" + counts.name());
     for (const SpaceCounts *page : counts.pages())
         if (page->state == PageState::counting && is_alive(page->process_id))
             processes.insert(page->process_id);
-    std::vector<std::string> all;
-    for (int process : processes)
-        all.push_back(described(process));
-    return all;
+    return described(processes);
 }
 
 std::string list_of(const std::vector<std::string> &processes)

@@ -10,6 +10,10 @@ namespace ode_predictive_space::preload
 {
 bool is_alive(int process);
 
+/// The processes that have a setting, "NAME=value", in the environment that they began with, but for this one. Each is described by
+/// its name and process id.
+std::vector<std::string> processes_with(const std::string &setting);
+
 /// The processes that run with the launcher's environment, and those that count and run: after the program's end, those that
 /// outlive it. Each is described by its name and process id.
 std::vector<std::string> survivors(CountsFile &counts);

@@ -57,14 +57,19 @@ std::string described(dGeomID geom)
                   b[2], b[3], b[4], b[5]);
     return text;
 }
-// A file of this name; with the number of this process when there is such a file already.
+// A file of this name; with the number of this process when there is such a file already. There may be one with its number, too, of
+// another process or of the program that this process was before.
 history::HistoryFile new_file(const std::string &name, std::string &path)
 {
-    history::HistoryFile file(path = name, true);
-    if (file.error() != EEXIST)
-        return file;
-    path += "." + std::to_string(getpid());
-    return {path, true};
+    const std::string numbered = name + "." + std::to_string(getpid());
+    path = name;
+    for (int others = 1;; ++others)
+    {
+        history::HistoryFile file(path, true);
+        if (file.error() != EEXIST && file.error() != EBUSY)
+            return file;
+        path = others == 1 ? numbered : numbered + "." + std::to_string(others);
+    }
 }
 } // namespace
 

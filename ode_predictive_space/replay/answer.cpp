@@ -5,6 +5,7 @@
 #include <ode/collision.h>
 
 #include "ode_predictive_space/replay/advice.h"
+#include "ode_predictive_space/replay/check.h"
 #include "ode_predictive_space/replay/formatted.h"
 #include "ode_predictive_space/replay/replay.h"
 #include "ode_predictive_space/report/curves.h"
@@ -84,6 +85,7 @@ std::vector<std::string> notes_of(const Recording &recording, const Costs &costs
 {
     const Callbacks &callbacks = costs.callbacks;
     std::vector<std::string> notes;
+    notes.push_back(completeness_of(recording));
     notes.push_back(
         formatted("Replayed: %zu of %zu recorded collides and questions, %u geoms, %u bodies. The callbacks of "
                   "the program, its contacts and its step are not part of these times.",

@@ -8,6 +8,9 @@
 
 namespace ode_predictive_space::replay
 {
+/// A sentence: the recording is whole, cut at an event, or nothing.
+std::string completeness_of(const history::Recording &recording);
+
 /// How the pairs of one kind of spaces agree with those of simple spaces.
 struct Verdict
 {

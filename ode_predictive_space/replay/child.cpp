@@ -13,6 +13,8 @@
 
 #include <ode/error.h>
 
+#include "ode_predictive_space/process/printable.h"
+
 namespace ode_predictive_space::replay
 {
 namespace
@@ -83,7 +85,7 @@ std::string do_in_child(const std::function<void()> &work)
     if (status == 0)
         return "";
     if (*message_of_child)
-        return message_of_child;
+        return printable(message_of_child);
     return WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "the process ended";
 }
 } // namespace ode_predictive_space::replay

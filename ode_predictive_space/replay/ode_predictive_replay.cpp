@@ -13,6 +13,7 @@
 
 #include <ode/ode.h>
 
+#include "ode_predictive_space/process/printable.h"
 #include "ode_predictive_space/replay/answer.h"
 #include "ode_predictive_space/replay/check.h"
 #include "ode_predictive_space/replay/instructions.h"
@@ -45,19 +46,23 @@ those of simple spaces. By sphere and by shape, pairs are left out; then
 dCollide() must find no contact in any of them. ODE's own spaces may end by an
 assertion, which is said.
 
+A recording that is cut, as when the program was killed, is replayed up to its
+last whole record, and a line says where that is.
+
 Exit status: 0 when all pairs agree; 1 when some do not, or spaces ended; 2 for
-a wrong option and for a file that is no whole recording, which a line on
-standard error says, with the offset of the byte.
+a wrong option, for a file without a whole record, and for one that is no
+recording or contradicts itself, which a line on standard error says, with the
+offset of the byte.
 )";
 
 [[noreturn]] __attribute__((format(printf, 1, 2))) void fail(const char *format, ...)
 {
+    char text[5000]; // a path and a sentence
     va_list arguments;
     va_start(arguments, format);
-    std::fputs("ode-predictive-replay: ", stderr);
-    std::vfprintf(stderr, format, arguments);
-    std::fputs("\n", stderr);
+    std::vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    std::fprintf(stderr, "ode-predictive-replay: %s\n", printable(text).c_str());
     std::exit(2);
 }
 
@@ -164,12 +169,10 @@ history::Recording read(const std::string &file)
 void describe(const Options &options, const history::Recording &recording)
 {
     std::printf("%s: %zu events, %u geoms (%u of them only as their boxes), %u bodies, %.3g MB; %s\n",
-                options.file.c_str(), recording.events().size(), recording.geom_count(), recording.stand_ins(),
-                recording.body_count(), 1e-6 * static_cast<double>(recording.bytes()), recording.note().c_str());
-    if (recording.reached_limit())
-        std::printf("It ends where it had as many bytes as it was to have.\n");
-    else if (!recording.has_end())
-        std::printf("It has no end: the program was killed, or has crashed.\n");
+                printable(options.file).c_str(), recording.events().size(), recording.geom_count(),
+                recording.stand_ins(), recording.body_count(), 1e-6 * static_cast<double>(recording.bytes()),
+                printable(recording.note()).c_str());
+    std::printf("%s\n", completeness_of(recording).c_str());
 }
 
 std::string cost_of(const Options &options, const history::Recording &recording, SpaceKind kind, bool instructions)
@@ -220,6 +223,8 @@ int main(int argc, char **argv)
 {
     const Options options = options_of(argc, argv);
     const history::Recording recording = read(options.file);
+    if (recording.records().empty() && !options.answer)
+        fail("%s: %s", options.file.c_str(), completeness_of(recording).c_str());
     dInitODE2(0);
     int status = 0;
     if (options.counted)

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <sstream>
+
+#include "ode_predictive_space/process/printable.h"
 
 namespace ode_predictive_space::report
 {
@@ -145,13 +148,17 @@ std::string drawn(const Curve &curve, const char *colour, double stroke_width, c
 std::string escaped(const std::string &text)
 {
     std::string escaped;
-    for (const char letter : text)
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
     {
-        escaped += letter == '<'   ? "&lt;"
-                   : letter == '>' ? "&gt;"
-                   : letter == '&' ? "&amp;"
-                   : letter == '"' ? "&quot;"
-                                   : std::string(1, letter);
+        for (const char letter : printable(line))
+            escaped += letter == '<'   ? "&lt;"
+                       : letter == '>' ? "&gt;"
+                       : letter == '&' ? "&amp;"
+                       : letter == '"' ? "&quot;"
+                                       : std::string(1, letter);
+        if (!lines.eof())
+            escaped += '\n';
     }
     return escaped;
 }

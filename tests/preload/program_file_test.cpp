@@ -1,4 +1,4 @@
-#include "ode_predictive_space/preload/built_in_ode.h"
+#include "ode_predictive_space/preload/program_file.h"
 
 #include <cstdlib>
 #include <fstream>
