@@ -14,9 +14,9 @@
 
 #include <ode/collision.h>
 
-#include "ode_predictive_space/preload/program_file.h"
 #include "ode_predictive_space/preload/find_ode.h"
 #include "ode_predictive_space/preload/looked_up.h"
+#include "ode_predictive_space/preload/program_file.h"
 #include "ode_predictive_space/preload/say.h"
 
 using namespace ode_predictive_space::preload;
@@ -137,8 +137,8 @@ const Ode *introduce(Ode *ode, Match match, Attach attach)
     if (ode_count == most_odes)
         std::abort();
     if (match == Match::other_precision)
-        say("the ODE of this program (%s) has another precision (dSINGLE, dDOUBLE) than this was built for; the program "
-            "keeps its own spaces",
+        say("the ODE of this program (%s) has another precision (dSINGLE, dDOUBLE) than this was built for; "
+            "the program keeps its own spaces",
             file_of(*ode));
     else if (match == Match::other_library)
         say("the ODE of this program (%s) is not %s, which this was built for; the program keeps its own spaces",

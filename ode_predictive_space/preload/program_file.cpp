@@ -123,7 +123,8 @@ void find_needed_library(const char *program_file, const char *beginning, char *
     const MappedFile file(program_file);
     name[0] = 0;
     any_section_with_names(file, [&](const ElfW(Shdr) & section, const ElfW(Shdr) & strings) {
-        const char *found = section.sh_type == SHT_DYNAMIC ? needed_library(file, section, strings, beginning) : nullptr;
+        const char *found =
+            section.sh_type == SHT_DYNAMIC ? needed_library(file, section, strings, beginning) : nullptr;
         if (found)
             std::snprintf(name, size, "%s", found);
         return found != nullptr;

@@ -43,9 +43,10 @@ std::string completeness_of(const Recording &recording)
         return "The recording is whole.";
     if (recording.records().empty())
         return formatted("The recording is nothing: the file has %zu bytes and no whole record.", recording.bytes());
-    return formatted("The recording is cut at event %zu, byte %zu of %zu: the program was killed, has crashed or became "
-                     "another one, or there was no disk or memory for more.",
-                     recording.events().size(), recording.whole_bytes(), recording.bytes());
+    return formatted(
+        "The recording is cut at event %zu, byte %zu of %zu: the program was killed, has crashed or became "
+        "another one, or there was no disk or memory for more.",
+        recording.events().size(), recording.whole_bytes(), recording.bytes());
 }
 
 Verdict compare(const Recording &recording, SpaceKind kind, const Pairs &pairs, const Pairs &simple)

@@ -72,5 +72,18 @@ TEST(HistoryFile, LeavesAFileAloneThatIsThereAlready)
     EXPECT_EQ(HistoryFile(scratch.path(), true).error(), EEXIST);
     EXPECT_TRUE(HistoryFile(scratch.path(), false).is_open());
 }
+
+// Its content was lost, while the first recording went on.
+TEST(HistoryFile, LeavesAFileAloneThatAnotherRecordingIsWrittenTo)
+{
+    const ScratchRecording scratch;
+    HistoryFile first(scratch.path(), false);
+    EXPECT_TRUE(first.write("a record"));
+    EXPECT_EQ(HistoryFile(scratch.path(), false).error(), EBUSY);
+    EXPECT_EQ(std::filesystem::file_size(scratch.path()), 8u);
+    EXPECT_TRUE(first.close());
+    EXPECT_EQ(HistoryFile(scratch.path(), false).error(), 0);
+    EXPECT_EQ(std::filesystem::file_size(scratch.path()), 0u);
+}
 } // namespace
 } // namespace ode_predictive_space::history

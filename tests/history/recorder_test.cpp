@@ -17,6 +17,7 @@
 #include "ode_predictive_space/replay/replay.h"
 #include "ode_predictive_space/replay/stage.h"
 #include "tests/contract/support/ode_test.h"
+#include "tests/faults/allocation_faults.h"
 #include "tests/history/recorded.h"
 #include "tests/history/scratch_recording.h"
 
@@ -172,6 +173,28 @@ TEST_F(RecorderTest, GeomsOnBodiesComeBackToTheBit)
     for (std::uint32_t id = 1; id <= geoms.size(); ++id)
         expect_same(geoms[id - 1], stage->geom(id));
     expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+    dWorldDestroy(world);
+}
+
+// dGeomRaySet() turns the body of its ray. The other geoms stay where they were until the body moves.
+TEST_F(RecorderTest, AGeomThatDoesNotFollowItsBodyComesBackWhereItIs)
+{
+    const dWorldID world = dWorldCreate();
+    const dSpaceID space = dHashSpaceCreate(nullptr);
+    const dBodyID body = dBodyCreate(world);
+    const dGeomID ray = dCreateRay(space, 5), box = dCreateBox(space, 1, 2, 3);
+    dGeomSetBody(ray, body);
+    dGeomSetBody(box, body);
+    dGeomSetOffsetPosition(box, 1, 2, 3);
+    Recorded recorded;
+    recorded.collide(space);
+    dGeomRaySet(ray, 0, 0, 0, 1, 0, 0);
+    recorded.collide(space);
+    const Recording recording = recorded.end();
+    const auto stage = staged(recording);
+    expect_same(ray, stage->geom(1));
+    expect_same(box, stage->geom(2));
     dSpaceDestroy(space);
     dWorldDestroy(world);
 }
@@ -411,6 +434,42 @@ TEST_F(RecorderTest, WithoutAnEndTheLastCollideIsThere)
     dSpaceDestroy(space);
 }
 
+// It was closed as whole and then refused: half of an event was in it.
+TEST_F(RecorderTest, WithoutMemoryItIsCutAfterItsLastWholeRecord)
+{
+    Tetrahedron tetrahedron;
+    const dTriMeshDataID mesh = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildSingle(mesh, tetrahedron.vertices, 3 * sizeof(float), 4, tetrahedron.triangles, 12,
+                                3 * sizeof(dTriIndex));
+    bool struck = true;
+    for (long spared = 0; struck; ++spared)
+    {
+        SCOPED_TRACE(spared);
+        const dSpaceID space = dSimpleSpaceCreate(nullptr);
+        dCreateSphere(space, 1);
+        Recorded recorded;
+        recorded.collide(space);
+        dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr);
+        for (int i = 0; i < 30; ++i)
+            dGeomSetPosition(dCreateBox(space, 1, 1, 1), dReal(i), 0, 0);
+        {
+            const AllocationFault fault(spared);
+            EXPECT_GT(recorded.collide(space), 0) << "the program goes on";
+            struck = fault.struck();
+        }
+        recorded.collide(space);
+        const bool is_whole = recorded.recorder().close();
+        EXPECT_EQ(is_whole, !struck);
+        const Recording recording = recorded.so_far();
+        EXPECT_EQ(recording.has_end(), is_whole);
+        EXPECT_EQ(recording.whole_bytes(), recording.bytes()) << "nothing of a record that is not whole";
+        EXPECT_TRUE(recording.events()[0].has_pairs) << "what was recorded before is there";
+        EXPECT_EQ(find_pairs(recording, SpaceKind::box).events.size(), recording.events().size());
+        dSpaceDestroy(space);
+    }
+    dGeomTriMeshDataDestroy(mesh);
+}
+
 // --- dPredictiveSpaceRecord() -----------------------------------------------------------------------------------------
 
 TEST_F(RecorderTest, ASpaceRecordsItselfAndFindsTheSamePairs)
@@ -453,6 +512,33 @@ TEST_F(RecorderTest, ADestroyedSpaceEndsItsRecording)
     dSpaceCollide(space, nullptr, ignore);
     dSpaceDestroy(space);
     EXPECT_TRUE(Recording::read(file.path()).has_end());
+}
+
+// The next collide ended the program.
+TEST_F(RecorderTest, ASecondRecordingEndsTheFirstAlsoWhenItsFileCannotBeMade)
+{
+    const ScratchRecording file;
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr), other = dPredictiveSpaceCreate(nullptr);
+    dCreateSphere(space, 1);
+    ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
+    dSpaceCollide(space, nullptr, ignore);
+    int result = 1;
+    ode_complaint([&] { result = dPredictiveSpaceRecord(space, "/nonexistent/file", 0); });
+    EXPECT_EQ(result, 0);
+    dSpaceCollide(space, nullptr, ignore);
+    EXPECT_TRUE(Recording::read(file.path()).has_end());
+    EXPECT_EQ(Recording::read(file.path()).events().size(), 1u) << "the first recording has ended with the second call";
+
+    EXPECT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
+    EXPECT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1) << "its own file again";
+    EXPECT_NE(ode_complaint([&] {
+                  result = dPredictiveSpaceRecord(other, file.path().c_str(), 0);
+              }).find("another recording is being written to it"),
+              std::string::npos);
+    EXPECT_EQ(result, 0);
+    dSpaceDestroy(space);
+    EXPECT_TRUE(Recording::read(file.path()).has_end());
+    dSpaceDestroy(other);
 }
 
 TEST_F(RecorderTest, WhatCannotBeRecordedIsRefused)

@@ -1,5 +1,6 @@
 // Broken and hostile files: the offset of the record that is wrong, and nothing else.
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -207,30 +208,56 @@ TEST(Recording, KnowsItsFirstSpace)
 
 TEST(Recording, RefusesOtherFiles)
 {
-    EXPECT_THROW(Recording(std::vector<char>()), BadRecording);
+    EXPECT_THROW(Recording(std::vector<char>(3, 'x')), BadRecording);
     EXPECT_THROW(Recording(std::vector<char>(1000, 'x')), BadRecording);
     EXPECT_THROW(Recording::read("/nonexistent/file"), std::runtime_error);
     EXPECT_THROW(Recording::read(testing::TempDir()), std::runtime_error) << "a folder";
-    Bytes later;
-    later.bytes()[sizeof magic] = 2;
-    EXPECT_NE(complaint(later, 8).find("version 2"), std::string::npos);
+    for (const char version : {2, 0}) // a version below the first one is none that this reader knows
+    {
+        Bytes other;
+        other.bytes()[sizeof magic] = version;
+        EXPECT_NE(complaint(other, 8).find("has version " + std::to_string(version)), std::string::npos);
+    }
     Bytes precision;
     precision.bytes()[sizeof magic + 4] = sizeof(dReal) == 8 ? 4 : 8;
     EXPECT_NE(complaint(precision, 12).find("precision"), std::string::npos);
 }
 
-TEST(Recording, RefusesATruncatedOneAtTheRecordThatIsNotWhole)
+// A program that was killed while it wrote left such a file, which was refused as a whole.
+TEST(Recording, IsReadUpToItsLastWholeRecordWhereverItIsCut)
 {
     Bytes bytes;
-    bytes.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1);
-    const std::size_t last = bytes.size();
-    bytes.event(RecordKind::collide, {0});
-    for (std::size_t size = last + 1; size < bytes.size(); ++size)
+    std::vector<std::size_t> ends = {bytes.size()};
+    const auto add = [&](const Bytes &) { ends.push_back(bytes.size()); };
+    add(bytes.geom(0, dHashSpaceClass));
+    add(bytes.mesh(1, 2));
+    add(bytes.geom(1, dSphereClass, 1));
+    add(bytes.event(RecordKind::collide, {0}));
+    add(bytes.pairs(0));
+    add(bytes.begin(RecordKind::end).number<std::uint8_t>(0).end());
+    for (std::size_t size = 0; size <= bytes.size(); ++size)
     {
-        Bytes cut = bytes;
-        cut.bytes().resize(size);
-        EXPECT_NE(complaint(cut, last).find("ends within a record"), std::string::npos) << size;
+        SCOPED_TRACE(size);
+        const Recording recording(
+            std::vector<char>(bytes.bytes().begin(), bytes.bytes().begin() + std::ptrdiff_t(size)));
+        const auto whole = std::upper_bound(ends.begin(), ends.end(), size) - ends.begin() - 1;
+        EXPECT_EQ(recording.records().size(), std::size_t(std::max(whole, std::ptrdiff_t{0})));
+        EXPECT_EQ(recording.whole_bytes(), whole < 0 ? size : ends[std::size_t(whole)]);
+        EXPECT_EQ(recording.events().size(), std::size_t(whole >= 4));
+        EXPECT_EQ(recording.has_end(), size == bytes.size());
     }
+}
+
+// A length that is none of its kind is a fault of the file, not where it is cut.
+TEST(Recording, RefusesALengthThatNoRecordOfItsKindHas)
+{
+    Bytes good;
+    good.geom(0, dHashSpaceClass);
+    expect_refused(
+        good, [](Bytes &b) { b.number<std::uint32_t>(0x7fffffff).number<std::uint8_t>(RecordKind::collide); },
+        "longer than one of its kind");
+    expect_refused(
+        good, [](Bytes &b) { b.number<std::uint32_t>(4).number<std::uint8_t>(77); }, "longer than one of its kind");
 }
 
 TEST(Recording, RefusesWhatAReplayWouldStumbleOver)

@@ -10,6 +10,7 @@
 
 #include <ode/common.h>
 
+#include "ode_predictive_space/history/format.h"
 #include "tests/history/scratch_recording.h"
 #include "tests/support/program.h"
 
@@ -47,19 +48,80 @@ TEST(ReplayProgram, RefusesWrongOptions)
     }
 }
 
+std::string bytes_of(const std::string &path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Behind the note, which comes first and is shorter than 256 bytes.
+std::size_t second_record(const std::string &bytes)
+{
+    return header_size + record_header_size + static_cast<unsigned char>(bytes[header_size]);
+}
+
 TEST(ReplayProgram, RefusesABrokenFileWithItsOffsetAndNothingElse)
 {
-    std::ifstream file(nested, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    for (const std::size_t size : {std::size_t{0}, std::size_t{20}, bytes.size() / 2, bytes.size() - 1})
+    std::string bytes = bytes_of(nested);
+    bytes[second_record(bytes) + 4] = 77; // no kind of record
+    const ScratchRecording broken;
+    std::ofstream(broken.path(), std::ios::binary) << bytes;
+    const Outcome outcome = run(REPLAYER, broken.path());
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(lines_of(outcome.output), 1) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, ": byte ")) << outcome.output;
+}
+
+TEST(ReplayProgram, SaysOfAFileWithoutAWholeRecordThatItIsNothing)
+{
+    for (const std::size_t size : {std::size_t{0}, std::size_t{5}, std::size_t{20}})
     {
-        const ScratchRecording broken;
-        std::ofstream(broken.path(), std::ios::binary) << bytes.substr(0, size);
-        const Outcome outcome = run(REPLAYER, broken.path());
+        const ScratchRecording cut;
+        std::ofstream(cut.path(), std::ios::binary) << bytes_of(nested).substr(0, size);
+        const Outcome outcome = run(REPLAYER, cut.path());
         EXPECT_EQ(outcome.status, 2);
         EXPECT_EQ(lines_of(outcome.output), 1) << outcome.output;
-        EXPECT_TRUE(contains(outcome.output, ": byte ")) << outcome.output;
+        EXPECT_TRUE(contains(outcome.output, "The recording is nothing")) << outcome.output;
+        EXPECT_TRUE(contains(run(REPLAYER, "--answer " + cut.path()).output, "note\tThe recording is nothing"));
     }
+}
+
+// It was refused as a whole.
+TEST(ReplayProgram, ReplaysARecordingThatIsCutAndSaysWhere)
+{
+    if (sizeof(dReal) == sizeof(float))
+        return;
+    const std::string bytes = bytes_of(nested);
+    const Outcome whole = run(REPLAYER, "--times --space box " + nested);
+    EXPECT_TRUE(contains(whole.output, "The recording is whole.")) << whole.output;
+    const ScratchRecording cut;
+    std::ofstream(cut.path(), std::ios::binary) << bytes.substr(0, bytes.size() / 2);
+    const Outcome outcome = run(REPLAYER, "--times --space box " + cut.path());
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    const std::string events = outcome.output.substr(outcome.output.find(": ") + 2);
+    EXPECT_TRUE(
+        contains(outcome.output, "The recording is cut at event " + std::to_string(std::stoi(events)) + ", byte "))
+        << outcome.output;
+    EXPECT_GT(std::stoi(events), 10);
+    EXPECT_TRUE(contains(run(REPLAYER, "--answer " + cut.path()).output, "\nnote\tThe recording is cut at event "));
+}
+
+// The escape sequences of its note reached the terminal.
+TEST(ReplayProgram, PrintsWhatAFileSuppliesWithoutControlCharacters)
+{
+    if (sizeof(dReal) == sizeof(float))
+        return;
+    const std::string bytes = bytes_of(nested);
+    const std::string note = "\x1b[31mred\x1b[0m\nof another line \xc2\xb5";
+    const std::string record = std::string(1, static_cast<char>(note.size())) + std::string("\0\0\0\1", 4) + note;
+    const ScratchRecording file;
+    std::ofstream(file.path(), std::ios::binary)
+        << bytes.substr(0, header_size) + record + bytes.substr(second_record(bytes));
+    const Outcome outcome = run(REPLAYER, "--times --space box " + file.path());
+    EXPECT_TRUE(contains(outcome.output, "\\x1b[31mred\\x1b[0m\\x0aof another line \xc2\xb5\n")) << outcome.output;
+    const Outcome missing = run(REPLAYER, "$(printf '/nonexistent/\\033[31m')");
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_TRUE(contains(missing.output, "/nonexistent/\\x1b[31m")) << missing.output;
 }
 
 TEST(ReplayProgram, ComparesTheSpacesThatAreNamed)

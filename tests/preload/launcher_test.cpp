@@ -92,6 +92,51 @@ TEST(Launcher, SetsTheVariables)
     EXPECT_TRUE(contains(outcome.output, "ODE_PREDICTIVE_TRACE=/")) << outcome.output;
 }
 
+// Ours came first, in front of libraries that have to.
+TEST(Launcher, LeavesOtherPreloadsInFront)
+{
+    allow_preload();
+    const Outcome outcome = run("env", "LD_PRELOAD=" ODE_LIBRARY " " LAUNCHER " env");
+    EXPECT_TRUE(contains(outcome.output, "\nLD_PRELOAD=" ODE_LIBRARY ":" PRELOAD "\n")) << outcome.output;
+}
+
+#ifdef SANITIZED
+// AddressSanitizer's runtime ended the program, in both cases.
+TEST(Launcher, SaysHowAProgramWithAddressSanitizerCanBeRun)
+{
+    const std::string launcher = "--unset=ASAN_OPTIONS " LAUNCHER " --stats " SANITIZED " return";
+    const Outcome refused = run("env", launcher);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(count_of("\n", refused.output), 1) << refused.output;
+    EXPECT_TRUE(contains(refused.output, "is built with AddressSanitizer")) << refused.output;
+    const std::size_t remedy = refused.output.find("LD_PRELOAD=");
+    ASSERT_NE(remedy, std::string::npos) << refused.output;
+    const std::string preload = refused.output.substr(remedy, refused.output.find(' ', remedy) - remedy);
+    for (const std::string &setting : {preload, std::string("ASAN_OPTIONS=verify_asan_link_order=0")})
+    {
+        const Outcome outcome =
+            run("env", "--unset=ASAN_OPTIONS " + setting + " " LAUNCHER " --stats " SANITIZED " return");
+        EXPECT_EQ(outcome.status, 0) << setting;
+        EXPECT_EQ(count_of("predictive by boxes", outcome.output), 1) << outcome.output;
+    }
+}
+#endif
+
+TEST(Launcher, PrintsNamesWithoutControlCharacters)
+{
+    const Outcome missing = launch("\"$(printf '/nonexistent/\\033[31m')\"");
+    EXPECT_EQ(missing.output, "ode-predictive-run: /nonexistent/\\x1b[31m: No such file or directory\n");
+    const Outcome refused = launch("--space \"$(printf 'x\\033[31m')\" true");
+    EXPECT_TRUE(contains(refused.output, "'x\\x1b[31m'")) << refused.output;
+    const ScratchFile place;
+    const std::string name = place.path() + "\x1b[31m";
+    ASSERT_EQ(symlink(LINKED, name.c_str()), 0);
+    const Outcome named = launch("--stats '" + name + "'");
+    EXPECT_TRUE(contains(named.output, "\\x1b[31m (process ")) << named.output;
+    EXPECT_FALSE(contains(named.output, "\x1b")) << named.output;
+    unlink(name.c_str());
+}
+
 // Set without the launcher, variables may hold anything.
 TEST(Variables, UnknownValuesAreNamedAndDefaultsTaken)
 {

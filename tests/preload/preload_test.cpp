@@ -194,6 +194,14 @@ TEST(Preload, RefusesAnotherPrecision)
     EXPECT_TRUE(contains(one_line_refusal(OTHER_PRECISION), "precision"));
 }
 
+// The message was that of the dynamic linker, which had found an undefined symbol.
+TEST(Preload, RefusesALibraryOfAnotherPrecisionUnderTheSameName)
+{
+    const std::string said = one_line_refusal(LINKED_WITH_OTHER_PRECISION);
+    EXPECT_TRUE(contains(said, "has another precision")) << said;
+    EXPECT_EQ(launch(LINKED_WITH_OTHER_PRECISION).status, 3);
+}
+
 // The dynamic linker describes the second library where it had described the first one; the program ended in an assertion, as
 // its spaces were made by the wrong ODE.
 TEST(Preload, TellsALibraryFromOneThatWasThereBefore)

@@ -4,6 +4,9 @@
 
 #include <filesystem>
 
+#include <fcntl.h>
+#include <sys/file.h>
+
 #include "tests/preload/preload_programs.h"
 
 namespace ode_predictive_space::preload
@@ -70,6 +73,44 @@ TEST(Record, AChildThatIsForkedLeavesTheRecordingToItsParent)
     EXPECT_GT(folder.files(), 1);
     const Outcome replayed = run(REPLAYER, "--times --space box " + folder.file());
     EXPECT_EQ(replayed.status, 0) << replayed.output;
+}
+
+// Nothing was recorded of the second program.
+TEST(Record, AProcessThatBecomesAnotherProgramHasAFurtherFile)
+{
+    const RecordingFolder folder;
+    const Outcome outcome = launch("--record " + folder.file() + " sh -c '" LINKED "; " BECOMING "'");
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_EQ(folder.files(), 3) << outcome.output;
+}
+
+// The first one's file was removed, also while its program was still writing to it.
+TEST(Record, ASecondLauncherLeavesTheRecordingOfTheFirstAlone)
+{
+    const RecordingFolder folder;
+    const std::string record = "--record " + folder.file() + " ";
+    const Outcome outcome = launch(record + "sh -c '" LINKED "; " LAUNCHER " " + record + LINKED "; echo second $?'");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(contains(outcome.output, "second 2\n")) << outcome.output;
+    EXPECT_EQ(count_of("file is the recording of another run: ", outcome.output), 1) << outcome.output;
+    EXPECT_EQ(run(REPLAYER, "--times --space box " + folder.file()).status, 0);
+
+    const int file = open(folder.file().c_str(), O_WRONLY | O_CLOEXEC);
+    ASSERT_EQ(flock(file, LOCK_EX), 0);
+    const Outcome busy = launch(record + LINKED);
+    EXPECT_EQ(busy.status, 2);
+    EXPECT_EQ(count_of("another program is recording to " + folder.file(), busy.output), 1) << busy.output;
+    close(file);
+    EXPECT_EQ(launch(record + LINKED).status, 0);
+}
+
+TEST(Record, AReportSaysWhereARecordingIsCut)
+{
+    const RecordingFolder folder;
+    launch("--report " + folder.file() + " " ENDING " crash");
+    std::ostringstream page;
+    page << std::ifstream(folder.file() + "/index.html").rdbuf();
+    EXPECT_TRUE(contains(page.str(), "<p>The recording is cut at event ")) << page.str();
 }
 
 TEST(Record, WhatCannotBeWrittenIsSaid)

@@ -2,6 +2,7 @@
 
 #include "ode_predictive_space/report/curves.h"
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -91,6 +92,16 @@ TEST(Page, ShowsTextAsItIs)
     const std::string text = html({"<script>", "a < b & \"c\"", {}});
     EXPECT_EQ(count_of("<script", text), 0u);
     EXPECT_EQ(count_of("a &lt; b &amp; &quot;c&quot;", text), 1u);
+}
+
+TEST(Page, HasNoControlCharacters)
+{
+    const std::string text =
+        html({"\x1b[31m", "two\nlines\x07\n", {{"p\x08", "x", "y", {{"c\x1b", {{0, 1}, {1, 2}}}}}}});
+    EXPECT_EQ(count_of("<h1>\\x1b[31m</h1>", text), 1u) << text;
+    EXPECT_EQ(count_of("<pre>two\nlines\\x07\n</pre>", text), 1u) << text;
+    EXPECT_TRUE(
+        std::all_of(text.begin(), text.end(), [](char each) { return each == '\n' || each >= ' ' || each < 0; }));
 }
 
 TEST(Page, BeginsWithTheAnswer)
