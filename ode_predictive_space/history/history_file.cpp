@@ -72,9 +72,12 @@ void HistoryFile::give_up(int error)
         error_ = error;
 }
 
+// A process that was forked may have the file open, and with it the lock.
 bool HistoryFile::close()
 {
     const int file = std::exchange(file_, -1);
+    if (file >= 0)
+        flock(file, LOCK_UN);
     if (file >= 0 && ::close(file) != 0 && error_ == 0)
         error_ = errno;
     return error_ == 0;

@@ -7,6 +7,8 @@
 #include <filesystem>
 
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -81,8 +83,16 @@ TEST(HistoryFile, LeavesAFileAloneThatAnotherRecordingIsWrittenTo)
     EXPECT_TRUE(first.write("a record"));
     EXPECT_EQ(HistoryFile(scratch.path(), false).error(), EBUSY);
     EXPECT_EQ(std::filesystem::file_size(scratch.path()), 8u);
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        pause();
+        _exit(0);
+    }
     EXPECT_TRUE(first.close());
-    EXPECT_EQ(HistoryFile(scratch.path(), false).error(), 0);
+    EXPECT_EQ(HistoryFile(scratch.path(), false).error(), 0) << "a child of this process has the file open, too";
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
     EXPECT_EQ(std::filesystem::file_size(scratch.path()), 0u);
 }
 } // namespace

@@ -546,7 +546,15 @@ def history_faults():
     yield Fault(
         "no_room_for_pairs_to_come", "history", recorder, "(unfinished_ + 1) * pairs_size + end_size;", "end_size;", recorded)
     yield Fault(
-        "half_of_a_tick_at_the_limit", "history", recorder, "buffer_.resize(before);", "(void)before;", recorded)
+        "half_of_a_tick_at_the_limit", "history", recorder, "buffer_.resize(before);\n        Record(", "(void)before;\n        Record(", recorded)
+    yield Fault(
+        "pose_with_an_offset_left_to_the_body", "history", recorder,
+        "    if (body_changed && has_own_pose(state))\n        fields |= geom_field::pose;\n", "", recorded)
+    yield Fault(
+        "half_of_an_event_without_memory", "history", recorder, "buffer_.resize(before);\n        cut();", "(void)before;\n        cut();",
+        recorded)
+    yield Fault(
+        "closed_as_whole_without_memory", "history", recorder, "file_.give_up(ENOMEM);\n    over_ = true;", "", recorded)
     yield Fault(
         "pairs_hashed_in_their_order", "history", SOURCES + "history/format.cpp",
         "std::uint64_t{std::min(first, second)} << 32 | std::max(first, second);",
@@ -565,6 +573,13 @@ def history_faults():
     yield Fault(
         "part_of_a_record_left_in_a_full_file", "history", file,
         "ftruncate(file_, static_cast<off_t>(size_)) != 0", "false", (("recordings", "HistoryFile.*"),))
+    yield Fault(
+        "emptied_under_another_recording", "history", file, "return EBUSY;", "return 0;", (("recordings", "HistoryFile.*"),))
+    yield Fault(
+        "versions_below_the_first_accepted", "history", check, "if (version != format_version)", "if (version > format_version)", read)
+    yield Fault(
+        "any_length_taken_for_a_cut", "history", check, "record.kind <= RecordKind::last && record.size <= most_of_other_kinds",
+        "record.kind <= RecordKind::last", read)
     yield Fault(
         "corner_behind_the_last_vertex", "history", check, "if (number_at(mesh.triangles, i) >= mesh.vertex_count)",
         "if (number_at(mesh.triangles, i) > mesh.vertex_count)", read)
