@@ -217,23 +217,35 @@ ODE_PREDICTIVE_API void dPredictiveSpaceSetHorizon(dSpaceID space, int min_ticks
 ODE_PREDICTIVE_API void dPredictiveSpaceGetHorizon(dSpaceID space, int *min_ticks, int *max_ticks);
 
 /**
- * Get the earliest time at which two geoms of the space can come near each other, from paths that are predicted for this answer: from
- * the present velocities of bodies, and from the last positions of interactive geoms. The positions of a geom that is recognised
- * as interactive are kept from the first call on, of up to 64 geoms; before, its path is a line. A geom that has not moved for some ticks counts as still.
+ * Get the earliest time at which two geoms of the space can come near each other, if both go on as they move now.
+ *
+ * A motion is this: per tick, the position is a polynomial of second degree, the geom turns by the same rotation about the same axis,
+ * and the step is constant. The position is that of the geom's body, which the geom's offset turns about, or that of a geom without
+ * a body, whether ODE or the program moves it; how velocities and forces bring the motion about does not matter. From the
+ * third tick of the motion on, the time is never later than the meeting. Nothing is promised of other motions.
+ *
+ * The space learns motions from poses, one per tick, which it keeps of a geom from the first question about it on. The tick before
+ * that question is the first of the three. A motion that is seen to change, as by a bounce, begins again with its first tick: seen is
+ * a change by a tenth of the longest of the last three steps. Until the third tick, nothing is known: the answer is 0, and the
+ * time is 0. Planes and nested spaces have no position; while they move, nothing is known of them either. A geom that
+ * has not moved during three ticks counts as still, and so does each geom when nothing has moved during eight dSpaceCollide(). Of
+ * a geom whose role was set as interactive, the path is the one that fits the last eight positions best, so that the
+ * promise begins with the eighth tick.
  *
  * Near are two geoms whose bounding boxes overlap; with dPredictiveProximityShape, two geoms whose shapes may touch. Those whose
  * boxes alone overlap then meet at the next tick at the earliest, and mostly later.
  *
  * @param ticks receives a time from now, in ticks; may be 0.
  * @return 1 when they can come near each other; the time is the earliest at which they can (0 when they are near now).
- *         0 when they stay apart as long as both keep to their predicted paths and deviations; the time is the one up to which
- *         that is known: the end of the shorter horizon (dInfinity when both are still).
+ *         0 when they stay apart as long as both keep to their motions; the time is the one up to which that is known: the end of
+ *         the shorter horizon (dInfinity when both are still, 0 when the motion of one is not known yet).
  */
 ODE_PREDICTIVE_API int dPredictiveSpaceGetTimeOfProximity(dSpaceID space, dGeomID first, dGeomID second, dReal *ticks);
 
 /**
  * List the geoms that a geom can meet within its horizon and theirs, soonest first, in O(n). See
- * dPredictiveSpaceGetTimeOfProximity() for the times.
+ * dPredictiveSpaceGetTimeOfProximity() for the times. Geoms whose motion is not known yet are listed when they are near now.
+ * This is a question about each geom of the space.
  *
  * @param out an array of max encounters.
  * @return the number of encounters written.

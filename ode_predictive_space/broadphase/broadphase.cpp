@@ -36,8 +36,8 @@ void Broadphase::update(Scene &scene, bool is_tick)
     {
         ++clock_.now;
         clock_.unticked = 0;
+        predictor_.sample(scene, proxies_, clock_.now);
     }
-    predictor_.sample_moved(scene, proxies_, clock_.update, clock_.now);
     look(scene); // listed objects -> batch_
     retire();    // their pairs are dropped
     if (!batch_.empty())
@@ -200,27 +200,31 @@ void Broadphase::start_over()
     });
 }
 
+// Of two times before which two objects are apart; none when they always are.
+static std::optional<double> later(std::optional<double> one, std::optional<double> other)
+{
+    return one && other ? std::max(one, other) : std::nullopt;
+}
+
 // --- Questions ------------------------------------------------------------------------------------------------------------
 
-Forecast Broadphase::forecast(Scene &scene, ProxyId id)
+Forecast Broadphase::forecast(Scene &scene, ProxyId id, std::uint64_t collisions)
 {
-    const std::int32_t since = updates_between(proxies_.places[id].moved(), clock_.update);
-    return predictor_.forecast(scene, proxies_, id, since <= tuning::recent_ticks);
+    return predictor_.forecast(scene, proxies_, id, {clock_.now + (clock_.unticked > 0), collisions});
 }
 
 std::optional<double> Broadphase::time_of_proximity(const Forecast &first, const Forecast &second) const
 {
     const double ticks = std::min(first.ticks, second.ticks);
     const double duration = std::isfinite(ticks) ? ticks : 0;
-    const auto earliest = [&](TimeOfProximity &time) {
-        return time_in_halves(time, first.envelope, second.envelope, duration, tuning::forecast_halvings);
+    const auto earliest = [&](TimeOfProximity &time, const Envelope &one, const Envelope &other) {
+        return time_in_halves(time, one, other, duration, tuning::forecast_halvings);
     };
-    std::optional<double> time = earliest(box_time_of_proximity);
+    std::optional<double> time = earliest(box_time_of_proximity, first.turning_on(), second.turning_on());
+    if (time && first.turning + second.turning > 0)
+        time = later(time, earliest(box_time_of_proximity, first.turned_anyhow(), second.turned_anyhow()));
     if (time && proximity_test_ == ProximityTest::sphere && first.about_centre && second.about_centre)
-    {
-        const std::optional<double> of_spheres = earliest(sphere_time_of_proximity);
-        time = of_spheres ? std::optional<double>(std::max(*time, *of_spheres)) : std::nullopt;
-    }
+        time = later(time, earliest(sphere_time_of_proximity, first.envelope, second.envelope));
     return time;
 }
 
@@ -241,10 +245,20 @@ std::optional<double> Broadphase::time_of_contact(const Forecast &first, const F
                                                   const CandidatePair &pair) const
 {
     const ConvexShape &one = shapes_[pair.first], &other = shapes_[pair.second];
-    return ode_predictive_space::time_of_contact({one, first.envelope, first.still(), first.about_centre},
-                                                 {other, second.envelope, second.still(), second.about_centre},
-                                                 touching_distance(one, other, shape_margin_),
-                                                 std::min(first.ticks, second.ticks));
+    const auto earliest = [&](const PredictedShape &shape, const PredictedShape &other_shape) {
+        return ode_predictive_space::time_of_contact(shape, other_shape, touching_distance(one, other, shape_margin_),
+                                                     std::min(first.ticks, second.ticks));
+    };
+    const auto turning_on = [](const ConvexShape &shape, const Forecast &forecast) {
+        return PredictedShape{shape, forecast.turning_on(), forecast.still(), forecast.about_centre, false};
+    };
+    const auto turned_anyhow = [](const ConvexShape &shape, const Forecast &forecast) {
+        return PredictedShape{shape, forecast.envelope, forecast.still(), forecast.about_centre, forecast.turning > 0};
+    };
+    const std::optional<double> time = earliest(turning_on(one, first), turning_on(other, second));
+    if (!time || first.turning + second.turning == 0)
+        return time;
+    return later(time, earliest(turned_anyhow(one, first), turned_anyhow(other, second)));
 }
 
 // --- Objects --------------------------------------------------------------------------------------------------------------

@@ -129,8 +129,11 @@ public:
         index_.walk(probe, visit);
     }
 
-    /// How the object will move, as far as is known now.
-    Forecast forecast(Scene &scene, ProxyId id);
+    /// How the object will move, as far as is known now. Its motion is known from the third tick on, that before the first question
+    /// included.
+    ///
+    /// @param collisions a count of the program's calls of tick(): an object that has not moved during two calls rests.
+    Forecast forecast(Scene &scene, ProxyId id, std::uint64_t collisions);
 
     /// When two objects may be near, in ticks from now on; none when they stay apart as long as both forecasts hold.
     std::optional<double> time_of_proximity(const Forecast &first, const Forecast &second) const;

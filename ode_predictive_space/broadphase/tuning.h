@@ -65,16 +65,13 @@ constexpr float least_way = 0.05f;
 /// its objects must be predicted, too. (ask)
 constexpr std::uint32_t questions_to_ticks = 16;
 
+/// Collisions of the space without any move after which objects count as still. Some programs collide more than once per step.
+constexpr std::uint64_t still_collisions = 8;
+
 /// How far a forecast that a program asks for reaches, in sizes.
 constexpr float forecast_reach = 9;
 /// And how often its horizon is halved where paths bend. (a hand that goes away)
 constexpr int forecast_halvings = 4;
-
-/// Updates: older moves and samples tell nothing about the motion.
-constexpr std::int32_t recent_ticks = 8;
-
-/// Objects recognised as interactive whose position is sampled at each tick: a hand is, a crowd is not.
-constexpr std::size_t most_sampled = 64;
 
 // --- Index ---
 

@@ -40,6 +40,10 @@ public:
 
     int count() const { return count_; }
 
+    /// The nth position before the newest one; n < count().
+    const Vector3 &before_newest(int n) const { return positions_[nth_newest(n)]; }
+    std::uint32_t newest_tick() const { return ticks_[last()]; }
+
     /// The path through the samples, its time 0 at the newest one. At least one sample is needed.
     FittedPath fit() const
     {

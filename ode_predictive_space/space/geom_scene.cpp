@@ -29,14 +29,6 @@ Vector3 velocity_of(dxGeom *geom)
     return Vector3(at_centre[0], at_centre[1], at_centre[2]);
 }
 
-double spin_of(dBodyID body)
-{
-    if (!dBodyIsEnabled(body))
-        return 0;
-    const dReal *spin = dBodyGetAngularVel(body);
-    return Vector3(spin[0], spin[1], spin[2]).norm();
-}
-
 // How far the geom's matrix is from a rotation. A sphere is the same for any matrix; and only the direction in a ray's matrix
 // counts, dGeomRaySet() sets no more.
 double skew_of_geom(const dxGeom *geom)
@@ -252,7 +244,8 @@ void GeomScene::observe(const ProxyId *ids, std::size_t count, Observation *seen
     const auto prefetch_motion = [&](std::size_t i) {
         prefetch_pose(ids[i]);
         if (const dBodyID body = geoms_[ids[i]]->body)
-            prefetch_block<2 * sizeof(dVector3)>(dBodyGetLinearVel(body)); // behind it, the angular velocity
+            prefetch_block<2 * sizeof(dVector3)>(
+                dBodyGetLinearVel(body)); // behind it, the angular velocity, of a geom with an offset
     };
     for_each(
         count, [&](std::size_t i) { seen[i] = observation(ids[i]); }, [&](std::size_t i) { prefetch_geom(ids[i]); },
@@ -280,9 +273,9 @@ Box GeomScene::bounds(ProxyId id)
     return to_box(valid_aabb(geoms_[id]));
 }
 
-std::optional<Vector3> GeomScene::pivot(ProxyId id)
+// The point that the geom turns around; finite, or none when that is not known.
+static std::optional<Vector3> pivot_of(dxGeom *geom)
 {
-    dxGeom *geom = geoms_[id];
     if (!turns_safely(geom))
         return std::nullopt;
     geom->recomputePosr();
@@ -291,18 +284,33 @@ std::optional<Vector3> GeomScene::pivot(ProxyId id)
     return centre.allFinite() ? std::optional(centre) : std::nullopt;
 }
 
+// A geom follows its body, which its offset turns about. Planes and spaces have no position.
+SampledPose GeomScene::pose(ProxyId id)
+{
+    dxGeom *geom = geoms_[id];
+    if (!(geom->gflags & GEOM_PLACEABLE))
+        return {Vector3::Zero(), Eigen::Matrix3d::Identity(), 0, false};
+    geom->recomputePosr();
+    const dReal *position = geom->body ? dBodyGetPosition(geom->body) : geom->final_posr->pos;
+    const dReal *R = geom->body ? dBodyGetRotation(geom->body) : geom->final_posr->R;
+    const Vector3 pivot(position[0], position[1], position[2]);
+    SampledPose pose{pivot, Eigen::Matrix3d::Identity(),
+                     8 * double{std::numeric_limits<dReal>::epsilon()} * pivot.norm(), true};
+    const bool turning_shows = geom->type != dSphereClass || geom->offset_posr;
+    if (turning_shows)
+        pose.rotation << R[0], R[1], R[2], R[4], R[5], R[6], R[8], R[9], R[10];
+    return pose;
+}
+
 Observation GeomScene::observation(ProxyId id)
 {
     dxGeom *geom = geoms_[id];
     Observation seen;
-    seen.centre = pivot(id);
+    seen.centre = pivot_of(geom);
     seen.radius = seen.centre ? bounding_sphere(geom) : std::numeric_limits<double>::infinity();
     seen.is_dear = geom->type == dConvexClass || geom->type == dTriMeshClass;
     if (geom->body && !dBodyIsKinematic(geom->body))
-    {
         seen.velocity = velocity_of(geom);
-        seen.spin = spin_of(geom->body);
-    }
     return seen;
 }
 

@@ -124,7 +124,7 @@ public:
     void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves) override;
     bool hull_is_outdated(ProxyId id, const ConvexShape &shape) override;
     Box bounds(ProxyId id) override;
-    std::optional<Vector3> pivot(ProxyId id) override;
+    SampledPose pose(ProxyId id) override;
     bool overlap(ProxyId first, ProxyId second) override { return overlap(geoms_[first], geoms_[second]); }
     void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
 

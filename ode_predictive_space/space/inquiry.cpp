@@ -13,7 +13,7 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom
     GeomScene now = scene();
     const CandidatePair pair{proxy_of(first), proxy_of(second)};
     follow_shapes({pair.first, pair.second}, now);
-    return time_of_proximity(pair, broadphase_.forecast(now, pair.first), now, apart_until);
+    return time_of_proximity(pair, broadphase_.forecast(now, pair.first, ticks_), now, apart_until);
 }
 
 // By the shape test, answers are about shapes.
@@ -32,11 +32,12 @@ void dxPredictiveSpace::follow_shapes(const std::vector<ProxyId> &ids, GeomScene
 std::optional<double> dxPredictiveSpace::time_of_proximity(const CandidatePair &pair, const Forecast &first,
                                                            GeomScene &now, double *apart_until)
 {
-    *apart_until = 0;
+    const Forecast second = broadphase_.forecast(now, pair.second, ticks_);
+    *apart_until = std::min(first.ticks, second.ticks);
     if (now.overlap(pair.first, pair.second) && (!by_shape() || broadphase_.may_touch(pair)))
         return 0.0;
-    const Forecast second = broadphase_.forecast(now, pair.second);
-    *apart_until = std::min(first.ticks, second.ticks);
+    if (!first.known() || !second.known())
+        return std::nullopt;
     const std::optional<double> near = broadphase_.time_of_proximity(first, second);
     if (!near || !by_shape())
         return near;
@@ -50,7 +51,7 @@ std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *
     GeomScene now = scene();
     const std::vector<ProxyId> members = this->members();
     follow_shapes(members, now);
-    const Forecast own = broadphase_.forecast(now, self);
+    const Forecast own = broadphase_.forecast(now, self, ticks_);
     std::vector<std::pair<double, ProxyId>> times;
     for (ProxyId other : members)
     {

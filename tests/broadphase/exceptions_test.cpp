@@ -40,10 +40,10 @@ public:
         call();
         return scene_.bounds(id);
     }
-    std::optional<Vector3> pivot(ProxyId id) override
+    SampledPose pose(ProxyId id) override
     {
         call();
-        return scene_.pivot(id);
+        return scene_.pose(id);
     }
     bool overlap(ProxyId first, ProxyId second) override
     {
@@ -86,11 +86,13 @@ protected:
         for (std::size_t i = 0; i < count; ++i)
             world_.add(random_object());
         for (ProxyId id : removed)
-            world_.broadphase.set_role(id, Role::fixed_interactive); // its positions are sampled
+            world_.broadphase.set_role(id, Role::fixed_interactive);
         for (int ticks = 0; GetParam() != Moment::first && ticks < 100; ++ticks)
         {
             world_.advance();
             world_.tick();
+            for (ProxyId id : removed)
+                world_.broadphase.forecast(world_, id, 0); // it is sampled from then on
         }
         change();
     }

@@ -25,7 +25,7 @@ struct PairScene : Scene
     void measure(const ProxyId *, std::size_t, Place *) override { ADD_FAILURE(); }
     void observe(const ProxyId *, std::size_t, Observation *) override { ADD_FAILURE(); }
     Box bounds(ProxyId) override { return {}; }
-    std::optional<Vector3> pivot(ProxyId) override { return std::nullopt; }
+    SampledPose pose(ProxyId) override { return {}; }
     void find_disabled(const ProxyId *, std::size_t, std::vector<ProxyId> &) override { ADD_FAILURE(); }
 };
 

@@ -28,6 +28,7 @@ public:
             world.add(ball({-1000, -1000, 1.0 * i}, radius, {0, 0, 0}));
         world.tick();
         begun_ = world.broadphase.counters().repredictions;
+        forecast(); // from now on it is sampled
     }
 
     void tick()
@@ -58,7 +59,7 @@ public:
     Forecast forecast()
     {
         world.broadphase.catch_up(world);
-        return world.broadphase.forecast(world, 0);
+        return world.broadphase.forecast(world, 0, 0);
     }
 
     World world;
@@ -363,6 +364,7 @@ TEST(Predictor, NotANumberHarmsNoOtherObject)
         return world.broadphase.counters().repredictions - before;
     };
     run(200);
+    world.broadphase.forecast(world, good, 0); // from now on it is sampled
     for (const Vector3 &bad :
          {Vector3(nan, 0, 0), Vector3(infinity, 0, 0), Vector3(0, -infinity, nan), Vector3(1e300, 0, 0)})
         for (int tick = 0; tick < 10; ++tick)
@@ -371,7 +373,7 @@ TEST(Predictor, NotANumberHarmsNoOtherObject)
             world.place(lost, bad);
             run(1);
         }
-    EXPECT_NEAR(world.broadphase.forecast(world, good).envelope.path.velocity.x(), 0.5 * step, 1e-9);
+    EXPECT_NEAR(world.broadphase.forecast(world, good, 0).envelope.path.velocity.x(), 0.5 * step, 1e-9);
     world.object(lost) = moving_ball({0.5, 0, 0});
     world.place(lost, {0, 5, 0});
     run(1000);

@@ -14,10 +14,15 @@ namespace
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double next_tick = 1, rounds_down = 1 - 1e-9;
 
+bool is_ball(const ConvexShape &shape)
+{
+    return shape.kind == ShapeKind::rounded && shape.half_sides.isZero(0);
+}
+
 // How much farther the object may reach along the axis after any turn.
 double reach_by_turning(const PredictedShape &object, const PredictedShape &other, const Vector3 &axis)
 {
-    if (object.still || (object.shape.kind == ShapeKind::rounded && object.shape.half_sides.isZero(0)))
+    if (object.still || !object.turns || (object.about_centre && is_ball(object.shape)))
         return 0;
     if (!object.about_centre || (object.shape.blunt_beside & other.shape.group))
         return infinity;
@@ -36,7 +41,7 @@ double time_of_closing(double c, double b, double a)
 // How far one object may be nearer than the gap says: it has turned by any angle, about its centre.
 double nearer_by_turning(const PredictedShape &object)
 {
-    if (object.still || (object.shape.kind == ShapeKind::rounded && object.shape.half_sides.isZero(0)))
+    if (object.still || !object.turns || (object.about_centre && is_ball(object.shape)))
         return 0;
     return object.about_centre && !object.shape.blunt_beside ? object.envelope.radius - 0.5 * object.shape.size
                                                              : infinity;

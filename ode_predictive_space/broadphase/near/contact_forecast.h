@@ -18,6 +18,7 @@ struct PredictedShape
     Envelope envelope;
     bool still;        ///< predicted to stay as it is
     bool about_centre; ///< its centre follows the path, and the sphere around it holds the object however it turns
+    bool turns = true; ///< unless it is still; false, too, when the deviation includes what turning moves
 };
 
 /// The gap along the axis on which two shapes are apart now is closed by their predicted motion along that axis, by both

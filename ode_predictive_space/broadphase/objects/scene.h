@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ode_predictive_space/broadphase/objects/place.h"
+#include "ode_predictive_space/prediction/track.h"
 
 namespace ode_predictive_space
 {
@@ -17,7 +18,6 @@ struct Observation
     std::optional<Vector3> centre; ///< the point that the object turns around; finite. None when that is not known
     double radius = 0;             ///< of a sphere around the centre that holds the object; infinite when none is known
     std::optional<Vector3> velocity; ///< in the program's unit, if the object has a body that tells
-    double spin = 0;                 ///< angular speed of that body, in the same unit
     bool is_dear = false;            ///< the contacts of its shape are dear to find: many points or triangles
 };
 
@@ -47,8 +47,8 @@ public:
     /// The object's bounding box in double precision.
     virtual Box bounds(ProxyId id) = 0;
 
-    /// The point that the object turns around; finite, or none when that is not known.
-    virtual std::optional<Vector3> pivot(ProxyId id) = 0;
+    /// Where the object is, for forecasts of its motion.
+    virtual SampledPose pose(ProxyId id) = 0;
 
     /// Do the objects' bounding boxes overlap and, by the sphere test of proximity, their bounding spheres, too?
     virtual bool overlap(ProxyId first, ProxyId second) = 0;

@@ -53,9 +53,10 @@ Float4 middle_of(const TightBox &box)
     return bounded(Float4::all(0.5f) * finite_or_zero(box.low) + Float4::all(0.5f) * finite_or_zero(box.high));
 }
 
-Vector3 finite_centre(const Box &bounds)
+// How far from the point that its path begins at an object may reach; infinite when it is.
+double farthest_corner(const Envelope &envelope)
 {
-    return to_vector(middle_of(TightBox::of(FloatBox::around(bounds))));
+    return envelope.low.cwiseAbs().cwiseMax(envelope.high.cwiseAbs()).norm();
 }
 
 // The largest finite side; 0 when the box is inverted.
@@ -233,13 +234,6 @@ TightBox Predictor::swept(const TightBox &box, const Motion &motion, float ticks
     return {min(outer_low, box.low), max(outer_high, box.high)};
 }
 
-bool Predictor::wants_samples(const ProxyRecord &record, ProxyId id) const
-{
-    return record.role == Role::fixed_interactive ||
-           (wants_samples_ && record.role == Role::interactive &&
-            (samples_.count() < tuning::most_sampled || samples_.find(id) != nullptr));
-}
-
 void Predictor::note_farthest(const TightBox &box)
 {
     const Float4 farthest = max(abs(finite_or_zero(box.low)), abs(finite_or_zero(box.high)));
@@ -286,8 +280,6 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
         motion.velocity.store_three(record.velocity);
     motion.acceleration.store_three(record.acceleration);
     record.since = now;
-    if (wants_samples(record, id))
-        samples_[id].add(now, seen.centre ? *seen.centre : to_vector(centre));
     record.tests = record.useless = 0;
 }
 
@@ -347,64 +339,63 @@ void Predictor::note_tests(ProxyStore &proxies, const CandidatePair &pair)
     }
 }
 
-// Always the point that is predicted.
-void Predictor::sample_moved(Scene &scene, const ProxyStore &proxies, UpdateNumber update, Tick now)
+// Turning moves no point farther than the farthest one along its path.
+Envelope Forecast::turning_on() const
 {
-    for (Samples::Sampled &sampled : samples_)
-        if (proxies.places[sampled.id].moved() == update)
-        {
-            const std::optional<Vector3> pivot = scene.pivot(sampled.id);
-            const Vector3 centre = pivot ? *pivot : finite_centre(scene.bounds(sampled.id));
-            sampled.history.keep_recent(now, tuning::recent_ticks);
-            sampled.history.add(now, centre);
-        }
+    Envelope on = envelope;
+    on.deviation.b += turning;
+    return on;
 }
 
-// Of a body its present velocity tells, of an interactive object its samples.
-Path Predictor::path_of(const ProxyRecord &record, ProxyId id, const Observation &seen, const Vector3 &centre) const
+Envelope Forecast::turned_anyhow() const
 {
-    const Vector3 acceleration = to_vector(record.acceleration);
-    if (record.has_body && seen.velocity)
-        return {centre, step_estimate_.step() * finite_or_zero(*seen.velocity) + 0.5 * acceleration, acceleration};
-    const History *history = samples_.find(id);
-    if (!history || history->count() == 0)
-        return {centre, to_vector(record.velocity), acceleration};
-    const FittedPath fitted = history->fit();
-    return {centre, finite_or_zero(fitted.path.velocity), finite_or_zero(fitted.path.acceleration)};
+    Envelope anyhow = envelope;
+    if (turning > 0)
+    {
+        anyhow.high = Vector3::Constant(farthest_corner(envelope));
+        anyhow.low = -anyhow.high;
+    }
+    return anyhow;
 }
 
-Forecast Predictor::forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, bool moves)
+Forecast Predictor::forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, const QuestionTime &now)
 {
-    wants_samples_ = true;
     Observation seen;
     scene.observe(&id, 1, &seen);
     const ProxyRecord &record = proxies.records[id];
     const Box bounds = scene.bounds(id);
-    const Vector3 centre = seen.centre ? *seen.centre : finite_centre(bounds);
+    const SampledPose pose = scene.pose(id);
+    const Vector3 pivot = finite_or_zero(pose.pivot);
+    const Track *const track = samples_.ask(scene, proxies, id, now);
     Forecast forecast;
     Envelope &envelope = forecast.envelope;
-    const bool has_velocity = seen.velocity && !seen.velocity->isZero(0);
-    envelope.path = moves ? path_of(record, id, seen, centre) : Path{centre, Vector3::Zero(), Vector3::Zero()};
+    envelope.path.position = pivot;
+    envelope.low = bounds.min() - pivot;
+    envelope.high = bounds.max() - pivot;
+    forecast.about_centre =
+        seen.centre == pivot && std::isfinite(seen.radius); // with an offset it circles around the pivot
+    envelope.radius = forecast.about_centre ? seen.radius : farthest_corner(envelope);
+    forecast.ticks = track ? 0 : std::numeric_limits<double>::infinity();
+    forecast.turning = 0;
+    if (track && track->is_known())
+        follow(*track, record, forecast);
+    return forecast;
+}
+
+// An object that a person moves does not keep to a path as closely as to the mean of its last positions.
+void Predictor::follow(const Track &track, const ProxyRecord &record, Forecast &forecast) const
+{
+    Envelope &envelope = forecast.envelope;
+    const Path path = record.role == Role::fixed_interactive ? track.fitted() : track.path();
+    envelope.path.velocity = finite_or_zero(path.velocity);
+    envelope.path.acceleration = finite_or_zero(path.acceleration);
     const double speed = envelope.path.velocity.norm(), bend = envelope.path.acceleration.norm();
     const float way = std::max(record.reach, tuning::forecast_reach) * record.size;
     const float ticks = ticks_for(way, static_cast<float>(speed), static_cast<float>(bend));
-    const bool still = speed + bend == 0;
-    // How far velocities carry objects in a tick is not known yet: nothing is known of the next one.
-    const bool unknown = still && moves && has_velocity;
-    forecast.ticks = unknown ? 0 : still ? std::numeric_limits<double>::infinity() : double{ticks};
-    forecast.about_centre = seen.centre && std::isfinite(seen.radius);
-    if (moves)
-        envelope.deviation =
-            deviation_of(record, adapted_deviation(record.size, record.spread, still ? 0 : way, ticks));
-    envelope.low = bounds.min() - centre;
-    envelope.high = bounds.max() - centre;
-    const Vector3 corner = envelope.low.cwiseAbs().cwiseMax(envelope.high.cwiseAbs());
-    envelope.radius = forecast.about_centre ? seen.radius : corner.norm();
-    if (seen.spin * step_estimate_.step() * ticks > tuning::slack)
-    {
-        envelope.high = Vector3::Constant(envelope.radius);
-        envelope.low = -envelope.high;
-    }
-    return forecast;
+    forecast.ticks = ticks;
+    const float travel = speed + bend > 0 ? way : 0;
+    envelope.deviation =
+        deviation_of(record, adapted_deviation(record.size, record.spread, travel, ticks)) + track.rounding();
+    forecast.turning = track.turning() * farthest_corner(envelope);
 }
 } // namespace ode_predictive_space

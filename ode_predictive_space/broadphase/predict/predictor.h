@@ -41,11 +41,17 @@ struct PredictionSettings
 /// A prediction that is asked for: an envelope that moves, and the ticks for which it is made.
 struct Forecast
 {
-    Envelope envelope; ///< its time is counted from now on
-    double ticks;      ///< infinite when the object is still
+    Envelope envelope; ///< its time is counted from now on; of an object that does not turn
+    double ticks;      ///< infinite when the object is still, 0 when its motion is not known
     bool about_centre; ///< the sphere of the envelope's radius around its path holds the object however it turns
+    double turning;    ///< how far turning moves a point of the object in a tick, at most
 
+    bool known() const { return ticks > 0; }
     bool still() const { return ticks == std::numeric_limits<double>::infinity(); }
+
+    /// Two envelopes that hold the object as it turns: the first is the closer one soon, the second later.
+    Envelope turning_on() const;
+    Envelope turned_anyhow() const;
 };
 
 class Predictor
@@ -56,16 +62,14 @@ public:
     /// Makes a new prediction, from `now` on, for each object of the batch. Their tight boxes are up to date.
     void predict(Scene &scene, ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now);
 
-    /// Samples the positions of interactive objects that have moved since the last update.
-    void sample_moved(Scene &scene, const ProxyStore &proxies, UpdateNumber update, Tick now);
+    /// A tick has begun: samples the objects that the program asks about.
+    void sample(Scene &scene, const ProxyStore &proxies, Tick now) { samples_.sample(scene, proxies, now); }
 
     /// Two objects were tested for some ticks, until one of them got a new prediction: learns from that.
     static void note_tests(ProxyStore &proxies, const CandidatePair &pair);
 
-    /// How the object will move, as far as is known now. Its tight box is up to date.
-    ///
-    /// @param moves it has moved a short time ago.
-    Forecast forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, bool moves);
+    /// How the object will move, as far as is known now. Its tight box is up to date. From now on its poses are sampled.
+    Forecast forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, const QuestionTime &now);
 
     /// No finite side of an object is farther from the origin than this: the largest finite coordinate of an envelope, or of an
     /// object in it, when one was ever made.
@@ -88,13 +92,11 @@ private:
     Deviation deviation_of(const ProxyRecord &record, const Deviation &adapted) const;
     static TightBox swept(const TightBox &box, const Motion &motion, float ticks, float deviation);
     void note_farthest(const TightBox &box);
-    bool wants_samples(const ProxyRecord &record, ProxyId id) const;
-    Path path_of(const ProxyRecord &record, ProxyId id, const Observation &seen, const Vector3 &centre) const;
+    void follow(const Track &track, const ProxyRecord &record, Forecast &forecast) const;
 
     StepEstimate step_estimate_;
     float farthest_ = 0;
     Samples samples_;
-    bool wants_samples_ = false;                        // forecasts are asked for
     std::array<ProxyId, tuning::objects_per_call> ids_; // scratch
     std::vector<Observation> seen_;                     // scratch
 };

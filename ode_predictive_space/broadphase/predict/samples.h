@@ -1,66 +1,61 @@
-// The last positions of interactive objects: their motion is known from these alone.
+// The last poses of the objects that a program has asked about: how they move is known from these alone.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICT_SAMPLES_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICT_SAMPLES_H
 
-#include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "ode_predictive_space/broadphase/base/ids.h"
 #include "ode_predictive_space/broadphase/base/memory.h"
-#include "ode_predictive_space/prediction/history.h"
+#include "ode_predictive_space/broadphase/objects/proxy_store.h"
+#include "ode_predictive_space/broadphase/objects/scene.h"
+#include "ode_predictive_space/prediction/track.h"
 
 namespace ode_predictive_space
 {
-/// Positions by object, of a few objects.
+/// When a question is asked.
+struct QuestionTime
+{
+    Tick tick; ///< at which the objects are where they are now: the next one when something has moved since the last
+    std::uint64_t collisions; ///< calls that were ticks if something had moved
+};
+
+/// Poses by object. An object is followed from the first question about it until it rests; then nothing of it is kept but the
+/// number of its last move.
 class Samples
 {
 public:
+    /// An object is asked about: its track up to now; none when it rests.
+    const Track *ask(Scene &scene, const ProxyStore &proxies, ProxyId id, const QuestionTime &now);
+
+    /// A tick: samples the objects that are sampled.
+    void sample(Scene &scene, const ProxyStore &proxies, Tick now);
+
+    void forget(ProxyId id);
+    std::size_t bytes() const { return bytes_of(sampled_) + bytes_of(states_); }
+
+private:
     struct Sampled
     {
         ProxyId id;
-        History history;
+        UpdateNumber moved;                   // the last move that was sampled
+        std::optional<std::uint64_t> unmoved; // since so many calls; none when it has moved since the last question
+        Track track;
     };
-
-    template <typename List> static auto position(List &list, ProxyId id)
+    struct State
     {
-        return std::find_if(list.begin(), list.end(), [id](const Sampled &one) { return one.id == id; });
-    }
+        std::uint32_t index = unasked; // in sampled_, or one of the two
+        UpdateNumber moved = 0;        // of an object that rests
+    };
+    static constexpr std::uint32_t unasked = ~std::uint32_t{0}, resting = unasked - 1;
 
-    std::size_t count() const { return sampled_.size(); }
-    std::vector<Sampled>::iterator begin() { return sampled_.begin(); }
-    std::vector<Sampled>::iterator end() { return sampled_.end(); }
+    Sampled *follow(const ProxyStore &proxies, ProxyId id);
+    static bool renew(Scene &scene, const ProxyStore &proxies, Sampled &sampled, Tick tick);
+    void leave(ProxyId id, std::uint32_t as);
 
-    /// The object's positions, if they are sampled.
-    const History *find(ProxyId id) const
-    {
-        const auto found = position(sampled_, id);
-        return found == sampled_.end() ? nullptr : &found->history;
-    }
-
-    /// The same; from now on they are.
-    History &operator[](ProxyId id)
-    {
-        const auto found = position(sampled_, id);
-        if (found != sampled_.end())
-            return found->history;
-        sampled_.push_back({id, {}});
-        return sampled_.back().history;
-    }
-
-    void forget(ProxyId id)
-    {
-        const auto found = position(sampled_, id);
-        if (found == sampled_.end())
-            return;
-        *found = sampled_.back();
-        sampled_.pop_back();
-    }
-
-    std::size_t bytes() const { return bytes_of(sampled_); }
-
-private:
     std::vector<Sampled> sampled_;
+    std::vector<State> states_; // by object
 };
 } // namespace ode_predictive_space
 

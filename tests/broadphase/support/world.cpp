@@ -254,6 +254,15 @@ std::optional<Vector3> World::pivot_of(ProxyId id) const
     return known && object.centre.allFinite() ? std::optional(object.centre) : std::nullopt;
 }
 
+SampledPose World::pose(ProxyId id)
+{
+    const Object &object = seen(id);
+    const std::array<double, 12> &R = object.rotation;
+    SampledPose pose{object.centre, Eigen::Matrix3d(), 1e-15 * object.centre.norm(), true};
+    pose.rotation << R[0], R[1], R[2], R[4], R[5], R[6], R[8], R[9], R[10];
+    return pose;
+}
+
 Observation World::observation(ProxyId id) const
 {
     const Object &object = seen(id);

@@ -98,7 +98,7 @@ public:
     void measure(const ProxyId *ids, std::size_t count, Place *places) override;
     void observe(const ProxyId *ids, std::size_t count, Observation *seen) override;
     Box bounds(ProxyId id) override { return bounds_of(seen(id)); }
-    std::optional<Vector3> pivot(ProxyId id) override { return pivot_of(id); }
+    SampledPose pose(ProxyId id) override;
     bool overlap(ProxyId first, ProxyId second) override { return boxes_and_spheres_overlap(first, second); }
     void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
 

@@ -1,0 +1,223 @@
+#include "tests/times/motion_history.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include <ode_predictive_space/predictive_space.h>
+
+#include "tests/contract/support/scenario.h"
+#include "tests/times/mover.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr int needed = 3;
+
+std::pair<dGeomID, dGeomID> in_order(dGeomID one, dGeomID other)
+{
+    return std::minmax(one, other);
+}
+
+class MotionHistory
+{
+public:
+    MotionHistory(std::uint64_t seed, int proximity, MotionTally &tally)
+        : random_(seed), proximity_(proximity), tally_(tally), step_(random_.chance(0.5) ? 0.001 : 1.0 / 60)
+    {
+        dWorldSetGravity(world_, 0, 0, random_.chance(0.5) ? -9.81 : 0);
+        if (proximity != dPredictiveProximityBox)
+            dPredictiveSpaceSetProximity(space_, proximity);
+        if (random_.chance(0.5))
+            dPredictiveSpaceSetHorizon(space_, 200, 2000);
+        const std::size_t count = 2 + random_.index(4);
+        for (std::size_t i = 0; i < count; ++i)
+            movers_.emplace_back(random_, world_, space_, step_);
+        asked_.resize(count, -1);
+        // It moves at each tick, so that time passes; the others make the space predict before it is asked.
+        marker_ = dCreateSphere(space_, 1);
+        for (int i = random_.chance(0.5) ? 0 : 20; i > 0; --i)
+            dGeomSetPosition(dCreateSphere(space_, 1), 5000, 5.0 * i, 0);
+        first_question_ = static_cast<int>(random_.index(20));
+    }
+
+    ~MotionHistory()
+    {
+        dSpaceDestroy(space_);
+        dWorldDestroy(world_);
+    }
+    MotionHistory(const MotionHistory &) = delete;
+    MotionHistory &operator=(const MotionHistory &) = delete;
+
+    std::string run()
+    {
+        constexpr int ticks = 220;
+        for (tick_ = 0; tick_ < ticks && wrong_.empty(); ++tick_)
+        {
+            if (tick_ > 0)
+                advance();
+            if (random_.chance(0.3))
+                ask();
+            collide();
+            judge();
+            if (random_.chance(0.3))
+                ask();
+            met_.clear();
+        }
+        return wrong_;
+    }
+
+private:
+    struct Question
+    {
+        std::size_t one, other;
+        int tick, meets;
+        double ticks;
+        bool known; // both motions were seen at three ticks
+    };
+
+    void advance()
+    {
+        for (std::size_t i = 0; i < movers_.size(); ++i)
+        {
+            if (random_.chance(0.01))
+            {
+                movers_[i].change_motion(random_);
+                forget_questions(i);
+                asked_[i] = asked_[i] < 0 ? -1 : tick_;
+            }
+            movers_[i].advance();
+        }
+        random_.chance(0.5) ? dWorldStep(world_, step_) : dWorldQuickStep(world_, step_);
+        dGeomSetPosition(marker_, 9000 + tick_, 0, 0);
+    }
+
+    void forget_questions(std::size_t mover)
+    {
+        questions_.erase(std::remove_if(questions_.begin(), questions_.end(),
+                                        [&](const Question &q) { return q.one == mover || q.other == mover; }),
+                         questions_.end());
+    }
+
+    // Ticks at which the space could see the motion since it was first asked about the geom, or since it changed.
+    int samples(std::size_t mover)
+    {
+        if (asked_[mover] < 0)
+            asked_[mover] = tick_;
+        return tick_ - asked_[mover] + 1;
+    }
+
+    void ask()
+    {
+        if (tick_ < first_question_)
+            return;
+        const std::size_t one = random_.index(movers_.size()), other = random_.index(movers_.size());
+        if (one == other || have_met(one, other))
+            return;
+        if (random_.chance(0.2))
+            ask_for_encounters(one, other);
+        dReal ticks = -1;
+        const int meets =
+            dPredictiveSpaceGetTimeOfProximity(space_, movers_[one].geom(), movers_[other].geom(), &ticks);
+        const int seen = std::min(samples(one), samples(other));
+        ++tally_.questions;
+        const bool says_nothing = !meets && ticks == 0;
+        tally_.unknown += says_nothing && seen < needed;
+        tally_.needlessly_unknown += says_nothing && seen >= needed;
+        if (!(ticks >= 0))
+            wrong_ = "a time is negative or not a number";
+        questions_.push_back({one, other, tick_, meets, ticks, seen >= needed});
+    }
+
+    // The list and the single answer agree.
+    void ask_for_encounters(std::size_t one, std::size_t other)
+    {
+        std::array<dPredictiveEncounter, 8> list;
+        const int count = dPredictiveSpaceGetEncounters(space_, movers_[one].geom(), list.data(), 8);
+        dReal ticks = -1;
+        const int meets =
+            dPredictiveSpaceGetTimeOfProximity(space_, movers_[one].geom(), movers_[other].geom(), &ticks);
+        for (std::size_t i = 0; i < movers_.size(); ++i)
+            samples(i);
+        const auto end = list.begin() + count;
+        const auto listed =
+            std::find_if(list.begin(), end, [&](const auto &met) { return met.geom == movers_[other].geom(); });
+        if ((listed != end) != (meets != 0) || (meets && listed->ticks != ticks))
+            wrong_ = "the list of encounters says something else than the time of proximity";
+    }
+
+    void collide()
+    {
+        met_.clear();
+        dSpaceCollide(space_, this, [](void *data, dGeomID one, dGeomID other) {
+            auto &self = *static_cast<MotionHistory *>(data);
+            dContactGeom contact;
+            const bool meet =
+                self.proximity_ != dPredictiveProximityShape || dCollide(one, other, 1, &contact, sizeof contact) > 0;
+            if (meet)
+                self.met_.push_back(in_order(one, other));
+        });
+    }
+
+    bool have_met(std::size_t one, std::size_t other) const
+    {
+        return std::count(met_.begin(), met_.end(), in_order(movers_[one].geom(), movers_[other].geom())) > 0;
+    }
+
+    void judge()
+    {
+        std::vector<Question> left;
+        for (const Question &question : questions_)
+            if (have_met(question.one, question.other))
+                compare(question);
+            else
+                left.push_back(question);
+        questions_.swap(left);
+    }
+
+    void compare(const Question &question)
+    {
+        const double until = tick_ - question.tick;
+        const bool late = question.ticks > until;
+        if (!question.known)
+        {
+            tally_.late_after_a_change += late;
+            return;
+        }
+        ++tally_.compared;
+        if (until > 0)
+            (question.meets ? tally_.parts : tally_.parts_of_apart).push_back(question.ticks / until);
+        if (!late)
+            return;
+        std::ostringstream text;
+        text << "asked at tick " << question.tick << ": answer " << question.meets << ", " << question.ticks
+             << " ticks; they met " << until << " ticks later; classes " << dGeomGetClass(movers_[question.one].geom())
+             << " and " << dGeomGetClass(movers_[question.other].geom()) << ", with body "
+             << (dGeomGetBody(movers_[question.one].geom()) != nullptr) << " and "
+             << (dGeomGetBody(movers_[question.other].geom()) != nullptr) << ", offset "
+             << dGeomIsOffset(movers_[question.one].geom()) << " and " << dGeomIsOffset(movers_[question.other].geom());
+        wrong_ = text.str();
+    }
+
+    Random random_;
+    int proximity_;
+    MotionTally &tally_;
+    double step_;
+    dWorldID world_ = dWorldCreate();
+    dSpaceID space_ = dPredictiveSpaceCreate(nullptr);
+    dGeomID marker_;
+    std::vector<Mover> movers_;
+    std::vector<int> asked_; // the tick at which each is seen first, or -1
+    std::vector<Question> questions_;
+    std::vector<std::pair<dGeomID, dGeomID>> met_;
+    int first_question_, tick_ = 0;
+    std::string wrong_;
+};
+} // namespace
+
+std::string run_motion_history(std::uint64_t seed, int proximity, MotionTally &tally)
+{
+    return MotionHistory(seed, proximity, tally).run();
+}
+} // namespace ode_predictive_space

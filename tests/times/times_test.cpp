@@ -1,0 +1,240 @@
+// When do two geoms meet, of which each moves on a parabola and turns constantly? The answers before the meeting are compared with it.
+
+#include <functional>
+#include <vector>
+
+#include <ode_predictive_space/predictive_space.h>
+
+#include "tests/contract/support/scenario.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+struct Answer
+{
+    int meets;
+    dReal ticks;
+
+    bool operator==(const Answer &other) const { return meets == other.meets && ticks == other.ticks; }
+};
+constexpr Answer not_known{0, 0};
+
+std::ostream &operator<<(std::ostream &out, const Answer &answer)
+{
+    return out << "(" << answer.meets << ", " << answer.ticks << ")";
+}
+
+class Times : public OdeTest
+{
+protected:
+    void fill(int others)
+    {
+        for (int i = 0; i < others; ++i)
+            scene.sphere(0.1, 50 + i, 0, 0);
+    }
+
+    Answer ask(dGeomID one, dGeomID other) const
+    {
+        Answer answer{-1, -1};
+        answer.meets = dPredictiveSpaceGetTimeOfProximity(space, one, other, &answer.ticks);
+        return answer;
+    }
+
+    // Moves, collides and asks until the two meet.
+    //
+    // @param from the tick of the first question.
+    // @return one answer for each tick from that one on.
+    std::vector<Answer> answers_until_they_meet(dGeomID one, dGeomID other, int from,
+                                                const std::function<void(int)> &move)
+    {
+        std::vector<Answer> answers;
+        const Pair pair = std::minmax(geom_number(one), geom_number(other));
+        for (int tick = 0; tick < 2000; ++tick)
+        {
+            move(tick);
+            for (const Pair &met : unordered(collide(space)))
+                if (met == pair)
+                    return answers;
+            if (tick >= from)
+                answers.push_back(ask(one, other));
+        }
+        ADD_FAILURE() << "they do not meet";
+        return {};
+    }
+
+    // The first two answers say that nothing is known, later ones are not late, and of these the last ones are not much too early: turning
+    // counts as if it moved the farthest corner straight on.
+    static void expect_honest(const std::vector<Answer> &answers, dReal least_part = REAL(0.7))
+    {
+        ASSERT_GT(answers.size(), 40u);
+        EXPECT_EQ(answers[0], not_known);
+        EXPECT_EQ(answers[1], not_known);
+        for (std::size_t i = 2; i < answers.size(); ++i)
+        {
+            const auto until = static_cast<dReal>(answers.size() - i);
+            EXPECT_LE(answers[i].ticks, until) << i;
+            EXPECT_TRUE(answers[i].ticks > 0 || answers[i].meets) << i;
+            if (until < 30)
+            {
+                EXPECT_EQ(answers[i].meets, 1) << i;
+                EXPECT_GE(answers[i].ticks, least_part * until - 9) << i;
+            }
+        }
+    }
+
+    Scenario scene{SpaceKind::predictive, Asked::nothing};
+    dSpaceID space = scene.space();
+};
+
+TEST_F(Times, OfAGeomThatTheProgramMovesAreNeverLate)
+{
+    for (int others : {0, 30, 300})
+        for (dReal speed : {REAL(0.01), REAL(0.02), REAL(0.05)})
+        {
+            fill(others);
+            const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 3, 0, 0);
+            expect_honest(answers_until_they_meet(
+                one, other, 10, [&](int tick) { dGeomSetPosition(one, speed * static_cast<dReal>(tick), 0, 0); }));
+            dGeomDestroy(one);
+            dGeomDestroy(other);
+        }
+}
+
+// Nothing of it comes nearer but by turning.
+TEST_F(Times, OfABoxThatTheProgramTurnsAreNeverLate)
+{
+    fill(20);
+    const dGeomID one = scene.numbered(dCreateBox(space, 2, 0.02, 0.02)), other = scene.sphere(0.05, 0, 0.9, 0);
+    expect_honest(answers_until_they_meet(one, other, 0, [&](int tick) {
+        dMatrix3 R;
+        dRFromAxisAndAngle(R, 0, 0, 1, REAL(0.005) * static_cast<dReal>(tick));
+        dGeomSetRotation(one, R);
+    }));
+}
+
+TEST_F(Times, OfAGeomOnASpinningBodyAreNeverLate)
+{
+    fill(20);
+    for (bool kinematic : {true, false})
+        for (bool offset : {true, false})
+        {
+            const dGeomID one = offset ? scene.sphere(0.05, 0, 0, 0) : scene.numbered(dCreateBox(space, 2, 0.02, 0.02));
+            const dGeomID other = scene.sphere(0.05, 0, 0.9, 0);
+            const dBodyID body = scene.body(one, 0, 0, 0);
+            if (kinematic)
+                dBodySetKinematic(body);
+            if (offset)
+                dGeomSetOffsetPosition(one, 0.9, 0, 0);
+            dBodySetAngularVel(body, 0, 0, 0.5);
+            expect_honest(answers_until_they_meet(one, other, 0, [&](int) { scene.step(0.01); }));
+            dGeomDestroy(one);
+            dGeomDestroy(other);
+        }
+}
+
+// Slowly enough for the first tick's turning to be less than any slack.
+TEST_F(Times, CountAllTurningUntilTheMeeting)
+{
+    fill(20);
+    const dGeomID one = scene.numbered(dCreateBox(space, 2, 0.02, 0.02)), other = scene.sphere(0.05, 0, 0.5, 0);
+    expect_honest(answers_until_they_meet(one, other, 0, [&](int tick) {
+        dMatrix3 R;
+        dRFromAxisAndAngle(R, 0, 0, 1, REAL(0.0005) * static_cast<dReal>(tick));
+        dGeomSetRotation(one, R);
+    }));
+}
+
+TEST_F(Times, OfAFallingBodyAreNeverLate)
+{
+    dWorldSetGravity(scene.world(), 0, 0, REAL(-9.81));
+    const dGeomID one = scene.sphere(0.1, 0, 0, 6), other = scene.sphere(0.1, 0, 0, 0);
+    scene.body(one, 0, 0, 3);
+    expect_honest(answers_until_they_meet(one, other, 0, [&](int) { scene.step(0.01); }));
+}
+
+// The fast one is known for a shorter time than the slow one.
+TEST_F(Times, AreKnownUpToTheEarlierOfTwoEnds)
+{
+    const dGeomID slow = scene.sphere(0.5, 0, 0, 0), fast = scene.sphere(0.5, 30, 0, 0);
+    const std::vector<Answer> answers = answers_until_they_meet(slow, fast, 0, [&](int tick) {
+        dGeomSetPosition(slow, REAL(0.001) * static_cast<dReal>(tick), 0, 0);
+        dGeomSetPosition(fast, 30 - REAL(0.1) * static_cast<dReal>(tick), 0, 0);
+    });
+    expect_honest(answers);
+    EXPECT_EQ(answers[2].meets, 0);
+    EXPECT_GT(answers[2].ticks, 50);
+    EXPECT_LT(answers[2].ticks, 100) << "the fast one needs so long for nine of its sizes";
+}
+
+TEST_F(Times, AreNotKnownAfterABounceUntilItsThirdTick)
+{
+    fill(20);
+    const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 5, 0, 0);
+    const dBodyID body = scene.body(one, -1, 0, 0);
+    const auto tick = [&] {
+        scene.step(0.01);
+        collide(space);
+        return ask(one, other);
+    };
+    for (int i = 0; i < 10; ++i)
+        tick();
+    EXPECT_EQ(ask(one, other).meets, 0);
+    dBodySetLinearVel(body, 10, 0, 0);
+    EXPECT_EQ(tick(), not_known);
+    EXPECT_EQ(tick(), not_known);
+    const Answer known = tick();
+    EXPECT_GT(known.ticks, 1);
+    EXPECT_LE(known.ticks, (5 - REAL(0.2) - dGeomGetPosition(one)[0]) / REAL(0.1));
+}
+
+TEST_F(Times, OfGeomsThatRestAreKnownFromTheThirdTickOn)
+{
+    fill(20);
+    const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 5, 0, 0),
+                  marker = scene.sphere(1, 500, 0, 0);
+    const Answer never{0, dInfinity};
+    for (int i = 0; i < 10; ++i)
+    {
+        dGeomSetPosition(marker, 500 + i, 0, 0);
+        collide(space);
+        EXPECT_EQ(ask(one, other), i < 2 ? not_known : never) << i;
+    }
+    dGeomSetPosition(one, 1, 0, 0);
+    EXPECT_EQ(ask(one, other), not_known);
+}
+
+// No time passes then.
+TEST_F(Times, AreKnownWhenNothingMoves)
+{
+    const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 5, 0, 0);
+    collide(space);
+    EXPECT_EQ(ask(one, other), not_known);
+    for (int i = 0; i < 10; ++i)
+        collide(space);
+    EXPECT_EQ(ask(one, other), (Answer{0, dInfinity}));
+}
+
+// Between the step and the collide, the geoms are where the next tick will find them.
+TEST_F(Times, AreTheSameWhetherAskedBeforeOrAfterTheCollide)
+{
+    const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 3, 0, 0);
+    int known = 0;
+    for (int tick = 0; tick < 200; ++tick)
+    {
+        dGeomSetPosition(one, REAL(0.01) * static_cast<dReal>(tick), 0, 0);
+        Answer before{};
+        if (tick % 3 > 0)
+            before = ask(one, other);
+        collide(space);
+        const Answer after = ask(one, other);
+        if (tick % 3 > 0)
+        {
+            EXPECT_EQ(before, after) << tick;
+        }
+        known += after.ticks > 0;
+    }
+    EXPECT_GT(known, 190);
+}
+} // namespace
+} // namespace ode_predictive_space
