@@ -225,7 +225,7 @@ ODE_PREDICTIVE_API void dPredictiveSpaceGetHorizon(dSpaceID space, int *min_tick
  * third tick of the motion on, the time is never later than the meeting. Nothing is promised of other motions.
  *
  * The space learns motions from poses, one per tick, which it keeps of a geom from the first question about it on. The tick before
- * that question is the first of the three. A motion that is seen to change, as by a bounce, begins again with its first tick: seen is
+ * that question is the first of the three, if the space predicted by then. A motion that is seen to change, as by a bounce, begins again with its first tick: seen is
  * a change by a tenth of the longest of the last three steps. Until the third tick, nothing is known: the answer is 0, and the
  * time is 0. Planes and nested spaces have no position; while they move, nothing is known of them either. A geom that
  * has not moved during three ticks counts as still, and so does each geom when nothing has moved during eight dSpaceCollide(). Of

@@ -382,8 +382,6 @@ void Broadphase::set_settings(const PredictionSettings &settings)
 void Broadphase::set_role(ProxyId id, Role role)
 {
     proxies_.records[id].role = role;
-    if (!is_interactive(role))
-        predictor_.forget(id);
     request(id);
 }
 

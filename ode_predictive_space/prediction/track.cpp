@@ -28,7 +28,7 @@ void Track::append(std::uint32_t tick, const SampledPose &pose)
         std::copy_backward(rotations_.begin(), rotations_.end() - 1, rotations_.end());
     history_.add(tick, pose.pivot);
     rotations_[0] = pose.rotation;
-    newest_ = pose;
+    rounding_ = pose.rounding;
     if (!continues())
         history_.keep_recent(tick, 0);
 }
@@ -45,7 +45,7 @@ bool Track::continues() const
         return last.allFinite();
     const Vector3 change = (last - step(1)) - (step(1) - step(2));
     const double longest = std::max({last.norm(), step(1).norm(), step(2).norm()});
-    return change.norm() <= other_motion * longest + 8 * newest_.rounding;
+    return change.norm() <= other_motion * longest + 8 * rounding_;
 }
 
 bool Track::rests() const
@@ -67,7 +67,7 @@ Path Track::path() const
 // When each of three positions is off by e, their path is off by e (2 t^2 + 4 t + 1). At time 0 the object is where it is.
 Deviation Track::rounding() const
 {
-    return {0, 6 * newest_.rounding, 2 * newest_.rounding};
+    return {0, 6 * rounding_, 2 * rounding_};
 }
 
 // When R turns to Q R, the end of a lever moves by |Q - 1| at most, which the Frobenius norm of Q R - R gives, less a factor.

@@ -33,7 +33,7 @@ public:
     void add(std::uint32_t tick, const SampledPose &pose);
 
     /// The object has not moved since the last pose.
-    void repeat(std::uint32_t tick) { append(tick, SampledPose(newest_)); }
+    void repeat(std::uint32_t tick) { append(tick, {history_.before_newest(0), rotations_[0], rounding_, true}); }
 
     bool has_begun() const { return history_.count() > 0; }
     bool is_known() const { return history_.count() >= needed; }
@@ -56,7 +56,7 @@ private:
     bool continues() const;
 
     History history_;
-    SampledPose newest_{};
+    double rounding_ = 0;
     std::array<Eigen::Matrix3d, needed> rotations_; // the newest first
 };
 } // namespace ode_predictive_space

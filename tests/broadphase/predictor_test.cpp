@@ -392,7 +392,8 @@ TEST(Predictor, AVelocityThatIsNotANumberIsNone)
 TEST(Predictor, InfiniteBoundsKeepTheirFiniteSide)
 {
     Lone lone(block({0, 0, -6.5}, {infinity, infinity, 8}, {0, 0, 0}, false));
-    lone.tick();
+    for (int tick = 0; tick < 3; ++tick)
+        lone.tick();
     const FloatBox envelope = lone.envelope();
     EXPECT_EQ(envelope.low[1], -float_infinity);
     EXPECT_EQ(envelope.high[0], float_infinity);

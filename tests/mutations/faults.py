@@ -212,6 +212,13 @@ def proximity_faults():
     yield Fault(
         "chord_error_of_spheres_left_out", "proximity", proximity,
         "const double error = sphere_chord_error(first, second, duration) + ", "const double error = ", never_late)
+    yield Fault(
+        "turning_of_one_tick", "proximity", BROADPHASE + "predict/predictor.cpp", "on.deviation.b += turning;",
+        "on.deviation.a += turning;", (("times", "Times.*"),))
+    yield Fault(
+        "apart_until_the_later_of_two_ends", "proximity", SOURCES + "space/inquiry.cpp",
+        "*apart_until = std::min(first.ticks, second.ticks);", "*apart_until = std::max(first.ticks, second.ticks);",
+        (("times", "Times.*"),))
 
 
 def near_faults():

@@ -27,6 +27,7 @@ SUITES = {  # where the programs are; quick ones first
     "shapes": "tests/shape/shape_tests",
     "surface": "tests/surface/surface_tests",
     "space": "tests/space/space_tests",
+    "times": "tests/times/times_tests",
     "contract": "tests/contract/contract_tests",
     "faults": "tests/faults/fault_tests",
     "shape_contract": "tests/shape/shape_contract_tests",

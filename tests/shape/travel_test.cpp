@@ -69,7 +69,7 @@ public:
     void measure(const ProxyId *, std::size_t, Place *) override {}
     void observe(const ProxyId *, std::size_t, Observation *) override {}
     Box bounds(ProxyId) override { return Box(Vector3::Constant(-1e6), Vector3::Constant(1e6)); }
-    std::optional<Vector3> pivot(ProxyId) override { return {}; }
+    SampledPose pose(ProxyId) override { return {}; }
     bool overlap(ProxyId, ProxyId) override { return true; }
     void find_disabled(const ProxyId *, std::size_t, std::vector<ProxyId> &) override {}
 

@@ -235,9 +235,11 @@ TEST_F(PredictiveSpace, StillGeomsStayApartForEver)
 {
     dGeomID first = scene.sphere(0.5, 0, 0, 0);
     dGeomID second = scene.sphere(0.5, 5, 0, 0);
+    dReal ticks = -1;
+    EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, first, second, &ticks), 0);
+    EXPECT_EQ(ticks, 0) << "nothing was seen of them yet";
     for (int tick = 0; tick < 20; ++tick)
         scene.tick();
-    dReal ticks = 0;
     EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, first, second, &ticks), 0);
     EXPECT_EQ(ticks, dInfinity);
     EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, first, first, &ticks), 1);

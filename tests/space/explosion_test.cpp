@@ -80,6 +80,8 @@ protected:
 
 TEST_F(Explosion, HidesNoEncounterOfThoseThatKeepTheirPaths)
 {
+    dPredictiveSpaceGetEncounters(space, left, nullptr, 0); // their motion is learnt from now on
+    run(1);
     explode();
     dReal ticks = 0;
     EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, left, right, &ticks), 1);

@@ -46,7 +46,7 @@ TEST_P(MotionHistories, NoTimeIsLaterThanTheMeeting)
     std::cout << "\n";
     EXPECT_GT(tally.compared, tally.questions / 20);
     EXPECT_LT(tally.needlessly_unknown, tally.questions / 20);
-    EXPECT_GT(quantile(tally.parts, 0.5), 0.5);
+    EXPECT_GT(quantile(tally.parts, 0.5), 0.3);
 }
 
 std::string name_of(const ::testing::TestParamInfo<int> &info)

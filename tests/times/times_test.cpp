@@ -63,9 +63,10 @@ protected:
         return {};
     }
 
-    // The first two answers say that nothing is known, later ones are not late, and of these the last ones are not much too early: turning
-    // counts as if it moved the farthest corner straight on.
-    static void expect_honest(const std::vector<Answer> &answers, dReal least_part = REAL(0.7))
+    // The first two answers say that nothing is known, later ones are not late, and of these the last ones are not much too early.
+    //
+    // @param early in ticks; turning counts as if it moved the farthest corner straight on.
+    static void expect_honest(const std::vector<Answer> &answers, dReal part = REAL(0.7), dReal early = 9)
     {
         ASSERT_GT(answers.size(), 40u);
         EXPECT_EQ(answers[0], not_known);
@@ -74,11 +75,12 @@ protected:
         {
             const auto until = static_cast<dReal>(answers.size() - i);
             EXPECT_LE(answers[i].ticks, until) << i;
-            EXPECT_TRUE(answers[i].ticks > 0 || answers[i].meets) << i;
+            EXPECT_TRUE(answers[i].ticks > 0 || answers[i].meets || i == 2)
+                << i << ": the third tick of a space that predicts";
             if (until < 30)
             {
                 EXPECT_EQ(answers[i].meets, 1) << i;
-                EXPECT_GE(answers[i].ticks, least_part * until - 9) << i;
+                EXPECT_GE(answers[i].ticks, part * until - early) << i;
             }
         }
     }
@@ -106,11 +108,13 @@ TEST_F(Times, OfABoxThatTheProgramTurnsAreNeverLate)
 {
     fill(20);
     const dGeomID one = scene.numbered(dCreateBox(space, 2, 0.02, 0.02)), other = scene.sphere(0.05, 0, 0.9, 0);
-    expect_honest(answers_until_they_meet(one, other, 0, [&](int tick) {
-        dMatrix3 R;
-        dRFromAxisAndAngle(R, 0, 0, 1, REAL(0.005) * static_cast<dReal>(tick));
-        dGeomSetRotation(one, R);
-    }));
+    expect_honest(answers_until_they_meet(one, other, 0,
+                                          [&](int tick) {
+                                              dMatrix3 R;
+                                              dRFromAxisAndAngle(R, 0, 0, 1, REAL(0.005) * static_cast<dReal>(tick));
+                                              dGeomSetRotation(one, R);
+                                          }),
+                  REAL(0.4));
 }
 
 TEST_F(Times, OfAGeomOnASpinningBodyAreNeverLate)
@@ -127,7 +131,7 @@ TEST_F(Times, OfAGeomOnASpinningBodyAreNeverLate)
             if (offset)
                 dGeomSetOffsetPosition(one, 0.9, 0, 0);
             dBodySetAngularVel(body, 0, 0, 0.5);
-            expect_honest(answers_until_they_meet(one, other, 0, [&](int) { scene.step(0.01); }));
+            expect_honest(answers_until_they_meet(one, other, 0, [&](int) { scene.step(0.01); }), REAL(0.4));
             dGeomDestroy(one);
             dGeomDestroy(other);
         }
@@ -138,11 +142,13 @@ TEST_F(Times, CountAllTurningUntilTheMeeting)
 {
     fill(20);
     const dGeomID one = scene.numbered(dCreateBox(space, 2, 0.02, 0.02)), other = scene.sphere(0.05, 0, 0.5, 0);
-    expect_honest(answers_until_they_meet(one, other, 0, [&](int tick) {
-        dMatrix3 R;
-        dRFromAxisAndAngle(R, 0, 0, 1, REAL(0.0005) * static_cast<dReal>(tick));
-        dGeomSetRotation(one, R);
-    }));
+    expect_honest(answers_until_they_meet(one, other, 0,
+                                          [&](int tick) {
+                                              dMatrix3 R;
+                                              dRFromAxisAndAngle(R, 0, 0, 1, REAL(0.0005) * static_cast<dReal>(tick));
+                                              dGeomSetRotation(one, R);
+                                          }),
+                  REAL(0.4), 60);
 }
 
 TEST_F(Times, OfAFallingBodyAreNeverLate)

@@ -43,6 +43,8 @@ Samples::Sampled *Samples::follow(const ProxyStore &proxies, ProxyId id)
         return nullptr;
     if (state.index >= resting)
     {
+        if (sampled_.size() == sampled_.capacity())
+            sampled_.reserve(sampled_.size() + sampled_.size() / 4 + 1);
         sampled_.push_back({id, moved, std::nullopt, {}});
         state.index = static_cast<std::uint32_t>(sampled_.size() - 1);
     }
