@@ -162,6 +162,7 @@ TEST_F(Times, OfAFallingBodyAreNeverLate)
 // The fast one is known for a shorter time than the slow one.
 TEST_F(Times, AreKnownUpToTheEarlierOfTwoEnds)
 {
+    fill(20);
     const dGeomID slow = scene.sphere(0.5, 0, 0, 0), fast = scene.sphere(0.5, 30, 0, 0);
     const std::vector<Answer> answers = answers_until_they_meet(slow, fast, 0, [&](int tick) {
         dGeomSetPosition(slow, REAL(0.001) * static_cast<dReal>(tick), 0, 0);
