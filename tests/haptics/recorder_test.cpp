@@ -75,6 +75,35 @@ TEST(Recorder, WhatIsReadIsWhatWasRecordedBitByBit)
         expect_equal(recording.ticks[i], ticks[i]);
 }
 
+/// Each write to this file fails as on a full disk.
+TEST(Recorder, OnAFullDiskSaysSoFromTheNextTickOn)
+{
+    for (const Flush flush : {Flush::by_caller, Flush::by_itself})
+    {
+        Recorder recorder("/dev/full", any_device(), flush);
+        int tick = 0;
+        int taken = 0;
+        for (; tick < 10; ++tick)
+            taken += add(recorder, tick) ? 1 : 0;
+        if (flush == Flush::by_caller)
+        {
+            EXPECT_EQ(taken, 10);
+            EXPECT_THROW(recorder.flush(), DeviceError);
+            EXPECT_FALSE(add(recorder, tick++));
+        }
+        else
+        {
+            for (; add(recorder, tick); ++tick)
+                std::this_thread::yield();
+            ++tick;
+        }
+        EXPECT_EQ(recorder.lost(), static_cast<std::size_t>(tick)) << "also those that were waiting";
+        EXPECT_EQ(recorder.recorded(), 0U);
+        EXPECT_FALSE(add(recorder, tick));
+        EXPECT_THROW(recorder.close(), DeviceError);
+    }
+}
+
 TEST(Recorder, CutsANameThatTheReaderWouldNotTake)
 {
     const TemporaryFile file;

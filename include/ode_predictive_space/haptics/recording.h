@@ -91,7 +91,7 @@ public:
     /// Record one tick. From one thread, the servo loop's: no memory is allocated, nothing is waited for.
     ///
     /// @param time what read() was given; the state's own is not recorded.
-    /// @return false if the tick is lost: the buffer is full, or reading it would fail, as a number is not finite, the
+    /// @return false if the tick is lost: the buffer is full, the file cannot be written (a full disk), or reading it would fail, as a number is not finite, the
     /// orientation not of length 1, or the time not later than that of the tick before.
     bool add(double time, const DeviceState &state, const Vector3 &force) noexcept;
 
@@ -105,8 +105,11 @@ public:
     /// @throws DeviceError (failed) if some of the run could not be written, now or before.
     void close();
 
-    std::size_t lost() const { return lost_; }         ///< ticks so far; from any thread
-    std::size_t recorded() const { return recorded_; } ///< ticks so far; from any thread
+    /// Ticks so far that are not in the file and will not be; from any thread. When the file cannot be written, those that were
+    /// waiting are lost, too.
+    std::size_t lost() const { return failed_ ? lost_ + (recorded_ - on_disk_) : lost_.load(); }
+    /// Ticks so far, without those that are lost; from any thread.
+    std::size_t recorded() const { return failed_ ? on_disk_ : recorded_; }
 
 private:
     struct Entry
@@ -127,6 +130,8 @@ private:
     Queue<Entry> buffer_;
     std::atomic<std::size_t> recorded_{0};                        ///< ticks; only add() changes it
     std::atomic<std::size_t> lost_{0};                            ///< the same
+    std::atomic<std::size_t> on_disk_{0};                         ///< ticks; only the thread that writes changes it
+    std::atomic<bool> failed_{false};                             ///< the file cannot be written
     double last_time_ = -std::numeric_limits<double>::infinity(); ///< s; of add()
     std::mutex file_mutex_;                                       ///< guards what follows, up to the thread
     std::ofstream file_;

@@ -72,7 +72,8 @@ bool Recorder::add(double time, const DeviceState &state, const Vector3 &force) 
 {
     Entry entry{{state, force}, lost_};
     entry.tick.state.time = time;
-    if (!std::isfinite(time) || time <= last_time_ || !can_be_read_back(state, force) || !buffer_.give(entry))
+    if (!std::isfinite(time) || time <= last_time_ || !can_be_read_back(state, force) || failed_ ||
+        !buffer_.give(entry))
     {
         ++lost_;
         return false;
@@ -160,6 +161,10 @@ void Recorder::write_text()
 {
     file_.write(text_.data(), static_cast<std::streamsize>(text_.size())).flush();
     text_.clear();
+    if (file_)
+        on_disk_ = written_;
+    else
+        failed_ = true;
 }
 
 void Recorder::check_file() const
