@@ -167,7 +167,9 @@ struct LoopReport
     std::uint64_t overruns = 0;      ///< ticks that were not done when the next was due
     std::uint64_t dropped_steps = 0; ///< of the scene: it was too far behind
     std::uint64_t saturated = 0;     ///< ticks in which the force was more than the device can render
-    std::uint64_t notices = 0;       ///< given to the sink
+    std::uint64_t trial_messages =
+        0; ///< of ODE, about steps that were only tried (two threads): they do not reach its handler
+    std::uint64_t notices = 0; ///< given to the sink
     std::uint64_t held_back =
         0; ///< notices that came again within a second of the same: told later as one, with their number
     std::string scheduling; ///< which priority and memory the system granted or refused, in sentences

@@ -14,6 +14,7 @@
 
 #include "ode_predictive_space/haptics/loop/decoupled_servo.h"
 #include "ode_predictive_space/haptics/loop/scene_motion.h"
+#include "ode_predictive_space/haptics/loop/trial_messages.h"
 
 #include <cstdio>
 #include <ode/misc.h>
@@ -123,13 +124,25 @@ private:
         surroundings.tool_jumps = tick.tool_jumps;
         surroundings.planes.set(sensor_.touches(), !sensor_.saw_nonsense(), tick.tool.position, due);
         const int steps = motion_.steps_per_period();
-        motion_.foresee(surroundings.planes, due, dt_, budget_.affordable(dt_), surroundings.forecast);
+        {
+            const TrialMessages messages;
+            motion_.foresee(surroundings.planes, due, dt_, budget_.affordable(dt_), surroundings.forecast);
+            note_messages(messages.count());
+        }
         if (motion_.steps_per_period() != steps)
             tell_of_shorter_steps();
         if (sensor_.tracker() != nullptr)
             sensor_.tracker()->hand_over(surroundings.geoms, due);
         servo_.surroundings.publish();
         parts_.probe.renderer().physics_fresh(parts_.clock.now());
+    }
+
+    void note_messages(std::uint64_t count)
+    {
+        if (count > 0 && parts_.trial_messages == 0)
+            tell("ODE has messages about steps that are only tried, to foresee what is touched. They are counted, and "
+                 "not passed on.");
+        parts_.trial_messages += count;
     }
 
     void tell_of_shorter_steps()

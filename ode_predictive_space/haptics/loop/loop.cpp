@@ -169,6 +169,7 @@ LoopReport HapticLoop::report() const
     report.overruns = parts.servo.overruns();
     report.dropped_steps = parts.dropped;
     report.saturated = parts.saturated;
+    report.trial_messages = parts.trial_messages;
     report.notices = parts.notices;
     report.held_back = parts.held_back;
     report.scheduling = parts.scheduling.text();

@@ -143,6 +143,7 @@ public:
     LoopTimes time;
     std::atomic<std::uint64_t> dropped{0}; ///< this and the next: see LoopReport
     std::atomic<std::uint64_t> saturated{0};
+    std::atomic<std::uint64_t> trial_messages{0};
     std::atomic<std::uint64_t> notices{0};
     std::atomic<std::uint64_t> held_back{0};
 
