@@ -4,6 +4,7 @@
 #include "tests/haptics/probe_world.h"
 #include "tests/haptics/scripted_device.h"
 
+#include <atomic>
 #include <gtest/gtest.h>
 
 namespace ode_predictive_space::haptics
@@ -153,6 +154,45 @@ TEST_F(LoopGuardTest, WhatIsPostedIsDeliveredAtTheEndAtTheLatest)
     EXPECT_EQ(notices_.count(NoticeKind::stop), 0) << "not in the servo";
     guard.end();
     EXPECT_EQ(notices_.text(NoticeKind::stop), "the end");
+}
+/// A clock of the program, by the time of day, say. Sleeps by it are as long as it says.
+class ResetClock : public MonotonicClock
+{
+public:
+    double now() const override { return MonotonicClock::now() + offset; }
+
+    void sleep_until(double time) override
+    {
+        while (now() < time)
+            MonotonicClock::sleep_until(MonotonicClock::now() + 1e-4);
+    }
+
+    std::atomic<double> offset{0}; ///< s
+};
+
+TEST_F(LoopGuardTest, TakesTheForceWhenTheClockGoesBack)
+{
+    ResetClock clock;
+    LoopGuard guard(clock, gate_, duties());
+    const double begin = clock.now();
+    while (clock.now() < begin + 0.05)
+    {
+        guard.beat(clock.now());
+        clock.sleep_until(clock.now() + 1e-3);
+    }
+    clock.offset = -3600;
+    guard.beat(clock.now());
+    const MonotonicClock machine;
+    const double reset = machine.now();
+    const auto is_taken = [&] { return gate_.notice_closing(); };
+    bool taken = false;
+    while (!taken && machine.now() < reset + 10) // milliseconds on an idle machine
+        taken = is_taken();
+    clock.offset = 0;
+    EXPECT_TRUE(taken);
+    EXPECT_TRUE(device_.last_wrench().force.isZero(0));
+    guard.end();
+    EXPECT_NE(notices_.text(NoticeKind::guard).find("gone back"), std::string::npos);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

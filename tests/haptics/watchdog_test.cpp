@@ -83,6 +83,19 @@ TEST(Watchdog, StaysAtZeroAsLongAsSomethingHasNotShownThatItLives)
     EXPECT_EQ(without_physics.watchdog.reason(), WatchdogReason::physics_stale);
 }
 
+/// How much time has really passed is unknown then.
+TEST(Watchdog, AClockThatGoesBackTakesTheForceAtOnce)
+{
+    Program program;
+    program.settle();
+    program.tick(-3);
+    EXPECT_EQ(program.watchdog.factor(), 0);
+    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::servo_late);
+    program.tick();
+    EXPECT_LT(program.watchdog.factor(), 0.01) << "it comes back slowly";
+    program.settle();
+}
+
 TEST(Watchdog, WithoutPhysicsTheForceIsGoneWithinTenMilliseconds)
 {
     WatchdogLimits limits;

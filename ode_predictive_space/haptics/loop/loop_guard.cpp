@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/safety/notice_desk.h"
 #include "ode_predictive_space/haptics/safety/open_gates.h"
 
+#include <typeinfo>
 #include <utility>
 
 namespace ode_predictive_space::haptics
@@ -23,7 +24,10 @@ LoopGuard::LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties)
     : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)),
       watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }})),
       speaker_(clock.start({speaker_period, {}, [this](double) { deliver_all(); }}))
-{}
+{
+    if (typeid(clock) != typeid(MonotonicClock) && typeid(clock) != typeid(SimulatedClock))
+        clock_watch_ = machine_clock_.start({watch_period, duties_.prepare, [this](double) { look_at_clock(); }});
+}
 
 LoopGuard::~LoopGuard()
 {
@@ -36,6 +40,7 @@ void LoopGuard::end()
         gate_.set_guarded(false);
     watch_.reset();
     speaker_.reset();
+    clock_watch_.reset();
     deliver_all();
 }
 
@@ -57,6 +62,19 @@ void LoopGuard::look()
         ended_ = take_force(now);
 }
 
+void LoopGuard::look_at_clock()
+{
+    const double now = clock_.now();
+    if (now < newest_ - watch_period)
+    {
+        has_gone_back_ = true;
+        tell("No force: the loop's clock has gone back.", Side::clock);
+    }
+    newest_ = now;
+    if (has_gone_back_)
+        has_gone_back_ = !take_force(now);
+}
+
 void LoopGuard::begin_step(double now)
 {
     scene_thread_.store(std::this_thread::get_id(), std::memory_order_relaxed);
@@ -75,10 +93,10 @@ void LoopGuard::stop_force(double now, double beat)
                : "The loop is stuck in the device's driver: only the device itself can remove its force.");
 }
 
-void LoopGuard::tell(std::string_view sentence)
+void LoopGuard::tell(std::string_view sentence, Side side)
 {
     const double time = duties_.time ? duties_.time() : clock_.now();
-    post(Notice(NoticeKind::guard, time, sentence), Side::watch);
+    post(Notice(NoticeKind::guard, time, sentence), side);
 }
 
 /// @return false when it could not, and is to be tried again.

@@ -25,6 +25,9 @@ struct GuardDuties
 
 /// Looks every millisecond whether the servo still ticks, and whether it is to end; when it does not or is, sets the force to zero.
 ///
+/// A clock of the program can go back. Then all that sleeps by it sleeps until it has caught up, the watch too: this is found by the machine's
+/// own clock.
+///
 /// A thread beside the watch hands all notices to the program's sink, so that neither servo nor watch has to wait for a terminal.
 class LoopGuard
 {
@@ -50,6 +53,7 @@ public:
         servo,
         scene, ///< of a decoupled loop
         watch,
+        clock,
         count
     };
 
@@ -67,8 +71,9 @@ public:
 
 private:
     void look();
+    void look_at_clock();
     void stop_force(double now, double beat);
-    void tell(std::string_view sentence);
+    void tell(std::string_view sentence, Side side = Side::watch);
     bool take_force(double now);
     void deliver_all();
     void deliver(const Notice &notice);
@@ -87,11 +92,16 @@ private:
     std::atomic<std::thread::id> scene_thread_{};
     bool ended_ = false; ///< must_end() has been dealt with
     Queue<Notice> posted_[static_cast<std::size_t>(Side::count)] = {
-        Queue<Notice>(most_notices), Queue<Notice>(most_notices), Queue<Notice>(most_notices)};
+        Queue<Notice>(most_notices), Queue<Notice>(most_notices), Queue<Notice>(most_notices),
+        Queue<Notice>(most_notices)};
     std::atomic<bool> sink_failed_{false};
     std::exception_ptr sink_error_;
-    std::unique_ptr<RunningTask> watch_; ///< these two last: they use the others
+    MonotonicClock machine_clock_;
+    double newest_ = -never;             ///< s; of the loop's clock
+    bool has_gone_back_ = false;         ///< and the force is still to be taken
+    std::unique_ptr<RunningTask> watch_; ///< these last: they use the others
     std::unique_ptr<RunningTask> speaker_;
+    std::unique_ptr<RunningTask> clock_watch_; ///< 0 for a clock that cannot go back
 };
 } // namespace ode_predictive_space::haptics
 

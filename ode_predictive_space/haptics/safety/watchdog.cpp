@@ -54,7 +54,12 @@ void Watchdog::servo_ticked(double time)
     const Fault fault = find_fault(time, elapsed);
     reason_ = fault.reason;
 
-    if (fault.reason == WatchdogReason::none)
+    if (has_ticked_ && time < last_tick_) // how long it has been is unknown
+    {
+        reason_ = WatchdogReason::servo_late;
+        factor_ = 0;
+    }
+    else if (fault.reason == WatchdogReason::none)
         factor_ = limits_.ramp_time > elapsed ? std::min(1.0, factor_ + elapsed / limits_.ramp_time) : 1;
     else
         factor_ = std::max(0.0, factor_ - std::clamp(fault.lasts, 0.0, elapsed) / limits_.decay_time);
