@@ -42,6 +42,18 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
     return nearby;
 }
 
+NearbyGeom NearbyGeom::of(const ProbeTool &tool)
+{
+    NearbyGeom nearby;
+    nearby.solid_ = Solid::sphere(tool.radius);
+    nearby.id_ = tool.region;
+    nearby.object_ = tool.object;
+    nearby.position_ = tool.centre;
+    nearby.linear_ = tool.velocity;
+    nearby.centre_ = tool.centre;
+    return nearby;
+}
+
 NearbyGeom NearbyGeom::later(double dt) const
 {
     NearbyGeom geom = *this;

@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NEARBY_GEOM_H
 
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
+#include "ode_predictive_space/haptics/contact/other_probes.h"
 #include "ode_predictive_space/haptics/contact/solid.h"
 #include "ode_predictive_space/haptics/touch.h"
 
@@ -34,6 +35,9 @@ public:
     ///
     /// @param touched triangles of the mesh that were touched last: see MeshStore.
     static std::optional<NearbyGeom> read(dGeomID geom, MeshStore &meshes, const TriangleList &touched);
+
+    /// The tool of another probe.
+    static NearbyGeom of(const ProbeTool &tool);
 
     dGeomID id() const { return id_; } ///< to compare, not to use
     std::uintptr_t object() const { return object_; }

@@ -92,6 +92,14 @@ Solid Solid::of(dGeomID geom)
     return solid;
 }
 
+Solid Solid::sphere(double radius)
+{
+    Solid solid;
+    solid.size_ = Vector3(radius, 0, 0);
+    solid.class_ = dSphereClass;
+    return solid;
+}
+
 SurfaceFeature Solid::nearest(const Vector3 &point) const
 {
     switch (class_)

@@ -28,6 +28,9 @@ public:
     /// Unknown when the geom is of another class.
     static Solid of(dGeomID geom);
 
+    /// @param radius m.
+    static Solid sphere(double radius);
+
     bool is_known() const { return class_ != unknown; }
 
     /// The place of its surface that is nearest. A point inside has a negative distance, and the normal is the way out.

@@ -5,6 +5,7 @@
 #include "ode_predictive_space/haptics/contact/excluded_geoms.h"
 #include "ode_predictive_space/haptics/contact/material.h"
 #include "ode_predictive_space/haptics/contact/ode_vector.h"
+#include "ode_predictive_space/haptics/contact/other_probes.h"
 #include "ode_predictive_space/haptics/contact/probe_geom.h"
 #include "ode_predictive_space/haptics/contact/scene_geoms.h"
 #include "ode_predictive_space/haptics/contact/short_list.h"
@@ -55,6 +56,38 @@ public:
         nearby->set_material(material_of(other));
         tracker->add_if_near(std::move(*nearby));
         return true;
+    }
+
+    /// The tools of other probes. Both feel the softer one's stiffness, so that both feel the same force.
+    void hold_other_probes()
+    {
+        others.update();
+        for (const ProbeTool &other : others.near())
+        {
+            NearbyGeom tool = NearbyGeom::of(other);
+            if (!tool.is_finite() || excluded.excludes(tool, place))
+                continue;
+            Material material;
+            material.stiffness = std::min(stiffness, other.stiffness);
+            tool.set_material(material);
+            tracker->add_if_near(std::move(tool));
+        }
+    }
+
+    void announce(const ToolState &tool)
+    {
+        ProbeTool self;
+        self.region = geom.id();
+        self.sphere = geom.tool();
+        self.object = object_of(geom.id());
+        self.scene = outermost_space_of(geom.id());
+        self.category = dGeomGetCategoryBits(geom.id());
+        self.collides = dGeomGetCollideBits(geom.id());
+        self.centre = tool.position;
+        self.velocity = tool.linear_velocity;
+        self.radius = geom.radius();
+        self.stiffness = stiffness;
+        others.announce(self);
     }
 
     void collide(dGeomID other)
@@ -113,6 +146,8 @@ public:
         touches = collided;
         if (tracker)
         {
+            if (geom.may_be_touched())
+                hold_other_probes();
             tracker->follow();
             nonsense = !tracker->touches(view, touches) || nonsense;
         }
@@ -121,6 +156,8 @@ public:
     ProbeGeom geom;
     std::optional<ContactTracker> tracker; ///< of the sphere that the sensor makes
     ExcludedGeoms excluded;
+    OtherProbes others;
+    double stiffness = 0; ///< N/m; the law's
     MeshStore meshes;
     BodyWatch bodies;
     MaterialOf materials;
@@ -173,6 +210,7 @@ void TouchSensor::set_view(TouchView view)
 
 void TouchSensor::set_stiffness(double stiffness)
 {
+    parts_->stiffness = stiffness;
     if (parts_->tracker)
         parts_->tracker->set_stiffness(stiffness);
 }
@@ -242,12 +280,13 @@ void TouchSensor::pose(const ToolState &tool)
 {
     ProbeGeom &geom = parts_->geom;
     if (!geom.may_be_touched())
-        return;
+        return parts_->others.leave();
     if (!parts_->tracker)
     {
         geom.follow(tool);
         return;
     }
+    parts_->announce(tool);
     parts_->tracker->aim(tool.position);
     parts_->place.centre = parts_->tracker->start();
     const ContactTracker::Region region = parts_->tracker->region();
@@ -264,6 +303,12 @@ bool TouchSensor::touch(dGeomID first, dGeomID second)
     if (dGeomIsSpace(other) != 0)
         return false;
     parts_->resolved = false;
+    if (const ProbeTool *probe = parts_->others.find(other))
+    {
+        if (!parts_->tracker)
+            parts_->collide(probe->sphere);
+        return true; // a sphere finds it by itself
+    }
     if (!parts_->tracker || !parts_->hold(other))
         parts_->collide(other);
     return true;
