@@ -2,11 +2,16 @@
 
 #include "ode_predictive_space/haptics/contact/body_watch.h"
 #include "ode_predictive_space/haptics/device/with_lock.h"
+#include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
 
+#include <Eigen/Eigenvalues>
 #include <mutex>
 #include <ode/collision_space.h>
+#include <ode/mass.h>
+#include <ode/objects.h>
 #include <ode_predictive_space/predictive_space.h>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -25,6 +30,22 @@ void add_wrench(dBodyID body, const Wrench &wrench)
     dBodyAddTorque(body, static_cast<dReal>(wrench.torque.x()), static_cast<dReal>(wrench.torque.y()),
                    static_cast<dReal>(wrench.torque.z()));
 }
+
+/// kg m^2; about the axis about which the body turns most easily.
+double smallest_inertia(const dMass &mass)
+{
+    Eigen::Matrix3d inertia;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            inertia(row, column) = static_cast<double>(mass.I[4 * row + column]);
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
+}
+
+bool is_same(const CouplingProperties &a, const CouplingProperties &b)
+{
+    return a.stiffness == b.stiffness && a.damping == b.damping && a.angular_stiffness == b.angular_stiffness &&
+           a.angular_damping == b.angular_damping;
+}
 } // namespace
 
 class HapticProbe::Parts
@@ -36,11 +57,42 @@ public:
     {
         if (const dBodyID body = tool_watch.find(tool))
         {
-            add_wrench(body, renderer.render(coupling, tool_state_of(body), dt));
+            const CouplingProperties possible = coupling_of(body, dt);
+            add_wrench(body, renderer.render(possible, as_held(tool_state_of(body)), dt));
             return;
         }
         tell_of_loss("No force: the tool's body was destroyed.");
         renderer.render({}, true, dt);
+    }
+
+    /// The coupling with which the body can be stepped.
+    CouplingProperties coupling_of(dBodyID body, double dt)
+    {
+        if (dBodyIsKinematic(body) != 0)
+            return coupling;
+        dMass mass;
+        dBodyGetMass(body, &mass);
+        const CouplingProperties possible =
+            bounded(coupling, static_cast<double>(mass.mass), smallest_inertia(mass), dt);
+        const NoticeSink &sink = renderer.notice_sink();
+        if (!is_same(possible, coupling) && !std::exchange(told_of_light_tool, true) && sink)
+        {
+            sink(Notice(NoticeKind::stability, renderer.last_tick().time,
+                        "The coupling is softer or less damped than asked for: the tool's body is too light for it."));
+        }
+        return possible;
+    }
+
+    /// The body as the handle holds it: turned as the handle where it was so at the start, or after a jump.
+    ToolState as_held(ToolState body)
+    {
+        if (!grip || tool_jumps != renderer.last_tick().tool_jumps)
+        {
+            tool_jumps = renderer.last_tick().tool_jumps;
+            grip = renderer.tool().orientation.conjugate() * body.orientation;
+        }
+        body.orientation = body.orientation * grip->conjugate();
+        return body;
     }
 
     void tell_if_gone()
@@ -63,6 +115,8 @@ public:
     std::uintptr_t tool = 0; ///< its body, in the watch as long as it is there
     BodyWatch tool_watch;
     CouplingProperties coupling;
+    std::optional<Quaternion> grip; ///< the body's orientation in the handle's frame
+    bool told_of_light_tool = false;
     double tick_length = 0; ///< s
     int tool_jumps = 0;     ///< as RenderedTick has it
     bool told_of_loss = false;
@@ -137,7 +191,7 @@ void HapticProbe::begin(double time, double clock_time)
     if (TouchSensor *sensor = parts_->sensor.get())
     {
         sensor->set_view(renderer.law().view());
-        sensor->set_stiffness(renderer.law().material().stiffness);
+        sensor->set_stiffness(renderer.rendered(renderer.law().material()).stiffness);
         sensor->clear();
         place(renderer.last_tick());
     }

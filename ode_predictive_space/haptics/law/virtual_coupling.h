@@ -6,6 +6,8 @@
 #include "ode_predictive_space/haptics/device/check_argument.h"
 #include "ode_predictive_space/haptics/force_law.h"
 
+#include <algorithm>
+
 namespace ode_predictive_space::haptics
 {
 /// @throws std::invalid_argument when a property is negative or not finite.
@@ -31,6 +33,22 @@ inline Wrench wrench_on_device(const CouplingProperties &coupling, const ToolSta
                 coupling.damping * (tool.linear_velocity - device.linear_velocity),
             coupling.angular_stiffness * turn.angle() * turn.axis() +
                 coupling.angular_damping * (tool.angular_velocity - device.angular_velocity)};
+}
+
+/// A body is stepped with the force of the tick before. A spring k and a damper b on a mass m diverge from h^2 k + 2 h b = 4 m on; these
+/// bounds give at most half of that, so that contacts of the tool have a share of their own. For rotations, the inertia about the axis
+/// about which the body turns most easily stands for the mass.
+///
+/// @param mass kg, @param inertia kg m^2; of the tool's body. @param dt s, > 0.
+/// @return the coupling, with no more stiffness and damping than the body can be stepped with.
+inline CouplingProperties bounded(const CouplingProperties &coupling, double mass, double inertia, double dt)
+{
+    CouplingProperties result;
+    result.stiffness = std::min(coupling.stiffness, mass / (dt * dt));
+    result.damping = std::min(coupling.damping, mass / (2 * dt));
+    result.angular_stiffness = std::min(coupling.angular_stiffness, inertia / (dt * dt));
+    result.angular_damping = std::min(coupling.angular_damping, inertia / (2 * dt));
+    return result;
 }
 } // namespace ode_predictive_space::haptics
 

@@ -72,7 +72,7 @@ const char *explanation_of(SafetyAction action)
     static constexpr const char *explanations[safety_action_count] = {
         "No force, as a number was not finite: the law or the device gave nonsense.",
         "No force, as the hand moved faster than the limit: it may be the device that throws it.",
-        "No force yet, as it has not been small since the start: the probe is in something.",
+        "No force yet, as it has not been small since the start: the probe is in something, or its body is elsewhere.",
         "No force, as the device cannot push: its maximum of force is 0.",
         "Less force than requested, as it comes back slowly after the start or a fault.",
         "Less force than requested, as it was above the device's maximum.",
