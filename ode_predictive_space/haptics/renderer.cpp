@@ -3,7 +3,9 @@
 #include "ode_predictive_space/haptics/renderer.h"
 
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
+#include "ode_predictive_space/haptics/contact/rising_objects.h"
 #include "ode_predictive_space/haptics/contact/short_list.h"
+#include "ode_predictive_space/haptics/device/base_course.h"
 #include "ode_predictive_space/haptics/device/check_argument.h"
 #include "ode_predictive_space/haptics/law/force_shares.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
@@ -17,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -24,11 +27,22 @@ namespace
 {
 constexpr double usual_stiffness = 500; // N/m
 
-/// As stiff in the hand, whatever the scale.
-std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const WorkspaceMapping &mapping)
+/// N s/m; all damping of device and hand in a light grip (some 80 g and 60 N/m). Devices do not report theirs.
+constexpr double light_grip = 0.8;
+/// What encoders take of the passive stiffness: at three quarters, a grip like that swings by two steps of the encoder.
+constexpr double margin_of_encoders = 0.6;
+
+/// As stiff in the hand, whatever the scale, but no stiffer than a light grip is stable with, where the damping is unknown.
+std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const WorkspaceMapping &mapping,
+                                    const RenderSettings &settings)
 {
+    double stiffness = capabilities.max_stiffness > 0 ? capabilities.max_stiffness / 2 : usual_stiffness;
+    if (!settings.device_damping && settings.rate > 0)
+    {
+        const double late = 1 / settings.rate + 2 * settings.delay.value_or(capabilities.delay); // s
+        stiffness = std::min(stiffness, margin_of_encoders * 2 * light_grip / late);
+    }
     Material material;
-    const double stiffness = capabilities.max_stiffness > 0 ? capabilities.max_stiffness / 2 : usual_stiffness;
     material.stiffness = mapping.stiffness_in_scene(stiffness);
     return std::make_shared<ProxyLaw>(material);
 }
@@ -73,7 +87,8 @@ class Renderer::Parts
 public:
     Parts(Device &device, RenderSettings render_settings)
         : settings(std::move(render_settings)), notices(settings.notice), link(device, notices),
-          mapping(settings.placement), law(settings.law ? settings.law : usual_law(device.capabilities(), mapping)),
+          mapping(settings.placement),
+          law(settings.law ? settings.law : usual_law(device.capabilities(), mapping, settings)),
           safety(settings.safety ? *settings.safety : usual_limits(device.capabilities()))
     {
         forces.reserve(usual_touches);
@@ -92,6 +107,7 @@ public:
         safety.reset();
         law->reset();
         manifold.reset();
+        rising.reset();
         split.clear();
         link.forget_motion();
         if (passivity)
@@ -118,13 +134,11 @@ public:
         tick.tool = mapping.to_scene(tick.state);
     }
 
-    // Where the clutch is let go, the tool may be deep in something: no force jumps at the hand.
     void move_clutch()
     {
         const bool was_held = mapping.clutched();
         mapping.clutch(is_held(settings.clutch_button, tick.state), tick.state);
-        if (was_held && !mapping.clutched())
-            safety.reset();
+        clutch_released = was_held && !mapping.clutched();
     }
 
     /// What is rendered from now on is as soft as the delay wants it: rendered() goes by that. The law itself is not changed.
@@ -181,6 +195,7 @@ public:
         if (safety.engaged())
             gap = std::max(dt, 1 / settings.physics_rate);
         manifold.follow(tick.tool, law->view(), dt, gap, felt);
+        rising.follow(std::exchange(clutch_released, false), dt, felt);
     }
 
     /// @return what was written, in the scene's frame.
@@ -251,6 +266,12 @@ public:
         last_reason = reason;
     }
 
+    void renew_usual_law()
+    {
+        if (!settings.law)
+            law = usual_law(link.capabilities(), mapping, settings);
+    }
+
     void check_law() { check(law->material().stiffness, law->material().damping); }
 
     void check(double stiffness, double damping)
@@ -299,6 +320,9 @@ public:
     std::function<void(const RenderedTick &)> recorder;
     std::vector<Touch> felt; ///< with the materials that are rendered
     ContactManifold manifold;
+    RisingObjects rising;         ///< of those that the tool was in when the clutch was released
+    bool clutch_released = false; ///< and nothing has been rendered since
+    BaseCourse base;
     TouchForces forces; ///< N; by the law
     ForceSplit split;   ///< of what the hand got of them
     RenderedTick tick;
@@ -325,6 +349,7 @@ void Renderer::set_rates(double rate, double physics_rate)
         throw std::invalid_argument("The rates of a servo loop and of its scene must be above 0");
     parts_->settings.rate = rate;
     parts_->settings.physics_rate = physics_rate;
+    parts_->renew_usual_law();
     parts_->watchdog.emplace(WatchdogLimits::of(rate, physics_rate));
     parts_->check_law();
 }
@@ -345,11 +370,16 @@ ForceLaw &Renderer::law()
 void Renderer::set_placement(const WorkspacePlacement &placement)
 {
     parts_->mapping = WorkspaceMapping(placement);
-    if (!parts_->settings.law)
-        parts_->law = usual_law(parts_->link.capabilities(), parts_->mapping);
+    parts_->base.forget();
+    parts_->renew_usual_law();
     parts_->check_law();
     parts_->restart(); // the tool jumps, perhaps into something
     ++parts_->tick.tool_jumps;
+}
+
+void Renderer::move_base(const WorkspacePlacement &placement, const BaseMotion &motion)
+{
+    parts_->base.aim(parts_->mapping.base(), placement, motion);
 }
 
 const WorkspaceMapping &Renderer::mapping() const
@@ -390,6 +420,7 @@ Material Renderer::rendered(const Material &material) const
 
 void Renderer::read(double time, double clock_time)
 {
+    parts_->base.follow(time - parts_->tick.time, 1 / parts_->settings.physics_rate, parts_->mapping);
     parts_->tick.time = time;
     parts_->notices.set_time(time);
     parts_->clock_time = clock_time;
@@ -421,6 +452,8 @@ Wrench Renderer::render(const CouplingProperties &coupling, const ToolState &bod
     CouplingProperties softened = coupling;
     softened.stiffness = rendered({coupling.stiffness, coupling.damping}).stiffness;
     const Wrench requested = wrench_on_device(softened, tool(), body);
+    if (std::exchange(parts_->clutch_released, false))
+        parts_->safety.restart_ramp(); // the body may have been held off the tool meanwhile
     Wrench given = parts_->write(requested, dt);
     if (parts_->link.capabilities().force_axes < 6 && parts_->link.answers())
         given.torque = parts_->watchdog->factor() * requested.torque;

@@ -127,6 +127,15 @@ public:
     /// Between two ticks; the force comes back slowly. @throws std::invalid_argument as the constructor does: what is stiff depends
     /// on the scale.
     void set_placement(const WorkspacePlacement &placement);
+
+    /// The device's base has moved in the scene, and the tool with it, as if the hand had carried it there: what the tool meets on the way
+    /// holds it, and clutch and grip stay. From the scene's thread, once per step. The servo takes the base there within the time of a
+    /// step of the scene, evenly.
+    ///
+    /// @param motion with which it moves; zero from the last call on.
+    /// @throws std::invalid_argument as the constructor does, and when a scale is not that of set_placement().
+    void move_base(const WorkspacePlacement &placement, const BaseMotion &motion);
+
     /// Between the device's frame and the scene's.
     const WorkspaceMapping &mapping() const;
 

@@ -25,6 +25,13 @@ struct WorkspacePlacement
                                        const Quaternion &rotation = Quaternion::Identity());
 };
 
+/// How a device's base moves in the scene: that of a vehicle, a lift, a tracked platform or a workspace that follows the tool.
+struct BaseMotion
+{
+    Vector3 velocity = Vector3::Zero(); ///< m/s; of the device's origin
+    Vector3 spin = Vector3::Zero();     ///< rad/s
+};
+
 /// Maps a device's states to the scene, and the scene's forces to the device. Neither allocates nor locks.
 ///
 ///     position     offset + scale R p
@@ -43,6 +50,16 @@ class WorkspaceMapping
 public:
     /// @throws std::invalid_argument when something is not finite, a scale not > 0, or the rotation not of length 1 (1e-6).
     explicit WorkspaceMapping(const WorkspacePlacement &placement = {});
+
+    /// The base has moved: all that was placed by it goes along as a rigid body, the held tool and the clutch's offset too. Speeds in the
+    /// scene have the base's motion in them.
+    ///
+    /// @param placement where the base is, as the program sees it: the clutch does not change it.
+    /// @throws std::invalid_argument as the constructor does, and when a scale differs from that of before: the tool would jump.
+    void move_base(const WorkspacePlacement &placement, const BaseMotion &motion);
+
+    /// Where the base is, without the clutch's offset.
+    const WorkspacePlacement &base() const { return base_; }
 
     /// Call in every tick before the others. @param device the state in this tick.
     void clutch(bool held, const DeviceState &device);
@@ -70,7 +87,11 @@ public:
     const WorkspacePlacement &placement() const { return placement_; }
 
 private:
-    WorkspacePlacement placement_;
+    ToolState moved_with_base(ToolState tool) const;
+
+    WorkspacePlacement base_;                  // as the program gave it
+    BaseMotion motion_;                        // of the base
+    WorkspacePlacement placement_;             // base_, moved by the clutch
     Quaternion grip_ = Quaternion::Identity(); // the tool's orientation in the handle's frame
     bool clutched_ = false;
     ToolState held_; // where the tool stays; means nothing while the clutch is not held

@@ -36,7 +36,9 @@ WorkspacePlacement WorkspacePlacement::covering(const Eigen::AlignedBox3d &scene
     return placement;
 }
 
-WorkspaceMapping::WorkspaceMapping(const WorkspacePlacement &placement) : placement_(placement)
+namespace
+{
+void check(const WorkspacePlacement &placement)
 {
     check_positive(placement.scale, "scale of a workspace");
     check_positive(placement.force_scale, "force scale of a workspace");
@@ -44,7 +46,44 @@ WorkspaceMapping::WorkspaceMapping(const WorkspacePlacement &placement) : placem
         throw std::invalid_argument("the offset of a workspace must be finite");
     if (!(std::abs(placement.rotation.norm() - 1) <= 1e-6))
         throw std::invalid_argument("the rotation of a workspace must be a quaternion of length 1");
-    placement_.rotation.normalize();
+}
+} // namespace
+
+WorkspaceMapping::WorkspaceMapping(const WorkspacePlacement &placement)
+{
+    check(placement);
+    base_ = placement;
+    base_.rotation.normalize();
+    placement_ = base_;
+}
+
+void WorkspaceMapping::move_base(const WorkspacePlacement &placement, const BaseMotion &motion)
+{
+    check(placement);
+    if (placement.scale != base_.scale || placement.force_scale != base_.force_scale)
+        throw std::invalid_argument("the scales of a workspace cannot change while its base moves");
+    if (!motion.velocity.allFinite() || !motion.spin.allFinite())
+        throw std::invalid_argument("the motion of a workspace's base must be finite");
+
+    const Quaternion rotation = placement.rotation.normalized();
+    const Quaternion turn = rotation * base_.rotation.conjugate();
+    const auto carried = [&](const Vector3 &point) -> Vector3 {
+        return placement.offset + turn * (point - base_.offset);
+    };
+    placement_.offset = carried(placement_.offset);
+    placement_.rotation = rotation;
+    held_.position = carried(held_.position);
+    held_.orientation = (turn * held_.orientation).normalized();
+    base_.offset = placement.offset;
+    base_.rotation = rotation;
+    motion_ = motion;
+}
+
+ToolState WorkspaceMapping::moved_with_base(ToolState tool) const
+{
+    tool.linear_velocity += motion_.velocity + motion_.spin.cross(tool.position - base_.offset);
+    tool.angular_velocity += motion_.spin;
+    return tool;
 }
 
 void WorkspaceMapping::clutch(bool held, const DeviceState &device)
@@ -66,14 +105,14 @@ void WorkspaceMapping::clutch(bool held, const DeviceState &device)
 ToolState WorkspaceMapping::to_scene(const DeviceState &device) const
 {
     if (clutched_)
-        return held_;
+        return moved_with_base(held_);
     const WorkspacePlacement &p = placement_;
     ToolState tool;
     tool.position = p.offset + p.scale * (p.rotation * device.position);
     tool.orientation = p.rotation * device.orientation * grip_;
     tool.linear_velocity = p.scale * (p.rotation * device.linear_velocity);
     tool.angular_velocity = p.rotation * device.angular_velocity;
-    return tool;
+    return moved_with_base(tool);
 }
 
 DeviceState WorkspaceMapping::to_device(const ToolState &tool) const
@@ -83,8 +122,9 @@ DeviceState WorkspaceMapping::to_device(const ToolState &tool) const
     DeviceState device;
     device.position = back * (tool.position - p.offset) / p.scale;
     device.orientation = back * tool.orientation * grip_.conjugate();
-    device.linear_velocity = back * tool.linear_velocity / p.scale;
-    device.angular_velocity = back * tool.angular_velocity;
+    const Vector3 base_velocity = motion_.velocity + motion_.spin.cross(tool.position - base_.offset);
+    device.linear_velocity = back * (tool.linear_velocity - base_velocity) / p.scale;
+    device.angular_velocity = back * (tool.angular_velocity - motion_.spin);
     return device;
 }
 
