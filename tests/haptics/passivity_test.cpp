@@ -136,6 +136,25 @@ TEST(Passivity, BoundsTheEnergyOfAWallThatAnswersLate)
     EXPECT_GT(controlled.least_energy, -0.01);
 }
 
+/// A force of one tick, and a motion of one tick along it: it is paid by the force that the delay puts there, and by no other.
+TEST(Passivity, AMotionIsPaidByTheForceOfTheDelayBefore)
+{
+    for (const int delay : {0, 1, 2, 5, PassivityController::most_delay})
+    {
+        for (int moved_after = 1; moved_after < 70; ++moved_after)
+        {
+            PassivityController controller(0);
+            controller.set_delay(delay);
+            controller.control(state_at(0), Vector3(2, 0, 0), dt);
+            for (int tick = 1; tick < moved_after; ++tick)
+                controller.control(state_at(0), Vector3::Zero(), dt);
+            controller.control(state_at(0.01), Vector3::Zero(), dt);
+            EXPECT_NEAR(controller.energy(), moved_after == delay + 1 ? -0.02 : 0, 1e-15)
+                << delay << ", " << moved_after;
+        }
+    }
+}
+
 TEST(Passivity, ForgetsWhatIsNotANumber)
 {
     PassivityController controller(5);

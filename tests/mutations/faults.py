@@ -7,7 +7,7 @@ of all suites. A fault with a text in `equivalent` changes nothing that a progra
 
 import dataclasses
 
-STAGES = ("notices", "predict", "index", "proximity", "near", "shapes", "sweep", "space", "history", "replay")
+STAGES = ("notices", "predict", "index", "proximity", "near", "shapes", "sweep", "space", "history", "replay", "haptics")
 SOURCES = "ode_predictive_space/"
 BROADPHASE = SOURCES + "broadphase/"
 
@@ -649,8 +649,27 @@ def replay_faults():
         "return WIFSIGNALED(status) ? \"\" :", replayed)
 
 
+def haptic_faults():
+    safety = SOURCES + "haptics/safety/"
+    passivity = (("haptics", "Passivity.*"),)
+    renderer = (("haptics", "Renderer.*"),)
+    yield Fault(
+        "force_from_before_the_guard", "haptics", safety + "safety.cpp", "    last_ = Wrench();\n    ramp_ = 0;",
+        "    ramp_ = 0;", renderer)
+    yield Fault(
+        "observer_ignores_what_was_written", "haptics", SOURCES + "haptics/renderer.cpp",
+        "passivity->written(tick.wrench.force);", "passivity->damping();", renderer)
+    yield Fault(
+        "release_of_the_clutch_forgotten", "haptics", SOURCES + "haptics/renderer.cpp",
+        "rising.follow(std::exchange(clutch_released, false), dt, felt);", "rising.follow(false, dt, felt);", renderer)
+    yield Fault(
+        "passivity_delay_off_by_one", "haptics", safety + "passivity.h",
+        "written_[(newest_ + written_.size() - delay_) % written_.size()]",
+        "written_[(newest_ + written_.size() + 1 - std::max<std::size_t>(delay_, 1)) % written_.size()]", passivity)
+
+
 FAULTS = tuple(
     fault
     for faults in (notice_faults, predict_faults, index_faults, proximity_faults, near_faults, shape_faults, sweep_faults,
-                   space_faults, history_faults, replay_faults)
+                   space_faults, history_faults, replay_faults, haptic_faults)
     for fault in faults())

@@ -35,6 +35,7 @@ SUITES = {  # where the programs are; quick ones first
     "differential": "tests/differential/differential_tests",
     "recordings": "tests/history/history_tests",
     "histories": "tests/fuzz/contact_history_tests",
+    "haptics": "tests/haptics/haptics_test",
 }
 GOLDEN = "*TheSameToTheLastBit*:*Golden*"
 LONGEST_RUN = 300  # seconds; a fault may keep a test from ending
