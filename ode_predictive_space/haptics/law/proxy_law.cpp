@@ -9,7 +9,8 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double rounding_of_planes = 1e-9; // of a plane that lies in the one that carries
+constexpr double rounding_of_planes = 1e-9; // of the way along them
+constexpr int most_sweeps = 8;              // over the touches
 
 /// By Gram and Schmidt: a third normal leaves nothing, one that depends on those before it says nothing new.
 Vector3 along_the_carriers(const std::vector<Touch> &touches, Vector3 vector)
@@ -29,6 +30,32 @@ Vector3 along_the_carriers(const std::vector<Touch> &touches, Vector3 vector)
         vector -= vector.dot(axes[count - 1]) * axes[count - 1];
     }
     return vector;
+}
+
+/// m; how far a way from the place above the tool goes behind a touch's plane.
+double entry_of(const Vector3 &along, const Vector3 &lift, const Touch &touch)
+{
+    return -touch.normal.dot(along) - std::max(0.0, touch.normal.dot(lift) - touch.depth);
+}
+
+/// Friction is pushed out of planes along their normals. So a plane that is turned by rounding from the one that carries takes
+/// nothing of it. In a corner where that does not end, friction is shortened.
+///
+/// @param lift m; from the tool to the place above it.
+Vector3 kept_out(const std::vector<Touch> &touches, const Vector3 &lift, Vector3 along)
+{
+    for (int sweep = 0; sweep < most_sweeps; ++sweep)
+        for (const Touch &touch : touches)
+            along += std::max(0.0, entry_of(along, lift, touch)) * touch.normal;
+    double part = 1;
+    for (const Touch &touch : touches)
+    {
+        const double into = -touch.normal.dot(along);
+        const double entry = entry_of(along, lift, touch);
+        if (entry > rounding_of_planes * along.norm())
+            part = std::min(part, 1 - entry / into);
+    }
+    return part * along;
 }
 } // namespace
 
@@ -92,15 +119,8 @@ Vector3 ProxyLaw::friction(const Vector3 &tool, const Vector3 &lifted, double ca
 
     // As far as friction holds it, and nothing else is in the way.
     slides_ = along.norm() > most_friction(touches, slid);
-    double part = slides_ ? most_friction(touches, true) / along.norm() : 1;
-    for (const Touch &touch : touches)
-    {
-        const double into = -touch.normal.dot(along);
-        const double room = std::max(0.0, touch.normal.dot(lifted - tool) - touch.depth);
-        if (carry_of(touch).share == 0 && into > rounding_of_planes * along.norm())
-            part = std::min(part, room / into);
-    }
-    return part * along;
+    const double part = slides_ ? most_friction(touches, true) / along.norm() : 1;
+    return kept_out(touches, lifted - tool, part * along);
 }
 
 void ProxyLaw::reset()
