@@ -31,6 +31,26 @@ inline MeshShape rough_sheet(double side, int cells, double height, double noise
         vertex += random.in_cube(noise);
     return shape;
 }
+
+/// A closed ball of some 2 n^2 triangles about the origin, with ridges and hollows of all sizes.
+///
+/// @param mean m; its mean radius. @param rings n, between the poles. @param roughness of its radius. @param noise m; of each vertex.
+inline MeshShape rough_ball(double mean, int rings, double roughness, double noise, unsigned seed)
+{
+    RandomNumbers random(seed);
+    MeshShape shape = sphere_mesh(mean, 2 * rings);
+    std::vector<double> heights(shape.vertices.size(), 0);
+    for (double waves = 3, high = roughness; waves < rings / 4.0; waves *= 1.5, high *= 0.7)
+    {
+        const Vector3 along = waves / mean * random.direction();
+        const double phase = random.between(0, 2 * M_PI);
+        for (std::size_t i = 0; i < heights.size(); ++i)
+            heights[i] += high * std::sin(along.dot(shape.vertices[i]) + phase);
+    }
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        shape.vertices[i] += heights[i] * shape.vertices[i] + random.in_cube(noise);
+    return shape;
+}
 } // namespace ode_predictive_space::haptics
 
 #endif

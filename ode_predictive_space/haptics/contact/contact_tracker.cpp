@@ -117,6 +117,7 @@ void ContactTracker::forget()
     told_.clear();
     told_before_.clear();
     released_ = false;
+    carries_on_ = false;
 }
 
 void ContactTracker::adopt(const ContactMemory &memory)
@@ -250,13 +251,23 @@ SphereSlide::Task ContactTracker::task() const
     return task;
 }
 
+/// Whether the near callback should have told the geom: the place that was touched is within the region. One that the proxy has left
+/// behind may be outside of it.
+bool ContactTracker::is_gone(const TouchOfGeom &told) const
+{
+    const Region searched = region();
+    return told.touch.carry.carries() && !carries_on_ && !is_near(told.geom) &&
+           (told.touch.point - searched.centre).norm() < searched.radius;
+}
+
 void ContactTracker::follow()
 {
     places_.clear();
     for (const Held &held : near_)
         places_.push_back({&held.geom, held.place.at, 0});
     common_ = slide_.run(task(), places_);
-    const auto has_gone = [&](const TouchOfGeom &told) { return told.touch.carry.carries() && !is_near(told.geom); };
+    visited_ = SphereSlide::most_triangles - slide_.left();
+    const auto has_gone = [this](const TouchOfGeom &told) { return is_gone(told); };
     released_ = released_ || find_in(told_before_, has_gone) != nullptr;
     double stiffest = stiffness_;
     for (const Held &held : near_)
@@ -271,7 +282,7 @@ void ContactTracker::settle()
 {
     if (near_.empty())
     {
-        proxy_ = region().centre;
+        proxy_ = SphereSlide::unhindered(task());
         return;
     }
     proxy_ = places_.front().at;
@@ -298,9 +309,8 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
 {
     const auto is_other = [&](const Held &held) { return held.geom.object() != near_.front().geom.object(); };
     told_.clear();
-    if (near_.empty())
-        released_ = released_ && proxy_ != tool_;
-    else if (view == TouchView::all_together || find_in(near_, is_other) == nullptr || proxy_ == tool_)
+    carries_on_ = false;
+    if (near_.empty() || view == TouchView::all_together || find_in(near_, is_other) == nullptr || proxy_ == tool_)
         tell_together();
     else
         tell_each_object();
@@ -327,7 +337,8 @@ void ContactTracker::tell_together()
     released_ = released_ && !lag.isZero(0);
     if (released_)
         lag.setZero();
-    if (tell_planes(lag) == 0 && !lag.isZero(0))
+    carries_on_ = tell_planes(lag) == 0 && !lag.isZero(0);
+    if (carries_on_)
         carry_on(lag);
 }
 
@@ -393,7 +404,9 @@ void ContactTracker::tell_each_object()
         SphereSlide::Task alone = task();
         alone.longest = std::max(alone.longest, 2 * (proxy_ - tool_).norm());
         alone.reach = std::numeric_limits<double>::infinity();
+        alone.triangles = std::max<std::size_t>(1, alone.triangles / near_.size());
         const bool common = slide_.run(alone, places_);
+        visited_ += alone.triangles - slide_.left();
         tell_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
     }
 }

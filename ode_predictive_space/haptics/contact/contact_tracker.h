@@ -108,6 +108,9 @@ public:
     /// The proxy goes as near to the tool as it can.
     void follow();
 
+    /// How many triangles were visited in this tick.
+    std::size_t visited() const { return visited_; }
+
     /// m; in the scene's frame.
     const Vector3 &proxy() const { return proxy_; }
 
@@ -132,6 +135,7 @@ private:
 
     void insert(NearbyGeom geom, double distance);
     bool is_near(dGeomID geom) const;
+    bool is_gone(const TouchOfGeom &told) const;
     double longest_way() const;
     SphereSlide::Task task() const;
     void settle();
@@ -152,11 +156,13 @@ private:
     bool adopts_ = false;              ///< another tracker has the proxy
     /// What carried the proxy is gone, and it has not come to rest since: no force but by what it touches.
     bool released_ = false;
-    double catch_up_ = 0; ///< m; how far the proxy may go in a tick beyond the tool's way, by what was near before
+    bool carries_on_ = false; ///< in the tick before, the proxy was on its way to the tool, and touched nothing
+    double catch_up_ = 0;     ///< m; how far the proxy may go in a tick beyond the tool's way, by what was near before
     std::vector<Held> near_;
     std::vector<ContactMemory::Place> before_;
     std::vector<SlidePlace> places_;
     SphereSlide slide_;
+    std::size_t visited_ = 0;
     std::vector<TouchOfGeom> told_;        ///< in this tick
     std::vector<TouchOfGeom> told_before_; ///< in the one before: what carried the proxy, and the numbers of planes
     bool common_ = true;                   ///< all geoms see the proxy at the same place

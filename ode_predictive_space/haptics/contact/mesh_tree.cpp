@@ -109,15 +109,17 @@ void MeshTree::list_fans()
             fans_[next[vertex]++] = i;
 }
 
-double MeshTree::collect(const Vector3 &point, double radius, SurfaceFeatures &features) const
+double MeshTree::collect(const Vector3 &point, double radius, SurfaceFeatures &features, Budget *budget) const
 {
     const std::size_t first = features.size();
     double nearest = radius;
     const auto is_near = [&](std::uint32_t node) {
-        return tree_.nodes()[node].squared_distance(point) <= radius * radius;
+        return (budget == nullptr || !budget->is_exceeded()) &&
+               tree_.nodes()[node].squared_distance(point) <= radius * radius;
     };
     tree_.descend(is_near, [&](std::uint32_t triangle) {
-        nearest = std::min(nearest, add(point, triangle, radius, first, features));
+        if (budget == nullptr || budget->take())
+            nearest = std::min(nearest, add(point, triangle, radius, first, features));
     });
     const auto is_none = [](const SurfaceFeature &feature) { return feature.triangle == no_minimum; };
     const auto begin = features.begin() + static_cast<std::ptrdiff_t>(first);

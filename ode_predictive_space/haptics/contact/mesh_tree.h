@@ -15,6 +15,28 @@ namespace ode_predictive_space::haptics
 class MeshTree
 {
 public:
+    /// Counts the triangles that searches visit, and ends a search that exceeds it.
+    class Budget
+    {
+    public:
+        explicit Budget(std::size_t triangles) : left_(triangles) {}
+
+        /// @return false, from now on, when none is left.
+        bool take()
+        {
+            is_exceeded_ = is_exceeded_ || left_ == 0;
+            left_ -= is_exceeded_ ? 0 : 1;
+            return !is_exceeded_;
+        }
+
+        std::size_t left() const { return left_; }
+        bool is_exceeded() const { return is_exceeded_; }
+
+    private:
+        std::size_t left_;
+        bool is_exceeded_ = false;
+    };
+
     explicit MeshTree(const std::vector<TriangleCorners> &triangles);
 
     std::size_t count() const { return tree_.count(); }
@@ -24,8 +46,11 @@ public:
     /// if no triangle at that edge or corner comes nearer: on a flat floor there is one feature, however many triangles it
     /// is made of.
     ///
-    /// @return the distance to the mesh; the radius when nothing is within it.
-    double collect(const Vector3 &point, double radius, SurfaceFeatures &features) const;
+    /// @return the distance to the mesh; the radius when nothing is within it. When the budget is exceeded, it and the features are
+    /// those of the triangles that were visited.
+    ///
+    /// @param budget may be 0: then there is no limit.
+    double collect(const Vector3 &point, double radius, SurfaceFeatures &features, Budget *budget = nullptr) const;
 
     /// The distance from a point to the mesh, or `most` if that is less.
     double distance(const Vector3 &point, double most) const;

@@ -78,13 +78,14 @@ void NearbyGeom::shift(const Vector3 &moved, const Vector3 &turned, const Vector
     angular_ += spin;
 }
 
-double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures &features) const
+double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures &features,
+                           MeshTree::Budget *budget) const
 {
     const std::size_t first = features.size();
     double nearest = radius;
     if (mesh_)
     {
-        nearest = mesh_->collect(to_local(point), radius, features);
+        nearest = mesh_->collect(to_local(point), radius, features, budget);
     }
     else
     {

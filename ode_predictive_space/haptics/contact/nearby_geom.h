@@ -66,10 +66,11 @@ public:
     Vector3 to_local(const Vector3 &point) const { return rotation_.transpose() * (point - position_); }
     Vector3 to_scene(const Vector3 &point) const { return rotation_ * point + position_; }
 
-    /// Append what of the surface is within a radius of a point. The scene's frame.
+    /// Append what of the surface is within a radius of a point. The scene's frame. See MeshTree::collect().
     ///
     /// @return the distance to the surface, or the radius if that is less.
-    double collect(const Vector3 &point, double radius, SurfaceFeatures &features) const;
+    double collect(const Vector3 &point, double radius, SurfaceFeatures &features,
+                   MeshTree::Budget *budget = nullptr) const;
 
     /// The distance from a point to the surface, below 0 inside of a solid; `most` if that is less.
     double distance(const Vector3 &point, double most) const;

@@ -13,6 +13,8 @@ constexpr int most_refinements = 24;
 constexpr double short_step = 0.1;     // of the clearance
 constexpr double arrived = 1e-9;       // of the radius: a step that is shorter is the last
 constexpr double shortest_look = 0.05; // of the radius
+constexpr std::size_t searches = 4;    // of a run, when each visits as many triangles as it may
+constexpr double shorter_look = 0.125; // after a search that found too many triangles
 constexpr double part_of_clearance = 0.9;
 constexpr double smallest_step = 1e-6; // of the radius; away from a surface that the centre lies on
 constexpr double allowed_entry = 5e-4; // of the radius; how deep a step may bring the sphere into a surface
@@ -20,6 +22,7 @@ constexpr double shortest_try = 1e-5;  // of the radius; of a step that entered 
 constexpr int most_sweeps = 200;
 constexpr std::size_t usual_planes = 256;
 constexpr double allowed_violation = 1e-6; // of the deepest plane
+constexpr double cancelling = 1e-3;        // of shares that cancel each other: how much they cost
 constexpr double squeezed = 2;             // times the radius; how far apart geoms that squeeze it see the sphere
 
 /// Hildreth's method: slower than find_closest_point() and less exact, but never confused by normals that are nearly
@@ -98,12 +101,13 @@ SphereSlide::SphereSlide()
 
 bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
 {
-    double look = std::max(task.look, shortest_look * task.radius);
-    double left = task.longest;
+    const double least = shortest_look * task.radius;
+    double look = std::clamp(task.look, least, std::max(least, task.longest));
     double longest = std::numeric_limits<double>::infinity(); // m; of a step
     bool retries = false;                                     // the last step entered a surface
     targets_.resize(places.size());
-    gather(task, look, places);
+    left_ = task.triangles;
+    double left = search(task, look, places) ? task.longest : 0;
     for (int step = 0; step < most_steps && left > 0 && longest > shortest_try * task.radius; ++step)
     {
         const bool common = find_target(task.goal);
@@ -113,8 +117,9 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
         const double way = go(common, look, std::min(left, longest), task, places);
         if (way <= arrived * task.radius)
             break;
-        planes_.swap(planes_before_);
-        gather(task, arrives_ ? look : 2 * look, places);
+        double next_look = way < look ? look : std::max(look, std::min(2 * look, left - way));
+        if (!search_again(task, next_look, places))
+            break;
         retries = common && enters(task, places);
         if (retries)
         {
@@ -123,16 +128,51 @@ bool SphereSlide::run(const Task &task, std::vector<SlidePlace> &places)
             longest = way / 2;
             continue;
         }
-        look *= arrives_ ? 1 : 2;
+        look = next_look;
         left -= way;
         longest *= 2;
     }
-    if (look < task.margin)
-        gather(task, task.margin, places);
+    places_before_ = places;
+    double margin = task.margin;
+    if (look < margin)
+        search_again(task, margin, places);
     const bool common = find_target(task.goal);
     for (std::size_t i = 0; i < planes_.size(); ++i)
         planes_[i].share = common ? constraints_[i].share : std::max(0.0, planes_[i].depth);
-    return common;
+    if (!common && places.size() == 1)
+        share_place(task, places.front());
+    return common || places.size() == 1;
+}
+
+Vector3 SphereSlide::unhindered(const Task &task)
+{
+    const Vector3 way = task.goal - task.start;
+    const double length = way.norm();
+    double part = length > task.longest ? task.longest / length : 1;
+    if (task.reach < std::numeric_limits<double>::infinity())
+        part = std::min(part, part_within(task.reach_centre, task.reach, task.start, task.goal));
+    return part == 1 ? task.goal : Vector3(task.start + part * way);
+}
+
+/// A single geom whose planes leave no place holds the sphere where it is. The planes in contact get such shares that they lift as far
+/// as there as they can; shares that would only cancel each other stay small.
+void SphereSlide::share_place(const Task &task, const SlidePlace &place)
+{
+    Vector3 missing = place.at - task.goal;
+    for (SlidePlane &plane : planes_)
+        plane.share = 0;
+    for (int sweep = 0; sweep < most_sweeps; ++sweep)
+    {
+        for (SlidePlane &plane : planes_)
+        {
+            if (plane.feature.distance > task.radius * (1 + allowed_entry))
+                continue;
+            const Vector3 &normal = plane.feature.normal;
+            const double share = std::max(0.0, (plane.share + normal.dot(missing)) / (1 + cancelling));
+            missing -= (share - plane.share) * normal;
+            plane.share = share;
+        }
+    }
 }
 
 /// Back to the planes before the step, and with them those of what it entered: the next try goes around these.
@@ -180,17 +220,47 @@ double SphereSlide::go(bool common, double look, double most, const Task &task, 
     return part * longest;
 }
 
-void SphereSlide::gather(const Task &task, double look, std::vector<SlidePlace> &places)
+/// Gathers what is within a distance ahead, or within a shorter one when there is too much.
+///
+/// @return false when the triangles are used up.
+bool SphereSlide::search(const Task &task, double &look, std::vector<SlidePlace> &places)
+{
+    const std::size_t at_once = std::max<std::size_t>(1, task.triangles / searches);
+    while (left_ > 0)
+    {
+        if (gather(task, look, std::min(left_, at_once), places))
+            return true;
+        look *= shorter_look;
+    }
+    return false;
+}
+
+/// After a step, which is taken back when the triangles are used up.
+bool SphereSlide::search_again(const Task &task, double &look, std::vector<SlidePlace> &places)
+{
+    planes_.swap(planes_before_);
+    if (search(task, look, places))
+        return true;
+    planes_.swap(planes_before_);
+    places = places_before_;
+    return false;
+}
+
+/// @return false when there are more triangles: then planes are missing.
+bool SphereSlide::gather(const Task &task, double look, std::size_t most, std::vector<SlidePlace> &places)
 {
     planes_.clear();
+    MeshTree::Budget budget(most);
     for (std::size_t i = 0; i < places.size(); ++i)
     {
         features_.clear();
         SlidePlace &place = places[i];
-        place.clearance = place.geom->collect(place.at, task.radius + look, features_);
+        place.clearance = place.geom->collect(place.at, task.radius + look, features_, &budget);
         for (const SurfaceFeature &feature : features_)
             planes_.push_back({i, feature, task.radius - feature.normal.dot(task.goal - feature.point), 0});
     }
+    left_ -= most - budget.left();
+    return !budget.is_exceeded();
 }
 
 bool SphereSlide::find_target(const Vector3 &goal)

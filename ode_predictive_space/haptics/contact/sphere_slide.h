@@ -46,21 +46,37 @@ public:
         Vector3 reach_centre = Vector3::Zero(); ///< m; a place that all geoms see stays in this ball
         double reach = std::numeric_limits<double>::infinity(); ///< m; its radius
         double margin = 0;                                      ///< m; planes() has what is so far from the sphere, too
+        std::size_t triangles = most_triangles;                 ///< that may be visited
     };
+
+    /// So many are visited in less than a millisecond. Counts, not times, bound a run, so that a replay is the same.
+    static constexpr std::size_t most_triangles = 4000;
 
     /// Makes room for what a tick usually needs: up to that run() does not allocate.
     SphereSlide();
 
+    /// Where there are many triangles, surfaces are looked for less far ahead, and steps are shorter. When the triangles are used up, the
+    /// sphere has gone part of its way, and the next run continues.
+    ///
     /// @param places where the centre is; then, where it came to.
     /// @return whether there is a place that all geoms allow. Else each of them has one for itself.
     bool run(const Task &task, std::vector<SlidePlace> &places);
+
+    /// Where the sphere goes when no geom is near.
+    static Vector3 unhindered(const Task &task);
+
+    /// How many of the task's triangles the last run() did not visit.
+    std::size_t left() const { return left_; }
 
     /// What is near in the end.
     const std::vector<SlidePlane> &planes() const { return planes_; }
 
 private:
     double go(bool common, double look, double most, const Task &task, std::vector<SlidePlace> &places);
-    void gather(const Task &task, double look, std::vector<SlidePlace> &places);
+    bool search(const Task &task, double &look, std::vector<SlidePlace> &places);
+    bool search_again(const Task &task, double &look, std::vector<SlidePlace> &places);
+    bool gather(const Task &task, double look, std::size_t most, std::vector<SlidePlace> &places);
+    void share_place(const Task &task, const SlidePlace &place);
     bool enters(const Task &task, const std::vector<SlidePlace> &places) const;
     void keep_entered(const Task &task);
     bool find_target(const Vector3 &goal);
@@ -76,6 +92,7 @@ private:
     SurfaceFeatures features_;
     std::vector<Vector3> targets_;
     Vector3 target_ = Vector3::Zero();
+    std::size_t left_ = 0; ///< triangles that may still be visited
     bool arrives_ = false; ///< the last step went to the targets
 };
 } // namespace ode_predictive_space::haptics
