@@ -666,6 +666,22 @@ def haptic_faults():
         "passivity_delay_off_by_one", "haptics", safety + "passivity.h",
         "written_[(newest_ + written_.size() - delay_) % written_.size()]",
         "written_[(newest_ + written_.size() + 1 - std::max<std::size_t>(delay_, 1)) % written_.size()]", passivity)
+    tracker = SOURCES + "haptics/contact/contact_tracker.cpp"
+    slide = SOURCES + "haptics/contact/sphere_slide.cpp"
+    law = SOURCES + "haptics/law/proxy_law.cpp"
+    yield Fault(
+        "region_without_drift", "haptics", tracker, "std::max(around * step, farthest) + 2 * drift;",
+        "std::max(around * step, farthest);", (("haptics", "CarriedProxy.*"),))
+    yield Fault(
+        "contact_ends_with_the_region", "haptics", tracker,
+        "!carries_on_ && !is_near(told.geom) &&\n           (told.touch.point - searched.centre).norm() < searched.radius;",
+        "!is_near(told.geom);",
+        (("haptics", "*ReleasedForceTest.Fades*"),))
+    yield Fault(
+        "budget_of_triangles_not_spent", "haptics", slide, "left_ -= most - budget.left();", "", (("haptics", "*SlideBudgetTest.*"),))
+    yield Fault(
+        "seams_block_friction", "haptics", law, "along += std::max(0.0, entry_of(along, lift, touch)) * touch.normal;", "(void)touch;",
+        (("haptics", "*FrictionSeamTest.*"),))
 
 
 FAULTS = tuple(
