@@ -8,11 +8,10 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double size = 0.003; // m; the probe's radius
-
 /// A sheet comes from below, gets faster and carries the proxy off the tool, which stands still: by several radii in a tick.
 TEST(CarriedProxy, StaysOnAThinSheetThatMovesByMoreThanTheProbesSizeInATick)
 {
+    constexpr double size = 0.003; // m; the probe's radius
     const OdeUse ode;
     ProbeWorld world;
     const OdeMesh mesh(sheet_mesh(0.4, 8));
