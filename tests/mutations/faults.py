@@ -336,6 +336,9 @@ def shape_faults():
         "- 2 * deviation.a;\n    return at_least_next_tick(left, gap", "- deviation.a;\n    return at_least_next_tick(left, gap",
         CONTACT_HISTORIES)
     yield Fault(
+        "deviation_beside_a_surface_along_axes_alone", "shapes", BROADPHASE + "near/contact_forecast.cpp",
+        "std::sqrt(3.0) * (surface", "1.0 * (surface", (("shapes", "ContactForecast.*"),))
+    yield Fault(
         "margin_does_not_grow_with_slivers", "shapes", test,
         "if (!beside_half_space)\n        of_sizes *= first.sliver_factor * second.sliver_factor;", "(void)beside_half_space;",
         (("shape_contract", "ShapeSlivers.*"),))

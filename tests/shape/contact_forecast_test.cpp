@@ -100,16 +100,30 @@ TEST(ContactForecast, WhatMayTurnReachesAsFarAsItsSphere)
     EXPECT_EQ(time_of_contact(still, comes, 0, for_long), 1) << "it may turn about any point";
 }
 
-// Two triangles, 10 apart, as one mesh: what is between them is within its hull.
+// Two triangles, 10 apart, as one mesh: what is between them is within its hull. The floor's normal points up.
+struct Room
+{
+    explicit Room(const Vector3 &up)
+    {
+        const Eigen::Matrix3d turned = Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), up).toRotationMatrix();
+        for (Vector3 &point : points)
+            point = turned * point;
+        const auto tree = std::make_shared<TriangleTree>(
+            TriangleArrays{points.data(), sizeof(Vector3), 6, triangles.data(), 2, sizeof triangles[0], false});
+        tree->build(1000);
+        mesh = hull_of(points, tree);
+        mesh.group = mesh.partners = 1;
+    }
+
+    std::vector<Vector3> points = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}, {-9, -9, 10}, {9, -9, 10}, {0, 9, 10}};
+    const std::vector<TriangleArrays::Indices> triangles = {{0, 1, 2}, {3, 4, 5}};
+    ConvexShape mesh;
+};
+
 TEST(ContactForecast, WithinTheHullOfAMeshIsThatOfItsTriangles)
 {
-    const std::vector<Vector3> points = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}, {-9, -9, 10}, {9, -9, 10}, {0, 9, 10}};
-    const std::vector<TriangleArrays::Indices> triangles = {{0, 1, 2}, {3, 4, 5}};
-    const auto tree = std::make_shared<TriangleTree>(
-        TriangleArrays{points.data(), sizeof(Vector3), 6, triangles.data(), 2, sizeof triangles[0], false});
-    tree->build(1000);
-    ConvexShape mesh = hull_of(points, tree);
-    mesh.group = mesh.partners = 1;
+    const Room of_two(Vector3::UnitZ());
+    const ConvexShape &mesh = of_two.mesh;
     ConvexShape inside = ball({0, -2, 4});
     const PredictedShape room{mesh, going(mesh, Vector3::Zero()), true, true};
     PredictedShape falls{inside, going(inside, {0, 0, -0.1}), false, true};
@@ -124,6 +138,22 @@ TEST(ContactForecast, WithinTheHullOfAMeshIsThatOfItsTriangles)
         << "a room that moves";
     const ConvexShape touching = ball({0, -2, 0.5});
     EXPECT_EQ(time_of_contact(room, {touching, going(touching, Vector3::Zero()), false, true}, 0, for_long), 0);
+}
+
+// A ball leaves its path along all three axes at once, as far as its deviation allows, and meets the floor after ten ticks.
+TEST(ContactForecast, WithinTheHullOfAMeshDeviationsAreThoseOfEachCoordinateAlongADiagonal)
+{
+    const Vector3 diagonal = Vector3::Constant(1 / std::sqrt(3));
+    const Room of_two(diagonal);
+    const PredictedShape room{of_two.mesh, going(of_two.mesh, Vector3::Zero()), true, true};
+    const ConvexShape inside = ball(4 * diagonal), met = ball(0.999 * diagonal);
+    PredictedShape falls{inside, going(inside, Vector3::Zero()), false, true};
+    falls.envelope.deviation = {0, 0.3 / std::sqrt(3), 0};
+    EXPECT_EQ(time_of_contact(room, {met, going(met, Vector3::Zero()), false, true}, 0, for_long), 0) << "the floor";
+    const std::optional<double> forecast = time_of_contact(room, falls, 0, for_long);
+    ASSERT_TRUE(forecast);
+    EXPECT_LE(*forecast, 10);
+    EXPECT_GT(*forecast, 5) << "a gap is only bounded";
 }
 
 // The true objects turn as they like and leave their paths, as far as they may.
