@@ -503,6 +503,10 @@ def space_faults():
     yield Fault(
         "few_geoms_by_box_alone", "space", space, "if (test == ProximityTest::sphere)\n        start_predicting();", "",
         contract("FewGeoms.*"))
+    yield Fault(
+        "lines_unknown_after_another_test", "space", space,
+        "    if (predicts_ && !by_box())\n        for (dxGeom *geom = first; geom; geom = geom->next)\n"
+        "            note_changed_line(geom);\n", "", (("shape_contract", "ShapeQuery.*"),))
     # What throws in the middle.
     faults = lambda pattern: (("faults", pattern),)
     yield Fault(

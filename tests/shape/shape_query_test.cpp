@@ -142,6 +142,29 @@ TEST_F(ShapeQuery, ARayIsFollowedAlongItsLine)
     EXPECT_EQ(answers(ray), 0u) << "between them";
 }
 
+// A box whose matrix makes it narrow: ODE finds the ray's contact with it although the ray passes by its bounding box.
+TEST_F(ShapeQuery, ARayIsNotFollowedAlongItsLineBesideWhatItTouchesOffTheLineAlsoAfterAnotherTest)
+{
+    for (const int proximity : {dPredictiveProximitySphere, dPredictiveProximityShape})
+    {
+        dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
+        const dGeomID narrow = dCreateBox(space, 2, 2, 2);
+        const dMatrix3 matrix = {REAL(0.5), 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+        dGeomSetRotation(narrow, matrix);
+        for (int i = 0; i < 40; ++i) // more than are asked one by one
+            dGeomSetPosition(dCreateBox(space, REAL(0.1), REAL(0.1), REAL(0.1)), 10 + i, 0, 0);
+        collide(space);
+        const Probe ray(dCreateRay(nullptr, REAL(4.8)));
+        dGeomRaySet(ray, REAL(-0.4), 3, 0, 1, -1, 0);
+        dContactGeom contact;
+        ASSERT_EQ(dCollide(ray, narrow, 1, &contact, sizeof contact), 1);
+        EXPECT_EQ(answers(ray), 1u);
+        dPredictiveSpaceSetProximity(space, proximity);
+        EXPECT_EQ(answers(ray), 1u) << "proximity " << proximity;
+        dGeomDestroy(narrow);
+    }
+}
+
 // Where an object is going to be is no place where it is.
 TEST_F(ShapeQuery, ARayThatMeetsAnEnvelopeAloneIsNotAnswered)
 {
