@@ -313,6 +313,9 @@ def shape_faults():
         "changed_data_ignored", "shapes", hulls, "return made.outdated || made.key != key_of(geom);",
         "return made.key != key_of(geom);", hull_data)
     yield Fault(
+        "build_goes_on_with_old_data", "shapes", BROADPHASE + "objects/measured_shapes.cpp",
+        "&& !scene.hull_is_outdated(id, (*this)[id]))\n        build(id);", "&& (void(scene), true))\n        build(id);", hull_data)
+    yield Fault(
         "half_of_a_hull_not_searched", "shapes", BROADPHASE + "shape/vertex_hull.cpp",
         "if (less > best.reach)\n        search(nearer, direction, absolute, best);", "", (("shapes", "VertexHull.*"),))
     yield Fault(

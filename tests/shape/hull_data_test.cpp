@@ -1,9 +1,13 @@
 // Convexes and meshes are judged by the hull of their present data, however these are exchanged.
 
+#include <cstring>
 #include <limits>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
+
+#include <sys/mman.h>
 
 #include <gtest/gtest.h>
 
@@ -307,18 +311,69 @@ TEST_F(HullData, OfARoomLeavesOutWhatIsInsideAndApartFromItsWalls)
     EXPECT_EQ(pairs(), 1u) << "on the floor of changed data";
 }
 
-// The tree over its triangles takes several ticks to build.
-TEST_F(HullData, OfALargeMeshIsNotReadAfterItWasDestroyed)
+// Small cubes in two layers, above and below the ball: within the hull, the triangles decide. The tree over the triangles takes
+// several ticks to build.
+Polyhedron layers_of_cubes()
 {
     Polyhedron many;
     for (unsigned i = 0; i < 3000; ++i)
-        many.add(Polyhedron::cube().changed(0.01 * same, Eigen::Vector3d(0.01 * (i % 100), 0.01 * (i / 100), 5)));
-    auto arrays = std::make_unique<MeshArrays>(many.changed(same, {0, 0, -4}));
+        many.add(Polyhedron::cube().changed(0.01 * same, {0.02 * (i % 100), 0.1 * (i / 100), i % 2 ? 1.0 : -1.0}));
+    return many;
+}
+
+TEST_F(HullData, OfALargeMeshIsNotReadAfterItWasDestroyed)
+{
+    auto arrays = std::make_unique<MeshArrays>(layers_of_cubes());
     const dGeomID mesh = create_mesh(*arrays);
-    pairs();
+    EXPECT_EQ(pairs(), 1u) << "the tree is not ready";
     dGeomDestroy(mesh);
     arrays.reset();
     EXPECT_EQ(pairs(), 0u);
+}
+
+// Numbers whose memory goes back to the system at once: to read them later ends the program.
+class MappedNumbers
+{
+public:
+    explicit MappedNumbers(const std::vector<Eigen::Vector3d> &vectors)
+        : bytes_(vectors.size() * sizeof vectors[0]),
+          place_(mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0))
+    {
+        if (place_ == MAP_FAILED)
+            throw std::bad_alloc();
+        std::memcpy(place_, vectors.data(), bytes_);
+    }
+    ~MappedNumbers() { munmap(place_, bytes_); }
+    MappedNumbers(const MappedNumbers &) = delete;
+    MappedNumbers &operator=(const MappedNumbers &) = delete;
+
+    const double *data() const { return static_cast<const double *>(place_); }
+
+private:
+    std::size_t bytes_;
+    void *place_;
+};
+
+// The program frees the first vertices as soon as the mesh data have others.
+TEST_F(HullData, OfALargeMeshIsNotReadAfterItsDataWereBuiltFromOthers)
+{
+    const Polyhedron large = layers_of_cubes();
+    std::vector<dTriIndex> triangles;
+    for (const std::vector<unsigned> &face : large.faces)
+        for (std::size_t i = 2; i < face.size(); ++i)
+            triangles.insert(triangles.end(), {face[0], face[i - 1], face[i]});
+    MeshArrays arrays(octahedron);
+    auto vertices = std::make_unique<MappedNumbers>(large.corners);
+    dGeomTriMeshDataBuildDouble(arrays.id(), vertices->data(), 3 * sizeof(double),
+                                static_cast<int>(large.corners.size()), triangles.data(),
+                                static_cast<int>(triangles.size()), 3 * sizeof(dTriIndex));
+    create_mesh(arrays);
+    EXPECT_EQ(pairs(), 1u) << "the tree is not ready";
+    arrays.rebuild(octahedron);
+    vertices.reset();
+    EXPECT_EQ(pairs_later(), 0u);
+    arrays.rebuild(cube);
+    EXPECT_EQ(pairs(), 1u);
 }
 
 TEST_F(HullData, OfVeryManyPointsIsTheBoxOfItsOwnAxes)
