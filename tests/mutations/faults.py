@@ -316,6 +316,9 @@ def shape_faults():
         "build_goes_on_with_old_data", "shapes", BROADPHASE + "objects/measured_shapes.cpp",
         "&& !scene.hull_is_outdated(id, (*this)[id]))\n        build(id);", "&& (void(scene), true))\n        build(id);", hull_data)
     yield Fault(
+        "offset_of_heights_is_no_other_hull", "shapes", hulls, "word(double{heights.scale}),\n            word(double{heights.offset})};",
+        "word(double{heights.scale})};", (("shape_contract", "HullOfHeights.*"),))
+    yield Fault(
         "half_of_a_hull_not_searched", "shapes", BROADPHASE + "shape/vertex_hull.cpp",
         "if (less > best.reach)\n        search(nearer, direction, absolute, best);", "", (("shapes", "VertexHull.*"),))
     yield Fault(

@@ -1,5 +1,6 @@
 // Convexes and meshes are judged by the hull of their present data, however these are exchanged.
 
+#include <array>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -374,6 +375,68 @@ TEST_F(HullData, OfALargeMeshIsNotReadAfterItsDataWereBuiltFromOthers)
     EXPECT_EQ(pairs_later(), 0u);
     arrays.rebuild(cube);
     EXPECT_EQ(pairs(), 1u);
+}
+
+// Flat ground with a peak at one corner, which makes the box of the field high. The ball is in this box.
+class HullOfHeights : public HullData
+{
+protected:
+    HullOfHeights()
+    {
+        dGeomSetPosition(ball, 0, REAL(0.9), 0);
+        build(low, 0);
+        build(high, REAL(0.8));
+    }
+    ~HullOfHeights() override
+    {
+        for (const dHeightfieldDataID data : {low, high})
+            dGeomHeightfieldDataDestroy(data);
+    }
+
+    // All data have the samples in common.
+    void build(dHeightfieldDataID data, dReal offset) const
+    {
+        dGeomHeightfieldDataBuildDouble(data, samples_.data(), 0, 8, 8, 5, 5, 1, offset, 1, 0);
+    }
+
+    dGeomID create_field(dHeightfieldDataID data)
+    {
+        const dGeomID field = dCreateHeightfield(space, data, 1);
+        dGeomSetPosition(field, 0, 0, 0);
+        return field;
+    }
+
+    bool has_contact(dGeomID field) const
+    {
+        dContactGeom contact;
+        return dCollide(field, ball, 1, &contact, sizeof contact) > 0;
+    }
+
+    const dHeightfieldDataID low = dGeomHeightfieldDataCreate(), high = dGeomHeightfieldDataCreate();
+
+private:
+    const std::array<double, 25> samples_ = {3};
+};
+
+TEST_F(HullOfHeights, IsThatOfEachOffsetWhereFieldsHaveTheirSamplesInCommon)
+{
+    const dGeomID below = create_field(low);
+    EXPECT_EQ(collide(space).size(), 0u);
+    EXPECT_FALSE(has_contact(below));
+    const dGeomID above = create_field(high);
+    EXPECT_TRUE(has_contact(above));
+    EXPECT_EQ(collide(space).size(), 2u) << "the ball on the higher field, and the fields";
+    dGeomDestroy(below);
+    EXPECT_EQ(collide(space).size(), 1u);
+}
+
+TEST_F(HullOfHeights, IsThatOfTheOffsetWithWhichTheDataWereBuiltLast)
+{
+    const dGeomID field = create_field(low);
+    EXPECT_EQ(collide(space).size(), 0u);
+    build(low, REAL(0.8));
+    EXPECT_TRUE(has_contact(field));
+    EXPECT_EQ(collide(space).size(), 1u);
 }
 
 TEST_F(HullData, OfVeryManyPointsIsTheBoxOfItsOwnAxes)
