@@ -17,8 +17,9 @@ namespace ode_predictive_space
 
 void Broadphase::update(Scene &scene, bool is_tick)
 {
-    const bool has_wrapped = clock_.update == 0; // from here on, old numbers could be taken for new ones
-    if (interrupted_ || has_wrapped)
+    // All objects get present numbers before one that is half of all numbers old could be taken for a later one.
+    constexpr UpdateNumber half_of_all = Place::last_update / 2 + 1;
+    if (interrupted_ || clock_.update % half_of_all == 0)
         start_over();
     idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });
     clock_.unticked += clock_.moves;
@@ -53,7 +54,7 @@ void Broadphase::find_new_pairs(Scene &scene)
     catch_up(scene);
     interrupted_ = true;
     find_pairs(scene);
-    finish();
+    interrupted_ = false; // no update: none of their numbers is left out
 }
 
 // Measures the listed objects. Those that are not in their envelopes get new ones.

@@ -171,6 +171,11 @@ public:
     const Counters &counters() const { return counters_; }
     Tick now() const { return clock_.now; }
 
+    /// The next update gets this number, as if many updates had passed. For tests, which cannot wait for the numbers to be used again.
+    ///
+    /// @pre nothing has moved since the last update.
+    void number_updates_from(UpdateNumber next) { clock_.update = next; }
+
     /// Is the object disabled, as far as was noticed? Its pairs are not in the near set.
     bool idle(ProxyId id) const { return idle_.contains(id); }
 

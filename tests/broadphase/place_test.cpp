@@ -2,7 +2,9 @@
 
 #include "ode_predictive_space/broadphase/objects/place.h"
 
+#include <cfenv>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -418,6 +420,55 @@ TEST(Place, ATightenedEnvelopeHasLostWhatTheSphereAdded)
     EXPECT_NEAR(envelope.high[0], 2.5, 1e-4);
     EXPECT_NEAR(envelope.low[1], 1.9, 1e-4);
     EXPECT_NEAR(envelope.high[1], 2.1, 1e-4);
+}
+
+// All that is asked about two places, in vectors whose fourth lanes hold other things.
+[[gnu::noinline]] int asked(Place &one, const Place &other, const Object &object)
+{
+    int answers =
+        one.watch() == Watch::look ? 0 : static_cast<int>(one.follow(object.centre.data(), object.rotation.data()));
+    float depths[4];
+    overlap_depths(one, other).store(depths);
+    answers += one.holds() + one.is_boundless() + one.has_end() + surely_apart(one, other) +
+               surely_overlap(one, other) + envelopes_apart(one, other) + (depths[0] > 0);
+    return answers;
+}
+
+// Programs may trap them.
+TEST(Place, NoUpdateNumberMakesAnOperationInvalid)
+{
+    const Object object = ball({1, 2, 3}, 0.5, {0, 0, 0});
+    const Box boxes[] = {bounds_of(object), Box(Vector3::Constant(-1), Vector3(1, 1, 1e200))}; // the second is in doubt
+    constexpr Watch watches[] = {Watch::look, Watch::centre, Watch::sphere, Watch::capsule, Watch::box};
+    Random random(8);
+    std::vector<UpdateNumber> numbers = {0, 1, 0x3fc0001, Place::last_update - 1, Place::last_update};
+    for (int bit = 0; bit < 27; ++bit)
+        numbers.push_back(Place::last_update & ~((UpdateNumber{1} << bit) - 1));
+    for (int i = 0; i < 1000; ++i)
+        numbers.push_back(static_cast<UpdateNumber>(random.bits()) & Place::last_update);
+    for (UpdateNumber number : numbers)
+        for (Watch watch : watches)
+            for (const Box &box : boxes)
+                for (bool counted : {false, true})
+                {
+                    Place place = placed(object), other = place;
+                    place.set_envelope({Float4::all(-10), Float4::all(10)});
+                    other.set_envelope({Float4::all(-10), Float4::all(10)});
+                    place.set_tight(box);
+                    const float centre[] = {1, 2, 3};
+                    if (watch == Watch::centre)
+                        place.watch_centre(centre, 0.5f);
+                    place.set_watch(watch);
+                    if (counted)
+                        place.note_move(number);
+                    else
+                        place.note_doubtful_move(number);
+                    ASSERT_EQ(place.moved(), number);
+                    std::feclearexcept(FE_ALL_EXCEPT);
+                    const int answers = asked(place, other, object) + asked(other, place, object);
+                    ASSERT_EQ(std::fetestexcept(FE_INVALID | FE_DIVBYZERO), 0)
+                        << number << ", " << static_cast<int>(watch) << ", " << answers;
+                }
 }
 } // namespace
 } // namespace ode_predictive_space

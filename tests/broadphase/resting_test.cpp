@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ode_predictive_space/broadphase/tuning.h"
 #include "tests/broadphase/support/random.h"
 #include "tests/broadphase/support/world.h"
 
@@ -132,6 +133,36 @@ TEST_F(Resting, PairsThatMoveAreTestedOn)
         ASSERT_GE(tested(), 1u);
     }
     EXPECT_LE(tested(), 4u);
+}
+
+// Whichever of the reports between two looks for pairs that may rest sees the move.
+TEST_F(Resting, PairsThatMoveOnceBetweenTwoLooksAreTestedOn)
+{
+    constexpr auto period = static_cast<int>(tuning::reports_per_rest);
+    for (int phase = 0; phase < period; ++phase)
+    {
+        const std::uint64_t woken = world.broadphase.woken_pairs();
+        for (int i = 0; i < 4 * period; ++i)
+        {
+            if (i % period == phase)
+                world.place(0, world.object(0).centre + Vector3(0, i / period % 2 ? 1e-5 : -1e-5, 0));
+            tick();
+        }
+        EXPECT_LE(world.broadphase.woken_pairs(), woken + 2) << "they came to rest in between, " << phase;
+        run(long_enough);
+    }
+}
+
+TEST_F(Resting, PairsRestAfterAtMostTwoLooks)
+{
+    constexpr auto period = static_cast<int>(tuning::reports_per_rest);
+    for (int phase = 0; phase < period; ++phase)
+    {
+        run(long_enough / period * period + 1);
+        world.place(0, world.object(0).centre + Vector3(0, phase % 2 ? 1e-5 : -1e-5, 0));
+        run(2 * period - 1);
+        EXPECT_EQ(tested(), 0u) << phase;
+    }
 }
 
 TEST(RestingAtRandom, ReportsWhatOverlaps)

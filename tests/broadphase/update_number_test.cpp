@@ -1,0 +1,184 @@
+// The numbers of updates are used again after some time. No number, and no use of it again, may be seen from outside.
+
+#include <cfenv>
+
+#include <gtest/gtest.h>
+
+#include "ode_predictive_space/broadphase/shape/convex_shape.h"
+#include "tests/broadphase/support/random.h"
+#include "tests/broadphase/support/world.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr UpdateNumber count_of_numbers = Place::last_update + 1;
+
+// One object moves in each update, so that each tick is one.
+class UpdateNumberTest : public testing::Test
+{
+protected:
+    UpdateNumberTest() { mover = world.add(ball({0, 0, 100}, 0.1, {0.0001, 0, 0})); }
+
+    void tick()
+    {
+        world.advance();
+        ASSERT_EQ(sorted_pairs(world.tick()), sorted_pairs(world.overlapping()));
+        ASSERT_EQ(world.violated_invariant(), "");
+    }
+
+    void run(int ticks)
+    {
+        for (int i = 0; i < ticks; ++i)
+            tick();
+    }
+
+    // As if nothing had moved for many updates.
+    void pass(UpdateNumber next)
+    {
+        world.broadphase.number_updates_from(next & Place::last_update);
+        run(3);
+    }
+
+    World world;
+    ProxyId mover;
+};
+
+// The next move of an object has the number of its last one.
+TEST_F(UpdateNumberTest, AMoveCountsAndTimePassesWhateverItsNumber)
+{
+    const ProxyId seldom = world.add(ball({0, 0, 0}, 0.1, {0, 0, 0}));
+    tick();
+    for (bool asked : {false, true})
+        for (UpdateNumber number = 4; number < 12; ++number)
+        {
+            world.broadphase.number_updates_from(number);
+            world.place(seldom, world.object(seldom).centre + Vector3(1e-5, 0, 0));
+            tick();
+            world.broadphase.number_updates_from(Place::last_update);
+            world.advance();
+            if (asked)
+                world.broadphase.find_new_pairs(world);
+            world.tick();
+            run(3);
+            const Tick now = world.broadphase.now();
+            const std::uint64_t moved = world.broadphase.counters().moved;
+            world.broadphase.number_updates_from(number);
+            world.place(seldom, world.object(seldom).centre + Vector3(1e-5, 0, 0));
+            world.tick();
+            ASSERT_EQ(world.broadphase.now(), now + 1) << number;
+            ASSERT_EQ(world.broadphase.counters().moved, moved + 1) << number;
+            ASSERT_GT(world.broadphase.forecast(world, seldom).envelope.deviation.at(0), 0) << number;
+        }
+}
+
+TEST_F(UpdateNumberTest, WhatStandsStillIsForeseenToStandStillHoweverLong)
+{
+    const ProxyId stopped = world.add(box({0, 0, 0}, Vector3::Constant(0.1), {0, 0, 0}, false));
+    for (int i = 0; i < 20; ++i)
+    {
+        world.place(stopped, world.object(stopped).centre + Vector3(0.01, 0, 0));
+        tick();
+    }
+    EXPECT_FALSE(world.broadphase.forecast(world, stopped).still());
+    run(20);
+    EXPECT_TRUE(world.broadphase.forecast(world, stopped).still());
+    constexpr UpdateNumber part = count_of_numbers / 16;
+    for (UpdateNumber next = part; next <= count_of_numbers; next += part)
+    {
+        pass(next - 2);
+        run(20);
+        ASSERT_TRUE(world.broadphase.forecast(world, stopped).still()) << next;
+    }
+}
+
+TEST_F(UpdateNumberTest, PairsThatStandStillComeToRestHoweverLong)
+{
+    for (int i = 0; i < 4; ++i)
+        world.add(box({0.19 * i, 0, 0}, Vector3::Constant(0.1), {0, 0, 0}, true));
+    constexpr UpdateNumber part = count_of_numbers / 16;
+    for (UpdateNumber next = part; next <= count_of_numbers; next += part)
+    {
+        pass(next - 2);
+        const ProxyId pushed = 1;
+        world.place(pushed, world.object(pushed).centre + Vector3(0, next % 3 ? 1e-5 : -1e-5, 0));
+        run(100);
+        ASSERT_EQ(world.tested_pairs(), 0u) << next;
+    }
+}
+
+// Vector comparisons have the number in their fourth lane.
+TEST_F(UpdateNumberTest, TicksAreExactAndInvalidOperationsNoneWhateverTheNumber)
+{
+    Random random(1);
+    for (int i = 0; i < 40; ++i)
+    {
+        world.add(ball(random.vector(0.5), random.uniform(0.05, 0.2), random.vector(0.002)));
+        world.add(box(random.vector(0.5), Vector3::Constant(random.uniform(0.05, 0.2)), random.vector(0.002), i % 2));
+        world.add(block(random.vector(0.5), Vector3::Constant(random.uniform(0.05, 0.2)), random.vector(0.002), i % 2));
+    }
+    run(3);
+    std::feclearexcept(FE_ALL_EXCEPT);
+    for (UpdateNumber next : {0x3fc0001u, 0x3ffffffu, 0x4000000u, 0x5ffffffu, 0x7800000u, 0x7f80001u, 0x7fc0000u,
+                              Place::last_update, 0u, 0x0800000u, 0x2000000u})
+    {
+        pass(next - 2);
+        run(3);
+        ASSERT_EQ(std::fetestexcept(FE_INVALID | FE_DIVBYZERO), 0) << next;
+    }
+}
+
+// Balls, judged by shape.
+class WorldOfBalls : public World
+{
+public:
+    void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves) override
+    {
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            ConvexShape &shape = *shapes[i];
+            const ConvexShape before = shape;
+            const Object &ball = object(ids[i]);
+            shape.centre = ball.centre;
+            shape.axes = {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
+            shape.kind = ShapeKind::rounded;
+            shape.radius = ball.radius;
+            shape.size = 2 * ball.radius;
+            shape.group = shape.partners = 1;
+            moves[i] = before.known() ? shape.moved_from(before) : std::numeric_limits<double>::infinity();
+        }
+    }
+};
+
+// Once while the pair is postponed, and once when it has come to rest.
+TEST(UpdateNumberByShape, ShapesAreFollowedWhateverTheNumberOfTheirMove)
+{
+    const Pairs none, both = {{1, 2}};
+    const Vector3 apart(0.19, 0.19, 0), together(0.14, 0.14, 0);
+    for (int ticks_between : {1, 200})
+        for (UpdateNumber number = 4; number < 8; ++number)
+        {
+            WorldOfBalls world;
+            world.broadphase.set_proximity_test(ProximityTest::shape);
+            world.add(ball({0, 0, 100}, 0.1, {0.0001, 0, 0}));
+            world.add(ball({0, 0, 0}, 0.1, {0, 0, 0}));
+            const ProxyId other = world.add(ball(apart, 0.1, {0, 0, 0}));
+            const auto tick = [&] {
+                world.advance();
+                return sorted_pairs(world.tick());
+            };
+            tick();
+            world.broadphase.number_updates_from(number);
+            world.place(other, apart + Vector3(1e-6, 0, 0));
+            for (int i = 0; i < ticks_between; ++i)
+                ASSERT_EQ(tick(), none);
+            world.broadphase.number_updates_from(Place::last_update);
+            for (int i = 0; i < 3; ++i)
+                ASSERT_EQ(tick(), none);
+            world.broadphase.number_updates_from(number);
+            world.place(other, together);
+            ASSERT_EQ(tick(), both) << number;
+        }
+}
+} // namespace
+} // namespace ode_predictive_space
