@@ -100,6 +100,23 @@ TEST(Tick, CountsWhatItDoes)
     EXPECT_LE(counters.sweeps, 3u) << "until it is known how far velocities carry";
 }
 
+TEST(Tick, PredictsOnceWhatWasAskedFor)
+{
+    World world;
+    const ProxyId id = world.add(block({0, 0, 0}, Vector3::Constant(1), {1e-6, 0, 0}, true));
+    const auto tick = [&] {
+        world.advance();
+        world.tick();
+    };
+    for (int i = 0; i < 10; ++i)
+        tick();
+    const std::uint64_t before = world.broadphase.counters().repredictions;
+    world.broadphase.set_role(id, Role::fixed_environment);
+    for (int i = 0; i < 10; ++i)
+        tick();
+    EXPECT_EQ(world.broadphase.counters().repredictions, before + 1);
+}
+
 TEST(Tick, CountsTheUpdatesThatSweptAll)
 {
     CalmGas gas(300);

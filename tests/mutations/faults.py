@@ -62,7 +62,7 @@ def notice_faults():
         "return outcome((allowed.bits() & three_lanes) == three_lanes, changed);",
         "(void)changed;\n        return outcome((allowed.bits() & three_lanes) == three_lanes, true);", reports + places)
     yield Fault(
-        "digest_of_one_coordinate", "notices", place, "centre * Float4(1, 1.3717f, 1.7391f, 0)", "centre * Float4(1, 0, 0, 0)",
+        "digest_of_one_coordinate", "notices", place, "centre * Float4(0.25f, 0.34293f, 0.43478f, 0)", "centre * Float4(0.25f, 0, 0, 0)",
         (("broadphase", "*ReportOfAMove.*:*AnyWorld*"), ("contract", "Notice.*:UnchangedPose.*")))
     yield Fault(
         "lost_notices", "notices", entry, "if (followed == Followed::moved)\n            note_move(place);", "", (("broadphase", "Tick.*:*ReportOfAMove.*"),))
@@ -108,6 +108,13 @@ def predict_faults():
     yield Fault(
         "turning_point_left_out_of_an_envelope", "predict", predictor, "high = max(high, extreme);", "", predictions,
         "an envelope that is left early is made anew: it costs a prediction and no pair")
+    leaps = (("broadphase", "Broadphase.ObjectsThatLeap*:*AnyWorld*"),)
+    yield Fault(
+        "leap_not_noted_as_farthest", "predict", predictor, "    note_farthest(envelope);\n    centre.store_three(record.position);\n    record.since",
+        "    centre.store_three(record.position);\n    record.since", leaps)
+    yield Fault("farthest_in_an_endless_envelope_forgotten", "predict", predictor, "    note_farthest(tight);\n", "", leaps)
+    yield Fault(
+        "predicted_again_and_again", "predict", tick, "    looks_.requested.clear();\n", "", (("broadphase", "Tick.*:Predictor.*"),))
     yield Fault(
         "leap_extrapolated", "predict", predictor, "record.reach = 0;\n        return;", "return;",
         (("broadphase", "Predictor.*:*Teleports.*"),))
@@ -235,6 +242,15 @@ def near_faults():
     yield Fault(
         "rests_unwatched", "near", near, "places[id].set_watch(Watch::look);", "(void)places;", sets)
     yield Fault("lost_when_disturbed", "near", near, "pairs_.push_back(pair);\n        else", "(void)pair;\n        else", sets)
+    numbers = (("broadphase", "UpdateNumber*:Resting*"),)
+    yield Fault("rests_an_update_early", "near", tick, "(clock_.update - 1) & Place::last_update", "clock_.update & Place::last_update", numbers)
+    yield Fault("rests_an_update_late", "near", tick, "(clock_.update - 1) & Place::last_update", "(clock_.update - 2) & Place::last_update", numbers)
+    yield Fault("old_numbers_taken_for_new", "near", tick, "clock_.update % half_of_all == 0", "half_of_all == 0", numbers)
+    yield Fault("old_numbers_taken_for_later", "near", tick, "clock_.update % half_of_all == 0", "clock_.update % (2 * half_of_all) == 0", numbers)
+    yield Fault("a_question_leaves_a_number_out", "near", tick, "    interrupted_ = false; // no update: none of their numbers is left out\n", "    finish();\n", numbers)
+    yield Fault(
+        "watch_that_is_no_number", "near", place, "capsule = 4, ///< that of a segment", "capsule = 3, ///< that of a segment", (("broadphase", "Place.NoUpdateNumber*"),))
+    yield Fault("gone_awaits_its_pairs", "near", tick, "    pairing_.waiting.erase(id);\n", "", (("broadphase", "*AnyWorld*"),))
     yield Fault(
         "rests_while_one_moves", "near", near, "moved(pair.first) || moved(pair.second);", "moved(pair.first) && moved(pair.second);", sets)
     yield Fault(
@@ -516,7 +532,7 @@ def space_faults():
     # What throws in the middle.
     faults = lambda pattern: (("faults", pattern),)
     yield Fault(
-        "trusts_a_tick_that_was_broken_off", "space", BROADPHASE + "broadphase.cpp", "if (interrupted_ || has_wrapped)\n        start_over();", "",
+        "trusts_a_tick_that_was_broken_off", "space", BROADPHASE + "broadphase.cpp", "if (interrupted_ || clock_.update % half_of_all == 0)", "if (clock_.update % half_of_all == 0)",
         faults("*EveryCall*:*EverySituation*"))
     yield Fault(
         "linked_before_there_is_room", "space", space,
@@ -535,10 +551,12 @@ def space_faults():
     # By the sphere test of proximity.
     yield Fault(
         "skewed_geoms_judged_by_spheres", "space", scene,
-        "if (judged_by_box_alone(geom) || !(skew <= most_skew))\n            radius = std::numeric_limits<double>::infinity();\n"
-        "        else if (std::isfinite(radius))\n            radius *= 1 + skew;",
-        "(void)skew;\n        if (judged_by_box_alone(geom))\n            radius = std::numeric_limits<double>::infinity();\n"
-        "        else if (std::isfinite(radius))\n            ;", CONTACT_HISTORIES)
+        "judged_by_box_alone(geom) || !(skew <= most_skew) || !is_finite(bounds))\n            return;\n"
+        "        const double circumscribed = circumscribed_radius(geom);\n        centre = bounds.center();\n"
+        "        radius = std::isfinite(circumscribed) ? circumscribed * (1 + skew) :",
+        "judged_by_box_alone(geom) || !is_finite(bounds))\n            return;\n        (void)skew;\n"
+        "        const double circumscribed = circumscribed_radius(geom);\n        centre = bounds.center();\n"
+        "        radius = std::isfinite(circumscribed) ? circumscribed :", CONTACT_HISTORIES)
     yield Fault(
         "skewed_rays_judged_by_lines", "space", scene,
         "if (probe->type != dRayClass || touched_off_line(geom) || is_skewed(probe))",
