@@ -434,5 +434,28 @@ TEST(Broadphase, ObjectsThatLeapFarAwayAreTestedExactly)
         EXPECT_GT(apart, pairs);
     }
 }
+
+// Beyond the end of one of the forecasts nothing is known.
+TEST(Broadphase, TimesAreForAsLongAsBothForecastsHold)
+{
+    const auto forecast = [](double x, double speed, double ticks) {
+        Forecast made{};
+        made.envelope.path = {Vector3(x, 0, 0), Vector3(speed, 0, 0), Vector3::Zero()};
+        made.envelope.low = Vector3::Constant(-0.5);
+        made.envelope.high = Vector3::Constant(0.5);
+        made.envelope.radius = 1;
+        made.ticks = ticks;
+        return made;
+    };
+    const Broadphase broadphase{};
+    for (double ticks : {10.0, 49.0, 51.0, 1000.0})
+    {
+        const Forecast brief = forecast(0, 0.1, ticks), lasting = forecast(6, 0, 100);
+        const std::optional<double> time = broadphase.time_of_proximity(brief, lasting);
+        EXPECT_EQ(time, broadphase.time_of_proximity(lasting, brief));
+        EXPECT_EQ(time.has_value(), ticks > 50) << ticks;
+        EXPECT_NEAR(time.value_or(50), 50, 1e-6);
+    }
+}
 } // namespace
 } // namespace ode_predictive_space

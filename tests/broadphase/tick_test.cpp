@@ -103,7 +103,8 @@ TEST(Tick, CountsWhatItDoes)
 TEST(Tick, PredictsOnceWhatWasAskedFor)
 {
     World world;
-    const ProxyId id = world.add(block({0, 0, 0}, Vector3::Constant(1), {1e-6, 0, 0}, true));
+    const ProxyId id =
+        world.add(block({0, 0, 0}, Vector3::Constant(1), {1e-6, 0, 0}, false)); // looked at after each move
     const auto tick = [&] {
         world.advance();
         world.tick();

@@ -250,6 +250,9 @@ def near_faults():
     yield Fault("a_question_leaves_a_number_out", "near", tick, "    interrupted_ = false; // no update: none of their numbers is left out\n", "    finish();\n", numbers)
     yield Fault(
         "watch_that_is_no_number", "near", place, "capsule = 4, ///< that of a segment", "capsule = 3, ///< that of a segment", (("broadphase", "Place.NoUpdateNumber*"),))
+    yield Fault(
+        "times_beyond_the_second_forecast", "near", tick, "std::min(first.ticks, second.ticks);\n    const double duration",
+        "first.ticks;\n    const double duration", (("broadphase", "Broadphase.Times*"),))
     yield Fault("gone_awaits_its_pairs", "near", tick, "    pairing_.waiting.erase(id);\n", "", (("broadphase", "*AnyWorld*"),))
     yield Fault(
         "rests_while_one_moves", "near", near, "moved(pair.first) || moved(pair.second);", "moved(pair.first) && moved(pair.second);", sets)
