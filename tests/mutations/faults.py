@@ -390,7 +390,7 @@ def shape_faults():
         "if (shape_.kind != ShapeKind::rounded)", "if (shape_.kind == ShapeKind::half_space)", heightfields)
     yield Fault(
         "upper_triangles_of_a_heightfield_ignored", "shapes", terrain,
-        "std::min(low, high)", "low + 0 * high", heightfields)
+        "std::min({low, high, until_below})", "std::min(low + 0 * high, until_below)", heightfields)
     yield Fault(
         "last_column_of_a_heightfield_that_repeats", "shapes", SOURCES + "surface/height_grid.cpp",
         "            column %= size_.columns - 1;\n", "", (("surface", "HeightGrids.*"),) + heightfields)
