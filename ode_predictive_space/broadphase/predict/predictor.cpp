@@ -396,6 +396,7 @@ void Predictor::follow(const Track &track, const ProxyRecord &record, Forecast &
     const float travel = speed + bend > 0 ? way : 0;
     envelope.deviation =
         deviation_of(record, adapted_deviation(record.size, record.spread, travel, ticks)) + track.rounding();
-    forecast.turning = track.turning() * farthest_corner(envelope);
+    const double turning = track.turning();
+    forecast.turning = turning > 0 ? turning * farthest_corner(envelope) : 0; // what is infinite may have no corner
 }
 } // namespace ode_predictive_space
