@@ -294,12 +294,10 @@ template <typename Object> bool Broadphase::report_closely(ProxyId id, const Obj
         mark_moved(id);
         return true;
     }
-    // It may have moved by less than single precision tells: its pairs must not come to rest, and by shape it is looked at, because
-    // the travel of a shape is the sum of all moves.
+    // The object may have moved by less than single precision can express: its pairs must not come to rest, and by shape the move
+    // adds to its travel.
     place.note_doubtful_move(clock_.update);
     looks_.listed.demand();
-    if (shapes_.in_use())
-        look_at(id);
     return false;
 }
 } // namespace ode_predictive_space

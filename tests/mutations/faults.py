@@ -74,8 +74,8 @@ def notice_faults():
     yield Fault(
         "growth_of_a_sphere_ignored", "notices", entry, "object.radius() <= place.watched_radius()", "true", reports)
     yield Fault(
-        "unchanged_not_followed_by_shapes", "notices", entry, "if (shapes_.in_use())\n        look_at(id);", "",
-        (("shape_contract", "ShapeProximity.*:ShapeContacts.AreThose*"),))
+        "doubtful_moves_ignored", "notices", entry, "place.note_doubtful_move(clock_.update);\n    looks_.listed.demand();", "",
+        (("shape_contract", "ShapeProximity.*"),))
     yield Fault(
         "stretched_on_its_body", "notices", SOURCES + "space/noticed_geom.h",
         "return geom_->type == dSphereClass || keeps_within_sphere(rotation());", "return geom_->type == dSphereClass || geom_->body;",

@@ -452,6 +452,38 @@ TEST_F(ShapeProximity, NoticesOtherDataOfAMeshAlsoAfterTheSpaceWasCleaned)
     dGeomTriMeshDataDestroy(data);
 }
 
+// Far from the origin, each step is less than single precision can express; the pair has come to rest before, or is new.
+TEST_F(ShapeProximity, NoticesThatAGeomCreepsFarFromTheOrigin)
+{
+    if (sizeof(dReal) < sizeof(double))
+        return; // ODE itself cannot tell the steps from no motion
+    int contacts = 0;
+    for (const int ticks_at_rest : {0, 1, 2, 3, 8, 64, 100})
+        for (const dReal step : {REAL(1e-3), REAL(2e-4)})
+        {
+            constexpr dReal far = 1e6;
+            const dGeomID still = ball(far, 0), creeps = ball(far + 2, 0);
+            const dReal gap = 20 * step, side = REAL(1.5);
+            const dReal along = std::sqrt((2 + gap) * (2 + gap) - side * side);
+            const auto creep_to = [&](int tick) { dGeomSetPosition(creeps, far + along - step * tick, side, 0); };
+            creep_to(0);
+            for (int tick = 0; tick < ticks_at_rest; ++tick)
+                EXPECT_EQ(pairs(), 0u);
+            for (int tick = 1; tick < 60; ++tick)
+            {
+                creep_to(tick);
+                dContactGeom contact;
+                const bool touches = dCollide(still, creeps, 1, &contact, sizeof contact) > 0;
+                contacts += touches;
+                const std::size_t reported = pairs();
+                ASSERT_TRUE(reported == 1 || !touches) << "tick " << tick << " after a rest of " << ticks_at_rest;
+            }
+            dGeomDestroy(still);
+            dGeomDestroy(creeps);
+        }
+    EXPECT_GT(contacts, 0);
+}
+
 TEST_F(ShapeProximity, RefusesMarginsThatAreNoLengths)
 {
     dPredictiveSpaceSetShapeMargin(space, REAL(0.5));
