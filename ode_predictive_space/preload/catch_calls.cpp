@@ -58,9 +58,9 @@ const Ode *served_ode;
 __thread const Ode *inside;
 
 // The library that the substitute has its code from lies beside this one.
-bool path_of_substitute(char *path, std::size_t size)
+template <std::size_t size> bool path_of_substitute(char (&path)[size])
 {
-    const link_map *self = object_at(reinterpret_cast<const void *>(&path_of_substitute));
+    const link_map *self = object_at(reinterpret_cast<const void *>(&path_of_substitute<size>));
     const char *slash = self ? std::strrchr(self->l_name, '/') : nullptr;
     const int length = slash ? static_cast<int>(slash + 1 - self->l_name) : 0;
     const char *name = self ? self->l_name : "";
@@ -100,7 +100,7 @@ Match match_of(const Ode &ode)
 Attach load_substitute(const Ode &ode)
 {
     char path[PATH_MAX];
-    if (!path_of_substitute(path, sizeof path))
+    if (!path_of_substitute(path))
         return nullptr;
     inside = &ode;
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);

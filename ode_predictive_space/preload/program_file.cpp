@@ -126,7 +126,11 @@ void find_needed_library(const char *program_file, const char *beginning, char *
         const char *found =
             section.sh_type == SHT_DYNAMIC ? needed_library(file, section, strings, beginning) : nullptr;
         if (found)
-            std::snprintf(name, size, "%s", found);
+        {
+            const std::size_t length = strnlen(found, size - 1);
+            std::memcpy(name, found, length);
+            name[length] = 0;
+        }
         return found != nullptr;
     });
 }
