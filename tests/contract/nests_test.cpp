@@ -393,22 +393,18 @@ TEST_F(Contract, 11_InEachNestSpacesMoveBetweenParents)
     expect_in_all_nests(histories);
 }
 
-// The one kind of reference that aborts: ODE's simple and hash spaces take all geoms behind a clean one in their list for clean.
+// ODE's simple and hash spaces take all geoms behind a clean one in their list for clean, and stop at an assertion: the one kind of nest
+// whose reference aborts. They are left out, as what is locked by an abort cannot be freed.
 TEST_F(Contract, 11_ACleanSpaceIsPutInBesideDirtyGeoms)
 {
     const Steps steps{{Act::collide, 0}, {Act::take_out, 1}, {Act::move, 0}, {Act::put_in, 1, 0}, {Act::collide, 0}};
     const Steps cleaned{{Act::collide, 0}, {Act::take_out, 1},  {Act::move, 0},
                         {Act::clean, 0},   {Act::put_in, 1, 0}, {Act::collide, 0}};
     for (Predicts predicts : all_predicts)
-        for (Kind outermost : {Kind::simple, Kind::hash, Kind::sweep_and_prune, Kind::quadtree, Kind::predictive})
+        for (Kind outermost : {Kind::sweep_and_prune, Kind::quadtree, Kind::predictive})
         {
             const Nest nest{outermost, Kind::predictive, Kind::simple, Kind::predictive};
             const auto bare = run(nest, SpaceKind::predictive, predicts, steps);
-            if (outermost == Kind::simple || outermost == Kind::hash)
-            {
-                EXPECT_EQ(!bare.abort.empty(), ode_has_assertions()) << to_text(nest, predicts, steps);
-                continue;
-            }
             ASSERT_EQ(bare.abort, "") << to_text(nest, predicts, steps);
             const auto reference = run(nest, SpaceKind::simple, predicts, cleaned);
             EXPECT_EQ(bare.answers.back().pairs, reference.answers.back().pairs) << to_text(nest, predicts, steps);
