@@ -201,7 +201,7 @@ void Broadphase::start_over()
     });
 }
 
-// Of two times before which two objects are apart; none when they always are.
+// The later of two times before which two objects are apart; none when either test keeps them apart for good.
 static std::optional<double> later(std::optional<double> one, std::optional<double> other)
 {
     return one && other ? std::max(one, other) : std::nullopt;

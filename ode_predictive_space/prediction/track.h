@@ -1,4 +1,4 @@
-// What the last poses of an object, one per tick, say about its motion.
+// The motion of an object, derived from its last poses, one per tick.
 
 #ifndef ODE_PREDICTIVE_SPACE_PREDICTION_TRACK_H
 #define ODE_PREDICTIVE_SPACE_PREDICTION_TRACK_H

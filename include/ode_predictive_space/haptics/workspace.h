@@ -58,7 +58,7 @@ public:
     /// @throws std::invalid_argument as the constructor does, and when a scale differs from that of before: the tool would jump.
     void move_base(const WorkspacePlacement &placement, const BaseMotion &motion);
 
-    /// Where the base is, without the clutch's offset.
+    /// The placement of the base, without the offset of the clutch.
     const WorkspacePlacement &base() const { return base_; }
 
     /// Call in every tick before the others. @param device the state in this tick.

@@ -22,7 +22,7 @@ inline std::int32_t updates_between(UpdateNumber from, UpdateNumber to)
     return static_cast<std::int32_t>((to - from) << 5) / 32;
 }
 
-/// What the notice of a move compares with what. No number has both low bits: see Place.
+/// The check that a notice of a move makes. No value has both low bits set, which keeps Place::state_ a finite float.
 enum class Watch : std::uint8_t
 {
     look = 0,    ///< nothing: the object is looked at in the next update

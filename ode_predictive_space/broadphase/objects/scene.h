@@ -47,7 +47,7 @@ public:
     /// The object's bounding box in double precision.
     virtual Box bounds(ProxyId id) = 0;
 
-    /// Where the object is, for forecasts of its motion.
+    /// The pose of the object, from which forecasts of its motion are made.
     virtual SampledPose pose(ProxyId id) = 0;
 
     /// Do the objects' bounding boxes overlap and, by the sphere test of proximity, their bounding spheres, too?

@@ -1,4 +1,4 @@
-// Where the other probes of the program are.
+// The positions of the other probes of the program.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_OTHER_PROBES_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_OTHER_PROBES_H

@@ -57,7 +57,7 @@ public:
 private:
     static constexpr double rounding = 1e-6; // of a period that is a sum of ticks
 
-    /// Where the base is at the end of a step of the scene.
+    /// The placement of the base at the end of a step of the scene.
     struct Aim
     {
         WorkspacePlacement placement;
