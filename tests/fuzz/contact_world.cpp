@@ -125,7 +125,11 @@ dGeomID ContactWorld::create(Slot &slot)
     case dGeomTransformClass:
         return create_geom(GeomKind::transform, real(sides[0]), space_);
     default:
-        return create_geom(GeomKind::heightfield, real(sides[0]), space_);
+    {
+        std::mt19937_64 random(static_cast<unsigned>(slot.form.polyhedron));
+        // Repeated without end, 0.1 mm of ground below 100 m of a geom is more cells than ODE has memory for.
+        return dCreateHeightfield(space_, hills_.emplace_back(random, sides[0], sides[1], false).id(), 1);
+    }
     }
 }
 

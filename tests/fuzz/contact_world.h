@@ -16,6 +16,7 @@
 #include <Eigen/Core>
 
 #include "tests/contract/support/ode_test.h"
+#include "tests/shape/hills_geom.h"
 #include "tests/shape/polyhedron_geom.h"
 
 namespace ode_predictive_space
@@ -27,7 +28,7 @@ struct Form
 {
     int type = dSphereClass; ///< a class of ODE's, up to dHeightfieldClass
     Eigen::Vector3d sides = Eigen::Vector3d::Ones();
-    int polyhedron = 0;    ///< of a convex or mesh
+    int polyhedron = 0;    ///< of a convex or mesh; the seed of a heightfield
     bool body = false;     ///< carried by a body
     bool coherent = false; ///< of a mesh: it keeps its triangles from tick to tick
     bool single = false;   ///< of a mesh: its vertices are in single precision
@@ -128,6 +129,7 @@ private:
     std::array<Slot, slot_count> slots_;
     std::deque<ConvexArrays> convexes_; // outlive the geoms
     std::deque<MeshArrays> meshes_;
+    std::deque<Hills> hills_;
     Forecast forecast_;
 };
 } // namespace ode_predictive_space
