@@ -40,11 +40,13 @@ void Broadphase::update(Scene &scene, bool is_tick)
         predictor_.sample(scene, proxies_, clock_.now);
     }
     look(scene); // listed objects -> batch_
-    retire();    // their pairs are dropped
+    near_.drop_retired([this](const CandidatePair &pair) { Predictor::note_tests(proxies_, pair); });
     if (!batch_.empty())
-        predict(scene); // batch_ -> envelopes, pairing_.waiting
+        predict(scene); // batch_ -> envelopes
     if (is_tick)
-        find_pairs(scene); // pairing_.waiting -> near_
+        find_pairs(scene); // batch_, pairing_.waiting -> near_
+    else
+        postpone_pairs(); // batch_ -> pairing_.waiting
     index_.put(proxies_, batch_);
     finish();
 }
@@ -71,7 +73,6 @@ void Broadphase::look(Scene &scene)
     looks_.listed.for_each([this](ProxyId id) {
         Place &place = proxies_.places[id];
         place.note_doubtful_move(clock_.update);
-        near_.disturb(id);
 #ifdef ODE_PREDICTIVE_SPACE_WITHOUT_VERIFY
         // Only for the test which shows that the differential test notices when predictions are trusted blindly.
         const bool holds = place.has_envelope();
@@ -79,48 +80,53 @@ void Broadphase::look(Scene &scene)
         const bool holds = place.holds() && !place.is_boundless();
 #endif
         counters_.violations += !holds && place.has_envelope();
-        if (!holds || looks_.requested.contains(id))
-            batch_.add(id);
+        if (holds && !looks_.requested.contains(id))
+            return near_.disturb(id);
+        near_.retire(id);
+        batch_.add(id);
     });
     looks_.listed.clear();
     looks_.requested.clear();
-}
-
-// Drops the pairs of the batch, and of objects that are gone.
-void Broadphase::retire()
-{
-    for (ProxyId id : batch_.ids())
-        near_.retire(id);
-    near_.drop_retired([this](const CandidatePair &pair) { Predictor::note_tests(proxies_, pair); });
 }
 
 void Broadphase::predict(Scene &scene)
 {
     predictor_.predict(scene, proxies_, batch_.ids(), clock_.now);
     idle_.note(scene, batch_.ids().data(), batch_.size());
+    counters_.repredictions += batch_.size();
+}
+
+void Broadphase::postpone_pairs()
+{
     for (ProxyId id : batch_.ids())
         pairing_.waiting.insert(id);
-    choose_watches();
-    counters_.repredictions += batch_.size();
 }
 
 void Broadphase::find_pairs(Scene &scene)
 {
     if (!pairing_.waiting.has_work())
-        return;
+        return find_pairs(scene, batch_);
+    postpone_pairs();
     pairing_.waiting.for_each([this](ProxyId id) { pairing_.batch.add(id); });
-    counters_.sweeps += !index_.find_pairs(proxies_, pairing_.batch, idle_.members(), pairing_.found);
-    make_tight(scene);
+    find_pairs(scene, pairing_.batch);
+    pairing_.waiting.clear();
+    pairing_.batch.clear();
+}
+
+void Broadphase::find_pairs(Scene &scene, const Batch &batch)
+{
+    if (batch.empty())
+        return;
+    counters_.sweeps += !index_.find_pairs(proxies_, batch, idle_.members(), pairing_.found);
+    make_tight(scene, batch);
     for (const CandidatePair &pair : pairing_.found)
         if (!envelopes_apart(proxies_.places[pair.first], proxies_.places[pair.second]))
             near_.add(pair, proxies_.is_dear(pair.first) || proxies_.is_dear(pair.second));
-    pairing_.waiting.clear();
-    pairing_.batch.clear();
     clear_scratch(pairing_.found);
 }
 
 // Objects that may be near others are watched by their tight boxes. A new envelope around a sphere becomes one around that box.
-void Broadphase::make_tight(Scene &scene)
+void Broadphase::make_tight(Scene &scene, const Batch &batch)
 {
     looks_.current.clear();
     for (const CandidatePair &pair : pairing_.found)
@@ -134,22 +140,8 @@ void Broadphase::make_tight(Scene &scene)
         return;
     scene.measure(looks_.current.data(), looks_.current.size(), proxies_.places.data());
     for (ProxyId id : looks_.current)
-        if (pairing_.batch.contains(id))
+        if (batch.contains(id))
             proxies_.places[id].tighten(proxies_.records[id].radius);
-}
-
-// An envelope that holds its object however it turns is watched by the centre, until it meets another. What is without end is looked
-// at, to see when it has one.
-void Broadphase::choose_watches()
-{
-    for (ProxyId id : batch_.ids())
-    {
-        Place &place = proxies_.places[id];
-        if (const ProxyRecord &record = proxies_.records[id]; record.by_radius)
-            place.watch_centre(record.position, record.radius);
-        else if (!place.has_end())
-            place.set_watch(Watch::look);
-    }
 }
 
 void Broadphase::finish()

@@ -75,7 +75,12 @@ public:
         const Followed followed = place.follow(object.position(), object.rotation());
         if (followed == Followed::moved)
             note_move(place);
-        return followed;
+        if (followed != Followed::left_as_measured)
+            return followed;
+        // The size is as it was: a change of it has a notice of its own, with the pose of the last one.
+        note_move(place);
+        looks_.listed.insert(id);
+        return Followed::moved;
     }
 
     /// @return false when nothing has changed since the last report, as far as single precision tells: that counts as no move.
@@ -218,11 +223,11 @@ private:
 
     void update(Scene &scene, bool is_tick);
     void look(Scene &scene);
-    void retire();
     void predict(Scene &scene);
+    void postpone_pairs();
     void find_pairs(Scene &scene);
-    void make_tight(Scene &scene);
-    void choose_watches();
+    void find_pairs(Scene &scene, const Batch &batch);
+    void make_tight(Scene &scene, const Batch &batch);
     void finish();
     void start_over();
     void forget(ProxyId id);

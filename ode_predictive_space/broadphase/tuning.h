@@ -44,6 +44,8 @@ constexpr float cost_of_test = 20, cost_of_box = 50, cost_of_prediction = 2800;
 
 /// An object that is farther from its path than this, in sizes per tick, has leapt: nothing is known of where it will be.
 constexpr float leap = 1;
+/// Leaps of a body until its velocity is read again. (teleport on bodies)
+constexpr std::uint32_t leaps_per_observation = 8;
 
 /// Objects up to which a space predicts nothing unless it has to: to compare all boxes costs less. (many 17, nested 22)
 constexpr std::size_t few_objects = 16;

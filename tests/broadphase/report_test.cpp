@@ -78,7 +78,7 @@ TEST_P(ReportOfAMove, IsEnoughWhileTheObjectIsInItsEnvelope)
         world.object(id).centre.x() += 0.0005;
         EXPECT_TRUE(settles(id));
         world.object(id).centre.x() += 100;
-        EXPECT_FALSE(settles(id));
+        EXPECT_EQ(settles(id), GetParam() == Watched::near_another) << "where it is known, so is how to go on";
         world.object(id).centre.x() = nan;
         EXPECT_FALSE(settles(id));
         for (ProxyId member : world.members())
@@ -116,15 +116,16 @@ TEST_P(ReportOfAMove, CountsWhenTheSizeHasChangedAndThePoseHasNot)
 {
     for (const Object &solid : solids())
         for (double factor : {1.5, 1.0001})
-        {
-            const ProxyId id = add(solid);
-            world.object(id).centre.x() += 0.0005;
-            EXPECT_TRUE(world.touch(id));
-            world.object(id).half *= factor;
-            world.object(id).radius *= factor;
-            EXPECT_TRUE(counts_in_tick(id));
-            EXPECT_FALSE(counts_in_tick(id));
-        }
+            for (double way : {0.0005, 100.0})
+            {
+                const ProxyId id = add(solid);
+                world.object(id).centre.x() += way;
+                EXPECT_TRUE(world.touch(id));
+                world.object(id).half *= factor;
+                world.object(id).radius *= factor;
+                EXPECT_TRUE(counts_in_tick(id));
+                EXPECT_FALSE(counts_in_tick(id));
+            }
 }
 
 TEST_P(ReportOfAMove, AnObjectThatGrowsMeetsItsNeighbour)

@@ -269,21 +269,21 @@ TEST(Float4, RoundsDoublesDownOnEitherSide)
 TEST(Float4, StoresWholeNumbersWithoutTheirFractions)
 {
     const auto whole = [](const Four &values) {
-        std::array<std::int16_t, 4> stored{};
+        std::array<std::int32_t, 4> stored{};
         vector_of(values).store_whole(stored.data());
         return stored;
     };
-    EXPECT_EQ(whole({0, 0.999f, 1, 32767}), (std::array<std::int16_t, 4>{0, 0, 1, 32767}));
-    EXPECT_EQ(whole({tiniest, 32766.5f, -0.0f, 255.5f}), (std::array<std::int16_t, 4>{0, 32766, 0, 255}));
+    EXPECT_EQ(whole({0, 0.999f, 1, 65535}), (std::array<std::int32_t, 4>{0, 0, 1, 65535}));
+    EXPECT_EQ(whole({tiniest, 32766.5f, -0.0f, 255.5f}), (std::array<std::int32_t, 4>{0, 32766, 0, 255}));
     Random random(9);
     for (int i = 0; i < rounds; ++i)
     {
         Four values;
-        std::array<std::int16_t, 4> expected;
+        std::array<std::int32_t, 4> expected;
         for (std::size_t lane = 0; lane < 4; ++lane)
         {
-            values[lane] = static_cast<float>(random.uniform(0, 32767));
-            expected[lane] = static_cast<std::int16_t>(values[lane]);
+            values[lane] = static_cast<float>(random.uniform(0, 65535));
+            expected[lane] = static_cast<std::int32_t>(values[lane]);
         }
         ASSERT_EQ(whole(values), expected) << i;
     }

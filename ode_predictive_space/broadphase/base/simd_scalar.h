@@ -50,10 +50,10 @@ public:
 
     void store(float *four) const { std::copy_n(lanes_, 4, four); }
     void store_three(float *three) const { std::copy_n(lanes_, 3, three); }
-    void store_whole(std::int16_t *four) const
+    void store_whole(std::int32_t *four) const
     {
         for (int lane = 0; lane < 4; ++lane)
-            four[lane] = static_cast<std::int16_t>(lanes_[lane]);
+            four[lane] = static_cast<std::int32_t>(lanes_[lane]);
     }
 
     Float4 rotated() const { return {lanes_[1], lanes_[2], lanes_[0], lanes_[0]}; }

@@ -79,11 +79,10 @@ public:
         _mm_store_ss(three + 2, _mm_movehl_ps(lanes_, lanes_));
     }
 
-    /// Stores lanes from 0 to 32767, without their fractions, as integers.
-    void store_whole(std::int16_t *four) const
+    /// Stores lanes that are not negative, without their fractions, as integers.
+    void store_whole(std::int32_t *four) const
     {
-        const __m128i whole = _mm_cvttps_epi32(lanes_);
-        _mm_storel_epi64(reinterpret_cast<__m128i *>(four), _mm_packs_epi32(whole, whole));
+        _mm_storeu_si128(reinterpret_cast<__m128i *>(four), _mm_cvttps_epi32(lanes_));
     }
 
     /// The lanes y, z, x, and one that means nothing.

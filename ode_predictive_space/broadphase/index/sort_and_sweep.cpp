@@ -58,27 +58,30 @@ struct AxisSpread
     bool operator>(const AxisSpread &other) const { return centres.variance > other.centres.variance; }
 };
 
-// Least significant digit first, of the upper halves. A digit that is the same in all is passed over.
+// By the upper halves, least significant digit first. The bits that vary are cut into as few digits as can be.
 void radix_sort(std::vector<std::uint64_t> &order, std::vector<std::uint64_t> &scratch)
 {
-    constexpr int bits = 8;
-    constexpr std::uint32_t mask = (1u << bits) - 1;
+    constexpr int widest = 11;
     std::uint64_t varying = 0;
     for (std::uint64_t element : order)
         varying |= element ^ order.front();
+    const auto keys = static_cast<std::uint32_t>(varying >> 32);
+    const int bits = keys ? 32 - __builtin_clz(keys) : 0;
+    const int digits = (bits + widest - 1) / widest, width = digits ? (bits + digits - 1) / digits : 0;
+    const std::uint32_t mask = (1u << width) - 1;
     scratch.resize(order.size());
-    for (int shift = 32; shift < 64; shift += bits)
+    for (int shift = 32; shift < 32 + bits; shift += width)
     {
-        if (((varying >> shift) & mask) == 0)
-            continue;
-        std::array<std::uint32_t, mask + 1> starts{};
+        std::array<std::uint32_t, 1u << widest> starts;
+        std::fill_n(starts.begin(), mask + 1, 0);
         for (std::uint64_t element : order)
             ++starts[(element >> shift) & mask];
         std::uint32_t total = 0;
-        for (std::uint32_t &start : starts)
-            total += std::exchange(start, total);
+        for (std::uint32_t digit = 0; digit <= mask; ++digit)
+            total += std::exchange(starts[digit], total);
+        std::uint64_t *const sorted = scratch.data();
         for (std::uint64_t element : order)
-            scratch[starts[(element >> shift) & mask]++] = element;
+            sorted[starts[(element >> shift) & mask]++] = element;
         order.swap(scratch);
     }
 }
@@ -113,63 +116,81 @@ int SortAndSweep::Layout::bits_of_slabs(const Items &items) const
     return bits;
 }
 
-std::uint32_t SortAndSweep::Layout::place_along(float coordinate) const
+SortAndSweep::Grid::Grid(const Layout &layout) : x_(layout.along.axis), y_(layout.across.axis), z_(layout.other.axis)
 {
-    const float place = (coordinate - along.begin) * along.places_per_unit;
-    return place > 0 ? static_cast<std::uint32_t>(std::min(place, last_place)) : 0;
+    float begin[3], scale[3], last[3];
+    for (const Scale &axis : {layout.along, layout.across, layout.other})
+    {
+        begin[axis.axis] = axis.begin;
+        scale[axis.axis] = axis.places_per_unit;
+        last[axis.axis] = axis.axis == x_ ? last_place : places_beside - 1;
+    }
+    low_ = {Float4(begin[0], begin[1], begin[2], 0), Float4(scale[0], scale[1], scale[2], 0),
+            Float4(last[0], last[1], last[2], 0)};
+    high_ = {Float4(0, begin[0], begin[1], begin[2]), Float4(0, scale[0], scale[1], scale[2]),
+             Float4(0, last[0], last[1], last[2])};
 }
 
-SortAndSweep::Sides SortAndSweep::Sides::of(const FloatBox &box, const Layout &layout)
+// The larger of a number that is not one and 0 is 0.
+inline void SortAndSweep::Grid::Cut::operator()(const float *four, std::int32_t *places) const
 {
-    const Scale &y = layout.across, &z = layout.other;
-    const Float4 coordinates(box.low[y.axis], box.high[y.axis], box.low[z.axis], box.high[z.axis]);
-    const Float4 begin(y.begin, y.begin, z.begin, z.begin);
-    const Float4 scale(y.places_per_unit, y.places_per_unit, z.places_per_unit, z.places_per_unit);
-    // The larger of a number that is not one and 0 is 0.
-    const Float4 positive = max((coordinates - begin) * scale, Float4::all(0));
-    std::int16_t places[4];
-    min(positive, Float4::all(places_beside - 1)).store_whole(places);
-    return {places[0], places[1], places[2], places[3], layout.place_along(box.high[layout.along.axis])};
+    min(max((Float4::load(four) - begin) * scale, Float4::all(0)), last).store_whole(places);
 }
 
-void SortAndSweep::Columns::resize(std::size_t count)
+// Both loads stay within the box: that of the high sides begins with the last of the low ones.
+inline SortAndSweep::Sides SortAndSweep::Grid::sides(const FloatBox &box) const
 {
-    for (std::vector<std::int16_t> *side : {&low_y, &high_y, &low_z, &high_z})
-        side->resize(count);
-}
-
-void SortAndSweep::Columns::set(std::size_t i, const Sides &sides)
-{
-    low_y[i] = sides.low_y;
-    high_y[i] = sides.high_y;
-    low_z[i] = sides.low_z;
-    high_z[i] = sides.high_z;
+    std::int32_t low[4], high[4];
+    low_(&box.low[0], low);
+    high_(&box.low[2], high);
+    const std::int32_t *const highs = high + 1;
+    return {static_cast<std::int16_t>(low[y_]),  static_cast<std::int16_t>(highs[y_]),
+            static_cast<std::int16_t>(low[z_]),  static_cast<std::int16_t>(highs[z_]),
+            static_cast<std::uint32_t>(low[x_]), static_cast<std::uint32_t>(highs[x_])};
 }
 
 void SortAndSweep::sort_into_slabs(const Items &items, const Layout &layout)
 {
-    order_.clear();
+    const Grid grid(layout);
     sides_.resize(items.size());
+    order_.resize(std::max(order_.size(), items.size()));
+    Sides *const all_sides = sides_.data();
+    std::size_t count = 0;
     for (std::size_t i = 0; i < items.size(); ++i)
     {
-        const FloatBox &box = items[i].box;
-        const Sides sides = sides_[i] = Sides::of(box, layout);
-        const std::uint32_t place = layout.place_along(box.low[layout.along.axis]);
+        const Sides sides = all_sides[i] = grid.sides(items[i].box);
         const int last = std::max(sides.low_y, sides.high_y) >> layout.slab_bits; // also of an inverted box
         for (int slab = sides.low_y >> layout.slab_bits; slab <= last; ++slab)
-            order_.push_back((std::uint64_t{static_cast<std::uint32_t>(slab)} << 16 | place) << 32 | i);
+        {
+            if (count == order_.size())
+                order_.resize(2 * count);
+            order_[count++] = (std::uint64_t{static_cast<std::uint32_t>(slab)} << 16 | sides.low_x) << 32 | i;
+        }
     }
+    order_.resize(count);
     radix_sort(order_, other_order_);
+    set_columns(all_sides);
+}
+
+void SortAndSweep::set_columns(const Sides *sides)
+{
     const std::size_t count = order_.size();
     keys_.assign(count + spare, last_key);
     ends_.resize(count);
     columns_.resize(count + spare);
+    const std::uint64_t *const order = order_.data();
+    std::uint32_t *const keys = keys_.data(), *const ends = ends_.data();
+    std::int16_t *const low_y = columns_.low_y(), *const high_y = columns_.high_y(), *const low_z = columns_.low_z(),
+                        *const high_z = columns_.high_z();
     for (std::size_t i = 0; i < count; ++i)
     {
-        const Sides &sides = sides_[order_[i] & item_mask];
-        keys_[i] = static_cast<std::uint32_t>(order_[i] >> 32);
-        ends_[i] = (keys_[i] & ~0xffffu) | sides.high_x;
-        columns_.set(i, sides);
+        const Sides &of_box = sides[order[i] & item_mask];
+        keys[i] = static_cast<std::uint32_t>(order[i] >> 32);
+        ends[i] = (keys[i] & ~0xffffu) | of_box.high_x;
+        low_y[i] = of_box.low_y;
+        high_y[i] = of_box.high_y;
+        low_z[i] = of_box.low_z;
+        high_z[i] = of_box.high_z;
     }
 }
 
@@ -211,7 +232,6 @@ std::size_t SortAndSweep::find_bounded_pairs(const Items &items, Pairs &pairs)
 std::size_t SortAndSweep::bytes() const
 {
     return list_.bytes() + bytes_of(bounded_) + bytes_of(unbounded_) + bytes_of(order_) + bytes_of(other_order_) +
-           bytes_of(keys_) + bytes_of(ends_) + bytes_of(sides_) + bytes_of(columns_.low_y) + bytes_of(columns_.high_y) +
-           bytes_of(columns_.low_z) + bytes_of(columns_.high_z);
+           bytes_of(keys_) + bytes_of(ends_) + bytes_of(sides_) + columns_.bytes();
 }
 } // namespace ode_predictive_space

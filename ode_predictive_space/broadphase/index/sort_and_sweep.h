@@ -51,26 +51,52 @@ private:
 
         static Layout fit_for(const Items &items);
         int bits_of_slabs(const Items &items) const;
-
-        /// Does not decrease with the coordinate, whatever the rounding; 0 also when it is not a number.
-        std::uint32_t place_along(float coordinate) const;
     };
 
-    /// The places in which a box begins and ends on the two axes across the sorted one (first that of the slabs), and in which
-    /// it ends along that one.
+    /// The places in which a box begins and ends: y is the axis of the slabs, x the sorted one.
     struct Sides
     {
         std::int16_t low_y, high_y, low_z, high_z;
-        std::uint32_t high_x;
-        static Sides of(const FloatBox &box, const Layout &layout);
+        std::uint32_t low_x, high_x;
     };
 
-    /// The sides of boxes in the order of their keys, one array for each, with some to spare.
-    struct Columns
+    /// The layout for all sides of a box at once. Places do not decrease with the coordinate, whatever the rounding; they are 0
+    /// also when it is not a number.
+    class Grid
     {
-        std::vector<std::int16_t> low_y, high_y, low_z, high_z;
-        void resize(std::size_t count);
-        void set(std::size_t i, const Sides &sides);
+    public:
+        explicit Grid(const Layout &layout);
+        Sides sides(const FloatBox &box) const;
+
+    private:
+        struct Cut
+        {
+            Float4 begin, scale, last;
+            void operator()(const float *four, std::int32_t *places) const;
+        };
+
+        int x_, y_, z_;  // axes
+        Cut low_, high_; // by coordinate; the high ones from the second lane on
+    };
+
+    /// Sides across, of boxes in the order of their keys: one array for each side, with some to spare.
+    class Columns
+    {
+    public:
+        void resize(std::size_t count)
+        {
+            count_ = count;
+            places_.resize(4 * count);
+        }
+        std::int16_t *low_y() { return places_.data(); }
+        std::int16_t *high_y() { return low_y() + count_; }
+        std::int16_t *low_z() { return high_y() + count_; }
+        std::int16_t *high_z() { return low_z() + count_; }
+        std::size_t bytes() const { return bytes_of(places_); }
+
+    private:
+        std::vector<std::int16_t> places_;
+        std::size_t count_ = 0;
     };
 
     class Rows;
@@ -78,7 +104,8 @@ private:
     std::size_t compare_each_with_each(const Items &items, Pairs &pairs);
     std::size_t find_bounded_pairs(const Items &items, Pairs &pairs);
     void sort_into_slabs(const Items &items, const Layout &layout);
-    std::size_t sweep_rows(const Items &items, const Layout &layout, Pairs &pairs) const;
+    void set_columns(const Sides *sides);
+    std::size_t sweep_rows(const Items &items, const Layout &layout, Pairs &pairs);
 
     static constexpr std::size_t row = 8;     // boxes that are compared at once
     static constexpr std::size_t spare = row; // places behind the last box that may be compared, too

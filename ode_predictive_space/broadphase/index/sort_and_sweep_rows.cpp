@@ -14,10 +14,10 @@ namespace ode_predictive_space
 class SortAndSweep::Rows
 {
 public:
-    Rows(const SortAndSweep &sweep, const Items &items, const Layout &layout)
-        : items_(items.data()), order_(sweep.order_.data()), keys_(sweep.keys_.data()),
-          low_y_(sweep.columns_.low_y.data()), high_y_(sweep.columns_.high_y.data()),
-          low_z_(sweep.columns_.low_z.data()), high_z_(sweep.columns_.high_z.data()), slab_bits_(layout.slab_bits)
+    Rows(SortAndSweep &sweep, const Items &items, const Layout &layout)
+        : items_(items.data()), order_(sweep.order_.data()), keys_(sweep.keys_.data()), low_y_(sweep.columns_.low_y()),
+          high_y_(sweep.columns_.high_y()), low_z_(sweep.columns_.low_z()), high_z_(sweep.columns_.high_z()),
+          slab_bits_(layout.slab_bits)
     {}
 
     // Two neighbours, the i-th and the next, meet nearly the same others: these are loaded once for both, and both rows end in
@@ -99,7 +99,7 @@ private:
     int slab_bits_;
 };
 
-std::size_t SortAndSweep::sweep_rows(const Items &items, const Layout &layout, Pairs &pairs) const
+std::size_t SortAndSweep::sweep_rows(const Items &items, const Layout &layout, Pairs &pairs)
 {
     const Rows rows(*this, items, layout);
     std::size_t comparisons = 0, i = 0;

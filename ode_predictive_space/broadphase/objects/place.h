@@ -50,7 +50,8 @@ enum class Followed
 {
     moved, ///< and still in its envelope
     same,  ///< nothing has changed, as far as single precision tells and unless the size has; in its envelope
-    left   ///< it is not in its envelope
+    left_as_measured, ///< it is not in its envelope, and its tight box is known
+    left              ///< it is not in its envelope
 };
 
 /// A box in the first three lanes of two vectors.
@@ -213,7 +214,10 @@ public:
         const Mask4 same = (box.low == tight_low()) & (box.high == tight_high());
         const bool changed = (same.bits() & three_lanes) != three_lanes;
         set_tight(box);
-        return outcome(holds(box.low, box.high), changed);
+        const bool is_inside = holds(box.low, box.high);
+        if (!is_inside & changed && is_finite(box))
+            return Followed::left_as_measured;
+        return outcome(is_inside, changed);
     }
 
     // --- Pairs ---

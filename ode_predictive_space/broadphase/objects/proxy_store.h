@@ -53,7 +53,6 @@ struct alignas(64) ProxyRecord
     Shelf shelf;           ///< written by the index
     bool predicted : 1;    ///< at least once
     bool has_body : 1;     ///< which tells the velocity
-    bool by_radius : 1;    ///< its new envelope holds the object however it turns
     bool is_dear : 1;      ///< the contacts of its shape are dear to find
 
     bool had_overlap() const { return useless < tests; }

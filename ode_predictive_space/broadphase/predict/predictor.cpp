@@ -236,8 +236,7 @@ TightBox Predictor::swept(const TightBox &box, const Motion &motion, float ticks
 
 void Predictor::note_farthest(const TightBox &box)
 {
-    const Float4 farthest = max(abs(finite_or_zero(box.low)), abs(finite_or_zero(box.high)));
-    farthest_ = std::max(farthest_, farthest.largest_of_three());
+    farthest_ = max(farthest_, max(abs(finite_or_zero(box.low)), abs(finite_or_zero(box.high))));
 }
 
 void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now)
@@ -266,11 +265,11 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     const Deviation adapted = adapted_deviation(record.size, tuning::most_spread, way, ticks);
     const Deviation deviation = deviation_of(record, never_moved ? Deviation() : adapted);
     record.radius = round_up(seen.radius);
+    // An envelope that holds its object however it turns is watched by the centre, until it meets another.
     const bool by_radius = record.tests == 0 && std::isfinite(record.radius) && is_finite(tight);
     const TightBox box = by_radius ? TightBox::around(centre, Float4::all(record.radius)) : tight;
     const TightBox envelope = swept(box, motion, ticks, static_cast<float>(deviation.at(double{ticks})));
     place.set_envelope(envelope);
-    record.by_radius = by_radius && place.has_end();
     note_farthest(envelope);
     note_farthest(tight);
     centre.store_three(record.position);
@@ -281,29 +280,36 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     motion.acceleration.store_three(record.acceleration);
     record.since = now;
     record.tests = record.useless = 0;
+    // What is without end is looked at, to see when it has one.
+    if (!place.has_end())
+        place.set_watch(Watch::look);
+    else if (by_radius)
+        place.watch_centre(record.position, record.radius);
 }
 
-// An object that leaps again, without a body whose velocity explains it, is not observed: its next envelope is the tight box with some
-// slack.
+// An object that leaps again is not observed: its next envelope is the tight box with some slack. Sometimes a body is, as its velocity
+// may explain the next leaps.
 bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
-    if (record.reach > 0 || !record.predicted || record.has_body ||
-        settings.deviation[is_interactive(record.role) ? 1 : 0])
+    const bool is_observed = record.has_body && (now + id) % tuning::leaps_per_observation == 0;
+    if (record.reach > 0 || !record.predicted || is_observed || settings.deviation[is_interactive(record.role) ? 1 : 0])
         return false;
     Place &place = proxies.places[id];
     const TightBox tight = place.tight_lanes();
-    const Float4 centre = middle_of(tight), displacement = centre - bounded(load_three(record.position));
+    if (!is_finite(tight))
+        return false;
+    const Float4 centre = Float4::all(0.5f) * tight.low + Float4::all(0.5f) * tight.high,
+                 displacement = centre - load_three(record.position);
     const float leap = static_cast<float>(ticks_between(record.since, now)) * tuning::leap * record.size;
-    if (!is_finite(tight) || !(dot(displacement, displacement) > leap * leap))
+    if (!(dot(displacement, displacement) > leap * leap))
         return false;
     const Float4 slack = Float4::all(tuning::slack * record.size);
-    const TightBox envelope = {min(tight.low - slack, tight.low), max(tight.high + slack, tight.high)};
+    const TightBox envelope = {tight.low - slack, tight.high + slack};
     place.set_envelope(envelope);
     note_farthest(envelope);
     centre.store_three(record.position);
     record.since = now;
-    record.by_radius = false;
     record.tests = record.useless = 0;
     return true;
 }

@@ -73,7 +73,7 @@ public:
 
     /// No finite side of an object is farther from the origin than this: the largest finite coordinate of an envelope, or of an
     /// object in it, when one was ever made.
-    float farthest() const { return farthest_; }
+    float farthest() const { return farthest_.largest_of_three(); }
 
     void forget(ProxyId id) { samples_.forget(id); }
     void release() { samples_ = {}; }
@@ -95,7 +95,7 @@ private:
     void follow(const Track &track, const ProxyRecord &record, Forecast &forecast) const;
 
     StepEstimate step_estimate_;
-    float farthest_ = 0;
+    Float4 farthest_ = Float4::all(0); // by coordinate
     Samples samples_;
     std::array<ProxyId, tuning::objects_per_call> ids_; // scratch
     std::vector<Observation> seen_;                     // scratch
