@@ -72,15 +72,14 @@ public:
         const Watch watch = place.watch();
         if (watch == Watch::look || !object.has_pose() || (watch == Watch::centre && !object.turns_safely()))
             return Followed::left;
-        const Followed followed = place.follow(object.position(), object.rotation());
-        if (followed == Followed::moved)
-            note_move(place);
-        if (followed != Followed::left_as_measured)
-            return followed;
-        // The size is as it was: a change of it has a notice of its own, with the pose of the last one.
-        note_move(place);
-        looks_.listed.insert(id);
-        return Followed::moved;
+        return noted(id, place, place.follow(object.position(), object.rotation()));
+    }
+
+    /// The same for an object that is watched by its centre, and turns safely.
+    Followed report_centre_at_once(ProxyId id, Float4 centre)
+    {
+        Place &place = proxies_.places[id];
+        return noted(id, place, place.follow_centre(centre));
     }
 
     /// @return false when nothing has changed since the last report, as far as single precision tells: that counts as no move.
@@ -210,6 +209,18 @@ public:
 
 private:
     void note_move(Place &place) { clock_.moves += place.note_move(clock_.update); }
+    Followed noted(ProxyId id, Place &place, Followed followed)
+    {
+        // The size is as it was: a change of it has a notice of its own, with the pose of the last one.
+        if (followed == Followed::left_as_measured)
+        {
+            looks_.listed.insert(id);
+            followed = Followed::moved;
+        }
+        if (followed == Followed::moved)
+            note_move(place);
+        return followed;
+    }
     void look_at(ProxyId id)
     {
         proxies_.places[id].set_watch(Watch::look);

@@ -6,6 +6,7 @@
 
 #include "ode_predictive_space/broadphase/base/prefetch.h"
 #include "ode_predictive_space/space/geom_shape.h"
+#include "ode_predictive_space/space/noticed_geom.h"
 
 namespace ode_predictive_space
 {
@@ -155,15 +156,23 @@ bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
     return !line || line->overlaps(FloatBox::around(to_box(geom->aabb)));
 }
 
+bool turns_safely(const dxGeom *geom)
+{
+    if (geom->offset_posr)
+        return CarriedGeom(geom).turns_safely(most_offset);
+    return geom->type == dSphereClass || (geom->body && keeps_within_sphere(geom->final_posr->R));
+}
+
 double bounding_sphere(const dxGeom *geom)
 {
-    return turns_safely(geom) ? circumscribed_radius(geom) : std::numeric_limits<double>::infinity();
+    if (!turns_safely(geom))
+        return std::numeric_limits<double>::infinity();
+    const double radius = circumscribed_radius(geom);
+    return geom->offset_posr ? CarriedGeom(geom).with_rounding(radius) : radius;
 }
 
 Solid solid_of(const dxGeom *geom)
 {
-    if (geom->offset_posr || geom->gflags & GEOM_POSR_BAD)
-        return {};
     switch (geom->type)
     {
     case dSphereClass:
@@ -217,6 +226,7 @@ void GeomScene::for_each(std::size_t count, Visit visit, Fetches... fetches) con
 // By the formula, or the box that ODE computes.
 static void measure_geom(dxGeom *geom, Place &place)
 {
+    geom->recomputePosr();
     place.watch_solid(solid_of(geom));
     if (place.watch() != Watch::look)
     {
@@ -276,9 +286,9 @@ Box GeomScene::bounds(ProxyId id)
 // The point that the geom turns around; finite, or none when that is not known.
 static std::optional<Vector3> pivot_of(dxGeom *geom)
 {
+    geom->recomputePosr();
     if (!turns_safely(geom))
         return std::nullopt;
-    geom->recomputePosr();
     const dReal *position = geom->final_posr->pos;
     const Vector3 centre(position[0], position[1], position[2]);
     return centre.allFinite() ? std::optional(centre) : std::nullopt;
@@ -307,6 +317,7 @@ Observation GeomScene::observation(ProxyId id)
     dxGeom *geom = geoms_[id];
     Observation seen;
     seen.centre = pivot_of(geom);
+    seen.offset = geom->offset_posr ? CarriedGeom(geom).largest_offset() : 0;
     seen.radius = seen.centre ? bounding_sphere(geom) : std::numeric_limits<double>::infinity();
     seen.is_dear = geom->type == dConvexClass || geom->type == dTriMeshClass;
     if (geom->body && !dBodyIsKinematic(geom->body))

@@ -17,7 +17,8 @@
 namespace ode_predictive_space
 {
 /// Radius of the sphere around the position of a sphere, box, capsule or cylinder that holds the geom in every orientation; infinite
-/// for other classes, and for geoms that do not turn about their position or whose matrix stretches them.
+/// for other classes, for geoms without a body, and for geoms whose matrix stretches them. With an offset from the body, it
+/// allows for the rounding of CarriedGeom::centre().
 double bounding_sphere(const dxGeom *geom);
 
 /// A sphere, box or capsule whose pose is known: its bounding box follows from its pose by a formula that ODE shares.
@@ -32,11 +33,7 @@ inline const dReal *sizes_of(const dxGeom *geom)
 }
 
 /// Does the geom turn about its position? Then a bounding sphere that was measured earlier still holds it.
-inline bool turns_safely(const dxGeom *geom)
-{
-    const bool turns_with_body = (geom->body != nullptr) & (geom->offset_posr == nullptr);
-    return geom->type == dSphereClass || (turns_with_body && keeps_within_sphere(geom->final_posr->R));
-}
+bool turns_safely(const dxGeom *geom);
 
 /// Does a geom with these flags take part in collisions? It must be enabled and have a size.
 inline bool enabled(int flags)

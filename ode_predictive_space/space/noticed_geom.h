@@ -3,6 +3,9 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_NOTICED_GEOM_H
 #define ODE_PREDICTIVE_SPACE_SPACE_NOTICED_GEOM_H
 
+#include <algorithm>
+#include <cmath>
+
 #include "ode_predictive_space/space/geom_scene.h"
 
 namespace ode_predictive_space
@@ -26,6 +29,54 @@ public:
 
 private:
     const dxGeom *geom_;
+};
+
+/// No geom is followed at an offset with larger coordinates.
+constexpr float most_offset = 1e15f;
+
+/// A geom with an offset from its body. Its own pose is computed from those two only where it is needed.
+class CarriedGeom
+{
+public:
+    explicit CarriedGeom(const dxGeom *geom)
+        : geom_(geom), body_(reinterpret_cast<const dxPosR *>(dBodyGetPosition(geom->body))), rotation_(body_->R),
+          offset_(Float4::nearest_of_stored(geom->offset_posr->pos, 1))
+    {}
+
+    /// Both matrices may have changed, and the offset may have become longer than a radius allows for.
+    bool turns_safely(float allowed_offset) const
+    {
+        const dMatrix3 &turned = geom_->offset_posr->R;
+        return in_three_lanes(short_rows(rotation_) & (abs(offset_) <= Float4::all(allowed_offset))) &&
+               (geom_->type == dSphereClass || is_identity(turned) || lengthens_nothing(turned));
+    }
+
+    /// The position of the geom.
+    ///
+    /// @pre it turns safely.
+    Float4 centre() const
+    {
+        const Float4 along_x = rotation_.x * offset_.broadcast<0>(), along_y = rotation_.y * offset_.broadcast<1>(),
+                     along_z = rotation_.z * offset_.broadcast<2>();
+        return Float4::nearest_of_stored(body_->pos, 1) + ((along_x + along_y) + along_z);
+    }
+
+    double largest_offset() const
+    {
+        const dReal *offset = geom_->offset_posr->pos;
+        return std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
+    }
+    /// A radius around the position of the geom, enlarged by what may be lost by rounding in the functions above.
+    double with_rounding(double radius) const
+    {
+        return radius + 4 * double{round_off} * (radius + 3 * largest_offset());
+    }
+
+private:
+    const dxGeom *geom_;
+    const dxPosR *body_; // ODE keeps the pose of a body as that of a geom
+    Columns rotation_;   // of the body
+    Float4 offset_;
 };
 } // namespace ode_predictive_space
 

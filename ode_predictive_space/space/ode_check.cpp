@@ -85,10 +85,24 @@ bool space_layout_differs(dSpaceID space)
     return !agrees || space->count != 0;
 }
 
+// CarriedGeom reads the pose of a body as that of a geom.
+bool body_layout_differs(dSpaceID space)
+{
+    dWorldID world = dWorldCreate();
+    dBodyID body = dBodyCreate(world);
+    dGeomID geom = dCreateSphere(space, 1);
+    dGeomSetBody(geom, body);
+    const bool agrees = geom->body == body && geom->final_posr->pos == dBodyGetPosition(body) &&
+                        geom->final_posr->R == dBodyGetRotation(body);
+    dGeomDestroy(geom);
+    dWorldDestroy(world);
+    return !agrees;
+}
+
 bool layout_differs()
 {
     dSpaceID space = dSimpleSpaceCreate(nullptr);
-    const bool differs = geom_layout_differs(space) || space_layout_differs(space);
+    const bool differs = geom_layout_differs(space) || space_layout_differs(space) || body_layout_differs(space);
     dSpaceDestroy(space);
     return differs;
 }

@@ -146,12 +146,35 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
 {
     if (!predicts_)
         return; // the flag of the geom tells it to the next collide
-    const Followed followed = broadphase_.report_at_once(proxy_of(geom), NoticedGeom(geom));
+    if (geom->gflags & GEOM_POSR_BAD)
+        return follow_carried(geom);
+    note_followed(geom, broadphase_.report_at_once(proxy_of(geom), NoticedGeom(geom)));
+}
+
+inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
+{
     if (followed != Followed::moved)
         return look_closely(geom, followed);
     listen_to(geom);
     note_changed_line(geom);
     forget_catching_up();
+}
+
+// A geom with an offset from its body, whose pose ODE computes when it is needed. (ODE leaves the mark of such a pose on a geom
+// that goes from one body to another and has no offset any more.) Not inlined: dirty() saves no registers, as it goes on to this.
+[[gnu::noinline]] void dxPredictiveSpace::follow_carried(dxGeom *geom)
+{
+    const ProxyId id = proxy_of(geom);
+    const Place &place = broadphase_.proxies().places[id];
+    if (place.watch() == Watch::look || !geom->offset_posr)
+        return look_closely(geom, Followed::left);
+    if (place.watch() == Watch::centre)
+        if (const CarriedGeom carried(geom); carried.turns_safely(place.allowed_offset()))
+            if (const Followed followed = broadphase_.report_centre_at_once(id, carried.centre());
+                followed != Followed::left)
+                return note_followed(geom, followed);
+    geom->recomputePosr();
+    note_followed(geom, broadphase_.report_at_once(id, NoticedGeom(geom)));
 }
 
 // Not inlined: dirty() saves no registers, as it goes on to this.

@@ -147,6 +147,8 @@ private:
     void collide_predicted(bool nested_call, void *data, dNearCallback *callback);
     std::size_t find_reported(bool nested_call, std::vector<ode_predictive_space::CandidatePair> &pairs);
     void call_back(dxGeom *one, dxGeom *other, void *data, dNearCallback *callback);
+    void follow_carried(dxGeom *geom);
+    void note_followed(dxGeom *geom, ode_predictive_space::Followed followed);
     void look_closely(dxGeom *geom, ode_predictive_space::Followed followed);
     void note_disabled(dxGeom *geom);
     void forget_catching_up() { caught_up_.store(false, std::memory_order_relaxed); }

@@ -80,6 +80,23 @@ def notice_faults():
         "stretched_on_its_body", "notices", SOURCES + "space/noticed_geom.h",
         "return geom_->type == dSphereClass || keeps_within_sphere(rotation());", "return geom_->type == dSphereClass || geom_->body;",
         (("contract", "Notice.*"), HISTORIES))
+    carried = SOURCES + "space/noticed_geom.h"
+    offsets = (("contract", "Offset.*"), HISTORIES)
+    yield Fault(
+        "stretched_at_an_offset", "notices", carried, "is_identity(turned) || lengthens_nothing(turned)", "turned != nullptr", offsets)
+    yield Fault(
+        "rounding_of_offsets_forgotten", "notices", carried, "4 * double{round_off} * (radius + 3 * largest_offset())",
+        "0 * largest_offset()", offsets)
+    yield Fault(
+        "body_stretched_at_an_offset", "notices", carried, "short_rows(rotation_) & (abs", "(abs", offsets)
+    yield Fault(
+        "offset_of_any_length", "notices", SOURCES + "space/predictive_space.cpp",
+        "carried.turns_safely(place.allowed_offset())", "carried.turns_safely(most_offset)", offsets)
+    yield Fault(
+        "matrix_that_is_nearly_the_identity", "notices", SOURCES + "space/rotation.h", "row < 3; ++row)", "row < 1; ++row)", offsets)
+    yield Fault(
+        "rows_that_are_not_orthogonal", "notices", SOURCES + "space/rotation.h",
+        "return in_three_lanes(abs(products) <= Float4::all(round_off));", "return products.sum_of_three() < 4;", offsets)
     yield Fault(
         "rows_of_a_matrix_forgotten", "notices", SOURCES + "space/rotation.h", ".bits() & three_lanes) == three_lanes;",
         ".bits() & 1) == 1;", (("contract", "Notice.*"), HISTORIES))
@@ -494,8 +511,7 @@ def space_faults():
         "std::vector<ProxyId> &found = found_;", contract("Contract.08_*"))
     yield Fault(
         "ignored_turn", "space", scene,
-        "return turns_safely(geom) ? circumscribed_radius(geom) : std::numeric_limits<double>::infinity();",
-        "return circumscribed_radius(geom);", contract("Notice.*") + (HISTORIES,))
+        "if (!turns_safely(geom))\n        return std::numeric_limits<double>::infinity();", "", contract("Notice.*") + (HISTORIES,))
     yield Fault(
         "sphere_of_a_box_too_small", "space", scene, "std::sqrt(x * x + y * y + z * z) / 2", "std::sqrt(x * x + 0 * y + z * z) / 2",
         contract("EveryPlaceableClass*:Notice.*") + (HISTORIES,))

@@ -58,6 +58,8 @@ public:
 
     Float4 rotated() const { return {lanes_[1], lanes_[2], lanes_[0], lanes_[0]}; }
     Float4 last_three() const { return {lanes_[1], lanes_[2], lanes_[3], lanes_[3]}; }
+    template <int lane> Float4 broadcast() const { return all(lanes_[lane]); }
+
     float sum_of_three() const { return (lanes_[0] + lanes_[1]) + lanes_[2]; }
     float largest_of_three() const { return larger(lanes_[2], larger(lanes_[1], lanes_[0])); }
 

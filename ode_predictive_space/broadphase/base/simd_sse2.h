@@ -90,6 +90,12 @@ public:
     /// The lanes y, z, w, and one that means nothing.
     Float4 last_three() const { return Float4(_mm_shuffle_ps(lanes_, lanes_, _MM_SHUFFLE(3, 3, 2, 1))); }
 
+    /// One lane in all lanes.
+    template <int lane> Float4 broadcast() const
+    {
+        return Float4(_mm_shuffle_ps(lanes_, lanes_, _MM_SHUFFLE(lane, lane, lane, lane)));
+    }
+
     float sum_of_three() const
     {
         const __m128 two = _mm_add_ss(lanes_, _mm_shuffle_ps(lanes_, lanes_, _MM_SHUFFLE(1, 1, 1, 1)));

@@ -154,6 +154,10 @@ public:
     /// @param centre as it is now.
     void watch_centre(const float *centre, float radius);
     float watched_radius() const { return half_y_; }
+    /// The centre that is watched from now on may be computed from the pose of a body and an offset whose coordinates are no
+    /// larger than this: the radius allows for the rounding.
+    void allow_offset(float largest) { half_z_ = largest; }
+    float allowed_offset() const { return half_z_; }
 
     /// The box of a watched solid.
     template <typename Real> TightBox measured(const Real *position, const Real *rotation) const
@@ -220,6 +224,16 @@ public:
         return outcome(is_inside, changed);
     }
 
+    /// The same for an object that is watched by its centre.
+    Followed follow_centre(Float4 centre)
+    {
+        const float digest = digest_of(centre);
+        const bool changed = digest != half_x_;
+        half_x_ = digest;
+        const Mask4 allowed = (centre >= tight_low()) & (centre <= tight_high());
+        return outcome((allowed.bits() & three_lanes) == three_lanes, changed);
+    }
+
     // --- Pairs ---
 
     /// By how much two tight boxes overlap, along each axis.
@@ -275,22 +289,13 @@ private:
     // Halves: a sum of numbers beyond single precision is infinite, not none.
     static float digest_of(Float4 centre) { return (centre * Float4(0.25f, 0.34293f, 0.43478f, 0)).sum_of_three(); }
 
-    Followed follow_centre(Float4 centre)
-    {
-        const float digest = digest_of(centre);
-        const bool changed = digest != half_x_;
-        half_x_ = digest;
-        const Mask4 allowed = (centre >= tight_low()) & (centre <= tight_high());
-        return outcome((allowed.bits() & three_lanes) == three_lanes, changed);
-    }
-
     static Followed outcome(bool is_inside, bool changed)
     {
         return !is_inside ? Followed::left : changed ? Followed::moved : Followed::same;
     }
 
     // Behind each vector, in its fourth lane, is something else. While the centre is watched, tight_low and tight_high are the box
-    // of allowed centres, half_x a digest of the last one, and half_y the radius.
+    // of allowed centres, half_x a digest of the last one, half_y the radius, and half_z the largest offset.
     float low_[3];
     float half_x_ = 0;
     float high_[3];

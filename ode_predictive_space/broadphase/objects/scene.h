@@ -18,7 +18,8 @@ struct Observation
     std::optional<Vector3> centre; ///< the point that the object turns around; finite. None when that is not known
     double radius = 0;             ///< of a sphere around the centre that holds the object; infinite when none is known
     std::optional<Vector3> velocity; ///< in the program's unit, if the object has a body that tells
-    bool is_dear = false;            ///< the contacts of its shape are dear to find: many points or triangles
+    double offset = 0;    ///< from a body, its largest coordinate; the radius allows for the rounding of the centre
+    bool is_dear = false; ///< the contacts of its shape are dear to find: many points or triangles
 };
 
 struct ConvexShape;

@@ -284,7 +284,10 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     if (!place.has_end())
         place.set_watch(Watch::look);
     else if (by_radius)
+    {
         place.watch_centre(record.position, record.radius);
+        place.allow_offset(round_up(seen.offset));
+    }
 }
 
 // An object that leaps again is not observed: its next envelope is the tight box with some slack. Sometimes a body is, as its velocity
