@@ -55,8 +55,14 @@ def notice_faults():
         "return (((inner_low >= low()) & (inner_high <= high())).bits() & three_lanes) == three_lanes;",
         "return ((inner_low >= low()).bits() & three_lanes) == three_lanes && inner_high.largest_of_three() < infinity;", places)
     yield Fault(
-        "repeated_box_taken_for_a_move", "notices", place, "return outcome(holds(box.low, box.high), changed);",
-        "(void)changed;\n        return outcome(holds(box.low, box.high), true);", reports + places)
+        "repeated_box_taken_for_a_move", "notices", place, "return outcome(is_inside, changed);\n    }\n\n    /// The same for",
+        "return outcome(is_inside, true);\n    }\n\n    /// The same for", reports + places)
+    yield Fault(
+        "another_size_of_what_has_left", "notices", place, "if (!is_inside & changed && is_finite(box))",
+        "if (!is_inside && is_finite(box))", reports)
+    yield Fault(
+        "what_has_left_is_not_listed", "notices", entry, "looks_.listed.insert(id);\n            followed =",
+        "followed =", reports)
     yield Fault(
         "repeated_centre_taken_for_a_move", "notices", place,
         "return outcome((allowed.bits() & three_lanes) == three_lanes, changed);",
@@ -251,11 +257,11 @@ def near_faults():
     place = BROADPHASE + "objects/place.h"
     sets = (("broadphase", "NearSetTest.*:Resting*:*AnyWorld*"),)
     yield Fault(
-        "lost_retire", "near", tick, "for (ProxyId id : batch_.ids())\n        near_.retire(id);\n    near_.drop", "near_.drop",
+        "lost_retire", "near", tick, "near_.retire(id);\n        batch_.add(id);", "batch_.add(id);",
         (("broadphase", "Broadphase.*:Tick.*:*AnyWorld*"),))
     yield Fault(
         "pairs_of_the_gone_kept", "near", tick, "near_.retire(id);\n    index_", "index_", (("broadphase", "Broadphase.*:*AnyWorld*"),))
-    yield Fault("moves_of_resting_pairs_ignored", "near", tick, "near_.disturb(id);\n#ifdef", "#ifdef", sets)
+    yield Fault("moves_of_resting_pairs_ignored", "near", tick, "return near_.disturb(id);", "return;", sets)
     yield Fault(
         "rests_unwatched", "near", near, "places[id].set_watch(Watch::look);", "(void)places;", sets)
     yield Fault("lost_when_disturbed", "near", near, "pairs_.push_back(pair);\n        else", "(void)pair;\n        else", sets)
@@ -452,7 +458,7 @@ def sweep_faults():
     yield Fault("last_slab_left_out", "sweep", sorts, "slab <= last; ++slab", "slab < last || slab == 0; ++slab", pairs)
     yield Fault(
         "end_taken_for_begin", "sweep", sorts,
-        "layout.place_along(box.high[layout.along.axis])", "layout.place_along(box.low[layout.along.axis])", pairs)
+        "static_cast<std::uint32_t>(highs[x_])};", "static_cast<std::uint32_t>(low[x_])};", pairs)
     yield Fault(
         "unbounded_boxes_meet_nothing", "sweep", sorts,
         "std::size_t comparisons = compare_each_with_each(unbounded_, pairs) +", "std::size_t comparisons =", pairs)
