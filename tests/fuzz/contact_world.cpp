@@ -48,16 +48,52 @@ void set_position(dGeomID geom, const Vector3d &at)
     dGeomSetPosition(geom, real(at[0]), real(at[1]), real(at[2]));
 }
 
-// ODE's colliders may stop at an assertion, with forms that are all but flat. That is no contact.
+// The pose of a geom, to be set again.
+class KeptPose
+{
+public:
+    explicit KeptPose(dGeomID geom) : geom_(geom)
+    {
+        if (dGeomGetClass(geom) == dPlaneClass)
+            return;
+        dGeomCopyPosition(geom, position_);
+        dGeomCopyRotation(geom, rotation_);
+    }
+
+    void restore() const
+    {
+        if (dGeomGetClass(geom_) == dPlaneClass)
+            return;
+        if (dGeomIsOffset(geom_))
+        {
+            const dBodyID body = dGeomGetBody(geom_);
+            const dReal *at = dBodyGetPosition(body);
+            return dBodySetPosition(body, at[0], at[1], at[2]);
+        }
+        dGeomSetPosition(geom_, position_[0], position_[1], position_[2]);
+        dGeomSetRotation(geom_, rotation_);
+    }
+
+private:
+    dGeomID geom_;
+    dVector3 position_;
+    dMatrix3 rotation_;
+};
+
+// ODE's colliders may stop at an assertion, with forms that are all but flat. That is no contact. The collider of heightfields leaves
+// the other geom where it has moved it for a while.
 bool has_contact(dGeomID one, dGeomID other)
 {
     std::array<dContactGeom, 4> contacts;
+    const KeptPose pose(one), other_pose(other);
     try
     {
         return dCollide(one, other, 4, contacts.data(), sizeof contacts[0]) > 0;
     }
     catch (const OdeAbort &)
     {
+        pose.restore();
+        other_pose.restore();
         return false;
     }
 }
