@@ -131,7 +131,7 @@ void Broadphase::make_tight(Scene &scene, const Batch &batch)
     looks_.current.clear();
     for (const CandidatePair &pair : pairing_.found)
         for (ProxyId id : {pair.first, pair.second})
-            if (Place &place = proxies_.places[id]; place.watch() == Watch::centre)
+            if (Place &place = proxies_.places[id]; place.watches_centre())
             {
                 place.set_watch(Watch::look);
                 looks_.current.add(id);

@@ -70,13 +70,13 @@ public:
     {
         Place &place = proxies_.places[id];
         const Watch watch = place.watch();
-        if (watch == Watch::look || !object.has_pose() || (watch == Watch::centre && !object.turns_safely()))
+        if (watch <= Watch::carried || !object.has_pose() || (watch == Watch::centre && !object.turns_safely()))
             return Followed::left;
         return noted(id, place, place.follow(object.position(), object.rotation()));
     }
 
-    /// The same for an object that is watched by its centre, and turns safely.
-    Followed report_centre_at_once(ProxyId id, Float4 centre)
+    /// The same for an object that is watched as carried, and turns safely.
+    Followed report_carried_at_once(ProxyId id, Float4 centre)
     {
         Place &place = proxies_.places[id];
         return noted(id, place, place.follow_centre(centre));
@@ -295,8 +295,7 @@ template <typename Object> bool Broadphase::report_closely(ProxyId id, const Obj
 {
     Place &place = proxies_.places[id];
     const auto same_size = [&] {
-        return place.watch() == Watch::centre ? object.radius() <= place.watched_radius()
-                                              : place.solid() == object.solid();
+        return place.watches_centre() ? object.radius() <= place.watched_radius() : place.solid() == object.solid();
     };
     const bool is_measured = followed == Followed::left && object.has_pose() && place.watches_solid();
     if (is_measured && is_finite(place.tight_lanes()) && same_size())

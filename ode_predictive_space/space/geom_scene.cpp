@@ -165,10 +165,7 @@ bool turns_safely(const dxGeom *geom)
 
 double bounding_sphere(const dxGeom *geom)
 {
-    if (!turns_safely(geom))
-        return std::numeric_limits<double>::infinity();
-    const double radius = circumscribed_radius(geom);
-    return geom->offset_posr ? CarriedGeom(geom).with_rounding(radius) : radius;
+    return turns_safely(geom) ? circumscribed_radius(geom) : std::numeric_limits<double>::infinity();
 }
 
 Solid solid_of(const dxGeom *geom)
@@ -317,8 +314,9 @@ Observation GeomScene::observation(ProxyId id)
     dxGeom *geom = geoms_[id];
     Observation seen;
     seen.centre = pivot_of(geom);
-    seen.offset = geom->offset_posr ? CarriedGeom(geom).largest_offset() : 0;
     seen.radius = seen.centre ? bounding_sphere(geom) : std::numeric_limits<double>::infinity();
+    if (geom->offset_posr && seen.centre)
+        seen.carried = CarriedGeom(geom).carried(seen.radius);
     seen.is_dear = geom->type == dConvexClass || geom->type == dTriMeshClass;
     if (geom->body && !dBodyIsKinematic(geom->body))
         seen.velocity = velocity_of(geom);

@@ -17,8 +17,7 @@
 namespace ode_predictive_space
 {
 /// Radius of the sphere around the position of a sphere, box, capsule or cylinder that holds the geom in every orientation; infinite
-/// for other classes, for geoms without a body, and for geoms whose matrix stretches them. With an offset from the body, it
-/// allows for the rounding of CarriedGeom::centre().
+/// for other classes, for geoms without a body, and for geoms whose matrix stretches them.
 double bounding_sphere(const dxGeom *geom);
 
 /// A sphere, box or capsule whose pose is known: its bounding box follows from its pose by a formula that ODE shares.

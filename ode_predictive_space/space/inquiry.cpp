@@ -98,7 +98,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_misplaced(const std::vector
         const Box bounds = now.bounds(id);
         if (!is_within(place.envelope(), bounds))
             return {"a geom is outside its envelope", geoms_[id]};
-        if (place.watch() != Watch::centre && !is_within(place.tight(), bounds))
+        if (!place.watches_centre() && !is_within(place.tight(), bounds))
             return {"a geom is outside its tight box", geoms_[id]};
     }
     return {};

@@ -10,27 +10,6 @@
 
 namespace ode_predictive_space
 {
-/// What Broadphase::report_at_once() and report_closely() ask.
-class NoticedGeom
-{
-public:
-    explicit NoticedGeom(const dxGeom *geom) : geom_(geom) {}
-
-    /// (The position of a geom with an offset from its body is bad when it has been moved.)
-    bool has_pose() const { return (geom_->gflags & GEOM_POSR_BAD) == 0; }
-    const dReal *position() const { return geom_->final_posr->pos; }
-    const dReal *rotation() const { return geom_->final_posr->R; }
-
-    /// A geom that has a pose, and had no offset when it was looked at, has none now: only its matrix may have changed.
-    bool turns_safely() const { return geom_->type == dSphereClass || keeps_within_sphere(rotation()); }
-
-    Solid solid() const { return solid_of(geom_); }
-    double radius() const { return bounding_sphere(geom_); }
-
-private:
-    const dxGeom *geom_;
-};
-
 /// No geom is followed at an offset with larger coordinates.
 constexpr float most_offset = 1e15f;
 
@@ -61,15 +40,14 @@ public:
         return Float4::nearest_of_stored(body_->pos, 1) + ((along_x + along_y) + along_z);
     }
 
-    double largest_offset() const
+    /// @param radius around the position of the geom. It is enlarged by what may be lost by rounding in the functions above.
+    Carried carried(double radius) const
     {
+        float lanes[4];
+        centre().store(lanes);
         const dReal *offset = geom_->offset_posr->pos;
-        return std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
-    }
-    /// A radius around the position of the geom, enlarged by what may be lost by rounding in the functions above.
-    double with_rounding(double radius) const
-    {
-        return radius + 4 * double{round_off} * (radius + 3 * largest_offset());
+        const double largest = std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
+        return {{lanes[0], lanes[1], lanes[2]}, radius + 4 * double{round_off} * (radius + 3 * largest), largest};
     }
 
 private:
@@ -77,6 +55,31 @@ private:
     const dxPosR *body_; // ODE keeps the pose of a body as that of a geom
     Columns rotation_;   // of the body
     Float4 offset_;
+};
+
+/// What Broadphase::report_at_once() and report_closely() ask.
+class NoticedGeom
+{
+public:
+    explicit NoticedGeom(const dxGeom *geom) : geom_(geom) {}
+
+    /// (The position of a geom with an offset from its body is bad when it has been moved.)
+    bool has_pose() const { return (geom_->gflags & GEOM_POSR_BAD) == 0; }
+    const dReal *position() const { return geom_->final_posr->pos; }
+    const dReal *rotation() const { return geom_->final_posr->R; }
+
+    /// A geom that has a pose, and had no offset when it was looked at, has none now: only its matrix may have changed.
+    bool turns_safely() const { return geom_->type == dSphereClass || keeps_within_sphere(rotation()); }
+
+    Solid solid() const { return solid_of(geom_); }
+    double radius() const
+    {
+        const double radius = bounding_sphere(geom_);
+        return geom_->offset_posr && std::isfinite(radius) ? CarriedGeom(geom_).carried(radius).radius : radius;
+    }
+
+private:
+    const dxGeom *geom_;
 };
 } // namespace ode_predictive_space
 

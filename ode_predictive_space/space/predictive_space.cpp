@@ -102,6 +102,8 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     CHECK_NOT_LOCKED(this);
     dUASSERT(geom->parent_space == this, "object is not in this space");
     dxSpace::remove(geom);
+    if (moved_mesh_ == geom)
+        moved_mesh_ = nullptr;
     if (predicts_)
         dismiss(geom);
     // In this space a geom that has moved need not be dirty (see listen_to()). In any other space it must be.
@@ -166,13 +168,15 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
 {
     const ProxyId id = proxy_of(geom);
     const Place &place = broadphase_.proxies().places[id];
-    if (place.watch() == Watch::look || !geom->offset_posr)
+    if (geom->offset_posr && place.watch() == Watch::carried)
+    {
+        const CarriedGeom carried(geom);
+        return note_followed(geom, carried.turns_safely(place.allowed_offset())
+                                       ? broadphase_.report_carried_at_once(id, carried.centre())
+                                       : Followed::left);
+    }
+    if (!geom->offset_posr || !place.watches_solid())
         return look_closely(geom, Followed::left);
-    if (place.watch() == Watch::centre)
-        if (const CarriedGeom carried(geom); carried.turns_safely(place.allowed_offset()))
-            if (const Followed followed = broadphase_.report_centre_at_once(id, carried.centre());
-                followed != Followed::left)
-                return note_followed(geom, followed);
     geom->recomputePosr();
     note_followed(geom, broadphase_.report_at_once(id, NoticedGeom(geom)));
 }
@@ -183,6 +187,8 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
     forget_catching_up();
     if (IS_SPACE(geom))
         return; // polled at each update; as long as it is dirty, ODE does not report further moves inside it
+    if (geom->type == dTriMeshClass)
+        moved_mesh_ = geom;
     listen_to(geom);
     unchanged_ += !broadphase_.report_closely(proxy_of(geom), NoticedGeom(geom), followed);
     note_changed_line(geom);

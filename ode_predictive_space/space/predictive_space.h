@@ -107,8 +107,6 @@ private:
     };
     Question question_of(dxGeom *geom);
     bool is_caught_up() const;
-    bool is_silently_changed() const;
-    bool catch_up_alone(const char *function);
     bool is_free(const char *function) const;
     void ask_each(void *data, dxGeom *geom, dNearCallback *callback);
     void answer(dxGeom *other, const Question &question, bool is_on_line, void *data, dNearCallback *callback);
@@ -165,6 +163,7 @@ private:
     ode_predictive_space::IdSet unclassified_; // added since the last look: their class was not known then
     ode_predictive_space::IdSet polled_;       // geoms whose class changes them without notice
     std::size_t polled_count_ = 0;
+    const dxGeom *moved_mesh_ = nullptr; // the mesh whose move was noticed last
     ode_predictive_space::IdSet
         off_line_; // by the sphere and shape tests: those that a ray may touch where it does not meet their box
     std::size_t off_line_count_ = 0;

@@ -18,27 +18,16 @@ bool dxPredictiveSpace::is_free(const char *function) const
     return false;
 }
 
-bool dxPredictiveSpace::catch_up(const char *function)
-{
-    return is_caught_up() || catch_up_alone(function);
-}
-
+// To poll all meshes, as poll_moves() does, would cost more than a question. A simple space sees other data of the geom that was added
+// or moved last, and so do questions here. Other meshes are judged by their present data where they are found.
 inline bool dxPredictiveSpace::is_caught_up() const
 {
-    return caught_up_.load(std::memory_order_seq_cst) && !is_silently_changed();
-}
-
-// See poll_moves().
-inline bool dxPredictiveSpace::is_silently_changed() const
-{
-    bool changed = false;
-    if (polled_count_ > 0)
-        polled_.for_each([&](ProxyId id) { changed |= (flags_beside_others(geoms_[id]) & GEOM_DIRTY) != 0; });
-    return changed;
+    const auto is_changed = [](const dxGeom *geom) { return geom && (flags_beside_others(geom) & GEOM_DIRTY) != 0; };
+    return caught_up_.load(std::memory_order_seq_cst) && !is_changed(first) && !is_changed(moved_mesh_);
 }
 
 // The threads that ask meanwhile wait.
-[[gnu::noinline]] bool dxPredictiveSpace::catch_up_alone(const char *function)
+[[gnu::noinline]] bool dxPredictiveSpace::catch_up(const char *function)
 {
     const std::lock_guard<std::recursive_mutex> hold(upkeep_);
     if (!is_free(function))
@@ -70,7 +59,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     // By the shape test, data that were changed in place have to be noticed first.
     if (static_cast<std::size_t>(count) <= tuning::few_to_ask && !looks_at_shapes())
         return ask_each(data, geom, callback);
-    if (!catch_up("dSpaceCollide2"))
+    if (!is_caught_up() && !catch_up("dSpaceCollide2"))
         return;
     std::vector<ProxyId> found = lock.is_only_one ? std::exchange(found_, {}) : std::vector<ProxyId>();
     found.clear();
@@ -164,6 +153,11 @@ ConvexShape dxPredictiveSpace::shape_now(dxGeom *geom)
         return shape_of(geom, hulls_, nullptr);
     const std::lock_guard<std::recursive_mutex> hold(upkeep_);
     std::shared_ptr<const VertexHull> &hull = asked_hulls_[proxy_of(geom)];
+    if (geom->gflags & GEOM_DIRTY)
+    {
+        hulls_.outdate(geom);
+        hull.reset();
+    }
     ConvexShape shape = shape_of(geom, hulls_, hull);
     hull = shape.hull;
     const std::shared_ptr<Surface> &surface = shape.surface();

@@ -186,13 +186,42 @@ TEST_F(Offset, AnOffsetBeyondAnyPrecision)
     });
 }
 
-TEST_F(Offset, AGeomThatGrowsInItsPlace)
+// The places are such that single precision rounds that of the geom in one way, and the sum of body and offset in another. No notice
+// comes between a leap, which brings a new envelope, and the growth.
+TEST_F(Offset, AGeomThatGrowsAndDoesNothingElse)
 {
     expect_as_simple([](Scenario &scene) {
         dGeomID cube = carried_cube(scene);
-        scene.sphere(0.3, 0, 3, 0);
-        dGeomBoxSetLengths(cube, 1, 6, 1);
+        const dBodyID body = dGeomGetBody(cube);
+        dGeomSetOffsetPosition(cube, REAL(0.1234567), REAL(0.7654321), REAL(0.3333333));
+        for (int i = 0; i < 20; ++i)
+        {
+            const dReal x = i * REAL(7.7777777);
+            scene.sphere(0.3, x, 25, 0); // that a grown cube alone reaches
+            for (const dReal y : {REAL(15.1111111), REAL(22.2222222)})
+            {
+                dBodySetPosition(body, x, y, REAL(0.3333333));
+                scene.tick();
+            }
+            dGeomBoxSetLengths(cube, 1, 9, 9);
+            scene.tick();
+            dGeomBoxSetLengths(cube, 1, 1, 1);
+            scene.tick();
+        }
+    });
+}
+
+// ODE sends no notice of the loss.
+TEST_F(Offset, AGeomThatLosesItsBodyAndGrows)
+{
+    expect_as_simple([](Scenario &scene) {
+        dGeomID cube = carried_cube(scene);
+        dGeomSetOffsetPosition(cube, REAL(0.1234567), REAL(0.7654321), REAL(0.3333333));
+        scene.sphere(0.3, 0, 5, 0);
         move_on(scene, cube);
+        dGeomSetBody(cube, nullptr);
+        dGeomBoxSetLengths(cube, 1, 9, 9);
+        scene.tick();
     });
 }
 

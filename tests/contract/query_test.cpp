@@ -1,5 +1,7 @@
 // Contract 9: dSpaceCollide2() as the built-in spaces have it.
 
+#include <vector>
+
 #include <ode_predictive_space/predictive_space.h>
 
 #include "ode_predictive_space/space/ode_internals.h"
@@ -386,5 +388,58 @@ TEST_F(Contract, 09_AnEmptySpaceAnswersQueries)
     EXPECT_EQ(dPredictiveSpaceValidate(scene.space()), 1);
     dGeomDestroy(probe);
 }
+// ODE sends no notice of it. A question finds the mesh where it was, and judges it by the new data; a tick makes it known.
+TEST_F(Contract, 09_AMeshThatIsGivenOtherData)
+{
+    static const float small[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, large[] = {0, 0, 0, 40, 0, 0, 0, 1, 0},
+                       away[] = {0, 0, 5, 1, 0, 5, 0, 1, 5};
+    static const dTriIndex indices[] = {0, 1, 2};
+    std::vector<dTriMeshDataID> data;
+    for (const float *vertices : {small, large, away})
+    {
+        data.push_back(dGeomTriMeshDataCreate());
+        dGeomTriMeshDataBuildSingle(data.back(), vertices, 3 * sizeof(float), 3, indices, 3, 3 * sizeof(dTriIndex));
+    }
+    dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    for (int i = 0; i < 50; ++i)
+        dGeomSetPosition(number_geom(dCreateSphere(space, 0.1), i), 10 * i, 10, 0);
+    dGeomID mesh = number_geom(dCreateTriMesh(space, data[0], nullptr, nullptr, nullptr), 50);
+    dGeomID near = number_geom(dCreateSphere(nullptr, 0.3), 51), far = number_geom(dCreateSphere(nullptr, 0.3), 52);
+    dGeomSetPosition(far, 30, 0, 0);
+    collide(space);
+    EXPECT_EQ(collide2(as_geom(space), near), Pairs({{50, 51}}));
+    dGeomTriMeshSetData(mesh, data[2]);
+    EXPECT_TRUE(collide2(as_geom(space), near).empty()) << "it is not there any more";
+    dGeomTriMeshSetData(mesh, data[1]);
+    EXPECT_EQ(collide2(as_geom(space), near), Pairs({{50, 51}}));
+    collide(space);
+    EXPECT_EQ(collide2(as_geom(space), far), Pairs({{50, 52}}));
+    dGeomTriMeshSetData(mesh, data[0]);
+    dPredictiveSpaceGeomChanged(space, mesh);
+    EXPECT_TRUE(collide2(as_geom(space), far).empty());
+    dSpaceDestroy(space);
+    dGeomDestroy(near);
+    dGeomDestroy(far);
+    for (dTriMeshDataID each : data)
+        dGeomTriMeshDataDestroy(each);
+}
+// A simple space sees its other data.
+TEST_F(Contract, 09_AMeshThatIsGivenOtherDataAfterItWasTheLastToMove)
+{
+    expect_as_simple([](Scenario &scene) {
+        dGeomID mesh = scene.numbered(create_geom(GeomKind::trimesh, 0.3, scene.space()));
+        add_rows(scene, 60);
+        dGeomID probe = scene.numbered(dCreateSphere(nullptr, 0.3));
+        dGeomSetPosition(probe, 46, 56, 6);
+        scene.tick();
+        dGeomSetPosition(mesh, 40, 50, 0);
+        scene.tick();
+        scene.query(probe, as_geom(scene.space()));
+        dGeomTriMeshSetData(mesh, mesh_data(6));
+        scene.query(probe, as_geom(scene.space()));
+        EXPECT_EQ(scene.log().back().size(), 1u);
+    });
+}
+
 } // namespace
 } // namespace ode_predictive_space

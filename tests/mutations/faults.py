@@ -91,13 +91,16 @@ def notice_faults():
     yield Fault(
         "stretched_at_an_offset", "notices", carried, "is_identity(turned) || lengthens_nothing(turned)", "turned != nullptr", offsets)
     yield Fault(
-        "rounding_of_offsets_forgotten", "notices", carried, "4 * double{round_off} * (radius + 3 * largest_offset())",
-        "0 * largest_offset()", offsets)
+        "rounding_of_offsets_forgotten", "notices", carried, "4 * double{round_off} * (radius + 3 * largest)",
+        "0 * largest", offsets)
     yield Fault(
         "body_stretched_at_an_offset", "notices", carried, "short_rows(rotation_) & (abs", "(abs", offsets)
     yield Fault(
         "offset_of_any_length", "notices", SOURCES + "space/predictive_space.cpp",
         "carried.turns_safely(place.allowed_offset())", "carried.turns_safely(most_offset)", offsets)
+    yield Fault(
+        "centre_of_an_offset_rounded_in_two_ways", "notices", BROADPHASE + "predict/predictor.cpp",
+        "place.watch_carried(single,", "place.watch_carried(record.position,", offsets)
     yield Fault(
         "matrix_that_is_nearly_the_identity", "notices", SOURCES + "space/rotation.h", "row < 3; ++row)", "row < 1; ++row)", offsets)
     yield Fault(
@@ -160,7 +163,7 @@ def predict_faults():
         (("broadphase", "Place.*"),))
     yield Fault(
         "watched_by_the_centre_beside_others", "predict", tick,
-        "place.watch() == Watch::centre)", "place.watch() == Watch::centre && id % 2 == 0)",
+        "place.watches_centre())", "place.watches_centre() && id % 2 == 0)",
         (("broadphase", "*AnyWorld*:*ReportOfAMove.*"),))
     yield Fault(
         "turning_point_left_out", "predict", SOURCES + "prediction/envelope.cpp",
@@ -272,7 +275,7 @@ def near_faults():
     yield Fault("old_numbers_taken_for_later", "near", tick, "clock_.update % half_of_all == 0", "clock_.update % (2 * half_of_all) == 0", numbers)
     yield Fault("a_question_leaves_a_number_out", "near", tick, "    interrupted_ = false; // no update: none of their numbers is left out\n", "    finish();\n", numbers)
     yield Fault(
-        "watch_that_is_no_number", "near", place, "capsule = 4, ///< that of a segment", "capsule = 3, ///< that of a segment", (("broadphase", "Place.NoUpdateNumber*"),))
+        "watch_that_is_no_number", "near", place, "capsule = 5, ///< that of a segment", "capsule = 3, ///< that of a segment", (("broadphase", "Place.NoUpdateNumber*"),))
     yield Fault(
         "times_beyond_the_second_forecast", "near", tick, "std::min(first.ticks, second.ticks);\n    const double duration",
         "first.ticks;\n    const double duration", (("broadphase", "Broadphase.Times*"),))
@@ -516,8 +519,12 @@ def space_faults():
         "std::vector<ProxyId> found = lock.is_only_one ? std::exchange(found_, {}) : std::vector<ProxyId>();",
         "std::vector<ProxyId> &found = found_;", contract("Contract.08_*"))
     yield Fault(
+        "hull_of_other_data_asked", "space", query, "        hulls_.outdate(geom);\n        hull.reset();\n", "        hull.reset();\n",
+        (("shape_contract", "ShapeQuery.*"),))
+    yield Fault(
         "ignored_turn", "space", scene,
-        "if (!turns_safely(geom))\n        return std::numeric_limits<double>::infinity();", "", contract("Notice.*") + (HISTORIES,))
+        "return turns_safely(geom) ? circumscribed_radius(geom) : std::numeric_limits<double>::infinity();",
+        "return circumscribed_radius(geom);", contract("Notice.*") + (HISTORIES,))
     yield Fault(
         "sphere_of_a_box_too_small", "space", scene, "std::sqrt(x * x + y * y + z * z) / 2", "std::sqrt(x * x + 0 * y + z * z) / 2",
         contract("EveryPlaceableClass*:Notice.*") + (HISTORIES,))

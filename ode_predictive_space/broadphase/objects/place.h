@@ -26,10 +26,11 @@ inline std::int32_t updates_between(UpdateNumber from, UpdateNumber to)
 enum class Watch : std::uint8_t
 {
     look = 0,    ///< nothing: the object is looked at in the next update
-    centre = 1,  ///< the centre with the box of allowed centres
-    sphere = 2,  ///< the tight box of a sphere with the envelope
-    capsule = 4, ///< that of a segment along the z axis with a radius
-    box = 5      ///< that of a box, also one around a cylinder
+    carried = 1, ///< as `centre`, for a centre that is computed from the pose of a body and an offset
+    centre = 2,  ///< the centre with the box of allowed centres
+    sphere = 4,  ///< the tight box of a sphere with the envelope
+    capsule = 5, ///< that of a segment along the z axis with a radius
+    box = 6      ///< that of a box, also one around a cylinder
 };
 
 /// An object whose bounding box follows from its pose alone, by the formula of its kind.
@@ -117,6 +118,8 @@ public:
     // --- The tight box ---
 
     Watch watch() const { return static_cast<Watch>(state_ >> watch_shift); }
+    /// Does each notice compare the centre alone?
+    bool watches_centre() const { return watch() == Watch::carried || watch() == Watch::centre; }
     /// Does each notice measure the tight box?
     bool watches_solid() const { return watch() > Watch::centre; }
     void set_watch(Watch watch) { state_ = (state_ & ~watch_bits) | static_cast<std::uint32_t>(watch) << watch_shift; }
@@ -154,9 +157,15 @@ public:
     /// @param centre as it is now.
     void watch_centre(const float *centre, float radius);
     float watched_radius() const { return half_y_; }
-    /// The centre that is watched from now on may be computed from the pose of a body and an offset whose coordinates are no
-    /// larger than this: the radius allows for the rounding.
-    void allow_offset(float largest) { half_z_ = largest; }
+    /// As above, for a centre that is computed from the pose of a body and an offset from it.
+    ///
+    /// @param offset the radius allows for the rounding with offsets whose coordinates are no larger than this.
+    void watch_carried(const float *centre, float radius, float offset)
+    {
+        watch_centre(centre, radius);
+        set_watch(Watch::carried);
+        half_z_ = offset;
+    }
     float allowed_offset() const { return half_z_; }
 
     /// The box of a watched solid.
@@ -295,7 +304,8 @@ private:
     }
 
     // Behind each vector, in its fourth lane, is something else. While the centre is watched, tight_low and tight_high are the box
-    // of allowed centres, half_x a digest of the last one, half_y the radius, and half_z the largest offset.
+    // of allowed centres, half_x a digest of the last one, half_y the radius, and half_z the largest offset that
+    // the radius allows for.
     float low_[3];
     float half_x_ = 0;
     float high_[3];

@@ -12,14 +12,22 @@
 
 namespace ode_predictive_space
 {
+/// The centre of an object as notices compute it, from the pose of a body and an offset.
+struct Carried
+{
+    Vector3 centre;
+    double radius; ///< around any centre that is computed so, with an offset of no larger coordinates
+    double offset; ///< its largest coordinate
+};
+
 /// An object as it is now, for its next prediction. Lengths in the scene's unit.
 struct Observation
 {
     std::optional<Vector3> centre; ///< the point that the object turns around; finite. None when that is not known
     double radius = 0;             ///< of a sphere around the centre that holds the object; infinite when none is known
     std::optional<Vector3> velocity; ///< in the program's unit, if the object has a body that tells
-    double offset = 0;    ///< from a body, its largest coordinate; the radius allows for the rounding of the centre
-    bool is_dear = false; ///< the contacts of its shape are dear to find: many points or triangles
+    std::optional<Carried> carried;  ///< if notices compute its centre from a body and an offset
+    bool is_dear = false;            ///< the contacts of its shape are dear to find: many points or triangles
 };
 
 struct ConvexShape;

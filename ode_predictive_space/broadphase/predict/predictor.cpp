@@ -151,6 +151,24 @@ Deviation adapted_deviation(float size, float spread, float way, float ticks)
     return {tuning::slack * size, spread * way / ticks, 0};
 }
 
+// An envelope that holds its object however it turns is watched by the centre, until it meets another.
+void watch_centre(Place &place, const ProxyRecord &record, const std::optional<Carried> &carried)
+{
+    if (!carried)
+        return place.watch_centre(record.position, record.radius);
+    const Vector3 &centre = carried->centre;
+    const float single[] = {static_cast<float>(centre.x()), static_cast<float>(centre.y()),
+                            static_cast<float>(centre.z())};
+    place.watch_carried(single, round_up(carried->radius), round_up(carried->offset));
+}
+
+// What is without end is looked at, to see when it has one.
+void look_at_boundless(Place &place)
+{
+    if (!place.has_end())
+        place.set_watch(Watch::look);
+}
+
 // Not all objects are to leave their first envelopes together.
 void begin(ProxyRecord &record, ProxyId id)
 {
@@ -273,6 +291,9 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     note_farthest(envelope);
     note_farthest(tight);
     centre.store_three(record.position);
+    look_at_boundless(place);
+    if (by_radius && place.has_end())
+        watch_centre(place, record, seen.carried);
     if (record.has_body)
         bounded(Float4::nearest(seen.velocity->data())).store_three(record.velocity);
     else
@@ -310,6 +331,7 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
     const Float4 slack = Float4::all(tuning::slack * record.size);
     const TightBox envelope = {tight.low - slack, tight.high + slack};
     place.set_envelope(envelope);
+    look_at_boundless(place);
     note_farthest(envelope);
     centre.store_three(record.position);
     record.since = now;
