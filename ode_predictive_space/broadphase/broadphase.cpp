@@ -48,6 +48,8 @@ void Broadphase::update(Scene &scene, bool is_tick)
     else
         postpone_pairs(); // batch_ -> pairing_.waiting
     index_.put(proxies_, batch_);
+    if (time_passes)
+        predictor_.review(proxies_);
     finish();
 }
 

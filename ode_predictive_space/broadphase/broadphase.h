@@ -204,6 +204,9 @@ public:
         near_.for_each_postponed(shapes_, visit);
     }
 
+    /// No finite side of an object is farther from the origin.
+    float farthest() const { return predictor_.farthest(); }
+
     bool consistent() const { return index_.consistent(); }
     std::size_t bytes() const;
 

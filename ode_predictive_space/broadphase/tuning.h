@@ -63,6 +63,9 @@ constexpr float first_spread = 0.02f, least_spread = 0.002f, most_spread = 0.1f;
 /// The way, in sizes, from which that can be judged.
 constexpr float least_way = 0.05f;
 
+/// Ticks in which all objects are reviewed for the farthest one. (far: twice as many are a hundred at most)
+constexpr std::size_t ticks_per_review = 48;
+
 /// Questions after moves, one after the other without a tick, from which each such question counts as one: the program only asks, and
 /// its objects must be predicted, too. (ask)
 constexpr std::uint32_t questions_to_ticks = 16;

@@ -484,5 +484,52 @@ TEST(Predictor, UsesTheMemoryOfForgottenObjectsAgain)
         live();
     EXPECT_EQ(world.broadphase.bytes(), before);
 }
+float farthest_side(const World &world)
+{
+    float farthest = 0;
+    for (ProxyId id : world.members())
+    {
+        const FloatBox tight = FloatBox::around(bounds_of(world.object(id)));
+        for (int axis = 0; axis < 3; ++axis)
+            farthest = std::max({farthest, std::abs(tight.low[axis]), std::abs(tight.high[axis])});
+    }
+    return farthest;
+}
+
+// An object far away makes the comparisons of all others less certain: that has to end when it is back, or gone.
+TEST(Predictor, TheFarthestPlaceFollowsTheObjectsThatAreThere)
+{
+    for (const bool is_removed : {false, true})
+    {
+        World world;
+        for (int i = 0; i < 300; ++i)
+            world.add(ball({0.5 * i, 0, 0}, radius, {0, 0, 0}));
+        const ProxyId visitor = world.add(ball({0, 3, 0}, radius, {0, 0, 0}));
+        world.tick();
+        world.place(visitor, {1e9, 0, 0});
+        world.tick();
+        EXPECT_GE(world.broadphase.farthest(), 1e9f);
+        if (is_removed)
+            world.remove(visitor);
+        else
+            world.place(visitor, {0, 3, 0});
+        for (int tick = 0; tick < 100; ++tick)
+        {
+            world.place(static_cast<ProxyId>(tick), {0.5 * tick, tick % 2 ? 0.01 : 0, 0});
+            world.tick();
+            ASSERT_GE(world.broadphase.farthest(), farthest_side(world)) << tick;
+        }
+        EXPECT_LE(world.broadphase.farthest(), 2 * farthest_side(world));
+        world.place(0, {-1e6, 0, 0});
+        world.tick();
+        EXPECT_GE(world.broadphase.farthest(), 1e6f);
+        for (int tick = 0; tick < 200; ++tick)
+        {
+            world.place(1, {0.5, tick % 2 ? 0.01 : 0, 0});
+            world.tick();
+            ASSERT_GE(world.broadphase.farthest(), 1e6f) << "it is still there, and does not move";
+        }
+    }
+}
 } // namespace
 } // namespace ode_predictive_space

@@ -138,6 +138,17 @@ def predict_faults():
     yield Fault(
         "leap_not_noted_as_farthest", "predict", predictor, "    note_farthest(envelope);\n    centre.store_three(record.position);\n    record.since",
         "    centre.store_three(record.position);\n    record.since", leaps)
+    yield Fault(
+        "farthest_of_all_is_that_of_a_part", "predict", predictor, "    if (end < size)\n        return;\n    farthest_ = reviewed_.farthest;",
+        "    farthest_ = reviewed_.farthest;", (("broadphase", "Predictor.TheFarthest*"),))
+    yield Fault(
+        "farthest_of_predictions_left_to_the_review", "predict", predictor,
+        "max(reviewed_.farthest, max(abs(finite_or_zero(box.low)), abs(finite_or_zero(box.high))))",
+        "max(abs(finite_or_zero(box.low)), abs(finite_or_zero(box.high)))",
+        (("broadphase", "Predictor.TheFarthest*"),))
+    yield Fault(
+        "farthest_is_never_reviewed", "predict", tick, "        predictor_.review(proxies_);\n", "        (void)0;\n",
+        (("broadphase", "Predictor.TheFarthest*"),))
     yield Fault("farthest_in_an_endless_envelope_forgotten", "predict", predictor, "    note_farthest(tight);\n", "", leaps)
     yield Fault(
         "predicted_again_and_again", "predict", tick, "    looks_.requested.clear();\n", "", (("broadphase", "Tick.*:Predictor.*"),))

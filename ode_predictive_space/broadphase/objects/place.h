@@ -100,6 +100,7 @@ public:
     void forget_envelope() { set_envelope({Float4::all(infinity), Float4::all(-infinity)}); }
     bool has_envelope() const { return low_[0] != infinity || high_[0] != -infinity; }
     FloatBox envelope() const { return {{low_[0], low_[1], low_[2]}, {high_[0], high_[1], high_[2]}}; }
+    TightBox envelope_lanes() const { return {low(), high()}; }
     void set_envelope(const TightBox &box)
     {
         box.low.store_three(low_);

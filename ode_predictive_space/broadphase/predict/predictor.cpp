@@ -254,7 +254,23 @@ TightBox Predictor::swept(const TightBox &box, const Motion &motion, float ticks
 
 void Predictor::note_farthest(const TightBox &box)
 {
-    farthest_ = max(farthest_, max(abs(finite_or_zero(box.low)), abs(finite_or_zero(box.high))));
+    reviewed_.farthest = max(reviewed_.farthest, max(abs(finite_or_zero(box.low)), abs(finite_or_zero(box.high))));
+}
+
+void Predictor::review(const ProxyStore &proxies)
+{
+    const std::size_t size = proxies.size();
+    const std::size_t end = std::min(size, reviewed_.end + size / tuning::ticks_per_review + 1);
+    for (; reviewed_.end < end; ++reviewed_.end)
+        if (const auto id = static_cast<ProxyId>(reviewed_.end); proxies.members().contains(id))
+        {
+            note_farthest(proxies.places[id].envelope_lanes());
+            note_farthest(proxies.places[id].tight_lanes());
+        }
+    if (end < size)
+        return;
+    farthest_ = reviewed_.farthest;
+    reviewed_ = {};
 }
 
 void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now)

@@ -72,8 +72,11 @@ public:
     Forecast forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, const QuestionTime &now);
 
     /// No finite side of an object is farther from the origin than this: the largest finite coordinate of an envelope, or of an
-    /// object in it, when one was ever made.
-    float farthest() const { return farthest_.largest_of_three(); }
+    /// object in it, since the review before the last began.
+    float farthest() const { return max(farthest_, reviewed_.farthest).largest_of_three(); }
+
+    /// A tick has ended: goes through a part of the objects, so that farthest() follows those that come back.
+    void review(const ProxyStore &proxies);
 
     void forget(ProxyId id) { samples_.forget(id); }
     void release() { samples_ = {}; }
@@ -95,7 +98,14 @@ private:
     void follow(const Track &track, const ProxyRecord &record, Forecast &forecast) const;
 
     StepEstimate step_estimate_;
-    Float4 farthest_ = Float4::all(0); // by coordinate
+    // Objects below `end`, and what was predicted meanwhile.
+    struct Reviewed
+    {
+        std::size_t end = 0;
+        Float4 farthest = Float4::all(0); // by coordinate
+    };
+    Float4 farthest_ = Float4::all(0); // when the last review ended
+    Reviewed reviewed_;
     Samples samples_;
     std::array<ProxyId, tuning::objects_per_call> ids_; // scratch
     std::vector<Observation> seen_;                     // scratch
