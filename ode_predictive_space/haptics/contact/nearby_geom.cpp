@@ -1,9 +1,5 @@
 #include "ode_predictive_space/haptics/contact/nearby_geom.h"
 
-#include "ode_predictive_space/haptics/contact/ode_vector.h"
-
-#include <ode/objects.h>
-
 namespace ode_predictive_space::haptics
 {
 namespace
@@ -20,24 +16,12 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
         return {};
     nearby.id_ = geom;
     nearby.object_ = object_of(geom);
-    dVector3 in_scene; // by functions that know geoms that cannot be placed, too
-    dGeomGetRelPointPos(geom, 0, 0, 0, in_scene);
-    nearby.position_ = from_ode(in_scene);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        dGeomVectorToWorld(geom, axis == 0, axis == 1, axis == 2, in_scene);
-        nearby.rotation_.col(axis) = from_ode(in_scene);
-    }
+    nearby.pose_ = pose_of(geom);
+    nearby.motion_ = body_motion_of(geom, nearby.pose_);
     if (!nearby.is_solid() && nearby.is_finite())
     {
         nearby.mesh_ = meshes.tree_of(geom, touched);
         nearby.is_field_ = dGeomGetClass(geom) == dHeightfieldClass;
-    }
-    if (const dBodyID body = dGeomGetBody(geom))
-    {
-        nearby.linear_ = from_ode(dBodyGetLinearVel(body));
-        nearby.angular_ = from_ode(dBodyGetAngularVel(body));
-        nearby.centre_ = from_ode(dBodyGetPosition(body));
     }
     return nearby;
 }
@@ -48,9 +32,8 @@ NearbyGeom NearbyGeom::of(const ProbeTool &tool)
     nearby.solid_ = Solid::sphere(tool.radius);
     nearby.id_ = tool.region;
     nearby.object_ = tool.object;
-    nearby.position_ = tool.centre;
-    nearby.linear_ = tool.velocity;
-    nearby.centre_ = tool.centre;
+    nearby.pose_.position = tool.centre;
+    nearby.motion_ = {tool.centre, tool.velocity, Vector3::Zero()};
     return nearby;
 }
 
@@ -58,24 +41,24 @@ NearbyGeom NearbyGeom::later(double dt) const
 {
     NearbyGeom geom = *this;
     geom.mesh_ = std::shared_ptr<const MeshTree>(std::shared_ptr<const void>(), mesh_.get());
-    if (linear_.allFinite() && angular_.allFinite())
-        geom.shift(dt * linear_, dt * angular_, Vector3::Zero(), Vector3::Zero());
+    if (motion_.linear.allFinite() && motion_.angular.allFinite())
+        geom.shift(dt * motion_.linear, dt * motion_.angular, Vector3::Zero(), Vector3::Zero());
     return geom;
 }
 
 void NearbyGeom::shift(const Vector3 &moved, const Vector3 &turned, const Vector3 &velocity, const Vector3 &spin)
 {
-    position_ += moved;
-    centre_ += moved;
+    pose_.position += moved;
+    motion_.centre += moved;
     const double angle = turned.norm();
     if (angle != 0)
     {
         const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, turned / angle).toRotationMatrix();
-        rotation_ = turn * rotation_;
-        position_ = centre_ + turn * (position_ - centre_);
+        pose_.rotation = turn * pose_.rotation;
+        pose_.position = motion_.centre + turn * (pose_.position - motion_.centre);
     }
-    linear_ += velocity;
-    angular_ += spin;
+    motion_.linear += velocity;
+    motion_.angular += spin;
 }
 
 double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures &features,
@@ -123,6 +106,6 @@ SurfaceFeature NearbyGeom::nearest_of(const SurfaceFeature &feature, const Vecto
 void NearbyGeom::move_to_scene(SurfaceFeature &feature) const
 {
     feature.point = to_scene(feature.point);
-    feature.normal = rotation_ * feature.normal;
+    feature.normal = pose_.rotation * feature.normal;
 }
 } // namespace ode_predictive_space::haptics

@@ -5,6 +5,7 @@
 
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
 #include "ode_predictive_space/haptics/contact/other_probes.h"
+#include "ode_predictive_space/haptics/contact/pose_watch.h"
 #include "ode_predictive_space/haptics/contact/solid.h"
 #include "ode_predictive_space/haptics/touch.h"
 
@@ -30,8 +31,8 @@ struct GeomIdentity
 class NearbyGeom
 {
 public:
-    /// Nothing for a geom whose surface is known to ODE alone (convex, heightfield without samples, transform, classes of
-    /// the program).
+    /// It moves as its body does. Nothing for a geom whose surface is known to ODE alone (convex, heightfield without samples,
+    /// transform, classes of the program).
     ///
     /// @param touched triangles of the mesh that were touched last: see MeshStore.
     static std::optional<NearbyGeom> read(dGeomID geom, MeshStore &meshes, const TriangleList &touched);
@@ -43,9 +44,14 @@ public:
     std::uintptr_t object() const { return object_; }
 
     /// Whether it has a place. Its velocity may still be none: see velocity_at().
-    bool is_finite() const { return rotation_.allFinite() && position_.allFinite(); }
+    bool is_finite() const { return pose_.rotation.allFinite() && pose_.position.allFinite(); }
 
     GeomIdentity identity() const { return {id_, object_, mesh_.get()}; }
+
+    const Pose &pose() const { return pose_; }
+
+    /// About the centre of its body, if it has one.
+    void set_motion(const Motion &motion) { motion_ = motion; }
 
     /// The geom as it is some time later, with the velocity that it has.
     ///
@@ -61,10 +67,10 @@ public:
     const std::optional<Material> &material() const { return material_; }
 
     /// m/s, of the surface.
-    Vector3 velocity_at(const Vector3 &point) const { return linear_ + angular_.cross(point - centre_); }
+    Vector3 velocity_at(const Vector3 &point) const { return motion_.velocity_at(point); }
 
-    Vector3 to_local(const Vector3 &point) const { return rotation_.transpose() * (point - position_); }
-    Vector3 to_scene(const Vector3 &point) const { return rotation_ * point + position_; }
+    Vector3 to_local(const Vector3 &point) const { return pose_.rotation.transpose() * (point - pose_.position); }
+    Vector3 to_scene(const Vector3 &point) const { return pose_.rotation * point + pose_.position; }
 
     /// Append what of the surface is within a radius of a point. The scene's frame. See MeshTree::collect().
     ///
@@ -91,11 +97,8 @@ private:
 
     dGeomID id_ = nullptr;
     std::uintptr_t object_ = 0;
-    Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();
-    Vector3 position_ = Vector3::Zero(); ///< m
-    Vector3 linear_ = Vector3::Zero();   ///< m/s
-    Vector3 angular_ = Vector3::Zero();  ///< rad/s
-    Vector3 centre_ = Vector3::Zero();   ///< m; where linear_ is the velocity
+    Pose pose_;
+    Motion motion_;
     std::optional<Material> material_;
     Solid solid_;
     std::shared_ptr<const MeshTree> mesh_;

@@ -49,6 +49,7 @@ public:
             nonsense = true;
             return true;
         }
+        nearby->set_motion(poses.motion_of(other, nearby->pose(), place.centre, place.tick));
         if (excluded.excludes(*nearby, place))
             return true;
         if (const dBodyID body = dGeomGetBody(other))
@@ -92,13 +93,14 @@ public:
 
     void collide(dGeomID other)
     {
+        const Motion motion = poses.motion_of(other, pose_of(other), place.centre, place.tick);
         const int count = dCollide(geom.tool(), other, most_contacts, contacts.data(), sizeof(dContactGeom));
         if (count > 0)
-            add(*std::max_element(contacts.begin(), contacts.begin() + count, is_shallower), other);
+            add(*std::max_element(contacts.begin(), contacts.begin() + count, is_shallower), other, motion);
     }
 
     // ODE's normal is the way out for the first of the two geoms, which is the probe.
-    void add(const dContactGeom &contact, dGeomID other)
+    void add(const dContactGeom &contact, dGeomID other, const Motion &motion)
     {
         Touch touch;
         touch.point = from_ode(contact.pos);
@@ -108,13 +110,9 @@ public:
             return;
         touch.object = object_of(other);
         touch.material = material_of(other);
+        touch.surface_velocity = motion.velocity_at(touch.point);
         if (const dBodyID body = dGeomGetBody(other))
-        {
             bodies.keep(body);
-            const ToolState motion = tool_state_of(body);
-            touch.surface_velocity =
-                motion.linear_velocity + motion.angular_velocity.cross(touch.point - motion.position);
-        }
         if (!is_finite(touch))
         {
             nonsense = true;
@@ -156,6 +154,7 @@ public:
     ProbeGeom geom;
     std::optional<ContactTracker> tracker; ///< of the sphere that the sensor makes
     ExcludedGeoms excluded;
+    PoseWatch poses;
     OtherProbes others;
     double stiffness = 0; ///< N/m; the law's
     MeshStore meshes;
@@ -223,6 +222,8 @@ void TouchSensor::set_materials(MaterialOf materials)
 void TouchSensor::set_tick_length(double seconds)
 {
     parts_->place.tick = seconds;
+    if (parts_->tracker)
+        parts_->tracker->set_reach(PoseWatch::fastest * seconds);
 }
 
 void TouchSensor::prepare(dGeomID mesh)
@@ -267,6 +268,7 @@ void TouchSensor::clear()
     parts_->collided.clear();
     parts_->bodies.age();
     parts_->excluded.begin();
+    parts_->poses.begin();
     parts_->nonsense = false;
     if (parts_->tracker)
     {
@@ -283,6 +285,7 @@ void TouchSensor::pose(const ToolState &tool)
         return parts_->others.leave();
     if (!parts_->tracker)
     {
+        parts_->place.centre = tool.position;
         geom.follow(tool);
         return;
     }

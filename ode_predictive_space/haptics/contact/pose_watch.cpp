@@ -1,0 +1,90 @@
+#include "ode_predictive_space/haptics/contact/pose_watch.h"
+
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
+#include "ode_predictive_space/haptics/touch.h"
+
+#include <ode/collision.h>
+#include <ode/objects.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+// What ODE has stepped is at these times its velocity, but for rounding and the curve of a turn.
+constexpr double explained = 1.05;
+constexpr double rounding = sizeof(dReal) == sizeof(double) ? 1e-6 : 1e-2; // m/s
+
+/// About the centre, from one pose to another.
+Motion between(const Pose &before, const Pose &now, const Vector3 &centre, double seconds)
+{
+    const Eigen::Matrix3d turn = now.rotation * before.rotation.transpose();
+    const Vector3 was_at = before.position + turn.transpose() * (centre - now.position);
+    const Eigen::AngleAxisd turned(turn);
+    return {centre, (centre - was_at) / seconds, turned.angle() / seconds * turned.axis()};
+}
+} // namespace
+
+Pose pose_of(dGeomID geom)
+{
+    Pose pose;
+    dVector3 in_scene; // by functions that know geoms that cannot be placed, too
+    dGeomGetRelPointPos(geom, 0, 0, 0, in_scene);
+    pose.position = from_ode(in_scene);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        dGeomVectorToWorld(geom, axis == 0, axis == 1, axis == 2, in_scene);
+        pose.rotation.col(axis) = from_ode(in_scene);
+    }
+    return pose;
+}
+
+Motion body_motion_of(dGeomID geom, const Pose &pose)
+{
+    const dBodyID body = dGeomGetBody(geom);
+    if (body == nullptr)
+        return {pose.position, Vector3::Zero(), Vector3::Zero()};
+    return {from_ode(dBodyGetPosition(body)), from_ode(dBodyGetLinearVel(body)), from_ode(dBodyGetAngularVel(body))};
+}
+
+PoseWatch::PoseWatch()
+{
+    now_.reserve(usual_touches);
+    before_.reserve(usual_touches);
+}
+
+void PoseWatch::begin()
+{
+    now_.swap(before_);
+    now_.clear();
+    next_ = 0;
+}
+
+const PoseWatch::Seen *PoseWatch::seen_before(dGeomID geom, std::uintptr_t object)
+{
+    for (std::size_t i = 0; i < before_.size(); ++i)
+    {
+        const std::size_t place = (next_ + i) % before_.size();
+        if (before_[place].geom == geom && before_[place].object == object)
+        {
+            next_ = place + 1;
+            return &before_[place];
+        }
+    }
+    return nullptr;
+}
+
+Motion PoseWatch::motion_of(dGeomID geom, const Pose &pose, const Vector3 &where, double tick)
+{
+    const Motion by_body = body_motion_of(geom, pose);
+    now_.push_back({geom, object_of(geom), pose, by_body});
+    const Seen *last = seen_before(geom, now_.back().object);
+    if (last == nullptr || !(tick > 0))
+        return by_body;
+    const Motion by_poses = between(last->pose, pose, by_body.centre, tick);
+    const double speed = by_poses.velocity_at(where).norm();
+    const double known = std::max(by_body.velocity_at(where).norm(), last->by_body.velocity_at(where).norm());
+    const bool is_posed = speed > explained * known + rounding && speed <= fastest;
+    return is_posed ? by_poses : by_body;
+}
+} // namespace ode_predictive_space::haptics
