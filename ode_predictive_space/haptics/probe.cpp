@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/probe.h"
 
 #include "ode_predictive_space/haptics/contact/body_watch.h"
+#include "ode_predictive_space/haptics/contact/mesh_store.h"
 #include "ode_predictive_space/haptics/device/with_lock.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
@@ -101,10 +102,18 @@ public:
             tell_of_loss("No force: the probe's geom was destroyed with its space. The probe has to go first.");
     }
 
-    void tell_of_loss(std::string_view sentence)
+    void tell_of_loss(std::string_view sentence) { tell_once(told_of_loss, sentence); }
+
+    void tell_if_reading()
+    {
+        if (sensor->is_reading())
+            tell_once(told_of_reading, reading_notice);
+    }
+
+    void tell_once(bool &told, std::string_view sentence)
     {
         const NoticeSink &sink = renderer.notice_sink();
-        if (!std::exchange(told_of_loss, true) && sink)
+        if (!std::exchange(told, true) && sink)
             sink(Notice(NoticeKind::contact, renderer.last_tick().time, sentence));
     }
 
@@ -120,6 +129,7 @@ public:
     double tick_length = 0; ///< s
     int tool_jumps = 0;     ///< as RenderedTick has it
     bool told_of_loss = false;
+    bool told_of_reading = false;
     std::vector<Encounter> encounters;
 };
 
@@ -229,6 +239,7 @@ void HapticProbe::render(double dt)
     {
         renderer.render(sensor->touches(), !sensor->saw_nonsense(), dt);
         sensor->push(renderer.shares());
+        parts_->tell_if_reading();
     }
     else
     {

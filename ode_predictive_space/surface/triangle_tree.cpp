@@ -43,6 +43,7 @@ class TriangleTree::Builder
 public:
     explicit Builder(TriangleTree &tree) : tree_(tree)
     {
+        tree_.nodes_.reserve(tree_.order_.size() / 4 * 3 + 8); // so that no step has to move them, but for rare meshes
         tree_.nodes_.resize(1);
         current_.range.end = static_cast<std::uint32_t>(tree_.order_.size());
         current_.divides = false;
@@ -193,10 +194,7 @@ std::size_t TriangleTree::build(std::size_t steps)
     {
         --steps;
         if (!builder_->step())
-        {
             builder_.reset();
-            nodes_.shrink_to_fit();
-        }
     }
     return steps;
 }

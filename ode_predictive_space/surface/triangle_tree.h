@@ -17,7 +17,7 @@
 
 namespace ode_predictive_space
 {
-/// Some 20 bytes per triangle; the corners stay in the arrays of the program, which must not change while the tree is in use. Lengths
+/// Some 28 bytes per triangle; the corners stay in the arrays of the program, which must not change while the tree is in use. Lengths
 /// and points are in the mesh's frame.
 class TriangleTree final : public Surface
 {

@@ -78,8 +78,12 @@ public:
     /// What to ask for the materials of what is touched, in touch(). Empty: nothing.
     void set_materials(MaterialOf materials);
 
-    /// Read a mesh now rather than when the probe first comes near it: a hundred thousand triangles take some 0.1 s.
+    /// Read a mesh now rather than when the probe first comes near it: a hundred thousand triangles take some 0.1 s. A mesh that was
+    /// not prepared is read in parts while it is near, and touched as dCollide() says until it has been read.
     void prepare(dGeomID mesh);
+
+    /// Whether a mesh that is near has not been read yet.
+    bool is_reading() const;
 
     /// The same for all meshes that there are in the sensor's space, in those within it, and in those that it is in. Loops
     /// do this before they begin. Meshes in ODE's quadtree spaces, which cannot list their geoms, are read when they are

@@ -5,6 +5,7 @@
 #include "ode_predictive_space/haptics/touch.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -12,6 +13,7 @@ namespace
 {
 constexpr std::size_t most_meshes = 256; // the oldest one goes then
 constexpr int compared_at_once = 8;
+constexpr std::size_t steps_to_add = 8; // of MeshTree::build(): adding a triangle takes as long
 constexpr double rounding_of_corners = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5; // m, and of the coordinates
 
 TriangleCorners triangle_of(dGeomID geom, int index)
@@ -48,17 +50,9 @@ std::vector<TriangleCorners> triangles_of(const HeightfieldSamples &samples)
     return triangles;
 }
 
-/// By a geom at the origin: there ODE gives the coordinates as they are.
-std::shared_ptr<const MeshTree> make_tree(dTriMeshDataID data)
+std::shared_ptr<MeshTree> unread_tree_of(dGeomID mesh)
 {
-    const dGeomID geom = dCreateTriMesh(nullptr, data, nullptr, nullptr, nullptr);
-    const int count = dGeomTriMeshGetTriangleCount(geom);
-    std::vector<TriangleCorners> triangles;
-    triangles.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i)
-        triangles.push_back(triangle_of(geom, i));
-    dGeomDestroy(geom);
-    return std::make_shared<const MeshTree>(triangles);
+    return std::make_shared<MeshTree>(static_cast<std::size_t>(dGeomTriMeshGetTriangleCount(mesh)));
 }
 
 bool is_same(dGeomID geom, const MeshTree &tree, std::size_t triangle)
@@ -91,26 +85,64 @@ bool MeshStore::knows(dGeomID geom) const
            (kind == dHeightfieldClass && find_in(fields_, is_of(dGeomHeightfieldGetHeightfieldData(geom))) != nullptr);
 }
 
+void MeshStore::begin(std::size_t steps)
+{
+    steps_ = steps;
+    is_reading_ = false;
+}
+
 std::shared_ptr<const MeshTree> MeshStore::tree_of(dGeomID geom, const TriangleList &touched)
 {
     if (dGeomGetClass(geom) == dHeightfieldClass)
         return find_in(fields_, is_of(dGeomHeightfieldGetHeightfieldData(geom)))->tree;
-    const dTriMeshDataID data = dGeomTriMeshGetData(geom);
+    Entry &entry = entry_of(geom);
+    if (!is_current(geom, entry, touched))
+        entry.tree = unread_tree_of(geom);
+    if (!entry.tree->is_ready())
+        read(entry.data, *entry.tree);
+    if (entry.tree->is_ready())
+        return entry.tree;
+    is_reading_ = true;
+    return nullptr;
+}
+
+void MeshStore::prepare(dGeomID mesh)
+{
+    const std::size_t steps = std::exchange(steps_, unlimited);
+    tree_of(mesh, {});
+    steps_ = steps;
+}
+
+MeshStore::Entry &MeshStore::entry_of(dGeomID mesh)
+{
+    const dTriMeshDataID data = dGeomTriMeshGetData(mesh);
     if (Entry *known = find_in(meshes_, is_of(data)))
-    {
-        if (!is_current(geom, *known, touched))
-            known->tree = make_tree(data);
-        return known->tree;
-    }
+        return *known;
     if (meshes_.size() == most_meshes)
         meshes_.erase(meshes_.begin());
-    meshes_.push_back({data, make_tree(data)});
-    return meshes_.back().tree;
+    meshes_.push_back({data, unread_tree_of(mesh)});
+    return meshes_.back();
+}
+
+/// By a geom at the origin: there ODE gives the coordinates as they are. It does not outlive the call, as the program may destroy the
+/// data.
+void MeshStore::read(const void *data, MeshTree &tree)
+{
+    if (tree.added() < tree.count() && steps_ >= steps_to_add)
+    {
+        const dGeomID geom =
+            dCreateTriMesh(nullptr, static_cast<dTriMeshDataID>(const_cast<void *>(data)), nullptr, nullptr, nullptr);
+        for (; steps_ >= steps_to_add && tree.added() < tree.count(); steps_ -= steps_to_add)
+            tree.add(triangle_of(geom, static_cast<int>(tree.added())));
+        dGeomDestroy(geom);
+    }
+    if (tree.added() == tree.count())
+        steps_ = tree.build(steps_);
 }
 
 void MeshStore::set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples)
 {
-    Entry field = {data, std::make_shared<const MeshTree>(triangles_of(samples))};
+    Entry field = {data, std::make_shared<MeshTree>(triangles_of(samples))};
     forget_samples(data);
     fields_.push_back(std::move(field));
 }
@@ -130,6 +162,8 @@ bool MeshStore::is_current(dGeomID geom, Entry &entry, const TriangleList &touch
     const std::size_t count = entry.tree->count();
     if (static_cast<std::size_t>(dGeomTriMeshGetTriangleCount(geom)) != count)
         return false;
+    if (!entry.tree->is_ready())
+        return true; // as far as is known
     for (int i = 0; i < compared_at_once && count > 0; ++i)
     {
         entry.next = (entry.next + 1) % count;

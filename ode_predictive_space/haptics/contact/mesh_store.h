@@ -8,10 +8,15 @@
 #include <memory>
 #include <ode/collision.h>
 #include <ode/collision_trimesh.h>
+#include <string_view>
 
 namespace ode_predictive_space::haptics
 {
 struct HeightfieldSamples;
+
+/// One notice for all meshes.
+constexpr std::string_view reading_notice =
+    "A mesh is being read, a part of it in each tick. Until then it is touched as dCollide() finds it.";
 
 /// A few triangles of a mesh.
 struct TriangleList
@@ -29,6 +34,8 @@ struct TriangleList
 /// Geoms of the same dTriMeshDataID share a tree. ODE does not tell when the triangles behind an id change: each look-up
 /// compares their number, some of them in turn, and those that the caller names, and makes the tree anew when one differs.
 ///
+/// A large mesh is read in parts, so that no look-up takes long: until its tree stands, the look-ups go on with it.
+///
 /// A heightfield has the triangles of its cells. It is not compared: ODE tells neither samples nor triangles of it.
 class MeshStore
 {
@@ -36,9 +43,19 @@ public:
     /// Triangle meshes that have data, and heightfields that have samples.
     bool knows(dGeomID geom) const;
 
+    /// A tick begins, in which meshes are read by so many steps of MeshTree::build().
+    void begin(std::size_t steps);
+
+    /// Whether a tree was not ready in this tick.
+    bool is_reading() const { return is_reading_; }
+
     /// @param geom that it knows.
     /// @param touched triangles of it to compare now.
+    /// @return 0 as long as it is being read.
     std::shared_ptr<const MeshTree> tree_of(dGeomID geom, const TriangleList &touched);
+
+    /// Reads all of it now.
+    void prepare(dGeomID mesh);
 
     /// @throws std::invalid_argument when the samples make no field.
     void set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples);
@@ -54,14 +71,20 @@ private:
     struct Entry
     {
         const void *data;
-        std::shared_ptr<const MeshTree> tree;
+        std::shared_ptr<MeshTree> tree;
         std::size_t next = 0; ///< triangle to compare next
     };
 
+    static constexpr std::size_t unlimited = ~std::size_t{0};
+
+    Entry &entry_of(dGeomID mesh);
+    void read(const void *data, MeshTree &tree);
     static bool is_current(dGeomID geom, Entry &entry, const TriangleList &touched);
 
     std::vector<Entry> meshes_;
     std::vector<Entry> fields_;
+    std::size_t steps_ = unlimited; ///< left in this tick
+    bool is_reading_ = false;
 };
 } // namespace ode_predictive_space::haptics
 

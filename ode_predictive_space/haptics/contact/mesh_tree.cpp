@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <unordered_map>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -15,30 +14,6 @@ constexpr std::uint32_t large_fan = 12; // triangles at a corner
 constexpr int no_minimum = -2;          // instead of a triangle
 constexpr double same_place = 1e-7;     // of the distance
 constexpr double far = 2;               // times the radius of a node: from there, it is a dipole
-
-struct PlaceHash
-{
-    std::size_t operator()(const std::array<double, 3> &place) const
-    {
-        std::size_t hash = 0;
-        for (const double coordinate : place)
-            hash = hash * 1000003 ^ std::hash<double>()(coordinate);
-        return hash;
-    }
-};
-
-// What is not a number is nowhere.
-std::vector<std::uint32_t> finite_among(const std::vector<TriangleCorners> &triangles)
-{
-    std::vector<std::uint32_t> finite;
-    for (std::uint32_t i = 0; i < triangles.size(); ++i)
-    {
-        const TriangleCorners &at = triangles[i];
-        if (at[0].allFinite() && at[1].allFinite() && at[2].allFinite())
-            finite.push_back(i);
-    }
-    return finite;
-}
 
 /// By the formula of van Oosterom and Strackee (1983).
 double solid_angle(const TriangleCorners &corners, const Vector3 &point)
@@ -60,53 +35,64 @@ SurfaceFeature feature_of(const NearestOnTriangle &nearest, std::size_t triangle
 }
 } // namespace
 
-MeshTree::MeshTree(const std::vector<TriangleCorners> &triangles) : tree_(weld(triangles), finite_among(triangles))
+MeshTree::MeshTree(const std::vector<TriangleCorners> &triangles) : MeshTree(triangles.size())
 {
-    list_fans();
-    tree_.build(std::numeric_limits<std::size_t>::max());
-    list_dipoles();
-}
-
-// Corners at the same place are one vertex, whatever the mesh's indices say.
-TriangleArrays MeshTree::weld(const std::vector<TriangleCorners> &triangles)
-{
-    std::unordered_map<std::array<double, 3>, std::uint32_t, PlaceHash> known;
-    known.reserve(triangles.size());
-    triangles_.reserve(triangles.size());
     for (const TriangleCorners &corners : triangles)
-    {
-        TriangleArrays::Indices triangle;
-        for (int i = 0; i < 3; ++i)
-        {
-            const std::array<double, 3> place = {corners[i].x() + 0.0, corners[i].y() + 0.0, corners[i].z() + 0.0};
-            const auto [vertex, is_new] = known.emplace(place, static_cast<std::uint32_t>(vertices_.size()));
-            if (is_new)
-                vertices_.push_back(corners[i]);
-            triangle[i] = vertex->second;
-        }
-        triangles_.push_back(triangle);
-    }
-    return {vertices_.data(),
-            sizeof(Vector3),
-            static_cast<unsigned>(vertices_.size()),
-            triangles_.data(),
-            static_cast<unsigned>(triangles_.size()),
-            sizeof(TriangleArrays::Indices),
-            false};
+        add(corners);
+    build(std::numeric_limits<std::size_t>::max());
 }
 
-void MeshTree::list_fans()
+MeshTree::MeshTree(std::size_t count) : count_(count), known_(std::make_unique<VertexTable>())
 {
-    fan_begin_.assign(vertices_.size() + 1, 0);
-    for (const TriangleArrays::Indices &triangle : triangles_)
-        for (const std::uint32_t vertex : triangle)
-            ++fan_begin_[vertex + 1];
-    std::partial_sum(fan_begin_.begin(), fan_begin_.end(), fan_begin_.begin());
-    std::vector<std::uint32_t> next(fan_begin_.begin(), fan_begin_.end() - 1);
-    fans_.resize(3 * triangles_.size());
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-        for (const std::uint32_t vertex : triangles_[i])
-            fans_[next[vertex]++] = i;
+    vertices_.reserve(count);
+    triangles_.reserve(count);
+    fans_.reserve(count);
+    fan_next_.reserve(3 * count);
+    finite_.reserve(count);
+}
+
+// Corners at the same place are one vertex, whatever the mesh's indices say. What is not a number is nowhere.
+void MeshTree::add(const TriangleCorners &corners)
+{
+    TriangleArrays::Indices triangle;
+    for (int i = 0; i < 3; ++i)
+    {
+        triangle[i] = known_->number_of(corners[i] + Vector3::Zero(), vertices_); // -0 is 0
+        fans_.resize(vertices_.size());
+        Fan &fan = fans_[triangle[i]];
+        fan_next_.push_back(std::exchange(fan.first, static_cast<std::uint32_t>(fan_next_.size())));
+        ++fan.size;
+    }
+    if (corners[0].allFinite() && corners[1].allFinite() && corners[2].allFinite())
+        finite_.push_back(static_cast<std::uint32_t>(triangles_.size()));
+    triangles_.push_back(triangle);
+}
+
+std::size_t MeshTree::build(std::size_t steps)
+{
+    if (!tree_)
+        begin_tree();
+    steps = tree_->build(steps);
+    if (!tree_->is_ready())
+        return steps;
+    if (dipoles_.empty())
+        dipoles_.reserve(tree_->nodes().size());
+    for (; steps > 0 && !is_ready(); --steps)
+        add_dipole();
+    return steps;
+}
+
+void MeshTree::begin_tree()
+{
+    known_.reset();
+    const TriangleArrays arrays = {vertices_.data(),
+                                   sizeof(Vector3),
+                                   static_cast<unsigned>(vertices_.size()),
+                                   triangles_.data(),
+                                   static_cast<unsigned>(triangles_.size()),
+                                   sizeof(TriangleArrays::Indices),
+                                   false};
+    tree_.emplace(arrays, std::move(finite_));
 }
 
 double MeshTree::collect(const Vector3 &point, double radius, SurfaceFeatures &features, Budget *budget) const
@@ -115,9 +101,9 @@ double MeshTree::collect(const Vector3 &point, double radius, SurfaceFeatures &f
     double nearest = radius;
     const auto is_near = [&](std::uint32_t node) {
         return (budget == nullptr || !budget->is_exceeded()) &&
-               tree_.nodes()[node].squared_distance(point) <= radius * radius;
+               tree_->nodes()[node].squared_distance(point) <= radius * radius;
     };
-    tree_.descend(is_near, [&](std::uint32_t triangle) {
+    tree_->descend(is_near, [&](std::uint32_t triangle) {
         if (budget == nullptr || budget->take())
             nearest = std::min(nearest, add(point, triangle, radius, first, features));
     });
@@ -129,7 +115,7 @@ double MeshTree::collect(const Vector3 &point, double radius, SurfaceFeatures &f
 
 double MeshTree::distance(const Vector3 &point, double most) const
 {
-    tree_.walk(point, most, [&](std::uint32_t triangle) {
+    tree_->walk(point, most, [&](std::uint32_t triangle) {
         const double squared = nearest_on_triangle(point, corners(triangle)).squared_distance;
         most = squared < most * most ? std::sqrt(squared) : most;
         return true;
@@ -137,18 +123,15 @@ double MeshTree::distance(const Vector3 &point, double most) const
     return most;
 }
 
-void MeshTree::list_dipoles()
+/// Of the last node that has none: children come first.
+void MeshTree::add_dipole()
 {
-    dipoles_.resize(tree_.nodes().size());
-    for (std::size_t index = dipoles_.size(); index-- > 0;) // children first
-    {
-        const TriangleTree::Node &node = tree_.nodes()[index];
-        const Vector3 low = node.low.cast<double>(), high = node.high.cast<double>();
-        Dipole &dipole = dipoles_[index];
-        dipole = sum_of(node);
-        dipole.centre = dipole.size > 0 ? Vector3(dipole.centre / dipole.size) : Vector3((low + high) / 2);
-        dipole.radius = (low - dipole.centre).cwiseAbs().cwiseMax((high - dipole.centre).cwiseAbs()).norm();
-    }
+    const TriangleTree::Node &node = tree_->nodes()[tree_->nodes().size() - 1 - dipoles_.size()];
+    const Vector3 low = node.low.cast<double>(), high = node.high.cast<double>();
+    Dipole dipole = sum_of(node);
+    dipole.centre = dipole.size > 0 ? Vector3(dipole.centre / dipole.size) : Vector3((low + high) / 2);
+    dipole.radius = (low - dipole.centre).cwiseAbs().cwiseMax((high - dipole.centre).cwiseAbs()).norm();
+    dipoles_.push_back(dipole);
 }
 
 /// Of a leaf's triangles, or of a node's children: the centres times the areas, too.
@@ -161,11 +144,11 @@ MeshTree::Dipole MeshTree::sum_of(const TriangleTree::Node &node) const
         sum.centre += size * centre;
     };
     if (!node.is_leaf())
-        for (const Dipole *child : {&dipoles_[node.first], &dipoles_[node.first + 1]})
+        for (const Dipole *child : {&dipole_of(node.first), &dipole_of(node.first + 1)})
             add(child->area, child->size, child->centre);
     for (std::uint32_t i = node.first; i < node.end; ++i)
     {
-        const TriangleCorners at = corners(tree_.order()[i]);
+        const TriangleCorners at = corners(tree_->order()[i]);
         const Vector3 area = 0.5 * (at[1] - at[0]).cross(at[2] - at[0]);
         add(area, area.norm(), (at[0] + at[1] + at[2]) / 3);
     }
@@ -176,7 +159,7 @@ double MeshTree::winding_number(const Vector3 &point) const
 {
     double angle = 0;
     const auto is_near = [&](std::uint32_t node) {
-        const Dipole &dipole = dipoles_[node];
+        const Dipole &dipole = dipole_of(node);
         const Vector3 way = dipole.centre - point;
         const double distance = way.norm();
         if (!(distance > far * dipole.radius))
@@ -184,7 +167,7 @@ double MeshTree::winding_number(const Vector3 &point) const
         angle += dipole.area.dot(way) / (distance * distance * distance);
         return false;
     };
-    tree_.descend(is_near, [&](std::uint32_t triangle) { angle += solid_angle(corners(triangle), point); });
+    tree_->descend(is_near, [&](std::uint32_t triangle) { angle += solid_angle(corners(triangle), point); });
     return angle / (4 * EIGEN_PI);
 }
 
@@ -210,7 +193,7 @@ double MeshTree::add(const Vector3 &point, std::uint32_t triangle, double radius
     if (!is_told)
         feature.triangle = no_minimum;
     const bool in_large_fan =
-        found.part == TrianglePart::corner && fan_size(triangles_[triangle][found.index]) > large_fan;
+        found.part == TrianglePart::corner && fans_[triangles_[triangle][found.index]].size > large_fan;
     if (is_told || in_large_fan) // there, so that the others of the fan need not look
         features.push_back(feature);
     return feature.distance;
@@ -223,9 +206,9 @@ bool MeshTree::is_minimum(const NearestOnTriangle &nearest, std::uint32_t triang
     const TriangleArrays::Indices &vertices = triangles_[triangle];
     const std::uint32_t vertex = vertices[nearest.index];
     const std::uint32_t other = nearest.part == TrianglePart::edge ? vertices[(nearest.index + 1) % 3] : vertex;
-    for (std::uint32_t i = fan_begin_[vertex]; i < fan_begin_[vertex + 1]; ++i)
+    for (std::uint32_t at = fans_[vertex].first; at != end_of_fan; at = fan_next_[at])
     {
-        const std::uint32_t neighbour = fans_[i];
+        const std::uint32_t neighbour = at / 3;
         const TriangleArrays::Indices &corner = triangles_[neighbour];
         if (neighbour != triangle && (corner[0] == other || corner[1] == other || corner[2] == other) &&
             nearest_on_triangle(point, corners(neighbour)).squared_distance < nearer * nearest.squared_distance)

@@ -4,11 +4,16 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MESH_TREE_H
 
 #include "ode_predictive_space/haptics/contact/solid.h"
+#include "ode_predictive_space/haptics/contact/vertex_table.h"
 #include "ode_predictive_space/surface/triangle_tree.h"
+
+#include <optional>
 
 namespace ode_predictive_space::haptics
 {
-/// A copy of a mesh's triangles, in the mesh's frame. It does not change, so that geoms and threads may share it.
+/// A copy of a mesh's triangles, in the mesh's frame. Once it is ready it does not change, so that geoms and threads may share it.
+///
+/// A large mesh is read and built in parts: add() for each triangle, then build() until is_ready(). Only then it answers.
 ///
 /// The surface has two sides: which one is felt depends on where the point is, never on the order of a triangle's corners.
 /// Holes, triangles that are there twice and triangles without area are no special cases.
@@ -37,10 +42,25 @@ public:
         bool is_exceeded_ = false;
     };
 
+    /// Ready at once.
     explicit MeshTree(const std::vector<TriangleCorners> &triangles);
 
-    std::size_t count() const { return tree_.count(); }
-    TriangleCorners corners(std::size_t triangle) const { return tree_.corners(static_cast<std::uint32_t>(triangle)); }
+    /// @param count of the triangles that will be added.
+    explicit MeshTree(std::size_t count);
+
+    /// The next triangle.
+    void add(const TriangleCorners &corners);
+
+    /// How many have been added.
+    std::size_t added() const { return triangles_.size(); }
+
+    /// When all have been added. @return how many of the steps are left. Each takes some 25 ns.
+    std::size_t build(std::size_t steps);
+
+    bool is_ready() const { return tree_ && tree_->is_ready() && dipoles_.size() == tree_->nodes().size(); }
+
+    std::size_t count() const { return count_; }
+    TriangleCorners corners(std::size_t triangle) const { return tree_->corners(static_cast<std::uint32_t>(triangle)); }
 
     /// Append the local minima of the distance within a radius, in no order. A place of an edge or of a corner is one only
     /// if no triangle at that edge or corner comes nearer: on a flat floor there is one feature, however many triangles it
@@ -73,21 +93,32 @@ private:
         double radius = 0;                ///< m; about the centre, of a ball that holds the node's box
     };
 
-    TriangleArrays weld(const std::vector<TriangleCorners> &triangles);
-    void list_fans();
-    void list_dipoles();
+    /// The triangles at a vertex, as a list in fan_next_ of their corners: corner i of triangle t is 3 t + i.
+    struct Fan
+    {
+        std::uint32_t first = end_of_fan;
+        std::uint32_t size = 0;
+    };
+
+    static constexpr std::uint32_t end_of_fan = ~std::uint32_t{0};
+
+    void begin_tree();
+    void add_dipole();
+    const Dipole &dipole_of(std::uint32_t node) const { return dipoles_[tree_->nodes().size() - 1 - node]; }
     Dipole sum_of(const TriangleTree::Node &node) const;
     bool is_minimum(const NearestOnTriangle &nearest, std::uint32_t triangle, const Vector3 &point) const;
-    std::uint32_t fan_size(std::uint32_t vertex) const { return fan_begin_[vertex + 1] - fan_begin_[vertex]; }
     double add(const Vector3 &point, std::uint32_t triangle, double radius, std::size_t first,
                SurfaceFeatures &features) const;
 
+    std::size_t count_;
     std::vector<Vector3> vertices_;
     std::vector<TriangleArrays::Indices> triangles_;
-    TriangleTree tree_;                    ///< of those that are finite; reads the two above
-    std::vector<std::uint32_t> fan_begin_; ///< by vertex: where its triangles begin in fans_
-    std::vector<std::uint32_t> fans_;
-    std::vector<Dipole> dipoles_; ///< by node of tree_
+    std::vector<Fan> fans_;               ///< by vertex
+    std::vector<std::uint32_t> fan_next_; ///< by corner
+    std::unique_ptr<VertexTable> known_;  ///< while triangles are added
+    std::vector<std::uint32_t> finite_;   ///< triangles whose corners are numbers, until the tree has them
+    std::optional<TriangleTree> tree_;    ///< of the finite ones; reads vertices and triangles
+    std::vector<Dipole> dipoles_;         ///< by node of the tree, the last one first
 };
 } // namespace ode_predictive_space::haptics
 

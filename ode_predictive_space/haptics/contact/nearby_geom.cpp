@@ -21,6 +21,8 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
     if (!nearby.is_solid() && nearby.is_finite())
     {
         nearby.mesh_ = meshes.tree_of(geom, touched);
+        if (!nearby.mesh_)
+            return {};
         nearby.is_field_ = dGeomGetClass(geom) == dHeightfieldClass;
     }
     return nearby;

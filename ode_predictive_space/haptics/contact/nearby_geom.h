@@ -32,7 +32,7 @@ class NearbyGeom
 {
 public:
     /// It moves as its body does. Nothing for a geom whose surface is known to ODE alone (convex, heightfield without samples,
-    /// transform, classes of the program).
+    /// transform, classes of the program, mesh that is being read).
     ///
     /// @param touched triangles of the mesh that were touched last: see MeshStore.
     static std::optional<NearbyGeom> read(dGeomID geom, MeshStore &meshes, const TriangleList &touched);

@@ -17,7 +17,8 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr int most_contacts = 256; // of one pair: a mesh gives many, of which one counts
+constexpr std::size_t steps_of_tick = 16000; // of reading meshes
+constexpr int most_contacts = 256;           // of one pair: a mesh gives many, of which one counts
 
 // NaN is deeper than anything, so that it is never overlooked.
 bool is_shallower(const dContactGeom &a, const dContactGeom &b)
@@ -229,7 +230,7 @@ void TouchSensor::set_tick_length(double seconds)
 void TouchSensor::prepare(dGeomID mesh)
 {
     if (parts_->tracker && parts_->meshes.knows(mesh))
-        parts_->meshes.tree_of(mesh, {});
+        parts_->meshes.prepare(mesh);
 }
 
 void TouchSensor::prepare_all()
@@ -237,6 +238,11 @@ void TouchSensor::prepare_all()
     const dSpaceID scene = outermost_space_of(geom());
     if (parts_->tracker && scene != nullptr)
         for_each_geom(scene, [this](dGeomID geom) { prepare(geom); });
+}
+
+bool TouchSensor::is_reading() const
+{
+    return parts_->meshes.is_reading();
 }
 
 void TouchSensor::forget_mesh(dTriMeshDataID data)
@@ -269,6 +275,7 @@ void TouchSensor::clear()
     parts_->bodies.age();
     parts_->excluded.begin();
     parts_->poses.begin();
+    parts_->meshes.begin(steps_of_tick);
     parts_->nonsense = false;
     if (parts_->tracker)
     {

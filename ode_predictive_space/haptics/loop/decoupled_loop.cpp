@@ -114,6 +114,8 @@ private:
         }
         parts_.probe.place(parts_.rendered.latest());
         parts_.collide(work_);
+        if (sensor_.is_reading() && !std::exchange(told_of_reading_, true))
+            parts_.tell(NoticeKind::contact, reading_notice, LoopGuard::Side::scene);
     }
 
     void look(double due)
@@ -175,6 +177,7 @@ private:
     double changed_ = 0;       ///< s, simulated; when that became so
     std::uint64_t steps_ = 0;  ///< since then
     StepBudget budget_;
+    bool told_of_reading_ = false;
     bool surprised_ = false; ///< and it has been told
 };
 } // namespace
