@@ -173,7 +173,7 @@ ContactTracker::Region ContactTracker::region() const
             farthest = std::max(farthest, (place.at - region.centre).norm());
     }
     const double until_looked_for_again = adopts_ ? steps_ahead * travel_.norm() : 0;
-    region.radius = radius_ + margin_ + reach_ + until_looked_for_again + std::max(around * step, farthest) + 2 * drift;
+    region.radius = radius_ + margin_ + until_looked_for_again + std::max(around * step, farthest) + 2 * drift;
     return region;
 }
 

@@ -71,9 +71,6 @@ public:
 
     void set_margin(double margin) { margin_ = margin; }
 
-    /// m; how far from the region geoms are reported, too: from there they may come in a tick.
-    void set_reach(double reach) { reach_ = reach; }
-
     /// N/m; of what has no material of its own. While a force is rendered, the proxy catches up no faster than the force may change.
     void set_stiffness(double stiffness) { stiffness_ = stiffness; }
 
@@ -150,7 +147,6 @@ private:
 
     double radius_;
     double margin_ = 0;
-    double reach_ = 0; ///< m
     double stiffness_ = 1000;
     bool has_proxy_ = false;
     Vector3 tool_ = Vector3::Zero();

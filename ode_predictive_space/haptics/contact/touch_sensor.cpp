@@ -223,8 +223,6 @@ void TouchSensor::set_materials(MaterialOf materials)
 void TouchSensor::set_tick_length(double seconds)
 {
     parts_->place.tick = seconds;
-    if (parts_->tracker)
-        parts_->tracker->set_reach(PoseWatch::fastest * seconds);
 }
 
 void TouchSensor::prepare(dGeomID mesh)
@@ -300,7 +298,8 @@ void TouchSensor::pose(const ToolState &tool)
     parts_->tracker->aim(tool.position);
     parts_->place.centre = parts_->tracker->start();
     const ContactTracker::Region region = parts_->tracker->region();
-    geom.look_around(tool.position, region.centre, region.radius);
+    const double reach = PoseWatch::fastest * parts_->place.tick; // m; from there geoms may come in a tick
+    geom.look_around(tool.position, region.centre, region.radius + std::max(0.0, reach - geom.margin()));
     parts_->resolved = false;
 }
 
