@@ -1,13 +1,16 @@
 // predictive_bench servo: haptic loops at their rate, by the wall clock.
 
+#include "demos/scenes/contender.h"
 #include "demos/scenes/statistics.h"
 #include "demos/scenes/table.h"
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/ridge_measurement.h"
 #include "tests/benchmarks/servo_measurement.h"
+#include "tests/haptics/scrubbing.h"
 
 #include <algorithm>
 #include <iostream>
+#include <ode_predictive_space/predictive_space.h>
 
 namespace ode_predictive_space::benchmarks
 {
@@ -20,11 +23,12 @@ constexpr double most_part_of_tick = 5; // %
 constexpr double least_in_time = 99.9;  // %
 constexpr double same_cost = 1.25;      // times; what counts as no growth
 constexpr int decoupled_sizes[] = {100, 1000, 10000};
-constexpr int turns = 5;            // of the two sizes that are compared
-constexpr int few_cells = 22;       // 1,000 triangles
-constexpr int many_cells = 224;     // 100,000
-constexpr double most_time = 50e-6; // s; of a tick on the ridges
-constexpr double most_error = 1;    // %
+constexpr int turns = 5;                         // of the two sizes that are compared
+constexpr int few_cells = 22;                    // 1,000 triangles
+constexpr int many_cells = 224;                  // 100,000
+constexpr int scanned_rings[] = {112, 320, 570}; // 50,000 to 1.3 million triangles
+constexpr double most_time = 50e-6;              // s; of a tick on the ridges
+constexpr double most_error = 1;                 // %
 
 std::string in_microseconds(double seconds)
 {
@@ -176,6 +180,42 @@ void measure_ridges(double seconds, Findings &findings)
                       many.report.compute.p50 / few.report.compute.p50, Requirement::at_most, same_cost, "x"});
 }
 
+// Reported alone: an idle host is needed to judge times.
+void measure_scrubbing(double seconds, Findings &findings)
+{
+    std::cout << "Scrubbing over meshes as rough as scans, prepared, at 1 kHz: processor time of begin + collide + "
+                 "render\n\n";
+    Table table({"triangles", "probe's radius", "median", "p99", "max", "triangles visited at most"});
+    for (const int rings : scanned_rings)
+    {
+        const scenes::OwnedSpace space(dPredictiveSpaceCreate(nullptr));
+        const haptics::OdeMesh mesh(haptics::scanned_ball(rings));
+        const int triangles = dGeomTriMeshGetTriangleCount(mesh.add_to(space.get()));
+        for (const double radius : {0.001, 0.003, 0.01})
+        {
+            std::cerr << "servo, scrubbing over " << triangles << " triangles, " << 1000 * radius << " mm\n";
+            const haptics::ScrubbingResult result =
+                haptics::scrub(space.get(), radius, static_cast<int>(1000 * seconds));
+            const auto at = [&](double share) {
+                return result.seconds[static_cast<std::size_t>(share * static_cast<double>(result.seconds.size() - 1))];
+            };
+            findings.record({{"table", "servo_scrubbing"},
+                             {"triangles", triangles},
+                             {"radius_m", radius},
+                             {"ticks", result.seconds.size()},
+                             {"p50_us", 1e6 * at(0.5)},
+                             {"p99_us", 1e6 * at(0.99)},
+                             {"max_us", 1e6 * at(1)},
+                             {"visited_at_most", result.most_triangles}});
+            table.add({grouped(static_cast<std::uint64_t>(triangles)), fixed(1000 * radius, 0) + " mm",
+                       in_microseconds(at(0.5)), in_microseconds(at(0.99)), in_microseconds(at(1)),
+                       grouped(result.most_triangles)});
+        }
+    }
+    table.print(std::cout);
+    std::cout << '\n';
+}
+
 class ServoCommand : public Command
 {
 public:
@@ -202,6 +242,7 @@ public:
         {
             require_same_cost(settings, findings);
             measure_ridges(settings.seconds, findings);
+            measure_scrubbing(settings.seconds, findings);
         }
     }
 };

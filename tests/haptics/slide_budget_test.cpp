@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "tests/haptics/contact_fixture.h"
 #include "tests/haptics/rough_mesh.h"
+#include "tests/haptics/scrubbing.h"
 #include "tests/support/effort.h"
 
 #include <algorithm>
@@ -11,9 +12,14 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double ball = 0.05; // m; the mean radius of the mesh
-
 class SlideBudgetTest : public testing::TestWithParam<double>
+{
+protected:
+    const OdeUse ode_;
+    ProbeWorld world_;
+};
+
+class ScrubbingTest : public testing::Test
 {
 protected:
     const OdeUse ode_;
@@ -23,35 +29,9 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Radii, SlideBudgetTest, testing::Values(0.001, 0.003, 0.01),
                          [](const auto &info) { return "Radius" + std::to_string(std::lround(1000 * info.param)); });
 
-/// Scrubs over the ball in straight lines at changing depths, sometimes through it, and sometimes off it.
-class Scrub
-{
-public:
-    explicit Scrub(double size) : size_(size) {}
-
-    Vector3 operator()(double)
-    {
-        constexpr double step = 0.3 * dt; // m; of the hand in a tick
-        if ((to_ - at_).norm() < 1e-9)
-        {
-            const Vector3 side = (at_.normalized() + random_.in_cube(0.8)).normalized();
-            to_ = (ball + size_ + (random_.one_in(10) ? 0.005 : random_.between(-0.006, 0))) * side;
-        }
-        const Vector3 way = to_ - at_;
-        at_ += way.norm() > step ? Vector3(step / way.norm() * way) : way;
-        return at_;
-    }
-
-private:
-    double size_; ///< m; the probe's radius
-    RandomNumbers random_{1};
-    Vector3 at_ = Vector3(0, 0, 0.07);
-    Vector3 to_ = Vector3(0, 0, 0.05);
-};
-
 TEST_P(SlideBudgetTest, IsKeptInEachTickOverARoughMesh)
 {
-    const OdeMesh mesh(rough_ball(ball, 160, 0.03, 0.0002, 1));
+    const OdeMesh mesh(rough_ball(scrubbed_ball, 160, 0.03, 0.0002, 1));
     mesh.add_to(world_.space);
     ScriptedDevice device{Scrub(GetParam())};
     RenderSettings rendering;
@@ -68,6 +48,24 @@ TEST_P(SlideBudgetTest, IsKeptInEachTickOverARoughMesh)
     world_.run(probe, ticks);
     EXPECT_LE(most, SphereSlide::most_triangles);
     EXPECT_GT(felt, ticks / 4);
+}
+
+/// As dense as scans are. The long test has 1.3 million triangles.
+TEST_F(ScrubbingTest, KeepsTheBudgetInEachTick)
+{
+    for (const int rings : {112, 250})
+    {
+        const OdeMesh mesh(scanned_ball(rings));
+        mesh.add_to(world_.space);
+        for (const double size : {0.001, 0.003, 0.01})
+        {
+            constexpr int ticks = of_cases(1500);
+            const ScrubbingResult result = scrub(world_.space, size, ticks);
+            EXPECT_LE(result.most_triangles, SphereSlide::most_triangles) << rings << " rings, " << size << " m";
+            EXPECT_GT(result.felt, ticks / 8) << rings << " rings, " << size << " m";
+        }
+        dGeomDestroy(dSpaceGetGeom(world_.space, 0));
+    }
 }
 
 /// Some 25,000 triangles are as near to the probe as its place of contact: more than one tick may visit.
