@@ -7,6 +7,11 @@
 
 #include "tests/haptics/probe_fixture.h"
 
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
 namespace ode_predictive_space::haptics
 {
 namespace
@@ -119,6 +124,140 @@ TEST_F(TwoProbes, InALoopOfOneThreadAndOfTwo)
         work.advance = [&](double) { balance.add(loop.latest(), second.last_tick()); };
         loop.run(work);
         balance.expect_even(decoupled ? "two threads" : "one thread");
+    }
+}
+
+/// Two threads that take turns, each with its own clock: neither is ahead of the other by more than a step.
+class ClockInTurns : public SimulatedClock
+{
+public:
+    struct Turns
+    {
+        std::mutex mutex;
+        std::condition_variable changed;
+        double reached[2] = {-1, -1}; ///< s
+    };
+
+    ClockInTurns(Turns &turns, int number) : turns_(turns), number_(number) {}
+
+    void sleep_until(double time) override
+    {
+        wait_for_turn(time);
+        SimulatedClock::sleep_until(time);
+    }
+
+    /// The loop of this clock has ended: the other one goes on alone.
+    void end()
+    {
+        const std::lock_guard<std::mutex> lock(turns_.mutex);
+        turns_.reached[number_] = infinity;
+        turns_.changed.notify_all();
+    }
+
+private:
+    void wait_for_turn(double time)
+    {
+        std::unique_lock<std::mutex> lock(turns_.mutex);
+        turns_.reached[number_] = time;
+        turns_.changed.notify_all();
+        turns_.changed.wait(lock, [&] {
+            const double other = turns_.reached[1 - number_];
+            return number_ == 0 ? other >= time : other > time;
+        });
+    }
+
+    Turns &turns_;
+    int number_;
+};
+
+/// Each of two threads runs a loop with one of two probes.
+class TwoLoops : public HapticProbeTest
+{
+protected:
+    /// @param advance of a loop, by its number.
+    void run(int number, LoopSettings settings, const std::function<void(HapticLoop &, int)> &advance)
+    {
+        settings.scene = &mutex_;
+        settings.ask_for_priority = false;
+        HapticLoop loop(*scene_.probes[number], settings);
+        loop.run({[&] { scene_.collide(); }, [&](double) { advance(loop, number); }});
+    }
+
+    /// @param run_loop in both threads, with the number of the loop.
+    static void in_two_threads(const std::function<void(int)> &run_loop)
+    {
+        std::thread other([&] {
+            dAllocateODEDataForThread(dAllocateMaskAll);
+            run_loop(1);
+            dCleanupODEAllDataForThread();
+        });
+        run_loop(0);
+        other.join();
+    }
+
+    TwoProbeWorld scene_;
+    std::mutex mutex_;
+};
+
+TEST_F(TwoLoops, InTwoThreadsFeelTheSameForce)
+{
+    for (const bool decoupled : {false, true})
+    {
+        VirtualDevice left = hand_from(-1);
+        VirtualDevice right = hand_from(1);
+        HapticProbe first(left, scene_.world.space, radius);
+        HapticProbe second(right, scene_.world.space, radius);
+        scene_.probes[0] = &first;
+        scene_.probes[1] = &second;
+        ClockInTurns::Turns turns;
+        Balance balance;
+        RenderedTick latest[2];
+        in_two_threads([&](int number) {
+            ClockInTurns clock(turns, number);
+            LoopSettings settings;
+            settings.decoupled = decoupled;
+            settings.duration = 8;
+            settings.clock = &clock;
+            run(number, settings, [&](const HapticLoop &loop, int which) {
+                latest[which] = loop.latest();
+                if (which == 1)
+                    balance.add(latest[0], latest[1]);
+            });
+            clock.end();
+        });
+        balance.expect_even(decoupled ? "decoupled" : "of one thread each");
+    }
+}
+
+// By the wall clock: for ThreadSanitizer, too.
+TEST_F(TwoLoops, InTwoThreadsByTheWallClockFeelEachOther)
+{
+    for (const bool decoupled : {false, true})
+    {
+        const auto from = [](double side) {
+            return [side](double seconds) -> Vector3 {
+                return {side * (0.02 - 0.012 * std::min(1.0, 2 * seconds)), 0, 0};
+            };
+        };
+        ScriptedDevice left(from(-1)), right(from(1));
+        HapticProbe first(left, scene_.world.space, radius);
+        HapticProbe second(right, scene_.world.space, radius);
+        scene_.probes[0] = &first;
+        scene_.probes[1] = &second;
+        std::atomic<double> wished[2] = {0, 0}; // N
+        std::atomic<bool> felt{false};
+        in_two_threads([&](int number) {
+            LoopSettings settings;
+            settings.decoupled = decoupled;
+            settings.duration = 60; // simulated; long before, both have felt each other
+            run(number, settings, [&](HapticLoop &loop, int which) {
+                wished[which] = loop.latest().wished.x();
+                felt = felt || (wished[0] < -0.1 && wished[1] > 0.1);
+                if (felt)
+                    loop.stop();
+            });
+        });
+        EXPECT_TRUE(felt) << wished[0] << " and " << wished[1];
     }
 }
 

@@ -11,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -151,6 +152,9 @@ struct LoopSettings
         0.01; ///< m, in the scene; how far around a sphere's probe the servo knows of surfaces when decoupled
     bool ask_for_priority = true; ///< SCHED_FIFO and locked memory; what is refused is told, and done without
     LoopClock *clock = nullptr;   ///< 0: the machine's. Not owned
+    /// Of a scene that several loops share, each in a thread of its own: run() holds it except while it sleeps, and the callbacks with it.
+    /// Not owned.
+    std::mutex *scene = nullptr;
     NoticeSink notice; ///< called from a thread beside the loop: it may print and wait. What it throws ends the loop
 };
 

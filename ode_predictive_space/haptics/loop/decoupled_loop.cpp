@@ -42,7 +42,7 @@ public:
             const double length = step_length();
             const int most_behind = parts_.settings.most_steps_behind * steps_per_period_;
             parts_.dropped += go_on(due, length, most_behind, parts_.clock.now());
-            parts_.clock.sleep_until(due);
+            parts_.sleep_until(due);
             const double begin = parts_.clock.now();
             parts_.scene.begin(begin);
             parts_.guard->begin_step(begin);

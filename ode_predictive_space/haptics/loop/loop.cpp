@@ -78,7 +78,7 @@ void run_coupled(LoopParts &parts, const SceneWork &work)
     double due = parts.time.start;
     for (std::uint64_t tick = 0; static_cast<double>(tick) * period < settings.duration && !parts.must_end(); ++tick)
     {
-        parts.clock.sleep_until(due);
+        parts.sleep_until(due);
         const double now = parts.clock.now();
         parts.guard->beat(now);
         parts.servo.begin(now);
@@ -131,6 +131,7 @@ LoopReport HapticLoop::run(const SceneWork &work)
     LoopParts &parts = *parts_;
     if (parts.guard)
         throw std::logic_error("A haptic loop runs once");
+    const std::unique_lock<std::mutex> scene = parts.take_scene();
     const AtEnd turn = parts.begin_turn();
     if (parts.probe.sensor() != nullptr)
         parts.probe.sensor()->prepare_all();

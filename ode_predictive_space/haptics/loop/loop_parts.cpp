@@ -38,6 +38,20 @@ LoopParts::LoopParts(HapticProbe &haptic_probe, LoopSettings loop_settings)
       clock(settings.clock != nullptr ? *settings.clock : machine_clock)
 {}
 
+std::unique_lock<std::mutex> LoopParts::take_scene()
+{
+    return settings.scene != nullptr ? std::unique_lock(*settings.scene) : std::unique_lock<std::mutex>();
+}
+
+void LoopParts::sleep_until(double time)
+{
+    if (settings.scene != nullptr)
+        settings.scene->unlock();
+    clock.sleep_until(time);
+    if (settings.scene != nullptr)
+        settings.scene->lock();
+}
+
 AtEnd LoopParts::begin_turn()
 {
     const auto run = std::make_shared<ActiveRun>();

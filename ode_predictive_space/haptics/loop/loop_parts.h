@@ -101,6 +101,12 @@ public:
     LoopParts(const LoopParts &) = delete;
     LoopParts &operator=(const LoopParts &) = delete;
 
+    /// The scene is this loop's alone, but while it sleeps, until what is returned goes. Of the thread of run().
+    std::unique_lock<std::mutex> take_scene();
+
+    /// Gives the scene away meanwhile. Of the same thread.
+    void sleep_until(double time);
+
     /// A run begins: the probe is this loop's alone, until what is returned goes. @throws std::logic_error when another loop runs
     /// the probe.
     AtEnd begin_turn();
