@@ -5,13 +5,14 @@
 
 #include "demos/haptic/adjustable_law.h"
 #include "demos/haptic/demo_device.h"
+#include "demos/haptic/encounter_log.h"
 #include "demos/haptic/options.h"
 #include "demos/haptic/servo_log.h"
 #include "demos/scenes/contender.h"
 #include "demos/scenes/scene.h"
 #include "demos/scenes/spaces.h"
-#include "ode_predictive_space/haptics/encounter_log.h"
 #include "ode_predictive_space/haptics/loop.h"
+#include "ode_predictive_space/haptics/loop/time_histogram.h"
 
 #include <ode_predictive_space/predictive_space.h>
 #include <optional>
@@ -37,8 +38,8 @@ struct RunResult
     haptics::LoopReport loop;
     haptics::TimeSummary collide; ///< s; in dSpaceCollide()
     ServoTotals servo;
-    haptics::EncounterSummary encounters;
-    std::vector<haptics::LoggedContact> contacts;
+    EncounterSummary encounters;
+    std::vector<LoggedContact> contacts;
     RunSeries series;
     std::uint64_t pairs = 0;                          ///< reported by the space, summed over the steps
     std::optional<dPredictiveSpaceStats> space_stats; ///< of a predictive space
@@ -140,7 +141,7 @@ private:
     std::vector<dGeomID> near_;
     std::vector<dGeomID> touched_;
     std::vector<haptics::Encounter> meetings_;
-    haptics::EncounterLog encounter_log_;
+    EncounterLog encounter_log_;
     haptics::TimeHistogram collide_times_;
     report::BoundedSeries collide_series_{};
     report::BoundedSeries advance_series_{};

@@ -51,7 +51,7 @@ Plot contacts_plot(const RunResult &result)
     Curve warnings{"lead time: listed so long before the contact", {}, Curve::Style::dots};
     Curve delays{"contact after its predicted time of proximity", {}, Curve::Style::dots};
     Curve surprises{"contact that was not predicted", {}, Curve::Style::dots};
-    for (const haptics::LoggedContact &contact : result.contacts)
+    for (const LoggedContact &contact : result.contacts)
     {
         if (contact.foretold)
         {

@@ -150,7 +150,7 @@ nlohmann::json json_of_space(const RunResult &result)
         json["violations"] = stats.violations;
         json["woken"] = stats.woken;
         json["bytes"] = stats.bytes;
-        const haptics::EncounterSummary &encounters = result.encounters;
+        const EncounterSummary &encounters = result.encounters;
         json["encounters"] = {{"contacts", encounters.contacts},
                               {"foretold", encounters.foretold},
                               {"late", encounters.late},

@@ -5,6 +5,7 @@
 
 #include "demos/scenes/contact_scene.h"
 #include "demos/scenes/probe_force.h"
+#include "ode_predictive_space/haptics/device/random.h"
 #include "ode_predictive_space/haptics/hand_path.h"
 
 namespace ode_predictive_space::scenes

@@ -1,6 +1,6 @@
 #include "demos/scenes/pair_list.h"
 
-#include "ode_predictive_space/haptics/hand_path.h"
+#include "ode_predictive_space/haptics/device/random.h"
 
 #include <algorithm>
 

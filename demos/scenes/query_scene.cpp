@@ -1,6 +1,7 @@
 #include "demos/scenes/query_scene.h"
 
 #include "demos/scenes/kinematic_scenes.h"
+#include "ode_predictive_space/haptics/device/random.h"
 
 namespace ode_predictive_space::scenes
 {

@@ -2,6 +2,7 @@
 
 #include "demos/scenes/kinematic_scenes.h"
 #include "demos/scenes/scene_objects.h"
+#include "ode_predictive_space/haptics/device/random.h"
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 
 #include "demos/scenes/kinematic_scenes.h"
 #include "ode_predictive_space/haptics/hand_path.h"
+#include "ode_predictive_space/haptics/loop/time_histogram.h"
 
 namespace ode_predictive_space::benchmarks
 {

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/hand_path.h"
+#include "ode_predictive_space/haptics/device/random.h"
 #include "ode_predictive_space/haptics/recording.h"
 #include "tests/haptics/allocation_count.h"
 #include "tests/haptics/child_program.h"

@@ -1,7 +1,7 @@
 #include "demos/scenes/scene.h"
 #include "demos/scenes/shapes.h"
 #include "demos/scenes/spaces.h"
-#include "ode_predictive_space/haptics/hand_path.h"
+#include "ode_predictive_space/haptics/device/random.h"
 
 #include <gtest/gtest.h>
 

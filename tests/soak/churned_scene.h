@@ -5,7 +5,7 @@
 
 #include "demos/scenes/scene.h"
 #include "demos/scenes/spaces.h"
-#include "ode_predictive_space/haptics/hand_path.h"
+#include "ode_predictive_space/haptics/device/random.h"
 #include "tests/soak/pair_oracle.h"
 
 #include <memory>

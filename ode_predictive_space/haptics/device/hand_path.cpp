@@ -1,6 +1,9 @@
 #include "ode_predictive_space/haptics/hand_path.h"
 
+#include "ode_predictive_space/haptics/device/random.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace ode_predictive_space::haptics
 {
@@ -15,18 +18,33 @@ double least_jerk_slope(double u)
 {
     return 30 * u * u * (1 - u) * (1 - u);
 }
+
+// Drawn again until it lies in the workspace: from any point of a cube, reaches of up to its side have room in some
+// direction.
+Vector3 draw_target(const HandPathSettings &settings, const Vector3 &from, Random &random)
+{
+    while (true)
+    {
+        const double length = random.uniform(settings.shortest_reach, settings.longest_reach);
+        Vector3 target = from + length * random.direction();
+        if (target.cwiseAbs().maxCoeff() <= settings.half_workspace)
+            return target;
+    }
+}
 } // namespace
 
-HandPath::HandPath(const HandPathSettings &settings, std::uint64_t seed) : settings_(settings), random_(seed)
+HandPath::HandPath(const HandPathSettings &settings, std::uint64_t seed) : settings_(settings)
 {
+    Random random(seed);
     for (auto &axis : tremor_)
     {
         for (Sine &sine : axis)
         {
-            sine.rate = full_turn * random_.uniform(8, 12);
-            sine.phase = random_.uniform(0, full_turn);
+            sine.rate = full_turn * random.uniform(8, 12);
+            sine.phase = random.uniform(0, full_turn);
         }
     }
+    random_ = random.state();
 }
 
 Vector3 HandPath::position(double time)
@@ -79,28 +97,17 @@ const HandPath::Reach &HandPath::reach_at(double time)
 
 void HandPath::add_reach()
 {
+    Random random = Random::from(random_);
     Reach reach;
     reach.start = reaches_.empty() ? 0 : reaches_.back().start + reaches_.back().duration + reaches_.back().pause;
     reach.from = reaches_.empty() ? Vector3::Zero() : reaches_.back().to;
-    reach.to = draw_target(reach.from);
+    reach.to = draw_target(settings_, reach.from, random);
     const double share = ((reach.to - reach.from).norm() - settings_.shortest_reach) /
                          (settings_.longest_reach - settings_.shortest_reach);
     reach.duration = settings_.shortest_time + share * (settings_.longest_time - settings_.shortest_time);
-    reach.pause = random_.uniform(0, settings_.longest_pause);
+    reach.pause = random.uniform(0, settings_.longest_pause);
+    random_ = random.state();
     reaches_.push_back(reach);
-}
-
-// Drawn anew until it lies in the workspace: from any point of a cube, reaches of up to its side have room in some
-// direction.
-Vector3 HandPath::draw_target(const Vector3 &from)
-{
-    while (true)
-    {
-        const double length = random_.uniform(settings_.shortest_reach, settings_.longest_reach);
-        Vector3 target = from + length * random_.direction();
-        if (target.cwiseAbs().maxCoeff() <= settings_.half_workspace)
-            return target;
-    }
 }
 
 template <class Value> Vector3 HandPath::tremor(Value value_of) const

@@ -1,7 +1,6 @@
 #include "ode_predictive_space/haptics/virtual_device.h"
 
 #include "ode_predictive_space/haptics/device/check_argument.h"
-#include "ode_predictive_space/haptics/hand_path.h"
 
 #include <algorithm>
 
@@ -171,7 +170,7 @@ void VirtualDevice::measure(double elapsed)
     now.position = quantised(position_);
     if (elapsed > 0)
     {
-        const double weight = elapsed / (elapsed + 1 / (full_turn * settings_.velocity_cutoff));
+        const double weight = elapsed / (elapsed + 1 / (2 * static_cast<double>(EIGEN_PI) * settings_.velocity_cutoff));
         now.linear_velocity += weight * ((now.position - before.position) / elapsed - before.linear_velocity);
     }
     std::rotate(readings_.begin(), readings_.begin() + 1, readings_.end());

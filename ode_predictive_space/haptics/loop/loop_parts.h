@@ -7,9 +7,11 @@
 #include "ode_predictive_space/haptics/loop/loop_guard.h"
 #include "ode_predictive_space/haptics/loop/scene_bodies.h"
 #include "ode_predictive_space/haptics/loop/scheduling.h"
+#include "ode_predictive_space/haptics/loop/time_histogram.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 

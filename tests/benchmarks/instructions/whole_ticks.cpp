@@ -4,7 +4,7 @@
 
 #include "demos/scenes/spaces.h"
 #include "demos/scenes/table.h"
-#include "ode_predictive_space/haptics/hand_path.h"
+#include "ode_predictive_space/haptics/device/random.h"
 #include "tests/benchmarks/contenders/contenders.h"
 #include "tests/benchmarks/instructions/callgrind_requests.h"
 #include "tests/benchmarks/instructions/counted_calls.h"

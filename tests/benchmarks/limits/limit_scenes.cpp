@@ -1,7 +1,7 @@
 #include "tests/benchmarks/limits/limit_scenes.h"
 
 #include "demos/scenes/scene_objects.h"
-#include "ode_predictive_space/haptics/hand_path.h"
+#include "ode_predictive_space/haptics/device/random.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,13 @@
-#include "ode_predictive_space/haptics/encounter_log.h"
+#include "demos/haptic/encounter_log.h"
 
 #include "ode_predictive_space/haptics/contact/short_list.h"
 
 #include <sstream>
 
-namespace ode_predictive_space::haptics
+namespace ode_predictive_space::demo
 {
+using namespace haptics;
+
 void EncounterLog::add(double time, HapticProbe &probe)
 {
     add(time, probe.encounters(), probe.touches());
@@ -112,4 +114,4 @@ std::string EncounterSummary::text() const
     out << "; " << missed << " were missed.";
     return out.str();
 }
-} // namespace ode_predictive_space::haptics
+} // namespace ode_predictive_space::demo

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/loop.h"
+#include "ode_predictive_space/haptics/loop/time_histogram.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // What was predicted that the probe would meet, against what it touched.
 
-#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_ENCOUNTER_LOG_H
-#define ODE_PREDICTIVE_SPACE_HAPTICS_ENCOUNTER_LOG_H
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ENCOUNTER_LOG_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ENCOUNTER_LOG_H
 
 #include "ode_predictive_space/haptics/probe.h"
 
 #include <string>
 
-namespace ode_predictive_space::haptics
+namespace ode_predictive_space::demo
 {
 /// A first contact with an object, after a time without.
 struct LoggedContact
@@ -43,12 +43,13 @@ class EncounterLog
 {
 public:
     /// Call in each tick, between the collision and the next one. Asks the probe for its encounters, which costs time.
-    void add(double time, HapticProbe &probe);
+    void add(double time, haptics::HapticProbe &probe);
 
     /// The same with lists that the program has made.
     ///
     /// @param time s; later than in the call before.
-    void add(double time, const std::vector<Encounter> &encounters, const std::vector<Touch> &touches);
+    void add(double time, const std::vector<haptics::Encounter> &encounters,
+             const std::vector<haptics::Touch> &touches);
 
     /// All so far, in the order in which they were touched.
     const std::vector<LoggedContact> &contacts() const { return contacts_; }
@@ -67,13 +68,13 @@ private:
 
     static const Listed *find(const std::vector<Listed> &list, std::uintptr_t object);
     void log_contact(double time, std::uintptr_t object);
-    std::vector<Listed> list(double time, const std::vector<Encounter> &encounters) const;
+    std::vector<Listed> list(double time, const std::vector<haptics::Encounter> &encounters) const;
 
     std::vector<Listed> listed_;
     std::vector<std::uintptr_t> touched_; ///< in the tick before
     std::vector<LoggedContact> contacts_;
     std::size_t missed_ = 0;
 };
-} // namespace ode_predictive_space::haptics
+} // namespace ode_predictive_space::demo
 
 #endif

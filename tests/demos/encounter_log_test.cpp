@@ -1,4 +1,4 @@
-#include "ode_predictive_space/haptics/encounter_log.h"
+#include "demos/haptic/encounter_log.h"
 
 #include "ode_predictive_space/haptics/hand_path.h"
 #include "tests/haptics/probe_world.h"
@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace ode_predictive_space::haptics
+namespace ode_predictive_space::demo
 {
+using namespace haptics;
+
 namespace
 {
 class EncounterLogTest : public testing::Test
@@ -161,4 +163,4 @@ TEST_F(EncountersInASceneTest, ByThePenaltyLawTooAndByShapesTheyAreAboutContact)
     EXPECT_LT(by_shapes.summary.mean_early, 0.7 * by_boxes.summary.mean_early);
 }
 } // namespace
-} // namespace ode_predictive_space::haptics
+} // namespace ode_predictive_space::demo
