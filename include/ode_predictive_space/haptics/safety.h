@@ -18,7 +18,7 @@ namespace ode_predictive_space::haptics
 enum class NoticeKind
 {
     device,     ///< a device failed, or is back
-    contact,    ///< a contact is not a number
+    contact,    ///< a contact is not a number, or a mesh is still being read
     safety,     ///< the safety stage takes the force away or clamps it
     watchdog,   ///< something does not keep up: the force decays
     stability,  ///< what was asked for is too stiff for the device

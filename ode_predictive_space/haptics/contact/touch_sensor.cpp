@@ -70,7 +70,7 @@ public:
             if (!tool.is_finite() || excluded.excludes(tool, place))
                 continue;
             Material material;
-            material.stiffness = std::min(stiffness, other.stiffness);
+            material.stiffness = std::min(wanted.stiffness, other.stiffness);
             tool.set_material(material);
             tracker->add_if_near(std::move(tool));
         }
@@ -88,7 +88,7 @@ public:
         self.centre = tool.position;
         self.velocity = tool.linear_velocity;
         self.radius = geom.radius();
-        self.stiffness = stiffness;
+        self.stiffness = wanted.stiffness;
         others.announce(self);
     }
 
@@ -128,7 +128,7 @@ public:
 
     std::optional<Material> material_of(dGeomID other)
     {
-        std::optional<Material> material = materials ? materials(other) : std::nullopt;
+        std::optional<Material> material = wanted.materials ? wanted.materials(other) : std::nullopt;
         if (material && !is_valid(*material))
         {
             nonsense = true;
@@ -148,20 +148,26 @@ public:
             if (geom.may_be_touched())
                 hold_other_probes();
             tracker->follow();
-            nonsense = !tracker->touches(view, touches) || nonsense;
+            nonsense = !tracker->touches(wanted.view, touches) || nonsense;
         }
     }
+
+    /// By the force law and the program.
+    struct Wanted
+    {
+        MaterialOf materials;
+        TouchView view = TouchView::each_object_alone;
+        double stiffness = 0; ///< N/m; of what has no material of its own
+    };
 
     ProbeGeom geom;
     std::optional<ContactTracker> tracker; ///< of the sphere that the sensor makes
     ExcludedGeoms excluded;
     PoseWatch poses;
     OtherProbes others;
-    double stiffness = 0; ///< N/m; the law's
     MeshStore meshes;
     BodyWatch bodies;
-    MaterialOf materials;
-    TouchView view = TouchView::each_object_alone;
+    Wanted wanted;
     std::vector<Touch> touches;
     std::vector<Touch> collided;        ///< by dCollide()
     std::vector<dContactGeom> contacts; ///< most_contacts of them, for dCollide() to write to
@@ -205,19 +211,19 @@ void TouchSensor::set_margin(double margin)
 
 void TouchSensor::set_view(TouchView view)
 {
-    parts_->view = view;
+    parts_->wanted.view = view;
 }
 
 void TouchSensor::set_stiffness(double stiffness)
 {
-    parts_->stiffness = stiffness;
+    parts_->wanted.stiffness = stiffness;
     if (parts_->tracker)
         parts_->tracker->set_stiffness(stiffness);
 }
 
 void TouchSensor::set_materials(MaterialOf materials)
 {
-    parts_->materials = std::move(materials);
+    parts_->wanted.materials = std::move(materials);
 }
 
 void TouchSensor::set_tick_length(double seconds)

@@ -41,7 +41,7 @@ public:
         {
             const double length = step_length();
             const int most_behind = parts_.settings.most_steps_behind * steps_per_period_;
-            parts_.dropped += go_on(due, length, most_behind, parts_.clock.now());
+            parts_.counts.dropped += go_on(due, length, most_behind, parts_.clock.now());
             parts_.sleep_until(due);
             const double begin = parts_.clock.now();
             parts_.scene.begin(begin);
@@ -141,10 +141,10 @@ private:
 
     void note_messages(std::uint64_t count)
     {
-        if (count > 0 && parts_.trial_messages == 0)
+        if (count > 0 && parts_.counts.trial_messages == 0)
             tell("ODE has messages about steps that are only tried, to foresee what is touched. They are counted, and "
                  "not passed on.");
-        parts_.trial_messages += count;
+        parts_.counts.trial_messages += count;
     }
 
     void tell_of_shorter_steps()

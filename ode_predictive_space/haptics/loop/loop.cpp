@@ -36,7 +36,7 @@ public:
         duties.scene_stall_after = stall_after(parts.settings.physics_rate);
         duties.must_end = [&parts] { return parts.is_told_to_stop(); };
         duties.sink = [&parts, sink = parts.settings.notice ? parts.settings.notice : sink_](const Notice &notice) {
-            ++parts.notices;
+            ++parts.counts.notices;
             if (sink)
                 sink(notice);
         };
@@ -89,7 +89,7 @@ void run_coupled(LoopParts &parts, const SceneWork &work)
         parts.rendered.take();
         work.advance(period);
         parts.time.simulated = static_cast<double>(tick + 1) * period;
-        parts.dropped += go_on(due, period, settings.most_steps_behind, parts.clock.now());
+        parts.counts.dropped += go_on(due, period, settings.most_steps_behind, parts.clock.now());
         parts.servo.end(parts.clock.now(), due);
     }
 }
@@ -168,11 +168,11 @@ LoopReport HapticLoop::report() const
         report.real_time_factor = parts.time.simulated / elapsed;
     }
     report.overruns = parts.servo.overruns();
-    report.dropped_steps = parts.dropped;
-    report.saturated = parts.saturated;
-    report.trial_messages = parts.trial_messages;
-    report.notices = parts.notices;
-    report.held_back = parts.held_back;
+    report.dropped_steps = parts.counts.dropped;
+    report.saturated = parts.counts.saturated;
+    report.trial_messages = parts.counts.trial_messages;
+    report.notices = parts.counts.notices;
+    report.held_back = parts.counts.held_back;
     report.scheduling = parts.scheduling.text();
     return report;
 }

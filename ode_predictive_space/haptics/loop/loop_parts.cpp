@@ -92,8 +92,8 @@ void LoopParts::note_rendered(const RenderedTick &tick)
 {
     rendered.draft() = tick;
     rendered.publish();
-    saturated += tick.saturated ? 1 : 0;
-    held_back = probe.renderer().held_back();
+    counts.saturated += tick.saturated ? 1 : 0;
+    counts.held_back = probe.renderer().held_back();
 }
 
 /// By which the scene is found. @return may be 0.

@@ -91,6 +91,16 @@ struct LoopTimes
     std::atomic<double> simulated{0}; ///< since the start
 };
 
+/// As LoopReport has them. From any thread.
+struct LoopCounts
+{
+    std::atomic<std::uint64_t> dropped{0};
+    std::atomic<std::uint64_t> saturated{0};
+    std::atomic<std::uint64_t> trial_messages{0};
+    std::atomic<std::uint64_t> notices{0};
+    std::atomic<std::uint64_t> held_back{0};
+};
+
 /// What a run of a loop of either kind needs. It belongs to the caller's thread, but for what says otherwise.
 class LoopParts
 {
@@ -149,11 +159,7 @@ public:
     TickStatistics scene;
     std::atomic<bool> stopped{false};
     LoopTimes time;
-    std::atomic<std::uint64_t> dropped{0}; ///< this and the next: see LoopReport
-    std::atomic<std::uint64_t> saturated{0};
-    std::atomic<std::uint64_t> trial_messages{0};
-    std::atomic<std::uint64_t> notices{0};
-    std::atomic<std::uint64_t> held_back{0};
+    LoopCounts counts;
 
 private:
     dGeomID scene_geom() const;
