@@ -52,7 +52,7 @@ std::vector<TriangleCorners> triangles_of(const HeightfieldSamples &samples)
 
 std::shared_ptr<MeshTree> unread_tree_of(dGeomID mesh)
 {
-    return std::make_shared<MeshTree>(static_cast<std::size_t>(dGeomTriMeshGetTriangleCount(mesh)));
+    return std::make_shared<MeshTree>(MeshTree::Unread(), static_cast<std::size_t>(dGeomTriMeshGetTriangleCount(mesh)));
 }
 
 bool is_same(dGeomID geom, const MeshTree &tree, std::size_t triangle)

@@ -35,14 +35,14 @@ SurfaceFeature feature_of(const NearestOnTriangle &nearest, std::size_t triangle
 }
 } // namespace
 
-MeshTree::MeshTree(const std::vector<TriangleCorners> &triangles) : MeshTree(triangles.size())
+MeshTree::MeshTree(const std::vector<TriangleCorners> &triangles) : MeshTree(Unread(), triangles.size())
 {
     for (const TriangleCorners &corners : triangles)
         add(corners);
     build(std::numeric_limits<std::size_t>::max());
 }
 
-MeshTree::MeshTree(std::size_t count) : count_(count), known_(std::make_unique<VertexTable>())
+MeshTree::MeshTree(Unread, std::size_t count) : count_(count), known_(std::make_unique<VertexTable>())
 {
     vertices_.reserve(count);
     triangles_.reserve(count);

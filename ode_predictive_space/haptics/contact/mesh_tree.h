@@ -45,8 +45,12 @@ public:
     /// Ready at once.
     explicit MeshTree(const std::vector<TriangleCorners> &triangles);
 
+    /// To be read in parts.
+    struct Unread
+    {};
+
     /// @param count of the triangles that will be added.
-    explicit MeshTree(std::size_t count);
+    MeshTree(Unread, std::size_t count);
 
     /// The next triangle.
     void add(const TriangleCorners &corners);
