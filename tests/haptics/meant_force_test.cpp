@@ -65,6 +65,7 @@ TEST_P(MeantForceTest, IsTheProxysSpringInEachTickAndDoesNotJump)
     RenderSettings rendering;
     rendering.law = std::make_shared<ProxyLaw>(Material{k});
     HapticProbe probe(device, world_.space, size, rendering);
+    probe.sensor()->prepare_all();
     double error = 0, inside = 0, jump = 0;
     int felt = 0;
     Vector3 force = Vector3::Zero(), tool = Vector3::Zero();
