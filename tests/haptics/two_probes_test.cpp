@@ -140,10 +140,17 @@ public:
 
     ClockInTurns(Turns &turns, int number) : turns_(turns), number_(number) {}
 
+    /// The guard of a loop watches from a thread of its own whether a program's clock goes back.
+    double now() const override
+    {
+        return std::this_thread::get_id() == thread_ ? SimulatedClock::now() : shown_.load();
+    }
+
     void sleep_until(double time) override
     {
         wait_for_turn(time);
         SimulatedClock::sleep_until(time);
+        shown_ = SimulatedClock::now();
     }
 
     /// The loop of this clock has ended: the other one goes on alone.
@@ -168,6 +175,8 @@ private:
 
     Turns &turns_;
     int number_;
+    const std::thread::id thread_ = std::this_thread::get_id(); ///< of the loop
+    std::atomic<double> shown_{0};                              ///< s; to other threads
 };
 
 /// Each of two threads runs a loop with one of two probes.
