@@ -162,13 +162,6 @@ void watch_centre(Place &place, const ProxyRecord &record, const std::optional<C
     place.watch_carried(single, round_up(carried->radius), round_up(carried->offset));
 }
 
-// What is without end is looked at, to see when it has one.
-void look_at_boundless(Place &place)
-{
-    if (!place.has_end())
-        place.set_watch(Watch::look);
-}
-
 // Not all objects are to leave their first envelopes together.
 void begin(ProxyRecord &record, ProxyId id)
 {
@@ -307,8 +300,10 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     note_farthest(envelope);
     note_farthest(tight);
     centre.store_three(record.position);
-    look_at_boundless(place);
-    if (by_radius && place.has_end())
+    // What is without end is looked at, to see when it has one.
+    if (!place.has_end())
+        place.set_watch(Watch::look);
+    else if (by_radius)
         watch_centre(place, record, seen.carried);
     if (record.has_body)
         bounded(Float4::nearest(seen.velocity->data())).store_three(record.velocity);
@@ -317,14 +312,6 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     motion.acceleration.store_three(record.acceleration);
     record.since = now;
     record.tests = record.useless = 0;
-    // What is without end is looked at, to see when it has one.
-    if (!place.has_end())
-        place.set_watch(Watch::look);
-    else if (by_radius)
-    {
-        place.watch_centre(record.position, record.radius);
-        place.allow_offset(round_up(seen.offset));
-    }
 }
 
 // An object that leaps again is not observed: its next envelope is the tight box with some slack. Sometimes a body is, as its velocity
@@ -337,17 +324,16 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
         return false;
     Place &place = proxies.places[id];
     const TightBox tight = place.tight_lanes();
-    if (!is_finite(tight))
+    const Float4 slack = Float4::all(tuning::slack * record.size);
+    const TightBox envelope = {tight.low - slack, tight.high + slack};
+    if (!is_finite(envelope))
         return false;
     const Float4 centre = Float4::all(0.5f) * tight.low + Float4::all(0.5f) * tight.high,
                  displacement = centre - load_three(record.position);
     const float leap = static_cast<float>(ticks_between(record.since, now)) * tuning::leap * record.size;
     if (!(dot(displacement, displacement) > leap * leap))
         return false;
-    const Float4 slack = Float4::all(tuning::slack * record.size);
-    const TightBox envelope = {tight.low - slack, tight.high + slack};
     place.set_envelope(envelope);
-    look_at_boundless(place);
     note_farthest(envelope);
     centre.store_three(record.position);
     record.since = now;
