@@ -156,11 +156,16 @@ bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
     return !line || line->overlaps(FloatBox::around(to_box(geom->aabb)));
 }
 
-bool turns_safely(const dxGeom *geom)
+// Not inlined, as below: most geoms have no offset.
+[[gnu::noinline]] bool turns_safely_at_offset(const dxGeom *geom)
 {
-    if (geom->offset_posr)
-        return CarriedGeom(geom).turns_safely(most_offset);
-    return geom->type == dSphereClass || (geom->body && keeps_within_sphere(geom->final_posr->R));
+    return CarriedGeom(geom).turns_safely(most_offset);
+}
+
+[[gnu::noinline]] double radius_at_offset(const dxGeom *geom)
+{
+    const double radius = bounding_sphere(geom);
+    return std::isfinite(radius) ? CarriedGeom(geom).carried(radius).radius : radius;
 }
 
 double bounding_sphere(const dxGeom *geom)

@@ -31,8 +31,15 @@ inline const dReal *sizes_of(const dxGeom *geom)
     return reinterpret_cast<const dReal *>(geom + 1);
 }
 
+bool turns_safely_at_offset(const dxGeom *geom);
+
 /// Does the geom turn about its position? Then a bounding sphere that was measured earlier still holds it.
-bool turns_safely(const dxGeom *geom);
+inline bool turns_safely(const dxGeom *geom)
+{
+    if (geom->offset_posr)
+        return turns_safely_at_offset(geom);
+    return geom->type == dSphereClass || (geom->body && keeps_within_sphere(geom->final_posr->R));
+}
 
 /// Does a geom with these flags take part in collisions? It must be enabled and have a size.
 inline bool enabled(int flags)

@@ -43,11 +43,13 @@ public:
     /// @param radius around the position of the geom. It is enlarged by what may be lost by rounding in the functions above.
     Carried carried(double radius) const
     {
-        float lanes[4];
-        centre().store(lanes);
         const dReal *offset = geom_->offset_posr->pos;
         const double largest = std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
-        return {{lanes[0], lanes[1], lanes[2]}, radius + 4 * double{round_off} * (radius + 3 * largest), largest};
+        Carried result;
+        centre().store_three(result.centre);
+        result.radius = round_up(radius + 4 * double{round_off} * (radius + 3 * largest));
+        result.offset = round_up(largest);
+        return result;
     }
 
 private:
@@ -56,6 +58,9 @@ private:
     Columns rotation_;   // of the body
     Float4 offset_;
 };
+
+/// Of a geom with an offset, as CarriedGeom::carried() has it; infinite when it does not turn safely.
+double radius_at_offset(const dxGeom *geom);
 
 /// What Broadphase::report_at_once() and report_closely() ask.
 class NoticedGeom
@@ -72,11 +77,7 @@ public:
     bool turns_safely() const { return geom_->type == dSphereClass || keeps_within_sphere(rotation()); }
 
     Solid solid() const { return solid_of(geom_); }
-    double radius() const
-    {
-        const double radius = bounding_sphere(geom_);
-        return geom_->offset_posr && std::isfinite(radius) ? CarriedGeom(geom_).carried(radius).radius : radius;
-    }
+    double radius() const { return geom_->offset_posr ? radius_at_offset(geom_) : bounding_sphere(geom_); }
 
 private:
     const dxGeom *geom_;

@@ -100,7 +100,7 @@ def notice_faults():
         "carried.turns_safely(place.allowed_offset())", "carried.turns_safely(most_offset)", offsets)
     yield Fault(
         "centre_of_an_offset_rounded_in_two_ways", "notices", BROADPHASE + "predict/predictor.cpp",
-        "place.watch_carried(single,", "place.watch_carried(record.position,", offsets)
+        "place.watch_carried(carried->centre,", "place.watch_carried(record.position,", offsets)
     yield Fault(
         "matrix_that_is_nearly_the_identity", "notices", SOURCES + "space/rotation.h", "row < 3; ++row)", "row < 1; ++row)", offsets)
     yield Fault(

@@ -15,9 +15,9 @@ namespace ode_predictive_space
 /// The centre of an object as notices compute it, from the pose of a body and an offset.
 struct Carried
 {
-    Vector3 centre;
-    double radius; ///< around any centre that is computed so, with an offset of no larger coordinates
-    double offset; ///< its largest coordinate
+    float centre[3];
+    float radius; ///< around any centre that is computed so, with an offset of no larger coordinates
+    float offset; ///< its largest coordinate
 };
 
 /// An object as it is now, for its next prediction. Lengths in the scene's unit.

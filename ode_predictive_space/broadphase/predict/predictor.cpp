@@ -154,12 +154,10 @@ Deviation adapted_deviation(float size, float spread, float way, float ticks)
 // An envelope that holds its object however it turns is watched by the centre, until it meets another.
 void watch_centre(Place &place, const ProxyRecord &record, const std::optional<Carried> &carried)
 {
-    if (!carried)
-        return place.watch_centre(record.position, record.radius);
-    const Vector3 &centre = carried->centre;
-    const float single[] = {static_cast<float>(centre.x()), static_cast<float>(centre.y()),
-                            static_cast<float>(centre.z())};
-    place.watch_carried(single, round_up(carried->radius), round_up(carried->offset));
+    if (carried)
+        place.watch_carried(carried->centre, carried->radius, carried->offset);
+    else
+        place.watch_centre(record.position, record.radius);
 }
 
 // Not all objects are to leave their first envelopes together.
