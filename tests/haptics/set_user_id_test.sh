@@ -24,7 +24,7 @@ expect() {
 program=$1
 # The other user may not see the folder of the build.
 ldd "$program" | awk '$1 ~ /^libode/ { print $3 }' | xargs --no-run-if-empty cp --dereference --target-directory="$folder"
-chmod 755 "$folder"/*
+find "$folder" -type f -exec chmod 755 {} + # there may be none
 export LD_LIBRARY_PATH=$folder # a set-user-ID program does not follow this either
 expect 0755 "$SPNAV_SOCKET: No such file"
 expect 4755 "SPNAV_SOCKET is set, which a set-user-ID program does not follow"
