@@ -1,4 +1,4 @@
-// What was predicted that the probe would meet, against what it touched.
+// Compares the predicted encounters of the probe with its contacts.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ENCOUNTER_LOG_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ENCOUNTER_LOG_H

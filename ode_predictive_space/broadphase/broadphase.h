@@ -75,7 +75,7 @@ public:
         return noted(id, place, place.follow(object.position(), object.rotation()));
     }
 
-    /// The same for an object that is watched as carried, and turns safely.
+    /// Does what report_at_once() does, for an object that is watched as carried and turns safely.
     Followed report_carried_at_once(ProxyId id, Float4 centre)
     {
         Place &place = proxies_.places[id];
@@ -214,7 +214,7 @@ private:
     void note_move(Place &place) { clock_.moves += place.note_move(clock_.update); }
     Followed noted(ProxyId id, Place &place, Followed followed)
     {
-        // The size is as it was: a change of it has a notice of its own, with the pose of the last one.
+        // Only the pose has changed: a change of the size has a separate notice, with an unchanged pose.
         if (followed == Followed::left_as_measured)
         {
             looks_.listed.insert(id);

@@ -58,7 +58,7 @@ struct AxisSpread
     bool operator>(const AxisSpread &other) const { return centres.variance > other.centres.variance; }
 };
 
-// By the upper halves, least significant digit first. The bits that vary are cut into as few digits as can be.
+// Sorts by the upper halves, from the least significant digit on. Digits are as wide as possible and cover the bits that vary.
 void radix_sort(std::vector<std::uint64_t> &order, std::vector<std::uint64_t> &scratch)
 {
     constexpr int widest = 11;
