@@ -438,6 +438,7 @@ TEST_F(Contract, 09_AMeshThatIsGivenOtherDataAfterItWasTheLastToMove)
         dGeomTriMeshSetData(mesh, mesh_data(3));
         scene.query(probe, as_geom(scene.space()));
         EXPECT_EQ(scene.log().back().size(), 1u);
+        dGeomDestroy(probe);
     });
 }
 

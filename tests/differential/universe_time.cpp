@@ -5,6 +5,7 @@
 
 #include <ode_predictive_space/predictive_space.h>
 
+#include "tests/contract/support/kept_pose.h"
 #include "tests/differential/universe.h"
 
 namespace ode_predictive_space
@@ -155,14 +156,30 @@ void ask_sometimes(dSpaceID space)
 }
 } // namespace
 
+// Validating calls dCollide(), too: where that stops at an assertion, the poses are given back.
 bool Universe::valid() const
 {
-    return std::all_of(spaces_.begin(), spaces_.end(), [](const SpaceSlot &space) {
-        if (!space.id || !space.predictive)
-            return true;
-        ask_sometimes(space.id);
-        return dPredictiveSpaceValidate(space.id) != 0;
-    });
+    std::vector<KeptPose> poses;
+    for (const GeomSlot &geom : geoms_)
+        if (geom.id)
+            poses.emplace_back(geom.id);
+    try
+    {
+        return std::all_of(spaces_.begin(), spaces_.end(), [](const SpaceSlot &space) {
+            if (!space.id || !space.predictive)
+                return true;
+            ask_sometimes(space.id);
+            return dPredictiveSpaceValidate(space.id) != 0;
+        });
+    }
+    catch (const OdeAbort &)
+    {
+        if (proximity_ != dPredictiveProximityShape)
+            throw;
+        for (const KeptPose &pose : poses)
+            pose.restore();
+        return true;
+    }
 }
 
 void Universe::measure_by(int proximity)
@@ -291,15 +308,7 @@ void Universe::call_badly(int which)
 
 int Universe::contacts_between(int first, int second) const
 {
-    dContactGeom contacts[8];
-    try
-    {
-        return dCollide(geoms_[static_cast<std::size_t>(first)].id, geoms_[static_cast<std::size_t>(second)].id, 8,
-                        contacts, sizeof(dContactGeom));
-    }
-    catch (const OdeAbort &)
-    {
-        return 0;
-    }
+    return ode_predictive_space::contacts_between(geoms_[static_cast<std::size_t>(first)].id,
+                                                  geoms_[static_cast<std::size_t>(second)].id);
 }
 } // namespace ode_predictive_space

@@ -7,6 +7,7 @@
 #include <ode_predictive_space/predictive_space.h>
 
 #include "tests/contract/support/geom_zoo.h"
+#include "tests/contract/support/kept_pose.h"
 
 namespace ode_predictive_space
 {
@@ -46,56 +47,6 @@ Vector3d position_of(dGeomID geom)
 void set_position(dGeomID geom, const Vector3d &at)
 {
     dGeomSetPosition(geom, real(at[0]), real(at[1]), real(at[2]));
-}
-
-// The pose of a geom, to be set again.
-class KeptPose
-{
-public:
-    explicit KeptPose(dGeomID geom) : geom_(geom)
-    {
-        if (dGeomGetClass(geom) == dPlaneClass)
-            return;
-        dGeomCopyPosition(geom, position_);
-        dGeomCopyRotation(geom, rotation_);
-    }
-
-    void restore() const
-    {
-        if (dGeomGetClass(geom_) == dPlaneClass)
-            return;
-        if (dGeomIsOffset(geom_))
-        {
-            const dBodyID body = dGeomGetBody(geom_);
-            const dReal *at = dBodyGetPosition(body);
-            return dBodySetPosition(body, at[0], at[1], at[2]);
-        }
-        dGeomSetPosition(geom_, position_[0], position_[1], position_[2]);
-        dGeomSetRotation(geom_, rotation_);
-    }
-
-private:
-    dGeomID geom_;
-    dVector3 position_;
-    dMatrix3 rotation_;
-};
-
-// ODE's colliders may stop at an assertion, with forms that are all but flat. That is no contact. The collider of heightfields leaves
-// the other geom where it has moved it for a while.
-bool has_contact(dGeomID one, dGeomID other)
-{
-    std::array<dContactGeom, 4> contacts;
-    const KeptPose pose(one), other_pose(other);
-    try
-    {
-        return dCollide(one, other, 4, contacts.data(), sizeof contacts[0]) > 0;
-    }
-    catch (const OdeAbort &)
-    {
-        pose.restore();
-        other_pose.restore();
-        return false;
-    }
 }
 
 // A mesh that keeps its triangles from tick to tick has a list of them for each geom that it met. ODE frees these lists when they
@@ -405,7 +356,8 @@ bool ContactWorld::collidable(const Slot &one, const Slot &other)
 
 bool ContactWorld::touch(const Slot &one, const Slot &other) const
 {
-    return collidable(one, other) && (has_contact(one.geom, other.geom) || has_contact(other.geom, one.geom));
+    return collidable(one, other) &&
+           (contacts_between(one.geom, other.geom) > 0 || contacts_between(other.geom, one.geom) > 0);
 }
 
 bool ContactWorld::overlap(const Slot &one, const Slot &other) const
