@@ -351,11 +351,13 @@ protected:
         below_corner,  // beyond a corner, likewise beside it
         out_of_bounds, // a side of the box at a side of the heightfield
         on_sample,     // around a sample
-        copies_away    // some periods away, at a seam
+        copies_away,   // some periods away, at a seam
+        copies_far     // so many periods away that ODE's numbers of cells may be too large for an int
     };
-    static constexpr std::array borders{
-        Border::above,      Border::below,        Border::below_thick,   Border::side,      Border::corner,
-        Border::below_side, Border::below_corner, Border::out_of_bounds, Border::on_sample, Border::copies_away};
+    static constexpr std::array borders{Border::above,        Border::below,         Border::below_thick,
+                                        Border::side,         Border::corner,        Border::below_side,
+                                        Border::below_corner, Border::out_of_bounds, Border::on_sample,
+                                        Border::copies_away,  Border::copies_far};
 
     double nearly_zero(double size) { return one_in(4) ? 0 : (one_in(2) ? -1 : 1) * size * log_between(1e-12, 1e-1); }
 
@@ -400,6 +402,9 @@ protected:
         case Border::copies_away:
             place.x() += sides.x() * std::round(between(-5, 5));
             place.z() = sides.z() * (std::round(between(-5, 5)) + 0.5) + nearly_zero(half.z());
+            break;
+        case Border::copies_far:
+            place.x() += (one_in(2) ? -1 : 1) * sides.x() * log_between(1e7, 1e13);
         }
         const double lowest = hills.lowest_beside(place, half);
         if (border == Border::below_thick)

@@ -73,7 +73,15 @@ private:
 bool repeats_too_often(const HeightGrid &grid, const Box &box, double most)
 {
     const Vector3 sides = box.sizes() + Vector3::Constant(2 * most);
-    return grid.size().repeats && (sides.x() > most_periods * grid.width() || sides.z() > most_periods * grid.depth());
+    return sides.x() > most_periods * grid.width() || sides.z() > most_periods * grid.depth();
+}
+
+// ODE counts cells from the first copy of a terrain that repeats, by an int, and reads other samples when the int overflows.
+bool is_beyond_numbers(const HeightGrid &grid, const Box &box)
+{
+    constexpr double most_cells = 1 << 30;
+    const Vector3 farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
+    return !(farthest.x() < most_cells * grid.size().cell_x && farthest.z() < most_cells * grid.size().cell_z);
 }
 
 // Heights are rounded to single precision, by us and maybe by ODE.
@@ -93,7 +101,7 @@ double terrain_gap(const ConvexShape &terrain, const ConvexShape &other, double 
         return -no_limit;
     const SeenFromTerrain shape(other, terrain, grid);
     const Box box = shape.box();
-    if (repeats_too_often(grid, box, gap))
+    if (grid.size().repeats && (is_beyond_numbers(grid, box) || repeats_too_often(grid, box, gap)))
         return -no_limit;
     grid.walk(box, gap, [&](const HeightGrid::Cell &cell) {
         gap = std::min(gap, shape.gap_to(cell));
