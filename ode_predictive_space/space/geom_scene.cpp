@@ -190,6 +190,14 @@ Solid solid_of(const dxGeom *geom)
         const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
         return {Watch::capsule, static_cast<float>(capsule->radius), 0, static_cast<float>(capsule->lz / 2)};
     }
+    case dCylinderClass:
+    {
+        // In single precision ODE's box is off by more than a tight box allows for: it is the root of a small difference.
+        if (sizeof(dReal) < sizeof(double))
+            return {};
+        const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
+        return {Watch::cylinder, static_cast<float>(cylinder->radius), 0, static_cast<float>(cylinder->lz / 2)};
+    }
     default:
         return {};
     }

@@ -17,7 +17,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr Watch formulas[] = {Watch::sphere, Watch::capsule, Watch::box};
+constexpr Watch formulas[] = {Watch::sphere, Watch::capsule, Watch::box, Watch::cylinder};
 
 // A power of ten, or a number of moderate size.
 double any_size(Random &random, double least, double most)
@@ -29,7 +29,7 @@ double any_size(Random &random, double least, double most)
 Object any_solid(Random &random)
 {
     Object object;
-    object.formula = formulas[random.index(3)];
+    object.formula = formulas[random.index(std::size(formulas))];
     const double place = random.chance(0.2) ? 0 : any_size(random, -40, 36);
     const double size = any_size(random, -40, 36);
     object.centre = random.vector(place);
@@ -110,6 +110,8 @@ TEST(Place, ATightBoxHoldsWhatIsComputedInSinglePrecision)
     for (int i = 0; i < 300000; ++i)
     {
         const Object object = any_solid(random);
+        if (object.formula == Watch::cylinder)
+            continue; // measured by ODE, then
         float position[3], rotation[12], side[3];
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -425,8 +427,11 @@ TEST(Place, ATightenedEnvelopeHasLostWhatTheSphereAdded)
 // All that is asked about two places, in vectors whose fourth lanes hold other things.
 [[gnu::noinline]] int asked(Place &one, const Place &other, const Object &object)
 {
-    int answers =
-        one.watch() == Watch::look ? 0 : static_cast<int>(one.follow(object.centre.data(), object.rotation.data()));
+    int answers = 0;
+    if (one.watches_centre())
+        answers += static_cast<int>(one.follow_centre(Float4::nearest(object.centre.data())));
+    else if (one.watches_solid())
+        answers += static_cast<int>(one.follow(object.centre.data(), object.rotation.data()));
     float depths[4];
     overlap_depths(one, other).store(depths);
     answers += one.holds() + one.is_boundless() + one.has_end() + surely_apart(one, other) +
@@ -439,10 +444,11 @@ TEST(Place, NoUpdateNumberMakesAnOperationInvalid)
 {
     const Object object = ball({1, 2, 3}, 0.5, {0, 0, 0});
     const Box boxes[] = {bounds_of(object), Box(Vector3::Constant(-1), Vector3(1, 1, 1e200))}; // the second is in doubt
-    constexpr Watch watches[] = {Watch::look, Watch::centre, Watch::sphere, Watch::capsule, Watch::box};
+    constexpr Watch watches[] = {Watch::look,    Watch::carried, Watch::centre,  Watch::sphere,
+                                 Watch::capsule, Watch::box,     Watch::cylinder};
     Random random(8);
-    std::vector<UpdateNumber> numbers = {0, 1, 0x3fc0001, Place::last_update - 1, Place::last_update};
-    for (int bit = 0; bit < 27; ++bit)
+    std::vector<UpdateNumber> numbers = {0, 1, 0x3c00001, Place::last_update - 1, Place::last_update};
+    for (int bit = 0; bit < 26; ++bit)
         numbers.push_back(Place::last_update & ~((UpdateNumber{1} << bit) - 1));
     for (int i = 0; i < 1000; ++i)
         numbers.push_back(static_cast<UpdateNumber>(random.bits()) & Place::last_update);
@@ -458,6 +464,8 @@ TEST(Place, NoUpdateNumberMakesAnOperationInvalid)
                     const float centre[] = {1, 2, 3};
                     if (watch == Watch::centre)
                         place.watch_centre(centre, 0.5f);
+                    if (watch == Watch::carried)
+                        place.watch_carried(centre, 0.5f, 1);
                     place.set_watch(watch);
                     if (counted)
                         place.note_move(number);

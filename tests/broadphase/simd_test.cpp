@@ -144,6 +144,7 @@ TEST(Float4, ArithmeticIsThatOfEachLane)
     expect_lane_by_lane([](Float4 a, Float4 b) { return quotient_or_zero(a, b); },
                         [](float a, float b) { return b != 0 ? a / b : 0; });
     expect_lane_by_lane([](Float4 a, Float4) { return abs(a); }, [](float a, float) { return std::fabs(a); });
+    expect_lane_by_lane([](Float4 a, Float4) { return sqrt(a); }, [](float a, float) { return std::sqrt(a); });
 }
 
 TEST(Float4, MinusIsTheDifferenceToZero)

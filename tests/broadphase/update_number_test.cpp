@@ -124,8 +124,8 @@ TEST_F(UpdateNumberTest, TicksAreExactAndInvalidOperationsNoneWhateverTheNumber)
     }
     run(3);
     std::feclearexcept(FE_ALL_EXCEPT);
-    for (UpdateNumber next : {0x3fc0001u, 0x3ffffffu, 0x4000000u, 0x5ffffffu, 0x7800000u, 0x7f80001u, 0x7fc0000u,
-                              Place::last_update, 0u, 0x0800000u, 0x2000000u})
+    for (UpdateNumber next : {0x1fc0001u, 0x1ffffffu, 0x2000000u, 0x2ffffffu, 0x3c00000u, 0x3f80001u, 0x3fc0000u,
+                              Place::last_update, 0u, 0x0800000u, 0x1000000u})
     {
         pass(next - 2);
         run(3);

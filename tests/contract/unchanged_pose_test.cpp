@@ -90,8 +90,9 @@ TEST_F(UnchangedPose, CountsAsNoMove)
     for (int tick = 0; tick < 50; ++tick)
         EXPECT_FALSE(setting.set_all_and_collide().empty());
     const dPredictiveSpaceStats after = stats(setting.space());
-    // Pairs of what does not move come to rest now and then, and the next notice of an object at rest counts.
-    const std::size_t cylinders = 3, others = setting.geoms().size() - cylinders;
+    // Pairs of what does not move come to rest now and then, and the next notice of an object at rest counts. In single precision
+    // the box of a cylinder is computed by ODE, and each notice counts.
+    const std::size_t cylinders = sizeof(dReal) < sizeof(double) ? 3 : 0, others = setting.geoms().size() - cylinders;
     const unsigned long moved = after.moved - before.moved, rests = 2;
     EXPECT_GE(moved, 50 * cylinders);
     EXPECT_LE(moved, 50 * cylinders + rests * others);

@@ -83,6 +83,11 @@ public:
         return each(a, a, [](float x, float) { return std::abs(x); });
     }
 
+    friend Float4 sqrt(Float4 a)
+    {
+        return each(a, a, [](float x, float) { return std::sqrt(x); });
+    }
+
     friend Float4 finite_or_zero(Float4 a)
     {
         return each(a, a, [](float x, float) { return std::abs(x) < std::numeric_limits<float>::infinity() ? x : 0; });

@@ -120,6 +120,8 @@ public:
         return Float4(_mm_castsi128_ps(_mm_srli_epi32(_mm_slli_epi32(_mm_castps_si128(a.lanes_), 1), 1)));
     }
 
+    friend Float4 sqrt(Float4 a) { return Float4(_mm_sqrt_ps(a.lanes_)); }
+
     /// Each lane that is finite; 0 in place of the others.
     friend Float4 finite_or_zero(Float4 a)
     {

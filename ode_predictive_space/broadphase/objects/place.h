@@ -5,6 +5,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PLACE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PLACE_H
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,16 +14,16 @@
 
 namespace ode_predictive_space
 {
-/// Number of an update of the broad phase, of 27 bits; it wraps around.
+/// Number of an update of the broad phase, of 26 bits; it wraps around.
 using UpdateNumber = std::uint32_t;
 
 /// Updates from `from` to `to`; negative when `to` is earlier.
 inline std::int32_t updates_between(UpdateNumber from, UpdateNumber to)
 {
-    return static_cast<std::int32_t>((to - from) << 5) / 32;
+    return static_cast<std::int32_t>((to - from) << 6) / 64;
 }
 
-/// The check that a notice of a move makes. No value has both low bits set, which keeps Place::state_ a finite float.
+/// The check that a notice of a move makes.
 enum class Watch : std::uint8_t
 {
     look = 0,    ///< nothing: the object is looked at in the next update
@@ -30,15 +31,18 @@ enum class Watch : std::uint8_t
     centre = 2,  ///< the centre with the box of allowed centres
     sphere = 4,  ///< the tight box of a sphere with the envelope
     capsule = 5, ///< that of a segment along the z axis with a radius
-    box = 6      ///< that of a box, also one around a cylinder
+    box = 6,     ///< that of a box
+    cylinder = 7 ///< that of a cylinder about the z axis
 };
 
 /// An object whose bounding box follows from its pose alone, by the formula of its kind.
 struct Solid
 {
     Watch formula = Watch::look; ///< look: there is no formula
-    float x = 0, y = 0,
-          z = 0; ///< half sizes; of a sphere the radius in x, of a capsule the radius in x and half the segment in z
+    float
+        x = 0,
+        y = 0,
+        z = 0; ///< half sizes; of a sphere the radius in x; of a capsule or cylinder the radius in x, half the length in z
 
     bool operator==(const Solid &other) const
     {
@@ -124,7 +128,7 @@ public:
     /// Does each notice measure the tight box?
     bool watches_solid() const { return watch() > Watch::centre; }
     void set_watch(Watch watch) { state_ = (state_ & ~watch_bits) | static_cast<std::uint32_t>(watch) << watch_shift; }
-    static constexpr UpdateNumber last_update = ~UpdateNumber{0} >> 5;
+    static constexpr UpdateNumber last_update = ~UpdateNumber{0} >> 6;
     UpdateNumber moved() const { return state_ & last_update; }
 
     /// @return false when it was noted before.
@@ -291,9 +295,22 @@ private:
         const Float4 along_z = abs(Float4::nearest_of_stored(rotation + 2, 4)) * Float4::all(half_z_);
         if (watch() == Watch::capsule)
             return along_z + Float4::all(half_x_);
+        if (watch() == Watch::cylinder)
+            return along_z + Float4::all(half_x_) * reach_of_disc(rotation);
         return (abs(Float4::nearest_of_stored(rotation, 4)) * Float4::all(half_x_) +
                 abs(Float4::nearest_of_stored(rotation + 1, 4)) * Float4::all(half_y_)) +
                along_z;
+    }
+
+    // How far a disc of radius 1 across the z axis reaches along each axis of space. The difference is computed in double precision:
+    // it may be small, and is enlarged by the root.
+    template <typename Real> static Float4 reach_of_disc(const Real *rotation)
+    {
+        const auto squared = [rotation](int axis) {
+            const double along = rotation[4 * axis + 2];
+            return static_cast<float>(std::max(0.0, 1 - along * along));
+        };
+        return sqrt(Float4(squared(0), squared(1), squared(2), 0));
     }
 
     // Halves: a sum of numbers beyond single precision is infinite, not none.
@@ -314,8 +331,8 @@ private:
     float tight_low_[3];
     float half_z_ = 0;
     float tight_high_[3];
-    // The update that will see the last move; a side of the box overflows single precision; the move is counted; the watch. It is
-    // compared as a float with the rest of its vector, and is a finite one: two bits of its exponent are the low ones of the watch.
+    // The update that will see the last move; a bit that is 0; a side of the box overflows single precision; the move is counted; the
+    // watch. It is compared as a float with the rest of its vector, and is a finite one: the bit that is 0 is of its exponent.
     std::uint32_t state_ = 0;
 };
 static_assert(sizeof(Place) == 64, "one cache line per notice");

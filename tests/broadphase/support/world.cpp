@@ -49,6 +49,8 @@ Vector3 reach_of(const Object &object)
         reach[i] = std::abs(row[0]) * object.half.x() + std::abs(row[1]) * object.half.y() + along_z;
         if (object.formula == Watch::capsule)
             reach[i] = object.half.x() + along_z;
+        if (object.formula == Watch::cylinder)
+            reach[i] = object.half.x() * std::sqrt(std::max(0.0, 1 - row[2] * row[2])) + along_z;
         if (object.formula == Watch::sphere)
             reach[i] = object.half.x();
     }
