@@ -62,7 +62,8 @@ double circumscribed_radius(const dxGeom *geom)
     case dCylinderClass:
     {
         const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
-        return std::hypot(double{cylinder->radius}, 0.5 * cylinder->lz) * (1 + tolerance);
+        const double radius = cylinder->radius, half = 0.5 * cylinder->lz;
+        return std::sqrt(radius * radius + half * half) * (1 + tolerance);
     }
     default:
         return std::numeric_limits<double>::infinity();
@@ -87,36 +88,47 @@ bool is_finite(const Box &box)
 }
 
 // The sphere of the sphere test. Around the geom's centre, if the class has one that holds the geom in every orientation,
-// otherwise around its bounding box. It follows from the pose, the sizes and the box alone: a pair is reported or not whatever
-// was before. Infinite for geoms that are judged by their boxes.
-struct JudgedSphere
+// otherwise around its bounding box, which must be valid. It follows from the pose, the sizes and the box alone: a pair is reported
+// or not whatever was before.
+class JudgedSphere
 {
-    Vector3 centre = Vector3::Zero();
-    double radius = std::numeric_limits<double>::infinity();
-
-    JudgedSphere(const dxGeom *geom, const Box &bounds)
+public:
+    explicit JudgedSphere(const dxGeom *geom) : geom_(geom), bounds_(to_box(geom->aabb)), centre_(bounds_.center())
     {
-        const double skew = skew_of_geom(geom);
-        if (judged_by_box_alone(geom) || !(skew <= most_skew) || !is_finite(bounds))
-            return;
         const double circumscribed = circumscribed_radius(geom);
-        centre = bounds.center();
-        radius = std::isfinite(circumscribed) ? circumscribed * (1 + skew) : 0.5 * bounds.diagonal().norm();
-        radius += rounding_at(bounds);
+        radius_ = judged_by_box_alone(geom)      ? std::numeric_limits<double>::infinity()
+                  : std::isfinite(circumscribed) ? circumscribed
+                                                 : 0.5 * bounds_.diagonal().norm();
     }
 
-    // True when anything is NaN or infinite: such a pair is reported.
+    // True when anything is NaN or infinite: such a pair is reported. Most pairs touch, and need not be looked at for skew.
     bool may_touch(const JudgedSphere &other) const
     {
-        const double reach = radius + other.radius;
-        return !((centre - other.centre).squaredNorm() > reach * reach);
+        const double squared = (centre_ - other.centre_).squaredNorm();
+        const auto is_within = [squared](double reach) { return !(squared > reach * reach); };
+        return is_within(radius_ + other.radius_) || is_within(enlarged() + other.enlarged());
     }
+
+private:
+    // For the skew of the matrix and for rounding; infinite for geoms that are judged by their boxes.
+    double enlarged() const
+    {
+        const double skew = skew_of_geom(geom_);
+        if (!(skew <= most_skew) || !is_finite(bounds_))
+            return std::numeric_limits<double>::infinity();
+        return radius_ * (1 + skew) + rounding_at(bounds_);
+    }
+
+    const dxGeom *geom_;
+    Box bounds_;
+    Vector3 centre_;
+    double radius_;
 };
 } // namespace
 
 bool spheres_may_touch(const dxGeom *one, const dxGeom *other)
 {
-    return JudgedSphere(one, to_box(one->aabb)).may_touch(JudgedSphere(other, to_box(other->aabb)));
+    return JudgedSphere(one).may_touch(JudgedSphere(other));
 }
 
 bool is_skewed(const dxGeom *geom)
@@ -345,6 +357,7 @@ void GeomScene::find_disabled(const ProxyId *ids, std::size_t count, std::vector
 
 bool GeomScene::spheres_overlap(dxGeom *one, dxGeom *other)
 {
-    return spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one);
+    const bool with_ray = one->type == dRayClass || other->type == dRayClass;
+    return spheres_may_touch(one, other) && (!with_ray || (ray_may_touch(one, other) && ray_may_touch(other, one)));
 }
 } // namespace ode_predictive_space

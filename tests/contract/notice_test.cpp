@@ -155,17 +155,17 @@ TEST_F(Notice, ARayThatChangesTheMatrixOfItsBody)
     for (const bool is_in_space : {true, false})
         expect_as_simple([is_in_space](Scenario &scene) {
             const dBodyID body = cube_beside_ball(scene);
-            dBodySetPosition(body, 0, 0.3, 0);
             dGeomID ray = dCreateRay(is_in_space ? scene.space() : nullptr, 10);
             scene.numbered(ray);
             dGeomSetBody(ray, body);
-            scene.tick();
-            dGeomRaySet(ray, 0, 0.35, 0, 0, 1, 0);
-            for (int tick = 0; tick < 20; ++tick)
+            for (int tick = 0; tick < 40; ++tick)
             {
-                if (tick == 10 && !is_in_space)
+                const double height = 0.35 + 0.0001 * tick;
+                if (tick == 20) // in the same envelope
+                    dGeomRaySet(ray, 0, height, 0, 0, 1, 0);
+                if (tick == 30 && !is_in_space)
                     dGeomSetBody(ray, nullptr); // what it wrote stays
-                dBodySetPosition(body, 0, 0.35 + 0.0001 * tick, 0);
+                dBodySetPosition(body, 0, height, 0);
                 scene.tick();
             }
             dGeomDestroy(ray);
