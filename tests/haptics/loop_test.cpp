@@ -90,7 +90,7 @@ TEST_P(HapticLoopTest, ASignalEndsItWithZeroForceAndANotice)
     make();
     loop_->run(work([](double time) {
         if (time >= pressed_after && !StopRequest::requested())
-            std::raise(SIGINT);
+            std::raise(SIGTERM);
     }));
     EXPECT_NEAR(clock_.now(), pressed_after, 0.002);
     expect_zero_force_after(pressed_after, clock_.now() + 1);

@@ -34,6 +34,7 @@ TEST(StopRequest, SignalsThatEndAProgramAskForAStop)
 {
     for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
     {
+        const ProgramHandler handler(number, SIG_DFL); // whatever the program was started with
         const StopRequest stop;
         EXPECT_FALSE(StopRequest::requested());
         EXPECT_EQ(StopRequest::signal(), 0);
