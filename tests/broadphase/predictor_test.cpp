@@ -484,6 +484,7 @@ TEST(Predictor, UsesTheMemoryOfForgottenObjectsAgain)
         live();
     EXPECT_EQ(world.broadphase.bytes(), before);
 }
+
 float farthest_side(const World &world)
 {
     float farthest = 0;
@@ -496,14 +497,46 @@ float farthest_side(const World &world)
     return farthest;
 }
 
+// So many that few of them are reviewed in a tick.
+void add_row(World &world)
+{
+    for (int i = 0; i < 300; ++i)
+        world.add(ball({0.5 * i, 0, 0}, radius, {0, 0, 0}));
+}
+
+TEST(Predictor, TheFarthestPlaceIsThatOfAnObjectThatLeapsAndLeaps)
+{
+    World world;
+    add_row(world);
+    const ProxyId visitor = world.add(ball({0, 3, 0}, radius, {0, 0, 0}));
+    for (double height = 10; height < 1e9; height *= 2)
+    {
+        world.place(visitor, {0, height, 0});
+        world.tick();
+        ASSERT_GE(world.broadphase.farthest(), farthest_side(world));
+    }
+}
+
+TEST(Predictor, TheFarthestPlaceMayBeInAnEnvelopeWithoutEnd)
+{
+    World world;
+    PredictionSettings settings;
+    settings.deviation[0] = Deviation{1e39, 0, 0};
+    world.broadphase.set_settings(settings);
+    add_row(world);
+    const ProxyId far = world.add(ball({1e6, 0, 0}, radius, {0.01, 0, 0}));
+    world.tick();
+    EXPECT_FALSE(world.broadphase.proxies().places[far].has_end());
+    EXPECT_GE(world.broadphase.farthest(), farthest_side(world));
+}
+
 // An object far away makes the comparisons of all others less certain: that has to end when it is back, or gone.
 TEST(Predictor, TheFarthestPlaceFollowsTheObjectsThatAreThere)
 {
     for (const bool is_removed : {false, true})
     {
         World world;
-        for (int i = 0; i < 300; ++i)
-            world.add(ball({0.5 * i, 0, 0}, radius, {0, 0, 0}));
+        add_row(world);
         const ProxyId visitor = world.add(ball({0, 3, 0}, radius, {0, 0, 0}));
         world.tick();
         world.place(visitor, {1e9, 0, 0});

@@ -134,10 +134,9 @@ def predict_faults():
     yield Fault(
         "turning_point_left_out_of_an_envelope", "predict", predictor, "high = max(high, extreme);", "", predictions,
         "an envelope that is left early is made anew: it costs a prediction and no pair")
-    leaps = (("broadphase", "Broadphase.ObjectsThatLeap*:*AnyWorld*"),)
     yield Fault(
         "leap_not_noted_as_farthest", "predict", predictor, "    note_farthest(envelope);\n    centre.store_three(record.position);\n    record.since",
-        "    centre.store_three(record.position);\n    record.since", leaps)
+        "    centre.store_three(record.position);\n    record.since", (("broadphase", "Predictor.TheFarthest*"),))
     yield Fault(
         "farthest_of_all_is_that_of_a_part", "predict", predictor, "    if (end < size)\n        return;\n    farthest_ = reviewed_.farthest;",
         "    farthest_ = reviewed_.farthest;", (("broadphase", "Predictor.TheFarthest*"),))
@@ -149,7 +148,8 @@ def predict_faults():
     yield Fault(
         "farthest_is_never_reviewed", "predict", tick, "        predictor_.review(proxies_);\n", "        (void)0;\n",
         (("broadphase", "Predictor.TheFarthest*"),))
-    yield Fault("farthest_in_an_endless_envelope_forgotten", "predict", predictor, "    note_farthest(tight);\n", "", leaps)
+    yield Fault("farthest_in_an_endless_envelope_forgotten", "predict", predictor, "    note_farthest(tight);\n", "",
+        (("broadphase", "Predictor.TheFarthest*"),))
     yield Fault(
         "predicted_again_and_again", "predict", tick, "    looks_.requested.clear();\n", "", (("broadphase", "Tick.*:Predictor.*"),))
     yield Fault(
