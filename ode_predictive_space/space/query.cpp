@@ -18,12 +18,13 @@ bool dxPredictiveSpace::is_free(const char *function) const
     return false;
 }
 
-// To poll all meshes, as poll_moves() does, would cost more than a question. A simple space sees other data of the geom that was added
-// or moved last, and so do questions here. Other meshes are judged by their present data where they are found.
+// By box, to poll all meshes, as poll_moves() does, would cost more than a question. A simple space sees other data of the geom that was
+// added or moved last, and so do questions here. By the other tests, no contact may be missed because of other data.
 inline bool dxPredictiveSpace::is_caught_up() const
 {
     const auto is_changed = [](const dxGeom *geom) { return geom && (flags_beside_others(geom) & GEOM_DIRTY) != 0; };
-    return caught_up_.load(std::memory_order_seq_cst) && !is_changed(first) && !is_changed(moved_mesh_);
+    return caught_up_.load(std::memory_order_seq_cst) &&
+           (by_box() ? !is_changed(first) && !is_changed(moved_mesh_) : polled_count_ == 0);
 }
 
 // The threads that ask meanwhile wait.
@@ -153,11 +154,6 @@ ConvexShape dxPredictiveSpace::shape_now(dxGeom *geom)
         return shape_of(geom, hulls_, nullptr);
     const std::lock_guard<std::recursive_mutex> hold(upkeep_);
     std::shared_ptr<const VertexHull> &hull = asked_hulls_[proxy_of(geom)];
-    if (geom->gflags & GEOM_DIRTY)
-    {
-        hulls_.outdate(geom);
-        hull.reset();
-    }
     ConvexShape shape = shape_of(geom, hulls_, hull);
     hull = shape.hull;
     const std::shared_ptr<Surface> &surface = shape.surface();

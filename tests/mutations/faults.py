@@ -530,7 +530,7 @@ def space_faults():
         "std::vector<ProxyId> found = lock.is_only_one ? std::exchange(found_, {}) : std::vector<ProxyId>();",
         "std::vector<ProxyId> &found = found_;", contract("Contract.08_*"))
     yield Fault(
-        "hull_of_other_data_asked", "space", query, "        hulls_.outdate(geom);\n        hull.reset();\n", "        hull.reset();\n",
+        "other_data_unnoticed_by_shape", "space", query, ": polled_count_ == 0);", ": true);",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
         "ignored_turn", "space", scene,

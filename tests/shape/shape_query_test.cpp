@@ -204,6 +204,27 @@ TEST_F(ShapeQuery, NoticesDataThatWereChangedInPlace)
     EXPECT_EQ(answers(ball), 1u);
 }
 
+// By box, as in a simple space, other data of a geom that is neither the last added nor the last moved are seen by the next collide.
+TEST_F(ShapeQuery, NoticesOtherDataOfAnyMesh)
+{
+    const Polyhedron small = Polyhedron::cube().changed(Eigen::Vector3d::Constant(0.1), {0, 0, 0});
+    const dGeomID changed = mesh(space, small), moved = mesh(space, small);
+    dGeomSetPosition(moved, 50, 0, 0);
+    for (int i = 0; i < 20; ++i)
+        dGeomSetPosition(dCreateSphere(space, 0.1), 10 + i, 0, 0);
+    collide(space);
+    dGeomSetPosition(moved, 51, 0, 0);
+    const Probe ball(dCreateSphere(nullptr, 0.2)), ray(dCreateRay(nullptr, 2));
+    dGeomRaySet(ray, 1, 2, 1, 0, -1, 0);
+    EXPECT_EQ(answers_at(ball, 1, 1, 1), 0u);
+    EXPECT_EQ(answers(ray), 0u);
+    MeshArrays large(Polyhedron::cube());
+    dGeomTriMeshSetData(changed, large.id());
+    EXPECT_EQ(answers(ray), 1u);
+    EXPECT_EQ(answers_at(ball, 1, 1, 1), 1u);
+    dGeomDestroy(changed);
+}
+
 TEST_F(ShapeQuery, AMarginCounts)
 {
     mesh(space, Polyhedron::cube().changed(Eigen::Vector3d::Constant(5), {0, 0, 0}));
