@@ -40,36 +40,6 @@ double skew_of_geom(const dxGeom *geom)
     return geom->type == dRayClass ? std::abs(Vector3(R[2], R[6], R[10]).squaredNorm() - 1) : skew_of(R);
 }
 
-// Radius of the sphere around the geom's position that holds the geom, if its matrix is a rotation; infinite for classes that
-// have no such sphere.
-double circumscribed_radius(const dxGeom *geom)
-{
-    switch (geom->type)
-    {
-    case dSphereClass:
-        return static_cast<const dxSphere *>(geom)->radius * (1 + tolerance);
-    case dBoxClass:
-    {
-        const dReal *side = static_cast<const dxBox *>(geom)->side;
-        const double x = side[0], y = side[1], z = side[2];
-        return std::sqrt(x * x + y * y + z * z) / 2 * (1 + tolerance);
-    }
-    case dCapsuleClass:
-    {
-        const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
-        return (capsule->radius + 0.5 * capsule->lz) * (1 + tolerance);
-    }
-    case dCylinderClass:
-    {
-        const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
-        const double radius = cylinder->radius, half = 0.5 * cylinder->lz;
-        return std::sqrt(radius * radius + half * half) * (1 + tolerance);
-    }
-    default:
-        return std::numeric_limits<double>::infinity();
-    }
-}
-
 // Distance up to which ODE's colliders may find a contact between geoms that are apart, far from the origin: they compute in
 // ODE's precision.
 double rounding_at([[maybe_unused]] const Box &bounds)
@@ -176,13 +146,36 @@ bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
 
 [[gnu::noinline]] double radius_at_offset(const dxGeom *geom)
 {
-    const double radius = bounding_sphere(geom);
+    const double radius = circumscribed_radius(geom);
     return std::isfinite(radius) ? CarriedGeom(geom).carried(radius).radius : radius;
 }
 
-double bounding_sphere(const dxGeom *geom)
+double circumscribed_radius(const dxGeom *geom)
 {
-    return turns_safely(geom) ? circumscribed_radius(geom) : std::numeric_limits<double>::infinity();
+    switch (geom->type)
+    {
+    case dSphereClass:
+        return static_cast<const dxSphere *>(geom)->radius * (1 + tolerance);
+    case dBoxClass:
+    {
+        const dReal *side = static_cast<const dxBox *>(geom)->side;
+        const double x = side[0], y = side[1], z = side[2];
+        return std::sqrt(x * x + y * y + z * z) / 2 * (1 + tolerance);
+    }
+    case dCapsuleClass:
+    {
+        const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
+        return (capsule->radius + 0.5 * capsule->lz) * (1 + tolerance);
+    }
+    case dCylinderClass:
+    {
+        const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
+        const double radius = cylinder->radius, half = 0.5 * cylinder->lz;
+        return std::sqrt(radius * radius + half * half) * (1 + tolerance);
+    }
+    default:
+        return std::numeric_limits<double>::infinity();
+    }
 }
 
 Solid solid_of(const dxGeom *geom)
@@ -339,7 +332,7 @@ Observation GeomScene::observation(ProxyId id)
     dxGeom *geom = geoms_[id];
     Observation seen;
     seen.centre = pivot_of(geom);
-    seen.radius = seen.centre ? bounding_sphere(geom) : std::numeric_limits<double>::infinity();
+    seen.radius = seen.centre ? circumscribed_radius(geom) : std::numeric_limits<double>::infinity();
     if (geom->offset_posr && seen.centre)
         seen.carried = CarriedGeom(geom).carried(seen.radius);
     seen.is_dear = geom->type == dConvexClass || geom->type == dTriMeshClass;

@@ -16,11 +16,11 @@
 
 namespace ode_predictive_space
 {
-/// Radius of the sphere around the position of a sphere, box, capsule or cylinder that holds the geom in every orientation; infinite
-/// for other classes, for geoms without a body, and for geoms whose matrix stretches them.
-double bounding_sphere(const dxGeom *geom);
+/// Radius of the sphere around the position of a sphere, box, capsule or cylinder that holds the geom if its matrix is a rotation;
+/// infinite for other classes.
+double circumscribed_radius(const dxGeom *geom);
 
-/// A sphere, box or capsule whose pose is known: its bounding box follows from its pose by a formula that ODE shares.
+/// A geom whose pose is known, and whose bounding box follows from its pose by a formula that ODE shares.
 Solid solid_of(const dxGeom *geom);
 
 /// The sizes of a sphere, box, capsule or cylinder. They lie right behind the members that all geoms have (ode_mismatch() checks

@@ -77,7 +77,7 @@ public:
     bool turns_safely() const { return geom_->type == dSphereClass || keeps_within_sphere(rotation()); }
 
     Solid solid() const { return solid_of(geom_); }
-    double radius() const { return geom_->offset_posr ? radius_at_offset(geom_) : bounding_sphere(geom_); }
+    double radius() const { return geom_->offset_posr ? radius_at_offset(geom_) : circumscribed_radius(geom_); }
 
 private:
     const dxGeom *geom_;

@@ -437,7 +437,7 @@ def shape_faults():
     yield Fault(
         "heights_changed_in_place_ignored", "shapes", hulls, "return made.outdated || made.key != key_of(geom);",
         "return (made.outdated && geom->type != dHeightfieldClass) || made.key != key_of(geom);",
-        (("shape_contract", "ShapeContacts.*OnHills"),))
+        (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
         "looks_that_do_not_pay_go_on", "shapes", BROADPHASE + "near/look_payoff.h",
         "if (pays_ && postponed_", "if (pays_ || postponed_", (("broadphase", "LookPayoffs.*"),))
@@ -533,9 +533,10 @@ def space_faults():
         "other_data_unnoticed_by_shape", "space", query, ": polled_count_ == 0);", ": true);",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
-        "ignored_turn", "space", scene,
-        "return turns_safely(geom) ? circumscribed_radius(geom) : std::numeric_limits<double>::infinity();",
-        "return circumscribed_radius(geom);", contract("Notice.*") + (HISTORIES,))
+        "size_of_a_cylinder_unknown", "space", scene,
+        "{Watch::cylinder, static_cast<float>(cylinder->radius), 0, static_cast<float>(cylinder->lz / 2)}",
+        "{Watch::cylinder, static_cast<float>(cylinder->radius), 0, static_cast<float>(cylinder->radius)}",
+        contract("EveryPlaceableClass*") + (HISTORIES,))
     yield Fault(
         "sphere_of_a_box_too_small", "space", scene, "std::sqrt(x * x + y * y + z * z) / 2", "std::sqrt(x * x + 0 * y + z * z) / 2",
         contract("EveryPlaceableClass*:Notice.*") + (HISTORIES,))

@@ -1,5 +1,6 @@
 // Questions by shape: dSpaceCollide2() of a space whose proximity is judged by shapes.
 
+#include <array>
 #include <atomic>
 #include <memory>
 #include <thread>
@@ -202,6 +203,25 @@ TEST_F(ShapeQuery, NoticesDataThatWereChangedInPlace)
     EXPECT_EQ(answers(ball), 0u);
     mesh(space, Polyhedron::octahedron());
     EXPECT_EQ(answers(ball), 1u);
+}
+
+TEST_F(ShapeQuery, NoticesHeightsThatWereChangedInPlace)
+{
+    std::array<double, 9> heights{};
+    const dHeightfieldDataID data = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildDouble(data, heights.data(), 0, 8, 8, 3, 3, 1, 0, 1, 0);
+    dGeomHeightfieldDataSetBounds(data, -1, 3);
+    const dGeomID ground = dCreateHeightfield(space, data, 1);
+    const Probe ball(dCreateSphere(nullptr, REAL(0.5)));
+    EXPECT_EQ(answers_at(ball, 1, 2, 1), 0u);
+    heights.fill(2);
+    dPredictiveSpaceGeomChanged(space, ground);
+    EXPECT_EQ(answers(ball), 1u) << "the ground has come";
+    heights.fill(0);
+    dPredictiveSpaceGeomChanged(space, ground);
+    EXPECT_EQ(answers(ball), 0u) << "it has gone";
+    dGeomDestroy(ground);
+    dGeomHeightfieldDataDestroy(data);
 }
 
 // By box, as in a simple space, other data of a geom that is neither the last added nor the last moved are seen by the next collide.
