@@ -595,12 +595,10 @@ def space_faults():
     # By the sphere test of proximity.
     yield Fault(
         "skewed_geoms_judged_by_spheres", "space", scene,
-        "judged_by_box_alone(geom) || !(skew <= most_skew) || !is_finite(bounds))\n            return;\n"
-        "        const double circumscribed = circumscribed_radius(geom);\n        centre = bounds.center();\n"
-        "        radius = std::isfinite(circumscribed) ? circumscribed * (1 + skew) :",
-        "judged_by_box_alone(geom) || !is_finite(bounds))\n            return;\n        (void)skew;\n"
-        "        const double circumscribed = circumscribed_radius(geom);\n        centre = bounds.center();\n"
-        "        radius = std::isfinite(circumscribed) ? circumscribed :", CONTACT_HISTORIES)
+        "if (!(skew <= most_skew) || !is_finite(bounds_))\n            return std::numeric_limits<double>::infinity();\n"
+        "        return radius_ * (1 + skew) +",
+        "if (!is_finite(bounds_))\n            return std::numeric_limits<double>::infinity();\n        (void)skew;\n"
+        "        return radius_ +", CONTACT_HISTORIES)
     yield Fault(
         "skewed_rays_judged_by_lines", "space", scene,
         "if (probe->type != dRayClass || touched_off_line(geom) || is_skewed(probe))",
