@@ -160,6 +160,16 @@ void watch_centre(Place &place, const ProxyRecord &record, const std::optional<C
         place.watch_centre(record.position, record.radius);
 }
 
+// In which a velocity explains a displacement, nearly; 0 when it does not.
+float seconds_of_travel(Float4 displacement, Float4 velocity)
+{
+    const float squared_speed = dot(velocity, velocity);
+    const float seconds = squared_speed > 0 ? dot(displacement, velocity) / squared_speed : 0;
+    const bool explained =
+        seconds > 0 && norm(displacement - Float4::all(seconds) * velocity) <= 0.1f * norm(displacement);
+    return explained ? seconds : 0;
+}
+
 // Not all objects are to leave their first envelopes together.
 void begin(ProxyRecord &record, ProxyId id)
 {
@@ -176,10 +186,8 @@ Predictor::Motion Predictor::motion_of_body(const ProxyRecord &record, const Out
     if (outcome.ticks > 0)
     {
         const Float4 mean = Float4::all(0.5f) * (last + velocity);
-        const float travelled = norm(outcome.displacement), squared_speed = dot(mean, mean);
-        const float seconds = squared_speed > 0 ? dot(outcome.displacement, mean) / squared_speed : 0;
-        const bool explained =
-            seconds > 0 && norm(outcome.displacement - Float4::all(seconds) * mean) <= 0.1f * travelled;
+        const float travelled = norm(outcome.displacement), seconds = seconds_of_travel(outcome.displacement, mean);
+        const bool explained = seconds > 0;
         if (explained)
             step_estimate_.add(to_vector(outcome.displacement), to_vector(last), to_vector(velocity), outcome.ticks);
         const auto step = static_cast<float>(step_estimate_.step());
@@ -312,8 +320,8 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     record.tests = record.useless = 0;
 }
 
-// An object that leaps again is not observed: its next envelope is the tight box with some slack. Sometimes a body is, as its velocity
-// may explain the next leaps.
+// An object that leaps again is not observed: its next envelope is the tight box with some slack. A body is observed when the velocity
+// that was seen last explains its displacement, and sometimes in any case, as it may have another velocity by now.
 bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
@@ -329,7 +337,8 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
     const Float4 centre = Float4::all(0.5f) * tight.low + Float4::all(0.5f) * tight.high,
                  displacement = centre - load_three(record.position);
     const float leap = static_cast<float>(ticks_between(record.since, now)) * tuning::leap * record.size;
-    if (!(dot(displacement, displacement) > leap * leap))
+    if (!(dot(displacement, displacement) > leap * leap) ||
+        (record.has_body && seconds_of_travel(displacement, load_three(record.velocity)) > 0))
         return false;
     place.set_envelope(envelope);
     note_farthest(envelope);
