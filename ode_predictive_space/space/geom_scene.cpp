@@ -63,12 +63,13 @@ bool is_finite(const Box &box)
 class JudgedSphere
 {
 public:
-    explicit JudgedSphere(const dxGeom *geom) : geom_(geom), bounds_(to_box(geom->aabb)), centre_(bounds_.center())
+    explicit JudgedSphere(const dxGeom *geom) : geom_(geom), bounds_(to_box(geom->aabb))
     {
+        if (judged_by_box_alone(geom) || !is_finite(bounds_))
+            return;
         const double circumscribed = circumscribed_radius(geom);
-        radius_ = judged_by_box_alone(geom)      ? std::numeric_limits<double>::infinity()
-                  : std::isfinite(circumscribed) ? circumscribed
-                                                 : 0.5 * bounds_.diagonal().norm();
+        centre_ = bounds_.center();
+        radius_ = std::isfinite(circumscribed) ? circumscribed : 0.5 * bounds_.diagonal().norm();
     }
 
     // True when anything is NaN or infinite: such a pair is reported. Most pairs touch, and need not be looked at for skew.
@@ -80,19 +81,18 @@ public:
     }
 
 private:
-    // For the skew of the matrix and for rounding; infinite for geoms that are judged by their boxes.
+    // For the skew of the matrix and for rounding.
     double enlarged() const
     {
         const double skew = skew_of_geom(geom_);
-        if (!(skew <= most_skew) || !is_finite(bounds_))
-            return std::numeric_limits<double>::infinity();
-        return radius_ * (1 + skew) + rounding_at(bounds_);
+        return skew <= most_skew ? radius_ * (1 + skew) + rounding_at(bounds_)
+                                 : std::numeric_limits<double>::infinity();
     }
 
     const dxGeom *geom_;
     Box bounds_;
-    Vector3 centre_;
-    double radius_;
+    Vector3 centre_ = Vector3::Zero();
+    double radius_ = std::numeric_limits<double>::infinity(); // infinite for geoms that are judged by their boxes
 };
 } // namespace
 

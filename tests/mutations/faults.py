@@ -536,10 +536,10 @@ def space_faults():
         "size_of_a_cylinder_unknown", "space", scene,
         "{Watch::cylinder, static_cast<float>(cylinder->radius), 0, static_cast<float>(cylinder->lz / 2)}",
         "{Watch::cylinder, static_cast<float>(cylinder->radius), 0, static_cast<float>(cylinder->radius)}",
-        contract("EveryPlaceableClass*") + (HISTORIES,))
+        contract("*EveryPlaceableClass*") + (HISTORIES,))
     yield Fault(
         "sphere_of_a_box_too_small", "space", scene, "std::sqrt(x * x + y * y + z * z) / 2", "std::sqrt(x * x + 0 * y + z * z) / 2",
-        contract("EveryPlaceableClass*:Notice.*") + (HISTORIES,))
+        contract("*EveryPlaceableClass*:Notice.*") + (HISTORIES,))
     nests = contract("Contract.11_*")
     yield Fault(
         "nested_spaces_not_cleaned", "space", scene,
@@ -595,10 +595,7 @@ def space_faults():
     # By the sphere test of proximity.
     yield Fault(
         "skewed_geoms_judged_by_spheres", "space", scene,
-        "if (!(skew <= most_skew) || !is_finite(bounds_))\n            return std::numeric_limits<double>::infinity();\n"
-        "        return radius_ * (1 + skew) +",
-        "if (!is_finite(bounds_))\n            return std::numeric_limits<double>::infinity();\n        (void)skew;\n"
-        "        return radius_ +", CONTACT_HISTORIES)
+        "return skew <= most_skew ? radius_ * (1 + skew) + rounding_at(bounds_)", "return skew < 1e300 ? radius_ + rounding_at(bounds_)", CONTACT_HISTORIES)
     yield Fault(
         "skewed_rays_judged_by_lines", "space", scene,
         "if (probe->type != dRayClass || touched_off_line(geom) || is_skewed(probe))",

@@ -220,6 +220,15 @@ TEST_F(ShapeQuery, NoticesHeightsThatWereChangedInPlace)
     heights.fill(0);
     dPredictiveSpaceGeomChanged(space, ground);
     EXPECT_EQ(answers(ball), 0u) << "it has gone";
+    const dGeomID other = dCreateHeightfield(space, data, 1);
+    dGeomSetPosition(other, 30, 0, 0);
+    dGeomSetPosition(dCreateSphere(space, REAL(0.5)), 31, 2, 1);
+    for (int tick = 0; tick < 10; ++tick)
+        EXPECT_EQ(collide(space).size(), 0u);
+    heights.fill(2);
+    dPredictiveSpaceGeomChanged(space, ground);
+    EXPECT_EQ(collide(space).size(), 1u) << "the other is made of the same data";
+    dGeomDestroy(other);
     dGeomDestroy(ground);
     dGeomHeightfieldDataDestroy(data);
 }
