@@ -221,7 +221,7 @@ constexpr Scene scenes[] = {
     {"few", 80, dPredictiveProximityBox, fly, 10908338423621665991u, 10908338423621665991u},
     {"calm", 400, dPredictiveProximityBox, fly, 1767754786325127193u, 1767754786325127193u},
     {"resting", 400, dPredictiveProximityBox, fly_and_rest, 15640868216778507827u, 15640868216778507827u},
-    {"teleports", 400, dPredictiveProximityBox, teleport, 1798054541179075800u, 13257339013296122968u},
+    {"teleports", 400, dPredictiveProximityBox, teleport, 12286826789994579188u, 13742886541259544612u},
     {"churn", 300, dPredictiveProximityBox, come_and_go, 9310613444816265680u, 9310613444816265680u},
     {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 13064261639271928691u, 13064261639271928691u},
     {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 18082462671848864595u, 18082462671848864595u},
