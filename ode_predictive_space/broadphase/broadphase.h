@@ -66,8 +66,8 @@ public:
     ///     Solid solid()
     ///     double radius()
     /// @return what is known at once; nearly always that the object has moved. Otherwise the rest is for report_closely().
-    /// Inlined, though large: it runs at each notice.
-    template <typename Object> [[gnu::always_inline]] Followed report_at_once(ProxyId id, const Object &object)
+    template <typename Object> // inlined although it is large: it runs at each notice
+    [[gnu::always_inline]] Followed report_at_once(ProxyId id, const Object &object)
     {
         Place &place = proxies_.places[id];
         const Watch watch = place.watch();

@@ -130,11 +130,11 @@ std::optional<RayProbe> line_of_ray(dxGeom *ray)
     return RayProbe(begin, end, miss * length);
 }
 
-bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
+bool line_may_touch(dxGeom *ray, const dxGeom *geom)
 {
-    if (probe->type != dRayClass || touched_off_line(geom) || is_skewed(probe))
+    if (touched_off_line(geom) || is_skewed(ray))
         return true;
-    const std::optional<RayProbe> line = line_of_ray(probe);
+    const std::optional<RayProbe> line = line_of_ray(ray);
     return !line || line->overlaps(FloatBox::around(to_box(geom->aabb)));
 }
 
@@ -350,7 +350,6 @@ void GeomScene::find_disabled(const ProxyId *ids, std::size_t count, std::vector
 
 bool GeomScene::spheres_overlap(dxGeom *one, dxGeom *other)
 {
-    const bool with_ray = one->type == dRayClass || other->type == dRayClass;
-    return spheres_may_touch(one, other) && (!with_ray || (ray_may_touch(one, other) && ray_may_touch(other, one)));
+    return spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one);
 }
 } // namespace ode_predictive_space

@@ -91,8 +91,14 @@ bool touched_off_line(const dxGeom *geom);
 /// The line of a ray; none when it is not finite.
 std::optional<RayProbe> line_of_ray(dxGeom *ray);
 
+/// Can this ray touch the geom? The boxes must be valid.
+bool line_may_touch(dxGeom *ray, const dxGeom *geom);
+
 /// Can a ray touch the geom? Any other probe can. The boxes must be valid.
-bool ray_may_touch(dxGeom *probe, const dxGeom *geom);
+inline bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
+{
+    return probe->type != dRayClass || line_may_touch(probe, geom);
+}
 
 /// Do the spheres of the sphere test overlap? The boxes must be valid.
 bool spheres_may_touch(const dxGeom *one, const dxGeom *other);

@@ -59,7 +59,7 @@ private:
     Float4 offset_;
 };
 
-/// Of a geom with an offset, as CarriedGeom::carried() has it; infinite when it does not turn safely.
+/// The radius that CarriedGeom::carried() has for a geom with an offset; infinite for classes without a circumscribed sphere.
 double radius_at_offset(const dxGeom *geom);
 
 /// What Broadphase::report_at_once() and report_closely() ask.

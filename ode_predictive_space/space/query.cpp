@@ -18,8 +18,9 @@ bool dxPredictiveSpace::is_free(const char *function) const
     return false;
 }
 
-// By box, to poll all meshes, as poll_moves() does, would cost more than a question. A simple space sees other data of the geom that was
-// added or moved last, and so do questions here. By the other tests, no contact may be missed because of other data.
+// By box, polling all meshes as poll_moves() does would cost more than a question. So a question sees other data only when they were
+// given to the geom that was added or moved last, as in a simple space. By sphere and by shape all meshes are polled: an old box could
+// hide a contact.
 inline bool dxPredictiveSpace::is_caught_up() const
 {
     const auto is_changed = [](const dxGeom *geom) { return geom && (flags_beside_others(geom) & GEOM_DIRTY) != 0; };

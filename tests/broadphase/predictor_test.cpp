@@ -497,7 +497,7 @@ float farthest_side(const World &world)
     return farthest;
 }
 
-// So many that few of them are reviewed in a tick.
+// Adds enough objects that only a few of them are reviewed in a tick.
 void add_row(World &world)
 {
     for (int i = 0; i < 300; ++i)

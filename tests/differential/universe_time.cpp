@@ -156,26 +156,27 @@ void ask_sometimes(dSpaceID space)
 }
 } // namespace
 
-// Validating calls dCollide(), too: where that stops at an assertion, the poses are given back.
+// By shape, validating calls dCollide(), too: where that stops at an assertion, the poses are given back.
 bool Universe::valid() const
 {
+    const auto is_valid = [](const SpaceSlot &space) {
+        if (!space.id || !space.predictive)
+            return true;
+        ask_sometimes(space.id);
+        return dPredictiveSpaceValidate(space.id) != 0;
+    };
+    if (proximity_ != dPredictiveProximityShape)
+        return std::all_of(spaces_.begin(), spaces_.end(), is_valid);
     std::vector<KeptPose> poses;
     for (const GeomSlot &geom : geoms_)
         if (geom.id)
             poses.emplace_back(geom.id);
     try
     {
-        return std::all_of(spaces_.begin(), spaces_.end(), [](const SpaceSlot &space) {
-            if (!space.id || !space.predictive)
-                return true;
-            ask_sometimes(space.id);
-            return dPredictiveSpaceValidate(space.id) != 0;
-        });
+        return std::all_of(spaces_.begin(), spaces_.end(), is_valid);
     }
     catch (const OdeAbort &)
     {
-        if (proximity_ != dPredictiveProximityShape)
-            throw;
         for (const KeptPose &pose : poses)
             pose.restore();
         return true;

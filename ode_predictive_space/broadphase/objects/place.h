@@ -39,10 +39,8 @@ enum class Watch : std::uint8_t
 struct Solid
 {
     Watch formula = Watch::look; ///< look: there is no formula
-    float
-        x = 0,
-        y = 0,
-        z = 0; ///< half sizes; of a sphere the radius in x; of a capsule or cylinder the radius in x, half the length in z
+    /// Half sizes. A sphere has its radius in x; a capsule and a cylinder have the radius in x and half the length in z.
+    float x = 0, y = 0, z = 0;
 
     bool operator==(const Solid &other) const
     {
@@ -303,7 +301,7 @@ private:
     }
 
     // How far a disc of radius 1 across the z axis reaches along each axis of space. The difference is computed in double precision:
-    // it may be small, and is enlarged by the root.
+    // the square root enlarges the error of a small one.
     template <typename Real> static Float4 reach_of_disc(const Real *rotation)
     {
         const auto squared = [rotation](int axis) {
@@ -331,8 +329,9 @@ private:
     float tight_low_[3];
     float half_z_ = 0;
     float tight_high_[3];
-    // The update that will see the last move; a bit that is 0; a side of the box overflows single precision; the move is counted; the
-    // watch. It is compared as a float with the rest of its vector, and is a finite one: the bit that is 0 is of its exponent.
+    // From the lowest bit on: 26 bits with the update that will see the last move; a bit that is always 0; whether a side of the box
+    // overflows single precision; whether the move is counted; three bits with the watch. It is compared as a float with the rest of
+    // its vector, and is finite because the bit that is always 0 belongs to the exponent.
     std::uint32_t state_ = 0;
 };
 static_assert(sizeof(Place) == 64, "one cache line per notice");

@@ -160,7 +160,7 @@ void watch_centre(Place &place, const ProxyRecord &record, const std::optional<C
         place.watch_centre(record.position, record.radius);
 }
 
-// In which a velocity explains a displacement, nearly; 0 when it does not.
+// The time in which the velocity makes the displacement, nearly; 0 when the two do not point the same way.
 float seconds_of_travel(Float4 displacement, Float4 velocity)
 {
     const float squared_speed = dot(velocity, velocity);
@@ -306,7 +306,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     note_farthest(envelope);
     note_farthest(tight);
     centre.store_three(record.position);
-    // What is without end is looked at, to see when it has one.
+    // An object with an infinite envelope is measured again after each move: it may have become finite.
     if (!place.has_end())
         place.set_watch(Watch::look);
     else if (by_radius)

@@ -76,8 +76,8 @@ bool repeats_too_often(const HeightGrid &grid, const Box &box, double most)
     return sides.x() > most_periods * grid.width() || sides.z() > most_periods * grid.depth();
 }
 
-// ODE counts cells from the first copy of a terrain that repeats, by an int, and reads other samples when the int overflows.
-bool is_beyond_numbers(const HeightGrid &grid, const Box &box)
+// ODE numbers the cells of a terrain that repeats by an int, from its first copy on, and reads other samples when the int overflows.
+bool overflows_cell_numbers(const HeightGrid &grid, const Box &box)
 {
     constexpr double most_cells = 1 << 30;
     const Vector3 farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
@@ -101,7 +101,7 @@ double terrain_gap(const ConvexShape &terrain, const ConvexShape &other, double 
         return -no_limit;
     const SeenFromTerrain shape(other, terrain, grid);
     const Box box = shape.box();
-    if (grid.size().repeats && (is_beyond_numbers(grid, box) || repeats_too_often(grid, box, gap)))
+    if (grid.size().repeats && (overflows_cell_numbers(grid, box) || repeats_too_often(grid, box, gap)))
         return -no_limit;
     grid.walk(box, gap, [&](const HeightGrid::Cell &cell) {
         gap = std::min(gap, shape.gap_to(cell));
