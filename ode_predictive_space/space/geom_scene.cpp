@@ -241,16 +241,20 @@ void GeomScene::for_each(std::size_t count, Visit visit, Fetches... fetches) con
 // By the formula, or the box that ODE computes.
 static void measure_geom(dxGeom *geom, Place &place)
 {
-    geom->recomputePosr();
-    place.watch_solid(solid_of(geom));
-    if (place.watch() != Watch::look)
+    if (geom->type <= dCylinderClass)
+    {
+        geom->recomputePosr();
+        place.watch_solid(solid_of(geom));
+    }
+    if (place.watches_solid())
     {
         const TightBox box = place.measured(geom->final_posr->pos, geom->final_posr->R);
         if (is_finite(box))
             return place.set_tight(box);
         place.set_watch(Watch::look);
     }
-    place.set_tight(to_box(valid_aabb(geom)));
+    const dReal *aabb = valid_aabb(geom);
+    place.set_tight(aabb, aabb + 1, 2);
 }
 
 void GeomScene::measure(const ProxyId *ids, std::size_t count, Place *places)

@@ -247,6 +247,7 @@ TEST(Float4, TakesFloatsThatAreSpreadAsTheyAre)
         const float spread[] = {a[0], 9, 9, 9, a[1], 9, 9, 9, a[2]};
         expect_same(lanes_of(Float4::nearest_of_stored(a.data(), 1)), {a[0], a[1], a[2], 0});
         expect_same(lanes_of(Float4::nearest_of_stored(spread, 4)), {a[0], a[1], a[2], 0});
+        expect_same(lanes_of(Float4::rounded_down(spread, 4, -1)), {-a[0], -a[1], -a[2], 0}, 3);
         ASSERT_FALSE(HasFailure()) << i;
     }
 }
@@ -263,7 +264,9 @@ TEST(Float4, RoundsDoublesDownOnEitherSide)
                 if (!std::isfinite(static_cast<float>(value)))
                     value = random.uniform(-1e6, 1e6);
             const Four expected = {round_down(sign * a[0]), round_down(sign * a[1]), round_down(sign * a[2])};
-            ASSERT_NO_FATAL_FAILURE(expect_same(lanes_of(Float4::rounded_down(a.data(), sign)), expected, 3)) << i;
+            const double spread[] = {a[0], 9, a[1], 9, a[2]};
+            ASSERT_NO_FATAL_FAILURE(expect_same(lanes_of(Float4::rounded_down(a.data(), 1, sign)), expected, 3)) << i;
+            ASSERT_NO_FATAL_FAILURE(expect_same(lanes_of(Float4::rounded_down(spread, 2, sign)), expected, 3)) << i;
         }
 }
 

@@ -43,9 +43,9 @@ public:
     {
         return {first[0], first[stride], first[2 * stride], 0};
     }
-    static Float4 rounded_down(const double *three, double sign)
+    template <typename Real> static Float4 rounded_down(const Real *first, std::ptrdiff_t stride, double sign)
     {
-        return {round_down(sign * three[0]), round_down(sign * three[1]), round_down(sign * three[2]), 0};
+        return {round_down(sign * first[0]), round_down(sign * first[stride]), round_down(sign * first[2 * stride]), 0};
     }
 
     void store(float *four) const { std::copy_n(lanes_, 4, four); }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -181,26 +182,17 @@ public:
         box.low.store_three(tight_low_);
         box.high.store_three(tight_high_);
     }
-    /// The bounding box as the program computes it, in double precision.
-    void set_tight(const Box &box)
+    /// The bounding box as the program computes it: its least and greatest coordinates, `stride` numbers apart.
+    template <typename Real> void set_tight(const Real *least, const Real *greatest, std::ptrdiff_t stride)
     {
-        const FloatBox outer = FloatBox::around(box);
-        const TightBox lanes = TightBox::of(outer);
-        set_tight(lanes);
+        const TightBox box{Float4::rounded_down(least, stride, 1), -Float4::rounded_down(greatest, stride, -1)};
         state_ &= ~doubt_bit;
-        if (!is_finite(lanes))
-            note_overflow(box, outer);
+        if (is_finite(box))
+            return set_tight(box);
+        set_endless(Box(Vector3(least[0], least[stride], least[2 * stride]),
+                        Vector3(greatest[0], greatest[stride], greatest[2 * stride])));
     }
-    void note_overflow(const Box &box, const FloatBox &outer)
-    {
-        const auto overflows = [](double exact, float rounded) {
-            return std::isfinite(exact) && !(std::abs(rounded) < std::numeric_limits<float>::max());
-        };
-        bool doubtful = false;
-        for (int axis = 0; axis < 3; ++axis)
-            doubtful |= overflows(box.min()[axis], outer.low[axis]) || overflows(box.max()[axis], outer.high[axis]);
-        state_ |= doubtful ? doubt_bit : 0;
-    }
+    void set_tight(const Box &box) { set_tight(box.min().data(), box.max().data(), 1); }
     /// Nothing is known of where the object is.
     void hide() { set_tight(TightBox{Float4::all(-infinity), Float4::all(infinity)}); }
 
@@ -215,6 +207,8 @@ public:
     /// Is a side of the envelope at infinity, and not that of the object? It holds the object wherever it goes, and meets all others.
     bool is_boundless() const
     {
+        if (has_end())
+            return false;
         const Float4 most = Float4::all(std::numeric_limits<float>::max());
         const auto needless = [&](Float4 side, Float4 inner) { return (abs(side) > most) & (abs(inner) <= most); };
         return ((needless(low(), tight_low()) | needless(high(), tight_high())).bits() & three_lanes) != 0;
@@ -309,6 +303,23 @@ private:
             return static_cast<float>(std::max(0.0, 1 - along * along));
         };
         return sqrt(Float4(squared(0), squared(1), squared(2), 0));
+    }
+
+    void set_endless(const Box &box)
+    {
+        const FloatBox outer = FloatBox::around(box);
+        set_tight(TightBox::of(outer));
+        note_overflow(box, outer);
+    }
+    void note_overflow(const Box &box, const FloatBox &outer)
+    {
+        const auto overflows = [](double exact, float rounded) {
+            return std::isfinite(exact) && !(std::abs(rounded) < std::numeric_limits<float>::max());
+        };
+        bool doubtful = false;
+        for (int axis = 0; axis < 3; ++axis)
+            doubtful |= overflows(box.min()[axis], outer.low[axis]) || overflows(box.max()[axis], outer.high[axis]);
+        state_ |= doubtful ? doubt_bit : 0;
     }
 
     // Halves: a sum of numbers beyond single precision is infinite, not none.
