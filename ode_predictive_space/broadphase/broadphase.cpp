@@ -82,8 +82,11 @@ void Broadphase::look(Scene &scene)
         const bool holds = place.holds() && !place.is_boundless();
 #endif
         counters_.violations += !holds && place.has_envelope();
-        if (holds && !looks_.requested.contains(id))
+        const bool is_requested = looks_.requested.contains(id);
+        if (holds && !is_requested)
             return near_.disturb(id);
+        if (is_requested)
+            place.forget_envelope(); // even when it leaps, it does not keep that
         near_.retire(id);
         batch_.add(id);
     });

@@ -44,6 +44,8 @@ constexpr float cost_of_test = 20, cost_of_box = 50, cost_of_prediction = 2800;
 
 /// An object that is farther from its path than this, in sizes per tick, has leapt: nothing is known of where it will be.
 constexpr float leap = 1;
+/// An object that leaps so soon after its last prediction is expected to leap again. (teleport; conveyor)
+constexpr std::int32_t ticks_between_leaps = 4;
 /// Leaps of a body until its velocity is read again. (teleport on bodies)
 constexpr std::uint32_t leaps_per_observation = 8;
 
@@ -85,6 +87,9 @@ constexpr std::size_t small_scene = 192;
 
 /// A batch of more than this part of the scene, one over the number, is swept with all others. (heap 500)
 constexpr std::size_t part_of_bulk = 3;
+
+/// The boxes of a tree may have grown so many times, in sum, when all leaves have got other boxes in place. (recentre, reset)
+constexpr float worse_by_refitting = 1.5f;
 
 /// Queries that go down a tree together: no query waits for another's nodes. (gas 10,000; 32 cost gas 100,000 a sixth)
 constexpr std::size_t queries_together = 16;

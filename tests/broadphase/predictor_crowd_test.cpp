@@ -123,5 +123,91 @@ TEST(Predictor, WhatFallsIsPredictedAlmostAsSeldomAsWhatFlies)
 {
     EXPECT_LE(Flock(0, 1).predictions_of(200), 2 * Flock(0, 0).predictions_of(200));
 }
+// Balls that fly apart.
+class Cloud
+{
+public:
+    Cloud()
+    {
+        Random random(7);
+        for (ProxyId i = 0; i < objects; ++i)
+            world.add(ball(random.vector(20), ball_radius, random.vector(0.001)));
+    }
+
+    void fly(int ticks)
+    {
+        for (int i = 0; i < ticks; ++i)
+        {
+            world.advance();
+            world.tick();
+            ASSERT_EQ(world.violated_invariant(), "") << i;
+        }
+    }
+
+    std::uint64_t predictions_in(int ticks)
+    {
+        const std::uint64_t before = world.broadphase.counters().repredictions;
+        fly(ticks);
+        return world.broadphase.counters().repredictions - before;
+    }
+
+    static constexpr ProxyId objects = 200;
+    World world;
+};
+
+TEST(Predictor, ASceneThatGetsAnotherOriginGoesOnAsBefore)
+{
+    Cloud cloud;
+    cloud.fly(300);
+    const std::uint64_t usual = cloud.predictions_in(5);
+    for (ProxyId id = 0; id < Cloud::objects; ++id)
+        cloud.world.place(id, cloud.world.object(id).centre + Vector3(1000, 0, 0));
+    EXPECT_GE(cloud.predictions_in(1), Cloud::objects);
+    EXPECT_LE(cloud.predictions_in(5), usual + Cloud::objects / 10);
+}
+
+TEST(Predictor, AnObjectThatLeapsForOnceIsPredictedForAsLongAsBefore)
+{
+    Cloud cloud;
+    cloud.fly(300);
+    const float reach = cloud.world.broadphase.proxies().records[0].reach;
+    cloud.world.place(0, {0, 100, 0});
+    cloud.fly(1);
+    EXPECT_EQ(cloud.world.broadphase.proxies().records[0].reach, reach);
+    EXPECT_LE(cloud.predictions_in(1), Cloud::objects / 20);
+    for (int leap = 0; leap < 3; ++leap)
+    {
+        cloud.world.place(0, {0, -100.0 * leap, 0});
+        cloud.fly(1);
+    }
+    EXPECT_EQ(cloud.world.broadphase.proxies().records[0].reach, 0) << "it leaps and leaps";
+}
+
+// An envelope that leaps along would be that of the other role.
+TEST(Predictor, AnObjectThatLeapsAndGetsAnotherRoleIsPredictedByThat)
+{
+    Cloud cloud;
+    PredictionSettings settings;
+    settings.deviation[1] = Deviation{5, 0, 0};
+    cloud.world.broadphase.set_settings(settings);
+    cloud.fly(300);
+    cloud.world.broadphase.set_role(0, Role::fixed_interactive);
+    cloud.world.place(0, {0, 100, 0});
+    cloud.fly(1);
+    const FloatBox envelope = cloud.world.broadphase.proxies().places[0].envelope();
+    EXPECT_GE(envelope.high[1], 105);
+}
+
+// It has turned in a way that its envelope does not allow for.
+TEST(Predictor, AnObjectThatLeapsAndHasTurnedGetsAnotherEnvelope)
+{
+    Cloud cloud;
+    const ProxyId plank = cloud.world.add(box({0, 50, 0}, {5, 0.1, 0.1}, {0.001, 0, 0}, true));
+    cloud.world.object(plank).radius = std::numeric_limits<double>::infinity();
+    cloud.fly(100);
+    cloud.world.turn(plank, {0, 0, 1}, 1.5);
+    cloud.world.place(plank, {0, 200, 0});
+    cloud.fly(1);
+}
 } // namespace
 } // namespace ode_predictive_space

@@ -153,6 +153,9 @@ def predict_faults():
     yield Fault(
         "predicted_again_and_again", "predict", tick, "    looks_.requested.clear();\n", "", (("broadphase", "Tick.*:Predictor.*"),))
     yield Fault(
+        "envelope_taken_along_to_the_wrong_place", "predict", predictor, "    if (!place.holds() || !place.has_end())\n        return false;\n", "",
+        (("broadphase", "Predictor.*"),))
+    yield Fault(
         "leap_extrapolated", "predict", predictor, "record.reach = 0;\n        return;", "return;",
         (("broadphase", "Predictor.*:*Teleports.*"),))
     yield Fault(
@@ -210,6 +213,8 @@ def index_faults():
         "probe.overlaps(node.boxes) & ~(~0u << node.count)", "probe.overlaps(node.boxes)",
         (("broadphase", "RayProbe.*:EnvelopeTree.*"),))
     yield Fault(
+        "boxes_above_refitted_leaves_stale", "index", tree, "node.boxes.set(place % width, nodes_[below].boxes.merged());", ";", trees)
+    yield Fault(
         "tree_not_asked", "index", index,
         "find_in_tree(boxes_.data() + i, std::min(boxes_.size() - i, EnvelopeTree::most_together), batch, idle, pairs);", ";",
         indices)
@@ -230,7 +235,7 @@ def index_faults():
         "list_left_out_when_the_index_is_built", "index", index, "list_.add(swept);\n        else", ";\n        else", indices)
     yield Fault(
         "rounded_to_the_wrong_side", "index", BROADPHASE + "base/float_box.h",
-        "Float4::rounded_down(box.max().data(), -1)", "-Float4::rounded_down(box.max().data(), 1)",
+        "Float4::rounded_down(box.max().data(), 1, -1)", "-Float4::rounded_down(box.max().data(), 1, 1)",
         (("contract", "Contract.01_*:Contract.09_*"), ("broadphase", "FloatBox.*")))
     yield Fault(
         "touching_boxes_apart", "index", BROADPHASE + "base/four_boxes.h",

@@ -63,25 +63,27 @@ void EnvelopeIndex::prepare(ProxyStore &proxies)
         return;
     list_.clear();
     boxes_.clear();
+    bool are_same = true;
     proxies.members().for_each([&](ProxyId id) {
         const SweptProxy swept{id, proxies.places[id].envelope()};
-        Shelf &shelf = proxies.records[id].shelf;
-        shelf = shelf_for(swept.box);
-        if (shelf == Shelf::list)
+        const Shelf wanted = shelf_for(swept.box);
+        are_same &= std::exchange(proxies.records[id].shelf, wanted) == wanted;
+        if (wanted == Shelf::list)
             list_.add(swept);
         else
             boxes_.push_back(swept);
     });
-    tree_.build(boxes_);
+    if (!are_same || !tree_.refit(boxes_))
+        tree_.build(boxes_);
     is_stale_ = false;
 }
 
 void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)
 {
     Shelf &shelf = proxies.records[id].shelf;
-    if (!is_stale_ && shelf == Shelf::list)
+    if (shelf == Shelf::list)
         list_.remove(id);
-    else if (!is_stale_ && shelf == Shelf::tree)
+    else if (shelf == Shelf::tree)
         tree_.remove(id);
     shelf = Shelf::none;
 }

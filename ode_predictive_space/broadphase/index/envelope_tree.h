@@ -35,6 +35,12 @@ public:
     /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
     void build(std::vector<SweptProxy> leaves);
 
+    /// Gives all proxies in the tree other boxes, and leaves each where it is: for when many have moved, and most with their neighbours.
+    ///
+    /// @param leaves one for each proxy in the tree.
+    /// @return false when the tree has become much worse than it was: it is to be built.
+    bool refit(const std::vector<SweptProxy> &leaves);
+
     bool empty() const { return root_ == none; }
 
     /// Calls visit(proxy) for every proxy whose box overlaps the probe, which has any shape and a function
@@ -117,6 +123,7 @@ private:
     void fill(Index node, const Entry *begin, const Entry *end);
     void take_out(Index place);
     void refit_upwards(Index node);
+    float refit_below(Index node, float &before);
     Index built(SweptProxy *begin, SweptProxy *end, std::ptrdiff_t room_below);
     bool consistent(Index node, int depth) const;
 

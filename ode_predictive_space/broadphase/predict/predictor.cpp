@@ -320,6 +320,15 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     record.tests = record.useless = 0;
 }
 
+// The object is where its path begins, without a new prediction.
+void Predictor::start_again(ProxyRecord &record, const TightBox &envelope, Float4 centre, Tick now)
+{
+    note_farthest(envelope);
+    centre.store_three(record.position);
+    record.since = now;
+    record.tests = record.useless = 0;
+}
+
 // An object that leaps again is not observed: its next envelope is the tight box with some slack. A body is observed when the velocity
 // that was seen last explains its displacement, and sometimes in any case, as it may have another velocity by now.
 bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
@@ -341,15 +350,37 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
         (record.has_body && seconds_of_travel(displacement, load_three(record.velocity)) > 0))
         return false;
     place.set_envelope(envelope);
-    note_farthest(envelope);
-    centre.store_three(record.position);
-    record.since = now;
-    record.tests = record.useless = 0;
+    start_again(record, envelope, centre, now);
+    return true;
+}
+
+// An object that has leapt for once is taken to go on as before: its envelope leaps with it. So does that of one which, with most of
+// the scene, has gone elsewhere than its velocity tells: a scene is set back, or gets another origin.
+bool Predictor::takes_envelope_along(ProxyStore &proxies, ProxyId id, Tick now, bool with_most)
+{
+    ProxyRecord &record = proxies.records[id];
+    const auto ticks = ticks_between(record.since, now);
+    if (record.reach == 0 || !record.predicted || ticks < tuning::ticks_between_leaps)
+        return false;
+    Place &place = proxies.places[id];
+    const TightBox tight = place.tight_lanes(), before = place.envelope_lanes();
+    const Float4 centre = Float4::all(0.5f) * tight.low + Float4::all(0.5f) * tight.high,
+                 displacement = centre - load_three(record.position);
+    const float leap = with_most ? 0 : static_cast<float>(ticks) * tuning::leap * record.size;
+    if (place.holds() || !(dot(displacement, displacement) > leap * leap) ||
+        seconds_of_travel(displacement, load_three(record.velocity)) > 0)
+        return false;
+    const TightBox envelope{before.low + displacement, before.high + displacement};
+    place.set_envelope(envelope);
+    if (!place.holds() || !place.has_end())
+        return false;
+    start_again(record, envelope, centre, now);
     return true;
 }
 
 void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now)
 {
+    const bool with_most = tuning::part_of_bulk * batch.size() > proxies.count();
     constexpr std::size_t most = tuning::objects_per_call;
     seen_.resize(std::max(seen_.size(), std::min(most, batch.size())));
     for (std::size_t begin = 0; begin < batch.size(); begin += most)
@@ -360,7 +391,7 @@ void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<Pro
             prefetch(&proxies.records[some[i]]);
         ProxyId *end = ids_.data();
         for (std::size_t i = 0; i < count; ++i)
-            if (!leaps_again(proxies, some[i], now))
+            if (!leaps_again(proxies, some[i], now) && !takes_envelope_along(proxies, some[i], now, with_most))
                 *end++ = some[i];
         const auto left = static_cast<std::size_t>(end - ids_.data());
         scene.observe(ids_.data(), left, seen_.data());
