@@ -61,21 +61,49 @@ void EnvelopeIndex::prepare(ProxyStore &proxies)
 {
     if (!is_stale_)
         return;
-    list_.clear();
+    if (!refit(proxies))
+        build(proxies);
+    is_stale_ = false;
+}
+
+// Each box is replaced where it is.
+//
+// @return false when not all of them have a place, or the tree has become much worse.
+bool EnvelopeIndex::refit(ProxyStore &proxies)
+{
+    bool are_all_there = true;
     boxes_.clear();
-    bool are_same = true;
     proxies.members().for_each([&](ProxyId id) {
         const SweptProxy swept{id, proxies.places[id].envelope()};
-        const Shelf wanted = shelf_for(swept.box);
-        are_same &= std::exchange(proxies.records[id].shelf, wanted) == wanted;
-        if (wanted == Shelf::list)
+        const Shelf shelf = proxies.records[id].shelf;
+        are_all_there &= shelf == shelf_for(swept.box);
+        if (shelf == Shelf::tree)
+            boxes_.push_back(swept);
+    });
+    if (!are_all_there || !tree_.refit(boxes_))
+        return false;
+    proxies.members().for_each([&](ProxyId id) {
+        if (proxies.records[id].shelf == Shelf::list)
+            list_.put({id, proxies.places[id].envelope()});
+    });
+    return true;
+}
+
+void EnvelopeIndex::build(ProxyStore &proxies)
+{
+    clear(proxies); // no object has a shelf until memory for all was found
+    is_stale_ = true;
+    boxes_.clear();
+    proxies.members().for_each([&](ProxyId id) {
+        const SweptProxy swept{id, proxies.places[id].envelope()};
+        if (shelf_for(swept.box) == Shelf::list)
             list_.add(swept);
         else
             boxes_.push_back(swept);
     });
-    if (!are_same || !tree_.refit(boxes_))
-        tree_.build(boxes_);
-    is_stale_ = false;
+    tree_.build(boxes_);
+    proxies.members().for_each(
+        [&](ProxyId id) { proxies.records[id].shelf = shelf_for(proxies.places[id].envelope()); });
 }
 
 void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)

@@ -28,7 +28,7 @@ public:
     /// The objects have new envelopes. When they are many, the index is out of date until prepare().
     void put(ProxyStore &proxies, const Batch &batch);
 
-    /// Builds the index, unless it is up to date.
+    /// Brings the index up to date.
     void prepare(ProxyStore &proxies);
     /// May walk() be called?
     bool is_prepared() const { return !is_stale_; }
@@ -52,6 +52,8 @@ public:
 private:
     bool is_bulk(const ProxyStore &proxies, std::size_t batch) const;
     void put(ProxyStore &proxies, ProxyId id);
+    bool refit(ProxyStore &proxies);
+    void build(ProxyStore &proxies);
     Shelf shelf_for(const FloatBox &envelope) const;
     void look_up(const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs);
     void find_in_tree(const SweptProxy *some, std::size_t count, const Batch &batch, const IdSet &idle,

@@ -354,23 +354,21 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
     return true;
 }
 
-// An object that has leapt for once is taken to go on as before: its envelope leaps with it. So does that of one which, with most of
-// the scene, has gone elsewhere than its velocity tells: a scene is set back, or gets another origin.
+// An object that has leapt for once is taken to go on as before: its envelope leaps with it. Where most of the scene leaves its
+// envelopes at once, to be farther from the path than the object's size is a leap: a scene is set back, or gets another origin.
 bool Predictor::takes_envelope_along(ProxyStore &proxies, ProxyId id, Tick now, bool with_most)
 {
     ProxyRecord &record = proxies.records[id];
-    const auto ticks = ticks_between(record.since, now);
-    if (record.reach == 0 || !record.predicted || ticks < tuning::ticks_between_leaps)
-        return false;
     Place &place = proxies.places[id];
     const TightBox tight = place.tight_lanes(), before = place.envelope_lanes();
-    const Float4 centre = Float4::all(0.5f) * tight.low + Float4::all(0.5f) * tight.high,
-                 displacement = centre - load_three(record.position);
-    const float leap = with_most ? 0 : static_cast<float>(ticks) * tuning::leap * record.size;
-    if (place.holds() || !(dot(displacement, displacement) > leap * leap) ||
-        seconds_of_travel(displacement, load_three(record.velocity)) > 0)
+    const bool may_leap_again = ticks_between(record.since, now) < tuning::ticks_between_leaps;
+    if (record.reach == 0 || !record.predicted || may_leap_again || place.holds() || !is_finite(tight))
         return false;
-    const TightBox envelope{before.low + displacement, before.high + displacement};
+    const Float4 centre = Float4::all(0.5f) * tight.low + Float4::all(0.5f) * tight.high;
+    const Outcome outcome = judge(record, centre, now);
+    if (!(outcome.error > (with_most ? 1 : outcome.ticks) * tuning::leap * record.size))
+        return false;
+    const TightBox envelope{before.low + outcome.displacement, before.high + outcome.displacement};
     place.set_envelope(envelope);
     if (!place.holds() || !place.has_end())
         return false;
@@ -380,7 +378,7 @@ bool Predictor::takes_envelope_along(ProxyStore &proxies, ProxyId id, Tick now, 
 
 void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now)
 {
-    const bool with_most = tuning::part_of_bulk * batch.size() > proxies.count();
+    const bool with_most = batch.size() > tuning::few_objects && tuning::part_of_bulk * batch.size() > proxies.count();
     constexpr std::size_t most = tuning::objects_per_call;
     seen_.resize(std::max(seen_.size(), std::min(most, batch.size())));
     for (std::size_t begin = 0; begin < batch.size(); begin += most)
