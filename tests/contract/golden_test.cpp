@@ -219,12 +219,12 @@ std::ostream &operator<<(std::ostream &out, const Scene &scene)
 // Replaced only with a reason in the message of the commit: programs that record runs rely on them.
 constexpr Scene scenes[] = {
     {"few", 80, dPredictiveProximityBox, fly, 10908338423621665991u, 10908338423621665991u},
-    {"calm", 400, dPredictiveProximityBox, fly, 12559269557928611277u, 1767754786325127193u},
-    {"resting", 400, dPredictiveProximityBox, fly_and_rest, 12401068039896463567u, 15640868216778507827u},
-    {"teleports", 400, dPredictiveProximityBox, teleport, 1897514572925529704u, 13742886541259544612u},
-    {"churn", 300, dPredictiveProximityBox, come_and_go, 2342522038066119600u, 9310613444816265680u},
-    {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 14542995060712969735u, 13064261639271928691u},
-    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 13030771662351278551u, 18082462671848864595u},
+    {"calm", 400, dPredictiveProximityBox, fly, 12559269557928611277u, 12559269557928611277u},
+    {"resting", 400, dPredictiveProximityBox, fly_and_rest, 12401068039896463567u, 12401068039896463567u},
+    {"teleports", 400, dPredictiveProximityBox, teleport, 1897514572925529704u, 6813506356648766680u},
+    {"churn", 300, dPredictiveProximityBox, come_and_go, 2342522038066119600u, 2342522038066119600u},
+    {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 14542995060712969735u, 14542995060712969735u},
+    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 13030771662351278551u, 13030771662351278551u},
 };
 
 class GoldenScene : public OdeTest, public testing::WithParamInterface<Scene>
