@@ -150,7 +150,7 @@ bool take_hull(const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
     if (!hull)
         return false;
     shape.hull = hull;
-    shape.slack_beside_own = 2 * coplanar / hull->least_normal;
+    shape.slack_beside_own = quotient(2 * coplanar, hull->least_normal);
     shape.sliver_factor = sliver_factor_of(*hull);
     shape.kind = ShapeKind::hull;
     shape.half_sides = hull->half_sides();

@@ -119,7 +119,8 @@ void take_triangles(const TriangleArrays &mesh, DataHull &hull)
         hull.least_normal = std::min(hull.least_normal, normal);
         if (!one.isZero(0) && !other.isZero(0) && one != other)
             hull.aspect = std::max(
-                hull.aspect, std::max({one.squaredNorm(), other.squaredNorm(), (one - other).squaredNorm()}) / normal);
+                hull.aspect,
+                quotient(std::max({one.squaredNorm(), other.squaredNorm(), (one - other).squaredNorm()}), normal));
     }
 }
 

@@ -19,6 +19,12 @@ namespace ode_predictive_space
 /// Beyond this, squares of lengths may overflow.
 constexpr double largest_length = 1e100;
 
+/// Of lengths; by nothing, infinite: a program may trap divisions by zero.
+inline double quotient(double one, double other)
+{
+    return other > 0 ? one / other : std::numeric_limits<double>::infinity();
+}
+
 /// Where a geom's data are and how many: pointers, counts and scales.
 using DataKey = std::array<std::uint64_t, 9>;
 

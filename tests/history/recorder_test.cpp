@@ -1,6 +1,8 @@
 // What is recorded comes back, to the bit.
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -20,6 +22,7 @@
 #include "tests/faults/allocation_faults.h"
 #include "tests/history/recorded.h"
 #include "tests/history/scratch_recording.h"
+#include "tests/support/effort.h"
 
 namespace ode_predictive_space::history
 {
@@ -564,6 +567,27 @@ TEST_F(RecorderTest, WhatCannotBeRecordedIsRefused)
     EXPECT_EQ(result, 0);
     dSpaceDestroy(space);
     dSpaceDestroy(hash);
+}
+
+// An object of another class, at the address of a geom that is gone, and of which nobody was told that it is.
+TEST_F(RecorderTest, ASpaceMayStandWhereAProbeWas)
+{
+    // All are of one size, so that memory is used again at once.
+    dSetAllocHandler([](dsizeint size) { return std::malloc(std::max<dsizeint>(size, 1000)); });
+    const dSpaceID outer = dSimpleSpaceCreate(nullptr);
+    dCreateSphere(outer, 1);
+    const dGeomID probe = dCreateSphere(nullptr, 1);
+    Recorded recorded;
+    recorded.ask(probe, reinterpret_cast<dGeomID>(outer));
+    dGeomDestroy(probe);
+    const dSpaceID inner = dSimpleSpaceCreate(nullptr);
+    EXPECT_TRUE(is_sanitized || reinterpret_cast<dGeomID>(inner) == probe);
+    const dGeomID ball = dCreateSphere(inner, 1);
+    EXPECT_EQ(recorded.ask(ball, reinterpret_cast<dGeomID>(outer)), 1);
+    expect_pairs_agree(recorded.end());
+    dSpaceDestroy(inner);
+    dSpaceDestroy(outer);
+    dSetAllocHandler(nullptr);
 }
 } // namespace
 } // namespace ode_predictive_space::history

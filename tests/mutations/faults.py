@@ -248,6 +248,9 @@ def proximity_faults():
     never_late = (("prediction", "NeverLate.*:TimeOfProximity.*"),)
     yield Fault("late_root", "proximity", proximity, "overlap.enter * (1 - rounding_per_size)", "overlap.enter * 1.001", never_late)
     yield Fault(
+        "what_has_no_position_rests", "proximity", SOURCES + "prediction/track.cpp", "    if (!pose.is_rigid)\n        history_ = {};\n", "",
+        (("times", "Times.*"),))
+    yield Fault(
         "chord_error_left_out", "proximity", proximity, "deviation.a + 0.125 * duration * duration *",
         "deviation.a + 0 * duration * duration *", never_late)
     yield Fault(
@@ -295,6 +298,9 @@ def near_faults():
     yield Fault(
         "times_beyond_the_second_forecast", "near", tick, "std::min(first.ticks, second.ticks);\n    const double duration",
         "first.ticks;\n    const double duration", (("broadphase", "Broadphase.Times*"),))
+    yield Fault(
+        "times_of_contact_beyond_the_second_forecast", "near", tick, "std::min(first.ticks, second.ticks));\n    };", "first.ticks);\n    };",
+        (("times", "Times.*"),))
     yield Fault("gone_awaits_its_pairs", "near", tick, "    pairing_.waiting.erase(id);\n", "", (("broadphase", "*AnyWorld*"),))
     yield Fault(
         "rests_while_one_moves", "near", near, "moved(pair.first) || moved(pair.second);", "moved(pair.first) && moved(pair.second);", sets)
@@ -335,6 +341,12 @@ def shape_faults():
     proximity = (("shape_contract", "ShapeProximity.*"),)
     contacts = (("shape_contract", "ShapeContacts.AreThose*"),)
     hull_data = (("shape_contract", "HullData.*"),)
+    yield Fault(
+        "shapes_kept_when_all_is_forgotten", "shapes", BROADPHASE + "broadphase.cpp",
+        "    if (shapes_.in_use())\n        shapes_.start(proxies_.size());\n    proxies_.members()", "    proxies_.members()", proximity)
+    yield Fault(
+        "vertices_taken_for_packed", "shapes", SOURCES + "surface/triangle_arrays.h", "(vertices, vertex_stride, index)",
+        "(vertices, 3 * sizeof(Real), index)", contacts)
     yield Fault(
         "dropped_margin", "shapes", test, "touching_distance(first, second, margin_)", "touching_distance(first, second, 0)",
         proximity)
@@ -615,6 +627,9 @@ def history_faults():
     file = SOURCES + "history/history_file.cpp"
     recorded = (("recordings", "RecorderTest.*"),)
     read = (("recordings", "Recording.*"),)
+    yield Fault(
+        "another_class_at_the_address_known", "history", recorder,
+        "return known != geoms_.end() && known->second.state.geom_class == geom->type;", "return known != geoms_.end();", recorded)
     yield Fault(
         "recorded_from_the_first_to_the_last", "history", recorder,
         "for (auto geom = members.rbegin(); geom != members.rend(); ++geom)",

@@ -93,6 +93,10 @@ void ConvexArrays::change(const Polyhedron &polyhedron)
     std::copy(changed.planes_.begin(), changed.planes_.end(), planes_.begin());
 }
 
+// Programs keep normals and other things between the corners: nobody may take arrays for packed.
+constexpr std::size_t per_vertex = 5, per_triangle = 4;
+constexpr int unused = 77;
+
 MeshArrays::MeshArrays(const Polyhedron &polyhedron, bool single) : single_(single)
 {
     build(polyhedron);
@@ -120,18 +124,19 @@ void MeshArrays::build(const Polyhedron &polyhedron)
 {
     triangles_.clear();
     for (const Eigen::Vector3d &corner : polyhedron.corners)
-        vertices_.insert(vertices_.end(), corner.data(), corner.data() + 3);
+        vertices_.insert(vertices_.end(), {corner[0], corner[1], corner[2], unused, unused});
     single_vertices_.assign(vertices_.begin(), vertices_.end());
     for (const std::vector<unsigned> &face : polyhedron.faces)
         for (std::size_t i = 2; i < face.size(); ++i)
-            triangles_.insert(triangles_.end(), {face[0], face[i - 1], face[i]});
-    const int count = static_cast<int>(polyhedron.corners.size()), indices = static_cast<int>(triangles_.size());
+            triangles_.insert(triangles_.end(), {face[0], face[i - 1], face[i], unused});
+    const int count = static_cast<int>(polyhedron.corners.size()),
+              indices = static_cast<int>(triangles_.size() / per_triangle * 3);
     if (single_)
-        dGeomTriMeshDataBuildSingle(id_, single_vertices_.data(), 3 * sizeof(float), count, triangles_.data(), indices,
-                                    3 * sizeof(dTriIndex));
+        dGeomTriMeshDataBuildSingle(id_, single_vertices_.data(), per_vertex * sizeof(float), count, triangles_.data(),
+                                    indices, per_triangle * sizeof(dTriIndex));
     else
-        dGeomTriMeshDataBuildDouble(id_, vertices_.data(), 3 * sizeof(double), count, triangles_.data(), indices,
-                                    3 * sizeof(dTriIndex));
+        dGeomTriMeshDataBuildDouble(id_, vertices_.data(), per_vertex * sizeof(double), count, triangles_.data(),
+                                    indices, per_triangle * sizeof(dTriIndex));
 }
 
 void MeshArrays::build_face_angles()
@@ -142,7 +147,8 @@ void MeshArrays::build_face_angles()
 void MeshArrays::move_corners(const Eigen::Vector3d &by)
 {
     for (std::size_t i = 0; i < vertices_.size(); ++i)
-        single_vertices_[i] = static_cast<float>(vertices_[i] += by[static_cast<Eigen::Index>(i % 3)]);
+        if (const std::size_t axis = i % per_vertex; axis < 3)
+            single_vertices_[i] = static_cast<float>(vertices_[i] += by[static_cast<Eigen::Index>(axis)]);
     dGeomTriMeshDataUpdate(id_);
 }
 } // namespace ode_predictive_space

@@ -41,6 +41,13 @@ protected:
         return count;
     }
 
+    unsigned long bytes() const
+    {
+        dPredictiveSpaceStats stats;
+        dPredictiveSpaceGetStats(space, &stats);
+        return stats.bytes;
+    }
+
     dPredictiveSpaceCounters counters() const
     {
         dPredictiveSpaceCounters counters;
@@ -260,6 +267,23 @@ TEST_F(ShapeProximity, TheTimeOfContactIsNeverLateAndNotMuchTooEarly)
         EXPECT_GE(ticks, REAL(0.7) * until_contact - 5) << place << ": the boxes meet at 2";
     }
     EXPECT_GT(foretold, 30);
+}
+
+TEST_F(ShapeProximity, GivesTheMemoryOfShapesBack)
+{
+    std::vector<dGeomID> boxes;
+    for (int i = 0; i < 3000; ++i)
+    {
+        boxes.push_back(dCreateBox(space, 1, 1, 1));
+        dGeomSetPosition(boxes.back(), REAL(0.9) * static_cast<dReal>(i % 60), REAL(0.9) * static_cast<dReal>(i / 60),
+                         0);
+    }
+    pairs();
+    const unsigned long before = bytes();
+    for (; boxes.size() > 5; boxes.pop_back())
+        dGeomDestroy(boxes.back());
+    pairs();
+    EXPECT_LT(bytes(), before / 20);
 }
 
 TEST_F(ShapeProximity, NoticesThatAGeomGrows)

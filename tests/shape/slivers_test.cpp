@@ -140,5 +140,21 @@ TEST_F(ShapeSlivers, TouchNoThinBoxWithoutACallbackAtAnyNanometre)
     EXPECT_GT(contacts_, 0);
     EXPECT_GT(left_out_, 0);
 }
+
+// Corners on one line, or in one place: what is divided by the height of a triangle has no end, and no trap is sprung.
+TEST_F(ShapeSlivers, OfNoHeightAreJudgedByTheirBoxes)
+{
+    Polyhedron flat;
+    flat.corners = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 1, 0}};
+    flat.faces = {{0, 1, 2}, {0, 3, 4}, {0, 1, 3}};
+    const MeshArrays arrays(flat);
+    const dGeomID mesh = dCreateTriMesh(space_, arrays.id(), nullptr, nullptr, nullptr);
+    put(box_, {1.5, 0.9, 0}); // in the bounding box, above no triangle
+    for (int i = 0; i < 20; ++i)
+        put(dCreateSphere(space_, REAL(0.01)), Vector3d(10, i, 0));
+    for (int tick = 0; tick < 3; ++tick)
+        EXPECT_EQ(collide(space_).size(), 1u);
+    dGeomDestroy(mesh);
+}
 } // namespace
 } // namespace ode_predictive_space

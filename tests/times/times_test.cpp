@@ -243,5 +243,46 @@ TEST_F(Times, AreTheSameWhetherAskedBeforeOrAfterTheCollide)
     }
     EXPECT_GT(known, 190);
 }
+
+// They have no position whose motion could be known.
+TEST_F(Times, OfPlanesAndSpacesThatMoveAreNotKnown)
+{
+    fill(20);
+    const dGeomID ball = scene.sphere(0.1, 0, 0, 0), plane = dCreatePlane(space, 0, 0, 1, -5);
+    const dSpaceID inner = dSimpleSpaceCreate(space);
+    const dGeomID member = dCreateSphere(inner, REAL(0.1));
+    for (int tick = 0; tick < 40; ++tick)
+    {
+        const dReal way = REAL(0.1) * static_cast<dReal>(tick);
+        dGeomPlaneSetParams(plane, 0, 0, 1, way - 5);
+        dGeomSetPosition(member, 5 - way, 0, 0);
+        collide(space);
+        EXPECT_EQ(ask(ball, plane), not_known) << tick;
+        EXPECT_EQ(ask(ball, as_geom(inner)), not_known) << tick;
+    }
+}
+
+// By shape, too, and the still box is known for longer than the ball.
+TEST_F(Times, DoNotDependOnWhoIsAskedAboutFirst)
+{
+    for (const int proximity : {dPredictiveProximityBox, dPredictiveProximitySphere, dPredictiveProximityShape})
+    {
+        dPredictiveSpaceSetProximity(space, proximity);
+        const dGeomID box = scene.box(10, 0, 0, 0), ball = scene.sphere(0.1, 8, 8, 0);
+        dMatrix3 turned;
+        dRFromAxisAndAngle(turned, 0, 0, 1, REAL(M_PI_4));
+        dGeomSetRotation(box, turned);
+        fill(20);
+        for (int tick = 0; tick < 20; ++tick)
+        {
+            const dReal place = 8 - REAL(0.02) * static_cast<dReal>(tick);
+            dGeomSetPosition(ball, place, place, 0);
+            collide(space);
+            EXPECT_EQ(ask(box, ball), ask(ball, box)) << proximity << " " << tick;
+        }
+        dGeomDestroy(box);
+        dGeomDestroy(ball);
+    }
+}
 } // namespace
 } // namespace ode_predictive_space

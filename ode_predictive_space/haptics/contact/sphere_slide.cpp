@@ -317,8 +317,8 @@ void SphereSlide::refine_target(const Task &task, const std::vector<SlidePlace> 
 Vector3 SphereSlide::target_of(std::size_t place, const Task &task, const std::vector<SlidePlace> &places)
 {
     const Vector3 way = task.goal - task.start;
-    const double part = std::min(1.0, squeezed * task.radius / way.norm());
-    const Vector3 goal = part < 1 ? Vector3(task.start + part * way) : task.goal;
+    const double length = way.norm(), most = squeezed * task.radius;
+    const Vector3 goal = length > most ? Vector3(task.start + most / length * way) : task.goal;
     constraints_.clear();
     for (const SlidePlane &plane : planes_)
     {
