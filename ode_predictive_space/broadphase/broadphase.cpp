@@ -86,7 +86,7 @@ void Broadphase::look(Scene &scene)
         if (holds && !is_requested)
             return near_.disturb(id);
         if (is_requested)
-            place.forget_envelope(); // even when it leaps, it does not keep that
+            place.forget_envelope(); // it gets a new one even if it leaps
         near_.retire(id);
         batch_.add(id);
     });

@@ -88,7 +88,8 @@ constexpr std::size_t small_scene = 192;
 /// A batch of more than this part of the scene, one over the number, is swept with all others. (heap 500)
 constexpr std::size_t part_of_bulk = 3;
 
-/// The boxes of a tree may have grown so many times, in sum, when all leaves have got other boxes in place. (recentre, reset)
+/// A tree whose leaves got new boxes in place is kept if the areas of the boxes above them have grown by no more than this factor.
+/// (another origin; 100 robots that are set back)
 constexpr float worse_by_refitting = 1.5f;
 
 /// Queries that go down a tree together: no query waits for another's nodes. (gas 10,000; 32 cost gas 100,000 a sixth)

@@ -19,7 +19,7 @@ namespace ode_predictive_space
 /// Beyond this, squares of lengths may overflow.
 constexpr double largest_length = 1e100;
 
-/// Of lengths; by nothing, infinite: a program may trap divisions by zero.
+/// Divides two lengths. The result is infinite when the second is 0; the division is then left out, as programs may trap it.
 inline double quotient(double one, double other)
 {
     return other > 0 ? one / other : std::numeric_limits<double>::infinity();

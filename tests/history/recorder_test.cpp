@@ -569,7 +569,7 @@ TEST_F(RecorderTest, WhatCannotBeRecordedIsRefused)
     dSpaceDestroy(hash);
 }
 
-// An object of another class, at the address of a geom that is gone, and of which nobody was told that it is.
+// ODE does not tell when a geom outside of all spaces is destroyed. An object of another class may get its address.
 TEST_F(RecorderTest, ASpaceMayStandWhereAProbeWas)
 {
     // All are of one size, so that memory is used again at once.

@@ -224,7 +224,9 @@ def index_faults():
         "pairs_within_the_batch_left_out", "index", index, "if (boxes_.size() > 1)\n        sort_and_sweep_",
         "if (boxes_.empty())\n        sort_and_sweep_", indices)
     yield Fault("missed_removal_from_a_tree", "index", index, "tree_.remove(id);", "", indices)
-    yield Fault("stale_box_in_the_list", "index", index, "list_.put(swept);", "if (shelf != wanted)\n            list_.put(swept);", indices)
+    yield Fault(
+        "stale_box_in_the_list", "index", index, "list_.put(swept);\n    else", "{\n        if (shelf != wanted)\n            list_.put(swept);\n    }\n    else",
+        indices)
     yield Fault(
         "bulk_drops_pairs_with_others", "index", index,
         "!batch.contains(pair.first) && !batch", "!batch.contains(pair.first) || !batch", indices)

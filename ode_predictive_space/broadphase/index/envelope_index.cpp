@@ -79,14 +79,10 @@ bool EnvelopeIndex::refit(ProxyStore &proxies)
         are_all_there &= shelf == shelf_for(swept.box);
         if (shelf == Shelf::tree)
             boxes_.push_back(swept);
+        else if (shelf == Shelf::list)
+            list_.put(swept);
     });
-    if (!are_all_there || !tree_.refit(boxes_))
-        return false;
-    proxies.members().for_each([&](ProxyId id) {
-        if (proxies.records[id].shelf == Shelf::list)
-            list_.put({id, proxies.places[id].envelope()});
-    });
-    return true;
+    return are_all_there && tree_.refit(boxes_);
 }
 
 void EnvelopeIndex::build(ProxyStore &proxies)

@@ -354,15 +354,15 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
     return true;
 }
 
-// An object that has leapt for once is taken to go on as before: its envelope leaps with it. Where most of the scene leaves its
-// envelopes at once, to be farther from the path than the object's size is a leap: a scene is set back, or gets another origin.
+// An object that leaps once probably goes on as before, so its envelope leaps with it. When most of the scene leaves its envelopes at
+// once, the scene was set back or got another origin: then an object has leapt if it is off its path by more than its size.
 bool Predictor::takes_envelope_along(ProxyStore &proxies, ProxyId id, Tick now, bool with_most)
 {
     ProxyRecord &record = proxies.records[id];
     Place &place = proxies.places[id];
     const TightBox tight = place.tight_lanes(), before = place.envelope_lanes();
     const bool may_leap_again = ticks_between(record.since, now) < tuning::ticks_between_leaps;
-    if (record.reach == 0 || !record.predicted || may_leap_again || place.holds() || !is_finite(tight))
+    if (record.reach == 0 || !record.predicted || may_leap_again || !is_finite(tight))
         return false;
     const Float4 centre = Float4::all(0.5f) * tight.low + Float4::all(0.5f) * tight.high;
     const Outcome outcome = judge(record, centre, now);
