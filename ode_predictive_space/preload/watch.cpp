@@ -179,14 +179,14 @@ void Watch::on_pair(void *data, dGeomID first, dGeomID second)
     ++call.reported;
     if (call.comparison)
         call.comparison->note(first, second);
+    if (call.event)
+        call.event->note(first, second);
     if (call.keep)
     {
         call.kept.emplace_back(first, second);
         return;
     }
     const double start = now();
-    if (call.event)
-        call.event->note(first, second);
     call.callback(call.data, first, second);
     call.in_callbacks += now() - start;
 }

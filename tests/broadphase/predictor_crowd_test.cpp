@@ -155,6 +155,14 @@ public:
     World world;
 };
 
+// The balls' velocities are those of the first tick on; how long a step is has to be guessed.
+TEST(Predictor, FewObjectsLeaveTheirFirstEnvelopesAtOnce)
+{
+    Cloud cloud;
+    EXPECT_EQ(cloud.predictions_in(1), Cloud::objects);
+    EXPECT_EQ(cloud.predictions_in(5), 0u);
+}
+
 TEST(Predictor, ASceneThatGetsAnotherOriginGoesOnAsBefore)
 {
     Cloud cloud;

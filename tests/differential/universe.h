@@ -51,6 +51,7 @@ public:
     const char *kind_name(int geom) const { return geom_kind_name(geoms_[static_cast<std::size_t>(geom)].kind); }
 
     std::size_t geom_count() const;
+    dSpaceID outermost() const { return spaces_.front().id; }
 
 private:
     struct Drive

@@ -65,6 +65,9 @@ private:
     ScratchRecording file_;
     std::unique_ptr<Recorder> recorder_;
 };
+
+/// Spaces of all kinds find the pairs in it that the recorded program got, those of simple spaces. Collides that an exception ended have none.
+void expect_pairs_agree(const Recording &recording);
 } // namespace ode_predictive_space::history
 
 #endif

@@ -73,25 +73,6 @@ void expect_same(dGeomID before, dGeomID now)
     EXPECT_EQ(std::memcmp(box_before, box_now, sizeof box_now), 0);
 }
 
-void expect_pairs_agree(const Recording &recording)
-{
-    const replay::Pairs simple = find_pairs(recording, SpaceKind::simple);
-    ASSERT_EQ(simple.failure, "");
-    ASSERT_EQ(simple.events.size(), recording.events().size());
-    for (const SpaceKind kind : replay::all_kinds)
-    {
-        const replay::Verdict verdict = compare(recording, kind, find_pairs(recording, kind), simple);
-        EXPECT_TRUE(verdict.agrees) << name_of(kind) << ": " << verdict.text;
-    }
-    for (std::size_t i = 0; i < simple.events.size(); ++i)
-    {
-        const EventSummary &event = recording.events()[i];
-        ASSERT_TRUE(event.has_pairs);
-        EXPECT_EQ(event.pairs, simple.events[i].count) << "event " << i;
-        EXPECT_EQ(event.hash, simple.events[i].hash) << "event " << i;
-    }
-}
-
 struct Tetrahedron
 {
     dReal planes[16] = {0, 0, -1, 0.5f, 0, -1, 0, 0.5f, -1, 0, 0, 0.5f, 0.577350269f, 0.577350269f, 0.577350269f, 0.5f};

@@ -49,6 +49,14 @@ TEST(Record, AProgramGoesTheSameWayAndItsRecordingHasItsPairs)
     }
 }
 
+TEST(Record, HasThePairsOfAProgramThatIsTracedToo)
+{
+    const RecordingFolder folder, traced;
+    EXPECT_EQ(launch("--trace " + traced.file() + " --record " + folder.file() + " " LINKED).status, 0);
+    const Outcome replayed = run(REPLAYER, "--times " + folder.file());
+    EXPECT_TRUE(contains(replayed.output, "in all of its")) << replayed.output;
+}
+
 TEST(Record, EndsAtItsLimit)
 {
     const RecordingFolder folder;

@@ -259,18 +259,26 @@ TEST_F(HullData, ChangedInPlaceIsNoticedInTheBoxesToo)
 
 TEST_F(HullData, ChangedInPlaceIsNoticedByTheSpacesAround)
 {
-    const dSpaceID outer = dPredictiveSpaceCreate(nullptr), inner = dPredictiveSpaceCreate(outer);
-    ConvexArrays arrays(octahedron);
-    const dGeomID convex = arrays.create(inner);
-    dGeomSetPosition(convex, 5, 0, 0);
-    dCreateBox(outer, 1, 1, 1);
-    for (int i = 0; i < 70; ++i)
-        EXPECT_EQ(collide(outer).size(), 0u);
-    arrays.move_points({-5, 0, 0});
-    dPredictiveSpaceGeomChanged(inner, convex);
-    EXPECT_EQ(collide(outer).size(), 1u);
-    EXPECT_EQ(dPredictiveSpaceValidate(outer), 1);
-    dSpaceDestroy(outer);
+    const auto create = [](bool predictive, dSpaceID parent) {
+        return predictive ? dPredictiveSpaceCreate(parent) : dSimpleSpaceCreate(parent);
+    };
+    for (const bool outer_predicts : {true, false})
+        for (const bool middle_predicts : {true, false})
+        {
+            const dSpaceID outer = create(outer_predicts, nullptr), middle = create(middle_predicts, outer),
+                           inner = dPredictiveSpaceCreate(middle);
+            ConvexArrays arrays(octahedron);
+            const dGeomID convex = arrays.create(inner);
+            dGeomSetPosition(convex, 5, 0, 0);
+            dCreateBox(outer, 1, 1, 1);
+            for (int i = 0; i < 70; ++i)
+                EXPECT_EQ(collide(outer).size(), 0u);
+            arrays.move_points({-5, 0, 0});
+            dPredictiveSpaceGeomChanged(inner, convex);
+            EXPECT_EQ(collide(outer).size(), 1u) << outer_predicts << middle_predicts;
+            EXPECT_TRUE(!outer_predicts || dPredictiveSpaceValidate(outer) == 1);
+            dSpaceDestroy(outer);
+        }
 }
 
 TEST_F(HullData, ChangesAreReportedForGeomsOfTheSpace)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -120,6 +121,12 @@ TEST_F(PredictiveSpace, DeviationsAreFixedAndSetFree)
     dPredictiveSpaceSetDeviation(space, dPredictiveRoleEnvironment, 0, 0, 0);
     EXPECT_EQ(dPredictiveSpaceGetDeviation(space, dPredictiveRoleEnvironment, &a, &b, &c), 0);
     EXPECT_EQ(dPredictiveSpaceGetDeviation(space, dPredictiveRoleInteractive, &a, &b, &c), 1);
+    for (int fixed = 0; fixed < 3; ++fixed)
+    {
+        dPredictiveSpaceSetDeviation(space, dPredictiveRoleEnvironment, fixed == 0, fixed == 1, fixed == 2);
+        EXPECT_EQ(dPredictiveSpaceGetDeviation(space, dPredictiveRoleEnvironment, &a, &b, &c), 1) << fixed;
+        EXPECT_EQ(std::make_tuple(a, b, c), std::make_tuple(dReal(fixed == 0), dReal(fixed == 1), dReal(fixed == 2)));
+    }
 }
 
 TEST_F(PredictiveSpace, HorizonsAreKeptAsSet)

@@ -244,6 +244,40 @@ TEST_F(Times, AreTheSameWhetherAskedBeforeOrAfterTheCollide)
     EXPECT_GT(known, 190);
 }
 
+// A row of questions counts as a tick, but here a tick ends each row.
+TEST_F(Times, CountTicksWhateverIsAskedWithinThem)
+{
+    fill(30);
+    const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 3, 0, 0),
+                  probe = dCreateSphere(nullptr, REAL(0.1));
+    dGeomSetPosition(probe, 0, 0, 50);
+    expect_honest(answers_until_they_meet(one, other, 10, [&](int tick) {
+        const dReal way = REAL(0.01) * static_cast<dReal>(tick);
+        dGeomSetPosition(one, way - REAL(0.005), 0, 0);
+        EXPECT_TRUE(collide2(probe, as_geom(space)).empty());
+        dGeomSetPosition(one, way, 0, 0);
+    }));
+    dGeomDestroy(probe);
+}
+
+// The callback is called for what comes within the margin.
+TEST_F(Times, OfShapesLastUntilTheMargin)
+{
+    dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+    for (const dReal margin : {REAL(0.0), REAL(0.5), REAL(1.0)})
+    {
+        dPredictiveSpaceSetShapeMargin(space, margin);
+        const dGeomID one = scene.sphere(1, 0, 0, 0), other = scene.sphere(1, 5, 5, 5);
+        fill(20);
+        expect_honest(answers_until_they_meet(one, other, 10, [&](int tick) {
+            const dReal place = 5 - REAL(0.02) * static_cast<dReal>(tick);
+            dGeomSetPosition(other, place, place, place);
+        }));
+        dGeomDestroy(one);
+        dGeomDestroy(other);
+    }
+}
+
 // They have no position whose motion could be known.
 TEST_F(Times, OfPlanesAndSpacesThatMoveAreNotKnown)
 {
