@@ -211,7 +211,7 @@ Forecast Broadphase::forecast(Scene &scene, ProxyId id, std::uint64_t collisions
     return predictor_.forecast(scene, proxies_, id, {clock_.now + (clock_.unticked > 0), collisions});
 }
 
-std::optional<double> Broadphase::time_of_proximity(const Forecast &first, const Forecast &second) const
+std::optional<double> Broadphase::time_of_proximity(const Forecast &first, const Forecast &second, bool by_sphere) const
 {
     const double ticks = std::min(first.ticks, second.ticks);
     const double duration = std::isfinite(ticks) ? ticks : 0;
@@ -221,7 +221,7 @@ std::optional<double> Broadphase::time_of_proximity(const Forecast &first, const
     std::optional<double> time = earliest(box_time_of_proximity, first.turning_on(), second.turning_on());
     if (time && first.turning + second.turning > 0)
         time = later(time, earliest(box_time_of_proximity, first.turned_anyhow(), second.turned_anyhow()));
-    if (time && proximity_test_ == ProximityTest::sphere && first.about_centre && second.about_centre)
+    if (time && by_sphere && first.about_centre && second.about_centre)
         time = later(time, earliest(sphere_time_of_proximity, first.envelope, second.envelope));
     return time;
 }

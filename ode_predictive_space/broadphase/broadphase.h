@@ -141,7 +141,9 @@ public:
     Forecast forecast(Scene &scene, ProxyId id, std::uint64_t collisions);
 
     /// When two objects may be near, in ticks from now on; none when they stay apart as long as both forecasts hold.
-    std::optional<double> time_of_proximity(const Forecast &first, const Forecast &second) const;
+    ///
+    /// @param by_sphere they are near when their spheres overlap, too.
+    std::optional<double> time_of_proximity(const Forecast &first, const Forecast &second, bool by_sphere) const;
 
     /// Brings the shapes of objects up to date for time_of_contact(). By the shape test only.
     void follow_shapes(Scene &scene, const IdSet &wanted);

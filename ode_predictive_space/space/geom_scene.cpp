@@ -98,7 +98,7 @@ private:
 
 bool spheres_may_touch(const dxGeom *one, const dxGeom *other)
 {
-    return JudgedSphere(one).may_touch(JudgedSphere(other));
+    return found_by_libccd(one, other) || JudgedSphere(one).may_touch(JudgedSphere(other));
 }
 
 bool is_skewed(const dxGeom *geom)

@@ -26,28 +26,31 @@ constexpr std::uint16_t spheres = group_of(dSphereClass), boxes = group_of(dBoxC
                         planes = group_of(dPlaneClass), convexes = group_of(dConvexClass),
                         meshes = group_of(dTriMeshClass), heightfields = group_of(dHeightfieldClass);
 
-// ODE has libccd find the contacts of cylinders and convexes with capsules, with each other and, in some builds, with more. It
-// finds some between shapes that are apart by a tenth of their size and more.
-std::uint16_t partners_of(int type)
+constexpr std::uint16_t solids = spheres | boxes | capsules | cylinders | convexes | meshes;
+
+std::uint16_t libccd_partners_of(int type)
 {
     switch (type)
     {
     case dSphereClass:
-        return spheres | boxes | capsules | cylinders | planes | meshes | heightfields;
+    case dTriMeshClass:
+        return convexes;
     case dBoxClass:
     case dCapsuleClass:
-        return spheres | boxes | capsules | planes | meshes | heightfields;
+        return cylinders | convexes;
     case dCylinderClass:
-        return spheres | planes | meshes | heightfields;
+        return boxes | capsules | cylinders | convexes;
     case dConvexClass:
-        return planes | heightfields;
-    case dTriMeshClass:
-        return spheres | boxes | capsules | cylinders | planes | meshes | heightfields;
-    case dHeightfieldClass:
-        return spheres | boxes | capsules | cylinders | convexes | meshes;
+        return solids;
     default:
-        return spheres | boxes | capsules | cylinders | convexes | meshes;
+        return 0;
     }
+}
+
+std::uint16_t partners_of(int type)
+{
+    const bool is_solid = group_of(type) & solids;
+    return is_solid ? (solids | planes | heightfields) & ~libccd_partners_of(type) : solids;
 }
 
 // Beside triangles, ODE leaves out directions in which a capsule may be separated, if a product of lengths is below 0.001. Its ends
@@ -217,6 +220,11 @@ bool keeps_form(dxGeom *geom, const ConvexShape &shape)
     }
 }
 } // namespace
+
+bool found_by_libccd(const dxGeom *one, const dxGeom *other)
+{
+    return other->type < dFirstSpaceClass && libccd_partners_of(one->type) & group_of(other->type);
+}
 
 ConvexShape shape_of(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before)
 {

@@ -15,6 +15,10 @@ inline bool has_data(const dxGeom *geom)
     return geom->type == dConvexClass || geom->type == dTriMeshClass || geom->type == dHeightfieldClass;
 }
 
+/// Does ODE have libccd find the contacts of the two? Of cylinders and convexes with capsules, with each other and, in some builds, with more. It
+/// finds some between shapes that are apart by a tenth of their size and more, so that boxes alone tell whether there are any.
+bool found_by_libccd(const dxGeom *one, const dxGeom *other);
+
 /// The shape of a sphere, box, capsule, cylinder, plane, convex, mesh or heightfield that has a size, a finite place and an orthonormal rotation
 /// matrix; unknown otherwise. Two shapes are judged together where ODE's own collider finds no contact between shapes that are
 /// apart by more than a tolerance.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "ode_predictive_space/space/geom_shape.h"
 #include "ode_predictive_space/space/predictive_space.h"
 
 using namespace ode_predictive_space;
@@ -38,7 +39,8 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(const CandidatePair &
         return 0.0;
     if (!first.known() || !second.known())
         return std::nullopt;
-    const std::optional<double> near = broadphase_.time_of_proximity(first, second);
+    const bool by_spheres = by_sphere() && !found_by_libccd(geoms_[pair.first], geoms_[pair.second]);
+    const std::optional<double> near = broadphase_.time_of_proximity(first, second, by_spheres);
     if (!near || !by_shape())
         return near;
     const std::optional<double> contact = broadphase_.time_of_contact(first, second, pair);

@@ -451,8 +451,8 @@ TEST(Broadphase, TimesAreForAsLongAsBothForecastsHold)
     for (double ticks : {10.0, 49.0, 51.0, 1000.0})
     {
         const Forecast brief = forecast(0, 0.1, ticks), lasting = forecast(6, 0, 100);
-        const std::optional<double> time = broadphase.time_of_proximity(brief, lasting);
-        EXPECT_EQ(time, broadphase.time_of_proximity(lasting, brief));
+        const std::optional<double> time = broadphase.time_of_proximity(brief, lasting, false);
+        EXPECT_EQ(time, broadphase.time_of_proximity(lasting, brief, false));
         EXPECT_EQ(time.has_value(), ticks > 50) << ticks;
         EXPECT_NEAR(time.value_or(50), 50, 1e-6);
     }

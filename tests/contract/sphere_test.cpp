@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -151,8 +152,21 @@ Answer both(const Answer &one, const Answer &other)
     return one && other ? Answer(true) : std::nullopt;
 }
 
+// ODE has libccd find the contacts, and it finds some between shapes that are apart.
+bool is_found_by_libccd(dGeomID one, dGeomID other)
+{
+    const std::set<int> cylinders = {dBoxClass, dCapsuleClass, dCylinderClass},
+                        solids = {dSphereClass, dBoxClass, dCapsuleClass, dCylinderClass, dConvexClass, dTriMeshClass};
+    const auto is_found = [&](int type, int other) {
+        return (type == dConvexClass && solids.count(other)) || (type == dCylinderClass && cylinders.count(other));
+    };
+    return is_found(dGeomGetClass(one), dGeomGetClass(other)) || is_found(dGeomGetClass(other), dGeomGetClass(one));
+}
+
 Answer by_definition(dGeomID one, dGeomID other)
 {
+    if (is_found_by_libccd(one, other))
+        return true;
     return both(balls_touch(ball_of(one), ball_of(other)), both(line_meets(one, other), line_meets(other, one)));
 }
 

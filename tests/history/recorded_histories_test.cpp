@@ -16,6 +16,8 @@ namespace ode_predictive_space::history
 {
 namespace
 {
+using replay::SpaceKind;
+
 void apply(const Operation &operation, Universe &universe)
 {
     switch (operation.action)
@@ -40,19 +42,26 @@ void apply(const Operation &operation, Universe &universe)
     }
 }
 
+// What the test of a user class says is not recorded. ODE's sweep-and-prune and quadtree spaces have infinite boxes within others, and a
+// replay in simple spaces has none of them.
+Operation recordable(Operation operation)
+{
+    if (operation.action == Action::make_geom && operation.number == static_cast<int>(GeomKind::user))
+        operation.number = static_cast<int>(GeomKind::box);
+    const auto kind = static_cast<NestedKind>(operation.number % 16);
+    if (operation.action == Action::make_space && (kind == NestedKind::sweep_and_prune || kind == NestedKind::quadtree))
+        operation.number += static_cast<int>(NestedKind::hash) - static_cast<int>(kind);
+    return operation;
+}
+
 Recording recorded(const ode_predictive_space::History &history)
 {
     const ScratchRecording file;
     {
         Universe universe(ode_predictive_space::SpaceKind::predictive, history);
         EXPECT_EQ(dPredictiveSpaceRecord(universe.outermost(), file.path().c_str(), 0), 1);
-        for (Operation operation : history.operations)
-        {
-            // What the test of a user class says is not recorded.
-            if (operation.action == Action::make_geom && operation.number == static_cast<int>(GeomKind::user))
-                operation.number = static_cast<int>(GeomKind::box);
-            apply(operation, universe);
-        }
+        for (const Operation &operation : history.operations)
+            apply(recordable(operation), universe);
     }
     return Recording::read(file.path());
 }
@@ -66,7 +75,8 @@ TEST_P(RecordedHistories, AreReplayedWithThePairsThatTheSpaceReported)
     {
         const Recording recording = recorded(make_history({GetParam(), 20, 200, true}, seed));
         EXPECT_TRUE(recording.has_end());
-        expect_pairs_agree(recording);
+        // Not in ODE's other spaces, which miss pairs of what is far larger than its neighbours.
+        expect_pairs_agree(recording, {SpaceKind::simple, SpaceKind::box, SpaceKind::sphere, SpaceKind::shape});
         ASSERT_FALSE(HasFailure()) << "seed " << seed;
     }
 }
@@ -112,7 +122,9 @@ TEST_F(RecordedHistory, OfASpaceDeepInANest)
     dSpaceDestroy(outermost);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, RecordedHistories, testing::Values(Flavour::calm, Flavour::wild),
+INSTANTIATE_TEST_SUITE_P(Each, RecordedHistories,
+                         testing::Values(Flavour::calm, Flavour::mixed, Flavour::wild, Flavour::teleport, Flavour::pile,
+                                         Flavour::nests),
                          [](const auto &info) { return flavour_name(info.param); });
 } // namespace
 } // namespace ode_predictive_space::history
