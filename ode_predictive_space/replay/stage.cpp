@@ -378,7 +378,7 @@ void Stage::change_geom(const GeomChange &change)
         place_in_space(geom);
 }
 
-// Body, offset, pose. A new body takes the offset away.
+// Body, offset, pose.
 void Stage::place(const Geom &geom, std::uint16_t fields) const
 {
     const GeomState &state = geom.state;
@@ -387,6 +387,8 @@ void Stage::place(const Geom &geom, std::uint16_t fields) const
         return;
     if (fields & geom_field::body)
     {
+        if (dGeomIsOffset(geom.geom))
+            dGeomClearOffset(geom.geom); // ODE takes it away, too, but not the mark that the pose follows from it
         dGeomSetBody(geom.geom, state.body ? bodies_[state.body - 1] : nullptr);
         fields |= geom_field::offset | geom_field::pose;
     }

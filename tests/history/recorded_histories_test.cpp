@@ -108,6 +108,27 @@ TEST_F(RecordedHistory, OfAGeomThatGoesToAnotherBodyAtTheSameOffset)
     dWorldDestroy(world);
 }
 
+// The replay ended by an assertion of ODE.
+TEST_F(RecordedHistory, OfAGeomThatLeavesItsOffsetWithItsBody)
+{
+    const dWorldID world = dWorldCreate();
+    const dSpaceID space = dHashSpaceCreate(nullptr);
+    const dBodyID bodies[] = {dBodyCreate(world), dBodyCreate(world)};
+    const dGeomID core = dCreateSphere(space, 1), ball = dCreateSphere(space, 1);
+    dGeomSetBody(core, bodies[0]);
+    dGeomSetBody(ball, bodies[0]);
+    dGeomSetOffsetPosition(ball, 3, 0, 0);
+    Recorded recorded;
+    EXPECT_EQ(recorded.collide(space), 0);
+    dGeomClearOffset(ball);
+    dBodySetPosition(bodies[0], 1, 0, 0);
+    dGeomSetBody(ball, bodies[1]);
+    EXPECT_EQ(recorded.collide(space), 1);
+    expect_pairs_agree(recorded.end());
+    dSpaceDestroy(space);
+    dWorldDestroy(world);
+}
+
 TEST_F(RecordedHistory, OfASpaceDeepInANest)
 {
     const ScratchRecording file;
