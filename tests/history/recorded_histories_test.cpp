@@ -71,9 +71,9 @@ class RecordedHistories : public OdeTest, public testing::WithParamInterface<Fla
 
 TEST_P(RecordedHistories, AreReplayedWithThePairsThatTheSpaceReported)
 {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    for (std::uint64_t seed = 1; seed <= 30; ++seed)
     {
-        const Recording recording = recorded(make_history({GetParam(), 20, 200, true}, seed));
+        const Recording recording = recorded(make_history({GetParam(), 20, 150, true}, seed));
         EXPECT_TRUE(recording.has_end());
         // Not in ODE's other spaces, which miss pairs of what is far larger than its neighbours.
         expect_pairs_agree(recording, {SpaceKind::simple, SpaceKind::box, SpaceKind::sphere, SpaceKind::shape});
@@ -108,27 +108,6 @@ TEST_F(RecordedHistory, OfAGeomThatGoesToAnotherBodyAtTheSameOffset)
     dWorldDestroy(world);
 }
 
-// The replay ended by an assertion of ODE.
-TEST_F(RecordedHistory, OfAGeomThatLeavesItsOffsetWithItsBody)
-{
-    const dWorldID world = dWorldCreate();
-    const dSpaceID space = dHashSpaceCreate(nullptr);
-    const dBodyID bodies[] = {dBodyCreate(world), dBodyCreate(world)};
-    const dGeomID core = dCreateSphere(space, 1), ball = dCreateSphere(space, 1);
-    dGeomSetBody(core, bodies[0]);
-    dGeomSetBody(ball, bodies[0]);
-    dGeomSetOffsetPosition(ball, 3, 0, 0);
-    Recorded recorded;
-    EXPECT_EQ(recorded.collide(space), 0);
-    dGeomClearOffset(ball);
-    dBodySetPosition(bodies[0], 1, 0, 0);
-    dGeomSetBody(ball, bodies[1]);
-    EXPECT_EQ(recorded.collide(space), 1);
-    expect_pairs_agree(recorded.end());
-    dSpaceDestroy(space);
-    dWorldDestroy(world);
-}
-
 TEST_F(RecordedHistory, OfASpaceDeepInANest)
 {
     const ScratchRecording file;
@@ -145,7 +124,7 @@ TEST_F(RecordedHistory, OfASpaceDeepInANest)
 
 INSTANTIATE_TEST_SUITE_P(Each, RecordedHistories,
                          testing::Values(Flavour::calm, Flavour::mixed, Flavour::wild, Flavour::teleport, Flavour::pile,
-                                         Flavour::nests),
+                                         Flavour::nests, Flavour::explosion),
                          [](const auto &info) { return flavour_name(info.param); });
 } // namespace
 } // namespace ode_predictive_space::history
