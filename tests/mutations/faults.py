@@ -130,6 +130,15 @@ def predict_faults():
     tick = BROADPHASE + "broadphase.cpp"
     predictions = (("broadphase", "Predictor.*:*AnyWorld*"),)
     yield Fault(
+        "no_step_before_the_first_sample", "predict", SOURCES + "prediction/step_estimate.h", "double step_ = 0.01;",
+        "double step_ = 0;", predictions)
+    yield Fault(
+        "a_tick_ends_no_row_of_questions", "predict", tick, "clock_.questions = is_tick ? 0 : clock_.questions + (clock_.moves > 0);",
+        "clock_.questions += !is_tick && clock_.moves > 0;", (("times", "Times.*"),))
+    yield Fault(
+        "margin_left_out_of_times", "predict", tick, "touching_distance(one, other, shape_margin_)", "touching_distance(one, other, 0)",
+        (("times", "Times.*"),))
+    yield Fault(
         "path_without_its_end", "predict", predictor, "high = max(end, zero);", "high = zero;", predictions)
     yield Fault(
         "turning_point_left_out_of_an_envelope", "predict", predictor, "high = max(high, extreme);", "", predictions,
@@ -377,10 +386,9 @@ def shape_faults():
         "return true;\n    case dBox", proximity)
     yield Fault(
         "capsules_and_cylinders_by_shape", "shapes", geoms,
-        "return spheres | boxes | capsules | planes | meshes | heightfields;\n    case dCylinderClass:\n"
-        "        return spheres | planes | meshes | heightfields;",
-        "return spheres | boxes | capsules | cylinders | planes | meshes | heightfields;\n    case dCylinderClass:\n"
-        "        return spheres | capsules | planes | meshes | heightfields;", (("colliders", "*"),))
+        "return cylinders | convexes;\n    case dCylinderClass:\n        return boxes | capsules | cylinders | convexes;",
+        "return type == dBoxClass ? cylinders | convexes : convexes;\n    case dCylinderClass:\n"
+        "        return boxes | cylinders | convexes;", (("colliders", "*"),))
     yield Fault(
         "stale_hull", "shapes", hulls, "return made.outdated || made.key != key_of(geom);",
         "return made.outdated || !geom;", hull_data)
@@ -508,6 +516,16 @@ def space_faults():
     scene = SOURCES + "space/geom_scene.cpp"
     contract = lambda pattern: (("contract", pattern),)
     yield Fault(
+        "a_change_in_place_told_one_level_up", "space", space,
+        "    for (dxSpace *moved = this; moved; moved = moved->parent_space)\n",
+        "    for (dxSpace *moved = this; moved; moved = nullptr)\n", (("shape_contract", "HullData.*"),))
+    yield Fault(
+        "deviation_of_c_alone_set_free", "space", SOURCES + "space/c_api.cpp", "a == 0 && b == 0 && c == 0 ?", "a == 0 && b == 0 ?",
+        (("space", "PredictiveSpace.*"),))
+    yield Fault(
+        "libccd_judged_by_spheres", "space", scene, "return found_by_libccd(one, other) || JudgedSphere(one)", "return JudgedSphere(one)",
+        contract("ReportBySphere.*"))
+    yield Fault(
         "deaf_after_the_first_move", "space", space, "return look_closely(geom, followed);\n    listen_to(geom);",
         "return look_closely(geom, followed);", contract("Contract.01_*:Notice.*"))
     yield Fault(
@@ -630,6 +648,12 @@ def history_faults():
     recorded = (("recordings", "RecorderTest.*"),)
     read = (("recordings", "Recording.*"),)
     yield Fault(
+        "parent_looked_at_before_the_outermost_space", "history", recorder, "        while (begin->parent_space)\n",
+        "        if (begin->parent_space)\n", (("recordings", "Recorded*"),))
+    yield Fault(
+        "spaces_within_asked_spaces_recorded", "history", SOURCES + "history/recorded_space.cpp", "        if (IS_SPACE(geom))\n",
+        "        if (false)\n", (("recordings", "*Recorded*"),))
+    yield Fault(
         "another_class_at_the_address_known", "history", recorder,
         "return known != geoms_.end() && known->second.state.geom_class == geom->type;", "return known != geoms_.end();", recorded)
     yield Fault(
@@ -707,6 +731,12 @@ def replay_faults():
     child = SOURCES + "replay/child.cpp"
     staged = (("recordings", "RecorderTest.*"),)
     replayed = (("recordings", "Replay.*"),)
+    yield Fault(
+        "offset_kept_with_another_body", "replay", stage, "fields |= geom_field::offset | geom_field::pose;", "fields |= geom_field::pose;",
+        (("recordings", "Recorded*"),))
+    yield Fault(
+        "mark_of_the_offset_left", "replay", stage, "            dGeomClearOffset(geom.geom); // ODE", "            ; // ODE",
+        (("recordings", "*Recorded*"),))
     yield Fault(
         "plane_scaled_again", "replay", stage,
         "std::copy_n(size.begin(), 4, static_cast<dxPlane *>(geom)->p); // it has scaled them", "", staged)

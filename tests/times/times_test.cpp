@@ -247,7 +247,7 @@ TEST_F(Times, AreTheSameWhetherAskedBeforeOrAfterTheCollide)
 // A row of questions counts as a tick, but here a tick ends each row.
 TEST_F(Times, CountTicksWhateverIsAskedWithinThem)
 {
-    fill(30);
+    fill(60);
     const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 3, 0, 0),
                   probe = dCreateSphere(nullptr, REAL(0.1));
     dGeomSetPosition(probe, 0, 0, 50);
