@@ -97,7 +97,7 @@ std::uint64_t hash_of(const std::string &content)
 
 bool ShapeData::Key::operator<(const Key &other) const
 {
-    return std::tie(first, second, counts) < std::tie(other.first, other.second, other.counts);
+    return std::tie(first, second, numbers) < std::tie(other.first, other.second, other.numbers);
 }
 
 bool ShapeData::key_of(dGeomID geom, Key &key)
@@ -105,13 +105,16 @@ bool ShapeData::key_of(dGeomID geom, Key &key)
     if (geom->type == dConvexClass)
     {
         const auto *convex = static_cast<const dxConvex *>(geom);
-        key = {convex->points, convex->polygons, std::uint64_t{convex->planecount} << 32 | convex->pointcount};
+        key = {convex->points, convex->polygons, {convex->planecount, convex->pointcount}};
         return true;
     }
     const TriangleArrays *mesh = mesh_data_of(geom);
     if (!mesh)
         return false;
-    key = {mesh->vertices, mesh->triangles, std::uint64_t{mesh->vertex_count} << 32 | mesh->triangle_count};
+    key = {mesh->vertices,
+           mesh->triangles,
+           {mesh->vertex_count, mesh->triangle_count, static_cast<std::uint32_t>(mesh->vertex_stride),
+            static_cast<std::uint32_t>(mesh->triangle_stride), mesh->single}};
     return true;
 }
 

@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HISTORY_SHAPE_DATA_H
 #define ODE_PREDICTIVE_SPACE_HISTORY_SHAPE_DATA_H
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -38,7 +39,7 @@ private:
     struct Key
     {
         const void *first, *second;
-        std::uint64_t counts;
+        std::array<std::uint32_t, 5> numbers; // counts and strides
         bool operator<(const Key &other) const;
     };
     static bool key_of(dGeomID geom, Key &key);

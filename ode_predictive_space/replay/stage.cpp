@@ -87,6 +87,13 @@ void set_size(dGeomID geom, const GeomState &state)
     }
 }
 
+void set_levels(dSpaceID space, const GeomState &state)
+{
+    dSpaceSetSublevel(space, state.space.sublevel);
+    if (state.geom_class == dHashSpaceClass && dSpaceGetClass(space) == dHashSpaceClass && !dSpaceIsPredictive(space))
+        dHashSpaceSetLevels(space, state.space.min_level, state.space.max_level);
+}
+
 void set_flags(dGeomID geom, const GeomState &state)
 {
     if (state.flags & geom_enabled)
@@ -232,7 +239,7 @@ void Stage::change_body(const BodyChange &change)
     }
 }
 
-dSpaceID Stage::make_space_of_kind(SpaceKind kind, const GeomState &state) const
+dSpaceID Stage::make_space_of_kind(SpaceKind kind) const
 {
     const std::array<double, 6> &extent = recording_.extent();
     dVector3 centre{}, half{};
@@ -250,12 +257,7 @@ dSpaceID Stage::make_space_of_kind(SpaceKind kind, const GeomState &state) const
         }
         return dQuadTreeSpaceCreate(nullptr, centre, half, recording_.geom_count() > 1000 ? 6 : 4);
     case SpaceKind::hash:
-    {
-        const dSpaceID space = dHashSpaceCreate(nullptr);
-        if (state.geom_class == dHashSpaceClass)
-            dHashSpaceSetLevels(space, state.space.min_level, state.space.max_level);
-        return space;
-    }
+        return dHashSpaceCreate(nullptr);
     default:
     {
         const dSpaceID space = dPredictiveSpaceCreate(nullptr);
@@ -271,7 +273,7 @@ dSpaceID Stage::make_space(const GeomState &state) const
 {
     const bool stays_simple = state.geom_class == dSimpleSpaceClass && state.parent != 0;
     const SpaceKind kind = kind_ == SpaceKind::own || stays_simple ? kind_of_class(state.geom_class) : kind_;
-    const dSpaceID space = make_space_of_kind(kind, state);
+    const dSpaceID space = make_space_of_kind(kind);
     dSpaceSetCleanup(space, 0);
     return space;
 }
@@ -363,7 +365,7 @@ void Stage::change_geom(const GeomChange &change)
     if (fields & geom_field::is_new)
         make(geom, change.id);
     if (fields & geom_field::space && is_space_class(state.geom_class))
-        dSpaceSetSublevel(reinterpret_cast<dSpaceID>(geom.geom), state.space.sublevel);
+        set_levels(reinterpret_cast<dSpaceID>(geom.geom), state);
     if (fields & geom_field::bits)
     {
         dGeomSetCategoryBits(geom.geom, state.bits[0]);

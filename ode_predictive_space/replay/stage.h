@@ -70,7 +70,7 @@ private:
     void change_geom(const history::GeomChange &change);
     void make(Geom &geom, std::uint32_t id);
     dSpaceID make_space(const history::GeomState &state) const;
-    dSpaceID make_space_of_kind(SpaceKind kind, const history::GeomState &state) const;
+    dSpaceID make_space_of_kind(SpaceKind kind) const;
     dGeomID make_mesh(std::uint32_t data);
     dGeomID make_convex(std::uint32_t data);
     void place_in_space(const Geom &geom) const;

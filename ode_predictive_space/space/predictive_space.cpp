@@ -106,7 +106,9 @@ void dxPredictiveSpace::remove(dxGeom *geom)
         moved_mesh_ = nullptr;
     if (predicts_)
         dismiss(geom);
-    // In this space a geom that has moved need not be dirty (see listen_to()). In any other space it must be.
+    // In this space a geom that has moved need not be dirty (see listen_to()), nor must its pose be computed. Elsewhere they must.
+    if (geom->offset_posr)
+        geom->recomputePosr();
     geom->gflags |= GEOM_DIRTY;
 }
 
@@ -162,20 +164,25 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
     forget_catching_up();
 }
 
-// A geom with an offset from its body, whose pose ODE computes when it is needed. (ODE leaves the mark of such a pose on a geom
-// that goes from one body to another and has no offset any more.) Not inlined: dirty() saves no registers, as it goes on to this.
+// A geom with an offset from its body, whose pose ODE computes when it is needed. ODE leaves the mark of such a pose on a geom that goes
+// from one body to another and has no offset any more. Not inlined: dirty() saves no registers, as it goes on to this.
 [[gnu::noinline]] void dxPredictiveSpace::follow_carried(dxGeom *geom)
 {
+    if (!geom->offset_posr)
+    {
+        geom->gflags &= ~GEOM_POSR_BAD;
+        return look_closely(geom, Followed::left);
+    }
     const ProxyId id = proxy_of(geom);
     const Place &place = broadphase_.proxies().places[id];
-    if (geom->offset_posr && place.watch() == Watch::carried)
+    if (place.watch() == Watch::carried)
     {
         const CarriedGeom carried(geom);
         return note_followed(geom, carried.turns_safely(place.allowed_offset())
                                        ? broadphase_.report_carried_at_once(id, carried.centre())
                                        : Followed::left);
     }
-    if (!geom->offset_posr || !place.watches_solid())
+    if (!place.watches_solid())
         return look_closely(geom, Followed::left);
     geom->recomputePosr();
     note_followed(geom, broadphase_.report_at_once(id, NoticedGeom(geom)));

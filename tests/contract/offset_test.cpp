@@ -122,6 +122,51 @@ TEST_F(Offset, AnOffsetThatChangesWithoutAMoveOfTheBody)
     });
 }
 
+// ODE leaves the mark that the pose follows from an offset.
+TEST_F(Offset, AGeomThatGoesToAnotherBodyAfterItsOwnHasMoved)
+{
+    expect_as_simple([](Scenario &scene) {
+        dGeomID cube = carried_cube(scene);
+        scene.sphere(0.3, 0, 5, 0);
+        const dBodyID bodies[] = {dGeomGetBody(cube), dBodyCreate(scene.world())};
+        for (int tick = 0; tick < 40; ++tick)
+        {
+            dBodySetPosition(bodies[0], 0.03 * tick, 0, 0);
+            dBodySetPosition(bodies[1], 0, 0.2 * tick, 0);
+            if (tick % 8 == 5)
+            {
+                dGeomSetBody(cube, bodies[tick / 8 % 2]);
+                dGeomSetOffsetPosition(cube, carried_at, 0, 0);
+            }
+            scene.tick();
+        }
+    });
+}
+
+// In ODE's spaces the collide has computed its pose. Here ODE stopped at an assertion.
+TEST_F(Offset, AGeomThatLosesItsOffsetWithItsBodyAfterATick)
+{
+    for (const bool is_taken_out : {false, true})
+        expect_as_simple([is_taken_out](Scenario &scene) {
+            for (int i = 0; i < 20; ++i)
+                scene.sphere(1, 1.5 * i, 0, 0);
+            const dGeomID ball = scene.sphere(1, 0, 0, 0);
+            const dBodyID body = scene.body(ball, 0, 10, 0), other = dBodyCreate(scene.world());
+            dGeomSetOffsetPosition(ball, REAL(0.3), 0, 0);
+            for (int tick = 0; tick < 3; ++tick)
+            {
+                dBodySetPosition(body, REAL(0.5) * dReal(tick), 10, 0);
+                scene.tick();
+            }
+            if (is_taken_out)
+                dSpaceRemove(scene.space(), ball);
+            dGeomSetBody(ball, other);
+            if (is_taken_out)
+                dSpaceAdd(scene.space(), ball);
+            scene.tick();
+        });
+}
+
 // The body is so far away that single precision loses metres of the sum of its place and the offset.
 TEST_F(Offset, ALongOffsetLeadsBackToTheOthers)
 {

@@ -245,6 +245,9 @@ TEST_F(RecorderTest, SpacesComeBackWithTheirLevels)
     dSpaceSetSublevel(spaces[2], 3);
     Recorded recorded;
     recorded.collide(outer);
+    dHashSpaceSetLevels(spaces[1], -6, 4);
+    dSpaceSetSublevel(spaces[3], 2);
+    recorded.collide(outer);
     const Recording recording = recorded.end();
     const auto own = staged(recording, SpaceKind::own), boxes = staged(recording);
     for (std::uint32_t id = 0; id < spaces.size(); ++id)
@@ -334,6 +337,28 @@ TEST_F(RecorderTest, AMeshIsRecordedOnceAndAgainWhenItsVerticesChange)
     }
     dSpaceDestroy(space);
     dGeomTriMeshDataDestroy(mesh);
+}
+
+TEST_F(RecorderTest, MeshesOfTheSameArraysReadWithOtherStridesAreOthers)
+{
+    const float vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 0, 9, 0, 0, 0, 0, 0};
+    const dTriIndex triangle[] = {0, 1, 2};
+    const dSpaceID space = dHashSpaceCreate(nullptr);
+    dTriMeshDataID data[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        data[i] = dGeomTriMeshDataCreate();
+        dGeomTriMeshDataBuildSingle(data[i], vertices, (i + 1) * 3 * static_cast<int>(sizeof(float)), 3, triangle, 3,
+                                    3 * sizeof(dTriIndex));
+        dGeomSetPosition(dCreateTriMesh(space, data[i], nullptr, nullptr, nullptr), REAL(100.0) * dReal(i), 0, 0);
+    }
+    dGeomSetPosition(dCreateSphere(space, 1), 108, 0, 0);
+    Recorded recorded;
+    EXPECT_EQ(recorded.collide(space), 1) << "the second mesh reaches as far";
+    expect_pairs_agree(recorded.end());
+    dSpaceDestroy(space);
+    for (const dTriMeshDataID each : data)
+        dGeomTriMeshDataDestroy(each);
 }
 
 // ODE's own header calls transforms deprecated; programs have them.

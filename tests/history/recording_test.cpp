@@ -144,6 +144,17 @@ public:
         return end();
     }
 
+    // Longer than records of all other kinds can be.
+    Bytes &large_convex()
+    {
+        constexpr std::uint32_t points = 60;
+        begin(RecordKind::convex).number<std::uint32_t>(1).number<std::uint32_t>(1).number<std::uint32_t>(points);
+        number<std::uint32_t>(points + 1).reals(4).reals(3 * points).number<std::uint32_t>(points);
+        for (std::uint32_t i = 0; i < points; ++i)
+            number<std::uint32_t>(i);
+        return end();
+    }
+
     std::size_t size() const { return bytes_.size(); }
     std::vector<char> &bytes() { return bytes_; }
 
@@ -230,7 +241,8 @@ TEST(Recording, IsReadUpToItsLastWholeRecordWhereverItIsCut)
     std::vector<std::size_t> ends = {bytes.size()};
     const auto add = [&](const Bytes &) { ends.push_back(bytes.size()); };
     add(bytes.geom(0, dHashSpaceClass));
-    add(bytes.mesh(1, 2));
+    add(bytes.mesh(100, 2));
+    add(bytes.large_convex());
     add(bytes.geom(1, dSphereClass, 1));
     add(bytes.event(RecordKind::collide, {0}));
     add(bytes.pairs(0));
@@ -243,7 +255,7 @@ TEST(Recording, IsReadUpToItsLastWholeRecordWhereverItIsCut)
         const auto whole = std::upper_bound(ends.begin(), ends.end(), size) - ends.begin() - 1;
         EXPECT_EQ(recording.records().size(), std::size_t(std::max(whole, std::ptrdiff_t{0})));
         EXPECT_EQ(recording.whole_bytes(), whole < 0 ? size : ends[std::size_t(whole)]);
-        EXPECT_EQ(recording.events().size(), std::size_t(whole >= 4));
+        EXPECT_EQ(recording.events().size(), std::size_t(whole >= 5));
         EXPECT_EQ(recording.has_end(), size == bytes.size());
     }
 }

@@ -523,6 +523,14 @@ def space_faults():
         "deviation_of_c_alone_set_free", "space", SOURCES + "space/c_api.cpp", "a == 0 && b == 0 && c == 0 ?", "a == 0 && b == 0 ?",
         (("space", "PredictiveSpace.*"),))
     yield Fault(
+        "mark_of_a_lost_offset_kept", "space", space, "        geom->gflags &= ~GEOM_POSR_BAD;\n", "", contract("Offset.*"))
+    yield Fault(
+        "pose_not_computed_when_a_geom_leaves", "space", space, "    if (geom->offset_posr)\n        geom->recomputePosr();\n", "",
+        contract("Offset.*"))
+    yield Fault(
+        "bytes_with_a_sign", "shapes", SOURCES + "space/height_data.cpp", "sample<unsigned char>(samples, index)",
+        "sample<char>(samples, index)", CONTACT_HISTORIES)
+    yield Fault(
         "libccd_judged_by_spheres", "space", scene, "return found_by_libccd(one, other) || JudgedSphere(one)", "return JudgedSphere(one)",
         contract("ReportBySphere.*"))
     yield Fault(
@@ -651,6 +659,14 @@ def history_faults():
         "parent_looked_at_before_the_outermost_space", "history", recorder, "        while (begin->parent_space)\n",
         "        if (begin->parent_space)\n", (("recordings", "Recorded*"),))
     yield Fault(
+        "strides_not_in_the_key_of_a_mesh", "history", data, "return std::tie(first, second, numbers) < std::tie(other.first, other.second, other.numbers);",
+        "return std::tie(first, second, numbers[0], numbers[1]) < std::tie(other.first, other.second, other.numbers[0], other.numbers[1]);",
+        recorded)
+    yield Fault(
+        "levels_that_change_not_recorded", "history", state, "when(differ(before.space, now.space), geom_field::space) |", "", recorded)
+    yield Fault(
+        "a_convex_cannot_be_cut", "history", check, "    case RecordKind::convex:\n        return true;", "        return true;", read)
+    yield Fault(
         "spaces_within_asked_spaces_recorded", "history", SOURCES + "history/recorded_space.cpp", "        if (IS_SPACE(geom))\n",
         "        if (false)\n", (("recordings", "*Recorded*"),))
     yield Fault(
@@ -751,7 +767,7 @@ def replay_faults():
     yield Fault("levels_forgotten", "replay", stage, "dHashSpaceSetLevels(space, state.space.min_level, state.space.max_level);",
                 ";", staged)
     yield Fault("sublevel_forgotten", "replay", stage,
-                "dSpaceSetSublevel(reinterpret_cast<dSpaceID>(geom.geom), state.space.sublevel);", ";", staged)
+                "dSpaceSetSublevel(space, state.space.sublevel);", ";", staged)
     yield Fault("inner_simple_spaces_replaced", "replay", stage, "state.geom_class == dSimpleSpaceClass && state.parent != 0;",
                 "state.geom_class == dSimpleSpaceClass && state.parent == 0;", staged + replayed)
     yield Fault(

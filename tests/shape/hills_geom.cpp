@@ -8,8 +8,8 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr int sources = 5;
-constexpr double samples_up = 100; // from the lowest to the highest
+constexpr int sources = 5, bytes = 1;
+constexpr double samples_up = 200; // from the lowest to the highest
 
 double between(std::mt19937_64 &random, double low, double high)
 {
@@ -36,16 +36,22 @@ dReal Hills::callback(void *hills, int column, int row)
     return self.computed_[static_cast<std::size_t>(column + row * self.columns_)];
 }
 
+// All but bytes go below 0.
+int Hills::lowest_sample() const
+{
+    return source_ == bytes ? 0 : -100;
+}
+
 void Hills::fill(std::mt19937_64 &random)
 {
     const bool is_flat = random() % 8 == 0, has_flat_parts = random() % 2 == 0;
     for (std::size_t i = 0; i < bytes_.size(); ++i)
     {
         const bool is_low = is_flat || (has_flat_parts && random() % 2 == 0);
-        const auto sample = static_cast<unsigned char>(is_low ? 0 : between(random, 0, samples_up));
-        bytes_[i] = sample;
-        shorts_[i] = sample;
-        floats_[i] = sample;
+        const int sample = lowest_sample() + static_cast<int>(is_low ? 0 : between(random, 0, samples_up));
+        bytes_[i] = static_cast<unsigned char>(sample);
+        shorts_[i] = static_cast<short>(sample);
+        floats_[i] = static_cast<float>(sample);
         doubles_[i] = computed_[i] = sample;
     }
 }
@@ -74,15 +80,16 @@ void Hills::build(std::mt19937_64 &random)
 {
     const auto width = static_cast<dReal>(width_), depth = static_cast<dReal>(depth_),
                thickness = static_cast<dReal>(height_ * between(random, 0, 1));
+    const double highest_sample = lowest_sample() + samples_up;
     switch (source_)
     {
     case 0:
         dGeomHeightfieldDataBuildCallback(id_, this, &callback, width, depth, columns_, rows_, scale_, offset_,
                                           thickness, repeats_);
-        dGeomHeightfieldDataSetBounds(id_, scale_ < 0 ? static_cast<dReal>(samples_up) : 0,
-                                      scale_ < 0 ? 0 : static_cast<dReal>(samples_up));
+        dGeomHeightfieldDataSetBounds(id_, static_cast<dReal>(scale_ < 0 ? highest_sample : lowest_sample()),
+                                      static_cast<dReal>(scale_ < 0 ? lowest_sample() : highest_sample));
         break;
-    case 1:
+    case bytes:
         dGeomHeightfieldDataBuildByte(id_, bytes_.data(), 0, width, depth, columns_, rows_, scale_, offset_, thickness,
                                       repeats_);
         break;

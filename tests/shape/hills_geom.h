@@ -43,6 +43,7 @@ public:
 
 private:
     static dReal callback(void *hills, int column, int row);
+    int lowest_sample() const;
     void fill(std::mt19937_64 &random);
     void build(std::mt19937_64 &random);
 
