@@ -97,7 +97,7 @@ std::uint64_t hash_of(const std::string &content)
 
 bool ShapeData::Key::operator<(const Key &other) const
 {
-    return std::tie(first, second, numbers) < std::tie(other.first, other.second, other.numbers);
+    return std::tie(first, second, third, numbers) < std::tie(other.first, other.second, other.third, other.numbers);
 }
 
 bool ShapeData::key_of(dGeomID geom, Key &key)
@@ -105,7 +105,7 @@ bool ShapeData::key_of(dGeomID geom, Key &key)
     if (geom->type == dConvexClass)
     {
         const auto *convex = static_cast<const dxConvex *>(geom);
-        key = {convex->points, convex->polygons, {convex->planecount, convex->pointcount}};
+        key = {convex->points, convex->polygons, convex->planes, {convex->planecount, convex->pointcount}};
         return true;
     }
     const TriangleArrays *mesh = mesh_data_of(geom);
@@ -113,6 +113,7 @@ bool ShapeData::key_of(dGeomID geom, Key &key)
         return false;
     key = {mesh->vertices,
            mesh->triangles,
+           nullptr,
            {mesh->vertex_count, mesh->triangle_count, static_cast<std::uint32_t>(mesh->vertex_stride),
             static_cast<std::uint32_t>(mesh->triangle_stride), mesh->single}};
     return true;

@@ -38,7 +38,7 @@ public:
 private:
     struct Key
     {
-        const void *first, *second;
+        const void *first, *second, *third;
         std::array<std::uint32_t, 5> numbers; // counts and strides
         bool operator<(const Key &other) const;
     };

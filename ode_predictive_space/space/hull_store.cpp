@@ -38,10 +38,16 @@ DataKey key_of(const dxConvex *convex)
     return {word(convex->points), convex->pointcount, word(convex->planes), convex->planecount, word(convex->polygons)};
 }
 
-DataKey key_of(const TriangleArrays &mesh)
+// ODE has a box for each data, also where several have arrays in common.
+DataKey key_of(const TriangleArrays &mesh, dTriMeshDataID data)
 {
-    return {word(mesh.vertices),  mesh.vertex_count,   word(mesh.vertex_stride) << 1 | mesh.single,
-            word(mesh.triangles), mesh.triangle_count, word(mesh.triangle_stride)};
+    return {word(mesh.vertices),
+            mesh.vertex_count,
+            word(mesh.vertex_stride) << 1 | mesh.single,
+            word(mesh.triangles),
+            mesh.triangle_count,
+            word(mesh.triangle_stride),
+            word(data)};
 }
 
 DataKey key_of(const HeightSamples &heights)
@@ -67,7 +73,7 @@ DataKey key_of(dxGeom *geom)
     case dTriMeshClass:
     {
         const TriangleArrays *mesh = mesh_data_of(geom);
-        return mesh ? key_of(*mesh) : DataKey{};
+        return mesh ? key_of(*mesh, dGeomTriMeshGetData(geom)) : DataKey{};
     }
     case dHeightfieldClass:
     {
@@ -225,14 +231,16 @@ bool HullStore::is_outdated(dxGeom *geom, const VertexHull &hull)
     return made.outdated || made.key != key_of(geom);
 }
 
+// Also those of other data that are read from the same array.
 void HullStore::outdate(dxGeom *geom)
 {
-    const auto known = hulls_.find(key_of(geom));
-    if (known == hulls_.end())
-        return;
-    if (const std::shared_ptr<DataHull> hull = known->second.lock())
-        hull->outdated = true;
-    hulls_.erase(known);
+    const std::uint64_t array = key_of(geom).front();
+    for (auto known = hulls_.lower_bound(DataKey{array}); known != hulls_.end() && known->first.front() == array;)
+    {
+        if (const std::shared_ptr<DataHull> hull = known->second.lock())
+            hull->outdated = true;
+        known = hulls_.erase(known);
+    }
 }
 
 void HullStore::forget_unused()

@@ -531,6 +531,12 @@ def space_faults():
         "bytes_with_a_sign", "shapes", SOURCES + "space/height_data.cpp", "sample<unsigned char>(samples, index)",
         "sample<char>(samples, index)", CONTACT_HISTORIES)
     yield Fault(
+        "unknown_counters_not_written", "space", SOURCES + "space/c_api.cpp", "    std::memset(counters, 0, size);\n", "",
+        (("space", "PredictiveSpace.*"),))
+    yield Fault(
+        "an_old_box_of_other_data", "shapes", SOURCES + "space/hull_store.cpp", "            word(mesh.triangle_stride),\n            word(data)};",
+        "            word(mesh.triangle_stride),\n            word(data) - word(data)};", (("shape_contract", "HullData.*"),))
+    yield Fault(
         "libccd_judged_by_spheres", "space", scene, "return found_by_libccd(one, other) || JudgedSphere(one)", "return JudgedSphere(one)",
         contract("ReportBySphere.*"))
     yield Fault(
@@ -659,8 +665,8 @@ def history_faults():
         "parent_looked_at_before_the_outermost_space", "history", recorder, "        while (begin->parent_space)\n",
         "        if (begin->parent_space)\n", (("recordings", "Recorded*"),))
     yield Fault(
-        "strides_not_in_the_key_of_a_mesh", "history", data, "return std::tie(first, second, numbers) < std::tie(other.first, other.second, other.numbers);",
-        "return std::tie(first, second, numbers[0], numbers[1]) < std::tie(other.first, other.second, other.numbers[0], other.numbers[1]);",
+        "strides_not_in_the_key_of_a_mesh", "history", data, "std::tie(first, second, third, numbers) < std::tie(other.first, other.second, other.third, other.numbers);",
+        "std::tie(first, second, third, numbers[0], numbers[1]) <\n           std::tie(other.first, other.second, other.third, other.numbers[0], other.numbers[1]);",
         recorded)
     yield Fault(
         "levels_that_change_not_recorded", "history", state, "when(differ(before.space, now.space), geom_field::space) |", "", recorded)

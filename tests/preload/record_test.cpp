@@ -67,6 +67,13 @@ TEST(Record, EndsAtItsLimit)
     EXPECT_TRUE(contains(replayed.output, "as many bytes as it was to have")) << replayed.output;
 }
 
+TEST(Record, EndsAtItsLimitInAReportToo)
+{
+    const RecordingFolder folder;
+    EXPECT_EQ(launch("--record-limit 20K --report " + folder.file() + " " LINKED).status, 0);
+    EXPECT_LE(std::filesystem::file_size(folder.file() + "/recording.odehist"), 20u << 10);
+}
+
 TEST(Record, EachProcessHasAFileOfItsOwn)
 {
     const RecordingFolder folder;

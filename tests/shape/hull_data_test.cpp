@@ -1,10 +1,13 @@
 // Convexes and meshes are judged by the hull of their present data, however these are exchanged.
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>
 #include <memory>
 #include <new>
+#include <numeric>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -445,6 +448,58 @@ TEST_F(HullOfHeights, IsThatOfTheOffsetWithWhichTheDataWereBuiltLast)
     build(low, REAL(0.8));
     EXPECT_TRUE(has_contact(field));
     EXPECT_EQ(collide(space).size(), 1u);
+}
+
+// Beside a heightfield ODE goes by the box that the data had when they were built, which others of the same arrays need not have.
+TEST_F(HullData, HasTheOldBoxOfItsOwnDataWhereOthersHaveTheSameArrays)
+{
+    std::mt19937 random(3);
+    const auto place = [&random] { return std::uniform_real_distribution<float>(-1, 1)(random); };
+    std::array<float, 36> vertices{}, heights{};
+    std::array<dTriIndex, 12> triangles{};
+    std::iota(triangles.begin(), triangles.end(), 0);
+    const auto build = [&] {
+        const dTriMeshDataID data = dGeomTriMeshDataCreate();
+        dGeomTriMeshDataBuildSingle(data, vertices.data(), 3 * sizeof(float), 12, triangles.data(), 12,
+                                    3 * sizeof(dTriIndex));
+        return data;
+    };
+    int contacts = 0;
+    for (int world = 0; world < 30; ++world)
+    {
+        std::generate(vertices.begin(), vertices.end(), [&] { return 3 * place(); });
+        std::generate(heights.begin(), heights.end(), place);
+        const dHeightfieldDataID ground = dGeomHeightfieldDataCreate();
+        dGeomHeightfieldDataBuildSingle(ground, heights.data(), 0, 5, 5, 6, 6, 1, 0, 1, 0);
+        const dTriMeshDataID built_before = build();
+        const dGeomID field = dCreateHeightfield(space, ground, 1),
+                      mesh = dCreateTriMesh(space, built_before, nullptr, nullptr, nullptr);
+        number_geom(field, 1000);
+        number_geom(mesh, 1001);
+        collide(space);
+        std::transform(vertices.begin(), vertices.end(), vertices.begin(), [](float x) { return x / 5; });
+        dPredictiveSpaceGeomChanged(space, mesh);
+        const dTriMeshDataID built_after = build();
+        const dGeomID other = dCreateTriMesh(space, built_after, nullptr, nullptr, nullptr);
+        number_geom(other, 1002);
+        for (int tick = 0; tick < 40; ++tick)
+        {
+            dGeomSetPosition(other, place(), place(), place());
+            dGeomSetPosition(mesh, place(), 3 * place() + 1, place());
+            const Pairs reported = unordered(collide(space));
+            dContactGeom contact;
+            const bool touches = dCollide(field, mesh, 1, &contact, sizeof contact) > 0;
+            contacts += touches;
+            EXPECT_TRUE(!touches || std::count(reported.begin(), reported.end(), Pair(1000, 1001)))
+                << world << " " << tick;
+        }
+        for (const dGeomID geom : {other, mesh, field})
+            dGeomDestroy(geom);
+        dGeomTriMeshDataDestroy(built_before);
+        dGeomTriMeshDataDestroy(built_after);
+        dGeomHeightfieldDataDestroy(ground);
+    }
+    EXPECT_GT(contacts, 100);
 }
 
 TEST_F(HullData, OfVeryManyPointsIsTheBoxOfItsOwnAxes)
