@@ -1,6 +1,7 @@
 #include "ode_predictive_space/space/mesh_data.h"
 
 #include <array>
+#include <memory>
 
 namespace ode_predictive_space
 {
@@ -20,15 +21,14 @@ template <typename Real, typename Build> bool is_laid_out_as_expected(Build buil
     for (std::size_t i = 0; i < coordinates.size(); ++i)
         coordinates[i] = static_cast<Real>(i * i);
     const std::array<dTriIndex, 4 * triangles> indices{0, 1, 2, 0, 2, 3, 4, 0};
-    const dTriMeshDataID data = dGeomTriMeshDataCreate();
+    const std::unique_ptr<dxTriMeshData, void (*)(dTriMeshDataID)> owner(dGeomTriMeshDataCreate(),
+                                                                         dGeomTriMeshDataDestroy);
+    const dTriMeshDataID data = owner.get();
     build(data, coordinates.data(), vertex_stride, vertices, indices.data(), 3 * triangles, triangle_stride);
     const TriangleArrays &found = *laid_out(data);
-    const bool as_expected = found.vertices == coordinates.data() && found.vertex_stride == vertex_stride &&
-                             found.vertex_count == vertices && found.triangles == indices.data() &&
-                             found.triangle_count == triangles && found.triangle_stride == triangle_stride &&
-                             found.single == (sizeof(Real) == sizeof(float));
-    dGeomTriMeshDataDestroy(data);
-    return as_expected;
+    return found.vertices == coordinates.data() && found.vertex_stride == vertex_stride &&
+           found.vertex_count == vertices && found.triangles == indices.data() && found.triangle_count == triangles &&
+           found.triangle_stride == triangle_stride && found.single == (sizeof(Real) == sizeof(float));
 }
 
 bool knows_layout()
