@@ -81,7 +81,8 @@ public:
         call.event.end();
     }
 
-    // Of two spaces, the geoms of one come here, one after another. A space among them is not recorded: ODE goes through it in a replay.
+    // When two spaces are asked about each other, ODE calls this for each geom of one of them. A call for a space is not recorded: a
+    // replay would ask about its geoms one by one.
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override
     {
         if (IS_SPACE(geom))

@@ -179,6 +179,7 @@ void Watch::on_pair(void *data, dGeomID first, dGeomID second)
     ++call.reported;
     if (call.comparison)
         call.comparison->note(first, second);
+    const double start = call.keep ? 0 : now(); // recording is not the space's time
     if (call.event)
         call.event->note(first, second);
     if (call.keep)
@@ -186,7 +187,6 @@ void Watch::on_pair(void *data, dGeomID first, dGeomID second)
         call.kept.emplace_back(first, second);
         return;
     }
-    const double start = now();
     call.callback(call.data, first, second);
     call.in_callbacks += now() - start;
 }

@@ -42,8 +42,8 @@ void apply(const Operation &operation, Universe &universe)
     }
 }
 
-// What the test of a user class says is not recorded. ODE's sweep-and-prune and quadtree spaces have infinite boxes within others, and a
-// replay in simple spaces has none of them.
+// Leaves out what a recording does not keep: the results of a user class's AABBTest, and the infinite boxes that ODE's nested
+// sweep-and-prune and quadtree spaces have.
 Operation recordable(Operation operation)
 {
     if (operation.action == Action::make_geom && operation.number == static_cast<int>(GeomKind::user))
