@@ -131,8 +131,8 @@ SceneRecipe recipe_of(const SceneBounds &bounds, Arguments... arguments)
 
 SceneRecipe reset_world(const SceneSpec &spec)
 {
-    const double rows = 0.1 * spec.objects;
-    return recipe_of<ResetWorld>({{9, rows, 1}, {11, rows + 2, 2}});
+    const double rows = std::ceil(0.1 * spec.objects); // the quadtree divides between robots
+    return recipe_of<ResetWorld>({{9, rows - 1, 1}, {11, rows + 1, 2}});
 }
 
 SceneRecipe boxes_world(const SceneSpec &spec, double shift)
