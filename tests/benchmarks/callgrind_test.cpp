@@ -133,6 +133,18 @@ TEST(Callgrind, WorldsAreCountedWithTheLifeOfTheirSpaces)
     EXPECT_GT(records[2].at("first_level_misses"), 0);
 }
 
+TEST(Callgrind, TicksWithEventsAreCountedApart)
+{
+    const TemporaryFile file("callgrind_events");
+    const std::string scenes = "instructions --scenes recentre:50,recentre_2:50 --spaces predictive --ticks ";
+    ASSERT_EQ(run(PREDICTIVE_BENCH, scenes + "1 --json " + file.quoted()).status, 0);
+    const nlohmann::json one = file.read();
+    ASSERT_EQ(run(PREDICTIVE_BENCH, scenes + "2 --json " + file.quoted()).status, 0);
+    const double of_two = file.read()[0].at("sum");
+    EXPECT_NEAR(one[0].at("sum").get<double>() / of_two, 1, 0.2);
+    EXPECT_GT(of_two, 2 * one[1].at("sum").get<double>()) << "two ticks later";
+}
+
 TEST(Callgrind, APoseThatIsSetAgainIsANotice)
 {
     const TemporaryFile file("callgrind_dart");

@@ -29,7 +29,8 @@ struct CountedCase
     int objects;
     int warm_up_ticks; ///< what is new in a space has settled by then
     int ticks;
-    int lives = 0; ///< not 0: what is made and destroyed so often; that is counted, too
+    int lives = 0;  ///< not 0: what is made and destroyed so often; that is counted, too
+    int period = 1; ///< ticks from one that is counted to the next
 };
 
 /// In a simulated processor a tick of the slow spaces takes seconds.
@@ -101,6 +102,16 @@ const std::vector<CountedCase> &world_cases()
         {"lidar", 1000, 3, 2},
         {"lidar_nested", 1000, 3, 2},
         {"moon", 200, 100, 100},
+        {"reset", 100, ticks_between_events, 3, 0, ticks_between_events},
+        {"reset_1", 100, ticks_between_events + 1, 3, 0, ticks_between_events},
+        {"reset_2", 100, ticks_between_events + 2, 3, 0, ticks_between_events},
+        {"recentre", 1000, ticks_between_events, 3, 0, ticks_between_events},
+        {"recentre_1", 1000, ticks_between_events + 1, 3, 0, ticks_between_events},
+        {"recentre_2", 1000, ticks_between_events + 2, 3, 0, ticks_between_events},
+        {"conveyor", 200, 60, 60},
+        {"first", 1000, 0, 1},
+        {"first_1", 1000, 1, 1},
+        {"first_2", 1000, 2, 1},
     };
     return all;
 }
@@ -221,6 +232,7 @@ private:
         run.space = space == "predictive" ? space_name(SpaceKind::predictive) : space;
         run.warm_up_ticks = warm_up_ticks_.value_or(one.warm_up_ticks);
         run.ticks = options.ticks.value_or(one.ticks);
+        run.period = one.period;
         run.whole = whole_;
         run.lives = lives_.value_or(one.lives);
         run.caches = caches_;

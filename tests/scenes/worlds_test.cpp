@@ -12,17 +12,19 @@ namespace ode_predictive_space::scenes
 {
 namespace
 {
-/// More than a life of the worlds of "many"; few where there are thousands of rays.
+/// More than a life of the worlds of "many", or than the time between events; few where there are thousands of rays.
 int ticks_of(const std::string &name)
 {
+    if (name == "reset" || name == "recentre") // the later ticks are of the same worlds
+        return ticks_between_events + 10;
     return name.find("lidar") == 0 ? 4 : ticks_of_life + 10;
 }
 
 int objects_of(const std::string &name)
 {
-    const std::map<std::string, int> few = {{"ragdolls", 3}, {"chain", 1},         {"city", 5},
-                                            {"nested", 6},   {"nested_empty", 8},  {"many", 17},
-                                            {"lidar", 40},   {"lidar_nested", 40}, {"hills", 250}};
+    const std::map<std::string, int> few = {{"ragdolls", 3},     {"chain", 1}, {"city", 5},   {"nested", 6},
+                                            {"nested_empty", 8}, {"many", 17}, {"lidar", 40}, {"lidar_nested", 40},
+                                            {"hills", 250},      {"reset", 12}};
     const auto found = few.find(name);
     return found == few.end() ? 60 : found->second;
 }
@@ -179,6 +181,47 @@ TEST(World, HasTheGeomsThatItSays)
     EXPECT_EQ(geoms("nested", 3), 3u * 7 + 1);
     EXPECT_EQ(geoms("lidar", 50), 50u + 3600);
     EXPECT_EQ(geoms("moon", 5), 6u);
+    EXPECT_EQ(geoms("reset", 3), 3u * 7);
+    EXPECT_EQ(geoms("conveyor", 20), 20u + 10) << "and the boxes on the belt";
+}
+
+std::vector<Vector3> places_in(const Scene &scene)
+{
+    std::vector<Vector3> places;
+    for (const dGeomID geom : scene.geoms())
+        places.push_back(from_ode(dGeomGetPosition(geom)));
+    return places;
+}
+
+TEST(World, RobotsAreSetBackOnceInAPeriod)
+{
+    const OdeSession ode;
+    Ticks run(SpaceKind::simple, factory_of("reset"));
+    run.make();
+    const std::vector<Vector3> first = places_in(run.scene());
+    for (int tick = 1; tick <= ticks_between_events; ++tick)
+    {
+        run.make();
+        ASSERT_EQ(places_in(run.scene()) == first, tick == ticks_between_events) << tick;
+    }
+}
+
+TEST(World, AllBoxesOrATenthOfTheBeltLeapAtOnce)
+{
+    const OdeSession ode;
+    for (const bool belt : {false, true})
+    {
+        Ticks run(SpaceKind::simple, factory_of(belt ? "conveyor" : "recentre"));
+        for (int tick = 0; tick <= ticks_between_events; ++tick)
+        {
+            const std::vector<Vector3> before = places_in(run.scene());
+            run.make();
+            int leaps = 0;
+            for (std::size_t i = 0; i < before.size(); ++i)
+                leaps += (places_in(run.scene())[i] - before[i]).norm() > 1 ? 1 : 0;
+            ASSERT_EQ(leaps, belt ? 60 / 10 : tick % ticks_between_events == 0 ? 60 : 0) << tick;
+        }
+    }
 }
 
 TEST(World, AFifthOfTheRainFallsForEver)

@@ -111,7 +111,7 @@ void pass_motion_on(const CountedRun &run, const scenes::SceneFactory &factory, 
 {
     Recorder recorder(factory);
     write_moves(process.input(), recorder.start());
-    for (int tick = 0; tick < run.warm_up_ticks + run.ticks; ++tick)
+    for (int tick = 0; tick < run.ticks_to_make(); ++tick)
     {
         write_moves(process.input(), recorder.record(1).front());
     }

@@ -16,10 +16,13 @@ struct CountedRun
     scenes::SceneSpec spec;
     std::string space; ///< a contender's name
     int warm_up_ticks = 0;
-    int ticks = 0;
+    int ticks = 0;      ///< that are counted
+    int period = 1;     ///< ticks from one that is counted to the next, but for whole ticks
     bool whole = false; ///< the whole tick, with the step of the world
     int lives = 0; ///< not 0: the scene is made and destroyed so often, and lives for `ticks`; that is counted, too
     bool caches = false; ///< simulate caches
+
+    int ticks_to_make() const { return warm_up_ticks + (ticks - 1) * period + 1; }
 };
 
 /// What a run counts the ticks of: a scene of the library, one that is stepped, or a world.

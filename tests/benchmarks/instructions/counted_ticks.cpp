@@ -45,14 +45,14 @@ public:
         CALLGRIND_TOGGLE_COLLECT;
     }
 
-    void make(const std::vector<Move> &moves)
+    void make(const std::vector<Move> &moves, bool is_counted = true)
     {
         list_.clear();
-        CALLGRIND_TOGGLE_COLLECT;
+        toggle_if(is_counted);
         predictive_bench_bare_moves(&bare_.replay(), &moves);
         predictive_bench_counted_moves(&counted_.replay(), &moves);
         predictive_bench_counted_collide(&counted_.replay().scene(), counted_.contender().space(), &list_);
-        CALLGRIND_TOGGLE_COLLECT;
+        toggle_if(is_counted);
         counted_.contender().finish(list_);
         pairs_ += list_.size();
         hash_.add_tick(hash_pairs(list_.sorted()));
@@ -62,6 +62,14 @@ public:
     nlohmann::json record() const { return {{"pairs", pairs_}, {"pair_hash", hexadecimal(hash_.value())}}; }
 
 private:
+    static void toggle_if(bool is_counted)
+    {
+        if (is_counted)
+        {
+            CALLGRIND_TOGGLE_COLLECT;
+        }
+    }
+
     Life counted_;
     Life bare_;
     PairList list_;
@@ -72,16 +80,16 @@ private:
 nlohmann::json make_one_life(const CountedRun &run, const SceneFactory &factory)
 {
     CountedTicks counted(run, factory);
-    counted.begin(read_moves(stdin), run.warm_up_ticks + run.ticks);
+    counted.begin(read_moves(stdin), run.ticks_to_make());
     for (int tick = 0; tick < run.warm_up_ticks; ++tick)
     {
         counted.make(read_moves(stdin));
     }
     // Before this nothing is counted, and the processor is simulated at a fraction of the cost.
     CALLGRIND_START_INSTRUMENTATION;
-    for (int tick = 0; tick < run.ticks; ++tick)
+    for (int tick = 0; tick < run.ticks_to_make() - run.warm_up_ticks; ++tick)
     {
-        counted.make(read_moves(stdin));
+        counted.make(read_moves(stdin), tick % run.period == 0);
     }
     return counted.record();
 }

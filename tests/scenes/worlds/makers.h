@@ -28,6 +28,10 @@ SceneRecipe empty_spaces_world(const SceneSpec &spec);
 /// @param nested the rays of a robot have a space of their own.
 SceneRecipe lidar_world(const SceneSpec &spec, bool nested);
 SceneRecipe moon_world(const SceneSpec &spec);
+SceneRecipe reset_world(const SceneSpec &spec);
+/// @param shift of all boxes at once, metres; in "first" there is none.
+SceneRecipe boxes_world(const SceneSpec &spec, double shift);
+SceneRecipe conveyor_world(const SceneSpec &spec);
 } // namespace ode_predictive_space::scenes
 
 #endif

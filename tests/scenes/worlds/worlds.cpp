@@ -65,6 +65,14 @@ std::vector<Entry> make_entries()
     all.push_back({"lidar", "10 robots with 360 rays that ask one by one among n boxes", &chosen<false, &lidar_world>});
     all.push_back({"lidar_nested", "the same rays in a space for each robot", &chosen<true, &lidar_world>});
     all.push_back({"moon", "n bodies on a sphere of 1,700 km", &moon_world});
+    for (const std::string later : {"", "_1", "_2"})
+    {
+        const std::string text = later.empty() ? "" : "; ticks after that: " + later.substr(1);
+        all.push_back({"reset" + later, "n robots of 7 geoms, all set back every 200 ticks" + text, &reset_world});
+        all.push_back({"recentre" + later, "n boxes, all shifted by 1 km" + text, varied<&boxes_world>(1000)});
+        all.push_back({"first" + later, "the first tick of n boxes that fly" + text, varied<&boxes_world>(0)});
+    }
+    all.push_back({"conveyor", "n segments of a belt, a tenth leaps in each tick", &conveyor_world});
     return all;
 }
 

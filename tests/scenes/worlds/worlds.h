@@ -28,6 +28,9 @@ SceneFactory world_factory(const SceneSpec &spec);
 /// Ticks after which each of the worlds of "many" is destroyed.
 constexpr int ticks_of_life = 60;
 
+/// In "reset" and "recentre" everything moves at once in the first tick and then once in so many.
+constexpr int ticks_between_events = 200;
+
 /// Makes one of the small worlds of "many".
 SceneFactory life_of_many(const SceneSpec &spec);
 } // namespace ode_predictive_space::scenes
