@@ -47,7 +47,12 @@ Float4 bounded(Float4 vector)
     return min(max(vector, -most), most);
 }
 
-// Of a box; of what is finite of it.
+Float4 middle_of_finite(const TightBox &box)
+{
+    return Float4::all(0.5f) * box.low + Float4::all(0.5f) * box.high;
+}
+
+// Of what is finite of a box.
 Float4 middle_of(const TightBox &box)
 {
     return bounded(Float4::all(0.5f) * finite_or_zero(box.low) + Float4::all(0.5f) * finite_or_zero(box.high));
@@ -343,8 +348,7 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
     const TightBox envelope = {tight.low - slack, tight.high + slack};
     if (!is_finite(envelope))
         return false;
-    const Float4 centre = Float4::all(0.5f) * tight.low + Float4::all(0.5f) * tight.high,
-                 displacement = centre - load_three(record.position);
+    const Float4 centre = middle_of_finite(tight), displacement = centre - load_three(record.position);
     const float leap = static_cast<float>(ticks_between(record.since, now)) * tuning::leap * record.size;
     if (!(dot(displacement, displacement) > leap * leap) ||
         (record.has_body && seconds_of_travel(displacement, load_three(record.velocity)) > 0))
@@ -354,9 +358,9 @@ bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
     return true;
 }
 
-// An object that leaps once probably goes on as before, so its envelope leaps with it. When most of the scene leaves its envelopes at
-// once, the scene was set back or got another origin: then an object has leapt if it is off its path by more than its size.
-bool Predictor::takes_envelope_along(ProxyStore &proxies, ProxyId id, Tick now, bool with_most)
+// An object whose centre is outside of its envelope has leapt. It probably goes on as before, so its envelope leaps with it: when the
+// scene is set back, or gets another origin, nearly nothing needs a new prediction.
+bool Predictor::takes_envelope_along(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
     Place &place = proxies.places[id];
@@ -364,21 +368,19 @@ bool Predictor::takes_envelope_along(ProxyStore &proxies, ProxyId id, Tick now, 
     const bool may_leap_again = ticks_between(record.since, now) < tuning::ticks_between_leaps;
     if (record.reach == 0 || !record.predicted || may_leap_again || !is_finite(tight))
         return false;
-    const Float4 centre = Float4::all(0.5f) * tight.low + Float4::all(0.5f) * tight.high;
-    const Outcome outcome = judge(record, centre, now);
-    if (!(outcome.error > (with_most ? 1 : outcome.ticks) * tuning::leap * record.size))
+    const Float4 centre = middle_of_finite(tight);
+    if ((((centre < before.low) | (centre > before.high)).bits() & three_lanes) == 0)
         return false;
-    const TightBox envelope{before.low + outcome.displacement, before.high + outcome.displacement};
-    place.set_envelope(envelope);
+    const Float4 displacement = centre - load_three(record.position);
+    place.set_envelope({before.low + displacement, before.high + displacement});
     if (!place.holds() || !place.has_end())
         return false;
-    start_again(record, envelope, centre, now);
+    start_again(record, place.envelope_lanes(), centre, now);
     return true;
 }
 
 void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now)
 {
-    const bool with_most = batch.size() > tuning::few_objects && tuning::part_of_bulk * batch.size() > proxies.count();
     constexpr std::size_t most = tuning::objects_per_call;
     seen_.resize(std::max(seen_.size(), std::min(most, batch.size())));
     for (std::size_t begin = 0; begin < batch.size(); begin += most)
@@ -389,7 +391,7 @@ void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<Pro
             prefetch(&proxies.records[some[i]]);
         ProxyId *end = ids_.data();
         for (std::size_t i = 0; i < count; ++i)
-            if (!leaps_again(proxies, some[i], now) && !takes_envelope_along(proxies, some[i], now, with_most))
+            if (!leaps_again(proxies, some[i], now) && !takes_envelope_along(proxies, some[i], now))
                 *end++ = some[i];
         const auto left = static_cast<std::size_t>(end - ids_.data());
         scene.observe(ids_.data(), left, seen_.data());
