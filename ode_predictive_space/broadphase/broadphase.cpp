@@ -163,8 +163,10 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
         room.resize(near_.most_pairs());
     const UpdateNumber last = (clock_.update - 1) & Place::last_update;
     CandidatePair *end = nullptr;
-    const OverlapTest test{scene, proxies_.places.data(), proximity_test_ == ProximityTest::sphere,
-                           Float4::all(Place::rounding * predictor_.farthest() + Place::least_rounding)};
+    const bool by_sphere = proximity_test_ == ProximityTest::sphere;
+    const float certain = by_sphere ? std::numeric_limits<float>::infinity()
+                                    : Place::rounding * predictor_.farthest() + Place::least_rounding;
+    const OverlapTest test{scene, proxies_.places.data(), by_sphere, Float4::all(certain)};
     if (proximity_test_ == ProximityTest::shape && near_.are_boxes_enough())
         end = near_.report_cheap(test, proxies_.places.data(), last, room.data());
     else if (proximity_test_ == ProximityTest::shape)

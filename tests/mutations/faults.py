@@ -320,7 +320,8 @@ def near_faults():
         "rest(separated_, pair, places);", sets)
     yield Fault(
         "resting_pairs_not_reported", "near", near,
-        "*end++ = pair;\n    end = std::copy(overlapping_.begin(), overlapping_.end(), end);", "*end++ = pair;", sets)
+        "copy_overlapping(pairs_, room);\n    end = std::copy(overlapping_.begin(), overlapping_.end(), end);",
+        "copy_overlapping(pairs_, room);", sets)
     yield Fault(
         "settings_ignored_at_rest", "near", tick, "    interrupted_ = true; // as above\n", "",
         (("shape_contract", "ShapeProximity.*"),))
@@ -328,6 +329,10 @@ def near_faults():
         "retired_for_ever", "near", BROADPHASE + "near/near_set.h",
         "std::fill(is_retired_.begin(), is_retired_.end(), std::uint8_t{0});\n    has_retired_ = false;\n}\n} //",
         "has_retired_ = false;\n}\n} //", sets)
+    yield Fault(
+        "boxes_enough_by_sphere", "near", BROADPHASE + "broadphase.cpp",
+        "by_sphere ? std::numeric_limits<float>::infinity()", "by_sphere ? 0.0f",
+        (("broadphase", "*"), ("contract", "*phere*")))
     yield Fault(
         "unsure_taken_for_apart", "near", BROADPHASE + "near/overlap_test.h",
         ") ||\n               scene.overlap(pair.first, pair.second);", ") ||\n               (by_sphere && scene.overlap(pair.first, pair.second));",

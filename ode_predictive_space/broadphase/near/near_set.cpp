@@ -9,10 +9,7 @@ namespace ode_predictive_space
 CandidatePair *NearSet::report(const OverlapTest &test, Place *places, UpdateNumber update, CandidatePair *room)
 {
     activate_disturbed();
-    CandidatePair *end = room;
-    for (const CandidatePair &pair : pairs_)
-        if (test(pair))
-            *end++ = pair;
+    CandidatePair *end = test.copy_overlapping(pairs_, room);
     end = std::copy(overlapping_.begin(), overlapping_.end(), end);
     if (is_time_to_rest() || rests_early())
         let_rest(places, update, [&](std::size_t i) { return test(pairs_[i]); });

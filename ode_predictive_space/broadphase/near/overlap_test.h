@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_OVERLAP_TEST_H
 
 #include <limits>
+#include <vector>
 
 #include "ode_predictive_space/broadphase/objects/scene.h"
 
@@ -15,19 +16,42 @@ struct OverlapTest
     Scene &scene;
     const Place *places;
     bool by_sphere; ///< bounding spheres must overlap, too
-    Float4 certain; ///< boxes that overlap by more do so in double precision, too, wherever in the scene they are
+    Float4 certain; ///< pairs of boxes that overlap by more are reported, wherever they are; infinite by sphere
 
     bool operator()(const CandidatePair &pair) const
     {
-        const Place &first = places[pair.first], &second = places[pair.second];
-        if (surely_apart(first, second))
-            return false;
-        const Float4 depths = overlap_depths(first, second), most = Float4::all(std::numeric_limits<float>::max());
-        const bool overlap = (((depths > certain) & (depths <= most)).bits() & three_lanes) == three_lanes;
-        return (overlap && !by_sphere) || overlap_closely(pair);
+        const Rough rough = roughly(pair);
+        return rough.is_doubtful() ? overlap_closely(pair) : rough.overlap;
+    }
+
+    /// Copies the pairs that overlap. A processor does not foresee whether the next one does, so no branch depends on it.
+    CandidatePair *copy_overlapping(const std::vector<CandidatePair> &pairs, CandidatePair *end) const
+    {
+        for (const CandidatePair &pair : pairs)
+        {
+            const Rough rough = roughly(pair);
+            *end = pair;
+            end += rough.is_doubtful() ? overlap_closely(pair) : rough.overlap;
+        }
+        return end;
     }
 
 private:
+    // What is certain in single precision. Pairs that are apart are not certain to overlap.
+    struct Rough
+    {
+        bool apart, overlap;
+        bool is_doubtful() const { return apart == overlap; }
+    };
+
+    Rough roughly(const CandidatePair &pair) const
+    {
+        const Place &first = places[pair.first], &second = places[pair.second];
+        const Float4 depths = overlap_depths(first, second), most = Float4::all(std::numeric_limits<float>::max());
+        const Mask4 surely = (depths > certain) & (depths <= most);
+        return {surely_apart(first, second), (surely.bits() & three_lanes) == three_lanes};
+    }
+
     bool overlap_closely(const CandidatePair &pair) const
     {
         return (!by_sphere && surely_overlap(places[pair.first], places[pair.second])) ||
