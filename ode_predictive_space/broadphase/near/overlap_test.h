@@ -37,7 +37,7 @@ struct OverlapTest
     }
 
 private:
-    // What is certain in single precision. Pairs that are apart are not certain to overlap.
+    // What single precision tells for sure; at most one of the two is true.
     struct Rough
     {
         bool apart, overlap;

@@ -52,7 +52,7 @@ Float4 middle_of_finite(const TightBox &box)
     return Float4::all(0.5f) * box.low + Float4::all(0.5f) * box.high;
 }
 
-// Of what is finite of a box.
+// Sides that are not finite count as 0.
 Float4 middle_of(const TightBox &box)
 {
     return bounded(Float4::all(0.5f) * finite_or_zero(box.low) + Float4::all(0.5f) * finite_or_zero(box.high));

@@ -29,7 +29,7 @@ SceneRecipe empty_spaces_world(const SceneSpec &spec);
 SceneRecipe lidar_world(const SceneSpec &spec, bool nested);
 SceneRecipe moon_world(const SceneSpec &spec);
 SceneRecipe reset_world(const SceneSpec &spec);
-/// @param shift of all boxes at once, metres; in "first" there is none.
+/// @param shift by which all boxes leap at once, metres; 0 in "first".
 SceneRecipe boxes_world(const SceneSpec &spec, double shift);
 SceneRecipe conveyor_world(const SceneSpec &spec);
 } // namespace ode_predictive_space::scenes
