@@ -42,12 +42,11 @@ constexpr float shrink = 0.8f, grow = 1.25f;
 /// Instructions: to test a pair and find it apart; to compute a box in place of a look at the centre; to predict. (game 1,000)
 constexpr float cost_of_test = 20, cost_of_box = 50, cost_of_prediction = 2800;
 
-/// An object that is farther from its path than this, in sizes per tick, has leapt: nothing is known of where it will be.
-constexpr float leap = 1;
 /// An object that leaps so soon after its last prediction is expected to leap again. (teleport; conveyor)
 constexpr std::int32_t ticks_between_leaps = 4;
-/// Leaps of a body until its velocity is read again. (teleport on bodies)
-constexpr std::uint32_t leaps_per_observation = 8;
+/// Leaps, none farther than an envelope reaches, of which one is predicted: the object may be fast, or have another velocity by now.
+/// (teleport on bodies; rain)
+constexpr std::uint32_t leaps_per_prediction = 8;
 
 /// Objects up to which a space predicts nothing unless it has to: to compare all boxes costs less. (many 17, nested 22)
 constexpr std::size_t few_objects = 16;

@@ -188,7 +188,29 @@ TEST(Predictor, AnObjectThatLeapsForOnceIsPredictedForAsLongAsBefore)
         cloud.world.place(0, {0, -100.0 * leap, 0});
         cloud.fly(1);
     }
-    EXPECT_EQ(cloud.world.broadphase.proxies().records[0].reach, 0) << "it leaps and leaps";
+    const FloatBox envelope = cloud.world.broadphase.proxies().places[0].envelope();
+    EXPECT_LT(envelope.high[0] - envelope.low[0], 2.2 * ball_radius) << "it leaps and leaps";
+}
+
+// A step of seconds would explain a leap along the velocity.
+TEST(Predictor, LeapsDoNotTellHowLongAStepIs)
+{
+    Cloud cloud;
+    for (int tick = 0; tick < 40; ++tick)
+    {
+        for (ProxyId id = tick % 10; id < Cloud::objects; id += 10)
+        {
+            const Object &object = cloud.world.object(id);
+            cloud.world.place(id, object.centre + 10 * object.velocity->normalized());
+        }
+        cloud.fly(1);
+    }
+    for (ProxyId id : cloud.world.members())
+    {
+        const FloatBox envelope = cloud.world.broadphase.proxies().places[id].envelope();
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_LT(envelope.high[axis] - envelope.low[axis], 5 * ball_radius) << id;
+    }
 }
 
 // An envelope that leaps along would be that of the other role.

@@ -103,11 +103,47 @@ TEST(Predictor, ALeapIsNotExtrapolated)
     Lone lone(alone({0, 0, 0}));
     for (int tick = 1; tick < 20; ++tick)
     {
-        lone.object().centre = Vector3::Constant(10 * std::sin(tick * tick));
+        lone.object().centre = Vector3::Constant(10 * (tick * 7 % 20));
         lone.tick();
         const FloatBox box = lone.envelope();
         for (int axis = 0; axis < 3; ++axis)
             ASSERT_LT(box.high[axis] - box.low[axis], 0.25) << "tick " << tick;
+    }
+}
+
+// Its path would be many sizes long, and over at the next tick.
+TEST(Predictor, WhatGoesFartherInATickThanAnEnvelopeReachesIsNotExtrapolated)
+{
+    for (const Object &object : {moving_ball({2000, 0, 0}), alone({0, 0, 0})})
+    {
+        Lone lone(object);
+        for (int tick = 1; tick < 40; ++tick)
+        {
+            lone.object().centre += Vector3(2000 * step, 0, 0);
+            lone.tick();
+            const FloatBox box = lone.envelope();
+            ASSERT_LT(box.high[0] - box.low[0], 0.25) << "tick " << tick;
+        }
+    }
+}
+
+TEST(Predictor, WhatIsOnlyFastIsPredicted)
+{
+    constexpr double size = 2 * radius;
+    for (const Object &object : {moving_ball({size / step, 0, 0}), alone({0, 0, 0})})
+    {
+        Lone lone(object);
+        const auto fly = [&] {
+            for (int tick = 0; tick < 60; ++tick)
+            {
+                lone.object().centre += Vector3(size, 0, 0);
+                lone.tick();
+            }
+        };
+        fly();
+        const std::uint64_t before = lone.predictions();
+        fly();
+        EXPECT_LE(lone.predictions() - before, 30u);
     }
 }
 

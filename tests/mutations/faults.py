@@ -144,7 +144,8 @@ def predict_faults():
         "turning_point_left_out_of_an_envelope", "predict", predictor, "high = max(high, extreme);", "", predictions,
         "an envelope that is left early is made anew: it costs a prediction and no pair")
     yield Fault(
-        "leap_not_noted_as_farthest", "predict", predictor, "    note_farthest(envelope);\n    centre.store_three(record.position);\n    record.since",
+        "leap_not_noted_as_farthest", "predict", predictor,
+        "    note_farthest(place.envelope_lanes());\n    centre.store_three(record.position);\n    record.since",
         "    centre.store_three(record.position);\n    record.since", (("broadphase", "Predictor.TheFarthest*"),))
     yield Fault(
         "farthest_of_all_is_that_of_a_part", "predict", predictor, "    if (end < size)\n        return;\n    farthest_ = reviewed_.farthest;",
@@ -165,8 +166,14 @@ def predict_faults():
         "envelope_taken_along_to_the_wrong_place", "predict", predictor, "    if (!place.holds() || !place.has_end())\n        return false;\n", "",
         (("broadphase", "Predictor.*"),))
     yield Fault(
-        "leap_extrapolated", "predict", predictor, "record.reach = 0;\n        return;", "return;",
-        (("broadphase", "Predictor.*:*Teleports.*"),))
+        "leap_extrapolated", "predict", predictor, "dot(displacement, displacement) <= farthest * farthest", "true",
+        (("broadphase", "Predictor.*"),))
+    yield Fault(
+        "path_beyond_any_reach_extrapolated", "predict", predictor, "speed + bend < tuning::most_reach * record.size", "speed + bend < 1e15f",
+        (("broadphase", "Predictor.*"),))
+    yield Fault(
+        "what_is_fast_never_predicted", "predict", predictor, "tuning::leaps_per_prediction == 0 &&", "tuning::leaps_per_prediction > 8 &&",
+        (("broadphase", "Predictor.*"),))
     yield Fault(
         "reach_never_shrinks", "predict", predictor, "(too_long ? tuning::shrink : tuning::grow)", "tuning::grow",
         (("broadphase", "Predictor.*"),))

@@ -130,17 +130,12 @@ Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Ti
 namespace
 {
 // Reach is a matter of costs: a longer envelope lasts longer, and has more pairs that are tested at each tick for nothing.
-void adapt_reach(ProxyRecord &record, float ticks, float error)
+void adapt_reach(ProxyRecord &record, float ticks)
 {
-    if (!(error <= ticks * tuning::leap * record.size))
-    {
-        record.reach = 0;
-        return;
-    }
     const bool watched_in_vain = record.tests > 0 && !record.had_overlap();
     const float per_tick = tuning::cost_of_test * record.useless + (watched_in_vain ? tuning::cost_of_box : 0);
     const bool too_long = per_tick * ticks > tuning::cost_of_prediction;
-    const float reach = std::max(record.reach, tuning::least_reach) * (too_long ? tuning::shrink : tuning::grow);
+    const float reach = record.reach * (too_long ? tuning::shrink : tuning::grow);
     record.reach = std::clamp(reach, tuning::least_reach, tuning::most_reach);
 }
 
@@ -292,11 +287,12 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     record.size = size_of(tight);
     if (outcome.ticks > 0)
     {
-        adapt_reach(record, outcome.ticks, outcome.error);
+        adapt_reach(record, outcome.ticks);
         adapt_spread(record, outcome.way, outcome.error);
     }
     const float way = record.reach * record.size, speed = norm(motion.velocity), bend = norm(motion.acceleration);
-    if (record.reach == 0 || !(speed + bend < 1e15f))
+    // A path that is longer than any reach after a tick is no use.
+    if (!(speed + bend < tuning::most_reach * record.size))
         motion = Motion();
     const float ticks = ticks_for(way, speed, bend);
     const bool never_moved = outcome.ticks == 0 && speed == 0;
@@ -325,57 +321,33 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     record.tests = record.useless = 0;
 }
 
-// The object is where its path begins, without a new prediction.
-void Predictor::start_again(ProxyRecord &record, const TightBox &envelope, Float4 centre, Tick now)
-{
-    note_farthest(envelope);
-    centre.store_three(record.position);
-    record.since = now;
-    record.tests = record.useless = 0;
-}
-
-// An object that leaps again is not observed: its next envelope is the tight box with some slack. A body is observed when the velocity
-// that was seen last explains its displacement, and sometimes in any case, as it may have another velocity by now.
-bool Predictor::leaps_again(ProxyStore &proxies, ProxyId id, Tick now)
-{
-    ProxyRecord &record = proxies.records[id];
-    const bool is_observed = record.has_body && (now + id) % tuning::leaps_per_observation == 0;
-    if (record.reach > 0 || !record.predicted || is_observed || settings.deviation[is_interactive(record.role) ? 1 : 0])
-        return false;
-    Place &place = proxies.places[id];
-    const TightBox tight = place.tight_lanes();
-    const Float4 slack = Float4::all(tuning::slack * record.size);
-    const TightBox envelope = {tight.low - slack, tight.high + slack};
-    if (!is_finite(envelope))
-        return false;
-    const Float4 centre = middle_of_finite(tight), displacement = centre - load_three(record.position);
-    const float leap = static_cast<float>(ticks_between(record.since, now)) * tuning::leap * record.size;
-    if (!(dot(displacement, displacement) > leap * leap) ||
-        (record.has_body && seconds_of_travel(displacement, load_three(record.velocity)) > 0))
-        return false;
-    place.set_envelope(envelope);
-    start_again(record, envelope, centre, now);
-    return true;
-}
-
 // An object whose centre is outside of its envelope has leapt. It probably goes on as before, so its envelope leaps with it: when the
-// scene is set back, or gets another origin, nearly nothing needs a new prediction.
-bool Predictor::takes_envelope_along(ProxyStore &proxies, ProxyId id, Tick now)
+// scene is set back, or gets another origin, nearly nothing needs a new prediction. One that leaps again soon gets its tight box with
+// some slack. It may only be fast: now and then one that goes no farther than an envelope reaches is predicted.
+bool Predictor::leaps(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
     Place &place = proxies.places[id];
     const TightBox tight = place.tight_lanes(), before = place.envelope_lanes();
-    const bool may_leap_again = ticks_between(record.since, now) < tuning::ticks_between_leaps;
-    if (record.reach == 0 || !record.predicted || may_leap_again || !is_finite(tight))
+    const Float4 centre = middle_of_finite(tight), displacement = centre - load_three(record.position);
+    const Mask4 outside = (centre < before.low) | (centre > before.high);
+    if (!record.predicted || !is_finite(tight) || !(outside.bits() & three_lanes) || !place.has_envelope())
         return false;
-    const Float4 centre = middle_of_finite(tight);
-    if ((((centre < before.low) | (centre > before.high)).bits() & three_lanes) == 0)
+    const std::int32_t ticks = ticks_between(record.since, now);
+    const bool leaps_again = ticks < tuning::ticks_between_leaps;
+    const float farthest = tuning::most_reach * record.size * static_cast<float>(ticks);
+    if (leaps_again && (now + id) % tuning::leaps_per_prediction == 0 &&
+        dot(displacement, displacement) <= farthest * farthest)
         return false;
-    const Float4 displacement = centre - load_three(record.position);
-    place.set_envelope({before.low + displacement, before.high + displacement});
+    const Float4 slack = Float4::all(tuning::slack * record.size);
+    place.set_envelope(leaps_again ? TightBox{tight.low - slack, tight.high + slack}
+                                   : TightBox{before.low + displacement, before.high + displacement});
     if (!place.holds() || !place.has_end())
         return false;
-    start_again(record, place.envelope_lanes(), centre, now);
+    note_farthest(place.envelope_lanes());
+    centre.store_three(record.position);
+    record.since = now;
+    record.tests = record.useless = 0;
     return true;
 }
 
@@ -391,7 +363,7 @@ void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<Pro
             prefetch(&proxies.records[some[i]]);
         ProxyId *end = ids_.data();
         for (std::size_t i = 0; i < count; ++i)
-            if (!leaps_again(proxies, some[i], now) && !takes_envelope_along(proxies, some[i], now))
+            if (!leaps(proxies, some[i], now))
                 *end++ = some[i];
         const auto left = static_cast<std::size_t>(end - ids_.data());
         scene.observe(ids_.data(), left, seen_.data());

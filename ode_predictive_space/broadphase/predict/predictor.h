@@ -86,9 +86,7 @@ private:
     struct Motion;
     struct Outcome;
 
-    bool leaps_again(ProxyStore &proxies, ProxyId id, Tick now);
-    void start_again(ProxyRecord &record, const TightBox &envelope, Float4 centre, Tick now);
-    bool takes_envelope_along(ProxyStore &proxies, ProxyId id, Tick now);
+    bool leaps(ProxyStore &proxies, ProxyId id, Tick now);
     void predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now);
     Outcome judge(const ProxyRecord &record, Float4 centre, Tick now) const;
     Motion motion_of(ProxyRecord &record, const Outcome &outcome, const Observation &seen);
