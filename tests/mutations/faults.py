@@ -166,6 +166,9 @@ def predict_faults():
         "envelope_taken_along_to_the_wrong_place", "predict", predictor, "    if (!place.holds() || !place.has_end())\n        return false;\n", "",
         (("broadphase", "Predictor.*"),))
     yield Fault(
+        "envelope_of_far_away_taken_along", "predict", predictor, "record.predicted || record.is_rounded ||", "record.predicted ||",
+        (("broadphase", "Predictor.TheFarthest*"),))
+    yield Fault(
         "leap_extrapolated", "predict", predictor, "dot(displacement, displacement) <= farthest * farthest", "true",
         (("broadphase", "Predictor.*"),))
     yield Fault(

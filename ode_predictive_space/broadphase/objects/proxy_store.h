@@ -39,20 +39,22 @@ inline bool is_interactive(Role role)
 /// The last prediction of an object, and what came of it. One cache line. Written by predict, but for the shelf.
 struct alignas(64) ProxyRecord
 {
-    float position[3];     ///< of the centre
+    float position[3];     ///< of the centre, where the path begins
     float velocity[3];     ///< of the body, in the program's unit; per tick of an object without one
     float acceleration[3]; ///< per tick^2
     float reach;           ///< how far ahead the envelope reaches, in sizes; adapts
     float spread;          ///< how far the object was off its paths, as a part of the way; adapts
     float size;            ///< the largest side
     float radius;          ///< of a sphere around the centre that holds the object; may be infinite
-    Tick since;            ///< the tick of the prediction
+    Tick since;            ///< the tick of the prediction, or of a later leap
     std::uint16_t tests;   ///< pairs that were tested since then
     std::uint16_t useless; ///< of these, pairs that were apart at the end
     Role role;             ///< set by the program; predict recognises Role::interactive
     Shelf shelf;           ///< written by the index
     bool predicted : 1;    ///< at least once
     bool has_body : 1;     ///< which tells the velocity
+    bool is_rounded : 1;   ///< it was so far away that rounding made much of its box
+    bool leapt : 1;        ///< since the prediction
     bool is_dear : 1;      ///< the contacts of its shape are dear to find
 
     bool had_overlap() const { return useless < tests; }

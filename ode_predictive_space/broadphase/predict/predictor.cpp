@@ -285,6 +285,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
         outcome = judge(record, centre, now);
     Motion motion = motion_of(record, outcome, seen);
     record.size = size_of(tight);
+    record.is_rounded = !(record.size > 4e-6f * norm(bounded(centre)));
     if (outcome.ticks > 0)
     {
         adapt_reach(record, outcome.ticks);
@@ -319,11 +320,12 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     motion.acceleration.store_three(record.acceleration);
     record.since = now;
     record.tests = record.useless = 0;
+    record.leapt = false;
 }
 
 // An object whose centre is outside of its envelope has leapt. It probably goes on as before, so its envelope leaps with it: when the
-// scene is set back, or gets another origin, nearly nothing needs a new prediction. One that leaps again soon gets its tight box with
-// some slack. It may only be fast: now and then one that goes no farther than an envelope reaches is predicted.
+// scene is set back, or gets another origin, nearly nothing needs a new prediction. An object that leaps again soon gets its tight box with some slack. It may only be fast: now and then one that
+// goes no farther than an envelope reaches is predicted.
 bool Predictor::leaps(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
@@ -331,10 +333,11 @@ bool Predictor::leaps(ProxyStore &proxies, ProxyId id, Tick now)
     const TightBox tight = place.tight_lanes(), before = place.envelope_lanes();
     const Float4 centre = middle_of_finite(tight), displacement = centre - load_three(record.position);
     const Mask4 outside = (centre < before.low) | (centre > before.high);
-    if (!record.predicted || !is_finite(tight) || !(outside.bits() & three_lanes) || !place.has_envelope())
+    if (!record.predicted || record.is_rounded || !is_finite(tight) || !(outside.bits() & three_lanes) ||
+        !place.has_envelope())
         return false;
     const std::int32_t ticks = ticks_between(record.since, now);
-    const bool leaps_again = ticks < tuning::ticks_between_leaps;
+    const bool leaps_again = record.leapt && ticks < tuning::ticks_between_leaps;
     const float farthest = tuning::most_reach * record.size * static_cast<float>(ticks);
     if (leaps_again && (now + id) % tuning::leaps_per_prediction == 0 &&
         dot(displacement, displacement) <= farthest * farthest)
@@ -348,6 +351,7 @@ bool Predictor::leaps(ProxyStore &proxies, ProxyId id, Tick now)
     centre.store_three(record.position);
     record.since = now;
     record.tests = record.useless = 0;
+    record.leapt = true;
     return true;
 }
 
