@@ -221,7 +221,7 @@ constexpr Scene scenes[] = {
     {"few", 80, dPredictiveProximityBox, fly, 1632961519040502407u, 1632961519040502407u},
     {"calm", 400, dPredictiveProximityBox, fly, 9288827944297514561u, 9288827944297514561u},
     {"resting", 400, dPredictiveProximityBox, fly_and_rest, 13780620944348515383u, 13780620944348515383u},
-    {"teleports", 400, dPredictiveProximityBox, teleport, 13183752284074155924u, 10672679877201704240u},
+    {"teleports", 400, dPredictiveProximityBox, teleport, 13183752284074155924u, 487514712932174976u},
     {"churn", 300, dPredictiveProximityBox, come_and_go, 8597097597452978660u, 8597097597452978660u},
     {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 12710708191389836259u, 12710708191389836259u},
     {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 15521305186862431205u, 15521305186862431205u},
