@@ -21,6 +21,8 @@ void Broadphase::update(Scene &scene, bool is_tick)
     constexpr UpdateNumber half_of_all = Place::last_update / 2 + 1;
     if (interrupted_ || clock_.update % half_of_all == 0)
         start_over();
+    if (next_origin_)
+        start_from(*next_origin_);
     idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });
     clock_.unticked += clock_.moves;
     clock_.questions = is_tick ? 0 : clock_.questions + (clock_.moves > 0);
@@ -49,7 +51,7 @@ void Broadphase::update(Scene &scene, bool is_tick)
         postpone_pairs(); // batch_ -> pairing_.waiting
     index_.put(proxies_, batch_);
     if (time_passes)
-        predictor_.review(proxies_);
+        review(scene);
     finish();
 }
 
@@ -71,7 +73,7 @@ void Broadphase::look(Scene &scene)
         if (!proxies_.places[id].watches_solid())
             looks_.current.add(id);
     });
-    scene.measure(looks_.current.data(), looks_.current.size(), proxies_.places.data());
+    scene.measure(looks_.current.data(), looks_.current.size(), proxies_.places.data(), origin_);
     looks_.listed.for_each([this](ProxyId id) {
         Place &place = proxies_.places[id];
         place.note_doubtful_move(clock_.update);
@@ -96,7 +98,7 @@ void Broadphase::look(Scene &scene)
 
 void Broadphase::predict(Scene &scene)
 {
-    predictor_.predict(scene, proxies_, batch_.ids(), clock_.now);
+    predictor_.predict(scene, proxies_, origin_, batch_.ids(), clock_.now);
     idle_.note(scene, batch_.ids().data(), batch_.size());
     counters_.repredictions += batch_.size();
 }
@@ -143,7 +145,7 @@ void Broadphase::make_tight(Scene &scene, const Batch &batch)
             }
     if (looks_.current.empty())
         return;
-    scene.measure(looks_.current.data(), looks_.current.size(), proxies_.places.data());
+    scene.measure(looks_.current.data(), looks_.current.size(), proxies_.places.data(), origin_);
     for (ProxyId id : looks_.current)
         if (batch.contains(id))
             proxies_.places[id].tighten(proxies_.records[id].radius);
@@ -164,9 +166,10 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
     const UpdateNumber last = (clock_.update - 1) & Place::last_update;
     CandidatePair *end = nullptr;
     const bool by_sphere = proximity_test_ == ProximityTest::sphere;
-    const float certain = by_sphere ? std::numeric_limits<float>::infinity()
-                                    : Place::rounding * predictor_.farthest() + Place::least_rounding;
-    const OverlapTest test{scene, proxies_.places.data(), by_sphere, Float4::all(certain)};
+    const float certain = by_sphere ? std::numeric_limits<float>::infinity() : Place::rounding * predictor_.farthest();
+    const Float4 doubt = origin_.doubt();
+    const OverlapTest test{scene, proxies_.places.data(), by_sphere, doubt,
+                           Float4::all(certain) + Float4::all(Place::most_doubts) * doubt};
     if (proximity_test_ == ProximityTest::shape && near_.are_boxes_enough())
         end = near_.report_cheap(test, proxies_.places.data(), last, room.data());
     else if (proximity_test_ == ProximityTest::shape)
@@ -198,6 +201,24 @@ void Broadphase::start_over()
         proxies_.places[id].forget_envelope();
         look_at(id);
     });
+}
+
+// Rounding makes nearly all of the boxes of small objects that are far from the origin.
+void Broadphase::review(Scene &scene)
+{
+    const std::optional<Vector3> middle = predictor_.review(proxies_);
+    if (middle && scene.is_in_double_precision())
+        next_origin_ = origin_.place() + *middle;
+}
+
+// Where objects were is counted from the last origin: they are predicted as new ones are.
+void Broadphase::start_from(const Vector3 &origin)
+{
+    origin_ = Origin(origin);
+    next_origin_.reset();
+    proxies_.members().for_each([this](ProxyId id) { proxies_.records[id].predicted = false; });
+    predictor_.forget_reviews();
+    start_over();
 }
 
 // The later of two times before which two objects are apart; none when either test keeps them apart for good.

@@ -73,7 +73,7 @@ public:
         const Watch watch = place.watch();
         if (watch <= Watch::carried || !object.has_pose() || (watch == Watch::centre && !object.turns_safely()))
             return Followed::left;
-        return noted(id, place, place.follow(object.position(), object.rotation()));
+        return noted(id, place, place.follow(object.position(), object.rotation(), origin_));
     }
 
     /// Does what report_at_once() does, for an object that is watched as carried and turns safely.
@@ -207,6 +207,8 @@ public:
         near_.for_each_postponed(shapes_, visit);
     }
 
+    /// Where envelopes and tight boxes are counted from. It changes when all objects turn out to be far from it.
+    const Origin &origin() const { return origin_; }
     /// No finite side of an object is farther from the origin.
     float farthest() const { return predictor_.farthest(); }
 
@@ -247,6 +249,8 @@ private:
     void make_tight(Scene &scene, const Batch &batch);
     void finish();
     void start_over();
+    void review(Scene &scene);
+    void start_from(const Vector3 &origin);
     void forget(ProxyId id);
     /// When memory runs out in the step, the next update starts over.
     template <typename Step> void attempt(Step step);
@@ -280,6 +284,8 @@ private:
         std::vector<CandidatePair> found;
     };
 
+    Origin origin_;
+    std::optional<Vector3> next_origin_;
     ProxyStore proxies_;
     MeasuredShapes shapes_; // in use by the shape test
     IdleObjects idle_;

@@ -116,25 +116,25 @@ bool touched_off_line(const dxGeom *geom)
     return geom->type == dConvexClass || judged_by_box_alone(geom) || is_skewed(geom);
 }
 
-std::optional<RayProbe> line_of_ray(dxGeom *ray)
+std::optional<RayProbe> line_of_ray(dxGeom *ray, const Origin &origin)
 {
     ray->recomputePosr();
     const dReal *start = ray->final_posr->pos, *R = ray->final_posr->R, length = static_cast<dxRay *>(ray)->length;
-    const Vector3 begin(start[0], start[1], start[2]);
+    const Vector3 begin = Vector3(start[0], start[1], start[2]) - origin.place();
     const Vector3 end = begin + double{length} * Vector3(R[2], R[6], R[10]);
     if (!FloatBox::around(Box(begin.cwiseMin(end), begin.cwiseMax(end))).bounded())
         return std::nullopt;
     // ODE finds a hit on a sphere or a cylinder when a difference of squared distances is not negative. In single precision
     // this happens up to the root of an epsilon, times the length of the ray, beside it.
     constexpr double miss = sizeof(dReal) == sizeof(double) ? 0 : 1e-3;
-    return RayProbe(begin, end, miss * length);
+    return RayProbe(begin, end, miss * length + double{origin.doubt().largest_of_three()});
 }
 
 bool line_may_touch(dxGeom *ray, const dxGeom *geom)
 {
     if (touched_off_line(geom) || is_skewed(ray))
         return true;
-    const std::optional<RayProbe> line = line_of_ray(ray);
+    const std::optional<RayProbe> line = line_of_ray(ray, Origin());
     return !line || line->overlaps(FloatBox::around(to_box(geom->aabb)));
 }
 
@@ -147,7 +147,7 @@ bool line_may_touch(dxGeom *ray, const dxGeom *geom)
 [[gnu::noinline]] double radius_at_offset(const dxGeom *geom)
 {
     const double radius = circumscribed_radius(geom);
-    return std::isfinite(radius) ? CarriedGeom(geom).carried(radius).radius : radius;
+    return std::isfinite(radius) ? CarriedGeom(geom).carried(radius, Origin()).radius : radius;
 }
 
 double circumscribed_radius(const dxGeom *geom)
@@ -239,7 +239,7 @@ void GeomScene::for_each(std::size_t count, Visit visit, Fetches... fetches) con
 }
 
 // By the formula, or the box that ODE computes.
-static void measure_geom(dxGeom *geom, Place &place)
+static void measure_geom(dxGeom *geom, Place &place, const Origin &origin)
 {
     if (geom->type <= dCylinderClass)
     {
@@ -248,19 +248,18 @@ static void measure_geom(dxGeom *geom, Place &place)
     }
     if (place.watches_solid())
     {
-        const TightBox box = place.measured(geom->final_posr->pos, geom->final_posr->R);
+        const TightBox box = place.measured(geom->final_posr->pos, geom->final_posr->R, origin);
         if (is_finite(box))
             return place.set_tight(box);
         place.set_watch(Watch::look);
     }
-    const dReal *aabb = valid_aabb(geom);
-    place.set_tight(aabb, aabb + 1, 2);
+    place.set_tight(origin.around(to_box(valid_aabb(geom))));
 }
 
-void GeomScene::measure(const ProxyId *ids, std::size_t count, Place *places)
+void GeomScene::measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin)
 {
     for_each(
-        count, [&](std::size_t i) { measure_geom(geoms_[ids[i]], places[ids[i]]); },
+        count, [&](std::size_t i) { measure_geom(geoms_[ids[i]], places[ids[i]], origin); },
         [&](std::size_t i) { prefetch_geom(ids[i]); },
         [&](std::size_t i) {
             prefetch_pose(ids[i]);
@@ -268,7 +267,7 @@ void GeomScene::measure(const ProxyId *ids, std::size_t count, Place *places)
         });
 }
 
-void GeomScene::observe(const ProxyId *ids, std::size_t count, Observation *seen)
+void GeomScene::observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &origin)
 {
     const auto prefetch_motion = [&](std::size_t i) {
         prefetch_pose(ids[i]);
@@ -277,8 +276,8 @@ void GeomScene::observe(const ProxyId *ids, std::size_t count, Observation *seen
                 dBodyGetLinearVel(body)); // behind it, the angular velocity, of a geom with an offset
     };
     for_each(
-        count, [&](std::size_t i) { seen[i] = observation(ids[i]); }, [&](std::size_t i) { prefetch_geom(ids[i]); },
-        prefetch_motion);
+        count, [&](std::size_t i) { seen[i] = observation(ids[i], origin); },
+        [&](std::size_t i) { prefetch_geom(ids[i]); }, prefetch_motion);
 }
 
 void GeomScene::follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves)
@@ -331,14 +330,14 @@ SampledPose GeomScene::pose(ProxyId id)
     return pose;
 }
 
-Observation GeomScene::observation(ProxyId id)
+Observation GeomScene::observation(ProxyId id, const Origin &origin)
 {
     dxGeom *geom = geoms_[id];
     Observation seen;
     seen.centre = pivot_of(geom);
     seen.radius = seen.centre ? circumscribed_radius(geom) : std::numeric_limits<double>::infinity();
     if (geom->offset_posr && seen.centre)
-        seen.carried = CarriedGeom(geom).carried(seen.radius);
+        seen.carried = CarriedGeom(geom).carried(seen.radius, origin);
     seen.is_dear = geom->type == dConvexClass || geom->type == dTriMeshClass;
     if (geom->body && !dBodyIsKinematic(geom->body))
         seen.velocity = velocity_of(geom);

@@ -88,8 +88,8 @@ bool is_skewed(const dxGeom *geom);
 /// the contact from the distance to a face, as if the ray were perpendicular to it; and for geoms whose matrix is no rotation.
 bool touched_off_line(const dxGeom *geom);
 
-/// The line of a ray; none when it is not finite.
-std::optional<RayProbe> line_of_ray(dxGeom *ray);
+/// The line of a ray from the origin; none when it is not finite.
+std::optional<RayProbe> line_of_ray(dxGeom *ray, const Origin &origin);
 
 /// Can this ray touch the geom? The boxes must be valid.
 bool line_may_touch(dxGeom *ray, const dxGeom *geom);
@@ -128,8 +128,9 @@ public:
           by_sphere_(by_sphere)
     {}
 
-    void measure(const ProxyId *ids, std::size_t count, Place *places) override;
-    void observe(const ProxyId *ids, std::size_t count, Observation *seen) override;
+    void measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin) override;
+    void observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &origin) override;
+    bool is_in_double_precision() const override { return sizeof(dReal) == sizeof(double); }
     void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves) override;
     bool hull_is_outdated(ProxyId id, const ConvexShape &shape) override;
     Box bounds(ProxyId id) override;
@@ -153,7 +154,7 @@ private:
     static bool spheres_overlap(dxGeom *one, dxGeom *other);
     template <typename Visit, typename... Fetches>
     void for_each(std::size_t count, Visit visit, Fetches... fetches) const;
-    Observation observation(ProxyId id);
+    Observation observation(ProxyId id, const Origin &origin);
 
     dxGeom *const *geoms_;
     HullStore &hulls_;

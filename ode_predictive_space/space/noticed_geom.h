@@ -30,23 +30,23 @@ public:
                (geom_->type == dSphereClass || is_identity(turned) || lengthens_nothing(turned));
     }
 
-    /// The position of the geom.
+    /// The position of the geom, from the origin.
     ///
     /// @pre it turns safely.
-    Float4 centre() const
+    Float4 centre(const Origin &origin) const
     {
         const Float4 along_x = rotation_.x * offset_.broadcast<0>(), along_y = rotation_.y * offset_.broadcast<1>(),
                      along_z = rotation_.z * offset_.broadcast<2>();
-        return Float4::nearest_of_stored(body_->pos, 1) + ((along_x + along_y) + along_z);
+        return origin.nearest_of_stored(body_->pos) + ((along_x + along_y) + along_z);
     }
 
     /// @param radius around the position of the geom. It is enlarged by what may be lost by rounding in the functions above.
-    Carried carried(double radius) const
+    Carried carried(double radius, const Origin &origin) const
     {
         const dReal *offset = geom_->offset_posr->pos;
         const double largest = std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
         Carried result;
-        centre().store_three(result.centre);
+        centre(origin).store_three(result.centre);
         result.radius = round_up(radius + 4 * double{round_off} * (radius + 3 * largest));
         result.offset = round_up(largest);
         return result;

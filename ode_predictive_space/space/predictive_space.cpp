@@ -179,7 +179,7 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
     {
         const CarriedGeom carried(geom);
         return note_followed(geom, carried.turns_safely(place.allowed_offset())
-                                       ? broadphase_.report_carried_at_once(id, carried.centre())
+                                       ? broadphase_.report_carried_at_once(id, carried.centre(broadphase_.origin()))
                                        : Followed::left);
     }
     if (!place.watches_solid())

@@ -95,7 +95,7 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
     if (flags_beside_others(geom) & GEOM_AABB_BAD)
         compute_box_of_probe(geom);
     const bool as_line = geom->type == dRayClass && !by_box() && !is_skewed(geom);
-    return {geom, as_line ? line_of_ray(geom) : std::nullopt};
+    return {geom, as_line ? line_of_ray(geom, Origin()) : std::nullopt};
 }
 
 // The threads that ask meanwhile wait.
@@ -200,7 +200,8 @@ ConvexShape dxPredictiveSpace::shape_now(dxGeom *geom)
 // @return the number of geoms found along the line.
 std::size_t dxPredictiveSpace::find_near(const Question &question, std::vector<ProxyId> &found)
 {
-    const FloatBox box = FloatBox::around(to_box(question.geom->aabb));
+    const Origin &origin = broadphase_.origin();
+    const FloatBox box = FloatBox::around(origin.around(to_box(question.geom->aabb)));
     if (!question.line)
     {
         broadphase_.walk(BoxProbe(box), [&](ProxyId id) { found.push_back(id); });
@@ -214,7 +215,7 @@ std::size_t dxPredictiveSpace::find_near(const Question &question, std::vector<P
                 found.push_back(id);
         });
     };
-    find(*question.line, false);
+    find(*line_of_ray(question.geom, origin), false);
     const std::size_t on_line = found.size();
     if (off_line_count_ > 0)
         find(BoxProbe(box), true);

@@ -23,17 +23,17 @@ public:
     /// @param calls that succeed.
     FaultyScene(Scene &scene, int calls) : scene_(scene), calls_left_(calls) {}
 
-    void measure(const ProxyId *ids, std::size_t count, Place *places) override
+    void measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin) override
     {
         // Some are measured before the fault.
-        scene_.measure(ids, count / 2, places);
+        scene_.measure(ids, count / 2, places, origin);
         call();
-        scene_.measure(ids, count, places);
+        scene_.measure(ids, count, places, origin);
     }
-    void observe(const ProxyId *ids, std::size_t count, Observation *seen) override
+    void observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &origin) override
     {
         call();
-        scene_.observe(ids, count, seen);
+        scene_.observe(ids, count, seen, origin);
     }
     Box bounds(ProxyId id) override
     {

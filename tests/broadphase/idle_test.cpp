@@ -15,15 +15,15 @@ namespace
 class CountingWorld : public World
 {
 public:
-    void measure(const ProxyId *ids, std::size_t count, Place *places) override
+    void measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin) override
     {
         measured += count;
-        World::measure(ids, count, places);
+        World::measure(ids, count, places, origin);
     }
-    void observe(const ProxyId *ids, std::size_t count, Observation *seen) override
+    void observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &origin) override
     {
         observed += count;
-        World::observe(ids, count, seen);
+        World::observe(ids, count, seen, origin);
     }
     Box bounds(ProxyId id) override
     {

@@ -22,8 +22,8 @@ struct PairScene : Scene
     }
 
     // The near set asks nothing else.
-    void measure(const ProxyId *, std::size_t, Place *) override { ADD_FAILURE(); }
-    void observe(const ProxyId *, std::size_t, Observation *) override { ADD_FAILURE(); }
+    void measure(const ProxyId *, std::size_t, Place *, const Origin &) override { ADD_FAILURE(); }
+    void observe(const ProxyId *, std::size_t, Observation *, const Origin &) override { ADD_FAILURE(); }
     Box bounds(ProxyId) override { return {}; }
     SampledPose pose(ProxyId) override { return {}; }
     void find_disabled(const ProxyId *, std::size_t, std::vector<ProxyId> &) override { ADD_FAILURE(); }
@@ -50,7 +50,7 @@ protected:
         ++reports;
         scene.tested.clear();
         room.resize(set.most_pairs());
-        const OverlapTest test{scene, places.data(), false, Float4::all(0)};
+        const OverlapTest test{scene, places.data(), false, Origin().doubt(), Float4::all(0)};
         const CandidatePair *end = set.report(test, places.data(), update++, room.data());
         std::vector<ProxyId> firsts;
         for (const CandidatePair *pair = room.data(); pair != end; ++pair)

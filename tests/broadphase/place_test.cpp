@@ -17,6 +17,8 @@ namespace ode_predictive_space
 {
 namespace
 {
+const Origin origin; // that of the program
+
 constexpr Watch formulas[] = {Watch::sphere, Watch::capsule, Watch::box, Watch::cylinder};
 
 // A power of ten, or a number of moderate size.
@@ -53,7 +55,7 @@ Place placed(const Object &object)
 {
     Place place;
     place.watch_solid(solid_of(object));
-    place.set_tight(place.measured(object.centre.data(), object.rotation.data()));
+    place.set_tight(place.measured(object.centre.data(), object.rotation.data(), origin));
     return place;
 }
 
@@ -122,7 +124,7 @@ TEST(Place, ATightBoxHoldsWhatIsComputedInSinglePrecision)
             rotation[k] = static_cast<float>(object.rotation[k]);
         Place place;
         place.watch_solid({object.formula, side[0] / 2, side[1] / 2, side[2] / 2});
-        place.set_tight(place.measured(position, rotation));
+        place.set_tight(place.measured(position, rotation, origin));
         Box computed;
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -223,11 +225,11 @@ TEST(Place, IsNeverWrongAboutWhetherBoxesOverlap)
         const TwoBoxes two(random);
         const bool overlapping = overlap(two.boxes[0], two.boxes[1]);
         const bool surely_not = surely_apart(two.places[0], two.places[1]);
-        const bool surely = surely_overlap(two.places[0], two.places[1]);
+        const bool surely = surely_overlap(two.places[0], two.places[1], origin.doubt());
         ASSERT_FALSE(surely_not && overlapping) << i;
         ASSERT_FALSE(surely && !overlapping) << i;
         ASSERT_EQ(surely_not, surely_apart(two.places[1], two.places[0]));
-        ASSERT_FALSE(surely_overlap(two.places[1], two.places[0]) && !overlapping) << i;
+        ASSERT_FALSE(surely_overlap(two.places[1], two.places[0], origin.doubt()) && !overlapping) << i;
         apart += surely_not;
         together += surely;
         unsure += !surely && !surely_not;
@@ -245,10 +247,10 @@ TEST(Place, IsNotSureOfBoxesThatAreFartherAwayThanSinglePrecisionReaches)
         Place near, far, plane;
         near.set_tight(Box(Vector3::Constant(scale * 1e200 - 1e190), Vector3::Constant(scale * 1e200 + 1e190)));
         far.set_tight(Box(Vector3::Constant(scale * 3e200 - 1e190), Vector3::Constant(scale * 3e200 + 1e190)));
-        EXPECT_FALSE(surely_overlap(near, far));
+        EXPECT_FALSE(surely_overlap(near, far, origin.doubt()));
         EXPECT_FALSE(surely_apart(near, far));
         plane.set_tight(Box(Vector3::Constant(-infinity), Vector3::Constant(infinity)));
-        EXPECT_TRUE(surely_overlap(plane, plane)) << "infinity is not too far to tell";
+        EXPECT_TRUE(surely_overlap(plane, plane, origin.doubt())) << "infinity is not too far to tell";
     }
 }
 
@@ -261,7 +263,7 @@ TEST(Place, IsSureOfAlmostAllBoxes)
     {
         const Object one = ball(random.vector(1), 0.5, {0, 0, 0}), other = ball(random.vector(1), 0.5, {0, 0, 0});
         const Place first = placed(one), second = placed(other);
-        unsure += !surely_apart(first, second) && !surely_overlap(first, second);
+        unsure += !surely_apart(first, second) && !surely_overlap(first, second, origin.doubt());
     }
     EXPECT_LT(unsure, pairs / 1000);
 }
@@ -301,13 +303,13 @@ TEST(Place, TheWatchOfTheCentreLetsNoObjectPassThatLeavesItsEnvelope)
         const float radius = round_up(size);
         const Vector3 start = random.vector(far);
         const Float4 centre = Float4::nearest(start.data());
-        const TightBox sphere = TightBox::around(centre, Float4::all(radius));
+        const TightBox sphere = TightBox::around(centre, Float4::all(radius), origin.doubt());
         const Float4 slack = Float4::all(static_cast<float>(size * random.uniform(0.01, 2)));
         Place place;
         place.set_envelope({sphere.low - slack, sphere.high + slack});
         float position[4];
         centre.store(position);
-        place.watch_centre(position, radius);
+        place.watch_centre(position, radius, origin.doubt());
         const FloatBox envelope = place.envelope();
         Object object = ball(start, size, {0, 0, 0});
         const auto axis = static_cast<Eigen::Index>(random.index(3));
@@ -315,7 +317,7 @@ TEST(Place, TheWatchOfTheCentreLetsNoObjectPassThatLeavesItsEnvelope)
         const double scale = std::abs(object.centre[axis]) + size;
         object.centre[axis] += scale * std::pow(10, random.uniform(-17, -4)) * random.uniform(-1, 1);
         const bool inside = contains(envelope, bounds_of(object));
-        const bool pass = place.follow(object.centre.data(), object.rotation.data()) != Followed::left;
+        const bool pass = place.follow(object.centre.data(), object.rotation.data(), origin) != Followed::left;
         ASSERT_FALSE(pass && !inside) << i;
         passed += pass;
         left += !inside;
@@ -329,20 +331,20 @@ TEST(Place, TheWatchOfTheCentreLetsPassWhatIsWellInside)
     Place place;
     place.set_envelope({Float4::all(-2), Float4::all(2)});
     const float start[] = {0, 0, 0};
-    place.watch_centre(start, 1);
+    place.watch_centre(start, 1, origin.doubt());
     EXPECT_EQ(place.watched_radius(), 1);
     Object object;
     for (double x : {0.5, -0.5, 0.9999, -0.9999})
     {
         object.centre = {x, x / 2, 0};
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::moved);
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::same);
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::moved);
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::same);
     }
     for (double bad : {1.0001, -1.0001, nan, infinity})
     {
         object.centre = {0, 0, bad};
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::left);
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::left) << "still";
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::left);
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::left) << "still";
     }
 }
 
@@ -354,15 +356,15 @@ TEST(Place, ANoticeWithoutAChangeOfThePoseIsTold)
         const Object object = any_solid(random);
         Place place = placed(object);
         place.set_envelope({Float4::all(-float_infinity), Float4::all(float_infinity)});
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::same)
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::same)
             << "its size may be another one";
         Object moved = object;
         moved.centre += Vector3(2 * object.half.maxCoeff() + object.centre.norm(), 0, 0);
-        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data()), Followed::moved);
-        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data()), Followed::same);
+        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data(), origin), Followed::moved);
+        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data(), origin), Followed::same);
         place.set_envelope(placed(object).tight_lanes());
-        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data()), Followed::left);
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data()), Followed::moved);
+        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data(), origin), Followed::left);
+        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::moved);
     }
 }
 
@@ -400,7 +402,7 @@ TEST(Place, ATightenedEnvelopeHoldsTheObjectAndIsNoLargerThanBefore)
         const float radius = round_up(object.radius);
         const Float4 centre = Float4::nearest(object.centre.data());
         Place place = placed(object);
-        const TightBox sphere = TightBox::around(centre, Float4::all(radius));
+        const TightBox sphere = TightBox::around(centre, Float4::all(radius), origin.doubt());
         const bool has_slack = random.chance(0.5);
         const Float4 slack = Float4::all(has_slack ? 0.01f * radius : 0);
         place.set_envelope({sphere.low - slack, sphere.high + slack});
@@ -431,11 +433,11 @@ TEST(Place, ATightenedEnvelopeHasLostWhatTheSphereAdded)
     if (one.watches_centre())
         answers += static_cast<int>(one.follow_centre(Float4::nearest(object.centre.data())));
     else if (one.watches_solid())
-        answers += static_cast<int>(one.follow(object.centre.data(), object.rotation.data()));
+        answers += static_cast<int>(one.follow(object.centre.data(), object.rotation.data(), origin));
     float depths[4];
     overlap_depths(one, other).store(depths);
     answers += one.holds() + one.is_boundless() + one.has_end() + surely_apart(one, other) +
-               surely_overlap(one, other) + envelopes_apart(one, other) + (depths[0] > 0);
+               surely_overlap(one, other, origin.doubt()) + envelopes_apart(one, other) + (depths[0] > 0);
     return answers;
 }
 
@@ -463,9 +465,9 @@ TEST(Place, NoUpdateNumberMakesAnOperationInvalid)
                     place.set_tight(box);
                     const float centre[] = {1, 2, 3};
                     if (watch == Watch::centre)
-                        place.watch_centre(centre, 0.5f);
+                        place.watch_centre(centre, 0.5f, origin.doubt());
                     if (watch == Watch::carried)
-                        place.watch_carried(centre, 0.5f, 1);
+                        place.watch_carried(centre, 0.5f, origin.doubt(), 1);
                     place.set_watch(watch);
                     if (counted)
                         place.note_move(number);

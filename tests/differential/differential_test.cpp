@@ -65,8 +65,8 @@ TEST_P(DifferentialBySpheres, NoContactIsLeftOut)
     EXPECT_GT(run(Measure::spheres, 1001).left_out, 0u) << "the measure made no difference";
 }
 
-const auto every_flavour =
-    ::testing::Values(Flavour::calm, Flavour::mixed, Flavour::wild, Flavour::teleport, Flavour::pile, Flavour::extreme);
+const auto every_flavour = ::testing::Values(Flavour::calm, Flavour::mixed, Flavour::wild, Flavour::teleport,
+                                             Flavour::pile, Flavour::extreme, Flavour::far);
 
 // Of so many that not all predictions that break are made anew in one tick.
 const auto explosions = ::testing::Values(Flavour::explosion);

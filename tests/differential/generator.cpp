@@ -65,6 +65,8 @@ private:
     {
         const double spacing = random_.between(0.8, 4);
         history_.extent = 0.5 * spacing * std::cbrt(profile_.geoms) + 0.5;
+        for (double &axis : history_.middle)
+            axis = is(Flavour::far) ? random_.between(-1, 1) * std::pow(10, random_.between(2, 8)) : 0;
         history_.contacts = is(Flavour::pile) || (!is(Flavour::extreme) && random_.chance(0.1));
         history_.gravity = is(Flavour::pile) ? 9.81 : random_.chance(0.3) ? random_.between(0, 10) : 0;
         history_.auto_disable = random_.chance(0.3);
@@ -88,7 +90,16 @@ private:
     }
 
     double anywhere() { return random_.between(-history_.extent, history_.extent); }
-    std::array<double, 4> place(double fourth = 0) { return {anywhere(), anywhere(), anywhere(), fourth}; }
+    std::array<double, 4> place(double fourth = 0)
+    {
+        const std::array<double, 3> &middle = history_.middle;
+        return {middle[0] + anywhere(), middle[1] + anywhere(), middle[2] + anywhere(), fourth};
+    }
+    std::array<double, 4> distance_from_middle(const std::array<double, 4> &place, double fourth) const
+    {
+        const std::array<double, 3> &middle = history_.middle;
+        return {place[0] - middle[0], place[1] - middle[1], place[2] - middle[2], fourth};
+    }
     double speed() { return speed_ * random_.between(-1, 1); }
     double size() { return random_.chance(0.03) ? random_.between(2, 8) : random_.between(0.2, 1.2); }
     int any_geom() { return random_.below(profile_.geoms + 1); }
@@ -313,9 +324,9 @@ private:
         case 2:
             return add(Action::move_body, body, -1, 0, where);
         case 3:
-            return add(Action::turn_geom, geom, -1, 0, {where[0], where[1], where[2], anywhere()});
+            return add(Action::turn_geom, geom, -1, 0, distance_from_middle(where, anywhere()));
         case 4:
-            return add(Action::turn_body, body, -1, 0, {where[0], where[1], where[2], anywhere()});
+            return add(Action::turn_body, body, -1, 0, distance_from_middle(where, anywhere()));
         case 5:
         case 6:
             return add(Action::resize, geom, -1, 0, {random_.chance(0.02) ? 0 : size()});
@@ -365,9 +376,9 @@ private:
         case 28:
             return random_.chance(0.2) ? settings() : void();
         case 29:
-            return add(Action::distort_geom, geom, -1, random_.below(36), {where[0], where[1], where[2], anywhere()});
+            return add(Action::distort_geom, geom, -1, random_.below(36), distance_from_middle(where, anywhere()));
         case 30:
-            return add(Action::distort_body, body, -1, random_.below(36), {where[0], where[1], where[2], anywhere()});
+            return add(Action::distort_body, body, -1, random_.below(36), distance_from_middle(where, anywhere()));
         case 31:
             return aim_ray();
         default:
@@ -429,8 +440,8 @@ private:
 
 const char *flavour_name(Flavour flavour)
 {
-    static const char *const names[flavour_count] = {"calm", "mixed",   "wild",      "teleport",
-                                                     "pile", "extreme", "explosion", "nests"};
+    static const char *const names[flavour_count] = {"calm",    "mixed",     "wild",  "teleport", "pile",
+                                                     "extreme", "explosion", "nests", "far"};
     return names[static_cast<int>(flavour)];
 }
 

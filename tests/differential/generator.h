@@ -20,7 +20,8 @@ enum class Flavour
     extreme,   ///< coordinates and velocities that are huge, tiny, infinite or not numbers
     explosion, ///< now and then much happens at once, to many
     nests,     ///< deep nests of spaces of all classes, updated in every manner
-    last = nests
+    far,       ///< as mixed, far from the origin
+    last = far
 };
 constexpr int flavour_count = static_cast<int>(Flavour::last) + 1;
 const char *flavour_name(Flavour flavour);

@@ -70,8 +70,9 @@ std::string to_text(const Operation &operation)
 std::string to_text(const History &history)
 {
     std::ostringstream text;
-    text << "gravity " << history.gravity << ", extent " << history.extent << ", contacts " << history.contacts
-         << ", auto_disable " << history.auto_disable << ", " << history.operations.size() << " operations\n";
+    text << "gravity " << history.gravity << ", middle " << history.middle[0] << " " << history.middle[1] << " "
+         << history.middle[2] << ", extent " << history.extent << ", contacts " << history.contacts << ", auto_disable "
+         << history.auto_disable << ", " << history.operations.size() << " operations\n";
     for (const Operation &operation : history.operations)
         text << "  " << to_text(operation) << "\n";
     return text.str();

@@ -97,8 +97,9 @@ constexpr int space_reference(int slot)
 
 struct History
 {
-    double gravity = 0;        ///< along z, in metres per second^2
-    double extent = 10;        ///< bodies turn round when they are farther out than this
+    double gravity = 0; ///< along z, in metres per second^2
+    std::array<double, 3> middle{};
+    double extent = 10;        ///< bodies turn round when they are farther from the middle than this along an axis
     bool contacts = false;     ///< pairs that touch get contact joints
     bool auto_disable = false; ///< bodies at rest fall asleep
     std::vector<Operation> operations;

@@ -166,7 +166,9 @@ void Universe::make_body(const Operation &operation)
 
 dSpaceID Universe::create_space(NestedKind kind, dSpaceID parent) const
 {
-    const dVector3 centre{}, extents{setup_.extent, setup_.extent, setup_.extent};
+    const dVector3 centre{static_cast<dReal>(setup_.middle[0]), static_cast<dReal>(setup_.middle[1]),
+                          static_cast<dReal>(setup_.middle[2])},
+        extents{setup_.extent, setup_.extent, setup_.extent};
     switch (kind)
     {
     case NestedKind::hash:

@@ -38,8 +38,9 @@ void Universe::move_driven()
         dGeomCopyPosition(geom.id, position);
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
-            const bool outside = std::fabs(position[axis]) > setup_.extent;
-            if (outside && position[axis] * geom.drive.velocity[axis] > 0)
+            const dReal way = position[axis] - static_cast<dReal>(setup_.middle[axis]);
+            const bool outside = std::fabs(way) > setup_.extent;
+            if (outside && way * geom.drive.velocity[axis] > 0)
                 geom.drive.velocity[axis] = -geom.drive.velocity[axis];
             position[axis] += factor * geom.drive.velocity[axis];
         }
@@ -57,9 +58,10 @@ void Universe::turn_back()
         const dReal *velocity = dBodyGetLinearVel(body);
         dReal turned[3] = {velocity[0], velocity[1], velocity[2]};
         bool turns = false;
-        for (int axis = 0; axis < 3; ++axis)
+        for (std::size_t axis = 0; axis < 3; ++axis)
         {
-            if (std::fabs(position[axis]) > setup_.extent && position[axis] * velocity[axis] > 0)
+            const dReal way = position[axis] - static_cast<dReal>(setup_.middle[axis]);
+            if (std::fabs(way) > setup_.extent && way * velocity[axis] > 0)
             {
                 turned[axis] = -velocity[axis];
                 turns = true;
@@ -91,7 +93,10 @@ bool Universe::can_touch(int number) const
         return false;
     const dReal *position = dGeomGetPosition(geom.id);
     // Not at the ends of the world, where a contact would be as deep as it is far; false also for NaN.
-    return std::fabs(position[0]) + std::fabs(position[1]) + std::fabs(position[2]) < 10 * setup_.extent;
+    double distance = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        distance += std::fabs(position[axis] - setup_.middle[axis]);
+    return distance < 10 * setup_.extent;
 }
 
 void Universe::make_contacts(const Pairs &pairs)

@@ -139,6 +139,15 @@ def predict_faults():
         "margin_left_out_of_times", "predict", tick, "touching_distance(one, other, shape_margin_)", "touching_distance(one, other, 0)",
         (("times", "Times.*"),))
     yield Fault(
+        "doubt_of_a_far_origin_forgotten", "predict", BROADPHASE + "base/origin.h", "return 4 * std::numeric_limits<double>::epsilon()",
+        "return 0 * std::numeric_limits<double>::epsilon()", (("broadphase", "Origin.*"),))
+    yield Fault(
+        "origin_never_moves", "predict", tick, "        next_origin_ = origin_.place() + *middle;\n", "        (void)0;\n",
+        (("broadphase", "Origin.*"),))
+    yield Fault(
+        "origin_moves_for_large_objects", "predict", predictor, " && way * count > tuning::far_in_sizes * sizes", "",
+        (("broadphase", "Origin.*"),))
+    yield Fault(
         "path_without_its_end", "predict", predictor, "high = max(end, zero);", "high = zero;", predictions)
     yield Fault(
         "turning_point_left_out_of_an_envelope", "predict", predictor, "high = max(high, extreme);", "", predictions,
@@ -534,6 +543,14 @@ def space_faults():
         "a_change_in_place_told_one_level_up", "space", space,
         "    for (dxSpace *moved = this; moved; moved = moved->parent_space)\n",
         "    for (dxSpace *moved = this; moved; moved = nullptr)\n", (("shape_contract", "HullData.*"),))
+    far = (("differential", "*SamePairs*far*:*NoContact*far*"),)
+    yield Fault(
+        "question_counted_from_another_origin", "space", query, "origin.around(to_box(question.geom->aabb))", "to_box(question.geom->aabb)",
+        far)
+    yield Fault(
+        "ray_counted_from_another_origin", "space", query, "line_of_ray(question.geom, origin)", "line_of_ray(question.geom, Origin())", far)
+    yield Fault(
+        "validated_from_another_origin", "space", SOURCES + "space/inquiry.cpp", ".translated(-broadphase_.origin().place())", "", far)
     yield Fault(
         "deviation_of_c_alone_set_free", "space", SOURCES + "space/c_api.cpp", "a == 0 && b == 0 && c == 0 ?", "a == 0 && b == 0 ?",
         (("space", "PredictiveSpace.*"),))

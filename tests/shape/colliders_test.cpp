@@ -258,7 +258,7 @@ protected:
         shapes.start(2);
         shapes.build(scene); // what is needed, at once
         shapes.update(scene, proxies.members(), proxies);
-        const OverlapTest boxes{scene, proxies.places.data(), false, Float4::all(0)};
+        const OverlapTest boxes{scene, proxies.places.data(), false, Origin().doubt(), Float4::all(0)};
         Look look;
         LookPayoff payoff;
         std::uint64_t looks = 0;

@@ -44,7 +44,7 @@ public:
         if (shapes_.renewed(the_pair))
             look_ = {};
         shapes_.clear_renewed();
-        const OverlapTest boxes{*this, proxies_.places.data(), false, Float4::all(0)};
+        const OverlapTest boxes{*this, proxies_.places.data(), false, Origin().doubt(), Float4::all(0)};
         ShapeTest test({*this, proxies_, shapes_}, boxes, margin, looks_);
         if (test.postpones(the_pair, look_))
             return false;
@@ -66,8 +66,8 @@ public:
             shape = other;
         }
     }
-    void measure(const ProxyId *, std::size_t, Place *) override {}
-    void observe(const ProxyId *, std::size_t, Observation *) override {}
+    void measure(const ProxyId *, std::size_t, Place *, const Origin &) override {}
+    void observe(const ProxyId *, std::size_t, Observation *, const Origin &) override {}
     Box bounds(ProxyId) override { return Box(Vector3::Constant(-1e6), Vector3::Constant(1e6)); }
     SampledPose pose(ProxyId) override { return {}; }
     bool overlap(ProxyId, ProxyId) override { return true; }

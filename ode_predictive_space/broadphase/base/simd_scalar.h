@@ -39,6 +39,11 @@ public:
         return {static_cast<float>(first[0]), static_cast<float>(first[stride]), static_cast<float>(first[2 * stride]),
                 0};
     }
+    static Float4 difference_of_stored(const double *first, const double *others)
+    {
+        return {static_cast<float>(first[0] - others[0]), static_cast<float>(first[1] - others[1]),
+                static_cast<float>(first[2] - others[2]), 0};
+    }
     static Float4 nearest_of_stored(const float *first, std::ptrdiff_t stride)
     {
         return {first[0], first[stride], first[2 * stride], 0};

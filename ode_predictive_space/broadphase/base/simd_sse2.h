@@ -50,6 +50,13 @@ public:
         return joined(_mm_loadh_pd(_mm_load_sd(first), first + stride), _mm_load_sd(first + 2 * stride));
     }
 
+    /// Of three such numbers less three others.
+    static Float4 difference_of_stored(const double *first, const double *others)
+    {
+        return joined(_mm_sub_pd(_mm_loadh_pd(_mm_load_sd(first), first + 1), _mm_load_pd(others)),
+                      _mm_sub_sd(_mm_load_sd(first + 2), _mm_load_sd(others + 2)));
+    }
+
     static Float4 nearest_of_stored(const float *first, std::ptrdiff_t stride)
     {
         return {first[0], first[stride], first[2 * stride], 0};

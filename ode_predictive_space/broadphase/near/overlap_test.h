@@ -16,6 +16,7 @@ struct OverlapTest
     Scene &scene;
     const Place *places;
     bool by_sphere; ///< bounding spheres must overlap, too
+    Float4 doubt;   ///< of the origin
     Float4 certain; ///< pairs of boxes that overlap by more are reported, wherever they are; infinite by sphere
 
     bool operator()(const CandidatePair &pair) const
@@ -54,7 +55,7 @@ private:
 
     bool overlap_closely(const CandidatePair &pair) const
     {
-        return (!by_sphere && surely_overlap(places[pair.first], places[pair.second])) ||
+        return (!by_sphere && surely_overlap(places[pair.first], places[pair.second], doubt)) ||
                scene.overlap(pair.first, pair.second);
     }
 };

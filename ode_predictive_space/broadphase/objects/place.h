@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "ode_predictive_space/broadphase/base/float_box.h"
+#include "ode_predictive_space/broadphase/base/origin.h"
 
 namespace ode_predictive_space
 {
@@ -65,10 +66,12 @@ struct TightBox
 
     /// A box of these half sizes, and outwards by more than round-off, that of the program's own box included. Around a centre
     /// beyond single precision, it is not finite.
-    static TightBox around(Float4 centre, Float4 half)
+    ///
+    /// @param doubt of the origin.
+    static TightBox around(Float4 centre, Float4 half, Float4 doubt)
     {
-        constexpr float unit = 6 * std::numeric_limits<float>::epsilon(), least = 8 * std::numeric_limits<float>::min();
-        const Float4 outer = half + ((abs(centre) + half) * Float4::all(unit) + Float4::all(least));
+        constexpr float unit = 6 * std::numeric_limits<float>::epsilon();
+        const Float4 outer = half + ((abs(centre) + half) * Float4::all(unit) + doubt);
         const Float4 finite =
             min(outer, Float4::all(std::numeric_limits<float>::max())); // infinity less itself is no number
         return {centre - finite, centre + finite};
@@ -159,40 +162,42 @@ public:
     /// From now on the centre is watched: the object stays within a sphere of this radius around it.
     ///
     /// @param centre as it is now.
-    void watch_centre(const float *centre, float radius);
+    /// @param doubt of the origin.
+    void watch_centre(const float *centre, float radius, Float4 doubt);
     float watched_radius() const { return half_y_; }
     /// As above, for a centre that is computed from the pose of a body and an offset from it.
     ///
     /// @param offset the radius allows for the rounding with offsets whose coordinates are no larger than this.
-    void watch_carried(const float *centre, float radius, float offset)
+    void watch_carried(const float *centre, float radius, Float4 doubt, float offset)
     {
-        watch_centre(centre, radius);
+        watch_centre(centre, radius, doubt);
         set_watch(Watch::carried);
         half_z_ = offset;
     }
     float allowed_offset() const { return half_z_; }
 
     /// The box of a watched solid.
-    template <typename Real> TightBox measured(const Real *position, const Real *rotation) const
+    template <typename Real> TightBox measured(const Real *position, const Real *rotation, const Origin &origin) const
     {
-        return TightBox::around(Float4::nearest_of_stored(position, 1), half_extents(rotation));
+        return TightBox::around(origin.nearest_of_stored(position), half_extents(rotation), origin.doubt());
     }
     void set_tight(const TightBox &box)
     {
         box.low.store_three(tight_low_);
         box.high.store_three(tight_high_);
     }
-    /// The bounding box as the program computes it: its least and greatest coordinates, `stride` numbers apart.
-    template <typename Real> void set_tight(const Real *least, const Real *greatest, std::ptrdiff_t stride)
+    /// A box that holds that of the program, from the origin.
+    void set_tight(const Box &box)
     {
-        const TightBox box{Float4::rounded_down(least, stride, 1), -Float4::rounded_down(greatest, stride, -1)};
+        const TightBox rounded{Float4::rounded_down(box.min().data(), 1, 1),
+                               -Float4::rounded_down(box.max().data(), 1, -1)};
         state_ &= ~doubt_bit;
-        if (is_finite(box))
-            return set_tight(box);
-        set_endless(Box(Vector3(least[0], least[stride], least[2 * stride]),
-                        Vector3(greatest[0], greatest[stride], greatest[2 * stride])));
+        if (is_finite(rounded))
+            return set_tight(rounded);
+        const FloatBox outer = FloatBox::around(box);
+        set_tight(TightBox::of(outer));
+        note_overflow(box, outer);
     }
-    void set_tight(const Box &box) { set_tight(box.min().data(), box.max().data(), 1); }
     /// Nothing is known of where the object is.
     void hide() { set_tight(TightBox{Float4::all(-infinity), Float4::all(infinity)}); }
 
@@ -216,11 +221,11 @@ public:
     bool has_end() const { return is_finite({low(), high()}); }
 
     /// The object may have moved: measures what is watched.
-    template <typename Real> Followed follow(const Real *position, const Real *rotation)
+    template <typename Real> Followed follow(const Real *position, const Real *rotation, const Origin &origin)
     {
         if (watch() == Watch::centre)
-            return follow_centre(Float4::nearest_of_stored(position, 1));
-        const TightBox box = measured(position, rotation);
+            return follow_centre(origin.nearest_of_stored(position));
+        const TightBox box = measured(position, rotation, origin);
         const Mask4 same = (box.low == tight_low()) & (box.high == tight_high());
         const bool changed = (same.bits() & three_lanes) != three_lanes;
         set_tight(box);
@@ -253,11 +258,11 @@ public:
     {
         return apart(one.tight_low(), one.tight_high(), other.tight_low(), other.tight_high());
     }
-    /// Do they overlap by more than they are larger than the program's own boxes?
-    friend bool surely_overlap(const Place &one, const Place &other);
-    /// Two tight boxes are larger than the program's own by less than this part of the farthest coordinate, and this much.
-    static constexpr float rounding = 32 * std::numeric_limits<float>::epsilon();
-    static constexpr float least_rounding = 32 * std::numeric_limits<float>::min();
+    /// Do they overlap by more than they are larger than the program's own boxes? @param doubt of the origin.
+    friend bool surely_overlap(const Place &one, const Place &other, Float4 doubt);
+    /// Two tight boxes are larger than the program's own by less than this part of the farthest coordinate, and this often the doubt of
+    /// the origin.
+    static constexpr float rounding = 32 * std::numeric_limits<float>::epsilon(), most_doubts = 4;
 
 private:
     static constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -305,12 +310,6 @@ private:
         return sqrt(Float4(squared(0), squared(1), squared(2), 0));
     }
 
-    void set_endless(const Box &box)
-    {
-        const FloatBox outer = FloatBox::around(box);
-        set_tight(TightBox::of(outer));
-        note_overflow(box, outer);
-    }
     void note_overflow(const Box &box, const FloatBox &outer)
     {
         const auto overflows = [](double exact, float rounded) {
@@ -347,7 +346,7 @@ private:
 };
 static_assert(sizeof(Place) == 64, "one cache line per notice");
 
-inline bool surely_overlap(const Place &one, const Place &other)
+inline bool surely_overlap(const Place &one, const Place &other, Float4 doubt_of_origin)
 {
     if ((one.state_ | other.state_) & Place::doubt_bit)
         return false;
@@ -356,7 +355,7 @@ inline bool surely_overlap(const Place &one, const Place &other)
     const auto finite_size = [](Float4 side) { return finite_or_zero(abs(side)); };
     const Float4 sizes = (finite_size(one.tight_low()) + finite_size(one.tight_high())) +
                          (finite_size(other.tight_low()) + finite_size(other.tight_high()));
-    const Float4 doubt = sizes * Float4::all(unit) + Float4::all(Place::least_rounding);
+    const Float4 doubt = sizes * Float4::all(unit) + Float4::all(Place::most_doubts) * doubt_of_origin;
     const Mask4 before = one.tight_high() - other.tight_low() > doubt,
                 after = other.tight_high() - one.tight_low() > doubt;
     return ((before & after).bits() & three_lanes) == three_lanes;
@@ -372,12 +371,12 @@ inline void Place::tighten(float radius)
     set_envelope({low() + give, high() - give});
 }
 
-inline void Place::watch_centre(const float *centre, float radius)
+inline void Place::watch_centre(const float *centre, float radius, Float4 doubt)
 {
     constexpr float unit = 16 * std::numeric_limits<float>::epsilon();
     set_watch(Watch::centre);
-    const Float4 kept = Float4::all(radius) + ((abs(low()) + abs(high())) + Float4::all(radius)) * Float4::all(unit) +
-                        Float4::all(std::numeric_limits<float>::min());
+    const Float4 kept =
+        Float4::all(radius) + ((abs(low()) + abs(high())) + Float4::all(radius)) * Float4::all(unit) + doubt;
     half_x_ = digest_of(Float4(centre[0], centre[1], centre[2], 0));
     half_y_ = radius;
     set_tight(TightBox{low() + kept, high() - kept});

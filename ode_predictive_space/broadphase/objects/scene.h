@@ -15,9 +15,9 @@ namespace ode_predictive_space
 /// The centre of an object as notices compute it, from the pose of a body and an offset.
 struct Carried
 {
-    float centre[3];
-    float radius; ///< around any centre that is computed so, with an offset of no larger coordinates
-    float offset; ///< its largest coordinate
+    float centre[3]; ///< from the origin
+    float radius;    ///< around any centre that is computed so, with an offset of no larger coordinates
+    float offset;    ///< its largest coordinate
 };
 
 /// An object as it is now, for its next prediction. Lengths in the scene's unit.
@@ -39,10 +39,10 @@ public:
     virtual ~Scene() = default;
 
     /// Writes the bounding box of each of the objects into places[id], and how it is watched from now on.
-    virtual void measure(const ProxyId *ids, std::size_t count, Place *places) = 0;
+    virtual void measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin) = 0;
 
     /// Writes what a prediction needs, in the order of `ids`.
-    virtual void observe(const ProxyId *ids, std::size_t count, Observation *seen) = 0;
+    virtual void observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &origin) = 0;
 
     /// Brings the shape of each of the objects up to date, and tells how far the object has moved since: the most
     /// that any point of its surface has; infinite when the shape is another one now. All in the order of `ids`.
@@ -52,6 +52,9 @@ public:
 
     /// Does the hull of an object's shape no longer serve? The data of hulls change without notice.
     virtual bool hull_is_outdated(ProxyId id, const ConvexShape &shape);
+
+    /// Are coordinates so precise that it makes a difference where they are counted from in single precision?
+    virtual bool is_in_double_precision() const { return true; }
 
     /// The object's bounding box in double precision.
     virtual Box bounds(ProxyId id) = 0;

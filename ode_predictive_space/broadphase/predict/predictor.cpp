@@ -152,12 +152,12 @@ Deviation adapted_deviation(float size, float spread, float way, float ticks)
 }
 
 // An envelope that holds its object however it turns is watched by the centre, until it meets another.
-void watch_centre(Place &place, const ProxyRecord &record, const std::optional<Carried> &carried)
+void watch_centre(Place &place, const ProxyRecord &record, const std::optional<Carried> &carried, Float4 doubt)
 {
     if (carried)
-        place.watch_carried(carried->centre, carried->radius, carried->offset);
+        place.watch_carried(carried->centre, carried->radius, doubt, carried->offset);
     else
-        place.watch_centre(record.position, record.radius);
+        place.watch_centre(record.position, record.radius, doubt);
 }
 
 // The time in which the velocity makes the displacement, nearly; 0 when the two do not point the same way.
@@ -256,28 +256,56 @@ void Predictor::note_farthest(const TightBox &box)
     reviewed_.farthest = max(reviewed_.farthest, max(abs(finite_or_zero(box.low)), abs(finite_or_zero(box.high))));
 }
 
-void Predictor::review(const ProxyStore &proxies)
+// The origin is to be moved when that makes coordinates much smaller, and rounding then shows less.
+std::optional<Vector3> Predictor::Reviewed::far_middle() const
+{
+    const Float4 middle = Float4::all(0.5f) * (low + high), half = Float4::all(0.5f) * (high - low);
+    const float way = abs(middle).largest_of_three();
+    const bool is_far =
+        way > tuning::far_in_extents * half.largest_of_three() && way * count > tuning::far_in_sizes * sizes;
+    return is_far && way < 1e15f ? std::optional(to_vector(middle)) : std::nullopt;
+}
+
+std::optional<Vector3> Predictor::review(const ProxyStore &proxies)
 {
     const std::size_t size = proxies.size();
-    const std::size_t end = std::min(size, reviewed_.end + size / tuning::ticks_per_review + 1);
+    const std::size_t some = is_reviewed_ ? size / tuning::ticks_per_review + 1 : size;
+    const std::size_t end = std::min(size, reviewed_.end + some);
     for (; reviewed_.end < end; ++reviewed_.end)
         if (const auto id = static_cast<ProxyId>(reviewed_.end); proxies.members().contains(id))
         {
+            const TightBox tight = proxies.places[id].tight_lanes();
             note_farthest(proxies.places[id].envelope_lanes());
-            note_farthest(proxies.places[id].tight_lanes());
+            note_farthest(tight);
+            if (!is_finite(tight))
+                continue;
+            reviewed_.low = min(reviewed_.low, tight.low);
+            reviewed_.high = max(reviewed_.high, tight.high);
+            reviewed_.sizes += proxies.records[id].size;
+            ++reviewed_.count;
         }
     if (end < size)
-        return;
+        return std::nullopt;
     farthest_ = reviewed_.farthest;
+    const std::optional<Vector3> middle = reviewed_.far_middle();
     reviewed_ = {};
+    is_reviewed_ = true;
+    return middle;
 }
 
-void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now)
+void Predictor::forget_reviews()
+{
+    farthest_ = Float4::all(0);
+    reviewed_ = {};
+    is_reviewed_ = false;
+}
+
+void Predictor::predict(ProxyStore &proxies, const Origin &origin, ProxyId id, const Observation &seen, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
     Place &place = proxies.places[id];
     const TightBox tight = place.tight_lanes();
-    const Float4 centre = seen.centre ? Float4::nearest(seen.centre->data()) : middle_of(tight);
+    const Float4 centre = seen.centre ? origin.nearest_of_stored(seen.centre->data()) : middle_of(tight);
     Outcome outcome;
     if (!record.predicted)
         begin(record, id);
@@ -302,7 +330,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     record.radius = round_up(seen.radius);
     // An envelope that holds its object however it turns is watched by the centre, until it meets another.
     const bool by_radius = record.tests == 0 && std::isfinite(record.radius) && is_finite(tight);
-    const TightBox box = by_radius ? TightBox::around(centre, Float4::all(record.radius)) : tight;
+    const TightBox box = by_radius ? TightBox::around(centre, Float4::all(record.radius), origin.doubt()) : tight;
     const TightBox envelope = swept(box, motion, ticks, static_cast<float>(deviation.at(double{ticks})));
     place.set_envelope(envelope);
     note_farthest(envelope);
@@ -312,7 +340,7 @@ void Predictor::predict(ProxyStore &proxies, ProxyId id, const Observation &seen
     if (!place.has_end())
         place.set_watch(Watch::look);
     else if (by_radius)
-        watch_centre(place, record, seen.carried);
+        watch_centre(place, record, seen.carried, origin.doubt());
     if (record.has_body)
         bounded(Float4::nearest(seen.velocity->data())).store_three(record.velocity);
     else
@@ -355,7 +383,8 @@ bool Predictor::leaps(ProxyStore &proxies, ProxyId id, Tick now)
     return true;
 }
 
-void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now)
+void Predictor::predict(Scene &scene, ProxyStore &proxies, const Origin &origin, const std::vector<ProxyId> &batch,
+                        Tick now)
 {
     constexpr std::size_t most = tuning::objects_per_call;
     seen_.resize(std::max(seen_.size(), std::min(most, batch.size())));
@@ -370,9 +399,9 @@ void Predictor::predict(Scene &scene, ProxyStore &proxies, const std::vector<Pro
             if (!leaps(proxies, some[i], now))
                 *end++ = some[i];
         const auto left = static_cast<std::size_t>(end - ids_.data());
-        scene.observe(ids_.data(), left, seen_.data());
+        scene.observe(ids_.data(), left, seen_.data(), origin);
         for (std::size_t i = 0; i < left; ++i)
-            predict(proxies, ids_[i], seen_[i], now);
+            predict(proxies, origin, ids_[i], seen_[i], now);
     }
 }
 
@@ -408,7 +437,7 @@ Envelope Forecast::turned_anyhow() const
 Forecast Predictor::forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, const QuestionTime &now)
 {
     Observation seen;
-    scene.observe(&id, 1, &seen);
+    scene.observe(&id, 1, &seen, Origin());
     const ProxyRecord &record = proxies.records[id];
     const Box bounds = scene.bounds(id);
     const SampledPose pose = scene.pose(id);

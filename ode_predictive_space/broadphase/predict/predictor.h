@@ -60,7 +60,7 @@ public:
     PredictionSettings settings;
 
     /// Makes a new prediction, from `now` on, for each object of the batch. Their tight boxes are up to date.
-    void predict(Scene &scene, ProxyStore &proxies, const std::vector<ProxyId> &batch, Tick now);
+    void predict(Scene &scene, ProxyStore &proxies, const Origin &origin, const std::vector<ProxyId> &batch, Tick now);
 
     /// A tick has begun: samples the objects that the program asks about.
     void sample(Scene &scene, const ProxyStore &proxies, Tick now) { samples_.sample(scene, proxies, now); }
@@ -76,7 +76,11 @@ public:
     float farthest() const { return max(farthest_, reviewed_.farthest).largest_of_three(); }
 
     /// A tick has ended: goes through a part of the objects, so that farthest() follows those that come back.
-    void review(const ProxyStore &proxies);
+    ///
+    /// @return when all have been seen and are so far from the origin that rounding shows in their boxes, their middle.
+    std::optional<Vector3> review(const ProxyStore &proxies);
+    /// All objects are counted from another origin, and predicted again.
+    void forget_reviews();
 
     void forget(ProxyId id) { samples_.forget(id); }
     void release() { samples_ = {}; }
@@ -87,7 +91,7 @@ private:
     struct Outcome;
 
     bool leaps(ProxyStore &proxies, ProxyId id, Tick now);
-    void predict(ProxyStore &proxies, ProxyId id, const Observation &seen, Tick now);
+    void predict(ProxyStore &proxies, const Origin &origin, ProxyId id, const Observation &seen, Tick now);
     Outcome judge(const ProxyRecord &record, Float4 centre, Tick now) const;
     Motion motion_of(ProxyRecord &record, const Outcome &outcome, const Observation &seen);
     Motion motion_of_body(const ProxyRecord &record, const Outcome &outcome, Float4 velocity);
@@ -102,10 +106,15 @@ private:
     struct Reviewed
     {
         std::size_t end = 0;
-        Float4 farthest = Float4::all(0); // by coordinate
+        Float4 farthest = Float4::all(0);                                              // by coordinate
+        Float4 low = Float4::all(std::numeric_limits<float>::infinity()), high = -low; // of finite boxes
+        float sizes = 0, count = 0;                                                    // of the same
+
+        std::optional<Vector3> far_middle() const;
     };
     Float4 farthest_ = Float4::all(0); // when the last review ended
     Reviewed reviewed_;
+    bool is_reviewed_ = false; // the first review is made in one tick
     Samples samples_;
     std::array<ProxyId, tuning::objects_per_call> ids_; // scratch
     std::vector<Observation> seen_;                     // scratch

@@ -170,12 +170,14 @@ Pairs World::overlapping() const
 
 std::string World::misplaced_object() const
 {
+    const Vector3 origin = broadphase.origin().place();
+    const auto here = [&](const Box &box) { return box.translated(-origin); };
     for (ProxyId id : members())
     {
         const Place &place = broadphase.proxies().places[id];
-        if (!holds(place.envelope(), bounds_of(objects_[id])))
+        if (!holds(place.envelope(), here(bounds_of(objects_[id]))))
             return "object " + std::to_string(id) + " is outside its envelope";
-        if (place.watch() != Watch::centre && !holds(place.tight(), bounds_of(objects_[id])))
+        if (place.watch() != Watch::centre && !holds(place.tight(), here(bounds_of(objects_[id]))))
             return "object " + std::to_string(id) + " is outside its tight box";
     }
     return {};
@@ -220,25 +222,25 @@ const Object &World::seen(ProxyId id) const
 }
 
 // By the formula, as far as it goes, or the bounding box itself.
-void World::measure(const ProxyId *ids, std::size_t count, Place *places)
+void World::measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin)
 {
     for (std::size_t i = 0; i < count; ++i)
     {
         const Object &object = seen(ids[i]);
         Place &place = places[ids[i]];
         place.watch_solid(solid_of(object));
-        const TightBox box = place.measured(object.centre.data(), object.rotation.data());
+        const TightBox box = place.measured(object.centre.data(), object.rotation.data(), origin);
         if (place.watch() != Watch::look && is_finite(box))
         {
             place.set_tight(box);
             continue;
         }
         place.set_watch(Watch::look);
-        place.set_tight(bounds_of(object));
+        place.set_tight(origin.around(bounds_of(object)));
     }
 }
 
-void World::observe(const ProxyId *ids, std::size_t count, Observation *seen)
+void World::observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &)
 {
     for (std::size_t i = 0; i < count; ++i)
         seen[i] = observation(ids[i]);

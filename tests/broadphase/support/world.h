@@ -95,8 +95,8 @@ public:
     std::string misplaced_object() const;
 
     // What the broad phase asks.
-    void measure(const ProxyId *ids, std::size_t count, Place *places) override;
-    void observe(const ProxyId *ids, std::size_t count, Observation *seen) override;
+    void measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin) override;
+    void observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &origin) override;
     Box bounds(ProxyId id) override { return bounds_of(seen(id)); }
     SampledPose pose(ProxyId id) override;
     bool overlap(ProxyId first, ProxyId second) override { return boxes_and_spheres_overlap(first, second); }

@@ -1,0 +1,58 @@
+// Where coordinates in single precision are counted from: near the objects, wherever these are.
+
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ORIGIN_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ORIGIN_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "ode_predictive_space/broadphase/base/rounding.h"
+#include "ode_predictive_space/broadphase/base/simd.h"
+#include "ode_predictive_space/prediction/envelope.h"
+
+namespace ode_predictive_space
+{
+/// A point of the program's space. Its distance to another point is computed in double precision.
+class Origin
+{
+public:
+    /// That of the program.
+    Origin() : Origin(Vector3::Zero()) {}
+    /// @param place finite.
+    explicit Origin(const Vector3 &place)
+    {
+        float doubt[3];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            place_[axis] = place[axis];
+            doubt[axis] = std::max(least_doubt, round_up(lost()[axis]));
+        }
+        doubt_ = Float4(doubt[0], doubt[1], doubt[2], 0);
+    }
+
+    Vector3 place() const { return Vector3(place_[0], place_[1], place_[2]); }
+
+    /// More than what the program's own coordinates lose by rounding because they are counted from elsewhere; greater than 0.
+    Float4 doubt() const { return doubt_; }
+
+    /// A point from here, for coordinates that were stored a moment ago; see Float4::nearest_of_stored().
+    Float4 nearest_of_stored(const double *point) const { return Float4::difference_of_stored(point, place_); }
+    /// A program in single precision has no other origin than its own.
+    Float4 nearest_of_stored(const float *point) const { return Float4::nearest_of_stored(point, 1); }
+
+    /// A box that holds the one given, from here.
+    Box around(const Box &box) const { return Box(box.min() - place() - lost(), box.max() - place() + lost()); }
+
+private:
+    Vector3 lost() const { return 4 * std::numeric_limits<double>::epsilon() * place().cwiseAbs(); }
+
+    static constexpr float least_doubt = 8 * std::numeric_limits<float>::min();
+
+    alignas(16) double place_[4] = {};
+    Float4 doubt_;
+};
+} // namespace ode_predictive_space
+
+#endif
