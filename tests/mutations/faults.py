@@ -36,7 +36,7 @@ def notice_faults():
     reports = (("broadphase", "*ReportOfAMove.*:*AnyWorld*"),)
     yield Fault(
         "tight_box_without_margin", "notices", place,
-        "half + ((abs(centre) + half) * Float4::all(unit) + Float4::all(least));", "half;", places)
+        "half + ((abs(centre) + half) * Float4::all(unit) + doubt);", "half;", places)
     yield Fault(
         "turn_about_z_ignored", "notices", place,
         "abs(Float4::nearest_of_stored(rotation + 1, 4)) * Float4::all(half_y_))", "Float4::all(half_y_))", places)
@@ -44,12 +44,11 @@ def notice_faults():
         "capsule_without_its_radius", "notices", place, "return along_z + Float4::all(half_x_);", "return along_z;", places)
     yield Fault(
         "centre_allowed_up_to_the_envelope", "notices", place,
-        "const Float4 kept = Float4::all(radius) + (", "const Float4 kept = Float4::all(0) + (", places)
+        "        Float4::all(radius) + ((abs(low())", "        Float4::all(0) + ((abs(low())", places)
     yield Fault(
         "rounding_of_centres_forgotten", "notices", place,
-        "const Float4 kept = Float4::all(radius) + ((abs(low()) + abs(high())) + Float4::all(radius)) * Float4::all(unit) +\n"
-        "                        Float4::all(std::numeric_limits<float>::min());",
-        "const Float4 kept = Float4::all(radius);\n    (void)unit;", places)
+        "        Float4::all(radius) + ((abs(low()) + abs(high())) + Float4::all(radius)) * Float4::all(unit) + doubt;",
+        "        Float4::all(radius);\n    (void)unit;", places)
     yield Fault(
         "one_side_of_the_envelope", "notices", place,
         "return (((inner_low >= low()) & (inner_high <= high())).bits() & three_lanes) == three_lanes;",
@@ -157,7 +156,7 @@ def predict_faults():
         "    note_farthest(place.envelope_lanes());\n    centre.store_three(record.position);\n    record.since",
         "    centre.store_three(record.position);\n    record.since", (("broadphase", "Predictor.TheFarthest*"),))
     yield Fault(
-        "farthest_of_all_is_that_of_a_part", "predict", predictor, "    if (end < size)\n        return;\n    farthest_ = reviewed_.farthest;",
+        "farthest_of_all_is_that_of_a_part", "predict", predictor, "    if (end < size)\n        return std::nullopt;\n    farthest_ = reviewed_.farthest;",
         "    farthest_ = reviewed_.farthest;", (("broadphase", "Predictor.TheFarthest*"),))
     yield Fault(
         "farthest_of_predictions_left_to_the_review", "predict", predictor,
@@ -165,9 +164,9 @@ def predict_faults():
         "max(abs(finite_or_zero(box.low)), abs(finite_or_zero(box.high)))",
         (("broadphase", "Predictor.TheFarthest*"),))
     yield Fault(
-        "farthest_is_never_reviewed", "predict", tick, "        predictor_.review(proxies_);\n", "        (void)0;\n",
+        "farthest_is_never_reviewed", "predict", tick, "        review(scene);\n", "        (void)0;\n",
         (("broadphase", "Predictor.TheFarthest*"),))
-    yield Fault("farthest_in_an_endless_envelope_forgotten", "predict", predictor, "    note_farthest(tight);\n", "",
+    yield Fault("farthest_in_an_endless_envelope_forgotten", "predict", predictor, "    note_farthest(tight);\n    centre", "    centre",
         (("broadphase", "Predictor.TheFarthest*"),))
     yield Fault(
         "predicted_again_and_again", "predict", tick, "    looks_.requested.clear();\n", "", (("broadphase", "Tick.*:Predictor.*"),))
@@ -357,8 +356,7 @@ def near_faults():
         ") ||\n               scene.overlap(pair.first, pair.second);", ") ||\n               (by_sphere && scene.overlap(pair.first, pair.second));",
         (("broadphase", "*AnyWorld*"), ("contract", "Contract.01_*")))
     yield Fault(
-        "sure_of_what_touches", "near", place, "sizes * Float4::all(unit) + Float4::all(Place::least_rounding);",
-        "sizes * Float4::all(-unit) + Float4::all(Place::least_rounding);",
+        "sure_of_what_touches", "near", place, "sizes * Float4::all(unit) +", "sizes * Float4::all(-unit) +",
         (("broadphase", "Place.*:*AnyWorld*"),))
     yield Fault(
         "sure_of_what_overflows", "near", place, "if ((one.state_ | other.state_) & Place::doubt_bit)",

@@ -259,6 +259,8 @@ void Predictor::note_farthest(const TightBox &box)
 // The origin is to be moved when that makes coordinates much smaller, and rounding then shows less.
 std::optional<Vector3> Predictor::Reviewed::far_middle() const
 {
+    if (count == 0)
+        return std::nullopt;
     const Float4 middle = Float4::all(0.5f) * (low + high), half = Float4::all(0.5f) * (high - low);
     const float way = abs(middle).largest_of_three();
     const bool is_far =
