@@ -564,6 +564,10 @@ TEST(Predictor, TheFarthestPlaceMayBeInAnEnvelopeWithoutEnd)
     world.tick();
     EXPECT_FALSE(world.broadphase.proxies().places[far].has_end());
     EXPECT_GE(world.broadphase.farthest(), farthest_side(world));
+    world.place(far, {1e7, 0, 0});
+    world.broadphase.note_disabled(far); // it gets another envelope
+    world.tick();
+    EXPECT_GE(world.broadphase.farthest(), farthest_side(world)) << "before it is reviewed";
 }
 
 // An object far away makes the comparisons of all others less certain: that has to end when it is back, or gone.

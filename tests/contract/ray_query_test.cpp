@@ -15,24 +15,26 @@ namespace
 using Contract = OdeTest;
 
 // Geoms of every kind, the unbounded ones left out, here and there in a room.
-std::vector<dGeomID> fill_room(Scenario &scene, int count)
+//
+// @param away how far that is from the origin, along x.
+std::vector<dGeomID> fill_room(Scenario &scene, int count, dReal away = 0)
 {
     std::vector<dGeomID> geoms;
     for (int i = 0; i < count; ++i)
     {
         const GeomKind kind = static_cast<GeomKind>(i % (geom_kind_count - 3));
         dGeomID geom = scene.numbered(create_geom(kind, 0.3 + 0.2 * (i % 3), scene.space()));
-        dGeomSetPosition(geom, i % 7 - 3.0, i / 7 % 7 - 3.0, i / 49 % 7 - 3.0);
+        dGeomSetPosition(geom, away + i % 7 - 3.0, i / 7 % 7 - 3.0, i / 49 % 7 - 3.0);
         geoms.push_back(geom);
     }
     return geoms;
 }
 
 // A ray from somewhere in that room into some direction.
-void aim(dGeomID ray, int number)
+void aim(dGeomID ray, int number, dReal away = 0)
 {
     dGeomRaySetLength(ray, 0.5 * (1 + number % 17));
-    dGeomRaySet(ray, 0.9 * (number % 9) - 3.5, 0.8 * (number % 10) - 3.5, 0.7 * (number % 11) - 3.5,
+    dGeomRaySet(ray, away + 0.9 * (number % 9) - 3.5, 0.8 * (number % 10) - 3.5, 0.7 * (number % 11) - 3.5,
                 std::sin(1.1 * number), std::sin(1.7 * number), std::cos(2.3 * number));
 }
 
@@ -104,6 +106,30 @@ TEST_F(Contract, 09_BySpheresQueriesLoseNoContact)
     EXPECT_GT(balls.left_out, balls.reported / 20);
     dGeomDestroy(ray);
     dGeomDestroy(ball);
+}
+
+TEST_F(Contract, 09_BySpheresQueriesFarAwayLoseNoContact)
+{
+    constexpr dReal away =
+        sizeof(dReal) < sizeof(double) ? 500 : 5e6; // in single precision all would be in one place there
+    Scenario by_boxes(SpaceKind::simple), by_spheres(SpaceKind::predictive);
+    dPredictiveSpaceSetProximity(by_spheres.space(), dPredictiveProximitySphere);
+    const std::vector<dGeomID> geoms = fill_room(by_boxes, 300, away), others = fill_room(by_spheres, 300, away);
+    for (int tick = 0; tick < 3; ++tick)
+    {
+        for (dGeomID geom : {geoms[0], others[0]})
+            dGeomSetPosition(geom, away, 0.1 * tick, 0);
+        by_spheres.tick();
+    }
+    dGeomID ray = number_geom(dCreateRay(nullptr, 1), 1000);
+    LeftOut rays;
+    for (int number = 0; number < 2000; ++number)
+    {
+        aim(ray, number, away);
+        rays.compare(collide2(ray, as_geom(by_boxes.space())), collide2(ray, as_geom(by_spheres.space())), ray, geoms);
+    }
+    EXPECT_GT(rays.reported, 1000u);
+    dGeomDestroy(ray);
 }
 
 // Contacts with all that is in the spaces below, too.

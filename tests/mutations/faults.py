@@ -138,8 +138,8 @@ def predict_faults():
         "margin_left_out_of_times", "predict", tick, "touching_distance(one, other, shape_margin_)", "touching_distance(one, other, 0)",
         (("times", "Times.*"),))
     yield Fault(
-        "doubt_of_a_far_origin_forgotten", "predict", BROADPHASE + "base/origin.h", "return 4 * std::numeric_limits<double>::epsilon()",
-        "return 0 * std::numeric_limits<double>::epsilon()", (("broadphase", "Origin.*"),))
+        "doubt_of_a_far_origin_forgotten", "predict", BROADPHASE + "base/origin.h", "const Vector3 lost = 4 *",
+        "const Vector3 lost = 0 *", (("broadphase", "Origin.*"),))
     yield Fault(
         "origin_never_moves", "predict", tick, "        next_origin_ = origin_.place() + *middle;\n", "        (void)0;\n",
         (("broadphase", "Origin.*"),))
@@ -546,7 +546,8 @@ def space_faults():
         "question_counted_from_another_origin", "space", query, "origin.around(to_box(question.geom->aabb))", "to_box(question.geom->aabb)",
         far)
     yield Fault(
-        "ray_counted_from_another_origin", "space", query, "line_of_ray(question.geom, origin)", "line_of_ray(question.geom, Origin())", far)
+        "ray_counted_from_another_origin", "space", query, "line_of_ray(question.geom, origin)", "line_of_ray(question.geom, Origin())",
+        contract("Contract.09_*"))
     yield Fault(
         "validated_from_another_origin", "space", SOURCES + "space/inquiry.cpp", ".translated(-broadphase_.origin().place())", "", far)
     yield Fault(

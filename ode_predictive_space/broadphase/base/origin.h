@@ -23,13 +23,16 @@ public:
     /// @param place finite.
     explicit Origin(const Vector3 &place)
     {
+        const Vector3 lost = 4 * std::numeric_limits<double>::epsilon() * place.cwiseAbs();
         float doubt[3];
         for (int axis = 0; axis < 3; ++axis)
         {
             place_[axis] = place[axis];
-            doubt[axis] = std::max(least_doubt, round_up(lost()[axis]));
+            doubt[axis] = std::max(least_doubt, round_up(lost[axis]));
         }
         doubt_ = Float4(doubt[0], doubt[1], doubt[2], 0);
+        for_least_ = place + lost;
+        for_greatest_ = place - lost;
     }
 
     Vector3 place() const { return Vector3(place_[0], place_[1], place_[2]); }
@@ -43,15 +46,14 @@ public:
     Float4 nearest_of_stored(const float *point) const { return Float4::nearest_of_stored(point, 1); }
 
     /// A box that holds the one given, from here.
-    Box around(const Box &box) const { return Box(box.min() - place() - lost(), box.max() - place() + lost()); }
+    Box around(const Box &box) const { return Box(box.min() - for_least_, box.max() - for_greatest_); }
 
 private:
-    Vector3 lost() const { return 4 * std::numeric_limits<double>::epsilon() * place().cwiseAbs(); }
-
     static constexpr float least_doubt = 8 * std::numeric_limits<float>::min();
 
     alignas(16) double place_[4] = {};
     Float4 doubt_;
+    Vector3 for_least_, for_greatest_; // what is subtracted from the sides of boxes
 };
 } // namespace ode_predictive_space
 
