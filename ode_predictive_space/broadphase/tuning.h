@@ -67,8 +67,8 @@ constexpr float least_way = 0.05f;
 /// Ticks in which all objects are reviewed for the farthest one. (far: twice as many are a hundred at most)
 constexpr std::size_t ticks_per_review = 48;
 
-/// The origin is moved when all objects are farther from it than so many of their half extents, and than so many of their sizes:
-/// rounding is then a hundredth of a size. (utm)
+/// The origin is moved when the middle of all envelopes is farther from it than so many half extents of the scene, and than so many
+/// times the sum of an envelope's sides: rounding is then some hundredths of an object's size. (1,000 spheres at 1e4 to 5e6 m)
 constexpr float far_in_extents = 4, far_in_sizes = 1e4f;
 
 /// Questions after moves, one after the other without a tick, from which each such question counts as one: the program only asks, and

@@ -256,6 +256,14 @@ void Predictor::note_farthest(const TightBox &box)
     reviewed_.farthest = max(reviewed_.farthest, max(abs(finite_or_zero(box.low)), abs(finite_or_zero(box.high))));
 }
 
+void Predictor::Reviewed::add(const TightBox &envelope)
+{
+    low = min(low, envelope.low);
+    high = max(high, envelope.high);
+    sizes += (envelope.high - envelope.low).sum_of_three();
+    ++count;
+}
+
 // The origin is to be moved when that makes coordinates much smaller, and rounding then shows less.
 std::optional<Vector3> Predictor::Reviewed::far_middle() const
 {
@@ -276,15 +284,12 @@ std::optional<Vector3> Predictor::review(const ProxyStore &proxies)
     for (; reviewed_.end < end; ++reviewed_.end)
         if (const auto id = static_cast<ProxyId>(reviewed_.end); proxies.members().contains(id))
         {
-            const TightBox tight = proxies.places[id].tight_lanes();
-            note_farthest(proxies.places[id].envelope_lanes());
-            note_farthest(tight);
-            if (!is_finite(tight))
-                continue;
-            reviewed_.low = min(reviewed_.low, tight.low);
-            reviewed_.high = max(reviewed_.high, tight.high);
-            reviewed_.sizes += proxies.records[id].size;
-            ++reviewed_.count;
+            const TightBox envelope = proxies.places[id].envelope_lanes();
+            note_farthest(envelope);
+            if (is_finite(envelope))
+                reviewed_.add(envelope);
+            else
+                note_farthest(proxies.places[id].tight_lanes());
         }
     if (end < size)
         return std::nullopt;

@@ -107,8 +107,10 @@ private:
     {
         std::size_t end = 0;
         Float4 farthest = Float4::all(0);                                              // by coordinate
-        Float4 low = Float4::all(std::numeric_limits<float>::infinity()), high = -low; // of finite boxes
-        float sizes = 0, count = 0;                                                    // of the same
+        Float4 low = Float4::all(std::numeric_limits<float>::infinity()), high = -low; // of finite envelopes
+        float sizes = 0, count = 0;                                                    // of the same: sums of sides
+
+        void add(const TightBox &envelope);
 
         std::optional<Vector3> far_middle() const;
     };
