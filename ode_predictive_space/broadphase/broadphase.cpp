@@ -19,10 +19,10 @@ void Broadphase::update(Scene &scene, bool is_tick)
 {
     // All objects get present numbers before one that is half of all numbers old could be taken for a later one.
     constexpr UpdateNumber half_of_all = Place::last_update / 2 + 1;
+    if (next_origin_)
+        move_origin(*next_origin_);
     if (interrupted_ || clock_.update % half_of_all == 0)
         start_over();
-    if (next_origin_)
-        start_from(*next_origin_);
     idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });
     clock_.unticked += clock_.moves;
     clock_.questions = is_tick ? 0 : clock_.questions + (clock_.moves > 0);
@@ -203,7 +203,7 @@ void Broadphase::start_over()
     });
 }
 
-// Rounding makes nearly all of the boxes of small objects that are far from the origin.
+// When all objects are far from the origin, rounding makes their boxes too large: the next update moves it.
 void Broadphase::review(Scene &scene)
 {
     const std::optional<Vector3> middle = predictor_.review(proxies_);
@@ -211,14 +211,14 @@ void Broadphase::review(Scene &scene)
         next_origin_ = origin_.place() + *middle;
 }
 
-// Where objects were is counted from the last origin: they are predicted as new ones are.
-void Broadphase::start_from(const Vector3 &origin)
+// What is known of places is relative to the last origin, so the update starts over, and objects are predicted as new ones are.
+void Broadphase::move_origin(const Vector3 &origin)
 {
+    interrupted_ = true;
     origin_ = Origin(origin);
     next_origin_.reset();
     proxies_.members().for_each([this](ProxyId id) { proxies_.records[id].predicted = false; });
     predictor_.forget_reviews();
-    start_over();
 }
 
 // The later of two times before which two objects are apart; none when either test keeps them apart for good.

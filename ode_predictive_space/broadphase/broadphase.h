@@ -207,7 +207,7 @@ public:
         near_.for_each_postponed(shapes_, visit);
     }
 
-    /// Where envelopes and tight boxes are counted from. It changes when all objects turn out to be far from it.
+    /// Coordinates of envelopes and tight boxes are relative to it. It moves when all objects are far from it.
     const Origin &origin() const { return origin_; }
     /// No finite side of an object is farther from the origin.
     float farthest() const { return predictor_.farthest(); }
@@ -250,7 +250,7 @@ private:
     void finish();
     void start_over();
     void review(Scene &scene);
-    void start_from(const Vector3 &origin);
+    void move_origin(const Vector3 &origin);
     void forget(ProxyId id);
     /// When memory runs out in the step, the next update starts over.
     template <typename Step> void attempt(Step step);
@@ -285,7 +285,7 @@ private:
     };
 
     Origin origin_;
-    std::optional<Vector3> next_origin_;
+    std::optional<Vector3> next_origin_; // for the next update
     ProxyStore proxies_;
     MeasuredShapes shapes_; // in use by the shape test
     IdleObjects idle_;

@@ -202,7 +202,8 @@ std::size_t dxPredictiveSpace::find_near(const Question &question, std::vector<P
 {
     const Origin &origin = broadphase_.origin();
     const FloatBox box = FloatBox::around(origin.around(to_box(question.geom->aabb)));
-    if (!question.line)
+    const std::optional<RayProbe> line = question.line ? line_of_ray(question.geom, origin) : std::nullopt;
+    if (!line)
     {
         broadphase_.walk(BoxProbe(box), [&](ProxyId id) { found.push_back(id); });
         return 0;
@@ -215,7 +216,7 @@ std::size_t dxPredictiveSpace::find_near(const Question &question, std::vector<P
                 found.push_back(id);
         });
     };
-    find(*line_of_ray(question.geom, origin), false);
+    find(*line, false);
     const std::size_t on_line = found.size();
     if (off_line_count_ > 0)
         find(BoxProbe(box), true);

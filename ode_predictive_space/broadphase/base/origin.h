@@ -1,4 +1,4 @@
-// Where coordinates in single precision are counted from: near the objects, wherever these are.
+// The origin of coordinates in single precision: a point near the objects.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ORIGIN_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ORIGIN_H

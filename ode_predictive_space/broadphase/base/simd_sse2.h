@@ -50,7 +50,7 @@ public:
         return joined(_mm_loadh_pd(_mm_load_sd(first), first + stride), _mm_load_sd(first + 2 * stride));
     }
 
-    /// Of three such numbers less three others.
+    /// The differences of three such numbers and three others, each rounded to the nearest float.
     static Float4 difference_of_stored(const double *first, const double *others)
     {
         return joined(_mm_sub_pd(_mm_loadh_pd(_mm_load_sd(first), first + 1), _mm_load_pd(others)),

@@ -38,7 +38,7 @@ struct OverlapTest
     }
 
 private:
-    // What single precision tells for sure; at most one of the two is true.
+    // What is certain in single precision. At most one of the two is true.
     struct Rough
     {
         bool apart, overlap;
