@@ -132,6 +132,32 @@ TEST_F(Contract, 09_BySpheresQueriesFarAwayLoseNoContact)
     dGeomDestroy(ray);
 }
 
+// From the origin that the space has chosen, near its geoms, the start of the ray is farther than boxes and lines are compared.
+TEST_F(Contract, 09_BySpheresARayFromTheOtherSideOfTheWorldIsAnswered)
+{
+    Scenario scene(SpaceKind::predictive);
+    dPredictiveSpaceSetProximity(scene.space(), dPredictiveProximitySphere);
+    const dReal away = 7e14, distance = 1e10;
+    Pairs on_the_line;
+    for (int i = 0; i < 40; ++i)
+        if (i % 2)
+        {
+            scene.sphere(1e9, away + i * distance, 0, 0);
+            on_the_line.push_back({i, 1000});
+        }
+        else
+            scene.sphere(1e9, away, distance, i * distance);
+    for (int tick = 0; tick < 3; ++tick)
+    {
+        scene.sphere(1e9, away, -distance, tick * distance);
+        scene.tick();
+    }
+    dGeomID ray = number_geom(dCreateRay(nullptr, REAL(1.6e15)), 1000);
+    dGeomRaySet(ray, -8e14, 0, 0, 1, 0, 0);
+    EXPECT_EQ(unordered(collide2(ray, as_geom(scene.space()))), unordered(on_the_line));
+    dGeomDestroy(ray);
+}
+
 // Contacts with all that is in the spaces below, too.
 void count_contacts(void *count, dGeomID first, dGeomID second)
 {

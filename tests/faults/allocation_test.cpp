@@ -209,6 +209,20 @@ const Situation situations[] = {
          gas.explode();
      },
      tick, Matter::shapes, dPredictiveProximityShape},
+    {"the_origin_moves", 60,
+     [](Gas &gas) {
+         gas.shift(1e7);
+         gas.run(1);
+         gas.move();
+     },
+     tick},
+    {"the_origin_moves_by_shape", 60,
+     [](Gas &gas) {
+         gas.shift(1e7);
+         gas.run(1);
+         gas.move();
+     },
+     tick, Matter::shapes, dPredictiveProximityShape},
     {"shapes_of_other_data", 60,
      [](Gas &gas) {
          gas.run(20);

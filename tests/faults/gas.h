@@ -71,7 +71,7 @@ public:
 
     void add()
     {
-        const dReal x = place(), y = place(), z = place();
+        const dReal x = shift_ + place(), y = place(), z = place();
         dGeomID geom = create();
         dGeomSetPosition(geom, x, y, z);
         number_geom(geom, next_number_++);
@@ -95,6 +95,17 @@ public:
         }
     }
 
+    /// Everything, and what is added later, is so far away along x.
+    void shift(dReal distance)
+    {
+        shift_ += distance;
+        for (const Body &body : bodies_)
+        {
+            const dReal *position = dGeomGetPosition(body.geom);
+            dGeomSetPosition(body.geom, position[0] + distance, position[1], position[2]);
+        }
+    }
+
     /// All velocities change, and some objects jump.
     void explode()
     {
@@ -103,7 +114,7 @@ public:
                 velocity = 0.3 * number();
         move();
         for (std::size_t i = 0; i < bodies_.size(); i += 3)
-            dGeomSetPosition(bodies_[i].geom, place(), place(), place());
+            dGeomSetPosition(bodies_[i].geom, shift_ + place(), place(), place());
     }
 
     void run(int ticks)
@@ -118,7 +129,7 @@ public:
     void expect_exact_answer() const
     {
         dGeomID probe = number_geom(dCreateSphere(nullptr, 2), -1);
-        dGeomSetPosition(probe, 2.5, 0, 0); // not where geoms are made
+        dGeomSetPosition(probe, shift_ + REAL(2.5), 0, 0); // not where geoms are made
         Pairs expected;
         for (const Body &body : bodies_)
             if (overlap(probe, body.geom))
@@ -202,6 +213,7 @@ private:
     Matter matter_;
     bool leaves_out_;
     std::vector<Body> bodies_;
+    dReal shift_ = 0;
     int next_number_ = 0;
     std::uint32_t state_ = 1;
 };
