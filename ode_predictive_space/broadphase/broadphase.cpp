@@ -126,9 +126,10 @@ void Broadphase::find_pairs(Scene &scene, const Batch &batch)
         return;
     counters_.sweeps += !index_.find_pairs(proxies_, batch, idle_.members(), pairing_.found);
     make_tight(scene, batch);
+    const bool by_shape = proximity_test_ == ProximityTest::shape;
     for (const CandidatePair &pair : pairing_.found)
         if (!envelopes_apart(proxies_.places[pair.first], proxies_.places[pair.second]))
-            near_.add(pair, proxies_.is_dear(pair.first) || proxies_.is_dear(pair.second));
+            near_.add(pair, by_shape && (proxies_.is_costly(pair.first) || proxies_.is_costly(pair.second)));
     clear_scratch(pairing_.found);
 }
 
@@ -170,12 +171,10 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
     const Float4 doubt = origin_.doubt();
     const OverlapTest test{scene, proxies_.places.data(), by_sphere, doubt,
                            Float4::all(certain) + Float4::all(Place::most_doubts) * doubt};
-    if (proximity_test_ == ProximityTest::shape && near_.are_boxes_enough())
-        end = near_.report_cheap(test, proxies_.places.data(), last, room.data());
-    else if (proximity_test_ == ProximityTest::shape)
+    if (proximity_test_ == ProximityTest::shape)
     {
         ShapeTest of_shapes({scene, proxies_, shapes_}, test, shape_margin_, counters_.looks);
-        end = near_.report_by_shape(of_shapes, proxies_.places.data(), last, room.data());
+        end = near_.report(of_shapes, proxies_.places.data(), last, room.data());
         shapes_.clear_renewed();
     }
     else

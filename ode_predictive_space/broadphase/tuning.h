@@ -131,15 +131,6 @@ constexpr unsigned reports_per_rest = 32;
 /// Reports between two looks at the gap of a pair that has had none for long.
 constexpr int longest_pause = 32;
 
-/// Reports for which a look must postpone pairs of primitives, in the mean, to pay: for the look, and to follow both objects. Where few
-/// pairs are near, the mean is of several trials, and a few reports that are missed decide nothing. (chain 1: 1.9; hills 1,000: 3 to 17;
-/// ragdolls 20: 0.1 to 1.5)
-constexpr double least_wait = 2.5, memory_of_trials = 0.75, few_reports = 16;
-
-/// Counted in so many reports, after as many that are not. When it does not pay, it is tried again after so many. (chain 1,
-/// heap 100; 16 are too few for hills 1,000)
-constexpr int reports_of_trial = 24, reports_between_trials = 2048;
-
 /// How far from a shape the nearest triangle of a mesh is looked for, in radii of the shape. (room 1,000)
 constexpr double surface_search = 8;
 

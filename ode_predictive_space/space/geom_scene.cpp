@@ -338,7 +338,7 @@ Observation GeomScene::observation(ProxyId id, const Origin &origin)
     seen.radius = seen.centre ? circumscribed_radius(geom) : std::numeric_limits<double>::infinity();
     if (geom->offset_posr && seen.centre)
         seen.carried = CarriedGeom(geom).carried(seen.radius, origin);
-    seen.is_dear = geom->type == dConvexClass || geom->type == dTriMeshClass;
+    seen.is_costly = has_data(geom);
     if (geom->body && !dBodyIsKinematic(geom->body))
         seen.velocity = velocity_of(geom);
     return seen;

@@ -260,9 +260,8 @@ protected:
         shapes.update(scene, proxies.members(), proxies);
         const OverlapTest boxes{scene, proxies.places.data(), false, Origin().doubt(), Float4::all(0)};
         Look look;
-        LookPayoff payoff;
         std::uint64_t looks = 0;
-        return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).looks_near({0, 1}, look, payoff);
+        return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).looks_near({0, 1}, look);
     }
 
     double thinnest_ = 0.03; // shortest side, as a part of the size

@@ -48,7 +48,7 @@ public:
         ShapeTest test({*this, proxies_, shapes_}, boxes, margin, looks_);
         if (test.postpones(the_pair, look_))
             return false;
-        return look_.pause > 0 ? look_.pause-- > 0 : test.looks_near(the_pair, look_, payoff_);
+        return look_.pause > 0 ? look_.pause-- > 0 : test.looks_near(the_pair, look_);
     }
 
     bool postponed() const { return shapes_.travel(the_pair) < look_.due; }
@@ -77,7 +77,6 @@ private:
     ProxyStore proxies_;
     UpdateNumber update_ = 1;
     MeasuredShapes shapes_;
-    LookPayoff payoff_;
     Look look_;
     std::uint64_t looks_ = 0;
 };

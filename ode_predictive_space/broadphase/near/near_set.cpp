@@ -9,60 +9,48 @@ namespace ode_predictive_space
 CandidatePair *NearSet::report(const OverlapTest &test, Place *places, UpdateNumber update, CandidatePair *room)
 {
     activate_disturbed();
-    CandidatePair *end = test.copy_overlapping(pairs_, room);
-    end = std::copy(overlapping_.begin(), overlapping_.end(), end);
-    if (is_time_to_rest() || rests_early())
-        let_rest(places, update, [&](std::size_t i) { return test(pairs_[i]); });
+    CandidatePair *end = report_by_box(test, room);
+    if (is_time_to_rest())
+    {
+        let_rest(test, places);
+        rested_ = update;
+    }
     return end;
 }
 
-CandidatePair *NearSet::report_by_shape(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room)
+CandidatePair *NearSet::report(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room)
 {
     activate_disturbed();
-    make_looks(test);
-    test.build();
-    renew_outdated(test);
-    follow_postponed(test);
-    CandidatePair *end = find_open(test, room);
-    end = look_at_open(test, room, end);
-    end = std::copy(overlapping_.begin(), overlapping_.end(), end);
-    if (payoff_.end_report())
-        reset_cheap_looks();
+    CandidatePair *end = report_by_box(test.boxes(), room);
+    if (by_shape_.size() > 0)
+        end = report_by_shape(test, end);
     if (is_time_to_rest())
     {
-        // As they were reported. (The shapes of those that were not looked at are out of date.)
-        let_rest(places, update, [&](std::size_t i) { return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]); });
+        let_rest(test.boxes(), places);
+        let_rest_by_shape(test.boxes(), places);
+        rested_ = update;
         wanted_.clear();
-        has_dear_ = false;
-        for_each([&](const CandidatePair &pair, PairState) {
-            want(pair);
-            has_dear_ |= !test.is_cheap(pair);
-        });
+        want_all_by_shape();
         test.keep_only(wanted_);
     }
     return end;
 }
 
-// While only cheap pairs are near, and looks at these do not pay, nothing of shapes is needed.
-CandidatePair *NearSet::report_cheap(const OverlapTest &boxes, Place *places, UpdateNumber update, CandidatePair *room)
+CandidatePair *NearSet::report_by_box(const OverlapTest &test, CandidatePair *room)
 {
-    looks_.clear();
-    CandidatePair *end = report(boxes, places, update, room);
-    if (!payoff_.end_report())
-        return end;
-    Look cheap;
-    cheap.is_cheap = true;
-    looks_.assign(pairs_.size(), cheap);
-    reset_cheap_looks();
-    return end;
+    CandidatePair *end = test.copy_overlapping(by_box_.active, room);
+    return std::copy(by_box_.overlapping.begin(), by_box_.overlapping.end(), end);
 }
 
-void NearSet::make_looks(const ShapeTest &test)
+CandidatePair *NearSet::report_by_shape(ShapeTest &test, CandidatePair *room)
 {
-    const std::size_t known = looks_.size();
-    looks_.resize(pairs_.size());
-    for (std::size_t i = known; i < pairs_.size(); ++i)
-        looks_[i].is_cheap = test.is_cheap(pairs_[i]);
+    looks_.resize(by_shape_.active.size());
+    test.build();
+    renew_outdated(test);
+    follow_postponed(test);
+    CandidatePair *end = find_open(test, room);
+    end = look_at_open(test, room, end);
+    return std::copy(by_shape_.overlapping.begin(), by_shape_.overlapping.end(), end);
 }
 
 // A hull may change without a move.
@@ -71,8 +59,15 @@ void NearSet::renew_outdated(ShapeTest &test)
     if (!test.shapes().any_hulls())
         return;
     wanted_.clear();
-    for_each([this](const CandidatePair &pair, PairState) { want(pair); });
+    want_all_by_shape();
     test.renew_outdated(wanted_);
+}
+
+void NearSet::want_all_by_shape()
+{
+    for (const std::vector<CandidatePair> *pairs : {&by_shape_.active, &by_shape_.overlapping, &by_shape_.separated})
+        for (const CandidatePair &pair : *pairs)
+            want(pair);
 }
 
 // Brings the travels of postponed pairs up to date. A pair of an object whose shape is another one now is as good as new, also one
@@ -80,21 +75,18 @@ void NearSet::renew_outdated(ShapeTest &test)
 void NearSet::follow_postponed(ShapeTest &test)
 {
     wanted_.clear();
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
+    for (std::size_t i = 0; i < looks_.size(); ++i)
         if (looks_[i].due > 0)
-            want(pairs_[i]);
+            want(by_shape_.active[i]);
     test.follow(wanted_);
     if (!test.shapes().any_renewed())
         return;
     test.shapes().renewed().for_each([this](ProxyId id) { disturb(id); });
     activate_disturbed();
-    looks_.resize(pairs_.size());
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-        if (test.shapes().renewed(pairs_[i]))
-        {
+    looks_.resize(by_shape_.active.size());
+    for (std::size_t i = 0; i < looks_.size(); ++i)
+        if (test.shapes().renewed(by_shape_.active[i]))
             looks_[i] = {};
-            looks_[i].is_cheap = test.is_cheap(pairs_[i]);
-        }
 }
 
 // Writes the pairs that are not postponed and whose boxes overlap. Those that are to be looked at are in open_, too; their shapes are
@@ -104,28 +96,25 @@ CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
     wanted_.clear();
     open_.clear();
     CandidatePair *end = room;
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
+    for (std::size_t i = 0; i < looks_.size(); ++i)
     {
         Look &look = looks_[i];
-        if (look.due > 0 && test.postpones(pairs_[i], look))
-        {
-            if (look.is_cheap)
-                payoff_.note_postponed();
+        const CandidatePair &pair = by_shape_.active[i];
+        if (look.due > 0 && test.postpones(pair, look))
             continue;
-        }
-        if (!test.boxes_overlap(pairs_[i]))
+        if (!test.boxes()(pair))
         {
             look.due = 0;
             continue;
         }
         if (look.pause > 0)
             --look.pause;
-        else if (!look.is_cheap || payoff_.pays())
+        else
         {
             open_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end - room)});
-            want(pairs_[i]);
+            want(pair);
         }
-        *end++ = pairs_[i];
+        *end++ = pair;
     }
     test.follow(wanted_);
     return end;
@@ -137,23 +126,12 @@ CandidatePair *NearSet::look_at_open(ShapeTest &test, CandidatePair *room, Candi
     constexpr CandidatePair none{0, 0};
     CandidatePair *first_taken_back = end;
     for (const auto &[i, place] : open_)
-        if (!test.looks_near(pairs_[i], looks_[i], payoff_))
+        if (!test.looks_near(by_shape_.active[i], looks_[i]))
         {
             room[place] = none;
             first_taken_back = std::min(first_taken_back, room + place);
         }
     return std::remove_if(first_taken_back, end, [](const CandidatePair &pair) { return pair.first == pair.second; });
-}
-
-// The cheap pairs, when it has changed whether looks at these pay: their next looks are spread.
-void NearSet::reset_cheap_looks()
-{
-    for (std::size_t i = 0; i < looks_.size(); ++i)
-        if (looks_[i].is_cheap)
-        {
-            looks_[i].due = 0;
-            looks_[i].pause = static_cast<std::uint8_t>(i % tuning::longest_pause);
-        }
 }
 
 // Makes the pairs of all disturbed objects active.
@@ -165,37 +143,52 @@ void NearSet::activate_disturbed()
     for (ProxyId id : disturbed_)
         wanted_.insert(id);
     disturbed_.clear();
-    activate_disturbed(overlapping_);
-    activate_disturbed(separated_);
+    for (NearPairs *pairs : {&by_box_, &by_shape_})
+    {
+        woken_ += activate_disturbed(pairs->overlapping, pairs->active);
+        woken_ += activate_disturbed(pairs->separated, pairs->active);
+    }
 }
 
-void NearSet::activate_disturbed(std::vector<CandidatePair> &pairs)
+// @return their number.
+std::size_t NearSet::activate_disturbed(std::vector<CandidatePair> &resting, std::vector<CandidatePair> &active)
 {
-    CandidatePair *left = pairs.data();
-    for (const CandidatePair &pair : pairs)
+    CandidatePair *left = resting.data();
+    for (const CandidatePair &pair : resting)
         if (wanted_.contains(pair.first) || wanted_.contains(pair.second))
-            pairs_.push_back(pair);
+            active.push_back(pair);
         else
             *left++ = pair;
-    const auto kept = static_cast<std::size_t>(left - pairs.data());
-    woken_ += pairs.size() - kept;
-    pairs.resize(kept);
+    const auto kept = static_cast<std::size_t>(left - resting.data());
+    const std::size_t activated = resting.size() - kept;
+    resting.resize(kept);
+    return activated;
 }
 
 // Lets those pairs rest whose objects have not moved since the last call; their states are known from now on.
-//
-// @param overlap says of the i-th pair whether its objects overlap.
-template <typename Overlap> void NearSet::let_rest(Place *places, UpdateNumber update, Overlap overlap)
+void NearSet::let_rest(const OverlapTest &test, Place *places)
 {
-    const auto moved = [&](ProxyId id) { return updates_between(rested_, places[id].moved()) > 0; };
-    keep_pairs([&](const CandidatePair &pair, std::size_t i) {
-        const bool stays = moved(pair.first) || moved(pair.second);
-        if (!stays)
-            rest(overlap(i) ? overlapping_ : separated_, pair, places);
-        return stays;
+    std::vector<CandidatePair> &active = by_box_.active;
+    CandidatePair *left = active.data();
+    for (const CandidatePair &pair : active)
+        if (may_rest(pair, places))
+            rest(test(pair) ? by_box_.overlapping : by_box_.separated, pair, places);
+        else
+            *left++ = pair;
+    active.resize(static_cast<std::size_t>(left - active.data()));
+    give_back_spare(active);
+}
+
+// As they were reported. (The shapes of those that were not looked at are out of date.)
+void NearSet::let_rest_by_shape(const OverlapTest &test, Place *places)
+{
+    keep_by_shape([&](const CandidatePair &pair, std::size_t i) {
+        const bool rests = may_rest(pair, places);
+        if (rests)
+            rest(looks_[i].due == 0 && test(pair) ? by_shape_.overlapping : by_shape_.separated, pair, places);
+        return !rests;
     });
-    give_back_spare(pairs_);
-    rested_ = update;
+    give_back_spare(by_shape_.active);
 }
 
 void NearSet::rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair, Place *places)
@@ -210,8 +203,9 @@ void NearSet::rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair,
 
 void NearSet::clear()
 {
-    for (std::vector<CandidatePair> *pairs : {&pairs_, &overlapping_, &separated_})
-        pairs->clear();
+    for (NearPairs *pairs : {&by_box_, &by_shape_})
+        for (std::vector<CandidatePair> *list : {&pairs->active, &pairs->overlapping, &pairs->separated})
+            list->clear();
     looks_.clear();
     resting_.clear();
     disturbed_.clear();
@@ -222,8 +216,9 @@ void NearSet::clear()
 void NearSet::release()
 {
     clear();
-    for (std::vector<CandidatePair> *pairs : {&pairs_, &overlapping_, &separated_})
-        free_memory(*pairs);
+    for (NearPairs *pairs : {&by_box_, &by_shape_})
+        for (std::vector<CandidatePair> *list : {&pairs->active, &pairs->overlapping, &pairs->separated})
+            free_memory(*list);
     free_memory(looks_);
     free_memory(open_);
     free_memory(disturbed_);

@@ -24,8 +24,19 @@ enum class PairState
     overlapping ///< the pair rests, and its objects overlap; or their shapes may touch
 };
 
-/// Pairs in the order in which they were added. A pair is active, or it rests until one of its objects moves. When an object is
-/// retired, all its pairs are stale, and are dropped together with those of others.
+/// Pairs that are all tested in the same way, in the order in which they became active.
+struct NearPairs
+{
+    std::vector<CandidatePair> active;
+    std::vector<CandidatePair> overlapping, separated; ///< at rest
+
+    std::size_t resting() const { return overlapping.size() + separated.size(); }
+    std::size_t size() const { return active.size() + resting(); }
+    std::size_t bytes() const { return bytes_of(active) + bytes_of(overlapping) + bytes_of(separated); }
+};
+
+/// A pair is active, or it rests until one of its objects moves. When an object is retired, all its pairs are stale, and are dropped
+/// together with those of others.
 class NearSet
 {
 public:
@@ -37,12 +48,8 @@ public:
         resize_array(is_retired_, count);
     }
 
-    /// @param is_dear its contacts are dear to find.
-    void add(const CandidatePair &pair, bool is_dear)
-    {
-        pairs_.push_back(pair);
-        has_dear_ |= is_dear;
-    }
+    /// @param by_shape the contacts of the pair are costly to find: it is reported when its shapes may touch.
+    void add(const CandidatePair &pair, bool by_shape) { (by_shape ? by_shape_ : by_box_).active.push_back(pair); }
 
     /// The object is getting another envelope, or is gone.
     void retire(ProxyId id)
@@ -68,7 +75,7 @@ public:
     template <typename Visit> void drop_retired(Visit visit);
 
     /// Room that report() needs for its pairs.
-    std::size_t most_pairs() const { return pairs_.size() + overlapping_.size() + separated_.size(); }
+    std::size_t most_pairs() const { return by_box_.size() + by_shape_.size(); }
 
     /// Writes the pairs that overlap to `room`, which has room for most_pairs(). Now and then, pairs whose objects have not moved
     /// come to rest; their objects are to be looked at when they move.
@@ -77,11 +84,9 @@ public:
     /// @return the end of what was written.
     CandidatePair *report(const OverlapTest &test, Place *places, UpdateNumber update, CandidatePair *room);
 
-    /// The same for pairs that overlap and whose shapes may touch. Shapes are brought up to date where they are needed.
-    CandidatePair *report_by_shape(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room);
-    CandidatePair *report_cheap(const OverlapTest &boxes, Place *places, UpdateNumber update, CandidatePair *room);
-    /// Would the shapes of no near pair be looked at?
-    bool are_boxes_enough() const { return !has_dear_ && !payoff_.pays(); }
+    /// The same; of the pairs that were added by shape, those that overlap and whose shapes may touch. Shapes are brought up to date
+    /// where they are needed.
+    CandidatePair *report(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room);
 
     /// Drops all pairs.
     void clear();
@@ -91,62 +96,79 @@ public:
     /// Calls visit(pair, state) for all pairs that are not stale.
     template <typename Visit> void for_each(Visit visit) const
     {
-        for_current(pairs_, PairState::active, visit);
-        for_current(overlapping_, PairState::overlapping, visit);
-        for_current(separated_, PairState::separated, visit);
+        for (const NearPairs *pairs : {&by_box_, &by_shape_})
+        {
+            for_current(pairs->active, PairState::active, visit);
+            for_current(pairs->overlapping, PairState::overlapping, visit);
+            for_current(pairs->separated, PairState::separated, visit);
+        }
     }
 
     /// Calls visit(pair) for the active pairs that were postponed at the last report, and whose shapes are the ones of that report.
     template <typename Visit> void for_each_postponed(const MeasuredShapes &shapes, Visit visit) const
     {
         for (std::size_t i = 0; i < looks_.size(); ++i)
-            if (!is_retired(pairs_[i]) && !shapes.renewed(pairs_[i]) && shapes.travel(pairs_[i]) < looks_[i].due)
-                visit(pairs_[i]);
+        {
+            const CandidatePair &pair = by_shape_.active[i];
+            if (!is_retired(pair) && !shapes.renewed(pair) && shapes.travel(pair) < looks_[i].due)
+                visit(pair);
+        }
     }
 
-    /// Active pairs; stale ones among them.
-    const std::vector<CandidatePair> &active() const { return pairs_; }
+    /// Active pairs that are tested by box; stale ones among them.
+    const std::vector<CandidatePair> &active() const { return by_box_.active; }
     /// Pairs at rest.
-    std::size_t resting() const { return overlapping_.size() + separated_.size(); }
+    std::size_t resting() const { return by_box_.resting() + by_shape_.resting(); }
     /// Pairs that have rested and do not any more, since the set was made.
     std::uint64_t woken() const { return woken_; }
 
     std::size_t bytes() const
     {
-        return bytes_of(pairs_) + bytes_of(looks_) + bytes_of(overlapping_) + bytes_of(separated_) +
-               bytes_of(is_retired_) + bytes_of(disturbed_) + resting_.bytes() + wanted_.bytes() + bytes_of(open_);
+        return by_box_.bytes() + by_shape_.bytes() + bytes_of(looks_) + bytes_of(is_retired_) + bytes_of(disturbed_) +
+               resting_.bytes() + wanted_.bytes() + bytes_of(open_);
     }
 
 private:
     /// A pair to look at.
     struct Open
     {
-        std::uint32_t number; ///< among pairs_
+        std::uint32_t number; ///< among by_shape_.active
         std::uint32_t place;  ///< among those that are written
     };
 
-    void make_looks(const ShapeTest &test);
+    CandidatePair *report_by_box(const OverlapTest &test, CandidatePair *room);
+    CandidatePair *report_by_shape(ShapeTest &test, CandidatePair *room);
     void renew_outdated(ShapeTest &test);
     void follow_postponed(ShapeTest &test);
     CandidatePair *find_open(ShapeTest &test, CandidatePair *room);
     CandidatePair *look_at_open(ShapeTest &test, CandidatePair *room, CandidatePair *end);
-    void reset_cheap_looks();
     void want(const CandidatePair &pair)
     {
         wanted_.insert(pair.first);
         wanted_.insert(pair.second);
     }
 
-    /// Keeps those active pairs for which stays(pair, its number) is true, with their looks.
-    template <typename Stays> void keep_pairs(Stays stays);
+    void want_all_by_shape();
+
+    /// Keeps those active pairs by shape for which stays(pair, its number) is true, with their looks.
+    template <typename Stays> void keep_by_shape(Stays stays);
 
     void activate_disturbed();
-    void activate_disturbed(std::vector<CandidatePair> &pairs);
-    template <typename Overlap> void let_rest(Place *places, UpdateNumber update, Overlap overlap);
+    std::size_t activate_disturbed(std::vector<CandidatePair> &resting, std::vector<CandidatePair> &active);
+    bool is_time_to_rest()
+    {
+        // Most of what never moves is there from the beginning.
+        ++reports_;
+        return reports_ == 2 || reports_ == 8 || reports_ % tuning::reports_per_rest == 0;
+    }
+    void let_rest(const OverlapTest &test, Place *places);
+    void let_rest_by_shape(const OverlapTest &test, Place *places);
+    bool may_rest(const CandidatePair &pair, const Place *places) const
+    {
+        const auto rests = [&](ProxyId id) { return updates_between(rested_, places[id].moved()) <= 0; };
+        return rests(pair.first) && rests(pair.second);
+    }
     void rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair, Place *places);
-    bool is_time_to_rest() { return ++reports_ % tuning::reports_per_rest == 0; }
-    /// Most of what never moves is there from the beginning. (By shape, such pairs show in their first reports that looks pay.)
-    bool rests_early() const { return reports_ == 2 || reports_ == 8; }
 
     bool is_retired(const CandidatePair &pair) const
     {
@@ -161,40 +183,33 @@ private:
                 visit(pair, state);
     }
 
-    std::vector<CandidatePair> pairs_; // active
-    std::vector<Look> looks_;          // of the first so many of these; none unless pairs are tested by shape
-    std::vector<CandidatePair> overlapping_, separated_; // at rest
-    IdSet resting_;                                      // the objects of these
-    std::vector<ProxyId> disturbed_;                     // were among them
+    NearPairs by_box_, by_shape_;
+    std::vector<Look> looks_;        // of the first so many of by_shape_.active; the others are new
+    IdSet resting_;                  // objects with a pair at rest
+    std::vector<ProxyId> disturbed_; // were among them
     std::uint64_t woken_ = 0;
     unsigned reports_ = 0;                 // so far; decides when pairs are let rest
     UpdateNumber rested_ = 0;              // when that was last
     std::vector<std::uint8_t> is_retired_; // bytes, not bits: two are looked up for each pair
     bool has_retired_ = false;
-    LookPayoff payoff_;
-    bool has_dear_ = false;  // since pairs could last rest, there was a pair with contacts that are dear to find
     IdSet wanted_;           // scratch
     std::vector<Open> open_; // scratch
 };
 
-template <typename Stays> void NearSet::keep_pairs(Stays stays)
+template <typename Stays> void NearSet::keep_by_shape(Stays stays)
 {
+    std::vector<CandidatePair> &pairs = by_shape_.active;
     const std::size_t looks = looks_.size();
     std::size_t left = 0, looks_left = 0;
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
+    for (std::size_t i = 0; i < pairs.size(); ++i)
     {
-        if (!stays(pairs_[i], i))
+        if (!stays(pairs[i], i))
             continue;
-        if (left != i)
-        {
-            if (i < looks)
-                looks_[left] = looks_[i];
-            pairs_[left] = pairs_[i];
-        }
-        looks_left += i < looks;
-        ++left;
+        if (i < looks)
+            looks_[looks_left++] = looks_[i];
+        pairs[left++] = pairs[i];
     }
-    pairs_.resize(left);
+    pairs.resize(left);
     looks_.resize(looks_left);
 }
 
@@ -209,10 +224,8 @@ template <typename Visit> void NearSet::drop_retired(Visit visit)
             visit(pair);
         return goes;
     };
-    if (looks_.empty())
-        pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), goes), pairs_.end());
-    else
-        keep_pairs([&](const CandidatePair &pair, std::size_t) { return !goes(pair); });
+    by_box_.active.erase(std::remove_if(by_box_.active.begin(), by_box_.active.end(), goes), by_box_.active.end());
+    keep_by_shape([&](const CandidatePair &pair, std::size_t) { return !goes(pair); });
     std::fill(is_retired_.begin(), is_retired_.end(), std::uint8_t{0});
     has_retired_ = false;
 }

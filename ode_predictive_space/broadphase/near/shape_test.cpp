@@ -82,14 +82,12 @@ Gap ShapeTest::gap_between(const CandidatePair &pair, const Look &look, double m
     return gap;
 }
 
-bool ShapeTest::looks_near(const CandidatePair &pair, Look &look, LookPayoff &payoff)
+bool ShapeTest::looks_near(const CandidatePair &pair, Look &look)
 {
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
     if (look.due > 0)
         look.last_pause = 0;
     look.due = 0;
-    if (look.is_cheap && !payoff.pays())
-        return true;
     const double margin = touching_distance(first, second, margin_);
     if (touch_within(first, second, margin))
     {
@@ -103,11 +101,8 @@ bool ShapeTest::looks_near(const CandidatePair &pair, Look &look, LookPayoff &pa
     if (!(gap.length > margin) && is_being_built(first, second))
     {
         look.pause = tuning::pause_while_built;
-        payoff.note_waiting();
         return true;
     }
-    if (look.is_cheap)
-        payoff.note_look();
     if (!(gap.length > margin))
     {
         pause(look);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "ode_predictive_space/broadphase/near/look_payoff.h"
 #include "ode_predictive_space/broadphase/near/overlap_test.h"
 #include "ode_predictive_space/broadphase/objects/measured_shapes.h"
 #include "ode_predictive_space/broadphase/shape/gap.h"
@@ -21,7 +20,6 @@ struct Look
     float axis[3] = {};     ///< of the last look, from the first object to the second
     std::uint8_t pause = 0; ///< reports until the next look, of a pair whose looks are in vain
     std::uint8_t last_pause = 0;
-    bool is_cheap = false; ///< contacts of the pair cost little to find
 };
 static_assert(sizeof(Look) == 24, "there is one for each near pair");
 
@@ -68,17 +66,11 @@ public:
         return objects_.shapes.travel(pair) < look.due;
     }
 
-    bool boxes_overlap(const CandidatePair &pair) const { return boxes_(pair); }
+    /// Whether bounding boxes overlap.
+    const OverlapTest &boxes() const { return boxes_; }
 
-    /// Do the contacts of the pair cost little to find?
-    bool is_cheap(const CandidatePair &pair) const
-    {
-        return !objects_.proxies.is_dear(pair.first) && !objects_.proxies.is_dear(pair.second);
-    }
-
-    /// Looks at the gap of the pair, whose shapes are up to date, and decides when the next look is due. A cheap pair is reported
-    /// without a look when looks do not pay.
-    bool looks_near(const CandidatePair &pair, Look &look, LookPayoff &payoff);
+    /// Looks at the gap of the pair, whose shapes are up to date, and decides when the next look is due.
+    bool looks_near(const CandidatePair &pair, Look &look);
 
     const MeasuredShapes &shapes() const { return objects_.shapes; }
 

@@ -55,7 +55,7 @@ struct alignas(64) ProxyRecord
     bool has_body : 1;     ///< which tells the velocity
     bool is_rounded : 1;   ///< it was so far away that rounding made much of its box
     bool leapt : 1;        ///< since the prediction
-    bool is_dear : 1;      ///< the contacts of its shape are dear to find
+    bool is_costly : 1;    ///< the contacts of its shape are costly to find
 
     bool had_overlap() const { return useless < tests; }
 };
@@ -68,8 +68,8 @@ public:
     std::vector<Place, CacheLineAllocator<Place>> places;
     std::vector<ProxyRecord> records;
 
-    /// Are contacts of the object dear to find? Also those of what the program says that a person holds: of these it asks for more.
-    bool is_dear(ProxyId id) const { return records[id].is_dear || records[id].role == Role::fixed_interactive; }
+    /// Are contacts of the object costly to find? Also those of what the program says that a person holds: of these it asks for more.
+    bool is_costly(ProxyId id) const { return records[id].is_costly || records[id].role == Role::fixed_interactive; }
 
     /// Numbers in use are below this.
     std::size_t size() const { return records.size(); }

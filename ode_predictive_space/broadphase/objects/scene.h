@@ -27,7 +27,7 @@ struct Observation
     double radius = 0;             ///< of a sphere around the centre that holds the object; infinite when none is known
     std::optional<Vector3> velocity; ///< in the program's unit, if the object has a body that tells
     std::optional<Carried> carried;  ///< if notices compute its centre from a body and an offset
-    bool is_dear = false;            ///< the contacts of its shape are dear to find: many points or triangles
+    bool is_costly = false;          ///< the contacts of its shape are costly to find: many points or triangles
 };
 
 struct ConvexShape;

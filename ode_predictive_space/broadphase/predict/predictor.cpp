@@ -209,7 +209,7 @@ Predictor::Motion Predictor::motion_of_body(const ProxyRecord &record, const Out
 
 Predictor::Motion Predictor::motion_of(ProxyRecord &record, const Outcome &outcome, const Observation &seen)
 {
-    record.is_dear = seen.is_dear;
+    record.is_costly = seen.is_costly;
     const bool moved = norm(outcome.displacement) > 0;
     if (!seen.velocity && moved && record.role == Role::environment)
         record.role = Role::interactive;
