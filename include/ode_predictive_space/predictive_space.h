@@ -70,9 +70,9 @@ enum
         1, /**< when the bounding spheres overlap too, and for a ray in dSpaceCollide2() when it passes through the box:
                 never a contact less, fewer useless calls */
     dPredictiveProximityShape =
-        2 /**< when the shapes of spheres, boxes, capsules, cylinders, planes, convexes, meshes and heightfields may touch, of
-               convexes their convex hulls; of other classes, and of a few pairs of these (docs/shapes.md lists them), when the
-               boxes overlap, and also where looking at shapes would cost more than it spares. Never a contact less than dCollide()
+        2 /**< when the shapes may touch, of convexes their convex hulls: of pairs with a convex, mesh or heightfield, or with a geom
+               whose role is dPredictiveRoleInteractive. Of other pairs, of a few pairs of classes (docs/shapes.md lists them), and
+               where looks at shapes would cost more than they spare, when the boxes overlap. Never a contact less than dCollide()
                finds with ODE's own colliders, hardly a useless call. In dSpaceCollide2(), a ray is followed as by
                dPredictiveProximitySphere, and other probes are judged by shape beside convexes, meshes and heightfields; those
                that are one themselves only in the space that they are in. Also for the times of

@@ -251,7 +251,7 @@ std::optional<double> Broadphase::time_of_proximity(const Forecast &first, const
 void Broadphase::follow_shapes(Scene &scene, const IdSet &wanted)
 {
     interrupted_ = true;
-    shapes_.renew_outdated(scene, wanted, proxies_.members());
+    shapes_.drop_outdated(scene, proxies_.members());
     shapes_.update(scene, wanted, proxies_);
     interrupted_ = false;
 }
@@ -334,7 +334,7 @@ template <typename Step> void Broadphase::attempt(Step step)
 
 void Broadphase::forget(ProxyId id)
 {
-    near_.retire(id);
+    near_.forget(id);
     index_.remove(proxies_, id);
 }
 

@@ -7,6 +7,7 @@
 #include "ode_predictive_space/broadphase/base/prefetch.h"
 #include "ode_predictive_space/space/geom_shape.h"
 #include "ode_predictive_space/space/noticed_geom.h"
+#include "ode_predictive_space/space/pair_filter.h"
 
 namespace ode_predictive_space
 {
@@ -342,6 +343,12 @@ Observation GeomScene::observation(ProxyId id, const Origin &origin)
     if (geom->body && !dBodyIsKinematic(geom->body))
         seen.velocity = velocity_of(geom);
     return seen;
+}
+
+bool GeomScene::is_excluded(ProxyId first, ProxyId second)
+{
+    const dxGeom *one = geoms_[first], *other = geoms_[second];
+    return !bits_agree(one, other) || (one->body && one->body == other->body);
 }
 
 void GeomScene::find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled)

@@ -136,6 +136,7 @@ public:
     Box bounds(ProxyId id) override;
     SampledPose pose(ProxyId id) override;
     bool overlap(ProxyId first, ProxyId second) override { return overlap(geoms_[first], geoms_[second]); }
+    bool is_excluded(ProxyId first, ProxyId second) override;
     void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
 
     /// Do the geoms overlap by the test of proximity of the space?

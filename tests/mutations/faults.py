@@ -488,8 +488,18 @@ def shape_faults():
         "return (made.outdated && geom->type != dHeightfieldClass) || made.key != key_of(geom);",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
-        "looks_that_do_not_pay_go_on", "shapes", BROADPHASE + "near/look_payoff.h",
-        "if (pays_ && postponed_", "if (pays_ || postponed_", (("broadphase", "LookPayoffs.*"),))
+        "looks_that_do_not_pay_go_on", "shapes", BROADPHASE + "near/look_budget.h",
+        "accounts_[id].balance -= cost + tuning::cost_of_look", "accounts_[id].balance -= cost / 4",
+        (("broadphase", "LookBudgets.*"),))
+    yield Fault(
+        "what_looks_have_spared_is_saved_for_good", "shapes", BROADPHASE + "near/look_budget.h",
+        "std::min(account.balance + tuning::cost_of_contacts - tuning::cost_of_following, account.most)",
+        "account.balance + tuning::cost_of_contacts - tuning::cost_of_following",
+        (("broadphase", "LookBudgets.*"),))
+    yield Fault(
+        "excluded_pairs_are_looked_at", "shapes", SOURCES + "space/geom_scene.cpp",
+        "return !bits_agree(one, other) || (one->body && one->body == other->body);", "return one == other;",
+        (("shape_contract", "ShapeProximity.*"),))
     surface = BROADPHASE + "shape/surface_gap.cpp"
     yield Fault(
         "triangles_beside_the_nearest_ignored", "shapes", surface,

@@ -105,7 +105,7 @@ protected:
         for (const ConvexShape *shape : {&one, &other})
             if (shape->surface())
                 shape->surface()->build(10000);
-        return std::max(find_gap(one, other, Vector3::Zero(), 0).length, surface_gap(one, other, 0));
+        return std::max(find_gap(one, other, Vector3::Zero(), 0).length, surface_gap(one, other, 0).length);
     }
 
     Vector3 place_on(dGeomID mesh)
@@ -259,9 +259,10 @@ protected:
         shapes.build(scene); // what is needed, at once
         shapes.update(scene, proxies.members(), proxies);
         const OverlapTest boxes{scene, proxies.places.data(), false, Origin().doubt(), Float4::all(0)};
-        Look look;
+        Look look(Payer::nobody);
+        LookBudget budget;
         std::uint64_t looks = 0;
-        return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).looks_near({0, 1}, look);
+        return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).looks_near({0, 1}, look, budget);
     }
 
     double thinnest_ = 0.03; // shortest side, as a part of the size

@@ -52,7 +52,7 @@ void ask(ShapeHistory &history, const std::string &where, Totals &totals)
     }
 }
 
-// Some last until looks at primitives have been given up and are tried again.
+// Some last until accounts of looks are overdrawn, and balanced again.
 int ticks_of(unsigned history)
 {
     return history % 16 == 0 ? 4800 : 600;
@@ -184,6 +184,7 @@ Totals in_sparse_scene(int proximity)
     setting.geoms = 150;
     setting.half_room = 6;
     setting.surprises = 0;
+    setting.interactive = 1;
     setting.all_classes = setting.with_plane = setting.with_cylinders = false;
     Totals totals;
     run(setting, 500, totals);

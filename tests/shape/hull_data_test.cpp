@@ -38,6 +38,7 @@ protected:
             dPredictiveSpaceSetDeviation(space, role, 1, 0, 0);
         dPredictiveEncounter none;
         dPredictiveSpaceGetEncounters(space, ball, &none, 1);
+        dPredictiveSpaceSetGeomRole(space, ball, dPredictiveRoleInteractive); // no look is saved
         dGeomSetPosition(ball, REAL(0.8), REAL(0.8), 0);
     }
     ~HullData() override { dSpaceDestroy(space); }

@@ -143,6 +143,8 @@ void ShapeHistory::create()
                                         : simple[any(simple.size() - !setting_.with_cylinders)];
     const dGeomID geom = create_geom(kind);
     members_.push_back({geom, kind});
+    if (members_.size() % static_cast<std::size_t>(setting_.interactive) == 0)
+        dPredictiveSpaceSetGeomRole(space_, geom, dPredictiveRoleInteractive);
     if (any(5) > 0 && kind != GeomKind::heightfield)
         give_body(geom);
     place(geom);

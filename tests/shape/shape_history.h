@@ -33,6 +33,7 @@ public:
         bool with_room = false;  ///< a mesh around all, with pillars, in place of the plane; half of the rooms move
         bool with_hills = false; ///< a heightfield below all, in place of the plane; some can be moved
         int proximity = 0;
+        int interactive = 2;  ///< one in so many geoms is made so: by shape, primitives are told apart beside it
         double deviation = 0; ///< fixed; 0 to have the space adapt it. With a large one, pairs stay near for long.
     };
 

@@ -27,9 +27,16 @@ protected:
     }
     ~ShapeProximity() override { dSpaceDestroy(space); }
 
+    // Two primitives are told apart by box, unless the program has made one of them interactive.
+    dGeomID by_shape(dGeomID geom)
+    {
+        dPredictiveSpaceSetGeomRole(space, geom, dPredictiveRoleInteractive);
+        return geom;
+    }
+
     dGeomID ball(dReal x, dReal y)
     {
-        const dGeomID geom = dCreateSphere(space, 1);
+        const dGeomID geom = by_shape(dCreateSphere(space, 1));
         dGeomSetPosition(geom, x, y, 0);
         return geom;
     }
@@ -349,7 +356,7 @@ TEST_F(ShapeProximity, NoticesThatAPlaneMoves)
 TEST_F(ShapeProximity, NoticesThatAPlaneTurnsFarAway)
 {
     const dGeomID plane = dCreatePlane(space, REAL(0.0001), 0, 1, 0);
-    dGeomSetPosition(dCreateSphere(space, 1), 1000, 0, REAL(1.2));
+    dGeomSetPosition(by_shape(dCreateSphere(space, 1)), 1000, 0, REAL(1.2));
     EXPECT_EQ(pairs(), 0u);
     EXPECT_EQ(counters().postponed, 1u);
     dGeomPlaneSetParams(plane, REAL(-0.0003), 0, 1, 0);
@@ -539,7 +546,10 @@ unsigned long bytes_of_a_thousand_balls(int proximity, dReal farther)
     dPredictiveSpaceSetProximity(space, proximity);
     std::vector<dGeomID> balls(1000);
     for (dGeomID &ball : balls)
+    {
         ball = dCreateSphere(space, 1);
+        dPredictiveSpaceSetGeomRole(space, ball, dPredictiveRoleInteractive);
+    }
     for (const dReal between : {REAL(1.6), farther})
         for (int tick = 0; tick < 300; ++tick)
         {

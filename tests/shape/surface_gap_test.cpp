@@ -107,8 +107,9 @@ TEST(SurfaceGap, IsNeverMoreThanTheDistance)
         {
             const Vector3 place = turn * surface.any_place(maker) + by + maker.between(0, 0.8) * maker.direction();
             const ConvexShape shape = moved(maker.shape(solid), maker.rotation(), place);
-            const double gap = surface_gap(mesh, shape, 1e-3), distance = distance_from_above(shape, surface, turn, by);
-            EXPECT_EQ(gap, surface_gap(shape, mesh, 1e-3)) << "in the other order";
+            const double gap = surface_gap(mesh, shape, 1e-3).length,
+                         distance = distance_from_above(shape, surface, turn, by);
+            EXPECT_EQ(gap, surface_gap(shape, mesh, 1e-3).length) << "in the other order";
             ASSERT_LE(gap, std::max(distance, 1e-3)) << "seed " << seed;
             if (distance < 0.01)
                 continue;
@@ -130,7 +131,7 @@ TEST(SurfaceGap, OfASphereIsItsDistance)
         ConvexShape sphere = maker.shape(SolidKind::sphere);
         sphere.centre = surface.any_place(maker) + 3 * sphere.radius * maker.direction();
         const double distance = distance_from_above(sphere, surface, Eigen::Matrix3d::Identity(), Vector3::Zero());
-        const double gap = surface_gap(mesh, sphere, 1e-6);
+        const double gap = surface_gap(mesh, sphere, 1e-6).length;
         EXPECT_LE(gap, std::max(distance, 1e-6));
         if (distance < 0.01)
             continue;
@@ -146,15 +147,15 @@ TEST(SurfaceGap, IsNoneWithoutASurfaceAndBeforeItsTreeIsReady)
     const Ground surface(maker, 4);
     ConvexShape mesh = surface.shape(), sphere = maker.shape(SolidKind::sphere);
     sphere.centre = Vector3(0, 0, 50);
-    EXPECT_GT(surface_gap(mesh, sphere, 0), 0);
-    EXPECT_LT(surface_gap(sphere, maker.shape(SolidKind::box), 0), 0);
+    EXPECT_GT(surface_gap(mesh, sphere, 0).length, 0);
+    EXPECT_LT(surface_gap(sphere, maker.shape(SolidKind::box), 0).length, 0);
     const ConvexShape plane = maker.shape(SolidKind::plane);
     EXPECT_EQ(surface_of(mesh, plane), nullptr) << "beside a plane its hull decides";
     mesh.partners = 0;
     EXPECT_EQ(surface_of(mesh, sphere), nullptr) << "judged by box";
     mesh.partners = 1;
     const auto not_ready = std::make_shared<TriangleTree>(TriangleArrays{nullptr, 0, 0, nullptr, 1, 0, false});
-    EXPECT_LT(surface_gap(hull_of({Vector3::Zero()}, not_ready), sphere, 0), 0);
+    EXPECT_LT(surface_gap(hull_of({Vector3::Zero()}, not_ready), sphere, 0).length, 0);
 }
 
 TEST(SurfaceGap, IsToTheMeshOfMoreTriangles)

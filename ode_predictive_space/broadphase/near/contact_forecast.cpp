@@ -60,7 +60,7 @@ std::optional<double> at_least_next_tick(double left, double speed, double half_
 std::optional<double> time_beside_surface(const PredictedShape &first, const PredictedShape &second, double margin,
                                           double duration)
 {
-    const double gap = surface_gap(first.shape, second.shape, margin);
+    const double gap = surface_gap(first.shape, second.shape, margin).length;
     if (!(gap > margin))
         return 0;
     const bool first_is_surface = surface_of(first.shape, second.shape) == &first.shape;

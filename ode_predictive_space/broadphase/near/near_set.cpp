@@ -44,23 +44,24 @@ CandidatePair *NearSet::report_by_box(const OverlapTest &test, CandidatePair *ro
 
 CandidatePair *NearSet::report_by_shape(ShapeTest &test, CandidatePair *room)
 {
-    looks_.resize(by_shape_.active.size());
+    budget_.begin_report();
+    make_looks(test);
     test.build();
-    renew_outdated(test);
+    test.drop_outdated();
     follow_postponed(test);
     CandidatePair *end = find_open(test, room);
     end = look_at_open(test, room, end);
     return std::copy(by_shape_.overlapping.begin(), by_shape_.overlapping.end(), end);
 }
 
-// A hull may change without a move.
-void NearSet::renew_outdated(ShapeTest &test)
+void NearSet::make_looks(const ShapeTest &test)
 {
-    if (!test.shapes().any_hulls())
-        return;
-    wanted_.clear();
-    want_all_by_shape();
-    test.renew_outdated(wanted_);
+    for (std::size_t i = looks_.size(); i < by_shape_.active.size(); ++i)
+    {
+        looks_.push_back(test.new_look(by_shape_.active[i]));
+        if (const ProxyId *payer = looks_[i].payer_of(by_shape_.active[i]))
+            budget_.note_new_pair(*payer);
+    }
 }
 
 void NearSet::want_all_by_shape()
@@ -83,10 +84,10 @@ void NearSet::follow_postponed(ShapeTest &test)
         return;
     test.shapes().renewed().for_each([this](ProxyId id) { disturb(id); });
     activate_disturbed();
-    looks_.resize(by_shape_.active.size());
+    make_looks(test);
     for (std::size_t i = 0; i < looks_.size(); ++i)
         if (test.shapes().renewed(by_shape_.active[i]))
-            looks_[i] = {};
+            looks_[i] = test.new_look(by_shape_.active[i]);
 }
 
 // Writes the pairs that are not postponed and whose boxes overlap. Those that are to be looked at are in open_, too; their shapes are
@@ -101,15 +102,17 @@ CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
         Look &look = looks_[i];
         const CandidatePair &pair = by_shape_.active[i];
         if (look.due > 0 && test.postpones(pair, look))
+        {
+            if (const ProxyId *payer = look.payer_of(pair))
+                budget_.note_spared(*payer);
             continue;
+        }
         if (!test.boxes()(pair))
         {
             look.due = 0;
             continue;
         }
-        if (look.pause > 0)
-            --look.pause;
-        else
+        if (is_due(test, pair, look))
         {
             open_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end - room)});
             want(pair);
@@ -120,13 +123,42 @@ CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
     return end;
 }
 
+// Data that change at each tick would have to be read at each tick.
+void NearSet::charge_for_shapes(const MeasuredShapes &shapes)
+{
+    if (!shapes.any_renewed())
+        return;
+    shapes.renewed().for_each([&](ProxyId id) {
+        if (shapes.has_shape(id) && shapes[id].hull)
+            budget_.note_made(id, shapes[id].hull->cost_of_making());
+    });
+}
+
+// Is a look at an overlapping pair of use now, and can it be afforded?
+bool NearSet::is_due(const ShapeTest &test, const CandidatePair &pair, Look &look)
+{
+    const ProxyId *payer = look.payer_of(pair);
+    if (look.pause == 0 && (!payer || budget_.allows_look(*payer)))
+    {
+        look.is_excluded = test.is_excluded(pair);
+        if (!look.is_excluded)
+            return true;
+        wait_longer(look);
+    }
+    look.pause -= look.pause > 0;
+    if (payer && !look.is_excluded)
+        budget_.note_reported(*payer);
+    return false;
+}
+
 // Takes those back whose shapes cannot touch.
 CandidatePair *NearSet::look_at_open(ShapeTest &test, CandidatePair *room, CandidatePair *end)
 {
+    charge_for_shapes(test.shapes());
     constexpr CandidatePair none{0, 0};
     CandidatePair *first_taken_back = end;
     for (const auto &[i, place] : open_)
-        if (!test.looks_near(by_shape_.active[i], looks_[i]))
+        if (!test.looks_near(by_shape_.active[i], looks_[i], budget_))
         {
             room[place] = none;
             first_taken_back = std::min(first_taken_back, room + place);

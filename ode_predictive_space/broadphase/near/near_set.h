@@ -59,6 +59,13 @@ public:
         has_retired_ = true;
     }
 
+    /// The object is gone.
+    void forget(ProxyId id)
+    {
+        retire(id);
+        budget_.close(id);
+    }
+
     bool has_retired() const { return has_retired_; }
 
     /// The object has moved: its pairs must not rest.
@@ -125,7 +132,7 @@ public:
     std::size_t bytes() const
     {
         return by_box_.bytes() + by_shape_.bytes() + bytes_of(looks_) + bytes_of(is_retired_) + bytes_of(disturbed_) +
-               resting_.bytes() + wanted_.bytes() + bytes_of(open_);
+               resting_.bytes() + wanted_.bytes() + bytes_of(open_) + budget_.bytes();
     }
 
 private:
@@ -138,9 +145,11 @@ private:
 
     CandidatePair *report_by_box(const OverlapTest &test, CandidatePair *room);
     CandidatePair *report_by_shape(ShapeTest &test, CandidatePair *room);
-    void renew_outdated(ShapeTest &test);
+    void make_looks(const ShapeTest &test);
     void follow_postponed(ShapeTest &test);
     CandidatePair *find_open(ShapeTest &test, CandidatePair *room);
+    void charge_for_shapes(const MeasuredShapes &shapes);
+    bool is_due(const ShapeTest &test, const CandidatePair &pair, Look &look);
     CandidatePair *look_at_open(ShapeTest &test, CandidatePair *room, CandidatePair *end);
     void want(const CandidatePair &pair)
     {
@@ -192,6 +201,7 @@ private:
     UpdateNumber rested_ = 0;              // when that was last
     std::vector<std::uint8_t> is_retired_; // bytes, not bits: two are looked up for each pair
     bool has_retired_ = false;
+    LookBudget budget_;
     IdSet wanted_;           // scratch
     std::vector<Open> open_; // scratch
 };
@@ -210,7 +220,7 @@ template <typename Stays> void NearSet::keep_by_shape(Stays stays)
         pairs[left++] = pairs[i];
     }
     pairs.resize(left);
-    looks_.resize(looks_left);
+    looks_.erase(looks_.begin() + static_cast<std::ptrdiff_t>(looks_left), looks_.end());
 }
 
 template <typename Visit> void NearSet::drop_retired(Visit visit)

@@ -46,13 +46,13 @@ bool is_being_built(const ConvexShape &first, const ConvexShape &second)
     const ConvexShape *surface = surface_of(first, second);
     return surface && !surface->surface()->is_ready();
 }
+} // namespace
 
-void pause(Look &look)
+void wait_longer(Look &look)
 {
     look.last_pause = static_cast<std::uint8_t>(std::clamp(2 * look.last_pause, 2, tuning::longest_pause));
     look.pause = static_cast<std::uint8_t>(look.last_pause - 1);
 }
-} // namespace
 
 double touching_distance(const ConvexShape &first, const ConvexShape &second, double margin)
 {
@@ -63,7 +63,7 @@ bool shapes_may_touch(const ConvexShape &first, const ConvexShape &second, doubl
 {
     const double distance = touching_distance(first, second, margin);
     return !(find_gap(first, second, Vector3::Zero(), distance).length > distance ||
-             surface_gap(first, second, distance) > distance);
+             surface_gap(first, second, distance).length > distance);
 }
 
 // To the hulls, and where these have none, to the surface of one. A shape whose centre is in the box of a mesh is most likely in its
@@ -78,11 +78,20 @@ Gap ShapeTest::gap_between(const CandidatePair &pair, const Look &look, double m
     if (!surface || gap.length > margin)
         return gap;
     if (objects_.shapes.build(surface == &first ? pair.first : pair.second))
-        gap.improve({surface_gap(first, second, margin), Vector3::Zero()});
+        gap.improve(surface_gap(first, second, margin));
     return gap;
 }
 
-bool ShapeTest::looks_near(const CandidatePair &pair, Look &look)
+Look ShapeTest::new_look(const CandidatePair &pair) const
+{
+    const std::vector<ProxyRecord> &records = objects_.proxies.records;
+    const auto is_hand = [&](ProxyId id) { return records[id].role == Role::fixed_interactive; };
+    if (is_hand(pair.first) || is_hand(pair.second))
+        return Look(Payer::nobody);
+    return Look(records[pair.first].is_costly ? Payer::first : Payer::second);
+}
+
+bool ShapeTest::looks_near(const CandidatePair &pair, Look &look, LookBudget &budget)
 {
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
     if (look.due > 0)
@@ -91,11 +100,13 @@ bool ShapeTest::looks_near(const CandidatePair &pair, Look &look)
     const double margin = touching_distance(first, second, margin_);
     if (touch_within(first, second, margin))
     {
-        pause(look);
+        wait_longer(look);
         return true;
     }
     ++looks_;
     const Gap gap = gap_between(pair, look, margin);
+    if (const ProxyId *payer = look.payer_of(pair))
+        budget.note_look(*payer, gap.cost);
     for (Eigen::Index i = 0; i < 3; ++i)
         look.axis[i] = static_cast<float>(gap.axis[i]);
     if (!(gap.length > margin) && is_being_built(first, second))
@@ -105,7 +116,7 @@ bool ShapeTest::looks_near(const CandidatePair &pair, Look &look)
     }
     if (!(gap.length > margin))
     {
-        pause(look);
+        wait_longer(look);
         return true;
     }
     constexpr double rounds_down = 1 - 8 * std::numeric_limits<double>::epsilon();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "ode_predictive_space/broadphase/near/look_budget.h"
 #include "ode_predictive_space/broadphase/near/overlap_test.h"
 #include "ode_predictive_space/broadphase/objects/measured_shapes.h"
 #include "ode_predictive_space/broadphase/shape/gap.h"
@@ -13,15 +14,36 @@
 
 namespace ode_predictive_space
 {
+/// From which account the looks at a pair are drawn.
+enum class Payer : std::uint8_t
+{
+    first, ///< object of the pair
+    second,
+    nobody ///< the program has made one of the two interactive, and wants few calls for it at any cost
+};
+
 /// What is known of the gap of a near pair. A new pair is looked at when it is first tested.
 struct Look
 {
+    explicit Look(Payer pays) : payer(pays) {}
+
     double due = 0; ///< the pair is postponed until the travels of both objects together reach this; 0 when it is not
     float axis[3] = {};     ///< of the last look, from the first object to the second
     std::uint8_t pause = 0; ///< reports until the next look, of a pair whose looks are in vain
     std::uint8_t last_pause = 0;
+    bool is_excluded = false; ///< when a look was last due, the program was not to be called for the pair
+    Payer payer;
+
+    /// Null when nobody pays.
+    const ProxyId *payer_of(const CandidatePair &pair) const
+    {
+        return payer == Payer::nobody ? nullptr : payer == Payer::first ? &pair.first : &pair.second;
+    }
 };
-static_assert(sizeof(Look) == 24, "there is one for each near pair");
+static_assert(sizeof(Look) == 24, "there is one for each near pair that is tested by shape");
+
+/// The next look is due after some reports, twice as many as before.
+void wait_longer(Look &look);
 
 /// Up to this distance a pair counts as touching. @param margin what the program adds.
 double touching_distance(const ConvexShape &first, const ConvexShape &second, double margin);
@@ -50,11 +72,8 @@ public:
 
     /// Brings shapes and travels up to date.
     void follow(const IdSet &wanted) { objects_.shapes.update(objects_.scene, wanted, objects_.proxies); }
-    /// The same for hulls that no longer serve.
-    void renew_outdated(const IdSet &wanted)
-    {
-        objects_.shapes.renew_outdated(objects_.scene, wanted, objects_.proxies.members());
-    }
+    /// Gives shapes back whose hulls no longer serve.
+    void drop_outdated() { objects_.shapes.drop_outdated(objects_.scene, objects_.proxies.members()); }
     /// Goes on building the tree of a mesh that a look has needed.
     void build() { objects_.shapes.build(objects_.scene); }
     /// Nothing need be known of the shapes of other objects.
@@ -69,8 +88,14 @@ public:
     /// Whether bounding boxes overlap.
     const OverlapTest &boxes() const { return boxes_; }
 
+    /// Would the program not be called for the pair even if it touched? That may change without notice.
+    bool is_excluded(const CandidatePair &pair) const { return objects_.scene.is_excluded(pair.first, pair.second); }
+
+    /// Of a pair that is new, or as good as new.
+    Look new_look(const CandidatePair &pair) const;
+
     /// Looks at the gap of the pair, whose shapes are up to date, and decides when the next look is due.
-    bool looks_near(const CandidatePair &pair, Look &look);
+    bool looks_near(const CandidatePair &pair, Look &look, LookBudget &budget);
 
     const MeasuredShapes &shapes() const { return objects_.shapes; }
 

@@ -76,15 +76,16 @@ void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const ProxyStore 
     follow_stale(scene);
 }
 
-void MeasuredShapes::renew_outdated(Scene &scene, const IdSet &wanted, const IdSet &members)
+void MeasuredShapes::drop_outdated(Scene &scene, const IdSet &members)
 {
-    stale_.clear();
     for (std::size_t i = 0; i < hulls_.words(); ++i)
-        IdSet::visit_word(i, hulls_.word(i) & wanted.word(i) & members.word(i), [&](ProxyId id) {
-            if (scene.hull_is_outdated(id, (*this)[id]))
-                stale_.add(id);
+        IdSet::visit_word(i, hulls_.word(i) & members.word(i), [&](ProxyId id) {
+            if (!scene.hull_is_outdated(id, (*this)[id]))
+                return;
+            forget(id);
+            renewed_.insert(id);
+            any_renewed_ = true;
         });
-    follow_stale(scene);
 }
 
 // Gives each stale object a place for its shape, and notes where that is.

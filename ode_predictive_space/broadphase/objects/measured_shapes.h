@@ -39,8 +39,8 @@ public:
     /// Looks at those wanted objects that are there and have moved, and adds to their travels.
     void update(Scene &scene, const IdSet &wanted, const ProxyStore &proxies);
 
-    /// Looks at those wanted objects whose hulls no longer serve, although they may not have moved.
-    void renew_outdated(Scene &scene, const IdSet &wanted, const IdSet &members);
+    /// Gives the shapes of those objects back whose hulls no longer serve, although they may not have moved.
+    void drop_outdated(Scene &scene, const IdSet &members);
 
     /// Has any object that is known a hull?
     bool any_hulls() const { return !hulls_.empty(); }

@@ -16,4 +16,9 @@ bool Scene::hull_is_outdated(ProxyId, const ConvexShape &)
 {
     return false;
 }
+
+bool Scene::is_excluded(ProxyId, ProxyId)
+{
+    return false;
+}
 } // namespace ode_predictive_space

@@ -65,6 +65,9 @@ public:
     /// Do the objects' bounding boxes overlap and, by the sphere test of proximity, their bounding spheres, too?
     virtual bool overlap(ProxyId first, ProxyId second) = 0;
 
+    /// Is the pair not reported even when it touches? The reasons may change without notice.
+    virtual bool is_excluded(ProxyId first, ProxyId second);
+
     /// Appends to `disabled` those of the objects that are in no reported pair as long as they are disabled, in the order of
     /// `ids`. Objects are enabled and disabled without notice.
     virtual void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) = 0;

@@ -86,6 +86,13 @@ struct ConvexShape : Pose
         return radius + half_sides.dot(along_axes(direction).cwiseAbs());
     }
 
+    /// Of reach() and farthest_of_core(): about so many instructions.
+    float cost_of_reach() const
+    {
+        constexpr float closed_form = 50;
+        return kind == ShapeKind::hull ? hull->cost_of_reach() : closed_form;
+    }
+
     /// The point of the shape's core that is farthest in a direction of any length, from the centre. The shape is the set of all
     /// points up to core_distance() away from its core. Not for half spaces and terrain.
     Vector3 farthest_of_core(const Vector3 &direction) const

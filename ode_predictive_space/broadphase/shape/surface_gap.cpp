@@ -9,6 +9,9 @@ namespace ode_predictive_space
 {
 namespace
 {
+// Instructions for a triangle, with its part of the walk: to find its distance; and beside the reaches along its axes.
+constexpr float cost_of_distance = 250, cost_of_triangle = 600, axes_per_triangle = 4;
+
 // A shape as the mesh sees it.
 class SeenFromMesh
 {
@@ -27,6 +30,8 @@ public:
         const double length = way.norm();
         return length > 0 ? (way.dot(centre_) - farthest(way, corners)) / length : 0;
     }
+
+    float cost_of_gap() const { return cost_of_triangle + axes_per_triangle * shape_.cost_of_reach(); }
 
     // The largest gap to a triangle that a few axes find: the way to its nearest point, its normal, and the axes of a box.
     double gap_to(const TriangleCorners &corners) const
@@ -80,10 +85,11 @@ private:
 };
 
 // Between the surface and the centre of the shape, but no more than `most`: what is nearly as near is not looked for.
-double distance_of(const TriangleTree &tree, const SeenFromMesh &shape, double most)
+double distance_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, float &cost)
 {
     double distance = tuning::near_enough * most;
     tree.walk(shape.centre(), distance, [&](std::uint32_t triangle) {
+        cost += cost_of_distance;
         distance = std::min(distance, tuning::near_enough * shape.distance_to(tree.corners(triangle)));
         return true;
     });
@@ -91,10 +97,11 @@ double distance_of(const TriangleTree &tree, const SeenFromMesh &shape, double m
 }
 
 // Between the surface and the shape, but no more than `most`.
-double gap_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, double least)
+double gap_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, double least, float &cost)
 {
     double gap = most, reach = gap + shape.radius();
     tree.walk(shape.centre(), reach, [&](std::uint32_t triangle) {
+        cost += shape.cost_of_gap();
         gap = std::min(gap, shape.gap_to(tree.corners(triangle)));
         reach = gap + shape.radius();
         return gap > least;
@@ -102,18 +109,20 @@ double gap_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, 
     return gap;
 }
 
-double gap_to_triangles(const ConvexShape &mesh, const ConvexShape &other, double least)
+Gap gap_to_triangles(const ConvexShape &mesh, const ConvexShape &other, double least)
 {
     const TriangleTree &tree = static_cast<const TriangleTree &>(*mesh.surface());
     const SeenFromMesh shape(other, mesh);
     const double radius = shape.radius(), far = tuning::surface_search * (radius + least);
-    double gap = distance_of(tree, shape, far) - radius;
+    float cost = cost_of_distance;
+    double gap = distance_of(tree, shape, far, cost) - radius;
     if (!(gap > radius + least))
-        gap = gap_of(tree, shape, 2 * (radius + least), least);
-    return gap - skew_of_distances * (std::abs(gap) + 2 * radius) - rounding(mesh) - rounding(other);
+        gap = gap_of(tree, shape, 2 * (radius + least), least, cost);
+    const double lost = skew_of_distances * (std::abs(gap) + 2 * radius) + rounding(mesh) + rounding(other);
+    return {gap - lost, Vector3::Zero(), cost};
 }
 
-double gap_between(const ConvexShape &surface, const ConvexShape &other, double least)
+Gap gap_between(const ConvexShape &surface, const ConvexShape &other, double least)
 {
     return surface.kind == ShapeKind::terrain ? terrain_gap(surface, other, least)
                                               : gap_to_triangles(surface, other, least);
@@ -136,11 +145,11 @@ const ConvexShape *surface_of(const ConvexShape &first, const ConvexShape &secon
     return surface.surface() ? &surface : nullptr;
 }
 
-double surface_gap(const ConvexShape &first, const ConvexShape &second, double least)
+Gap surface_gap(const ConvexShape &first, const ConvexShape &second, double least)
 {
     const ConvexShape *surface = surface_of(first, second);
     if (!surface || !surface->surface()->is_ready())
-        return -std::numeric_limits<double>::infinity();
+        return {};
     const ConvexShape &other = surface == &first ? second : first;
     return other.blunt_beside & surface->group ? gap_between(*surface, other.blunt(), least)
                                                : gap_between(*surface, other, least);

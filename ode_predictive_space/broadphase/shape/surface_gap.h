@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_SURFACE_GAP_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_SURFACE_GAP_H
 
-#include "ode_predictive_space/broadphase/shape/convex_shape.h"
+#include "ode_predictive_space/broadphase/shape/gap.h"
 
 namespace ode_predictive_space
 {
@@ -12,10 +12,10 @@ namespace ode_predictive_space
 const ConvexShape *surface_of(const ConvexShape &first, const ConvexShape &second);
 
 /// Nothing of the surface_of() two shapes is nearer to the other one than this, rounded down: as far as a few axes for each triangle
-/// tell, and no more than a few sizes of the other one. Minus infinity without a surface, or when it is not ready.
+/// tell, and no more than a few sizes of the other one. No axis is known. No gap without a surface, or when it is not ready.
 ///
 /// @param least no smaller gap is of use: the search ends with the first triangle that is no farther away.
-double surface_gap(const ConvexShape &first, const ConvexShape &second, double least);
+Gap surface_gap(const ConvexShape &first, const ConvexShape &second, double least);
 } // namespace ode_predictive_space
 
 #endif

@@ -13,8 +13,8 @@ namespace
 {
 using Box = Eigen::AlignedBox3d;
 
-constexpr double no_limit = std::numeric_limits<double>::infinity();
-constexpr double most_periods = 4; // of a terrain that repeats: more are not searched
+constexpr double most_periods = 4;  // of a terrain that repeats: more are not searched
+constexpr float cost_of_cell = 250; // instructions, with its part of the walk
 
 // A shape as the terrain sees it: in the frame of its grid.
 class SeenFromTerrain
@@ -92,22 +92,25 @@ double rounding_of_heights(const HeightGrid &grid)
 }
 } // namespace
 
-double terrain_gap(const ConvexShape &terrain, const ConvexShape &other, double least)
+Gap terrain_gap(const ConvexShape &terrain, const ConvexShape &other, double least)
 {
     const HeightGrid &grid = static_cast<const HeightGrid &>(*terrain.surface());
     const double radius = other.bounding_radius();
     double gap = tuning::surface_search * (radius + least);
     if (!grid.is_finite())
-        return -no_limit;
+        return {};
     const SeenFromTerrain shape(other, terrain, grid);
     const Box box = shape.box();
     if (grid.size().repeats && (overflows_cell_numbers(grid, box) || repeats_too_often(grid, box, gap)))
-        return -no_limit;
+        return {};
+    float cost = cost_of_cell;
     grid.walk(box, gap, [&](const HeightGrid::Cell &cell) {
+        cost += cost_of_cell;
         gap = std::min(gap, shape.gap_to(cell));
         return gap > least;
     });
-    return gap - skew_of_distances * (std::abs(gap) + 2 * radius) - rounding(terrain) - rounding(other) -
-           rounding_of_heights(grid);
+    const double lost = skew_of_distances * (std::abs(gap) + 2 * radius) + rounding(terrain) + rounding(other) +
+                        rounding_of_heights(grid);
+    return {gap - lost, Vector3::Zero(), cost};
 }
 } // namespace ode_predictive_space

@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_VERTEX_HULL_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_VERTEX_HULL_H
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -32,6 +33,10 @@ public:
 
     /// The largest scalar product of a direction, of any length, with a point.
     double reach(const Vector3 &direction) const { return find(direction).reach; }
+    /// Instructions, about: the blocks that are looked at grow as the root of all (of spheres and tori).
+    float cost_of_reach() const { return 120 * std::sqrt(static_cast<float>(blocks_.size())); }
+    /// To read the points, and the triangles of the surface.
+    float cost_of_making() const;
     /// That point.
     Vector3 farthest(const Vector3 &direction) const;
 

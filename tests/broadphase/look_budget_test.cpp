@@ -1,0 +1,132 @@
+// Looks that spare nothing are given up, and those that spare reports go on.
+
+#include <gtest/gtest.h>
+
+#include "ode_predictive_space/broadphase/near/look_budget.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+constexpr ProxyId mesh = 3;
+
+class LookBudgets : public testing::Test
+{
+protected:
+    LookBudgets()
+    {
+        budget.begin_report();
+        for (int i = 0; i < pairs; ++i)
+            budget.note_new_pair(mesh);
+    }
+
+    // Reports of all pairs in which looks, wherever they are allowed, cost so much and find nothing.
+    //
+    // @return what was spent on them.
+    float look_in_vain(int reports, float cost)
+    {
+        float spent = 0;
+        for (int report = 0; report < reports; ++report)
+        {
+            budget.begin_report();
+            for (int i = 0; i < pairs; ++i)
+                if (budget.allows_look(mesh))
+                {
+                    budget.note_look(mesh, cost);
+                    spent += cost + tuning::cost_of_look;
+                }
+                else
+                    budget.note_reported(mesh);
+        }
+        return spent;
+    }
+
+    // Reports in which all pairs are spared.
+    void spare(int reports)
+    {
+        for (int report = 0; report < reports; ++report)
+        {
+            budget.begin_report();
+            for (int i = 0; i < pairs; ++i)
+                budget.note_spared(mesh);
+        }
+    }
+
+    // What contacts cost in so many reports of all pairs.
+    static float contacts(int reports) { return static_cast<float>(reports) * pairs * tuning::cost_of_contacts; }
+
+    static constexpr int pairs = 10;
+    static constexpr float allowance = pairs * tuning::allowed_reports * tuning::cost_of_contacts;
+    LookBudget budget;
+};
+
+TEST_F(LookBudgets, InVainCostATwentiethOfTheContactsAtMost)
+{
+    for (const float cost : {100.0f, 2000.0f, 50000.0f})
+    {
+        budget.close(mesh);
+        for (int i = 0; i < pairs; ++i)
+            budget.note_new_pair(mesh);
+        EXPECT_LT(look_in_vain(500, cost), 0.05f * contacts(500) + cost) << "from the beginning, " << cost;
+        EXPECT_LT(look_in_vain(500, cost), 0.05f * contacts(500) + cost) << "later, " << cost;
+    }
+}
+
+TEST_F(LookBudgets, AllowEachPairItsFirstLook)
+{
+    for (int i = 0; i < pairs; ++i)
+    {
+        EXPECT_TRUE(budget.allows_look(mesh)) << i;
+        budget.note_look(mesh, 10000);
+    }
+}
+
+TEST_F(LookBudgets, AreTriedAgain)
+{
+    look_in_vain(500, 2000);
+    EXPECT_GT(look_in_vain(500, 2000), 0);
+}
+
+TEST_F(LookBudgets, GoOnWhereTheySpareReports)
+{
+    look_in_vain(500, 2000);
+    spare(20);
+    EXPECT_TRUE(budget.allows_look(mesh));
+    EXPECT_GT(look_in_vain(20, 2000), 0.9f * allowance) << "and as many are in vain";
+}
+
+TEST_F(LookBudgets, OfLongAgoAreForgotten)
+{
+    spare(100000);
+    EXPECT_LT(look_in_vain(500, 2000), 0.05f * contacts(500) + 2000);
+}
+
+TEST_F(LookBudgets, DoNotGrowWithPairsThatComeAndGo)
+{
+    look_in_vain(500, 2000);
+    const float before = look_in_vain(500, 2000);
+    for (int report = 0; report < 500; ++report)
+    {
+        budget.begin_report();
+        budget.note_new_pair(mesh);
+    }
+    EXPECT_LT(look_in_vain(500, 2000), 1.1f * before + 4000);
+}
+
+TEST_F(LookBudgets, PayForDataThatChangeAgainAndAgain)
+{
+    budget.note_made(mesh, 1e6f);
+    EXPECT_TRUE(budget.allows_look(mesh)) << "all data are read once";
+    budget.note_made(mesh, 1e6f);
+    EXPECT_FALSE(budget.allows_look(mesh));
+}
+
+TEST_F(LookBudgets, EndWithTheObject)
+{
+    budget.note_look(mesh, 1e6f);
+    budget.close(mesh);
+    budget.note_new_pair(mesh);
+    EXPECT_TRUE(budget.allows_look(mesh));
+}
+} // namespace
+} // namespace ode_predictive_space

@@ -1,0 +1,125 @@
+// Looks at shapes that spare nothing are few, whatever the reason.
+
+#include <cmath>
+#include <vector>
+
+#include <ode_predictive_space/predictive_space.h>
+
+#include "tests/contract/support/scenario.h"
+#include "tests/shape/polyhedron_geom.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+class LookCost : public OdeTest
+{
+protected:
+    LookCost() { dPredictiveSpaceSetProximity(space, dPredictiveProximityShape); }
+    ~LookCost() override { dSpaceDestroy(space); }
+
+    dGeomID create_mesh(const MeshArrays &arrays)
+    {
+        return dCreateTriMesh(space, arrays.id(), nullptr, nullptr, nullptr);
+    }
+
+    // Beside the edge of a cube with sides of 2: the boxes overlap, the ball is 0.08 away.
+    dGeomID create_ball()
+    {
+        const dGeomID ball = dCreateSphere(space, 1);
+        dGeomSetPosition(ball, beside_edge, beside_edge, 0);
+        return ball;
+    }
+
+    unsigned long looks() const
+    {
+        dPredictiveSpaceCounters counters;
+        dPredictiveSpaceGetCounters(space, &counters, sizeof counters);
+        return counters.looks;
+    }
+
+    static constexpr dReal beside_edge = REAL(1.765);
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+};
+
+TEST_F(LookCost, PairsOfWhichTheProgramIsNotToldAreNotLookedAt)
+{
+    const MeshArrays cube(Polyhedron::cube());
+    const dGeomID mesh = create_mesh(cube), ball = create_ball();
+    dGeomSetCategoryBits(mesh, 1);
+    dGeomSetCollideBits(mesh, 2);
+    dGeomSetCategoryBits(ball, 1);
+    dGeomSetCollideBits(ball, 2);
+    for (int tick = 0; tick < 100; ++tick)
+    {
+        dGeomSetPosition(ball, beside_edge, beside_edge, tick % 2 ? REAL(1e-4) : REAL(-1e-4));
+        EXPECT_EQ(collide(space).size(), 0u);
+    }
+    EXPECT_EQ(looks(), 0u);
+    dGeomSetCategoryBits(ball, 2);
+    std::size_t reported = 0;
+    for (int tick = 0; tick < 100; ++tick)
+    {
+        dGeomSetPosition(ball, beside_edge, beside_edge, tick % 2 ? REAL(1e-4) : REAL(-1e-4));
+        reported += collide(space).size();
+    }
+    EXPECT_GT(looks(), 0u) << "bits change without notice";
+    EXPECT_LT(reported, 50u) << "the shapes are apart";
+}
+
+TEST_F(LookCost, TwoMeshesOfOneBodyAreNotLookedAt)
+{
+    const MeshArrays cube(Polyhedron::cube());
+    const dWorldID world = dWorldCreate();
+    const dBodyID body = dBodyCreate(world);
+    for (int i = 0; i < 2; ++i)
+    {
+        const dGeomID mesh = create_mesh(cube);
+        dGeomSetBody(mesh, body);
+        dGeomSetOffsetPosition(mesh, i, 0, 0);
+    }
+    for (int tick = 0; tick < 100; ++tick)
+    {
+        dBodySetPosition(body, REAL(0.01) * tick, 0, 0);
+        EXPECT_EQ(collide(space).size(), 0u);
+    }
+    EXPECT_EQ(looks(), 0u);
+    dWorldDestroy(world);
+}
+
+// A look finds a gap, but at the next tick the mesh has turned farther than that.
+TEST_F(LookCost, BesideAMeshThatTurnsLooksAreGivenUp)
+{
+    const MeshArrays cube(Polyhedron::cube());
+    const dGeomID mesh = create_mesh(cube);
+    create_ball();
+    constexpr int ticks = 1000;
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+        dMatrix3 turn;
+        dRFromAxisAndAngle(turn, 0, 0, 1, tick % 2 ? REAL(0.05) : REAL(-0.05));
+        dGeomSetRotation(mesh, turn);
+        collide(space);
+    }
+    EXPECT_GT(looks(), 0u);
+    EXPECT_LT(looks(), ticks / 10u);
+}
+
+TEST_F(LookCost, DataThatChangeAtEachTickAreSeldomRead)
+{
+    MeshArrays cube(Polyhedron::cube());
+    const dGeomID mesh = create_mesh(cube);
+    create_ball();
+    constexpr int ticks = 1000;
+    std::size_t reported = 0;
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+        cube.move_corners({0, 0, tick % 2 ? 1e-3 : -1e-3});
+        dPredictiveSpaceGeomChanged(space, mesh);
+        reported += collide(space).size();
+    }
+    EXPECT_LT(looks(), ticks / 10u);
+    EXPECT_GT(reported, ticks / 2u) << "the pair is reported by its boxes";
+}
+} // namespace
+} // namespace ode_predictive_space
