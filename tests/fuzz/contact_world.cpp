@@ -126,6 +126,8 @@ void ContactWorld::make(int slot, const Form &form)
     Slot &made = slots_[static_cast<std::size_t>(slot)];
     made.form = form;
     made.geom = create(made);
+    if (slot % 2 == 0) // beside these, by shape, primitives are told apart by shape
+        dPredictiveSpaceSetGeomRole(space_, made.geom, dPredictiveRoleInteractive);
     if (form.type == dTriMeshClass && form.coherent)
         for (int type : {dSphereClass, dBoxClass, dCapsuleClass})
             dGeomTriMeshEnableTC(made.geom, type, 1);

@@ -311,11 +311,11 @@ def near_faults():
         "lost_retire", "near", tick, "near_.retire(id);\n        batch_.add(id);", "batch_.add(id);",
         (("broadphase", "Broadphase.*:Tick.*:*AnyWorld*"),))
     yield Fault(
-        "pairs_of_the_gone_kept", "near", tick, "near_.retire(id);\n    index_", "index_", (("broadphase", "Broadphase.*:*AnyWorld*"),))
+        "pairs_of_the_gone_kept", "near", tick, "near_.forget(id);\n    index_", "index_", (("broadphase", "Broadphase.*:*AnyWorld*"),))
     yield Fault("moves_of_resting_pairs_ignored", "near", tick, "return near_.disturb(id);", "return;", sets)
     yield Fault(
         "rests_unwatched", "near", near, "places[id].set_watch(Watch::look);", "(void)places;", sets)
-    yield Fault("lost_when_disturbed", "near", near, "pairs_.push_back(pair);\n        else", "(void)pair;\n        else", sets)
+    yield Fault("lost_when_disturbed", "near", near, "active.push_back(pair);\n        else", "(void)pair;\n        else", sets)
     numbers = (("broadphase", "UpdateNumber*:Resting*"),)
     yield Fault("rests_an_update_early", "near", tick, "(clock_.update - 1) & Place::last_update", "clock_.update & Place::last_update", numbers)
     yield Fault("rests_an_update_late", "near", tick, "(clock_.update - 1) & Place::last_update", "(clock_.update - 2) & Place::last_update", numbers)
@@ -332,14 +332,14 @@ def near_faults():
         (("times", "Times.*"),))
     yield Fault("gone_awaits_its_pairs", "near", tick, "    pairing_.waiting.erase(id);\n", "", (("broadphase", "*AnyWorld*"),))
     yield Fault(
-        "rests_while_one_moves", "near", near, "moved(pair.first) || moved(pair.second);", "moved(pair.first) && moved(pair.second);", sets)
+        "rests_while_one_moves", "near", BROADPHASE + "near/near_set.h", "rests(pair.first) && rests(pair.second);",
+        "rests(pair.first) || rests(pair.second);", sets)
     yield Fault(
-        "rests_as_it_was", "near", near, "rest(overlap(i) ? overlapping_ : separated_, pair, places);",
-        "rest(separated_, pair, places);", sets)
+        "rests_as_it_was", "near", near, "rest(test(pair) ? by_box_.overlapping : by_box_.separated, pair, places);",
+        "rest(by_box_.separated, pair, places);", sets)
     yield Fault(
         "resting_pairs_not_reported", "near", near,
-        "copy_overlapping(pairs_, room);\n    end = std::copy(overlapping_.begin(), overlapping_.end(), end);",
-        "copy_overlapping(pairs_, room);", sets)
+        "return std::copy(by_box_.overlapping.begin(), by_box_.overlapping.end(), end);", "return end;", sets)
     yield Fault(
         "settings_ignored_at_rest", "near", tick, "    interrupted_ = true; // as above\n", "",
         (("shape_contract", "ShapeProximity.*"),))
@@ -391,11 +391,11 @@ def shape_faults():
         "gap_of_the_second_too_large", "shapes", gap, "- second.reach(-axis);", "- 0.9 * second.reach(-axis);",
         (("shapes", "Gap.*"),))
     yield Fault(
-        "wrong_pair_of_a_gap", "shapes", BROADPHASE + "near/near_set.h", "looks_[left] = looks_[i];", "looks_[left] = looks_[0];",
+        "wrong_pair_of_a_gap", "shapes", BROADPHASE + "near/near_set.h", "looks_[looks_left++] = looks_[i];", "looks_[looks_left++] = looks_[0];",
         proximity + contacts)
     yield Fault(
         "look_outlives_the_shape", "shapes", BROADPHASE + "near/near_set.cpp",
-        "            looks_[i] = {};\n", "", proximity + hull_data)
+        "            looks_[i] = test.new_look(by_shape_.active[i]);\n", "            continue;\n", proximity + hull_data)
     yield Fault(
         "lost_travel", "shapes", BROADPHASE + "objects/measured_shapes.cpp",
         "rounds_up * (travels_[id] + move)", "rounds_up * (travels_[id] + 0.5 * move)",
@@ -468,9 +468,11 @@ def shape_faults():
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
         "rests_by_shapes_out_of_date", "shapes", BROADPHASE + "near/near_set.cpp",
-        "return looks_[i].due == 0 && test.boxes_overlap(pairs_[i]); });",
-        "return looks_[i].due == 0 && test.looks_near(pairs_[i], looks_[i], payoff_); });",
+        "rest(looks_[i].due == 0 && test(pair) ? by_shape_", "rest(test(pair) ? by_shape_",
         (("shape_contract", "ShapeProximity.*"),))
+    yield Fault(
+        "a_gap_that_closed_counts_at_rest", "shapes", BROADPHASE + "near/near_set.cpp", "    look.due = 0;\n    look.pause", "    look.pause",
+        (("shape_contract", "LookCost.*"),))
     yield Fault(
         "planes_for_all_shapes_on_a_heightfield", "shapes", terrain,
         "if (shape_.kind != ShapeKind::rounded)", "if (shape_.kind == ShapeKind::half_space)", heightfields)
@@ -499,7 +501,7 @@ def shape_faults():
     yield Fault(
         "excluded_pairs_are_looked_at", "shapes", SOURCES + "space/geom_scene.cpp",
         "return !bits_agree(one, other) || (one->body && one->body == other->body);", "return one == other;",
-        (("shape_contract", "ShapeProximity.*"),))
+        (("shape_contract", "LookCost.*"),))
     surface = BROADPHASE + "shape/surface_gap.cpp"
     yield Fault(
         "triangles_beside_the_nearest_ignored", "shapes", surface,

@@ -23,12 +23,19 @@ protected:
         return dCreateTriMesh(space, arrays.id(), nullptr, nullptr, nullptr);
     }
 
-    // Beside the edge of a cube with sides of 2: the boxes overlap, the ball is 0.08 away.
+    // Beside the edge of a cube with sides of 2, near enough to touch it by 0.005 unless the cube is turned.
     dGeomID create_ball()
     {
         const dGeomID ball = dCreateSphere(space, 1);
         dGeomSetPosition(ball, beside_edge, beside_edge, 0);
         return ball;
+    }
+
+    static void turn(dGeomID mesh, dReal angle)
+    {
+        dMatrix3 rotation;
+        dRFromAxisAndAngle(rotation, 0, 0, 1, angle);
+        dGeomSetRotation(mesh, rotation);
     }
 
     unsigned long looks() const
@@ -38,7 +45,7 @@ protected:
         return counters.looks;
     }
 
-    static constexpr dReal beside_edge = REAL(1.765);
+    static constexpr dReal beside_edge = REAL(1.7035);
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
 };
 
@@ -46,6 +53,7 @@ TEST_F(LookCost, PairsOfWhichTheProgramIsNotToldAreNotLookedAt)
 {
     const MeshArrays cube(Polyhedron::cube());
     const dGeomID mesh = create_mesh(cube), ball = create_ball();
+    turn(mesh, REAL(0.1));
     dGeomSetCategoryBits(mesh, 1);
     dGeomSetCollideBits(mesh, 2);
     dGeomSetCategoryBits(ball, 1);
@@ -96,13 +104,14 @@ TEST_F(LookCost, BesideAMeshThatTurnsLooksAreGivenUp)
     constexpr int ticks = 1000;
     for (int tick = 0; tick < ticks; ++tick)
     {
-        dMatrix3 turn;
-        dRFromAxisAndAngle(turn, 0, 0, 1, tick % 2 ? REAL(0.05) : REAL(-0.05));
-        dGeomSetRotation(mesh, turn);
+        turn(mesh, tick % 2 ? REAL(0.1) : REAL(-0.1));
         collide(space);
     }
     EXPECT_GT(looks(), 0u);
     EXPECT_LT(looks(), ticks / 10u);
+    turn(mesh, 0);
+    for (int tick = 0; tick < 100; ++tick)
+        ASSERT_EQ(collide(space).size(), 1u) << "they touch, and come to rest so";
 }
 
 TEST_F(LookCost, DataThatChangeAtEachTickAreSeldomRead)

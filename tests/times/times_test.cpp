@@ -268,6 +268,8 @@ TEST_F(Times, OfShapesLastUntilTheMargin)
     {
         dPredictiveSpaceSetShapeMargin(space, margin);
         const dGeomID one = scene.sphere(1, 0, 0, 0), other = scene.sphere(1, 5, 5, 5);
+        dPredictiveSpaceSetGeomRole(space, one,
+                                    dPredictiveRoleInteractive); // so that shapes decide about the callback, too
         fill(20);
         expect_honest(answers_until_they_meet(one, other, 10, [&](int tick) {
             const dReal place = 5 - REAL(0.02) * static_cast<dReal>(tick);

@@ -145,6 +145,7 @@ bool NearSet::is_due(const ShapeTest &test, const CandidatePair &pair, Look &loo
             return true;
         wait_longer(look);
     }
+    look.due = 0;
     look.pause -= look.pause > 0;
     if (payer && !look.is_excluded)
         budget_.note_reported(*payer);
