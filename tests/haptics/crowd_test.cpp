@@ -25,5 +25,20 @@ std::vector<CrowdCase> crowds_in_one_thread()
 }
 
 INSTANTIATE_TEST_SUITE_P(OneThread, CrowdTest, testing::ValuesIn(crowds_in_one_thread()), name_of_crowd);
+
+class CrowdInTwoThreadsTest : public testing::TestWithParam<CrowdCase>
+{};
+
+TEST_P(CrowdInTwoThreadsTest, IsFeltAsInOne)
+{
+    expect_as_in_one_thread(GetParam());
+}
+
+std::vector<CrowdCase> crowds_in_two_threads()
+{
+    return {{Crowd::pit, 5, 0.005, 0, true, 200}, {Crowd::pit, 5, 0.005, 0, true, 60}};
+}
+
+INSTANTIATE_TEST_SUITE_P(TwoThreads, CrowdInTwoThreadsTest, testing::ValuesIn(crowds_in_two_threads()), name_of_crowd);
 } // namespace
 } // namespace ode_predictive_space::haptics
