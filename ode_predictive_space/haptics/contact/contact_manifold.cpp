@@ -146,13 +146,15 @@ void ContactManifold::let_rise(const ToolState &tool, double dt, std::optional<d
         touch.is_solved = touch.is_solved && all_of_it; // else it was solved for other depths
 }
 
-/// An object rises as a whole: its touches have the same part.
+/// An object rises as a whole: its touches have the same part. What a touch takes over from others lifts the proxy by little, however
+/// deep it is.
 double ContactManifold::part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const
 {
     if (const Known *known = find_in(before_, [&](const Known &other) { return other.touch.object == touch.object; }))
         return risen(known->touch.part, dt);
     const double moved = gap.value_or(0) * (touch.surface_velocity - tool.linear_velocity).norm();
-    if (gap && !(touch.depth <= unnoticed + of_the_motion * moved + handed_over(touch)))
+    const double lifts = std::min(touch.depth, carry_of(touch).share);
+    if (gap && !(lifts <= unnoticed + of_the_motion * moved + handed_over(touch)))
         return 0;
     const Known *carrier = taken_over_by(touch);
     return carrier != nullptr ? risen(carrier->touch.part, dt) : 1;

@@ -19,6 +19,12 @@ constexpr double around = 1.5;  // times the proxy's way: the ball that holds al
 constexpr double steps_ahead = 2;    // times the tool's way: how far it may go until geoms come from another thread
 constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the sphere more have passed each other
 constexpr double in_contact = 1e-6;  // of the radius
+constexpr double least_yield = 1e-6; // of what no push moves
+
+/// How far a surface gives way in each pass of find_yielding_place(), in parts of the way that its body goes in a tick by the force.
+/// After all three, the forces of touches that act against each other are those of 0.75: from a quarter on, no arrangement of touches makes
+/// light bodies swing more and more.
+constexpr double yielding = 2.25;
 
 bool has_feature(const std::vector<TouchOfGeom> &touches, std::uintptr_t object, unsigned number)
 {
@@ -86,6 +92,7 @@ bool is_finite(const Touch &touch)
 ContactTracker::ContactTracker(double radius) : radius_(radius)
 {
     near_.reserve(NearbyGeoms::capacity);
+    yielding_.reserve(SphereSlide::usual_planes);
     before_.reserve(NearbyGeoms::capacity);
     places_.reserve(NearbyGeoms::capacity);
     told_.reserve(usual_touches);
@@ -311,7 +318,7 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
     told_.clear();
     carries_on_ = false;
     if (near_.empty() || view == TouchView::all_together || find_in(near_, is_other) == nullptr || proxy_ == tool_)
-        tell_together();
+        tell_together(view);
     else
         tell_each_object();
     number_features(told_before_, told_);
@@ -331,27 +338,53 @@ Vector3 ContactTracker::lag_at(const Vector3 &place) const
     return lag.norm() <= in_contact * radius_ ? Vector3(Vector3::Zero()) : lag;
 }
 
-void ContactTracker::tell_together()
+void ContactTracker::tell_together(TouchView view)
 {
     Vector3 lag = common_ ? lag_at(proxy_) : Vector3(Vector3::Zero());
     released_ = released_ && !lag.isZero(0);
     if (released_)
         lag.setZero();
-    carries_on_ = tell_planes(lag) == 0 && !lag.isZero(0);
+    carries_on_ = tell_planes(view, lag) == 0 && !lag.isZero(0);
     if (carries_on_)
         carry_on(lag);
 }
 
-/// What the last slide found. @return m; what the planes carry together.
-double ContactTracker::tell_planes(const Vector3 &lag)
+/// How far a surface gives way to the force of a tick, per share.
+double ContactTracker::yield_of(const SlidePlane &plane) const
 {
-    double carried = 0;
-    for (const SlidePlane &plane : slide_.planes())
-        carried += plane.share;
+    const NearbyGeom &geom = *places_[plane.place].geom;
+    const double stiffness = geom.material() ? geom.material()->stiffness : stiffness_;
+    const double moved = geom.mobility_at(plane.feature.point, plane.feature.normal) * tick_length_ * tick_length_;
+    return std::max(least_yield, yielding * stiffness * moved);
+}
+
+/// The shares of what the last slide found. Where all objects hold the proxy together, and a push moves one of them, all give way: shares of
+/// the exact solution grow without bounds where normals are nearly dependent, and would throw light bodies about.
+void ContactTracker::share_out(TouchView view)
+{
+    bool movable = false;
+    yielding_.clear();
     for (const SlidePlane &plane : slide_.planes())
     {
-        const bool touched =
-            plane.share > 0 || (plane.depth > 0 && plane.feature.distance <= radius_ * (1 + in_contact));
+        movable = movable || places_[plane.place].geom->is_movable();
+        yielding_.push_back({plane.feature.normal, plane.depth, yield_of(plane), plane.share});
+    }
+    if (movable && view == TouchView::all_together)
+        find_yielding_place(yielding_);
+}
+
+/// What the last slide found. @return m; what the planes carry together.
+double ContactTracker::tell_planes(TouchView view, const Vector3 &lag)
+{
+    share_out(view);
+    double carried = 0;
+    for (const YieldingPlane &plane : yielding_)
+        carried += plane.share;
+    for (std::size_t i = 0; i < yielding_.size(); ++i)
+    {
+        const SlidePlane &plane = slide_.planes()[i];
+        const double share = yielding_[i].share;
+        const bool touched = share > 0 || (plane.depth > 0 && plane.feature.distance <= radius_ * (1 + in_contact));
         const bool near = plane.depth > -margin_ && plane.feature.distance <= radius_ + margin_;
         if (!touched && !(near && margin_ > 0))
             continue;
@@ -363,7 +396,7 @@ double ContactTracker::tell_planes(const Vector3 &lag)
         touch.surface_velocity = geom.velocity_at(touch.point);
         touch.object = geom.object();
         touch.from_entry_side = true;
-        touch.carry = {plane.share, carried > 0 ? Vector3(plane.share / carried * lag) : Vector3(Vector3::Zero())};
+        touch.carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
         touch.is_solved = true;
         touch.material = geom.material();
         told_.push_back({geom.id(), touch});
@@ -407,7 +440,7 @@ void ContactTracker::tell_each_object()
         alone.triangles = std::max<std::size_t>(1, alone.triangles / near_.size());
         const bool common = slide_.run(alone, places_);
         visited_ += alone.triangles - slide_.left();
-        tell_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
+        tell_planes(TouchView::each_object_alone, common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
     }
 }
 } // namespace ode_predictive_space::haptics

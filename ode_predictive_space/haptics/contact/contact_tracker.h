@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
+#include "ode_predictive_space/haptics/contact/yielding_place.h"
 
 namespace ode_predictive_space::haptics
 {
@@ -74,6 +75,9 @@ public:
     /// N/m; of what has no material of its own. While a force is rendered, the proxy catches up no faster than the force may change.
     void set_stiffness(double stiffness) { stiffness_ = stiffness; }
 
+    /// s; for how long bodies get the force of a tick.
+    void set_tick_length(double seconds) { tick_length_ = seconds; }
+
     /// Forget what is near, but not on which side of it the proxy is.
     void begin();
 
@@ -140,14 +144,17 @@ private:
     SphereSlide::Task task() const;
     void settle();
     Vector3 lag_at(const Vector3 &place) const;
-    void tell_together();
-    double tell_planes(const Vector3 &lag);
+    void tell_together(TouchView view);
+    double tell_planes(TouchView view, const Vector3 &lag);
+    double yield_of(const SlidePlane &plane) const;
+    void share_out(TouchView view);
     void carry_on(const Vector3 &lag);
     void tell_each_object();
 
     double radius_;
     double margin_ = 0;
     double stiffness_ = 1000;
+    double tick_length_ = 0.001;
     bool has_proxy_ = false;
     Vector3 tool_ = Vector3::Zero();
     Vector3 travel_ = Vector3::Zero(); ///< m; of the tool, since the tick before
@@ -162,6 +169,7 @@ private:
     std::vector<ContactMemory::Place> before_;
     std::vector<SlidePlace> places_;
     SphereSlide slide_;
+    std::vector<YieldingPlane> yielding_;
     std::size_t visited_ = 0;
     std::vector<TouchOfGeom> told_;        ///< in this tick
     std::vector<TouchOfGeom> told_before_; ///< in the one before: what carried the proxy, and the numbers of planes

@@ -18,6 +18,7 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
     nearby.object_ = object_of(geom);
     nearby.pose_ = pose_of(geom);
     nearby.motion_ = body_motion_of(geom, nearby.pose_);
+    nearby.mobility_ = Mobility::of(dGeomGetBody(geom));
     if (!nearby.is_solid() && nearby.is_finite())
     {
         nearby.mesh_ = meshes.tree_of(geom, touched);

@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NEARBY_GEOM_H
 
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
+#include "ode_predictive_space/haptics/contact/mobility.h"
 #include "ode_predictive_space/haptics/contact/other_probes.h"
 #include "ode_predictive_space/haptics/contact/pose_watch.h"
 #include "ode_predictive_space/haptics/contact/solid.h"
@@ -66,6 +67,15 @@ public:
     void set_material(const std::optional<Material> &material) { material_ = material; }
     const std::optional<Material> &material() const { return material_; }
 
+    /// Whether a push moves it.
+    bool is_movable() const { return !mobility_.is_zero(); }
+
+    /// 1/kg; how fast a place of the surface moves along a direction of length 1 after a push of 1 N s, if nothing else holds the body.
+    double mobility_at(const Vector3 &point, const Vector3 &direction) const
+    {
+        return mobility_.along(point - motion_.centre, direction);
+    }
+
     /// m/s, of the surface.
     Vector3 velocity_at(const Vector3 &point) const { return motion_.velocity_at(point); }
 
@@ -99,6 +109,7 @@ private:
     std::uintptr_t object_ = 0;
     Pose pose_;
     Motion motion_;
+    Mobility mobility_;
     std::optional<Material> material_;
     Solid solid_;
     std::shared_ptr<const MeshTree> mesh_;

@@ -20,7 +20,6 @@ constexpr double smallest_step = 1e-6; // of the radius; away from a surface tha
 constexpr double allowed_entry = 5e-4; // of the radius; how deep a step may bring the sphere into a surface
 constexpr double shortest_try = 1e-5;  // of the radius; of a step that entered a surface and is tried again
 constexpr int most_sweeps = 200;
-constexpr std::size_t usual_planes = 256;
 constexpr double allowed_violation = 1e-6; // of the deepest plane
 constexpr double cancelling = 1e-3;        // of shares that cancel each other: how much they cost
 constexpr double squeezed = 2;             // times the radius; how far apart geoms that squeeze it see the sphere

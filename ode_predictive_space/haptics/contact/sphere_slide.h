@@ -52,6 +52,8 @@ public:
     /// So many are visited in less than a millisecond. Counts, not times, bound a run, so that a replay is the same.
     static constexpr std::size_t most_triangles = 4000;
 
+    static constexpr std::size_t usual_planes = 256; ///< in planes(), rarely more
+
     /// Makes room for what a tick usually needs: up to that run() does not allocate.
     SphereSlide();
 

@@ -229,6 +229,8 @@ void TouchSensor::set_materials(MaterialOf materials)
 void TouchSensor::set_tick_length(double seconds)
 {
     parts_->place.tick = seconds;
+    if (parts_->tracker)
+        parts_->tracker->set_tick_length(seconds);
 }
 
 void TouchSensor::prepare(dGeomID mesh)

@@ -27,7 +27,7 @@ struct Shift
 };
 
 /// One for each touch that is foreseen, the deepest first.
-using Shifts = std::array<Shift, 4>;
+using Shifts = std::array<Shift, 8>;
 
 /// The deepest touch says how far the whole object has gone. @return none for an object that is not foreseen.
 inline Shift shift_of(std::uintptr_t object, const Shifts &shifts)

@@ -114,7 +114,10 @@ public:
     explicit DecoupledServo(LoopParts &parts) : impulses(parts), parts_(parts), renderer_(parts.probe.renderer())
     {
         if (parts.probe.sensor()->tracker() != nullptr)
+        {
             tracker_.emplace(parts.probe.sensor()->radius());
+            tracker_->set_tick_length(1 / parts.settings.rate);
+        }
         touches_.reserve(reserved_touches);
     }
 

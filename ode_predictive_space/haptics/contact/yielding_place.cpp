@@ -1,0 +1,102 @@
+#include "ode_predictive_space/haptics/contact/yielding_place.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr int passes = 3;             // of the method of multipliers
+constexpr int most_steps = 64;        // of Newton's method; it ends after a few
+constexpr int most_halvings = 40;     // of a step
+constexpr double arrived = 1e-12;     // of the deepest plane: a step that is shorter is none
+constexpr double least_descent = 0.1; // of what the slope says that a step descends
+
+using Planes = std::vector<YieldingPlane>;
+
+/// m; how far a place is behind a plane that gives way to all but the share that it has.
+double violation(const YieldingPlane &plane, const Vector3 &place)
+{
+    return std::max(0.0, plane.depth + plane.yield * plane.share - plane.normal.dot(place));
+}
+
+double cost(const Planes &planes, const Vector3 &place)
+{
+    double sum = place.squaredNorm();
+    for (const YieldingPlane &plane : planes)
+        sum += violation(plane, place) * violation(plane, place) / plane.yield;
+    return sum / 2;
+}
+
+/// Newton's method: exact as soon as the planes that carry are known.
+class Search
+{
+public:
+    Search(const Planes &planes, double deepest) : planes_(planes), deepest_(deepest)
+    {
+        for (int step = 0; step < most_steps && go(); ++step)
+        {}
+    }
+
+    const Vector3 &place() const { return place_; }
+
+private:
+    /// @return false when this was the last step.
+    bool go()
+    {
+        Vector3 gradient = place_;
+        Eigen::Matrix3d curvature = Eigen::Matrix3d::Identity();
+        for (const YieldingPlane &plane : planes_)
+        {
+            const double behind = violation(plane, place_);
+            if (behind == 0)
+                continue;
+            gradient -= behind / plane.yield * plane.normal;
+            curvature += plane.normal * plane.normal.transpose() / plane.yield;
+        }
+        const Vector3 step = -curvature.ldlt().solve(gradient);
+        if (step.norm() <= arrived * deepest_)
+            return false;
+        const double slope = gradient.dot(step);
+        const double before = cost(planes_, place_);
+        double part = 1;
+        for (int i = 0;
+             i < most_halvings && cost(planes_, place_ + part * step) > before + least_descent * part * slope; ++i)
+            part /= 2;
+        place_ += part * step;
+        return part * step.norm() > arrived * deepest_;
+    }
+
+    const Planes &planes_;
+    double deepest_; ///< m
+    Vector3 place_ = Vector3::Zero();
+};
+} // namespace
+
+void find_yielding_place(Planes &planes)
+{
+    double deepest = 0;
+    bool finite = true;
+    for (const YieldingPlane &plane : planes)
+    {
+        deepest = std::max(deepest, plane.depth);
+        finite = finite && std::isfinite(plane.depth) && std::isfinite(plane.yield) && plane.normal.allFinite();
+    }
+    if (!finite)
+    {
+        for (YieldingPlane &plane : planes)
+            plane.share = plane.depth;
+        return;
+    }
+    for (YieldingPlane &plane : planes)
+        plane.share = 0;
+    for (int pass = 0; pass < passes; ++pass)
+    {
+        const Vector3 place = Search(planes, deepest).place();
+        for (YieldingPlane &plane : planes)
+            plane.share = violation(plane, place) / plane.yield;
+    }
+}
+} // namespace ode_predictive_space::haptics

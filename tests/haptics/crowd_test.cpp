@@ -1,0 +1,44 @@
+// Hands that press on many light bodies at once: no energy is made, and forces change no faster than hand and bodies move.
+
+#include "tests/haptics/crowd_run.h"
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+class CrowdTest : public testing::TestWithParam<CrowdCase>
+{};
+
+TEST_P(CrowdTest, NoEnergyIsMadeAndForcesDoNotJump)
+{
+    expect_quiet(GetParam());
+}
+
+std::vector<CrowdCase> crowds_in_one_thread()
+{
+    return {{Crowd::pit, 1, 0.005},       {Crowd::pit, 4, 0.005},
+            {Crowd::pit, 5, 0.005},       {Crowd::pit, 16, 0.005, 0, false},
+            {Crowd::pit, 9, 0.002},       {Crowd::pit, 16, 0.005},
+            {Crowd::pit, 9, 0.05},        {Crowd::pile, 20, 0.005},
+            {Crowd::wedge, 2, 0.005, 20}, {Crowd::wedge, 2, 0.005, 1.5},
+            {Crowd::wedge, 8, 0.05, 3},   {Crowd::pit, 9, 0.5}};
+}
+
+INSTANTIATE_TEST_SUITE_P(OneThread, CrowdTest, testing::ValuesIn(crowds_in_one_thread()), name_of_crowd);
+
+class CrowdInTwoThreadsTest : public testing::TestWithParam<CrowdCase>
+{};
+
+TEST_P(CrowdInTwoThreadsTest, IsFeltAsInOne)
+{
+    expect_as_in_one_thread(GetParam());
+}
+
+std::vector<CrowdCase> crowds_in_two_threads()
+{
+    return {{Crowd::pit, 5, 0.005, 0, true, 200}, {Crowd::pit, 5, 0.005, 0, true, 60}};
+}
+
+INSTANTIATE_TEST_SUITE_P(TwoThreads, CrowdInTwoThreadsTest, testing::ValuesIn(crowds_in_two_threads()), name_of_crowd);
+} // namespace
+} // namespace ode_predictive_space::haptics
