@@ -313,6 +313,7 @@ void Broadphase::remove(ProxyId id)
     idle_.forget(id);
     shapes_.forget(id);
     predictor_.forget(id);
+    near_.close_account(id);
     if (!interrupted_)
         attempt([&] { forget(id); });
     proxies_.remove(id);
@@ -334,7 +335,7 @@ template <typename Step> void Broadphase::attempt(Step step)
 
 void Broadphase::forget(ProxyId id)
 {
-    near_.forget(id);
+    near_.retire(id);
     index_.remove(proxies_, id);
 }
 

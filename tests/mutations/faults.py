@@ -311,7 +311,7 @@ def near_faults():
         "lost_retire", "near", tick, "near_.retire(id);\n        batch_.add(id);", "batch_.add(id);",
         (("broadphase", "Broadphase.*:Tick.*:*AnyWorld*"),))
     yield Fault(
-        "pairs_of_the_gone_kept", "near", tick, "near_.forget(id);\n    index_", "index_", (("broadphase", "Broadphase.*:*AnyWorld*"),))
+        "pairs_of_the_gone_kept", "near", tick, "near_.retire(id);\n    index_", "index_", (("broadphase", "Broadphase.*:*AnyWorld*"),))
     yield Fault("moves_of_resting_pairs_ignored", "near", tick, "return near_.disturb(id);", "return;", sets)
     yield Fault(
         "rests_unwatched", "near", near, "places[id].set_watch(Watch::look);", "(void)places;", sets)

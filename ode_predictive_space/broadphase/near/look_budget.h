@@ -1,4 +1,5 @@
-// What looks at the gaps of pairs may cost. In: the instructions of looks, and the reports that they spared. Out: whether to look on.
+// Bounds the cost of looks at the gaps of pairs. In: the instructions of looks, and the reports that they saved. Out: whether a look is
+// allowed.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_LOOK_BUDGET_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_LOOK_BUDGET_H
@@ -41,7 +42,7 @@ public:
         }
     }
 
-    /// @pre the object has had a pair. The same goes for the functions below.
+    /// @pre the object has had a pair; note_spared(), note_reported() and note_look() need one, too.
     bool allows_look(ProxyId id) const { return accounts_[id].balance >= 0; }
 
     /// A pair was not reported, because of an earlier look.

@@ -59,12 +59,8 @@ public:
         has_retired_ = true;
     }
 
-    /// The object is gone.
-    void forget(ProxyId id)
-    {
-        retire(id);
-        budget_.close(id);
-    }
+    /// The object is gone. Throws nothing.
+    void close_account(ProxyId id) { budget_.close(id); }
 
     bool has_retired() const { return has_retired_; }
 
@@ -91,8 +87,8 @@ public:
     /// @return the end of what was written.
     CandidatePair *report(const OverlapTest &test, Place *places, UpdateNumber update, CandidatePair *room);
 
-    /// The same; of the pairs that were added by shape, those that overlap and whose shapes may touch. Shapes are brought up to date
-    /// where they are needed.
+    /// Does the same, but writes pairs that were added by shape only when they overlap and their shapes may touch. Shapes are brought up
+    /// to date where they are needed.
     CandidatePair *report(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room);
 
     /// Drops all pairs.

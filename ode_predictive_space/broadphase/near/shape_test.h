@@ -34,7 +34,7 @@ struct Look
     bool is_excluded = false; ///< when a look was last due, the program was not to be called for the pair
     Payer payer;
 
-    /// Null when nobody pays.
+    /// @return null when the looks are drawn from no account.
     const ProxyId *payer_of(const CandidatePair &pair) const
     {
         return payer == Payer::nobody ? nullptr : payer == Payer::first ? &pair.first : &pair.second;
