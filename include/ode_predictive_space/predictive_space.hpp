@@ -59,6 +59,9 @@ public:
         return dPredictiveSpaceGetDeviation(id(), role, a, b, c);
     }
 
+    /** See dPredictiveSpacePrepare(). */
+    void prepare() { dPredictiveSpacePrepare(id()); }
+
     /** See dPredictiveSpaceSetHorizon(). */
     void setHorizon(int min_ticks, int max_ticks) { dPredictiveSpaceSetHorizon(id(), min_ticks, max_ticks); }
     /** See dPredictiveSpaceGetHorizon(). */

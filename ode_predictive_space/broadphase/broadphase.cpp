@@ -402,7 +402,7 @@ void Broadphase::set_settings(const PredictionSettings &settings)
 
 void Broadphase::set_role(ProxyId id, Role role)
 {
-    proxies_.records[id].role = role;
+    proxies_.set_role(id, role);
     request(id);
 }
 

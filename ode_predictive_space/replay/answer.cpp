@@ -51,9 +51,7 @@ Findings findings_of(const Recording &recording, const Costs &costs)
     findings.shape = microseconds(costs.shape);
     findings.callbacks = per_event(static_cast<double>(costs.box.callbacks), costs.box);
     findings.spared = findings.callbacks - per_event(static_cast<double>(costs.shape.callbacks), costs.shape);
-    if (costs.callbacks.nothing > 0)
-        findings.spared_time =
-            1e6 * findings.spared * costs.callbacks.seconds_for_nothing / static_cast<double>(costs.callbacks.nothing);
+    findings.spared_time = 1e6 * per_event(costs.callbacks.seconds_spared, costs.box);
     return findings;
 }
 

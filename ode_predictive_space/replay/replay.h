@@ -73,9 +73,9 @@ struct Callbacks
 {
     std::string failure;
     std::uint64_t all = 0;
-    std::uint64_t nothing = 0;      ///< dCollide() finds no contact
-    std::uint64_t unknown = 0;      ///< with a space, or with a geom of which only the box is recorded
-    double seconds_for_nothing = 0; ///< in those calls of dCollide()
+    std::uint64_t nothing = 0; ///< dCollide() finds no contact
+    std::uint64_t unknown = 0; ///< with a space, or with a geom of which only the box is recorded
+    double seconds_spared = 0; ///< in those calls of dCollide() that spaces by shape spare
 };
 Callbacks judge_callbacks(const history::Recording &recording, std::size_t most_events, double most_seconds);
 

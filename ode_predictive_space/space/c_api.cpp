@@ -116,6 +116,12 @@ void dPredictiveSpaceGeomChanged(dSpaceID space, dGeomID geom)
         self->geom_changed(geom);
 }
 
+void dPredictiveSpacePrepare(dSpaceID space)
+{
+    if (dxPredictiveSpace *self = checked_space(__func__, space))
+        self->make_hulls(__func__);
+}
+
 void dPredictiveSpaceSetGeomRole(dSpaceID space, dGeomID geom, int role)
 {
     dxPredictiveSpace *self = checked_space(__func__, space);

@@ -284,7 +284,7 @@ void GeomScene::observe(const ProxyId *ids, std::size_t count, Observation *seen
 void GeomScene::follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves)
 {
     for_each(
-        count, [&](std::size_t i) { moves[i] = follow_geom(geoms_[ids[i]], hulls_, *shapes[i]); },
+        count, [&](std::size_t i) { moves[i] = follow_geom(ids[i], geoms_[ids[i]], hulls_, steps_left_, *shapes[i]); },
         [&](std::size_t i) { prefetch_geom(ids[i]); },
         [&](std::size_t i) {
             prefetch_pose(ids[i]);
@@ -294,7 +294,9 @@ void GeomScene::follow(const ProxyId *ids, std::size_t count, ConvexShape *const
 
 bool GeomScene::hull_is_outdated(ProxyId id, const ConvexShape &shape)
 {
-    return HullStore::is_outdated(geoms_[id], *shape.hull);
+    if (shape.hull)
+        return HullStore::is_outdated(geoms_[id], *shape.hull);
+    return !hulls_.hull_of(id, geoms_[id], steps_left_).is_being_made;
 }
 
 Box GeomScene::bounds(ProxyId id)

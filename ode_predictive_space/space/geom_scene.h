@@ -121,11 +121,12 @@ class GeomScene : public Scene
 {
 public:
     /// @param geoms by number; must stay where they are as long as the scene is used.
-    /// @param hulls of convexes and meshes.
+    /// @param hulls of convexes, meshes and heightfields.
+    /// @param steps that may be made for these; see HullMaker::go_on().
     /// @param by_sphere a pair overlaps only when the bounding spheres overlap, too.
-    GeomScene(const std::vector<dxGeom *> &geoms, HullStore &hulls, bool by_sphere)
-        : geoms_(geoms.data()), hulls_(hulls), overflows_cache_(geoms.size() > tuning::cached_objects),
-          by_sphere_(by_sphere)
+    GeomScene(const std::vector<dxGeom *> &geoms, HullStore &hulls, std::size_t steps, bool by_sphere)
+        : geoms_(geoms.data()), hulls_(hulls), steps_left_(steps),
+          overflows_cache_(geoms.size() > tuning::cached_objects), by_sphere_(by_sphere)
     {}
 
     void measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin) override;
@@ -159,6 +160,7 @@ private:
 
     dxGeom *const *geoms_;
     HullStore &hulls_;
+    std::size_t steps_left_;
     bool overflows_cache_;
     bool by_sphere_;
 };

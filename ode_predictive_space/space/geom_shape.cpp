@@ -183,21 +183,20 @@ bool take_plane(const dxGeom *geom, ConvexShape &shape)
     return std::abs(shape.axes[0].squaredNorm() - 1) <= most_skew && shape.centre.lpNorm<1>() <= largest_length;
 }
 
-bool take_form(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before, ConvexShape &shape)
+bool take_form(const dxGeom *geom, const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
 {
     if (geom->type <= dCylinderClass)
         return take_sizes(geom, shape);
-    const std::shared_ptr<const DataHull> hull = hulls.hull_of(geom, before);
     return geom->type == dHeightfieldClass ? take_terrain(hull, shape) : take_hull(hull, shape);
 }
 
-bool take_all(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before, ConvexShape &shape)
+bool take_all(dxGeom *geom, const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
 {
     if (geom->gflags & GEOM_ZERO_SIZED)
         return false;
     if (geom->type == dPlaneClass)
         return take_plane(geom, shape);
-    return take_form(geom, hulls, before, shape) && take_pose(geom, shape);
+    return take_form(geom, hull, shape) && take_pose(geom, shape);
 }
 
 // Is the shape what it was, but for its pose?
@@ -226,10 +225,10 @@ bool found_by_libccd(const dxGeom *one, const dxGeom *other)
     return other->type < dFirstSpaceClass && libccd_partners_of(one->type) & group_of(other->type);
 }
 
-ConvexShape shape_of(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before)
+ConvexShape shape_of(dxGeom *geom, const std::shared_ptr<const DataHull> &hull)
 {
     ConvexShape shape;
-    if (!take_all(geom, hulls, before, shape))
+    if (!take_all(geom, hull, shape))
         return {};
     // Sizes beside meshes are in single precision.
     const Vector3 offset = shape.hull ? shape.hull->centre() : Vector3::Zero();
@@ -239,14 +238,16 @@ ConvexShape shape_of(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const
     return shape;
 }
 
-double follow_geom(dxGeom *geom, HullStore &hulls, ConvexShape &shape)
+double follow_geom(ProxyId id, dxGeom *geom, HullStore &hulls, std::size_t &steps, ConvexShape &shape)
 {
     const Pose before = shape;
     if (keeps_form(geom, shape) && take_pose(geom, shape))
         return shape.moved_from(before);
     const bool was_sphere = shape.group == group_of(dSphereClass);
     const double radius_before = shape.radius;
-    shape = shape_of(geom, hulls, shape.hull);
+    const HullStore::Found found = has_data(geom) ? hulls.hull_of(id, geom, steps) : HullStore::Found();
+    shape = shape_of(geom, found.hull);
+    shape.awaits_hull = found.is_being_made;
     if (was_sphere && shape.known())
         return shape.moved_from(before) + growth_and_margin * std::max(0.0, shape.radius - radius_before);
     return std::numeric_limits<double>::infinity();

@@ -23,12 +23,14 @@ bool found_by_libccd(const dxGeom *one, const dxGeom *other);
 /// matrix; unknown otherwise. Two shapes are judged together where ODE's own collider finds no contact between shapes that are
 /// apart by more than a tolerance.
 ///
-/// @param before the geom's last hull, or null.
-ConvexShape shape_of(dxGeom *geom, HullStore &hulls, const std::shared_ptr<const VertexHull> &before = nullptr);
-/// Brings the shape of a geom up to date.
+/// @param hull of a geom with data. Without it the shape of that is unknown.
+ConvexShape shape_of(dxGeom *geom, const std::shared_ptr<const DataHull> &hull);
+
+/// Brings the shape of a geom up to date. While its hull is being made, it is unknown, and awaits_hull.
 ///
+/// @param steps see HullStore::hull_of().
 /// @return how far it has moved since; see Scene::follow(). Of a sphere, with what it has grown.
-double follow_geom(dxGeom *geom, HullStore &hulls, ConvexShape &shape);
+double follow_geom(ProxyId id, dxGeom *geom, HullStore &hulls, std::size_t &steps, ConvexShape &shape);
 } // namespace ode_predictive_space
 
 #endif

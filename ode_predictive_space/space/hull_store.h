@@ -3,56 +3,32 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_HULL_STORE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_HULL_STORE_H
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <memory>
-#include <utility>
 
-#include "ode_predictive_space/broadphase/shape/vertex_hull.h"
-#include "ode_predictive_space/space/ode_internals.h"
+#include "ode_predictive_space/broadphase/base/ids.h"
+#include "ode_predictive_space/space/hull_maker.h"
 
 namespace ode_predictive_space
 {
-/// Beyond this, squares of lengths may overflow.
-constexpr double largest_length = 1e100;
-
-/// Divides two lengths. The result is infinite when the second is 0; the division is then left out, as programs may trap it.
-inline double quotient(double one, double other)
-{
-    return other > 0 ? one / other : std::numeric_limits<double>::infinity();
-}
-
-/// Where a geom's data are and how many: pointers, counts and scales.
-using DataKey = std::array<std::uint64_t, 9>;
-
-/// The hull of a geom's data.
-struct DataHull : VertexHull
-{
-    DataHull(VertexHull &&points, const DataKey &data) : VertexHull(std::move(points)), key(data) {}
-
-    DataKey key;
-    /// Twice the area of the smallest triangle of a mesh; infinite for a convex.
-    double least_normal = std::numeric_limits<double>::infinity();
-    /// The largest aspect ratio of a triangle of a mesh: its longest side by the height on it. Of a convex, 1.
-    double aspect = 1;
-    bool outdated = false; ///< the data have been changed in place
-    bool has_old_box =
-        false; ///< ODE's box of a mesh's data does not fit: they were changed in place, and not built again
-};
-
-/// A hull lives as long as a shape of a geom has it.
+/// A hull lives as long as it is kept for a geom, or a shape has it.
 class HullStore
 {
 public:
-    /// The hull of a convex or mesh. Of a heightfield the rectangle around its grid, with that as the surface.
+    /// None of other classes, and of data that cannot be read; nor while it is being made.
+    struct Found
+    {
+        std::shared_ptr<const DataHull> hull;
+        bool is_being_made = false;
+    };
+
+    /// The hull of a convex or mesh. Of a heightfield the rectangle around its grid, with that as the surface. It is kept for the geom,
+    /// so that it is there when the geom is near others again. Where it is not known it is made, as far as the steps go.
     ///
-    /// @param before the geom's last hull, or null; found again without a search when the geom is made of the same data.
-    /// @return null for other classes, for data that cannot be read and for points that are not finite or too far away for
-    ///         squares of lengths. Of very many points only the box.
-    std::shared_ptr<const DataHull> hull_of(dxGeom *geom, const std::shared_ptr<const VertexHull> &before);
+    /// @param steps see HullMaker::go_on(). Those that are left are given back.
+    Found hull_of(ProxyId id, dxGeom *geom, std::size_t &steps);
 
     /// Is the geom made of other data than its hull, which hull_of() gave?
     static bool is_outdated(dxGeom *geom, const VertexHull &hull);
@@ -60,13 +36,25 @@ public:
     /// The data of a geom may have been changed in place: hulls of these are made anew.
     void outdate(dxGeom *geom);
 
+    /// The geom is gone, or its data may be others now: changes of the old ones are not reported for it.
+    void release(ProxyId id) { geoms_.erase(id); }
+    void release_all() { geoms_.clear(); }
+
     std::size_t bytes() const;
 
 private:
-    std::shared_ptr<const DataHull> make_hull(dxGeom *geom, const DataKey &key);
-    void forget_unused();
+    struct OfGeom
+    {
+        std::shared_ptr<const DataHull> hull;
+        std::unique_ptr<HullMaker> maker; // also of data that cannot be read, so that they are not read again
+    };
+
+    std::shared_ptr<const DataHull> known(const DataKey &key) const;
+    void add(const std::shared_ptr<DataHull> &hull);
 
     std::map<DataKey, std::weak_ptr<DataHull>> hulls_;
+    std::map<ProxyId, OfGeom> geoms_;
+    std::uint32_t made_ = 0; // so many hulls
 };
 } // namespace ode_predictive_space
 

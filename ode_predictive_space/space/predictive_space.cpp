@@ -47,7 +47,7 @@ ProxyId dxPredictiveSpace::proxy_of(const dxGeom *geom)
 
 GeomScene dxPredictiveSpace::scene() const
 {
-    return GeomScene(geoms_, hulls_, by_sphere());
+    return GeomScene(geoms_, hulls_, steps_at_once(), by_sphere());
 }
 
 // May run within the constructor of a geom, when neither its class nor its bounds exist: the next collide reads them.
@@ -125,7 +125,7 @@ void dxPredictiveSpace::dismiss(dxGeom *geom)
     off_line_.erase(id);
     line_unknown_.erase(id);
     unclassified_.erase(id);
-    asked_hulls_.erase(id);
+    hulls_.release(id);
     geom->next_ex = nullptr;
     fit_to_proxies();
 }
@@ -244,7 +244,7 @@ void dxPredictiveSpace::poll_moves()
 void dxPredictiveSpace::note_change(ProxyId id)
 {
     hulls_.outdate(geoms_[id]);
-    asked_hulls_.erase(id); // its data may be others now; changes of the old ones are not reported for this geom
+    hulls_.release(id);
     broadphase_.mark_changed(id);
     listen_to(geoms_[id]);
     note_changed_line(geoms_[id]);
@@ -410,7 +410,7 @@ void dxPredictiveSpace::set_proximity_test(ProximityTest test)
     if (test == ProximityTest::sphere)
         start_predicting();
     broadphase_.set_proximity_test(test);
-    asked_hulls_.clear();
+    hulls_.release_all();
     if (predicts_ && !by_box())
         for (dxGeom *geom = first; geom; geom = geom->next)
             note_changed_line(geom);

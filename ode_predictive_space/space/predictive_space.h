@@ -50,6 +50,9 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     /// The data that a geom of this space is made of have been changed in place.
     void geom_changed(dxGeom *geom);
 
+    /// By the shape test: makes the hulls of all geoms with data, also of those in predictive spaces within this one.
+    void make_hulls(const char *function);
+
     /// A geom that can be met, in ticks from now.
     struct Encounter
     {
@@ -118,6 +121,7 @@ private:
     bool may_touch(dxGeom *geom, const Question &question, bool is_on_line);
     bool shapes_may_meet(dxGeom *geom, dxGeom *probe);
     ode_predictive_space::ConvexShape shape_now(dxGeom *geom);
+    std::size_t steps_at_once() const;
 
     bool by_box() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::box; }
     bool by_sphere() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::sphere; }
@@ -182,9 +186,7 @@ private:
     std::vector<ProxyId> found_;
 
     mutable ode_predictive_space::HullStore hulls_; // a scene may make hulls
-    // Of geoms that were asked about: they are kept from one question to the next.
-    std::map<ProxyId, std::shared_ptr<const ode_predictive_space::VertexHull>> asked_hulls_;
-    bool unprepared_ = false; // geoms are unclassified
+    bool unprepared_ = false;                       // geoms are unclassified
 
     unsigned long ticks_ = 0;
     unsigned long reported_ = 0;

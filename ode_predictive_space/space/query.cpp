@@ -152,15 +152,34 @@ bool dxPredictiveSpace::shapes_may_meet(dxGeom *geom, dxGeom *probe)
 ConvexShape dxPredictiveSpace::shape_now(dxGeom *geom)
 {
     if (!has_data(geom))
-        return shape_of(geom, hulls_, nullptr);
+        return shape_of(geom, nullptr);
     const std::lock_guard<std::recursive_mutex> hold(upkeep_);
-    std::shared_ptr<const VertexHull> &hull = asked_hulls_[proxy_of(geom)];
-    ConvexShape shape = shape_of(geom, hulls_, hull);
-    hull = shape.hull;
-    const std::shared_ptr<Surface> &surface = shape.surface();
-    if (surface && !surface->is_ready())
-        surface->build(tuning::triangles_per_report);
-    return !surface || surface->is_ready() ? shape : ConvexShape();
+    std::size_t steps = steps_at_once();
+    return shape_of(geom, hulls_.hull_of(proxy_of(geom), geom, steps).hull);
+}
+
+// A person never feels that a tick takes long.
+std::size_t dxPredictiveSpace::steps_at_once() const
+{
+    return broadphase_.proxies().any_hand() ? tuning::steps_per_tick : HullMaker::all_steps;
+}
+
+// The space is not brought up to date: the next tick finds the pairs in the same order as without this.
+void dxPredictiveSpace::make_hulls(const char *function)
+{
+    for (dxGeom *geom = first; geom; geom = geom->next)
+        if (auto *nested = dynamic_cast<dxPredictiveSpace *>(geom))
+            nested->make_hulls(function);
+    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    if (!looks_at_shapes() || !is_free(function))
+        return;
+    start_predicting();
+    poll_moves();
+    const Work work(working_);
+    std::size_t steps = HullMaker::all_steps;
+    for (dxGeom *geom = first; geom; geom = geom->next)
+        if (has_data(geom))
+            hulls_.hull_of(proxy_of(geom), geom, steps);
 }
 
 // Boxes that no tick has needed are computed when they are first asked for.

@@ -115,9 +115,11 @@ TEST_F(LookBudgets, DoNotGrowWithPairsThatComeAndGo)
 
 TEST_F(LookBudgets, PayForDataThatChangeAgainAndAgain)
 {
-    budget.note_made(mesh, 1e6f);
+    budget.note_hull(mesh, 1, 1e6f);
     EXPECT_TRUE(budget.allows_look(mesh)) << "all data are read once";
-    budget.note_made(mesh, 1e6f);
+    budget.note_hull(mesh, 1, 1e6f);
+    EXPECT_TRUE(budget.allows_look(mesh)) << "the hull is the same";
+    budget.note_hull(mesh, 2, 1e6f);
     EXPECT_FALSE(budget.allows_look(mesh));
 }
 

@@ -87,19 +87,52 @@ TEST_F(Replay, JudgesCallbacksByTheirContacts)
     EXPECT_EQ(callbacks.all, 2 * 3u);
     EXPECT_EQ(callbacks.nothing, 2 * 1u);
     EXPECT_EQ(callbacks.unknown, 2 * 1u);
+    EXPECT_EQ(callbacks.seconds_spared, 0) << "two balls are told apart by box by shape, too";
     EXPECT_EQ(judge_callbacks(recording, 1, no_limit).all, 3u);
     dGeomDestroy(ground);
     dGeomHeightfieldDataDestroy(field);
 }
 
+// A mesh of one triangle, whose box is twice as large.
+class TriangleGeom
+{
+public:
+    explicit TriangleGeom(dSpaceID space)
+    {
+        dGeomTriMeshDataBuildSingle(data_, corners_, 3 * sizeof(float), 3, indices_, 3, 3 * sizeof(dTriIndex));
+        geom_ = dCreateTriMesh(space, data_, nullptr, nullptr, nullptr);
+    }
+    ~TriangleGeom()
+    {
+        dGeomDestroy(geom_);
+        dGeomTriMeshDataDestroy(data_);
+    }
+    TriangleGeom(const TriangleGeom &) = delete;
+    TriangleGeom &operator=(const TriangleGeom &) = delete;
+
+private:
+    const float corners_[9] = {-5, -5, 0, 5, -5, 0, -5, 5, 0};
+    const dTriIndex indices_[3] = {0, 1, 2};
+    const dTriMeshDataID data_ = dGeomTriMeshDataCreate();
+    dGeomID geom_;
+};
+
+TEST_F(Replay, CountsTheTimeOfSparedCallbacksAlone)
+{
+    const TriangleGeom triangle(space_);
+    ball_at(4, 4, 0);
+    ball_at(20, 0, 0);
+    ball_at(dReal(21.9), dReal(1.9), 0); // the boxes overlap, the balls do not: by shape, too
+    const Recording recording = collided(2);
+    const Callbacks callbacks = judge_callbacks(recording, recording.events().size(), no_limit);
+    EXPECT_EQ(callbacks.failure, "");
+    EXPECT_EQ(callbacks.nothing, 2 * 2u);
+    EXPECT_GT(callbacks.seconds_spared, 0);
+}
+
 TEST_F(Replay, LeavesOutPairsByShapeAndSaysSo)
 {
-    // A mesh of one triangle, whose box holds a ball.
-    const float corners[] = {-5, -5, 0, 5, -5, 0, -5, 5, 0};
-    const dTriIndex indices[] = {0, 1, 2};
-    const dTriMeshDataID data = dGeomTriMeshDataCreate();
-    dGeomTriMeshDataBuildSingle(data, corners, 3 * sizeof(float), 3, indices, 3, 3 * sizeof(dTriIndex));
-    const dGeomID mesh = dCreateTriMesh(space_, data, nullptr, nullptr, nullptr);
+    const TriangleGeom triangle(space_);
     ball_at(4, 4, 0);
     ball_at(0, 0, 0);
     ball_at(1, 0, 0);
@@ -111,8 +144,6 @@ TEST_F(Replay, LeavesOutPairsByShapeAndSaysSo)
     EXPECT_TRUE(verdict.agrees);
     EXPECT_NE(verdict.text.find(" without one left out"), std::string::npos) << verdict.text;
     EXPECT_EQ(verdict.text.find("; 0 without"), std::string::npos) << verdict.text;
-    dGeomDestroy(mesh);
-    dGeomTriMeshDataDestroy(data);
 }
 
 // ODE's sweep-and-prune space reports the plane with everything.

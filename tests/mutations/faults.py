@@ -369,7 +369,7 @@ def near_faults():
 def shape_faults():
     test = BROADPHASE + "near/shape_test.cpp"
     gap = BROADPHASE + "shape/gap.cpp"
-    hulls = SOURCES + "space/hull_store.cpp"
+    hulls, maker = SOURCES + "space/hull_store.cpp", SOURCES + "space/hull_maker.cpp"
     geoms = SOURCES + "space/geom_shape.cpp"
     proximity = (("shape_contract", "ShapeProximity.*"),)
     contacts = (("shape_contract", "ShapeContacts.AreThose*"),)
@@ -418,10 +418,26 @@ def shape_faults():
         "changed_data_ignored", "shapes", hulls, "return made.outdated || made.key != key_of(geom);",
         "return made.key != key_of(geom);", hull_data)
     yield Fault(
-        "build_goes_on_with_old_data", "shapes", BROADPHASE + "objects/measured_shapes.cpp",
-        "&& !scene.hull_is_outdated(id, (*this)[id]))\n        build(id);", "&& (void(scene), true))\n        build(id);", hull_data)
+        "slices_go_on_with_other_data", "shapes", hulls, "if (!maker || maker->key() != key)", "if (!maker)",
+        (("colliders", "SlicedHull.*"),))
     yield Fault(
-        "offset_of_heights_is_no_other_hull", "shapes", hulls, "word(double{heights.scale}),\n            word(double{heights.offset})};",
+        "slices_go_on_with_changed_data", "shapes", hulls, "            own.maker.reset();\n}", "            void();\n}",
+        (("colliders", "SlicedHull.*"),))
+    yield Fault(
+        "slices_go_on_without_the_geom", "shapes", SOURCES + "space/predictive_space.cpp", "    hulls_.release(id);\n    geom->next_ex",
+        "    geom->next_ex", (("shape_contract", "SurfaceBuilding.*"),))
+    yield Fault(
+        "hulls_are_made_as_a_whole_beside_a_hand", "shapes", SOURCES + "space/query.cpp",
+        "broadphase_.proxies().any_hand() ? tuning::steps_per_tick : HullMaker::all_steps", "HullMaker::all_steps",
+        (("shape_contract", "SurfaceBuilding.*"),))
+    yield Fault(
+        "a_hand_that_is_gone_counts", "shapes", BROADPHASE + "objects/proxy_store.h",
+        "        set_role(id, Role::environment);\n", "", (("shape_contract", "SurfaceBuilding.*"),))
+    yield Fault(
+        "hulls_are_made_again_after_a_pause", "shapes", hulls, "    if (own.hull && !is_outdated(geom, *own.hull))\n        return {own.hull};\n",
+        "", (("shape_contract", "SurfaceBuilding.*"),))
+    yield Fault(
+        "offset_of_heights_is_no_other_hull", "shapes", maker, "word(double{heights.scale}),\n            word(double{heights.offset})};",
         "word(double{heights.scale})};", (("shape_contract", "HullOfHeights.*"),))
     yield Fault(
         "half_of_a_hull_not_searched", "shapes", BROADPHASE + "shape/vertex_hull.cpp",
@@ -516,8 +532,8 @@ def shape_faults():
         "    for (const Vector3 &corner : corners)\n        box.extend(corner);",
         "    box.extend((corners[0] + corners[1] + corners[2]) / 3);", (("surface", "*"),))
     yield Fault(
-        "surface_of_the_data_before", "shapes", hulls, "hull.surface = std::make_shared<TriangleTree>(mesh);",
-        "static const auto first_mesh = std::make_shared<TriangleTree>(mesh);\n    hull.surface = first_mesh;",
+        "surface_of_the_data_before", "shapes", maker, "hull_->surface = std::make_shared<TriangleTree>(*mesh_data_of(geom_));",
+        "static const auto first_mesh = std::make_shared<TriangleTree>(*mesh_data_of(geom_));\n        hull_->surface = first_mesh;",
         hull_data + contacts)
 
 
@@ -577,7 +593,7 @@ def space_faults():
         "unknown_counters_not_written", "space", SOURCES + "space/c_api.cpp", "    std::memset(counters, 0, size);\n", "",
         (("space", "PredictiveSpace.*"),))
     yield Fault(
-        "an_old_box_of_other_data", "shapes", SOURCES + "space/hull_store.cpp", "            word(mesh.triangle_stride),\n            word(data)};",
+        "an_old_box_of_other_data", "shapes", SOURCES + "space/hull_maker.cpp", "            word(mesh.triangle_stride),\n            word(data)};",
         "            word(mesh.triangle_stride),\n            word(data) - word(data)};", (("shape_contract", "HullData.*"),))
     yield Fault(
         "libccd_judged_by_spheres", "space", scene, "return found_by_libccd(one, other) || JudgedSphere(one)", "return JudgedSphere(one)",
@@ -823,8 +839,10 @@ def replay_faults():
         "one_event_too_many", "replay", replay, "if (number >= most_events || start - begin > most_seconds)",
         "if (number > most_events || start - begin > most_seconds)", replayed)
     yield Fault(
-        "boxes_found_nothing_everywhere", "replay", replay, "        if (touch(stage, pair))\n            continue;\n        ++result.nothing;",
-        "        ++result.nothing;", replayed)
+        "boxes_found_nothing_everywhere", "replay", replay, "        if (touch(stage, pair))\n            continue;\n        const double end", "        const double end", replayed)
+    yield Fault(
+        "every_callback_found_nothing_is_spared", "replay", replay, "if (!std::binary_search(by_shape.begin(), by_shape.end(), pair))\n            ",
+        "", replayed)
     yield Fault(
         "stand_ins_collided", "replay", replay,
         "return !stage.is_stand_in(pair.first) && !stage.is_stand_in(pair.second) &&", "return", replayed)

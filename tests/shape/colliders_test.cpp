@@ -15,6 +15,7 @@
 #include "ode_predictive_space/space/geom_shape.h"
 #include "tests/contract/support/ode_test.h"
 #include "tests/shape/hills_geom.h"
+#include "tests/shape/made_shape.h"
 #include "tests/shape/polyhedron_geom.h"
 #include "tests/support/effort.h"
 
@@ -101,7 +102,7 @@ protected:
     // Of two shapes, also within the hull of a mesh.
     double gap(dGeomID first, dGeomID second)
     {
-        const ConvexShape one = shape_of(first, hulls_), other = shape_of(second, hulls_);
+        const ConvexShape one = made_shape(first), other = made_shape(second);
         for (const ConvexShape *shape : {&one, &other})
             if (shape->surface())
                 shape->surface()->build(10000);
@@ -213,9 +214,8 @@ protected:
         double low = 0, high = 8 * size;
         const bool by_contact = one_in(2);
         const auto apart = [&] {
-            return by_contact
-                       ? !touch(first, second)
-                       : find_gap(shape_of(first, hulls_), shape_of(second, hulls_), Vector3::Zero(), 0).length > 0;
+            return by_contact ? !touch(first, second)
+                              : find_gap(made_shape(first), made_shape(second), Vector3::Zero(), 0).length > 0;
         };
         for (int i = 0; i < 40; ++i)
         {
@@ -250,13 +250,13 @@ protected:
     bool may_touch(dGeomID first, dGeomID second)
     {
         const std::vector<dxGeom *> geoms{first, second};
-        GeomScene scene(geoms, hulls_, false);
+        HullStore hulls;
+        GeomScene scene(geoms, hulls, HullMaker::all_steps, false);
         ProxyStore proxies;
         proxies.add();
         proxies.add();
         MeasuredShapes shapes;
         shapes.start(2);
-        shapes.build(scene); // what is needed, at once
         shapes.update(scene, proxies.members(), proxies);
         const OverlapTest boxes{scene, proxies.places.data(), false, Origin().doubt(), Float4::all(0)};
         Look look(Payer::nobody);
@@ -299,7 +299,7 @@ protected:
             const double size = log_between(1e-3, 1e2);
             dGeomID first = create(one, size),
                     second = create(other, one_in(2) ? size : size * log_between(smallest_, 1));
-            by_shape |= judged_by_shape(shape_of(first, hulls_), shape_of(second, hulls_));
+            by_shape |= judged_by_shape(made_shape(first), made_shape(second));
             for (dGeomID geom : {first, second})
                 if (dGeomGetClass(geom) != dPlaneClass)
                     turn(geom);
@@ -457,7 +457,6 @@ protected:
         }
     }
 
-    HullStore hulls_;
     std::deque<ConvexArrays> convexes_;
     std::deque<MeshArrays> meshes_;
     std::mt19937_64 random_{20261123};

@@ -6,6 +6,7 @@
 
 #include "ode_predictive_space/space/geom_shape.h"
 #include "tests/contract/support/ode_test.h"
+#include "tests/shape/polyhedron_geom.h"
 
 namespace ode_predictive_space
 {
@@ -14,7 +15,14 @@ namespace
 class FollowedGeom : public OdeTest
 {
 protected:
-    double moved(dGeomID geom) { return follow_geom(geom, hulls_, shape_); }
+    // One tick, in which so many steps may be made.
+    double moved(dGeomID geom, std::size_t steps = HullMaker::all_steps)
+    {
+        return follow_geom(0, geom, hulls_, steps, shape_);
+    }
+
+    // The same, for a geom that has awaited its hull.
+    bool has_hull(dGeomID geom, std::size_t steps) { return !hulls_.hull_of(0, geom, steps).is_being_made; }
 
     HullStore hulls_;
     ConvexShape shape_;
@@ -62,6 +70,104 @@ TEST_F(FollowedGeom, AnyOtherOfAnotherSizeIsNew)
     dGeomBoxSetLengths(box, 1, 1, 2);
     EXPECT_TRUE(std::isinf(moved(box)));
     dGeomDestroy(box);
+}
+
+// Triangles side by side in a row, with three corners each.
+Polyhedron row_of_triangles(unsigned count)
+{
+    Polyhedron row;
+    for (unsigned i = 0; i < count; ++i)
+    {
+        for (const Vector3 &corner : {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0.1 * (i % 3))})
+            row.corners.push_back(corner + Vector3(i, 0, 0));
+        row.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return row;
+}
+
+class SlicedHull : public FollowedGeom
+{
+protected:
+    ~SlicedHull() override { dGeomDestroy(geom_); }
+
+    static constexpr unsigned triangles = 2000;
+    static constexpr std::size_t slice = 500;
+
+    MeshArrays mesh_{row_of_triangles(triangles)};
+    const dGeomID geom_ = dCreateTriMesh(nullptr, mesh_.id(), nullptr, nullptr, nullptr);
+};
+
+TEST_F(SlicedHull, IsAwaitedByAShapeThatIsUnknown)
+{
+    EXPECT_TRUE(std::isinf(moved(geom_, slice)));
+    EXPECT_TRUE(shape_.awaits_hull);
+    EXPECT_FALSE(shape_.known());
+    std::size_t slices = 1;
+    while (!has_hull(geom_, slice))
+        ASSERT_LT(++slices, 1000u);
+    EXPECT_GT(slices * slice, 12 * triangles) << "each is read, and is sorted into a tree of at least nine levels";
+    EXPECT_LT(slices * slice, 60 * triangles);
+    EXPECT_TRUE(std::isinf(moved(geom_, 0)));
+    EXPECT_FALSE(shape_.awaits_hull);
+    EXPECT_TRUE(shape_.known());
+    EXPECT_TRUE(shape_.surface()->is_ready());
+    EXPECT_EQ(moved(geom_, 0), 0);
+}
+
+TEST_F(SlicedHull, IsTheBoxOfItsPointsWhenASliceIsTooSmallForThem)
+{
+    const Vector3 outwards(1, 1, 0);
+    moved(geom_);
+    const double reach = shape_.reach(outwards), sliver_factor = shape_.sliver_factor, slack = shape_.slack_beside_own;
+    const Vector3 half_sides = shape_.half_sides, centre = shape_.centre;
+    shape_ = {};
+    hulls_.release_all();
+    while (!has_hull(geom_, slice))
+    {}
+    moved(geom_, 0);
+    EXPECT_GT(shape_.reach(outwards), reach) << "no triangle has this corner of the box";
+    EXPECT_EQ(shape_.half_sides, half_sides);
+    EXPECT_EQ(shape_.centre, centre);
+    EXPECT_EQ(shape_.sliver_factor, sliver_factor);
+    EXPECT_EQ(shape_.slack_beside_own, slack);
+}
+
+TEST_F(SlicedHull, BeginsAgainWithOtherData)
+{
+    for (int i = 0; i < 10; ++i)
+        EXPECT_FALSE(has_hull(geom_, slice));
+    mesh_.rebuild(Polyhedron::cube());
+    EXPECT_TRUE(has_hull(geom_, slice));
+    moved(geom_, 0);
+    EXPECT_EQ(shape_.half_sides, Vector3(1, 1, 1));
+}
+
+TEST_F(SlicedHull, BeginsAgainWhenItsDataAreChanged)
+{
+    for (int i = 0; i < 10; ++i)
+        EXPECT_FALSE(has_hull(geom_, slice));
+    mesh_.move_corners(Vector3(0, 0, 5));
+    hulls_.outdate(geom_);
+    while (!has_hull(geom_, slice))
+    {}
+    moved(geom_, 0);
+    EXPECT_GT(shape_.centre.z(), 4.9) << "no point is as it was";
+    EXPECT_LT(shape_.half_sides.z(), 0.2);
+}
+
+TEST_F(SlicedHull, OfDataThatCannotBeReadIsNotReadAgain)
+{
+    Polyhedron wrong = row_of_triangles(triangles);
+    wrong.corners[1].x() = 1e200;
+    const MeshArrays too_far(wrong);
+    const dGeomID geom = dCreateTriMesh(nullptr, too_far.id(), nullptr, nullptr, nullptr);
+    moved(geom);
+    EXPECT_FALSE(shape_.known());
+    EXPECT_FALSE(shape_.awaits_hull);
+    std::size_t steps = slice;
+    hulls_.hull_of(0, geom, steps);
+    EXPECT_EQ(steps, slice);
+    dGeomDestroy(geom);
 }
 } // namespace
 } // namespace ode_predictive_space

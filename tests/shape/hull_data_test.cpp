@@ -518,6 +518,7 @@ TEST_F(HullData, OfVeryManyPointsIsTheBoxOfItsOwnAxes)
         }
     MeshArrays arrays(sheet);
     const dGeomID mesh = create_mesh(arrays);
+    dPredictiveSpacePrepare(space);
     dMatrix3 turned;
     dRFromAxisAndAngle(turned, 0, 1, 0, REAL(0.785398));
     dGeomSetRotation(mesh, turned);

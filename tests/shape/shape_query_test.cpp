@@ -88,8 +88,11 @@ TEST_F(ShapeQuery, IsToldOfARoomWhereItsWallsAre)
     }
 }
 
-TEST_F(ShapeQuery, ALargeRoomIsReadBySeveralQuestions)
+TEST_F(ShapeQuery, ALargeRoomIsReadBySeveralQuestionsBesideAHand)
 {
+    const dGeomID hand = dCreateSphere(space, 1);
+    dGeomSetPosition(hand, 20, 0, 0);
+    dPredictiveSpaceSetGeomRole(space, hand, dPredictiveRoleInteractive);
     mesh(space, dome(5));
     const Probe ball(dCreateSphere(nullptr, 1));
     int in_vain = 0;

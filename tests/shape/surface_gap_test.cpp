@@ -153,9 +153,6 @@ TEST(SurfaceGap, IsNoneWithoutASurfaceAndBeforeItsTreeIsReady)
     EXPECT_EQ(surface_of(mesh, plane), nullptr) << "beside a plane its hull decides";
     mesh.partners = 0;
     EXPECT_EQ(surface_of(mesh, sphere), nullptr) << "judged by box";
-    mesh.partners = 1;
-    const auto not_ready = std::make_shared<TriangleTree>(TriangleArrays{nullptr, 0, 0, nullptr, 1, 0, false});
-    EXPECT_LT(surface_gap(hull_of({Vector3::Zero()}, not_ready), sphere, 0).length, 0);
 }
 
 TEST(SurfaceGap, IsToTheMeshOfMoreTriangles)

@@ -89,6 +89,7 @@ TEST_F(BadInput, SpacesThatAreNullOrNotPredictive)
             {"dPredictiveSpaceGetGeomRole", [=] { dPredictiveSpaceGetGeomRole(bad, geom); }},
             {"dPredictiveSpaceSetDeviation", [=] { dPredictiveSpaceSetDeviation(bad, 0, 1, 1, 1); }},
             {"dPredictiveSpaceGetDeviation", [=] { dPredictiveSpaceGetDeviation(bad, 0, 0, 0, 0); }},
+            {"dPredictiveSpacePrepare", [=] { dPredictiveSpacePrepare(bad); }},
             {"dPredictiveSpaceSetHorizon", [=] { dPredictiveSpaceSetHorizon(bad, 1, 2); }},
             {"dPredictiveSpaceGetHorizon", [=] { dPredictiveSpaceGetHorizon(bad, 0, 0); }},
             {"dPredictiveSpaceGetTimeOfProximity",

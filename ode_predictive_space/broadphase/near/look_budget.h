@@ -59,16 +59,18 @@ public:
     /// A look took so many instructions.
     void note_look(ProxyId id, float cost) { accounts_[id].balance -= cost + tuning::cost_of_look; }
 
-    /// The shape of the object was made of its data, for so many instructions. The first time is free of charge. It need not have
+    /// The object has a hull that was made of its data for so many instructions. The first one is free of charge. It need not have
     /// had a pair.
-    void note_made(ProxyId id, float cost)
+    ///
+    /// @param number of the hull.
+    void note_hull(ProxyId id, std::uint32_t number, float cost)
     {
         if (id >= accounts_.size())
             return;
         Account &account = accounts_[id];
-        if (account.is_made)
+        if (account.hull != 0 && account.hull != number)
             account.balance -= cost;
-        account.is_made = true;
+        account.hull = number;
     }
 
     /// The object is gone. It need not have had a pair.
@@ -87,7 +89,7 @@ private:
         float most = 0; ///< of the balance: the sum of all allowances
         std::uint32_t report = 0;
         std::uint32_t new_pairs = 0; ///< in this report
-        bool is_made = false;
+        std::uint32_t hull = 0;      ///< the number of its last one
     };
 
     std::vector<Account> accounts_; // of the objects

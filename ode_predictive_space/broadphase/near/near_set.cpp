@@ -46,7 +46,6 @@ CandidatePair *NearSet::report_by_shape(ShapeTest &test, CandidatePair *room)
 {
     budget_.begin_report();
     make_looks(test);
-    test.build();
     test.drop_outdated();
     follow_postponed(test);
     CandidatePair *end = find_open(test, room);
@@ -129,8 +128,10 @@ void NearSet::charge_for_shapes(const MeasuredShapes &shapes)
     if (!shapes.any_renewed())
         return;
     shapes.renewed().for_each([&](ProxyId id) {
-        if (shapes.has_shape(id) && shapes[id].hull)
-            budget_.note_made(id, shapes[id].hull->cost_of_making());
+        if (!shapes.has_shape(id) || !shapes[id].hull)
+            return;
+        const VertexHull &hull = *shapes[id].hull;
+        budget_.note_hull(id, hull.number, hull.cost_of_making());
     });
 }
 

@@ -39,13 +39,6 @@ bool is_within_hull(const Vector3 &point, const ConvexShape &mesh)
     return mesh.kind == ShapeKind::terrain ||
            (mesh.along_axes(point - mesh.centre).cwiseAbs().array() <= mesh.half_sides.array()).all();
 }
-
-// Is there a surface that cannot be asked yet?
-bool is_being_built(const ConvexShape &first, const ConvexShape &second)
-{
-    const ConvexShape *surface = surface_of(first, second);
-    return surface && !surface->surface()->is_ready();
-}
 } // namespace
 
 void wait_longer(Look &look)
@@ -77,8 +70,7 @@ Gap ShapeTest::gap_between(const CandidatePair &pair, const Look &look, double m
         gap = find_gap(first, second, Vector3(look.axis[0], look.axis[1], look.axis[2]), margin);
     if (!surface || gap.length > margin)
         return gap;
-    if (objects_.shapes.build(surface == &first ? pair.first : pair.second))
-        gap.improve(surface_gap(first, second, margin));
+    gap.improve(surface_gap(first, second, margin));
     return gap;
 }
 
@@ -109,11 +101,6 @@ bool ShapeTest::looks_near(const CandidatePair &pair, Look &look, LookBudget &bu
         budget.note_look(*payer, gap.cost);
     for (Eigen::Index i = 0; i < 3; ++i)
         look.axis[i] = static_cast<float>(gap.axis[i]);
-    if (!(gap.length > margin) && is_being_built(first, second))
-    {
-        look.pause = tuning::pause_while_built;
-        return true;
-    }
     if (!(gap.length > margin))
     {
         wait_longer(look);

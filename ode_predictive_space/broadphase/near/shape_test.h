@@ -74,8 +74,6 @@ public:
     void follow(const IdSet &wanted) { objects_.shapes.update(objects_.scene, wanted, objects_.proxies); }
     /// Gives shapes back whose hulls no longer serve.
     void drop_outdated() { objects_.shapes.drop_outdated(objects_.scene, objects_.proxies.members()); }
-    /// Goes on building the tree of a mesh that a look has needed.
-    void build() { objects_.shapes.build(objects_.scene); }
     /// Nothing need be known of the shapes of other objects.
     void keep_only(const IdSet &wanted) { objects_.shapes.keep_only(wanted); }
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "ode_predictive_space/broadphase/base/memory.h"
-#include "ode_predictive_space/broadphase/tuning.h"
 
 namespace ode_predictive_space
 {
@@ -117,7 +116,7 @@ void MeasuredShapes::follow_stale(Scene &scene)
 
 void MeasuredShapes::note(ProxyId id, double move)
 {
-    if ((*this)[id].hull)
+    if ((*this)[id].hull || (*this)[id].awaits_hull)
         hulls_.insert(id);
     else
         hulls_.erase(id);
@@ -136,26 +135,6 @@ void MeasuredShapes::clear_renewed()
         return;
     renewed_.clear();
     any_renewed_ = false;
-}
-
-void MeasuredShapes::build(Scene &scene)
-{
-    steps_left_ = tuning::triangles_per_report;
-    if (!building_)
-        return;
-    const ProxyId id = *building_;
-    building_.reset();
-    if (id < places_.size() && has_shape(id) && (*this)[id].surface() && !scene.hull_is_outdated(id, (*this)[id]))
-        build(id);
-}
-
-bool MeasuredShapes::build(ProxyId id)
-{
-    Surface &surface = *(*this)[id].surface();
-    steps_left_ = surface.build(steps_left_);
-    if (!surface.is_ready())
-        building_ = id;
-    return surface.is_ready();
 }
 
 std::size_t MeasuredShapes::bytes() const

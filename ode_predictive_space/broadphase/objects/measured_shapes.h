@@ -4,7 +4,6 @@
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_MEASURED_SHAPES_H
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/base/id_list.h"
@@ -39,11 +38,8 @@ public:
     /// Looks at those wanted objects that are there and have moved, and adds to their travels.
     void update(Scene &scene, const IdSet &wanted, const ProxyStore &proxies);
 
-    /// Gives the shapes of those objects back whose hulls no longer serve, although they may not have moved.
+    /// Gives the shapes of those objects back whose hulls no longer serve, or are there now, although they may not have moved.
     void drop_outdated(Scene &scene, const IdSet &members);
-
-    /// Has any object that is known a hull?
-    bool any_hulls() const { return !hulls_.empty(); }
 
     /// Objects were seen for the first time, or resized, since the last clear_renewed(): their travels say nothing about the time
     /// before.
@@ -67,13 +63,6 @@ public:
     /// Of both objects together.
     double travel(const CandidatePair &pair) const { return travels_[pair.first] + travels_[pair.second]; }
 
-    /// Goes on building the tree of a surface, if its object still has the same data. Once for each report.
-    void build(Scene &scene);
-    /// The tree of an object with a surface is needed. Its shape is up to date.
-    ///
-    /// @return is it ready now? Otherwise it is built later, or has to be needed again.
-    bool build(ProxyId id);
-
     std::size_t bytes() const;
 
 private:
@@ -89,10 +78,8 @@ private:
     std::vector<double> travels_;       // of the objects
     std::vector<UpdateNumber> seen_;    // of each object, the update that saw its last move before it was looked at
     IdSet renewed_;
-    IdSet hulls_; // objects whose shape is a hull
+    IdSet hulls_; // objects whose shape is a hull, or awaits one
     bool any_renewed_ = false;
-    std::optional<ProxyId> building_;     // whose tree is; the arrays that it reads are the program's
-    std::size_t steps_left_ = 0;          // of building, for this report
     IdList stale_;                        // scratch
     std::vector<ConvexShape *> followed_; // scratch: the shapes of these
     std::vector<double> moves_;           // scratch

@@ -71,6 +71,16 @@ public:
     /// Are contacts of the object costly to find? Also those of what the program says that a person holds: of these it asks for more.
     bool is_costly(ProxyId id) const { return records[id].is_costly || records[id].role == Role::fixed_interactive; }
 
+    /// Has the program said of any object that a person drives it?
+    bool any_hand() const { return hands_ > 0; }
+
+    void set_role(ProxyId id, Role role)
+    {
+        hands_ -= records[id].role == Role::fixed_interactive;
+        hands_ += role == Role::fixed_interactive;
+        records[id].role = role;
+    }
+
     /// Numbers in use are below this.
     std::size_t size() const { return records.size(); }
     std::size_t count() const { return count_; }
@@ -105,6 +115,7 @@ public:
     /// Throws nothing.
     void remove(ProxyId id)
     {
+        set_role(id, Role::environment);
         free_.push_back(id); // has room for all
         members_.erase(id);
         --count_;
@@ -142,6 +153,7 @@ private:
 
     IdSet members_;
     std::size_t count_ = 0;     // of members_
+    std::size_t hands_ = 0;     // of these, Role::fixed_interactive
     std::vector<ProxyId> free_; // numbers, the next one last; has room for all
 };
 } // namespace ode_predictive_space

@@ -50,7 +50,8 @@ public:
     /// Here: unknown shapes, for scenes that are judged by boxes alone.
     virtual void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves);
 
-    /// Does the hull of an object's shape no longer serve? The data of hulls change without notice.
+    /// Does the hull of an object's shape no longer serve, or is it there now where the shape has awaited it? The data of hulls change
+    /// without notice.
     virtual bool hull_is_outdated(ProxyId id, const ConvexShape &shape);
 
     /// Are coordinates so precise that it makes a difference where they are counted from in single precision?

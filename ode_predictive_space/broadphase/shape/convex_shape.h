@@ -45,8 +45,9 @@ struct ConvexShape : Pose
     std::uint16_t group = 0;     ///< one bit
     std::uint16_t partners = 0;  ///< the groups with which the shape decides; with others it is the bounding box
     std::uint16_t blunt_beside =
-        0;                   ///< the groups beside which a capsule or cylinder counts as the cylinder around it, ...
-    double blunt_margin = 0; ///< ... larger by this on all sides
+        0;                    ///< the groups beside which a capsule or cylinder counts as the cylinder around it, ...
+    bool awaits_hull = false; ///< the shape is unknown until the hull of its data is made
+    double blunt_margin = 0;  ///< ... larger by this on all sides
     std::shared_ptr<const VertexHull> hull; ///< of a hull or terrain; relative to centre and axes
 
     Vector3 along_axes(const Vector3 &direction) const

@@ -148,7 +148,7 @@ const ConvexShape *surface_of(const ConvexShape &first, const ConvexShape &secon
 Gap surface_gap(const ConvexShape &first, const ConvexShape &second, double least)
 {
     const ConvexShape *surface = surface_of(first, second);
-    if (!surface || !surface->surface()->is_ready())
+    if (!surface)
         return {};
     const ConvexShape &other = surface == &first ? second : first;
     return other.blunt_beside & surface->group ? gap_between(*surface, other.blunt(), least)

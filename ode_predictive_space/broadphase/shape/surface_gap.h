@@ -12,7 +12,7 @@ namespace ode_predictive_space
 const ConvexShape *surface_of(const ConvexShape &first, const ConvexShape &second);
 
 /// Nothing of the surface_of() two shapes is nearer to the other one than this, rounded down: as far as a few axes for each triangle
-/// tell, and no more than a few sizes of the other one. No axis is known. No gap without a surface, or when it is not ready.
+/// tell, and no more than a few sizes of the other one. No axis is known. No gap without a surface.
 ///
 /// @param least no smaller gap is of use: the search ends with the first triangle that is no farther away.
 Gap surface_gap(const ConvexShape &first, const ConvexShape &second, double least);

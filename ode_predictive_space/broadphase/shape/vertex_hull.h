@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -40,9 +41,11 @@ public:
     /// That point.
     Vector3 farthest(const Vector3 &direction) const;
 
-    /// The triangles of a mesh or the heights of a heightfield, in the coordinates of the points that were given; not ready until they
-    /// have been needed. Null for other hulls.
+    /// The triangles of a mesh or the heights of a heightfield, in the coordinates of the points that were given; ready. Null for other
+    /// hulls.
     std::shared_ptr<Surface> surface;
+
+    std::uint32_t number = 0; ///< of the hull, among all that were made for a scene; from 1 on
 
     std::size_t bytes() const;
 

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <ode_predictive_space/predictive_space.h>
+
 namespace ode_predictive_space::haptics
 {
 namespace
@@ -94,6 +96,14 @@ void run_coupled(LoopParts &parts, const SceneWork &work)
     }
 }
 
+/// So that no tick has to wait for what the spaces around the probe would build when it is first needed.
+void prepare_spaces_of(dGeomID probe)
+{
+    for (dSpaceID space = dGeomGetSpace(probe); space; space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
+        if (dSpaceIsPredictive(space))
+            dPredictiveSpacePrepare(space);
+}
+
 void run_watched(LoopParts &parts, const SceneWork &work)
 {
     const StopRequest instead_of_dying; // by a signal, with the force left on
@@ -135,6 +145,7 @@ LoopReport HapticLoop::run(const SceneWork &work)
     const AtEnd turn = parts.begin_turn();
     if (parts.probe.sensor() != nullptr)
         parts.probe.sensor()->prepare_all();
+    prepare_spaces_of(parts.probe.geom());
     run_watched(parts, work);
     if (parts.guard->sink_failed())
         std::rethrow_exception(parts.guard->sink_error());

@@ -1,0 +1,192 @@
+// When the surface of a mesh is built: as a whole where nobody waits for it, else in slices, or by dPredictiveSpacePrepare().
+
+#include <memory>
+#include <vector>
+
+#include <ode_predictive_space/predictive_space.h>
+
+#include "tests/contract/support/scenario.h"
+#include "tests/shape/polyhedron_geom.h"
+
+namespace ode_predictive_space
+{
+namespace
+{
+// A bowl of about 10,000 triangles, open above, from -1 to 1 in x and y.
+Polyhedron bowl()
+{
+    constexpr int side = 71;
+    Polyhedron bowl;
+    for (int i = 0; i <= side; ++i)
+        for (int j = 0; j <= side; ++j)
+        {
+            const double x = 2.0 * i / side - 1, y = 2.0 * j / side - 1;
+            bowl.corners.emplace_back(x, y, x * x + y * y);
+        }
+    const auto corner = [](int i, int j) { return static_cast<unsigned>(i * (side + 1) + j); };
+    for (int i = 0; i < side; ++i)
+        for (int j = 0; j < side; ++j)
+        {
+            bowl.faces.push_back({corner(i, j), corner(i + 1, j), corner(i, j + 1)});
+            bowl.faces.push_back({corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
+        }
+    return bowl;
+}
+
+class SurfaceBuilding : public OdeTest
+{
+protected:
+    SurfaceBuilding() { dPredictiveSpaceSetProximity(space, dPredictiveProximityShape); }
+    ~SurfaceBuilding() override { dSpaceDestroy(space); }
+
+    // Within the hull of the bowl, and within its box, but above the triangles.
+    dGeomID ball_above()
+    {
+        const dGeomID ball = dCreateSphere(space, REAL(0.1));
+        dGeomSetPosition(ball, 0, 0, REAL(0.5));
+        return ball;
+    }
+
+    // Far away from the bowl.
+    dGeomID hand() const
+    {
+        const dGeomID hand = dCreateSphere(space, REAL(0.1));
+        dGeomSetPosition(hand, 50, 0, 0);
+        dPredictiveSpaceSetGeomRole(space, hand, dPredictiveRoleInteractive);
+        return hand;
+    }
+
+    // Each of them in another place, so that none is at rest.
+    std::size_t pairs(dGeomID ball)
+    {
+        const dReal *place = dGeomGetPosition(ball);
+        side_ = -side_;
+        dGeomSetPosition(ball, place[0] + side_, place[1], place[2]);
+        const std::size_t count = collide(space).size();
+        EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
+        return count;
+    }
+
+    // Ticks in which the pair of the ball is reported.
+    int ticks_by_box(dGeomID ball, int ticks = 200)
+    {
+        int by_box = 0;
+        for (int tick = 0; tick < ticks; ++tick)
+            by_box += pairs(ball) == 1;
+        return by_box;
+    }
+
+    MeshArrays mesh{bowl()};
+    dSpaceID space = dPredictiveSpaceCreate(nullptr);
+
+private:
+    dReal side_ = REAL(1e-4);
+};
+
+TEST_F(SurfaceBuilding, IsDoneInTheFirstTickWhereNobodyWaits)
+{
+    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
+    EXPECT_EQ(ticks_by_box(ball_above()), 0);
+}
+
+TEST_F(SurfaceBuilding, GoesInSlicesBesideAHand)
+{
+    hand();
+    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
+    const int by_box = ticks_by_box(ball_above());
+    EXPECT_GE(by_box, 5);
+    EXPECT_LE(by_box, 50);
+}
+
+TEST_F(SurfaceBuilding, IsDoneAtOnceWhenTheHandIsGone)
+{
+    dGeomDestroy(hand());
+    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
+    EXPECT_EQ(ticks_by_box(ball_above()), 0);
+}
+
+TEST_F(SurfaceBuilding, IsDoneBeforeTheFirstTickWhenTheSpaceIsPrepared)
+{
+    hand();
+    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
+    dPredictiveSpacePrepare(space);
+    EXPECT_EQ(ticks_by_box(ball_above()), 0);
+}
+
+TEST_F(SurfaceBuilding, LastsWhileNothingIsNear)
+{
+    hand();
+    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
+    const dGeomID ball = ball_above();
+    ticks_by_box(ball);
+    dGeomSetPosition(ball, 20, 0, 0);
+    EXPECT_EQ(ticks_by_box(ball), 0);
+    dGeomSetPosition(ball, 0, 0, REAL(0.5));
+    EXPECT_LE(ticks_by_box(ball), 1) << "the surface is not built again";
+}
+
+TEST_F(SurfaceBuilding, CanBePreparedWithinSpaces)
+{
+    const dSpaceID top = dPredictiveSpaceCreate(nullptr);
+    hand();
+    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
+    dSpaceAdd(top, reinterpret_cast<dGeomID>(space));
+    dPredictiveSpacePrepare(top);
+    EXPECT_EQ(ticks_by_box(ball_above()), 0);
+    dSpaceRemove(top, reinterpret_cast<dGeomID>(space));
+    dSpaceDestroy(top);
+}
+
+TEST_F(SurfaceBuilding, OfASpaceByBoxIsNotNeeded)
+{
+    dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
+    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
+    const dGeomID ball = ball_above();
+    pairs(ball);
+    dPredictiveSpaceStats before, after;
+    dPredictiveSpaceGetStats(space, &before);
+    dPredictiveSpacePrepare(space);
+    dPredictiveSpaceGetStats(space, &after);
+    EXPECT_EQ(after.bytes, before.bytes);
+    EXPECT_EQ(pairs(ball), 1u);
+}
+
+// Questions, too, wait for slices beside a hand alone.
+TEST_F(SurfaceBuilding, IsDoneForTheFirstQuestionWhereNobodyWaits)
+{
+    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
+    const dGeomID ball = dCreateSphere(nullptr, REAL(0.1));
+    dGeomSetPosition(ball, 0, 0, REAL(0.5));
+    EXPECT_EQ(collide2(as_geom(space), ball).size(), 0u);
+    dGeomDestroy(ball);
+}
+
+// The slices of a mesh that is gone are not read any more.
+TEST_F(SurfaceBuilding, EndsWithTheGeomAndItsData)
+{
+    hand();
+    const dGeomID ball = ball_above();
+    for (int destroyed_at = 1; destroyed_at < 12; ++destroyed_at)
+    {
+        const auto other = std::make_unique<MeshArrays>(bowl());
+        const dGeomID geom = dCreateTriMesh(space, other->id(), nullptr, nullptr, nullptr);
+        for (int tick = 0; tick < destroyed_at; ++tick)
+            pairs(ball);
+        dGeomDestroy(geom);
+    }
+    EXPECT_EQ(pairs(ball), 0u);
+}
+
+// Their data are in the same arrays, and have been changed while no geom had them.
+TEST_F(SurfaceBuilding, OfAGeomThatIsGoneIsNotThatOfTheNextOne)
+{
+    const dGeomID ball = ball_above();
+    const dGeomID geom = dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
+    EXPECT_EQ(pairs(ball), 0u);
+    dGeomDestroy(geom);
+    mesh.move_corners(Eigen::Vector3d(0, 0, 0.45));
+    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
+    EXPECT_EQ(pairs(ball), 1u);
+}
+} // namespace
+} // namespace ode_predictive_space
