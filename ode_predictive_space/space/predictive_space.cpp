@@ -61,6 +61,7 @@ void dxPredictiveSpace::add(dxGeom *geom)
         fit_to_proxies();
     }
     dxSpace::add(geom);
+    has_data_ = HasData::unknown;
     // From here on nothing is thrown: without memory, or after an assertion of ODE, the space is as before.
     geom->next_ex = nullptr;
     geom->tome_ex = nullptr;
@@ -102,6 +103,7 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     CHECK_NOT_LOCKED(this);
     dUASSERT(geom->parent_space == this, "object is not in this space");
     dxSpace::remove(geom);
+    has_data_ = HasData::unknown;
     if (moved_mesh_ == geom)
         moved_mesh_ = nullptr;
     if (predicts_)
@@ -326,12 +328,16 @@ void dxPredictiveSpace::collide_each(void *data, dNearCallback *callback)
         call_back(pair->one, pair->other, data, callback);
 }
 
-bool dxPredictiveSpace::has_geoms_with_data() const
+bool dxPredictiveSpace::has_geoms_with_data()
 {
-    bool any = false;
-    for (const dxGeom *geom = first; geom; geom = geom->next)
-        any |= has_data(geom);
-    return any;
+    if (has_data_.load(std::memory_order_relaxed) == HasData::unknown)
+    {
+        bool any = false;
+        for (const dxGeom *geom = first; geom; geom = geom->next)
+            any |= has_data(geom);
+        has_data_.store(any ? HasData::yes : HasData::no, std::memory_order_relaxed);
+    }
+    return has_data_.load(std::memory_order_relaxed) == HasData::yes;
 }
 
 void dxPredictiveSpace::clean_each()

@@ -142,8 +142,8 @@ private:
     void enrol(dxGeom *geom);
     void dismiss(dxGeom *geom);
     // By the shape test; among few primitives, that does not pay.
-    bool looks_at_shapes() const { return by_shape() && (predicts_ || has_geoms_with_data()); }
-    bool has_geoms_with_data() const;
+    bool looks_at_shapes() { return by_shape() && (predicts_ || has_geoms_with_data()); }
+    bool has_geoms_with_data();
     void collide_each(void *data, dNearCallback *callback);
     void clean_each();
     void collide_predicted(bool nested_call, void *data, dNearCallback *callback);
@@ -160,6 +160,13 @@ private:
     void note_change(ProxyId id);
     void fit_to_proxies();
 
+    enum class HasData : char
+    {
+        unknown, // geoms have come or gone
+        no,
+        yes
+    };
+    std::atomic<HasData> has_data_{HasData::unknown}; // has any geom data? As long as the space does not predict
     bool predicts_ = false; // else it has few geoms, and the broad phase has none of them
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // by proxy number; 0 for gaps

@@ -2,6 +2,7 @@
 
 #include "ode_predictive_space/haptics/safety.h"
 #include "tests/haptics/loop_fixture.h"
+#include "tests/haptics/mesh_maker.h"
 
 #include <csignal>
 #include <gtest/gtest.h>
@@ -28,6 +29,30 @@ TEST_P(HapticLoopTest, RendersAtItsRateForItsDuration)
     EXPECT_EQ(report.notices, 0U);
     EXPECT_NEAR(log_.force_at(2.9).z(), spring * depth, 1e-9);
     EXPECT_TRUE(log_.writes().back().wrench.force.isZero(0)) << "at the end";
+}
+
+// A space that tests shapes would read a mesh little by little beside the probe, and report its pairs meanwhile.
+TEST_P(HapticLoopTest, NoTickWaitsForTheMeshesOfTheSpace)
+{
+    dPredictiveSpaceSetProximity(world_.space, dPredictiveProximityShape);
+    const OdeMesh mesh(sheet_mesh(1, 96));
+    const dGeomID sheet = mesh.add_to(world_.space);
+    dGeomSetPosition(sheet, 5, 0, 2);
+    dMatrix3 slanting;
+    dRFromAxisAndAngle(slanting, 0, 1, 0, std::acos(-1.0) / 4);
+    dGeomSetRotation(sheet, slanting);
+    dGeomSetPosition(dCreateSphere(world_.space, 0.1), 5.2, 0, 2.2); // within its box
+    make();
+    int pairs = 0; // of the mesh
+    SceneWork work = this->work();
+    work.collide = [&] {
+        dSpaceCollide(world_.space, &pairs, [](void *count, dGeomID one, dGeomID other) {
+            for (const dGeomID geom : {one, other})
+                *static_cast<int *>(count) += dGeomGetClass(geom) == dTriMeshClass;
+        });
+    };
+    loop_->run(work);
+    EXPECT_EQ(pairs, 0);
 }
 
 TEST_P(HapticLoopTest, TheSameRunTwiceIsTheSame)

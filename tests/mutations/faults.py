@@ -434,8 +434,8 @@ def shape_faults():
         "a_hand_that_is_gone_counts", "shapes", BROADPHASE + "objects/proxy_store.h",
         "        set_role(id, Role::environment);\n", "", (("shape_contract", "SurfaceBuilding.*"),))
     yield Fault(
-        "hulls_are_made_again_after_a_pause", "shapes", hulls, "    if (own.hull && !is_outdated(geom, *own.hull))\n        return {own.hull};\n",
-        "", (("shape_contract", "SurfaceBuilding.*"),))
+        "hulls_are_made_again_after_a_pause", "shapes", hulls, "    return {own.hull, !is_done};",
+        "    return {std::exchange(own.hull, nullptr), !is_done};", (("shape_contract", "SurfaceBuilding.*"),))
     yield Fault(
         "offset_of_heights_is_no_other_hull", "shapes", maker, "word(double{heights.scale}),\n            word(double{heights.offset})};",
         "word(double{heights.scale})};", (("shape_contract", "HullOfHeights.*"),))

@@ -144,7 +144,7 @@ TEST_F(SlicedHull, BeginsAgainWithOtherData)
 
 TEST_F(SlicedHull, BeginsAgainWhenItsDataAreChanged)
 {
-    for (int i = 0; i < 10; ++i)
+    for (int i = 0; i < 30; ++i)
         EXPECT_FALSE(has_hull(geom_, slice));
     mesh_.move_corners(Vector3(0, 0, 5));
     hulls_.outdate(geom_);

@@ -164,6 +164,8 @@ class LoopParts;
 /// worlds that have a body with a geom in the spaces around the probe's, except in ODE's quadtrees, when the run begins. Where there is
 /// no such world yet, the first one is found later.
 ///
+/// Before the first force all meshes around the probe are read: TouchSensor::prepare_all() and dPredictiveSpacePrepare().
+///
 /// However the loop ends, it ends with zero force: the duration is over, stop() or a StopRequest (within 1 ms, even while the
 /// program's part of a tick runs), an exception of the program (which run() rethrows), a lost device. Scene and servo that hang are
 /// noticed:

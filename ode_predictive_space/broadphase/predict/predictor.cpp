@@ -320,7 +320,7 @@ void Predictor::predict(ProxyStore &proxies, const Origin &origin, ProxyId id, c
         outcome = judge(record, centre, now);
     Motion motion = motion_of(record, outcome, seen);
     record.size = size_of(tight);
-    record.is_rounded = !(record.size > 4e-6f * norm(bounded(centre)));
+    record.is_rounded = !(record.size > Place::rounding * norm(bounded(centre)));
     if (outcome.ticks > 0)
     {
         adapt_reach(record, outcome.ticks);

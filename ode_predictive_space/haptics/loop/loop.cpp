@@ -145,7 +145,8 @@ LoopReport HapticLoop::run(const SceneWork &work)
     const AtEnd turn = parts.begin_turn();
     if (parts.probe.sensor() != nullptr)
         parts.probe.sensor()->prepare_all();
-    prepare_spaces_of(parts.probe.geom());
+    if (parts.probe.geom() != nullptr)
+        prepare_spaces_of(parts.probe.geom());
     run_watched(parts, work);
     if (parts.guard->sink_failed())
         std::rethrow_exception(parts.guard->sink_error());
