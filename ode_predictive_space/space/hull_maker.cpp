@@ -39,8 +39,8 @@ DataKey key_of(const dxConvex *convex)
     return {word(convex->points), convex->pointcount, word(convex->planes), convex->planecount, word(convex->polygons)};
 }
 
-// ODE has a box for each data, also where several have arrays in common.
-DataKey key_of(const TriangleArrays &mesh, dTriMeshDataID data)
+// The address is that of ODE's data, which have a box each, also where several have arrays in common.
+DataKey key_of(const TriangleArrays &mesh)
 {
     return {word(mesh.vertices),
             mesh.vertex_count,
@@ -48,7 +48,7 @@ DataKey key_of(const TriangleArrays &mesh, dTriMeshDataID data)
             word(mesh.triangles),
             mesh.triangle_count,
             word(mesh.triangle_stride),
-            word(data)};
+            word(&mesh)};
 }
 
 DataKey key_of(const HeightSamples &heights)
@@ -113,7 +113,7 @@ DataKey key_of(dxGeom *geom)
     case dTriMeshClass:
     {
         const TriangleArrays *mesh = mesh_data_of(geom);
-        return mesh ? key_of(*mesh, dGeomTriMeshGetData(geom)) : DataKey{};
+        return mesh ? key_of(*mesh) : DataKey{};
     }
     case dHeightfieldClass:
     {
