@@ -23,6 +23,8 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
+constexpr double rounding = 1e-9; // of a number of ticks
+
 /// The scene's side.
 class SceneLoop
 {
@@ -128,7 +130,7 @@ private:
         const int steps = motion_.steps_per_period();
         {
             const TrialMessages messages;
-            motion_.foresee(surroundings.planes, due, dt_, budget_.affordable(dt_), surroundings.forecast);
+            motion_.foresee(surroundings.planes, due, dt_, affordable_steps(), surroundings.forecast);
             note_messages(messages.count());
         }
         if (motion_.steps_per_period() != steps)
@@ -137,6 +139,12 @@ private:
             sensor_.tracker()->hand_over(surroundings.geoms, due);
         servo_.surroundings.publish();
         parts_.probe.renderer().physics_fresh(parts_.clock.now());
+    }
+
+    /// Per period. Steps shorter than the servo's ticks would get the impulse of a tick as a pulse, which gives energy to bodies in contact.
+    int affordable_steps() const
+    {
+        return std::min(budget_.affordable(dt_), static_cast<int>(parts_.settings.rate * dt_ * (1 + rounding)));
     }
 
     void note_messages(std::uint64_t count)
@@ -198,7 +206,7 @@ void run_decoupled(LoopParts &parts, const SceneWork &work)
         scene_side.run();
     }
     probe.renderer().relax();
-    servo_side.settle();
+    servo_side.settle(parts.clock.now());
     scene_side.push_rest();
     if (servo_side.error())
         std::rethrow_exception(servo_side.error());
