@@ -49,9 +49,9 @@ void count_flush_touches_once(std::vector<Touch> &touches)
 
 ContactManifold::ContactManifold()
 {
-    before_.reserve(usual_touches);
-    depths_.reserve(usual_touches);
-    planes_.reserve(usual_touches);
+    before_.reserve(touch_capacity);
+    depths_.reserve(touch_capacity);
+    planes_.reserve(touch_capacity);
 }
 
 void ContactManifold::follow(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,

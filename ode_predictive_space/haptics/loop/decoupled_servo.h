@@ -62,6 +62,14 @@ public:
         return shifts;
     }
 
+    /// A body that is not in the forecast goes by what the scene has not got.
+    void push(NearbyGeom &geom, double due) const
+    {
+        for (const Impulse &impulse : given_)
+            if (impulse.object == geom.object())
+                geom.push(-impulse.impulse, impulse.point, due - impulse.time);
+    }
+
     /// After each write.
     ///
     /// @param now s, on the clock. @param due s, on the clock; when the tick was due. The tick began then: so the scene's semi-implicit steps
@@ -82,7 +90,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_shares = 2 * ContactModel::capacity;
+    static constexpr std::size_t most_shares = 2 * touch_capacity;
     static constexpr std::uint64_t unnumbered = ~std::uint64_t{0};
     static constexpr double rounding = 1e-12; ///< s
 
@@ -173,7 +181,7 @@ public:
     HandImpulses impulses;
 
 private:
-    static constexpr std::size_t reserved_touches = 256; ///< before the deepest are chosen
+    static constexpr std::size_t reserved_touches = 2 * touch_capacity; ///< before some are left out
 
     void render(double due)
     {
@@ -193,12 +201,8 @@ private:
         if (scene.tool_jumps == renderer_.last_tick().tool_jumps)
             scene.planes.evaluate(renderer_.tool().position, due, shifts_, touches_);
         const bool all_known = !tracker_ || feel_geoms(scene, due);
-        if (touches_.size() > ContactModel::capacity)
-        {
-            std::nth_element(touches_.begin(), touches_.begin() + ContactModel::capacity, touches_.end(),
-                             [](const Touch &a, const Touch &b) { return a.depth > b.depth; });
-            touches_.resize(ContactModel::capacity);
-        }
+        if (keep_within_capacity(touches_) && !std::exchange(told_of_capacity_, true))
+            parts_.tell(NoticeKind::contact, capacity_notice);
         return all_known && scene.planes.all_known();
     }
 
@@ -217,8 +221,7 @@ private:
             for (const NearbyGeom &known : scene.geoms.geoms)
             {
                 NearbyGeom geom = known.later(due - scene.geoms.time);
-                const Shift shift = shift_of(geom.object(), shifts_);
-                geom.shift(shift.moved, shift.turned, shift.velocity, shift.spin);
+                move_on(geom, scene.forecast, due);
                 tracker_->add(std::move(geom));
             }
         }
@@ -226,6 +229,21 @@ private:
         tracker_->remember_in(memory.draft());
         memory.publish();
         return tracker_->touches(renderer_.law().view(), touches_);
+    }
+
+    /// By what was foreseen of it. Where that is nothing, a body in contact stays until the next step of the scene, and gives way by what the
+    /// force of a step would make of it. Others go by the impulses that they will get, as if they were free.
+    void move_on(NearbyGeom &geom, const MotionForecast &forecast, double due) const
+    {
+        if (forecast.foresees(geom.object()))
+        {
+            const Shift shift = shift_of(geom.object(), shifts_);
+            geom.shift(shift.moved, shift.turned, shift.velocity, shift.spin);
+        }
+        else if (geom.is_in_contact())
+            geom.set_step(forecast.node_length);
+        else
+            impulses.push(geom, due);
     }
 
     void end()
@@ -241,6 +259,7 @@ private:
     int tool_jumps_ = 0;                    ///< as RenderedTick has it
     Shifts shifts_;
     std::vector<Touch> touches_;
+    bool told_of_capacity_ = false;
     std::exception_ptr error_;
     std::atomic<bool> ended_{false};
 };
