@@ -19,6 +19,8 @@ constexpr double around = 1.5;  // times the proxy's way: the ball that holds al
 constexpr double steps_ahead = 2;    // times the tool's way: how far it may go until geoms come from another thread
 constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the sphere more have passed each other
 constexpr double in_contact = 1e-6;  // of the radius
+constexpr double allowed_rise =
+    1e-3; // of a surface beyond the plane in which it goes on, in parts of the distance looked ahead
 constexpr double least_yield = 1e-6; // of what no push moves
 
 /// How far a surface gives way in each pass of find_yielding_place(), in parts of the way that its body goes in a tick by the force.
@@ -467,6 +469,34 @@ void ContactTracker::tell_each_object()
         const bool common = slide_.run(alone, places_);
         visited_ += alone.triangles - slide_.left();
         tell_planes(TouchView::each_object_alone, common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
+    }
+    count_flush_touches_once();
+}
+
+/// Whether the touched geom ends in a plane through its touched place: its face, or an edge of it, lies there, and nothing is beyond.
+bool ContactTracker::ends_in(const TouchOfGeom &told, const Vector3 &normal) const
+{
+    const double beyond = 0.1 * radius_;
+    const Held *held = find_in(near_, [&](const Held &other) { return other.geom.id() == told.geom; });
+    const double distance = held->geom.distance(told.touch.point + beyond * normal, 2 * beyond);
+    return distance >= beyond * (1 - allowed_rise);
+}
+
+/// Of touches of different objects that go on in one plane (flush tiles, a ridge made of two boxes), the deepest counts, and the
+/// others carry nothing: by their edges alone, each would push again.
+void ContactTracker::count_flush_touches_once()
+{
+    for (TouchOfGeom &told : told_)
+    {
+        Touch &touch = told.touch;
+        const auto goes_on_in_it = [&](const TouchOfGeom &other) {
+            const Touch &deeper = other.touch;
+            const bool is_deeper = deeper.depth > touch.depth || (deeper.depth == touch.depth && &other < &told);
+            return deeper.object != touch.object && is_deeper && deeper.carry.carries() &&
+                   is_flush(deeper.normal, deeper.point, touch.point) && ends_in(told, deeper.normal);
+        };
+        if (touch.carry.carries() && find_in(told_, goes_on_in_it) != nullptr)
+            touch.carry = Carry{};
     }
 }
 } // namespace ode_predictive_space::haptics

@@ -161,6 +161,8 @@ private:
     void share_out(TouchView view);
     void carry_on(const Vector3 &lag);
     void tell_each_object();
+    bool ends_in(const TouchOfGeom &told, const Vector3 &normal) const;
+    void count_flush_touches_once();
 
     double radius_;
     double margin_ = 0;
