@@ -23,7 +23,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double rounding = 1e-9; // of a number of ticks
+constexpr double rounding_of_ticks = 1e-9; // of a number of ticks
 
 /// The scene's side.
 class SceneLoop
@@ -155,7 +155,8 @@ private:
     /// Per period. Steps shorter than the servo's ticks would get the impulse of a tick as a pulse, which gives energy to bodies in contact.
     int affordable_steps() const
     {
-        return std::min(budget_.affordable(dt_), static_cast<int>(parts_.settings.rate * dt_ * (1 + rounding)));
+        return std::min(budget_.affordable(dt_),
+                        static_cast<int>(parts_.settings.rate * dt_ * (1 + rounding_of_ticks)));
     }
 
     void note_messages(std::uint64_t count)
