@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/probe.h"
 
 #include "ode_predictive_space/haptics/contact/body_watch.h"
+#include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
 #include "ode_predictive_space/haptics/device/with_lock.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
@@ -104,10 +105,12 @@ public:
 
     void tell_of_loss(std::string_view sentence) { tell_once(told_of_loss, sentence); }
 
-    void tell_if_reading()
+    void tell_of_contact()
     {
         if (sensor->is_reading())
             tell_once(told_of_reading, reading_notice);
+        if (sensor->exceeds_capacity())
+            tell_once(told_of_capacity, capacity_notice);
     }
 
     void tell_once(bool &told, std::string_view sentence)
@@ -130,6 +133,7 @@ public:
     int tool_jumps = 0;     ///< as RenderedTick has it
     bool told_of_loss = false;
     bool told_of_reading = false;
+    bool told_of_capacity = false;
     std::vector<Encounter> encounters;
 };
 
@@ -239,7 +243,7 @@ void HapticProbe::render(double dt)
     {
         renderer.render(sensor->touches(), !sensor->saw_nonsense(), dt);
         sensor->push(renderer.shares());
-        parts_->tell_if_reading();
+        parts_->tell_of_contact();
     }
     else
     {

@@ -91,8 +91,8 @@ public:
           law(settings.law ? settings.law : usual_law(device.capabilities(), mapping, settings)),
           safety(settings.safety ? *settings.safety : usual_limits(device.capabilities()))
     {
-        forces.reserve(usual_touches);
-        felt.reserve(usual_touches);
+        forces.reserve(touch_capacity);
+        felt.reserve(touch_capacity);
         if (settings.passivity_control)
             passivity.emplace(device.capabilities().max_damping);
         if (settings.delay && !is_amount(*settings.delay))

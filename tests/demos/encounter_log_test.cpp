@@ -90,7 +90,7 @@ EncounterSummary meet_some(int proximity, const RenderSettings &settings, int &n
 {
     ProbeWorld world;
     dPredictiveSpaceSetProximity(world.space, proximity);
-    std::mt19937 random(4);
+    std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-0.15, 0.15);
     for (int i = 0; i < 400; ++i)
     {

@@ -2,6 +2,7 @@
 
 #include "tests/haptics/constants.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace ode_predictive_space::haptics
@@ -57,6 +58,25 @@ TEST_F(ContactManifoldTest, WhatTheToolGoesOnToFromWhatRisesRisesOn)
     EXPECT_EQ(after.takes_over, before.id);
     EXPECT_GT(after.part, before.part);
     EXPECT_LT(after.part, 0.01);
+}
+
+// Where bodies yield, the shares of what the proxy slides on to are large at once: it counted as something that had appeared, and the force fell.
+TEST_F(ContactManifoldTest, WhatTakesOverFromSeveralOthersIsThereAtOnce)
+{
+    const auto solved = [](std::uintptr_t object, double slant, double share) {
+        Touch touch = touch_of(object, share);
+        touch.normal = {std::sin(slant), 0, std::cos(slant)};
+        touch.carry.share = share;
+        touch.is_solved = true;
+        return touch;
+    };
+    tick({solved(1, 0, 1e-5)});
+    tick({solved(1, 0, 0.002)});
+    const double slant = 80 * M_PI / 180, share = 0.001 / std::cos(slant);
+    for (const Touch &touch : tick({solved(2, slant, share), solved(3, -slant, share)}))
+        EXPECT_EQ(touch.part, 1) << "the lift is the same";
+    for (const Touch &touch : tick({solved(4, slant / 2, share), solved(5, -slant / 2, share)}))
+        EXPECT_EQ(touch.part, 0) << "the lift is another";
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

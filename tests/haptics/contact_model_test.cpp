@@ -74,15 +74,15 @@ TEST(ContactModel, LeavesOutWhatTheServoKnowsBetter)
 TEST(ContactModel, KeepsTheDeepestOfTooMany)
 {
     std::vector<Touch> many;
-    for (int i = 0; i < 100; ++i)
-        many.push_back(wall(0.001 * (i * 37 % 100)));
+    for (int i = 0; i < 1000; ++i)
+        many.push_back(wall(0.001 * (i * 37 % 1000)));
     ContactModel model;
     model.set(many, true, Vector3::Zero(), 0);
-    EXPECT_EQ(model.count(), ContactModel::capacity);
+    EXPECT_EQ(model.count(), touch_capacity);
     std::vector<Touch> touches;
     model.evaluate(Vector3::Zero(), 0, {}, touches);
     for (const Touch &touch : touches)
-        EXPECT_GE(touch.depth, 0.068 - 1e-12);
+        EXPECT_GE(touch.depth, 0.744 - 1e-12);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

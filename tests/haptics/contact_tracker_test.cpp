@@ -157,19 +157,55 @@ TEST(ContactTracker, HandsOverTheNearestOfTooManyGeoms)
     tracker.set_margin(1);
     tracker.begin();
     tracker.aim({0, 0, 0});
-    const std::size_t count = 100;
+    const std::size_t count = 1000;
     for (std::size_t i = 0; i < count; ++i)
     {
         const dGeomID sphere = dCreateSphere(world.space, 0.001);
-        dGeomSetPosition(sphere, 0.05 + 0.001 * static_cast<double>(i * 37 % count), 0, 0);
+        dGeomSetPosition(sphere, 0.05 + 0.0001 * static_cast<double>(i * 37 % count), 0, 0);
         tracker.add_if_near(*NearbyGeom::read(sphere, meshes, {}));
     }
     NearbyGeoms geoms;
     tracker.hand_over(geoms, 5);
     EXPECT_EQ(geoms.time, 5);
-    ASSERT_EQ(geoms.geoms.size(), NearbyGeoms::capacity);
+    EXPECT_TRUE(tracker.exceeds_capacity());
+    ASSERT_EQ(geoms.geoms.size(), touch_capacity);
     for (const NearbyGeom &geom : geoms.geoms)
-        EXPECT_LT(geom.to_scene({0, 0, 0}).x(), 0.05 + 0.001 * (static_cast<double>(NearbyGeoms::capacity) - 0.5));
+        EXPECT_LT(geom.to_scene({0, 0, 0}).x(), 0.05 + 0.0001 * (static_cast<double>(touch_capacity) - 0.5));
+}
+
+// What is held and not foreseen moves with the next step of the scene: until then it gives way by what the force of that step makes of its body.
+TEST(ContactTracker, ABodyThatAnswersWithTheNextStepOfTheSceneGivesWayByThat)
+{
+    constexpr double k = 500, mass = 0.005, depth = 0.001;
+    const OdeUse ode;
+    ProbeWorld world;
+    MeshStore meshes;
+    const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, mass);
+    for (const TouchView view : {TouchView::all_together, TouchView::each_object_alone})
+    {
+        for (const double step : {0.0, 0.005})
+        {
+            ContactTracker tracker(radius);
+            tracker.set_stiffness(k);
+            const auto tick = [&](double height) {
+                tracker.begin();
+                tracker.aim({0, 0, height});
+                NearbyGeom geom = *NearbyGeom::read(dBodyGetFirstGeom(body), meshes, {});
+                geom.set_step(step);
+                tracker.add(std::move(geom));
+                tracker.follow();
+                std::vector<Touch> touches;
+                tracker.touches(view, touches);
+                return touches;
+            };
+            tick(radius + 0.001);
+            const std::vector<Touch> touches = tick(radius - depth);
+            ASSERT_EQ(touches.size(), 1U);
+            const double seconds = view == TouchView::all_together ? std::max(step, 0.001) : step;
+            const double yield = 2.25 * k * seconds * seconds / mass;
+            EXPECT_NEAR(touches[0].carry.share, depth * (1 - std::pow(yield / (1 + yield), 3)), 0.001 * depth) << step;
+        }
+    }
 }
 
 TEST(ContactTracker, LooksWhereverTheServoHoldsSomething)

@@ -16,12 +16,23 @@ TEST_P(CrowdTest, NoEnergyIsMadeAndForcesDoNotJump)
 
 std::vector<CrowdCase> crowds_in_one_thread()
 {
-    return {{Crowd::pit, 1, 0.005},       {Crowd::pit, 4, 0.005},
-            {Crowd::pit, 5, 0.005},       {Crowd::pit, 16, 0.005, 0, false},
-            {Crowd::pit, 9, 0.002},       {Crowd::pit, 16, 0.005},
-            {Crowd::pit, 9, 0.05},        {Crowd::pile, 20, 0.005},
-            {Crowd::wedge, 2, 0.005, 20}, {Crowd::wedge, 2, 0.005, 1.5},
-            {Crowd::wedge, 8, 0.05, 3},   {Crowd::pit, 9, 0.5}};
+    return {{Crowd::pit, 1, 0.005},
+            {Crowd::pit, 4, 0.005},
+            {Crowd::pit, 5, 0.005},
+            {Crowd::pit, 16, 0.005, 0, false},
+            {Crowd::pit, 9, 0.002},
+            {Crowd::pit, 16, 0.005},
+            {Crowd::pit, 9, 0.05},
+            {Crowd::pile, 20, 0.005},
+            {Crowd::wedge, 2, 0.005, 20},
+            {Crowd::wedge, 2, 0.005, 1.5},
+            {Crowd::wedge, 8, 0.05, 3},
+            {Crowd::pit, 9, 0.5},
+            {Crowd::pit, 50, 0.05},
+            {Crowd::pit, 50, 0.5},
+            {Crowd::pit, 9, 0.005, 0, true, 0, Stepper::exact},
+            {Crowd::pit, 5, 0.005, 0, false, 0, Stepper::exact},
+            {Crowd::wedge, 2, 0.005, 1, true, 0, Stepper::exact}};
 }
 
 INSTANTIATE_TEST_SUITE_P(OneThread, CrowdTest, testing::ValuesIn(crowds_in_one_thread()), name_of_crowd);
@@ -36,7 +47,16 @@ TEST_P(CrowdInTwoThreadsTest, IsFeltAsInOne)
 
 std::vector<CrowdCase> crowds_in_two_threads()
 {
-    return {{Crowd::pit, 5, 0.005, 0, true, 200}, {Crowd::pit, 5, 0.005, 0, true, 60}};
+    return {{Crowd::pit, 1, 0.005, 0, true, 200},
+            {Crowd::pit, 5, 0.005, 0, true, 200},
+            {Crowd::pit, 5, 0.005, 0, true, 60},
+            {Crowd::pit, 5, 0.005, 0, true, 1000},
+            {Crowd::pit, 5, 0.005, 0, false, 200},
+            {Crowd::pit, 9, 0.05, 0, true, 60},
+            {Crowd::pit, 50, 0.05, 0, true, 200},
+            {Crowd::wedge, 8, 0.05, 3, true, 200},
+            {Crowd::pit, 5, 0.005, 0, true, 200, Stepper::exact},
+            {Crowd::pit, 5, 0.005, 0, true, 60, Stepper::exact}};
 }
 
 INSTANTIATE_TEST_SUITE_P(TwoThreads, CrowdInTwoThreadsTest, testing::ValuesIn(crowds_in_two_threads()), name_of_crowd);

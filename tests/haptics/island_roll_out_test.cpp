@@ -55,6 +55,18 @@ TEST_F(IslandRollOutTest, FindsWhatTheWorldDoes)
     EXPECT_GT((place_of(ball) - at).norm(), 1e-4);
 }
 
+TEST_F(IslandRollOutTest, ABodyThatDoesNotTakePartIsNotPushed)
+{
+    const Vector3 at = place_of(other_);
+    {
+        IslandRollOut island({scene_.bodies[1]}, false);
+        island.run(3, 0.01, {{other_, at, {1, 0, 0}}}, [](std::size_t) {});
+    }
+    EXPECT_EQ((place_of(other_) - at).norm(), 0);
+    EXPECT_EQ(velocity_of(other_).norm(), 0);
+    EXPECT_NE(dBodyIsEnabled(other_), 0);
+}
+
 TEST_F(IslandRollOutTest, PutsAllBack)
 {
     const dBodyID ball = scene_.bodies[0];

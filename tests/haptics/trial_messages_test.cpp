@@ -59,7 +59,7 @@ TEST_F(TrialMessagesTest, AreCountedAndGivenOnceInALoopOfTwoThreads)
     dMassSetBoxTotal(&mass, 1, 0.2, 0.2, 0.1);
     dBodySetMass(box, &mass);
     VirtualDevice device({}, [](double seconds) -> Vector3 {
-        return {0.02, 0.05 - 0.1 * std::min(1.0, seconds / 0.4), 0};
+        return {0.05, 0.05 - 0.1 * std::min(1.0, seconds / 0.4), 0};
     });
     RenderSettings settings;
     settings.placement.rotation = WorkspacePlacement::z_up();

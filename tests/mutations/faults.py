@@ -887,6 +887,19 @@ def haptic_faults():
     yield Fault(
         "seams_block_friction", "haptics", law, "along += std::max(0.0, entry_of(along, lift, touch)) * touch.normal;", "(void)touch;",
         (("haptics", "*FrictionSeamTest.*"),))
+    loop = SOURCES + "haptics/loop/"
+    yield Fault(
+        "impulses_a_tick_late", "haptics", loop + "decoupled_servo.h", "give(tick_, due);", "give(tick_, due - tick_);",
+        (("haptics", "DecoupledLoopTest.*"),))
+    yield Fault(
+        "roll_out_pushes_bystanders", "haptics", loop + "island_roll_out.cpp",
+        "        if (known_.count(push.body) == 0)\n            continue;\n", "", (("haptics", "IslandRollOutTest.*"),))
+    yield Fault(
+        "touches_beyond_the_capacity_not_told", "haptics", tracker, "exceeds_ = true;", "exceeds_ = false;",
+        (("haptics", "*ManyTouches*"),))
+    yield Fault(
+        "what_takes_over_counts_as_appeared", "haptics", SOURCES + "haptics/contact/contact_manifold.cpp",
+        "return jump_ <= usual ? risen(least_part_before(), dt) : 0;", "return 0;", (("haptics", "ContactManifoldTest.*"),))
 
 
 FAULTS = tuple(

@@ -5,6 +5,7 @@
 
 #include "ode_predictive_space/haptics/device.h"
 
+#include <cstddef>
 #include <ode/common.h>
 #include <optional>
 #include <vector>
@@ -54,6 +55,10 @@ struct Touch
     /// Nothing: the force law's own. A renderer fills in what the device can render, gradually from what it takes over from.
     std::optional<Material> material;
 };
+
+/// As many touches are felt at once, and as many geoms near the probe are known. What is more gives no force, and a notice says so: the
+/// geoms that are farthest away, and the touches that hold off nothing or least.
+constexpr std::size_t touch_capacity = 256;
 
 /// What Touch::object is for a geom: its body, or itself if it has none.
 std::uintptr_t object_of(dGeomID geom);

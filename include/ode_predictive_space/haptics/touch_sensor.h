@@ -136,6 +136,9 @@ public:
     /// touches(), which are not all, then.
     bool saw_nonsense();
 
+    /// Whether there were more touches, or geoms near, than the touch_capacity since clear().
+    bool exceeds_capacity();
+
     /// The body of a touched object; 0 for one that has none, and for one that is gone.
     dBodyID body_of(std::uintptr_t object) const;
 

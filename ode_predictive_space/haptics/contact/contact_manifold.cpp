@@ -9,49 +9,22 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// m; how far the place of a touch may be off another one's plane and yet be a place of it. Bodies that rest beside each other differ
-/// by less, and a step of that height cannot be felt.
-constexpr double flush = 2e-5;
-
 constexpr double rise_time = 0.5;     // s; of an object that appeared around the tool
 constexpr double unnoticed = 1e-4;    // m; so deep a contact may begin,
 constexpr double of_the_motion = 3.0; // or by so many times the motion of tool and surface
-
-/// Whether the second is a place in the plane of the first.
-bool is_flush(const Vector3 &normal, const Vector3 &point, const Vector3 &other)
-{
-    return std::abs(normal.dot(other - point)) <= flush;
-}
 
 /// The part of a depth that is felt after a time dt: 0 to 1.
 double risen(double part, double dt)
 {
     return std::min(1.0, part + dt / rise_time);
 }
-
-/// Of touches of different objects that go on in one plane (flush tiles, a ridge made of two boxes), the deepest counts, and the
-/// others carry nothing: by their edges alone, each would push again.
-void count_flush_touches_once(std::vector<Touch> &touches)
-{
-    const auto counts = [](const Touch &touch) { return touch.from_entry_side && touch.carry.carries(); };
-    for (Touch &touch : touches)
-    {
-        const auto is_flush_and_deeper = [&](const Touch &other) {
-            const bool deeper = other.depth > touch.depth || (other.depth == touch.depth && &other < &touch);
-            return other.object != touch.object && deeper && counts(other) &&
-                   is_flush(other.normal, other.point, touch.point);
-        };
-        if (counts(touch) && find_in(touches, is_flush_and_deeper) != nullptr)
-            touch.carry = Carry{};
-    }
-}
 } // namespace
 
 ContactManifold::ContactManifold()
 {
-    before_.reserve(usual_touches);
-    depths_.reserve(usual_touches);
-    planes_.reserve(usual_touches);
+    before_.reserve(touch_capacity);
+    depths_.reserve(touch_capacity);
+    planes_.reserve(touch_capacity);
 }
 
 void ContactManifold::follow(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
@@ -63,6 +36,7 @@ void ContactManifold::follow(const ToolState &tool, TouchView view, double dt, s
         recognise(tool.position, view, dt, touch);
         depths_.push_back(touch.depth);
     }
+    note_lift(touches);
     let_rise(tool, dt, gap, touches);
     solve(view, touches);
     for (Touch &touch : touches)
@@ -133,6 +107,19 @@ double ContactManifold::handed_over(const Touch &touch) const
     return most;
 }
 
+/// Of the touches that carried the tool in the tick before; 0 when there were none.
+double ContactManifold::least_part_before() const
+{
+    double least = 1;
+    bool carried = false;
+    for (const Known &known : before_)
+    {
+        carried = carried || known.touch.carry.carries();
+        least = known.touch.carry.carries() ? std::min(least, known.touch.part) : least;
+    }
+    return carried ? least : 0;
+}
+
 void ContactManifold::let_rise(const ToolState &tool, double dt, std::optional<double> gap, std::vector<Touch> &touches)
 {
     bool all_of_it = true;
@@ -146,16 +133,26 @@ void ContactManifold::let_rise(const ToolState &tool, double dt, std::optional<d
         touch.is_solved = touch.is_solved && all_of_it; // else it was solved for other depths
 }
 
+void ContactManifold::note_lift(const std::vector<Touch> &touches)
+{
+    const Vector3 before = lift_;
+    lift_.setZero();
+    for (const Touch &touch : touches)
+        lift_ += carry_of(touch).share * touch.normal + carry_of(touch).lag;
+    jump_ = (lift_ - before).norm();
+}
+
 /// An object rises as a whole: its touches have the same part. What a touch takes over from others lifts the proxy by little, however
-/// deep it is.
+/// deep it is. Where all touches together hold the tool as those before did, new ones have taken over from these.
 double ContactManifold::part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const
 {
     if (const Known *known = find_in(before_, [&](const Known &other) { return other.touch.object == touch.object; }))
         return risen(known->touch.part, dt);
     const double moved = gap.value_or(0) * (touch.surface_velocity - tool.linear_velocity).norm();
     const double lifts = std::min(touch.depth, carry_of(touch).share);
-    if (gap && !(lifts <= unnoticed + of_the_motion * moved + handed_over(touch)))
-        return 0;
+    const double usual = unnoticed + of_the_motion * moved;
+    if (gap && !(lifts <= usual + handed_over(touch)))
+        return jump_ <= usual ? risen(least_part_before(), dt) : 0;
     const Known *carrier = taken_over_by(touch);
     return carrier != nullptr ? risen(carrier->touch.part, dt) : 1;
 }
@@ -191,7 +188,5 @@ void ContactManifold::solve(TouchView view, std::vector<Touch> &touches)
             touch.is_solved = true;
         }
     }
-    if (view == TouchView::each_object_alone)
-        count_flush_touches_once(touches);
 }
 } // namespace ode_predictive_space::haptics

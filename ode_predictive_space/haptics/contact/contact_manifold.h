@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/contact/closest_point.h"
 #include "ode_predictive_space/haptics/touch.h"
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,13 @@ namespace ode_predictive_space::haptics
 /// The cosine below which two planes are two surfaces. From facet to facet of one surface the normal turns by less than 60
 /// degrees, also around an edge that the tool crosses quickly; two walls of a channel, a floor and its wall differ by more.
 constexpr double same_surface = 0.5;
+
+/// Whether the second is a place in the plane of the first. Bodies that rest beside each other differ by less than 0.02 mm, and a step of that
+/// height cannot be felt.
+inline bool is_flush(const Vector3 &normal, const Vector3 &point, const Vector3 &other)
+{
+    return std::abs(normal.dot(other - point)) <= 2e-5;
+}
 
 /// The one place where a touch is compared with those of the tick before, and where the constraint is solved for touches that the
 /// tracker did not make (see ContactTracker). What comes later goes by Touch::id, Touch::takes_over, Touch::part and Touch::carry.
@@ -37,7 +45,11 @@ public:
                 std::vector<Touch> &touches);
 
     /// Forget all touches: what is touched next is new.
-    void reset() { before_.clear(); }
+    void reset()
+    {
+        before_.clear();
+        lift_.setZero();
+    }
 
 private:
     /// A touch of the tick before.
@@ -51,12 +63,16 @@ private:
     const Known *taken_over_by(const Touch &touch) const;
     void recognise(const Vector3 &tool, TouchView view, double dt, Touch &touch);
     double handed_over(const Touch &touch) const;
+    double least_part_before() const;
     double part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const;
+    void note_lift(const std::vector<Touch> &touches);
     void let_rise(const ToolState &tool, double dt, std::optional<double> gap, std::vector<Touch> &touches);
     void solve(TouchView view, std::vector<Touch> &touches);
 
     std::vector<Known> before_;
     Vector3 tool_before_ = Vector3::Zero(); ///< m
+    Vector3 lift_ = Vector3::Zero();        ///< m; from the tool to where the touches of this tick hold it, in full
+    double jump_ = 0;                       ///< m; from the lift of the tick before
     std::vector<double> depths_;            ///< m; of the touches of this tick, before they were made less
     std::vector<ConstraintPlane> planes_;
     std::uint32_t last_id_ = 0;

@@ -19,6 +19,8 @@ constexpr double around = 1.5;  // times the proxy's way: the ball that holds al
 constexpr double steps_ahead = 2;    // times the tool's way: how far it may go until geoms come from another thread
 constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the sphere more have passed each other
 constexpr double in_contact = 1e-6;  // of the radius
+constexpr double allowed_rise =
+    1e-3; // of a surface beyond the plane in which it goes on, in parts of the distance looked ahead
 constexpr double least_yield = 1e-6; // of what no push moves
 
 /// How far a surface gives way in each pass of find_yielding_place(), in parts of the way that its body goes in a tick by the force.
@@ -33,20 +35,20 @@ bool has_feature(const std::vector<TouchOfGeom> &touches, std::uintptr_t object,
            }) != nullptr;
 }
 
-/// Of all touches without a number, and numbers without a touch, the two that agree best.
-bool recognise_one(const std::vector<TouchOfGeom> &before, std::vector<TouchOfGeom> &now)
+/// Of the touches of an object without a number, and its numbers without a touch, the two that agree best.
+bool recognise_one(const std::vector<TouchOfGeom> &before, std::uintptr_t object, std::vector<TouchOfGeom> &now)
 {
     double best = same_surface;
     Touch *chosen = nullptr;
     unsigned number = 0;
     for (const TouchOfGeom &known : before)
     {
-        if (has_feature(now, known.touch.object, known.touch.feature))
+        if (known.touch.object != object || has_feature(now, object, known.touch.feature))
             continue;
         for (TouchOfGeom &told : now)
         {
             const double agreement = told.touch.normal.dot(known.touch.normal);
-            if (told.touch.object == known.touch.object && told.touch.feature == 0 && agreement > best)
+            if (told.touch.object == object && told.touch.feature == 0 && agreement > best)
             {
                 best = agreement;
                 chosen = &told.touch;
@@ -63,8 +65,9 @@ bool recognise_one(const std::vector<TouchOfGeom> &before, std::vector<TouchOfGe
 /// 0 is for those that have none yet.
 void number_features(const std::vector<TouchOfGeom> &before, std::vector<TouchOfGeom> &now)
 {
-    while (recognise_one(before, now))
-    {}
+    for (const TouchOfGeom &told : now)
+        while (told.touch.feature == 0 && recognise_one(before, told.touch.object, now))
+        {}
     for (TouchOfGeom &told : now)
     {
         if (told.touch.feature != 0)
@@ -89,14 +92,27 @@ bool is_finite(const Touch &touch)
            touch.surface_velocity.allFinite() && std::isfinite(touch.carry.share) && touch.carry.lag.allFinite();
 }
 
+bool keep_within_capacity(std::vector<Touch> &touches)
+{
+    if (touches.size() <= touch_capacity)
+        return false;
+    const auto counts_more = [](const Touch &a, const Touch &b) {
+        const bool carries = carry_of(a).carries();
+        return carries != carry_of(b).carries() ? carries : a.depth > b.depth;
+    };
+    std::nth_element(touches.begin(), touches.begin() + touch_capacity, touches.end(), counts_more);
+    touches.resize(touch_capacity);
+    return true;
+}
+
 ContactTracker::ContactTracker(double radius) : radius_(radius)
 {
-    near_.reserve(NearbyGeoms::capacity);
+    near_.reserve(touch_capacity + 1);
     yielding_.reserve(SphereSlide::usual_planes);
-    before_.reserve(NearbyGeoms::capacity);
-    places_.reserve(NearbyGeoms::capacity);
-    told_.reserve(usual_touches);
-    told_before_.reserve(usual_touches);
+    before_.reserve(touch_capacity);
+    places_.reserve(touch_capacity);
+    told_.reserve(touch_capacity);
+    told_before_.reserve(touch_capacity);
 }
 
 void ContactTracker::Held::put(const Vector3 &at)
@@ -111,6 +127,7 @@ void ContactTracker::begin()
     for (const Held &held : near_)
         before_.push_back(held.place);
     near_.clear();
+    exceeds_ = false;
     told_.swap(told_before_);
     told_.clear();
     adopts_ = false;
@@ -226,13 +243,21 @@ void ContactTracker::insert(NearbyGeom geom, double distance)
     held.put(start);
     const auto farther = [](double length, const Held &other) { return length < other.distance; };
     near_.insert(std::upper_bound(near_.begin(), near_.end(), distance, farther), std::move(held));
+    if (near_.size() > touch_capacity)
+    {
+        near_.pop_back();
+        exceeds_ = true;
+    }
 }
 
 void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
 {
     geoms.geoms.clear();
-    for (std::size_t i = 0; i < std::min(near_.size(), NearbyGeoms::capacity); ++i)
-        geoms.geoms.push_back(near_[i].geom);
+    for (const Held &held : near_)
+    {
+        geoms.geoms.push_back(held.geom);
+        geoms.geoms.back().note_contacts();
+    }
     geoms.time = time;
 }
 
@@ -349,27 +374,30 @@ void ContactTracker::tell_together(TouchView view)
         carry_on(lag);
 }
 
-/// How far a surface gives way to the force of a tick, per share.
+/// How far a surface gives way, per share, to the force of a tick, or of a step of the scene if it does not move before.
 double ContactTracker::yield_of(const SlidePlane &plane) const
 {
     const NearbyGeom &geom = *places_[plane.place].geom;
     const double stiffness = geom.material() ? geom.material()->stiffness : stiffness_;
-    const double moved = geom.mobility_at(plane.feature.point, plane.feature.normal) * tick_length_ * tick_length_;
+    const double seconds = std::max(tick_length_, geom.step());
+    const double moved = geom.mobility_at(plane.feature.point, plane.feature.normal) * seconds * seconds;
     return std::max(least_yield, yielding * stiffness * moved);
 }
 
 /// The shares of what the last slide found. Where all objects hold the proxy together, and a push moves one of them, all give way: shares of
-/// the exact solution grow without bounds where normals are nearly dependent, and would throw light bodies about.
+/// the exact solution grow without bounds where normals are nearly dependent, and would throw light bodies about. A body that answers
+/// only with the next step of the scene gives way in each case.
 void ContactTracker::share_out(TouchView view)
 {
-    bool movable = false;
+    bool yields = false;
     yielding_.clear();
     for (const SlidePlane &plane : slide_.planes())
     {
-        movable = movable || places_[plane.place].geom->is_movable();
+        const NearbyGeom &geom = *places_[plane.place].geom;
+        yields = yields || (geom.is_movable() && (view == TouchView::all_together || geom.step() > tick_length_));
         yielding_.push_back({plane.feature.normal, plane.depth, yield_of(plane), plane.share});
     }
-    if (movable && view == TouchView::all_together)
+    if (yields)
         find_yielding_place(yielding_);
 }
 
@@ -441,6 +469,34 @@ void ContactTracker::tell_each_object()
         const bool common = slide_.run(alone, places_);
         visited_ += alone.triangles - slide_.left();
         tell_planes(TouchView::each_object_alone, common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
+    }
+    count_flush_touches_once();
+}
+
+/// Whether the touched geom ends in a plane through its touched place: its face, or an edge of it, lies there, and nothing is beyond.
+bool ContactTracker::ends_in(const TouchOfGeom &told, const Vector3 &normal) const
+{
+    const double beyond = 0.1 * radius_;
+    const Held *held = find_in(near_, [&](const Held &other) { return other.geom.id() == told.geom; });
+    const double distance = held->geom.distance(told.touch.point + beyond * normal, 2 * beyond);
+    return distance >= beyond * (1 - allowed_rise);
+}
+
+/// Of touches of different objects that go on in one plane (flush tiles, a ridge made of two boxes), the deepest counts, and the
+/// others carry nothing: by their edges alone, each would push again.
+void ContactTracker::count_flush_touches_once()
+{
+    for (TouchOfGeom &told : told_)
+    {
+        Touch &touch = told.touch;
+        const auto goes_on_in_it = [&](const TouchOfGeom &other) {
+            const Touch &deeper = other.touch;
+            const bool is_deeper = deeper.depth > touch.depth || (deeper.depth == touch.depth && &other < &told);
+            return deeper.object != touch.object && is_deeper && deeper.carry.carries() &&
+                   is_flush(deeper.normal, deeper.point, touch.point) && ends_in(told, deeper.normal);
+        };
+        if (touch.carry.carries() && find_in(told_, goes_on_in_it) != nullptr)
+            touch.carry = Carry{};
     }
 }
 } // namespace ode_predictive_space::haptics

@@ -6,13 +6,13 @@
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 #include "ode_predictive_space/haptics/contact/yielding_place.h"
 
+#include <string_view>
+
 namespace ode_predictive_space::haptics
 {
 /// The geoms around the probe, to be handed from the scene's tracker to the servo's; it keeps the meshes alive.
 struct NearbyGeoms
 {
-    static constexpr std::size_t capacity = 64;
-
     std::vector<NearbyGeom> geoms;
     double time = 0; ///< s; when this was so
 };
@@ -31,7 +31,7 @@ struct ContactMemory
     };
 
     /// Makes room for as many as there can be, since the servo does not allocate.
-    ContactMemory() { places.reserve(NearbyGeoms::capacity); }
+    ContactMemory() { places.reserve(touch_capacity); }
 
     bool has_proxy = false;
     Vector3 proxy = Vector3::Zero(); ///< m; the scene's frame
@@ -47,6 +47,14 @@ struct TouchOfGeom
 
 /// Whether all numbers of a touch are.
 bool is_finite(const Touch &touch);
+
+/// Leaves out the touches beyond the capacity. @return whether there were any.
+bool keep_within_capacity(std::vector<Touch> &touches);
+
+/// One notice for all touches and geoms beyond the capacity.
+constexpr std::string_view capacity_notice = "More than 256 surfaces are touched or near at once. Those that are "
+                                             "farthest away, or hold off least, give no force.";
+static_assert(touch_capacity == 256);
 
 /// Keeps a proxy of the tool, which never passes a surface: each tick it goes from where it was towards the tool. With
 /// respect to each geom its place is remembered in the geom's frame, so that it goes with what moves and turns. What holds
@@ -104,7 +112,10 @@ public:
     /// geoms around the region a space tells, and in which order.
     void add_if_near(NearbyGeom geom);
 
-    /// Of the scene's tracker: what was added, for the servo's. If it is too much, what came first.
+    /// Whether there were more geoms in this tick than the capacity: the farthest ones were left out.
+    bool exceeds_capacity() const { return exceeds_; }
+
+    /// Of the scene's tracker: what was added, for the servo's.
     ///
     /// @param time s; when this was so.
     void hand_over(NearbyGeoms &geoms, double time) const;
@@ -150,6 +161,8 @@ private:
     void share_out(TouchView view);
     void carry_on(const Vector3 &lag);
     void tell_each_object();
+    bool ends_in(const TouchOfGeom &told, const Vector3 &normal) const;
+    void count_flush_touches_once();
 
     double radius_;
     double margin_ = 0;
@@ -160,6 +173,7 @@ private:
     Vector3 travel_ = Vector3::Zero(); ///< m; of the tool, since the tick before
     Vector3 start_ = Vector3::Zero();  ///< m; the proxy when the tick began
     Vector3 proxy_ = Vector3::Zero();  ///< m; when it was over
+    bool exceeds_ = false;             ///< the capacity
     bool adopts_ = false;              ///< another tracker has the proxy
     /// What carried the proxy is gone, and it has not come to rest since: no force but by what it touches.
     bool released_ = false;

@@ -24,8 +24,8 @@ bool is_in(const NearbyGeom &geom, const ProbePlace &probe, double allowed)
 
 ExcludedGeoms::ExcludedGeoms()
 {
-    told_.reserve(usual_touches);
-    before_.reserve(usual_touches);
+    told_.reserve(touch_capacity);
+    before_.reserve(touch_capacity);
 }
 
 void ExcludedGeoms::begin()

@@ -1,5 +1,7 @@
 #include "ode_predictive_space/haptics/contact/nearby_geom.h"
 
+#include <ode/objects.h>
+
 namespace ode_predictive_space::haptics
 {
 namespace
@@ -62,6 +64,22 @@ void NearbyGeom::shift(const Vector3 &moved, const Vector3 &turned, const Vector
     }
     motion_.linear += velocity;
     motion_.angular += spin;
+}
+
+void NearbyGeom::note_contacts()
+{
+    in_contact_ = false;
+    const dBodyID body = is_movable() ? dGeomGetBody(id_) : nullptr;
+    for (int i = 0; body != nullptr && i < dBodyGetNumJoints(body); ++i)
+        in_contact_ = in_contact_ || dJointGetType(dBodyGetJoint(body, i)) == dJointTypeContact;
+}
+
+void NearbyGeom::push(const Vector3 &impulse, const Vector3 &point, double since)
+{
+    const Vector3 centre = motion_.centre - since * motion_.linear; // by then
+    const Vector3 velocity = mobility_.inverse_mass * impulse;
+    const Vector3 spin = mobility_.inverse_inertia * (point - centre).cross(impulse);
+    shift(since * velocity, since * spin, velocity, spin);
 }
 
 double NearbyGeom::collect(const Vector3 &point, double radius, SurfaceFeatures &features,

@@ -67,6 +67,17 @@ public:
     void set_material(const std::optional<Material> &material) { material_ = material; }
     const std::optional<Material> &material() const { return material_; }
 
+    /// s; when its body answers a push by the next step of the scene alone, how long that is. 0: within a tick.
+    void set_step(double seconds) { step_ = seconds; }
+    double step() const { return step_; }
+
+    /// From the thread of the scene, after the program has made its contact joints: whether the body is in contact with something.
+    void note_contacts();
+    bool is_in_contact() const { return in_contact_; }
+
+    /// The body got an impulse (N s) at a place (m) some time ago (s), and has moved by it since, as if nothing held it.
+    void push(const Vector3 &impulse, const Vector3 &point, double since);
+
     /// Whether a push moves it.
     bool is_movable() const { return !mobility_.is_zero(); }
 
@@ -110,6 +121,8 @@ private:
     Pose pose_;
     Motion motion_;
     Mobility mobility_;
+    double step_ = 0;
+    bool in_contact_ = false;
     std::optional<Material> material_;
     Solid solid_;
     std::shared_ptr<const MeshTree> mesh_;

@@ -49,8 +49,8 @@ Motion body_motion_of(dGeomID geom, const Pose &pose)
 
 PoseWatch::PoseWatch()
 {
-    now_.reserve(usual_touches);
-    before_.reserve(usual_touches);
+    now_.reserve(touch_capacity);
+    before_.reserve(touch_capacity);
 }
 
 void PoseWatch::begin()

@@ -16,7 +16,7 @@ namespace ode_predictive_space::haptics
 class RisingObjects
 {
 public:
-    RisingObjects() { objects_.reserve(usual_touches); }
+    RisingObjects() { objects_.reserve(touch_capacity); }
 
     /// One tick.
     ///

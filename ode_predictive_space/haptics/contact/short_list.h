@@ -4,14 +4,10 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SHORT_LIST_H
 
 #include <algorithm>
-#include <cstddef>
 #include <iterator>
 
 namespace ode_predictive_space::haptics
 {
-/// Room for this many is made before the first tick: more than a probe usually has at a time.
-constexpr std::size_t usual_touches = 64;
-
 /// The first element that satisfies the predicate; null when there is none.
 template <typename List, typename Predicate> auto find_in(List &list, const Predicate &is_it)
 {

@@ -33,8 +33,8 @@ public:
     /// As a ProbeGeom is made.
     template <typename... Arguments> explicit Parts(Arguments... arguments) : geom(arguments...)
     {
-        touches.reserve(usual_touches);
-        collided.reserve(usual_touches);
+        touches.reserve(touch_capacity);
+        collided.reserve(touch_capacity);
         contacts.resize(most_contacts);
         place.radius = geom.radius();
     }
@@ -142,6 +142,7 @@ public:
         if (resolved)
             return;
         resolved = true;
+        exceeds_capacity = false;
         touches = collided;
         if (tracker)
         {
@@ -149,7 +150,9 @@ public:
                 hold_other_probes();
             tracker->follow();
             nonsense = !tracker->touches(wanted.view, touches) || nonsense;
+            exceeds_capacity = tracker->exceeds_capacity();
         }
+        exceeds_capacity = keep_within_capacity(touches) || exceeds_capacity;
     }
 
     /// By the force law and the program.
@@ -173,6 +176,7 @@ public:
     std::vector<dContactGeom> contacts; ///< most_contacts of them, for dCollide() to write to
     ProbePlace place;                   ///< begins by forget_sides(), until touches are asked for
     bool nonsense = false;
+    bool exceeds_capacity = false;
     bool resolved = true; ///< whether touches has all
 };
 
@@ -342,6 +346,12 @@ bool TouchSensor::saw_nonsense()
 {
     parts_->resolve();
     return parts_->nonsense;
+}
+
+bool TouchSensor::exceeds_capacity()
+{
+    parts_->resolve();
+    return parts_->exceeds_capacity;
 }
 
 void TouchSensor::push(const std::vector<ForceShare> &shares)

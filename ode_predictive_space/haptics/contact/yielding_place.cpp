@@ -8,13 +8,13 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr int passes = 3;             // of the method of multipliers
-constexpr int most_steps = 64;        // of Newton's method; it ends after a few
-constexpr int most_halvings = 40;     // of a step
-constexpr double arrived = 1e-12;     // of the deepest plane: a step that is shorter is none
-constexpr double least_descent = 0.1; // of what the slope says that a step descends
+constexpr int passes = 3;                      // of the method of multipliers
+constexpr int most_newton_steps = 64;          // of Newton's method; it ends after a few
+constexpr int most_halvings = 40;              // of a step
+constexpr double shortest_newton_step = 1e-12; // of the deepest plane: a step that is shorter is none
+constexpr double least_descent = 0.1;          // of what the slope says that a step descends
 
-using Planes = std::vector<YieldingPlane>;
+using YieldingPlanes = std::vector<YieldingPlane>;
 
 /// m; how far a place is behind a plane that gives way to all but the share that it has.
 double violation(const YieldingPlane &plane, const Vector3 &place)
@@ -22,7 +22,7 @@ double violation(const YieldingPlane &plane, const Vector3 &place)
     return std::max(0.0, plane.depth + plane.yield * plane.share - plane.normal.dot(place));
 }
 
-double cost(const Planes &planes, const Vector3 &place)
+double cost(const YieldingPlanes &planes, const Vector3 &place)
 {
     double sum = place.squaredNorm();
     for (const YieldingPlane &plane : planes)
@@ -34,9 +34,9 @@ double cost(const Planes &planes, const Vector3 &place)
 class Search
 {
 public:
-    Search(const Planes &planes, double deepest) : planes_(planes), deepest_(deepest)
+    Search(const YieldingPlanes &planes, double deepest) : planes_(planes), deepest_(deepest)
     {
-        for (int step = 0; step < most_steps && go(); ++step)
+        for (int step = 0; step < most_newton_steps && go(); ++step)
         {}
     }
 
@@ -57,7 +57,7 @@ private:
             curvature += plane.normal * plane.normal.transpose() / plane.yield;
         }
         const Vector3 step = -curvature.ldlt().solve(gradient);
-        if (step.norm() <= arrived * deepest_)
+        if (step.norm() <= shortest_newton_step * deepest_)
             return false;
         const double slope = gradient.dot(step);
         const double before = cost(planes_, place_);
@@ -66,16 +66,16 @@ private:
              i < most_halvings && cost(planes_, place_ + part * step) > before + least_descent * part * slope; ++i)
             part /= 2;
         place_ += part * step;
-        return part * step.norm() > arrived * deepest_;
+        return part * step.norm() > shortest_newton_step * deepest_;
     }
 
-    const Planes &planes_;
+    const YieldingPlanes &planes_;
     double deepest_; ///< m
     Vector3 place_ = Vector3::Zero();
 };
 } // namespace
 
-void find_yielding_place(Planes &planes)
+void find_yielding_place(YieldingPlanes &planes)
 {
     double deepest = 0;
     bool finite = true;

@@ -44,8 +44,8 @@ Vector3 sum(const std::vector<ForceShare> &shares)
 
 ForceSplit::ForceSplit()
 {
-    shares_.reserve(usual_touches);
-    before_.reserve(usual_touches);
+    shares_.reserve(2 * touch_capacity); // those of touches, and of those before
+    before_.reserve(2 * touch_capacity);
 }
 
 void ForceSplit::split(const std::vector<Touch> &touches, const TouchForces &requested, const Vector3 &given)

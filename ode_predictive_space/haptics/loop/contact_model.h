@@ -45,9 +45,6 @@ inline Shift shift_of(std::uintptr_t object, const Shifts &shifts)
 class ContactModel
 {
 public:
-    /// If there are more touches than that, the deepest are kept.
-    static constexpr std::size_t capacity = 32;
-
     /// @param touches as TouchSensor tells them, those with a negative depth included.
     /// @param all_known whether these are all.
     /// @param tool m, the scene's frame; where the probe was.
@@ -92,7 +89,7 @@ public:
     bool all_known() const { return all_known_; }
 
 private:
-    std::array<Touch, capacity> touches_;
+    std::array<Touch, touch_capacity> touches_;
     std::size_t count_ = 0;
     bool all_known_ = true;
     Vector3 tool_ = Vector3::Zero();

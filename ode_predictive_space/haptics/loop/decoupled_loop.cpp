@@ -23,6 +23,8 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
+constexpr double rounding_of_ticks = 1e-9; // of a number of ticks
+
 /// The scene's side.
 class SceneLoop
 {
@@ -60,7 +62,7 @@ public:
     void push_rest()
     {
         receive();
-        motion_.push_all(dt_);
+        motion_.push_all(parts_.clock.now(), dt_);
     }
 
 private:
@@ -116,6 +118,8 @@ private:
         parts_.collide(work_);
         if (sensor_.is_reading() && !std::exchange(told_of_reading_, true))
             parts_.tell(NoticeKind::contact, reading_notice, LoopGuard::Side::scene);
+        if (sensor_.exceeds_capacity() && !std::exchange(told_of_capacity_, true))
+            parts_.tell(NoticeKind::contact, capacity_notice, LoopGuard::Side::scene);
     }
 
     void look(double due)
@@ -128,15 +132,31 @@ private:
         const int steps = motion_.steps_per_period();
         {
             const TrialMessages messages;
-            motion_.foresee(surroundings.planes, due, dt_, budget_.affordable(dt_), surroundings.forecast);
+            motion_.foresee(surroundings.planes, due, dt_, affordable_steps(), surroundings.forecast);
             note_messages(messages.count());
         }
         if (motion_.steps_per_period() != steps)
             tell_of_shorter_steps();
-        if (sensor_.tracker() != nullptr)
-            sensor_.tracker()->hand_over(surroundings.geoms, due);
+        hand_over_geoms(due, surroundings);
         servo_.surroundings.publish();
         parts_.probe.renderer().physics_fresh(parts_.clock.now());
+    }
+
+    void hand_over_geoms(double due, Surroundings &surroundings)
+    {
+        if (sensor_.tracker() == nullptr)
+            return;
+        sensor_.tracker()->hand_over(surroundings.geoms, due);
+        for (NearbyGeom &geom : surroundings.geoms.geoms)
+            if (!geom.is_in_contact() && !surroundings.forecast.foresees(geom.object()))
+                motion_.push_rest(geom, due);
+    }
+
+    /// Per period. Steps shorter than the servo's ticks would get the impulse of a tick as a pulse, which gives energy to bodies in contact.
+    int affordable_steps() const
+    {
+        return std::min(budget_.affordable(dt_),
+                        static_cast<int>(parts_.settings.rate * dt_ * (1 + rounding_of_ticks)));
     }
 
     void note_messages(std::uint64_t count)
@@ -178,6 +198,7 @@ private:
     std::uint64_t steps_ = 0;  ///< since then
     StepBudget budget_;
     bool told_of_reading_ = false;
+    bool told_of_capacity_ = false;
     bool surprised_ = false; ///< and it has been told
 };
 } // namespace
@@ -198,7 +219,7 @@ void run_decoupled(LoopParts &parts, const SceneWork &work)
         scene_side.run();
     }
     probe.renderer().relax();
-    servo_side.settle();
+    servo_side.settle(parts.clock.now());
     scene_side.push_rest();
     if (servo_side.error())
         std::rethrow_exception(servo_side.error());

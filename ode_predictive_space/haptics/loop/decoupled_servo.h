@@ -27,13 +27,15 @@ struct Surroundings
 
 /// What the hand gets of each object, as impulses on their way to the scene.
 ///
-/// A device holds each force until the next write. So each force becomes an impulse when it is over: none is lost and none counts twice.
-/// Of the servo, but for the queue's other end. Neither allocates nor locks.
+/// A device holds each force until the next write, which is due a tick later. The impulse of that tick is on its way as soon as the force
+/// is written, so that it reaches the scene before the step that it belongs to: a later one would have to be made up for by pulses, which
+/// give energy to bodies in contact. What the force is held longer or shorter follows after the next write: no impulse is lost, and none
+/// counts twice. Of the servo, but for the queue's other end. Neither allocates nor locks.
 class HandImpulses
 {
 public:
     explicit HandImpulses(const LoopParts &parts)
-        : queue_(most_on_their_way(parts.settings)), rendered_due_(parts.time.start)
+        : queue_(most_on_their_way(parts.settings)), tick_(1 / parts.settings.rate), due_(parts.time.start)
     {
         given_.reserve(most_on_their_way(parts.settings) + most_shares);
         held_.reserve(most_shares);
@@ -42,68 +44,86 @@ public:
     /// To the scene.
     Queue<Impulse> &queue() { return queue_; }
 
-    /// How touched bodies move by what is not in the forecast: the impulses that the scene has not got, and the force that is being held,
-    /// as long as nothing else is known.
+    /// How touched bodies move by what is not in the forecast: the impulses that the scene has not got, and what the force is held longer
+    /// than a tick.
+    ///
+    /// @param due s, on the clock; when the tick that begins was due.
     Shifts foresee(const MotionForecast &forecast, double due)
     {
         const auto is_new = [&](const Impulse &impulse) { return impulse.number > forecast.last_included; };
         given_.erase(given_.begin(), std::find_if(given_.begin(), given_.end(), is_new));
         const std::size_t known = given_.size();
-        for (const ForceShare &share : held_)
-            given_.push_back(
-                {share.object, share.point, (due - rendered_due_) * share.force, rendered_due_, unnumbered});
+        const double longer = due - due_ - tick_;
+        if (longer > rounding)
+            for (const ForceShare &share : held_)
+                given_.push_back({share.object, share.point, longer * share.force, due_ + tick_, unnumbered});
         const Shifts shifts = forecast.shifts(given_, due);
         given_.resize(known);
         return shifts;
     }
 
-    /// After each write: what the force before it gave to the hand goes to the scene, and the shares of the new one are held.
+    /// A body that is not in the forecast goes by what the scene has not got.
+    void push(NearbyGeom &geom, double due) const
+    {
+        for (const Impulse &impulse : given_)
+            if (impulse.object == geom.object())
+                geom.push(-impulse.impulse, impulse.point, due - impulse.time);
+    }
+
+    /// After each write.
     ///
-    /// @param now s, on the clock.
-    void settle(double now, const DeviceGate &gate, const std::vector<ForceShare> &shares)
+    /// @param now s, on the clock. @param due s, on the clock; when the tick was due. The tick began then: so the scene's semi-implicit steps
+    ///        and the forecast are of one kind, and create no energy.
+    void settle(double now, double due, const DeviceGate &gate, const std::vector<ForceShare> &shares)
     {
         const std::uint64_t zeros = gate.zeros();
         const bool guard_took_it = zeros != zeros_; // the servo has hung since
-        const double held_until = guard_took_it ? std::clamp(gate.last_zero(), settled_, now) : now;
-        for (const ForceShare &share : held_)
-            give(share, held_until - settled_);
+        const double held_until = guard_took_it ? std::clamp(gate.last_zero(), written_, now) : now;
+        give(held_until - written_ - tick_, due_ + tick_);
         zeros_ = zeros;
-        settled_ = now;
+        written_ = now;
+        due_ = due;
         held_ = shares;
         if (guard_took_it)
             held_.clear();
+        give(tick_, due);
     }
 
-    /// s, on the clock: when the tick of the last write was due.
-    void set_due(double due) { rendered_due_ = due; }
-
 private:
-    static constexpr std::size_t most_shares = 2 * ContactModel::capacity;
+    static constexpr std::size_t most_shares = 2 * touch_capacity;
     static constexpr std::uint64_t unnumbered = ~std::uint64_t{0};
+    static constexpr double rounding = 1e-12; ///< s
 
-    /// Before the watchdog has taken the force away from a scene that does not fetch them.
+    /// Before the watchdog has taken the force away from a scene that does not fetch them. Each force has two: for its tick, and for what it
+    /// was held longer or shorter.
     static std::size_t most_on_their_way(const LoopSettings &settings)
     {
         constexpr double decay = 0.01; // s; of the watchdog, at most
         const WatchdogLimits limits = WatchdogLimits::of(settings.rate, settings.physics_rate);
         const double ticks = std::ceil(settings.rate * (limits.stale_after + decay)) + 2;
-        return most_shares * static_cast<std::size_t>(ticks);
+        return 2 * most_shares * static_cast<std::size_t>(ticks);
     }
 
-    /// The tick began when it was due: then the scene's semi-implicit steps and the forecast are of one kind, and create no energy.
-    void give(const ForceShare &share, double seconds)
+    /// The force that is held, for so long.
+    void give(double seconds, double time)
     {
-        const Impulse impulse = {share.object, share.point, seconds * share.force, rendered_due_, ++numbered_};
-        if (queue_.give(impulse) && given_.size() + held_.size() < given_.capacity())
-            given_.push_back(impulse);
+        if (std::abs(seconds) <= rounding)
+            return;
+        for (const ForceShare &share : held_)
+        {
+            const Impulse impulse = {share.object, share.point, seconds * share.force, time, ++numbered_};
+            if (!share.force.isZero(0) && queue_.give(impulse) && given_.size() + held_.size() < given_.capacity())
+                given_.push_back(impulse);
+        }
     }
 
     Queue<Impulse> queue_;
     std::vector<Impulse> given_;   ///< what the latest forecast does not include
     std::uint64_t numbered_ = 0;   ///< impulses so far
-    double rendered_due_;          ///< s, on the clock
+    double tick_;                  ///< s; from a tick to the next
+    double due_;                   ///< s, on the clock; when the tick of the last write was due
     std::vector<ForceShare> held_; ///< what the device has rendered since the last write
-    double settled_ = 0;           ///< s, on the clock; when that was
+    double written_ = 0;           ///< s, on the clock; when that was
     std::uint64_t zeros_ = 0;      ///< of the gate, by then
 };
 
@@ -136,8 +156,7 @@ public:
         try
         {
             render(due);
-            settle();
-            impulses.set_due(due);
+            settle(due);
         }
         catch (...)
         {
@@ -147,8 +166,10 @@ public:
         parts_.servo.end(parts_.clock.now(), due + 1 / parts_.settings.rate);
     }
 
-    /// After each write: what the force before it gave to the hand, to the impulses.
-    void settle() { impulses.settle(parts_.clock.now(), renderer_.gate(), renderer_.shares()); }
+    /// After each write.
+    ///
+    /// @param due s, on the clock; when the tick was due.
+    void settle(double due) { impulses.settle(parts_.clock.now(), due, renderer_.gate(), renderer_.shares()); }
 
     /// By an exception of the law. Of the scene's thread, when the servo has ended or ended() is true.
     std::exception_ptr error() const { return error_; }
@@ -160,7 +181,7 @@ public:
     HandImpulses impulses;
 
 private:
-    static constexpr std::size_t reserved_touches = 256; ///< before the deepest are chosen
+    static constexpr std::size_t reserved_touches = 2 * touch_capacity; ///< before some are left out
 
     void render(double due)
     {
@@ -180,12 +201,8 @@ private:
         if (scene.tool_jumps == renderer_.last_tick().tool_jumps)
             scene.planes.evaluate(renderer_.tool().position, due, shifts_, touches_);
         const bool all_known = !tracker_ || feel_geoms(scene, due);
-        if (touches_.size() > ContactModel::capacity)
-        {
-            std::nth_element(touches_.begin(), touches_.begin() + ContactModel::capacity, touches_.end(),
-                             [](const Touch &a, const Touch &b) { return a.depth > b.depth; });
-            touches_.resize(ContactModel::capacity);
-        }
+        if (keep_within_capacity(touches_) && !std::exchange(told_of_capacity_, true))
+            parts_.tell(NoticeKind::contact, capacity_notice);
         return all_known && scene.planes.all_known();
     }
 
@@ -204,8 +221,7 @@ private:
             for (const NearbyGeom &known : scene.geoms.geoms)
             {
                 NearbyGeom geom = known.later(due - scene.geoms.time);
-                const Shift shift = shift_of(geom.object(), shifts_);
-                geom.shift(shift.moved, shift.turned, shift.velocity, shift.spin);
+                move_on(geom, scene.forecast, due);
                 tracker_->add(std::move(geom));
             }
         }
@@ -215,10 +231,25 @@ private:
         return tracker_->touches(renderer_.law().view(), touches_);
     }
 
+    /// By what was foreseen of it. Where that is nothing, a body in contact stays until the next step of the scene, and gives way by what the
+    /// force of a step would make of it. Others go by the impulses that they will get, as if they were free.
+    void move_on(NearbyGeom &geom, const MotionForecast &forecast, double due) const
+    {
+        if (forecast.foresees(geom.object()))
+        {
+            const Shift shift = shift_of(geom.object(), shifts_);
+            geom.shift(shift.moved, shift.turned, shift.velocity, shift.spin);
+        }
+        else if (geom.is_in_contact())
+            geom.set_step(forecast.node_length);
+        else
+            impulses.push(geom, due);
+    }
+
     void end()
     {
         renderer_.relax();
-        settle();
+        settle(parts_.clock.now());
         ended_.store(true, std::memory_order_release);
     }
 
@@ -228,6 +259,7 @@ private:
     int tool_jumps_ = 0;                    ///< as RenderedTick has it
     Shifts shifts_;
     std::vector<Touch> touches_;
+    bool told_of_capacity_ = false;
     std::exception_ptr error_;
     std::atomic<bool> ended_{false};
 };

@@ -191,6 +191,8 @@ void IslandRollOut::run(std::size_t steps, double dt, const std::vector<BodyImpu
     dRandSetSeed(seed_);
     for (const BodyImpulse &push : impulses)
     {
+        if (known_.count(push.body) == 0)
+            continue;
         const Vector3 force = push.impulse / dt;
         dBodyEnable(push.body);
         dBodyAddForceAtPos(push.body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),

@@ -41,7 +41,7 @@ public:
 
     /// Steps several times from where all is now, then puts the bodies back there.
     ///
-    /// @param impulses given in the first step. @param look called after each step, with its number from 1 on.
+    /// @param impulses given in the first step; those on bodies that do not take part are left out. @param look called after each step, with its number from 1 on.
     void run(std::size_t steps, double dt, const std::vector<BodyImpulse> &impulses,
              const std::function<void(std::size_t)> &look);
 

@@ -39,6 +39,12 @@ ImpulseWrench wrench_of(const Impulse &impulse, const Vector3 &centre)
 }
 } // namespace
 
+bool MotionForecast::foresees(std::uintptr_t object) const
+{
+    const auto is_it = [object](const Place &place) { return place.touch.object == object; };
+    return std::any_of(places.begin(), places.begin() + count, is_it);
+}
+
 Shifts MotionForecast::shifts(const std::vector<Impulse> &impulses, double now) const
 {
     const double elapsed = now - time;

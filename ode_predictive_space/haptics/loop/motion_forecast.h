@@ -53,11 +53,14 @@ struct MotionForecast
     };
 
     double time = 0;                 ///< s; when the scene was looked at
-    double node_length = 1;          ///< s
+    double node_length = 1;          ///< s; a step of the scene
     std::uint64_t last_included = 0; ///< the number of the last impulse that the scene had got
     std::size_t count = 0;           ///< of places
     std::array<Place, most_touches> places;
     std::array<std::array<Course<Response>, most_touches>, most_touches> response; ///< by the place that is pushed
+
+    /// Whether it has an object: others answer a push with the next step of the scene.
+    bool foresees(std::uintptr_t object) const;
 
     /// What the touched bodies did besides going on with the velocities that they had.
     ///

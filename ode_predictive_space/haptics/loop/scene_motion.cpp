@@ -25,8 +25,8 @@ constexpr double most_spring_of_stack = 0.25;
 /// s; by QuickStep, a body in contact jumps by up to 1.75 g times the square of a step: at 4 ms, with 500 N/m, 5 % of 2.8 N.
 constexpr double longest_quick_step = 0.004;
 
-constexpr int most_steps = 8; // per period
-constexpr double fall = 9.81; // m/s^2; a surprise of less than a quarter of what falls is none
+constexpr int most_steps = 16; // per period
+constexpr double fall = 9.81;  // m/s^2; a surprise of less than a quarter of what falls is none
 
 double norm_of(const BodyMotion &motion, const Eigen::Matrix<double, 6, 6> &inertia)
 {
@@ -53,21 +53,29 @@ void SceneMotion::push(double a, double h)
         received_ = impulse->number;
     }
     waiting_.erase(waiting_.begin(), first_later);
-    push_now(last_, h);
+    push_now(last_, a, h);
 }
 
-void SceneMotion::push_now(const std::vector<Impulse> &impulses, double h)
+void SceneMotion::push_now(const std::vector<Impulse> &impulses, double a, double h)
 {
     shares_.clear();
     for (const Impulse &impulse : impulses)
-        shares_.push_back({impulse.object, impulse.point, impulse.impulse / h});
+        shares_.push_back({impulse.object, point_at(impulse, a), impulse.impulse / h});
     sensor_.push(shares_);
 }
 
-void SceneMotion::push_all(double h)
+/// m; where the body has the place that was pushed, while it is where it is at a time a: a point of the scene would have another arm.
+Vector3 SceneMotion::point_at(const Impulse &impulse, double a) const
 {
-    push_now(rest_, h);
-    push_now(waiting_, h);
+    const dBodyID body = sensor_.body_of(impulse.object);
+    return body != nullptr ? Vector3(impulse.point + (a - impulse.time) * from_ode(dBodyGetLinearVel(body)))
+                           : impulse.point;
+}
+
+void SceneMotion::push_all(double a, double h)
+{
+    push_now(rest_, a, h);
+    push_now(waiting_, a, h);
     rest_.clear();
     waiting_.clear();
 }
@@ -77,6 +85,7 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
 {
     forecast.time = time;
     forecast.last_included = received_;
+    forecast.node_length = period / steps_per_period_;
     find_touched(planes, forecast);
     if (touched_.empty())
         return;
@@ -89,7 +98,8 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
     const double h = period / steps_per_period_;
     foreseen_step_ = h;
     forecast.node_length = h;
-    const Courses free = try_out(island, rest(), h);
+    const std::vector<BodyImpulse> rest = rest_at(time);
+    const Courses free = try_out(island, rest, h);
     for (std::size_t i = 0; i < touched_.size(); ++i)
     {
         touched_[i].foreseen = free[i][1];
@@ -99,7 +109,7 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
             place.free[node] = static_cast<double>(node) * h * place.velocity;
     }
     for (std::size_t i = 0; i < touched_.size(); ++i)
-        find_response(island, i, h, forecast);
+        find_response(island, i, rest, h, forecast);
 }
 
 void SceneMotion::note_step(bool drew_numbers)
@@ -187,13 +197,20 @@ double SceneMotion::fastest_spring() const
 }
 
 /// What the bodies will get in the next step for what the hand got already.
-std::vector<BodyImpulse> SceneMotion::rest() const
+std::vector<BodyImpulse> SceneMotion::rest_at(double time) const
 {
     std::vector<BodyImpulse> impulses;
     for (const Impulse &impulse : rest_)
         if (const dBodyID body = sensor_.body_of(impulse.object))
-            impulses.push_back({body, impulse.point, -impulse.impulse});
+            impulses.push_back({body, point_at(impulse, time), -impulse.impulse});
     return impulses;
+}
+
+void SceneMotion::push_rest(NearbyGeom &geom, double time) const
+{
+    for (const Impulse &impulse : rest_)
+        if (impulse.object == geom.object())
+            geom.push(-impulse.impulse, point_at(impulse, time), 0);
 }
 
 SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
@@ -260,7 +277,8 @@ SceneMotion::Courses SceneMotion::try_out(IslandRollOut &island, const std::vect
 }
 
 /// The first push is as strong as the last one of the hand; the others are tried beside it, which friction needs.
-void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, double h, MotionForecast &forecast)
+void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, const std::vector<BodyImpulse> &rest,
+                                double h, MotionForecast &forecast)
 {
     const Touched &touched = touched_[pushed];
     const double size = std::max(least_test, last_impulse_on(touched.touch.object));
@@ -268,7 +286,7 @@ void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, doubl
     Courses first;
     for (std::size_t i = 0; i < pushes.size(); ++i)
     {
-        std::vector<BodyImpulse> impulses = rest();
+        std::vector<BodyImpulse> impulses = rest;
         impulses.push_back({touched.body, pushes[0].point, size * pushes[0].impulse});
         if (i > 0)
             impulses.push_back({touched.body, pushes[i].point, size * pushes[i].impulse});

@@ -11,6 +11,8 @@ TEST(CrowdLong, APitIsFeltAsInOneThread)
     expect_as_in_one_thread({Crowd::pit, 5, 0.005, 0, true, 500});
     expect_as_in_one_thread({Crowd::pit, 9, 0.005, 0, true, 200});
     expect_as_in_one_thread({Crowd::pit, 16, 0.05, 0, true, 200});
+    expect_as_in_one_thread({Crowd::pit, 16, 0.002, 0, true, 60});
+    expect_as_in_one_thread({Crowd::pit, 9, 0.005, 0, true, 60, Stepper::exact});
 }
 
 TEST(CrowdLong, APileIsFeltAsInOneThread)
