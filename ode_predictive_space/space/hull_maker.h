@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "ode_predictive_space/broadphase/shape/vertex_hull.h"
 #include "ode_predictive_space/space/ode_internals.h"
 #include "ode_predictive_space/surface/triangle_arrays.h"
