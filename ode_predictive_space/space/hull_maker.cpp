@@ -42,12 +42,8 @@ DataKey key_of(const dxConvex *convex)
 // The address is that of ODE's data, which have a box each, also where several have arrays in common.
 DataKey key_of(const TriangleArrays &mesh)
 {
-    return {word(mesh.vertices),
-            mesh.vertex_count,
-            word(mesh.vertex_stride) << 1 | mesh.single,
-            word(mesh.triangles),
-            mesh.triangle_count,
-            word(mesh.triangle_stride),
+    return {word(mesh.vertices),  mesh.vertex_count,   word(mesh.vertex_stride) << 1 | mesh.single,
+            word(mesh.triangles), mesh.triangle_count, word(mesh.triangle_stride),
             word(&mesh)};
 }
 

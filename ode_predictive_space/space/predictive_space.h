@@ -167,7 +167,7 @@ private:
         yes
     };
     std::atomic<HasData> has_data_{HasData::unknown}; // has any geom data? As long as the space does not predict
-    bool predicts_ = false; // else it has few geoms, and the broad phase has none of them
+    bool predicts_ = false;                           // else it has few geoms, and the broad phase has none of them
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // by proxy number; 0 for gaps
 

@@ -593,8 +593,8 @@ def space_faults():
         "unknown_counters_not_written", "space", SOURCES + "space/c_api.cpp", "    std::memset(counters, 0, size);\n", "",
         (("space", "PredictiveSpace.*"),))
     yield Fault(
-        "an_old_box_of_other_data", "shapes", SOURCES + "space/hull_maker.cpp", "            word(mesh.triangle_stride),\n            word(&mesh)};",
-        "            word(mesh.triangle_stride),\n            word(&mesh) - word(&mesh)};", (("shape_contract", "HullData.*"),))
+        "an_old_box_of_other_data", "shapes", SOURCES + "space/hull_maker.cpp", "word(mesh.triangle_stride),\n            word(&mesh)};",
+        "word(mesh.triangle_stride),\n            word(&mesh) - word(&mesh)};", (("shape_contract", "HullData.*"),))
     yield Fault(
         "libccd_judged_by_spheres", "space", scene, "return found_by_libccd(one, other) || JudgedSphere(one)", "return JudgedSphere(one)",
         contract("ReportBySphere.*"))
