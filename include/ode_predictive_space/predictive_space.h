@@ -179,7 +179,7 @@ ODE_PREDICTIVE_API void dPredictiveSpaceGeomChanged(dSpaceID space, dGeomID geom
  * Build what dPredictiveProximityShape needs of the convexes, meshes and heightfields in a space and in the predictive spaces within it.
  * For programs with a person in the loop, who feels a tick that takes long: to be called when the scene stands.
  *
- * Without this call, the tree of a mesh's triangles is built when a pair first needs it: as a whole, which takes about as long as ODE
+ * Without this call, the tree of a mesh's triangles is built when a pair first needs it: as a whole, which takes no longer than ODE
  * takes to build the data of the mesh. When the role of a geom in the space has been set as dPredictiveRoleInteractive, it is built in
  * slices of some 0.25 ms per tick, and meanwhile the pairs of the mesh are reported by box; so it is for what is added after this
  * call. Spaces by box and by sphere need nothing, and are left as they are.

@@ -11,7 +11,7 @@ HullStore::Found HullStore::hull_of(ProxyId id, dxGeom *geom, std::size_t &steps
     own.hull = known(key);
     if (own.hull || key == DataKey{})
         return {own.hull};
-    if (steps == 0)
+    if (steps == 0 && !(own.maker && own.maker->is_done()))
         return {nullptr, true};
     std::unique_ptr<HullMaker> maker = std::move(own.maker); // when memory runs out it is lost, and what it has begun
     if (!maker || maker->key() != key)

@@ -167,6 +167,7 @@ TEST_F(SlicedHull, OfDataThatCannotBeReadIsNotReadAgain)
     std::size_t steps = slice;
     hulls_.hull_of(0, geom, steps);
     EXPECT_EQ(steps, slice);
+    EXPECT_TRUE(has_hull(geom, 0)) << "nothing is awaited, also when no step is left";
     dGeomDestroy(geom);
 }
 } // namespace

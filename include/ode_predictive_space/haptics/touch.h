@@ -56,8 +56,8 @@ struct Touch
     std::optional<Material> material;
 };
 
-/// As many touches are felt at once, and as many geoms near the probe are known. What is more gives no force, and a notice says so: the
-/// geoms that are farthest away, and the touches that hold off nothing or least.
+/// The largest number of touches that are felt at once, and of geoms that are known near the probe. Beyond it, the farthest geoms and the
+/// touches that hold off nothing or least give no force, and a notice says so.
 constexpr std::size_t touch_capacity = 256;
 
 /// What Touch::object is for a geom: its body, or itself if it has none.

@@ -107,7 +107,7 @@ double ContactManifold::handed_over(const Touch &touch) const
     return most;
 }
 
-/// Of the touches that carried the tool in the tick before; 0 when there were none.
+/// The smallest part of a touch that carried the tool in the tick before; 0 when there was none.
 double ContactManifold::least_part_before() const
 {
     double least = 1;
@@ -143,7 +143,7 @@ void ContactManifold::note_lift(const std::vector<Touch> &touches)
 }
 
 /// An object rises as a whole: its touches have the same part. What a touch takes over from others lifts the proxy by little, however
-/// deep it is. Where all touches together hold the tool as those before did, new ones have taken over from these.
+/// deep it is. If all touches together hold the tool where the former ones held it, new touches have taken over from the former.
 double ContactManifold::part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const
 {
     if (const Known *known = find_in(before_, [&](const Known &other) { return other.touch.object == touch.object; }))

@@ -35,7 +35,7 @@ bool has_feature(const std::vector<TouchOfGeom> &touches, std::uintptr_t object,
            }) != nullptr;
 }
 
-/// Of the touches of an object without a number, and its numbers without a touch, the two that agree best.
+/// Gives a touch of an object that has no number the number that it had in the tick before: the pair that agrees best.
 bool recognise_one(const std::vector<TouchOfGeom> &before, std::uintptr_t object, std::vector<TouchOfGeom> &now)
 {
     double best = same_surface;
@@ -482,8 +482,8 @@ bool ContactTracker::ends_in(const TouchOfGeom &told, const Vector3 &normal) con
     return distance >= beyond * (1 - allowed_rise);
 }
 
-/// Of touches of different objects that go on in one plane (flush tiles, a ridge made of two boxes), the deepest counts, and the
-/// others carry nothing: by their edges alone, each would push again.
+/// When touches of different objects lie in one plane (flush tiles, a ridge made of two boxes), the deepest counts alone. The edges of the
+/// others would push again.
 void ContactTracker::count_flush_touches_once()
 {
     for (TouchOfGeom &told : told_)

@@ -115,7 +115,7 @@ public:
     /// Whether there were more geoms in this tick than the capacity: the farthest ones were left out.
     bool exceeds_capacity() const { return exceeds_; }
 
-    /// Of the scene's tracker: what was added, for the servo's.
+    /// Hands the geoms that were added to the scene's tracker over to that of the servo.
     ///
     /// @param time s; when this was so.
     void hand_over(NearbyGeoms &geoms, double time) const;

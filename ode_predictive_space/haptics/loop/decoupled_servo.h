@@ -29,8 +29,8 @@ struct Surroundings
 ///
 /// A device holds each force until the next write, which is due a tick later. The impulse of that tick is on its way as soon as the force
 /// is written, so that it reaches the scene before the step that it belongs to: a later one would have to be made up for by pulses, which
-/// give energy to bodies in contact. What the force is held longer or shorter follows after the next write: no impulse is lost, and none
-/// counts twice. Of the servo, but for the queue's other end. Neither allocates nor locks.
+/// give energy to bodies in contact. When a force is held longer or shorter than a tick, the difference follows after the next write: no
+/// impulse is lost, and none counts twice. Only the servo uses it, apart from the queue's other end. Neither allocates nor locks.
 class HandImpulses
 {
 public:
