@@ -129,7 +129,7 @@ void Broadphase::find_pairs(Scene &scene, const Batch &batch)
     const bool by_shape = proximity_test_ == ProximityTest::shape;
     for (const CandidatePair &pair : pairing_.found)
         if (!envelopes_apart(proxies_.places[pair.first], proxies_.places[pair.second]))
-            near_.add(pair, by_shape && (proxies_.is_costly(pair.first) || proxies_.is_costly(pair.second)));
+            near_.add(pair, by_shape && proxies_.is_worth_a_look(pair.first, pair.second));
     clear_scratch(pairing_.found);
 }
 
@@ -251,7 +251,6 @@ std::optional<double> Broadphase::time_of_proximity(const Forecast &first, const
 void Broadphase::follow_shapes(Scene &scene, const IdSet &wanted)
 {
     interrupted_ = true;
-    shapes_.drop_outdated(scene, proxies_.members());
     shapes_.update(scene, wanted, proxies_);
     interrupted_ = false;
 }

@@ -35,11 +35,15 @@ std::shared_ptr<const DataHull> HullStore::known(const DataKey &key) const
     return hull && !hull->outdated ? hull : nullptr;
 }
 
-// Forgets those that are not used any more.
+// Now and then forgets those that are not used any more.
 void HullStore::add(const std::shared_ptr<DataHull> &hull)
 {
-    for (auto old = hulls_.begin(); old != hulls_.end();)
-        old = old->second.expired() ? hulls_.erase(old) : std::next(old);
+    if (hulls_.size() >= 2 * used_)
+    {
+        for (auto old = hulls_.begin(); old != hulls_.end();)
+            old = old->second.expired() ? hulls_.erase(old) : std::next(old);
+        used_ = hulls_.size() + 1;
+    }
     hull->number = ++made_;
     hulls_[hull->key] = hull;
 }

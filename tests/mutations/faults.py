@@ -515,6 +515,22 @@ def shape_faults():
         "account.balance + tuning::cost_of_contacts - tuning::cost_of_following",
         (("broadphase", "LookBudgets.*"),))
     yield Fault(
+        "landscapes_are_looked_at", "shapes", BROADPHASE + "objects/proxy_store.h",
+        "return one.can_move() || other.can_move();", "return true;", (("shape_contract", "LookCost.*"),))
+    yield Fault(
+        "meshes_are_not_looked_at_beside_meshes", "shapes", BROADPHASE + "objects/proxy_store.h",
+        "return one.can_move() || other.can_move();", "return false;", (("shape_contract", "LookCost.*"),))
+    yield Fault(
+        "pairs_that_rest_apart_keep_old_data", "shapes", BROADPHASE + "near/near_set.cpp",
+        "            apart_.insert(id);", "            apart_.erase(id);", (("shape_contract", "HullData.*"),))
+    yield Fault(
+        "pairs_that_touch_keep_old_data", "shapes", BROADPHASE + "near/near_set.cpp",
+        "    if (all_shapes)\n        test.shapes().add_owners_to(wanted_);\n", "", (("shape_contract", "HullData.*"),))
+    yield Fault(
+        "data_of_what_has_not_moved_are_not_compared", "shapes", BROADPHASE + "objects/measured_shapes.cpp",
+        "return !(shape.hull || shape.awaits_hull) || !scene.hull_is_outdated(id, shape);",
+        "return !shape.awaits_hull || !scene.hull_is_outdated(id, shape);", (("shape_contract", "HullData.*"),))
+    yield Fault(
         "excluded_pairs_are_looked_at", "shapes", SOURCES + "space/geom_scene.cpp",
         "return !bits_agree(one, other) || (one->body && one->body == other->body);", "return one == other;",
         (("shape_contract", "LookCost.*"),))

@@ -95,6 +95,37 @@ TEST_F(LookCost, TwoMeshesOfOneBodyAreNotLookedAt)
     dWorldDestroy(world);
 }
 
+// Two octahedra whose boxes overlap. What collides with a landscape is what moves.
+TEST_F(LookCost, TwoMeshesThatHaveNotMovedAreNotLookedAt)
+{
+    const MeshArrays octahedron(Polyhedron::octahedron());
+    create_mesh(octahedron);
+    const dGeomID beside = create_mesh(octahedron);
+    dGeomSetPosition(beside, REAL(1.5), REAL(1.5), 0);
+    for (int tick = 0; tick < 100; ++tick)
+        EXPECT_EQ(collide(space).size(), 1u);
+    EXPECT_EQ(looks(), 0u);
+    for (dReal place : {REAL(5.0), REAL(1.5)})
+    {
+        dGeomSetPosition(beside, place, place, 0);
+        EXPECT_EQ(collide(space).size(), 0u);
+    }
+    EXPECT_GT(looks(), 0u);
+}
+
+TEST_F(LookCost, AMeshOnABodyIsLookedAtBesideAnotherMesh)
+{
+    const MeshArrays octahedron(Polyhedron::octahedron());
+    create_mesh(octahedron);
+    const dGeomID carried = create_mesh(octahedron);
+    const dWorldID world = dWorldCreate();
+    const dBodyID body = dBodyCreate(world);
+    dGeomSetBody(carried, body);
+    dBodySetPosition(body, REAL(1.5), REAL(1.5), 0);
+    EXPECT_EQ(collide(space).size(), 0u);
+    dWorldDestroy(world);
+}
+
 // A look finds a gap, but at the next tick the mesh has turned farther than that.
 TEST_F(LookCost, BesideAMeshThatTurnsLooksAreGivenUp)
 {

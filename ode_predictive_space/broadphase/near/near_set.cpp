@@ -21,10 +21,11 @@ CandidatePair *NearSet::report(const OverlapTest &test, Place *places, UpdateNum
 CandidatePair *NearSet::report(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room)
 {
     activate_disturbed();
+    const bool some_may_rest = is_time_to_rest();
     CandidatePair *end = report_by_box(test.boxes(), room);
     if (by_shape_.size() > 0)
-        end = report_by_shape(test, end);
-    if (is_time_to_rest())
+        end = report_by_shape(test, some_may_rest, end);
+    if (some_may_rest)
     {
         let_rest(test.boxes(), places);
         let_rest_by_shape(test.boxes(), places);
@@ -42,12 +43,11 @@ CandidatePair *NearSet::report_by_box(const OverlapTest &test, CandidatePair *ro
     return std::copy(by_box_.overlapping.begin(), by_box_.overlapping.end(), end);
 }
 
-CandidatePair *NearSet::report_by_shape(ShapeTest &test, CandidatePair *room)
+CandidatePair *NearSet::report_by_shape(ShapeTest &test, bool all_shapes, CandidatePair *room)
 {
     budget_.begin_report();
     make_looks(test);
-    test.drop_outdated();
-    follow_postponed(test);
+    follow(test, all_shapes);
     CandidatePair *end = find_open(test, room);
     end = look_at_open(test, room, end);
     return std::copy(by_shape_.overlapping.begin(), by_shape_.overlapping.end(), end);
@@ -70,11 +70,13 @@ void NearSet::want_all_by_shape()
             want(pair);
 }
 
-// Brings the travels of postponed pairs up to date. A pair of an object whose shape is another one now is as good as new, also one
-// at rest.
-void NearSet::follow_postponed(ShapeTest &test)
+// Brings the travels of postponed pairs up to date, and of pairs that rest apart; now and then of all, as others can wait to be told
+// that they do not touch any more. A pair of an object whose shape is another one now is as good as new, also one at rest.
+void NearSet::follow(ShapeTest &test, bool all_shapes)
 {
-    wanted_.clear();
+    wanted_ = apart_;
+    if (all_shapes)
+        test.shapes().add_owners_to(wanted_);
     for (std::size_t i = 0; i < looks_.size(); ++i)
         if (looks_[i].due > 0)
             want(by_shape_.active[i]);
@@ -223,6 +225,10 @@ void NearSet::let_rest_by_shape(const OverlapTest &test, Place *places)
         return !rests;
     });
     give_back_spare(by_shape_.active);
+    apart_.clear();
+    for (const CandidatePair &pair : by_shape_.separated)
+        for (ProxyId id : {pair.first, pair.second})
+            apart_.insert(id);
 }
 
 void NearSet::rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair, Place *places)
@@ -242,6 +248,7 @@ void NearSet::clear()
             list->clear();
     looks_.clear();
     resting_.clear();
+    apart_.clear();
     disturbed_.clear();
     std::fill(is_retired_.begin(), is_retired_.end(), std::uint8_t{0});
     has_retired_ = false;

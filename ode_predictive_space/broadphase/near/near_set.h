@@ -43,7 +43,7 @@ public:
     /// Makes room for objects 0 to count - 1.
     void resize(std::size_t count)
     {
-        for (IdSet *set : {&resting_, &wanted_})
+        for (IdSet *set : {&resting_, &apart_, &wanted_})
             set->resize(count);
         resize_array(is_retired_, count);
     }
@@ -128,7 +128,7 @@ public:
     std::size_t bytes() const
     {
         return by_box_.bytes() + by_shape_.bytes() + bytes_of(looks_) + bytes_of(is_retired_) + bytes_of(disturbed_) +
-               resting_.bytes() + wanted_.bytes() + bytes_of(open_) + budget_.bytes();
+               resting_.bytes() + apart_.bytes() + wanted_.bytes() + bytes_of(open_) + budget_.bytes();
     }
 
 private:
@@ -140,9 +140,9 @@ private:
     };
 
     CandidatePair *report_by_box(const OverlapTest &test, CandidatePair *room);
-    CandidatePair *report_by_shape(ShapeTest &test, CandidatePair *room);
+    CandidatePair *report_by_shape(ShapeTest &test, bool all_shapes, CandidatePair *room);
     void make_looks(const ShapeTest &test);
-    void follow_postponed(ShapeTest &test);
+    void follow(ShapeTest &test, bool all_shapes);
     CandidatePair *find_open(ShapeTest &test, CandidatePair *room);
     void charge_for_shapes(const MeasuredShapes &shapes);
     bool is_due(const ShapeTest &test, const CandidatePair &pair, Look &look);
@@ -192,6 +192,7 @@ private:
     std::vector<Look> looks_;        // of the first so many of by_shape_.active; the others are new
     IdSet resting_;                  // objects with a pair at rest
     std::vector<ProxyId> disturbed_; // were among them
+    IdSet apart_;                    // objects with a pair by shape that rested apart when pairs were last let rest
     std::uint64_t woken_ = 0;
     unsigned reports_ = 0;                 // so far; decides when pairs are let rest
     UpdateNumber rested_ = 0;              // when that was last

@@ -72,8 +72,6 @@ public:
 
     /// Brings shapes and travels up to date.
     void follow(const IdSet &wanted) { objects_.shapes.update(objects_.scene, wanted, objects_.proxies); }
-    /// Gives shapes back whose hulls no longer serve.
-    void drop_outdated() { objects_.shapes.drop_outdated(objects_.scene, objects_.proxies.members()); }
     /// Nothing need be known of the shapes of other objects.
     void keep_only(const IdSet &wanted) { objects_.shapes.keep_only(wanted); }
 

@@ -31,7 +31,7 @@ void MeasuredShapes::resize(std::size_t count)
     resize_array(places_, count);
     resize_array(travels_, count);
     resize_array(seen_, count);
-    for (IdSet *set : {&renewed_, &hulls_})
+    for (IdSet *set : {&renewed_, &awaited_})
         set->resize(count);
     stale_.resize(count);
     free_memory(followed_);
@@ -49,7 +49,7 @@ void MeasuredShapes::forget(ProxyId id)
     shapes_.resize(last);
     owners_.resize(last);
     places_[id] = 0;
-    hulls_.erase(id);
+    awaited_.erase(id);
 }
 
 void MeasuredShapes::keep_only(const IdSet &wanted)
@@ -65,9 +65,9 @@ void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const ProxyStore 
 {
     stale_.clear();
     for (std::size_t i = 0; i < wanted.words(); ++i)
-        IdSet::visit_word(i, wanted.word(i) & proxies.members().word(i), [&](ProxyId id) {
+        IdSet::visit_word(i, (wanted.word(i) | awaited_.word(i)) & proxies.members().word(i), [&](ProxyId id) {
             const UpdateNumber moved = proxies.places[id].moved();
-            if (has_shape(id) && seen_[id] == moved)
+            if (is_current(scene, id, moved))
                 return;
             seen_[id] = moved;
             stale_.add(id);
@@ -75,16 +75,12 @@ void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const ProxyStore 
     follow_stale(scene);
 }
 
-void MeasuredShapes::drop_outdated(Scene &scene, const IdSet &members)
+bool MeasuredShapes::is_current(Scene &scene, ProxyId id, UpdateNumber moved) const
 {
-    for (std::size_t i = 0; i < hulls_.words(); ++i)
-        IdSet::visit_word(i, hulls_.word(i) & members.word(i), [&](ProxyId id) {
-            if (!scene.hull_is_outdated(id, (*this)[id]))
-                return;
-            forget(id);
-            renewed_.insert(id);
-            any_renewed_ = true;
-        });
+    if (!has_shape(id) || seen_[id] != moved)
+        return false;
+    const ConvexShape &shape = (*this)[id];
+    return !(shape.hull || shape.awaits_hull) || !scene.hull_is_outdated(id, shape);
 }
 
 // Gives each stale object a place for its shape, and notes where that is.
@@ -116,10 +112,10 @@ void MeasuredShapes::follow_stale(Scene &scene)
 
 void MeasuredShapes::note(ProxyId id, double move)
 {
-    if ((*this)[id].hull || (*this)[id].awaits_hull)
-        hulls_.insert(id);
+    if ((*this)[id].awaits_hull)
+        awaited_.insert(id);
     else
-        hulls_.erase(id);
+        awaited_.erase(id);
     if (move < std::numeric_limits<double>::infinity())
         travels_[id] = rounds_up * (travels_[id] + move);
     else
@@ -140,6 +136,6 @@ void MeasuredShapes::clear_renewed()
 std::size_t MeasuredShapes::bytes() const
 {
     return bytes_of(shapes_) + bytes_of(owners_) + bytes_of(places_) + bytes_of(travels_) + bytes_of(followed_) +
-           bytes_of(moves_) + bytes_of(seen_) + renewed_.bytes() + hulls_.bytes() + stale_.bytes();
+           bytes_of(moves_) + bytes_of(seen_) + renewed_.bytes() + awaited_.bytes() + stale_.bytes();
 }
 } // namespace ode_predictive_space

@@ -35,11 +35,9 @@ public:
     /// Gives the shape back: the object is gone, or is made of other data.
     void forget(ProxyId id);
 
-    /// Looks at those wanted objects that are there and have moved, and adds to their travels.
+    /// Looks at those wanted objects that are there and have moved or whose data are others, and adds to their travels. Goes on with
+    /// the hulls that any object awaits.
     void update(Scene &scene, const IdSet &wanted, const ProxyStore &proxies);
-
-    /// Gives the shapes of those objects back whose hulls no longer serve, or are there now, although they may not have moved.
-    void drop_outdated(Scene &scene, const IdSet &members);
 
     /// Objects were seen for the first time, or resized, since the last clear_renewed(): their travels say nothing about the time
     /// before.
@@ -51,14 +49,20 @@ public:
     }
     void clear_renewed();
 
-    /// Has the object been looked at, and not been dropped or forgotten since?
+    /// Has the object been looked at, and not been forgotten since?
     bool has_shape(ProxyId id) const { return places_[id] > 0; }
 
-    /// Of an object that has been looked at, and not been dropped or forgotten since.
+    /// Of an object that has been looked at, and not been forgotten since.
     const ConvexShape &operator[](ProxyId id) const { return shapes_[place_of(id)]; }
 
     /// Gives the shapes of all other objects back: when they are looked at again, it is as for the first time.
     void keep_only(const IdSet &wanted);
+
+    void add_owners_to(IdSet &ids) const
+    {
+        for (ProxyId id : owners_)
+            ids.insert(id);
+    }
 
     /// Of both objects together.
     double travel(const CandidatePair &pair) const { return travels_[pair.first] + travels_[pair.second]; }
@@ -67,6 +71,7 @@ public:
 
 private:
     std::size_t place_of(ProxyId id) const { return places_[id] - 1; }
+    bool is_current(Scene &scene, ProxyId id, UpdateNumber moved) const;
     void make_places();
     void follow_stale(Scene &scene);
     void note(ProxyId id, double move);
@@ -78,7 +83,7 @@ private:
     std::vector<double> travels_;       // of the objects
     std::vector<UpdateNumber> seen_;    // of each object, the update that saw its last move before it was looked at
     IdSet renewed_;
-    IdSet hulls_; // objects whose shape is a hull, or awaits one
+    IdSet awaited_; // hulls, by the objects whose shapes they will be
     bool any_renewed_ = false;
     IdList stale_;                        // scratch
     std::vector<ConvexShape *> followed_; // scratch: the shapes of these

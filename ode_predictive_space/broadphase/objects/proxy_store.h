@@ -58,6 +58,8 @@ struct alignas(64) ProxyRecord
     bool is_costly : 1;    ///< the contacts of its shape are costly to find
 
     bool had_overlap() const { return useless < tests; }
+    /// Has it a body, or has it moved?
+    bool can_move() const { return has_body || leapt || is_interactive(role); }
 };
 static_assert(sizeof(ProxyRecord) == 64, "one cache line");
 
@@ -68,8 +70,16 @@ public:
     std::vector<Place, CacheLineAllocator<Place>> places;
     std::vector<ProxyRecord> records;
 
-    /// Are contacts of the object costly to find? Also those of what the program says that a person holds: of these it asks for more.
-    bool is_costly(ProxyId id) const { return records[id].is_costly || records[id].role == Role::fixed_interactive; }
+    /// Are contacts of the pair costly to find, and can there be any that matter? Those of two landscapes that stand do not. Contacts of
+    /// what the program says that a person holds count as costly: it asks for more of these.
+    bool is_worth_a_look(ProxyId first, ProxyId second) const
+    {
+        const ProxyRecord &one = records[first], &other = records[second];
+        if (one.is_costly && other.is_costly)
+            return one.can_move() || other.can_move();
+        return one.is_costly || other.is_costly || one.role == Role::fixed_interactive ||
+               other.role == Role::fixed_interactive;
+    }
 
     /// Has the program said of any object that a person drives it?
     bool any_hand() const { return hands_ > 0; }
