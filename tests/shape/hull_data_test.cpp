@@ -217,6 +217,7 @@ TEST_F(HullData, OfAConvexIsThatOfThePointsThatWereSet)
     EXPECT_EQ(collide(space).size(), 0u);
     large.give_to(convex);
     EXPECT_EQ(collide(space).size(), 1u);
+    EXPECT_EQ(pairs_at_rest(), 1u);
     small.give_to(convex);
     EXPECT_EQ(pairs_at_rest(), 0u);
     dGeomDestroy(plane);
