@@ -115,22 +115,6 @@ struct ConvexShape : Pose
             half_sides.binaryExpr(along, [](double side, double sign) { return std::copysign(side, sign); }));
     }
 
-    /// A point of the core that is as good as nearest to a point. Not for hulls and half spaces.
-    Vector3 nearest_of_core(const Vector3 &point) const
-    {
-        Vector3 nearest = along_axes(point - centre);
-        if (kind == ShapeKind::cylinder)
-        {
-            const double across = std::hypot(nearest[0], nearest[1]);
-            if (across > radius)
-                nearest.head<2>() *= radius / across;
-            nearest[2] = std::clamp(nearest[2], -half_sides[2], half_sides[2]);
-        }
-        else
-            nearest = nearest.cwiseMax(-half_sides).cwiseMin(half_sides);
-        return centre + from_axes(nearest);
-    }
-
     double core_distance() const { return kind == ShapeKind::cylinder ? 0 : radius; }
 
     /// The cylinder around a capsule or cylinder.

@@ -40,31 +40,6 @@ double most_gap(const ConvexShape &first, const ConvexShape &second)
     return (second.centre - first.centre).norm() - within(first) - within(second);
 }
 
-void try_axes_of(const ConvexShape &shape, const ConvexShape &first, const ConvexShape &second, Gap &largest)
-{
-    for (std::size_t i = 0; i < 3; ++i)
-        if (shape.half_sides[static_cast<Eigen::Index>(i)] > 0)
-        {
-            const double towards = shape.axes[i].dot(second.centre - first.centre);
-            largest.improve(gap_along(std::copysign(1.0, towards) * shape.axes[i], first, second));
-        }
-}
-
-// Projects the centre of the second onto the first, that point onto the second, and that one onto the first again. In piles, the
-// shapes of most pairs are seen to touch by this; of spheres it finds the gap itself.
-//
-// @return the distance of the last two points: the shapes are no farther apart.
-double approach_by_projections(const ConvexShape &first, const ConvexShape &second, Gap &largest)
-{
-    const Vector3 of_second = second.nearest_of_core(first.nearest_of_core(second.centre));
-    const Vector3 between = of_second - first.nearest_of_core(of_second);
-    const double length = between.norm();
-    const double distance = length - first.core_distance() - second.core_distance();
-    if (distance > 0)
-        largest.improve(gap_along(between, first, second));
-    return distance;
-}
-
 // Steps of GJK (Gilbert, Johnson, Keerthi 1988) towards the point of the difference that is closest to its origin: the direction to
 // each point on the way is an axis.
 //
@@ -92,22 +67,6 @@ void approach_closest(const ConvexShape &first, const ConvexShape &second, Vecto
     }
 }
 
-void search(const ConvexShape &first, const ConvexShape &second, double least, Gap &largest)
-{
-    const double distance = approach_by_projections(first, second, largest);
-    if (!(distance > least) || largest.length >= worth_a_search * distance)
-        return;
-    try_axes_of(first, first, second, largest);
-    try_axes_of(second, first, second, largest);
-    approach_closest(first, second, largest.axis, least, largest);
-}
-
-// The axes of a hull say nothing of its sides.
-void search_beside_hull(const ConvexShape &first, const ConvexShape &second, double least, Gap &largest)
-{
-    const Vector3 towards = largest.length > least ? largest.axis : Vector3(second.centre - first.centre);
-    approach_closest(first, second, towards, least, largest);
-}
 } // namespace
 
 double rounding(const ConvexShape &shape)
@@ -145,10 +104,8 @@ Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 
         largest = gap_along(axis, first, second);
     if (largest.length > least && largest.length >= worth_a_search * most_gap(first, second))
         return largest;
-    if (first.kind == ShapeKind::hull || second.kind == ShapeKind::hull)
-        search_beside_hull(first, second, least, largest);
-    else
-        search(first, second, least, largest);
+    const Vector3 towards = largest.length > least ? largest.axis : Vector3(second.centre - first.centre);
+    approach_closest(first, second, towards, least, largest);
     return largest;
 }
 } // namespace ode_predictive_space
