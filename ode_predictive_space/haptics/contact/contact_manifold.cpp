@@ -171,7 +171,7 @@ void ContactManifold::solve(TouchView view, std::vector<Touch> &touches)
         {
             if (!in_group(touch))
                 continue;
-            planes_.push_back({touch.normal, touch.depth, 0});
+            planes_.push_back({touch.normal, touch.depth});
             lag += carry_of(touch).lag;
         }
         find_closest_point(planes_);

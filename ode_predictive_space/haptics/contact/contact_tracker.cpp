@@ -21,7 +21,6 @@ constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the
 constexpr double in_contact = 1e-6;  // of the radius
 constexpr double allowed_rise =
     1e-3; // of a surface beyond the plane in which it goes on, in parts of the distance looked ahead
-constexpr double least_yield = 1e-6; // of what no push moves
 
 /// How far a surface gives way in each pass of find_yielding_place(), in parts of the way that its body goes in a tick by the force.
 /// After all three, the forces of touches that act against each other are those of 0.75: from a quarter on, no arrangement of touches makes
@@ -381,7 +380,7 @@ double ContactTracker::yield_of(const SlidePlane &plane) const
     const double stiffness = geom.material() ? geom.material()->stiffness : stiffness_;
     const double seconds = std::max(tick_length_, geom.step());
     const double moved = geom.mobility_at(plane.feature.point, plane.feature.normal) * seconds * seconds;
-    return std::max(least_yield, yielding * stiffness * moved);
+    return std::max(rigid_yield, yielding * stiffness * moved);
 }
 
 /// The shares of what the last slide found. Where all objects hold the proxy together, and a push moves one of them, all give way: shares of
@@ -406,7 +405,7 @@ double ContactTracker::tell_planes(TouchView view, const Vector3 &lag)
 {
     share_out(view);
     double carried = 0;
-    for (const YieldingPlane &plane : yielding_)
+    for (const ConstraintPlane &plane : yielding_)
         carried += plane.share;
     for (std::size_t i = 0; i < yielding_.size(); ++i)
     {

@@ -183,7 +183,7 @@ private:
     std::vector<ContactMemory::Place> before_;
     std::vector<SlidePlace> places_;
     SphereSlide slide_;
-    std::vector<YieldingPlane> yielding_;
+    std::vector<ConstraintPlane> yielding_;
     std::size_t visited_ = 0;
     std::vector<TouchOfGeom> told_;        ///< in this tick
     std::vector<TouchOfGeom> told_before_; ///< in the one before: what carried the proxy, and the numbers of planes
