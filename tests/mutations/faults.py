@@ -865,8 +865,8 @@ def haptic_faults():
         "observer_ignores_what_was_written", "haptics", SOURCES + "haptics/renderer.cpp",
         "passivity->written(tick.wrench.force);", "passivity->damping();", renderer)
     yield Fault(
-        "release_of_the_clutch_forgotten", "haptics", SOURCES + "haptics/renderer.cpp",
-        "rising.follow(std::exchange(clutch_released, false), dt, felt);", "rising.follow(false, dt, felt);", renderer)
+        "release_of_the_clutch_forgotten", "haptics", SOURCES + "haptics/law/felt_touches.h",
+        "rising_.follow(released, dt, felt_);", "rising_.follow(false, dt, felt_);", renderer)
     yield Fault(
         "passivity_delay_off_by_one", "haptics", safety + "passivity.h",
         "written_[(newest_ + written_.size() - delay_) % written_.size()]",
