@@ -2,8 +2,8 @@
 
 #include "ode_predictive_space/haptics/renderer.h"
 
+#include "ode_predictive_space/haptics/device/base_course.h"
 #include "ode_predictive_space/haptics/device/check_argument.h"
-#include "ode_predictive_space/haptics/device/hand_workspace.h"
 #include "ode_predictive_space/haptics/law/felt_touches.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/proxy_law.h"

@@ -866,7 +866,7 @@ def haptic_faults():
         "passivity->written(tick.wrench.force);", "passivity->damping();", renderer)
     yield Fault(
         "release_of_the_clutch_forgotten", "haptics", SOURCES + "haptics/law/felt_touches.h",
-        "rising_.follow(released, dt, felt_);", "rising_.follow(false, dt, felt_);", renderer)
+        "            manifold_.release();", "            (void)0;", renderer)
     yield Fault(
         "passivity_delay_off_by_one", "haptics", safety + "passivity.h",
         "written_[(newest_ + written_.size() - delay_) % written_.size()]",

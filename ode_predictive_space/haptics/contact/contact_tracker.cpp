@@ -21,12 +21,6 @@ constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the
 constexpr double in_contact = 1e-6;  // of the radius
 constexpr double allowed_rise =
     1e-3; // of a surface beyond the plane in which it goes on, in parts of the distance looked ahead
-
-/// How far a surface gives way in each pass of find_yielding_place(), in parts of the way that its body goes in a tick by the force.
-/// After all three, the forces of touches that act against each other are those of 0.75: from a quarter on, no arrangement of touches makes
-/// light bodies swing more and more.
-constexpr double yielding = 2.25;
-
 } // namespace
 
 bool is_finite(const Touch &touch)
@@ -270,14 +264,13 @@ void ContactTracker::tell_together(TouchView view)
         told_.add_carriers_of_before(lag);
 }
 
-/// How far a surface gives way, per share, to the force of a tick, or of a step of the scene if it does not move before.
-double ContactTracker::yield_of(const SlidePlane &plane) const
+/// To the force of a tick, or of a step of the scene if it does not move before.
+double ContactTracker::yield_at(const SlidePlane &plane) const
 {
     const NearbyGeom &geom = *places_[plane.place].geom;
     const double stiffness = geom.material() ? geom.material()->stiffness : stiffness_;
-    const double seconds = std::max(tick_length_, geom.step());
-    const double moved = geom.mobility_at(plane.feature.point, plane.feature.normal) * seconds * seconds;
-    return std::max(rigid_yield, yielding * stiffness * moved);
+    const double mobility = geom.mobility_at(plane.feature.point, plane.feature.normal);
+    return yield_of(stiffness, mobility, std::max(tick_length_, geom.step()));
 }
 
 /// The shares of what the last slide found. Where all objects hold the proxy together, and a push moves one of them, all give way: shares of
@@ -291,7 +284,7 @@ void ContactTracker::share_out(TouchView view)
     {
         const NearbyGeom &geom = *places_[plane.place].geom;
         yields = yields || (geom.is_movable() && (view == TouchView::all_together || geom.step() > tick_length_));
-        yielding_.push_back({plane.feature.normal, plane.depth, yield_of(plane), plane.share});
+        yielding_.push_back({plane.feature.normal, plane.depth, yield_at(plane), plane.share});
     }
     if (yields)
         find_yielding_place(yielding_);
@@ -318,6 +311,7 @@ double ContactTracker::tell_planes(TouchView view, const Vector3 &lag)
         touch.normal = plane.feature.normal;
         touch.depth = touched ? std::max(0.0, plane.depth) : plane.depth;
         touch.surface_velocity = geom.velocity_at(touch.point);
+        touch.mobility = geom.mobility_at(touch.point, touch.normal);
         touch.object = geom.object();
         touch.from_entry_side = true;
         touch.carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};

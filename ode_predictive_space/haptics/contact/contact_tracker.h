@@ -125,7 +125,7 @@ private:
     Vector3 lag_at(const Vector3 &place) const;
     void tell_together(TouchView view);
     double tell_planes(TouchView view, const Vector3 &lag);
-    double yield_of(const SlidePlane &plane) const;
+    double yield_at(const SlidePlane &plane) const;
     void share_out(TouchView view);
     void tell_each_object();
     bool ends_in(const TouchOfGeom &told, const Vector3 &normal) const;

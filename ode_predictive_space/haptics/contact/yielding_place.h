@@ -7,6 +7,11 @@
 
 namespace ode_predictive_space::haptics
 {
+/// How far a surface gives way per share, to the force of a tick.
+///
+/// @param stiffness N/m. @param mobility 1/kg; of the surface along its normal. @param seconds of the tick.
+double yield_of(double stiffness, double mobility, double seconds);
+
 /// Finds the shares that hold the proxy off the tool, whatever the planes: the solution of a quadratic program,
 ///
 ///     minimise   1/2 |sum of share normal|^2 + 1/2 sum of yield share^2 - sum of depth share      over share >= 0,

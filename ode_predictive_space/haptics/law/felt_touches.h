@@ -4,7 +4,6 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_FELT_TOUCHES_H
 
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
-#include "ode_predictive_space/haptics/contact/rising_objects.h"
 #include "ode_predictive_space/haptics/force_law.h"
 #include "ode_predictive_space/haptics/law/force_shares.h"
 
@@ -24,7 +23,6 @@ public:
     void reset()
     {
         manifold_.reset();
-        rising_.reset();
         split_.clear();
     }
 
@@ -35,8 +33,9 @@ public:
     /// @return N; the law's.
     Vector3 force(ForceLaw &law, const ToolState &tool, double dt, std::optional<double> gap, bool released)
     {
+        if (released)
+            manifold_.release();
         manifold_.follow(tool, law.view(), dt, gap, felt_);
-        rising_.follow(released, dt, felt_);
         law.forces(tool, felt_, dt, forces_);
         return sum_of(forces_);
     }
@@ -58,8 +57,7 @@ public:
 private:
     std::vector<Touch> felt_;
     ContactManifold manifold_;
-    RisingObjects rising_; ///< of those that the tool was in when the clutch was released
-    TouchForces forces_;   ///< N; by the law
+    TouchForces forces_; ///< N; by the law
     ForceSplit split_;
 };
 } // namespace ode_predictive_space::haptics
