@@ -2,12 +2,9 @@
 
 #include "ode_predictive_space/haptics/renderer.h"
 
-#include "ode_predictive_space/haptics/contact/contact_manifold.h"
-#include "ode_predictive_space/haptics/contact/rising_objects.h"
-#include "ode_predictive_space/haptics/contact/short_list.h"
 #include "ode_predictive_space/haptics/device/base_course.h"
 #include "ode_predictive_space/haptics/device/check_argument.h"
-#include "ode_predictive_space/haptics/law/force_shares.h"
+#include "ode_predictive_space/haptics/law/felt_touches.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "ode_predictive_space/haptics/safety/device_link.h"
@@ -87,12 +84,10 @@ class Renderer::Parts
 public:
     Parts(Device &device, RenderSettings render_settings)
         : settings(std::move(render_settings)), notices(settings.notice), link(device, notices),
-          mapping(settings.placement),
-          law(settings.law ? settings.law : usual_law(device.capabilities(), mapping, settings)),
+          workspace(settings.placement),
+          law(settings.law ? settings.law : usual_law(device.capabilities(), workspace.mapping, settings)),
           safety(settings.safety ? *settings.safety : usual_limits(device.capabilities()))
     {
-        forces.reserve(touch_capacity);
-        felt.reserve(touch_capacity);
         if (settings.passivity_control)
             passivity.emplace(device.capabilities().max_damping);
         if (settings.delay && !is_amount(*settings.delay))
@@ -106,9 +101,7 @@ public:
         relaxed = false;
         safety.reset();
         law->reset();
-        manifold.reset();
-        rising.reset();
-        split.clear();
+        touched.reset();
         link.forget_motion();
         if (passivity)
             passivity->reset();
@@ -130,15 +123,8 @@ public:
             notices.tell(NoticeKind::device, link.capabilities().name + " answers again; the force comes back slowly.");
         if (news.was_away)
             ++tick.tool_jumps;
-        move_clutch();
-        tick.tool = mapping.to_scene(tick.state);
-    }
-
-    void move_clutch()
-    {
-        const bool was_held = mapping.clutched();
-        mapping.clutch(is_held(settings.clutch_button, tick.state), tick.state);
-        clutch_released = was_held && !mapping.clutched();
+        workspace.move_clutch(is_held(settings.clutch_button, tick.state), tick.state);
+        tick.tool = workspace.mapping.to_scene(tick.state);
     }
 
     /// What is rendered from now on is as soft as the delay wants it: rendered() goes by that. The law itself is not changed.
@@ -153,10 +139,12 @@ public:
 
     void render(const std::vector<Touch> &touches, bool all_known, double dt)
     {
-        feel(touches, dt);
-        law->forces(tick.tool, felt, dt, forces);
+        choose_materials(touched.take(touches));
+        std::optional<double> gap;
+        if (safety.engaged())
+            gap = std::max(dt, 1 / settings.physics_rate);
         Wrench requested;
-        requested.force = sum_of(forces);
+        requested.force = touched.force(*law, tick.tool, dt, gap, workspace.take_release());
         if (!all_known)
         {
             requested.force.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -165,19 +153,15 @@ public:
                 "No force: a contact of the probe, or the velocity of what it touches, is not a number.");
         }
         const Vector3 given = write(requested, dt).force;
-        if (given.isZero(0))
-            split.clear();
-        else
-            split.split(felt, forces, given);
+        touched.give(given);
         close_tick(requested.force, given);
     }
 
-    /// The touches as they are rendered: with what the device can render of their materials.
-    void feel(const std::vector<Touch> &touches, double dt)
+    /// What the device can render of those that were asked for.
+    void choose_materials(std::vector<Touch> &touches)
     {
-        felt = touches;
         bool less = false;
-        for (Touch &touch : felt)
+        for (Touch &touch : touches)
         {
             const Material asked = touch.material.value_or(law->material());
             const Material possible = rendered(asked);
@@ -191,11 +175,6 @@ public:
                 topic_material, NoticeKind::stability,
                 "A material is softer or less damped than asked for: the device cannot render more.");
         }
-        std::optional<double> gap;
-        if (safety.engaged())
-            gap = std::max(dt, 1 / settings.physics_rate);
-        manifold.follow(tick.tool, law->view(), dt, gap, felt);
-        rising.follow(std::exchange(clutch_released, false), dt, felt);
     }
 
     /// @return what was written, in the scene's frame.
@@ -208,15 +187,15 @@ public:
         notices.tell_held_back();
         if (passivity)
             passivity->written(tick.wrench.force);
-        const WorkspacePlacement &placement = mapping.placement();
+        const WorkspacePlacement &placement = workspace.mapping.placement();
         return {placement.rotation * tick.wrench.force / placement.force_scale,
                 placement.rotation * tick.wrench.torque / placement.force_scale};
     }
 
     Wrench limited(const Wrench &requested, double dt)
     {
-        Wrench at_device = mapping.to_device(requested);
-        if (passivity && !mapping.clutched())
+        Wrench at_device = workspace.mapping.to_device(requested);
+        if (passivity && !workspace.mapping.clutched())
         {
             passivity->set_delay(static_cast<int>(std::lround(
                 std::min(1.0, delay() / dt / PassivityController::most_delay) * PassivityController::most_delay)));
@@ -258,18 +237,17 @@ public:
     {
         const WatchdogReason reason = watchdog->reason();
         const bool worth = reason == WatchdogReason::physics_stale || reason == WatchdogReason::servo_late;
-        if (worth && reason != last_reason && !link.guard_acted()) // of that, the guard has told
+        if (worth && watchdog->has_new_reason() && !link.guard_acted()) // of that, the guard has told
         {
             notices.tell_once_a_second(topic_watchdog + static_cast<std::size_t>(reason), NoticeKind::watchdog,
                                        explanation_of(reason));
         }
-        last_reason = reason;
     }
 
     void renew_usual_law()
     {
         if (!settings.law)
-            law = usual_law(link.capabilities(), mapping, settings);
+            law = usual_law(link.capabilities(), workspace.mapping, settings);
     }
 
     void check_law() { check(law->material().stiffness, law->material().damping); }
@@ -289,8 +267,8 @@ public:
     Rendering rendering(double stiffness, double damping) const
     {
         Rendering rendering;
-        rendering.stiffness = mapping.stiffness_at_device(stiffness);
-        rendering.damping = mapping.stiffness_at_device(damping);
+        rendering.stiffness = workspace.mapping.stiffness_at_device(stiffness);
+        rendering.damping = workspace.mapping.stiffness_at_device(damping);
         rendering.rate = settings.rate;
         rendering.device_damping = settings.device_damping;
         rendering.delay = delay();
@@ -303,32 +281,25 @@ public:
         const Rendering possible = renderable(link.capabilities(), wanted);
         Material result = material;
         if (possible.stiffness < wanted.stiffness)
-            result.stiffness = mapping.stiffness_in_scene(possible.stiffness);
+            result.stiffness = workspace.mapping.stiffness_in_scene(possible.stiffness);
         if (possible.damping < wanted.damping)
-            result.damping = mapping.stiffness_in_scene(possible.damping);
+            result.damping = workspace.mapping.stiffness_in_scene(possible.damping);
         return result;
     }
 
     RenderSettings settings; ///< its law is 0 as long as that is the default, its sink of notices is in the desk
     NoticeDesk notices;
     DeviceLink link;
-    WorkspaceMapping mapping;
+    HandWorkspace workspace;
     std::shared_ptr<ForceLaw> law;
     SafetyStage safety;
     std::optional<Watchdog> watchdog; ///< replaced when the rates change; never empty after construction
     std::optional<PassivityController> passivity;
     std::function<void(const RenderedTick &)> recorder;
-    std::vector<Touch> felt; ///< with the materials that are rendered
-    ContactManifold manifold;
-    RisingObjects rising;         ///< of those that the tool was in when the clutch was released
-    bool clutch_released = false; ///< and nothing has been rendered since
-    BaseCourse base;
-    TouchForces forces; ///< N; by the law
-    ForceSplit split;   ///< of what the hand got of them
+    FeltTouches touched;
     RenderedTick tick;
     double clock_time = 0;
-    bool relaxed = false; ///< and has not been read since
-    WatchdogReason last_reason = WatchdogReason::none;
+    bool relaxed = false;       ///< and has not been read since
     std::string stability_told; ///< why the law is rendered softer; empty when it is not
 };
 
@@ -369,8 +340,7 @@ ForceLaw &Renderer::law()
 
 void Renderer::set_placement(const WorkspacePlacement &placement)
 {
-    parts_->mapping = WorkspaceMapping(placement);
-    parts_->base.forget();
+    parts_->workspace.place(placement);
     parts_->renew_usual_law();
     parts_->check_law();
     parts_->restart(); // the tool jumps, perhaps into something
@@ -379,12 +349,12 @@ void Renderer::set_placement(const WorkspacePlacement &placement)
 
 void Renderer::move_base(const WorkspacePlacement &placement, const BaseMotion &motion)
 {
-    parts_->base.aim(parts_->mapping.base(), placement, motion);
+    parts_->workspace.base.aim(parts_->workspace.mapping.base(), placement, motion);
 }
 
 const WorkspaceMapping &Renderer::mapping() const
 {
-    return parts_->mapping;
+    return parts_->workspace.mapping;
 }
 
 void Renderer::set_recorder(std::function<void(const RenderedTick &)> recorder)
@@ -420,7 +390,8 @@ Material Renderer::rendered(const Material &material) const
 
 void Renderer::read(double time, double clock_time)
 {
-    parts_->base.follow(time - parts_->tick.time, 1 / parts_->settings.physics_rate, parts_->mapping);
+    parts_->workspace.base.follow(time - parts_->tick.time, 1 / parts_->settings.physics_rate,
+                                  parts_->workspace.mapping);
     parts_->tick.time = time;
     parts_->notices.set_time(time);
     parts_->clock_time = clock_time;
@@ -437,7 +408,7 @@ void Renderer::read(double time, double clock_time)
 
 void Renderer::relax() noexcept
 {
-    parts_->split.clear();
+    parts_->touched.give_nothing();
     parts_->link.gate().release();
     parts_->relaxed = true;
 }
@@ -452,7 +423,7 @@ Wrench Renderer::render(const CouplingProperties &coupling, const ToolState &bod
     CouplingProperties softened = coupling;
     softened.stiffness = rendered({coupling.stiffness, coupling.damping}).stiffness;
     const Wrench requested = wrench_on_device(softened, tool(), body);
-    if (std::exchange(parts_->clutch_released, false))
+    if (parts_->workspace.take_release())
         parts_->safety.restart_ramp(); // the body may have been held off the tool meanwhile
     Wrench given = parts_->write(requested, dt);
     if (parts_->link.capabilities().force_axes < 6 && parts_->link.answers())
@@ -483,7 +454,7 @@ const ToolState &Renderer::tool() const
 
 const std::vector<ForceShare> &Renderer::shares() const
 {
-    return parts_->split.shares();
+    return parts_->touched.shares();
 }
 
 const RenderedTick &Renderer::last_tick() const

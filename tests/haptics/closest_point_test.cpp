@@ -131,6 +131,18 @@ TEST(ClosestPoint, IsFoundInACornerOfManyPlanesThroughOneEdge)
     }
 }
 
+// From a scan's edges. Either plane alone misses the other's depth by more than 1e-9 of it, and the corner of both cannot be told from
+// their numbers.
+TEST(ClosestPoint, IsFoundWhereRoundingHidesTheCornerOfTwoPlanes)
+{
+    std::vector<ConstraintPlane> planes = {
+        plane({3.6040162085170895e-05, 0, 0.99999999935055339}, 0.015333333329842769),
+        plane({0, -3.2436145965682079e-05, 0.99999999947394824}, 0.015333333330505978)};
+    EXPECT_TRUE(find_closest_point(planes));
+    EXPECT_LE(worst_violation(planes, point_of(planes)), 1e-6 * 0.0154);
+    EXPECT_NEAR(point_of(planes).z(), 0.0153333333, 1e-9);
+}
+
 TEST(ClosestPoint, OfOppositePlanesThereIsNone)
 {
     std::vector<ConstraintPlane> planes = {plane(Vector3::UnitX(), 0.01), plane(-Vector3::UnitX(), 0.02)};

@@ -78,5 +78,25 @@ TEST_F(ContactManifoldTest, WhatTakesOverFromSeveralOthersIsThereAtOnce)
     for (const Touch &touch : tick({solved(4, slant / 2, share), solved(5, -slant / 2, share)}))
         EXPECT_EQ(touch.part, 0) << "the lift is another";
 }
+// Two light bodies from nearly opposite sides: the exact shares are 1,250 times the depth.
+TEST_F(ContactManifoldTest, WhatAPushMovesYieldsToWhatIsOpposite)
+{
+    Touch left = touch_of(1, 1e-5), right = touch_of(2, 1e-5);
+    left.normal = Vector3(std::cos(0.02), 0, std::sin(0.02));
+    right.normal = Vector3(-std::cos(0.02), 0, std::sin(0.02));
+    const std::vector<Touch> heavy = tick({left, right});
+    EXPECT_GT(heavy[0].carry.share, 1000 * 1e-5);
+    for (Touch *touch : {&left, &right})
+    {
+        touch->mobility = 200;
+        touch->material = Material();
+    }
+    const std::vector<Touch> light = tick({left, right});
+    for (const Touch &touch : light)
+    {
+        EXPECT_GT(touch.carry.share, 0);
+        EXPECT_LT(touch.carry.share, 20 * 1e-5);
+    }
+}
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -34,6 +34,7 @@ struct CrowdCase
     bool by_proxy = true;     ///< felt by the proxy law, else by the penalty law
     double physics_rate = 0;  ///< Hz; of the scene in two threads, 0: one thread at 1 kHz
     Stepper stepper = Stepper::quick;
+    bool by_collide = false; ///< the balls are in geom transforms, whose surface dCollide() alone knows
 };
 
 inline std::string name_of(const CrowdCase &scenario)
@@ -47,7 +48,7 @@ inline std::string name_of(const CrowdCase &scenario)
     name += scenario.by_proxy ? "ByProxy" : "ByPenalty";
     name += scenario.physics_rate == 0 ? "InOneThread"
                                        : "At" + std::to_string(static_cast<int>(scenario.physics_rate)) + "Hz";
-    return name + (scenario.stepper == Stepper::exact ? "Exact" : "");
+    return name + (scenario.stepper == Stepper::exact ? "Exact" : "") + (scenario.by_collide ? "ByCollide" : "");
 }
 
 /// What came of one hand.
@@ -173,10 +174,23 @@ private:
         {
             const Vector3 cell(i % layer % row, i % layer / row, i / layer);
             const Vector3 noise = 0.001 * Vector3(number(), number(), 0.01 * number());
-            scene_.add_ball(scenario_.kilograms, ball,
-                            Vector3(1.15 * ball - half, 1.15 * ball - half, 1.01 * ball) + 2.15 * ball * cell + noise);
+            const dBodyID body = scene_.add_ball(scenario_.kilograms, ball,
+                                                 Vector3(1.15 * ball - half, 1.15 * ball - half, 1.01 * ball) +
+                                                     2.15 * ball * cell + noise);
+            if (scenario_.by_collide)
+                wrap(body);
         }
         top_ = (scenario_.crowd == Crowd::pit ? 2 : 3.7) * ball + probe_radius;
+    }
+
+    void wrap(dBodyID body) const
+    {
+        const dGeomID sphere = dBodyGetFirstGeom(body), transform = dCreateGeomTransform(scene_.space);
+        dSpaceRemove(scene_.space, sphere);
+        dGeomSetBody(sphere, nullptr);
+        dGeomTransformSetGeom(transform, sphere);
+        dGeomTransformSetCleanup(transform, 1);
+        dGeomSetBody(transform, body);
     }
 
     void add_pit(double half)

@@ -10,17 +10,9 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-Vector3 lift_of(const std::vector<YieldingPlane> &planes)
-{
-    Vector3 lift = Vector3::Zero();
-    for (const YieldingPlane &plane : planes)
-        lift += plane.share * plane.normal;
-    return lift;
-}
-
 TEST(YieldingPlace, APlaneAloneCarriesItsDepth)
 {
-    std::vector<YieldingPlane> planes = {{Vector3::UnitX(), 0.003, 1e-6}};
+    std::vector<ConstraintPlane> planes = {{Vector3::UnitX(), 0.003, 1e-6}};
     find_yielding_place(planes);
     EXPECT_NEAR(planes[0].share, 0.003, 1e-12);
     planes[0].yield = 0.1;
@@ -30,7 +22,7 @@ TEST(YieldingPlace, APlaneAloneCarriesItsDepth)
 
 TEST(YieldingPlace, WhatHasNoDepthCarriesNothing)
 {
-    std::vector<YieldingPlane> planes = {{Vector3::UnitX(), -0.003, 0.1}, {Vector3::UnitY(), 0, 0.1}};
+    std::vector<ConstraintPlane> planes = {{Vector3::UnitX(), -0.003, 0.1}, {Vector3::UnitY(), 0, 0.1}};
     find_yielding_place(planes);
     EXPECT_EQ(planes[0].share, 0);
     EXPECT_EQ(planes[1].share, 0);
@@ -44,7 +36,7 @@ TEST(YieldingPlace, ANotchBetweenHeavyPlanesIsExact)
     {
         const double half = degrees * M_PI / 360;
         const Vector3 left(std::cos(half), 0, std::sin(half)), right(-std::cos(half), 0, std::sin(half));
-        std::vector<YieldingPlane> planes = {{left, 0.001, 1e-6}, {right, 0.001, 1e-6}};
+        std::vector<ConstraintPlane> planes = {{left, 0.001, 1e-6}, {right, 0.001, 1e-6}};
         find_yielding_place(planes);
         EXPECT_NEAR(lift_of(planes).z(), 0.001 / std::sin(half), 1e-6 * 0.001 / std::sin(half)) << degrees;
     }
@@ -56,9 +48,9 @@ TEST(YieldingPlace, BetweenNearlyOppositePlanesThatYieldSharesAreBounded)
     {
         const double half = degrees * M_PI / 360;
         const Vector3 left(std::cos(half), 0, std::sin(half)), right(-std::cos(half), 0, std::sin(half));
-        std::vector<YieldingPlane> planes = {{left, 0.001, 0.1}, {right, 0.001, 0.1}};
+        std::vector<ConstraintPlane> planes = {{left, 0.001, 0.1}, {right, 0.001, 0.1}};
         find_yielding_place(planes);
-        for (const YieldingPlane &plane : planes)
+        for (const ConstraintPlane &plane : planes)
             EXPECT_LE(plane.share, 3 * 0.001 / 0.1 * (1 + 1e-9)) << degrees;
     }
 }
@@ -66,14 +58,14 @@ TEST(YieldingPlace, BetweenNearlyOppositePlanesThatYieldSharesAreBounded)
 TEST(YieldingPlace, AnyNumberOfPlanesChangesLittleBySmallMotions)
 {
     RandomNumbers random(5);
-    std::vector<YieldingPlane> planes;
+    std::vector<ConstraintPlane> planes;
     for (int i = 0; i < 256; ++i)
         planes.push_back({(random.direction() + Vector3::UnitZ()).normalized(), random.between(-0.01, 0.01), 0.1});
     find_yielding_place(planes);
     const Vector3 lift = lift_of(planes);
     EXPECT_GT(lift.z(), 0);
-    std::vector<YieldingPlane> moved = planes;
-    for (YieldingPlane &plane : moved)
+    std::vector<ConstraintPlane> moved = planes;
+    for (ConstraintPlane &plane : moved)
         plane.depth += random.between(-1e-6, 1e-6);
     find_yielding_place(moved);
     for (std::size_t i = 0; i < planes.size(); ++i)
@@ -82,7 +74,7 @@ TEST(YieldingPlace, AnyNumberOfPlanesChangesLittleBySmallMotions)
 
 TEST(YieldingPlace, WhatIsNotFiniteIsKept)
 {
-    std::vector<YieldingPlane> planes = {{Vector3::UnitX(), nan, 0.1}, {Vector3::UnitY(), 0.002, 0.1}};
+    std::vector<ConstraintPlane> planes = {{Vector3::UnitX(), nan, 0.1}, {Vector3::UnitY(), 0.002, 0.1}};
     find_yielding_place(planes);
     EXPECT_TRUE(std::isnan(planes[0].share));
 }

@@ -881,8 +881,8 @@ def haptic_faults():
         "observer_ignores_what_was_written", "haptics", SOURCES + "haptics/renderer.cpp",
         "passivity->written(tick.wrench.force);", "passivity->damping();", renderer)
     yield Fault(
-        "release_of_the_clutch_forgotten", "haptics", SOURCES + "haptics/renderer.cpp",
-        "rising.follow(std::exchange(clutch_released, false), dt, felt);", "rising.follow(false, dt, felt);", renderer)
+        "release_of_the_clutch_forgotten", "haptics", SOURCES + "haptics/law/felt_touches.h",
+        "            manifold_.release();", "            (void)0;", renderer)
     yield Fault(
         "passivity_delay_off_by_one", "haptics", safety + "passivity.h",
         "written_[(newest_ + written_.size() - delay_) % written_.size()]",
@@ -895,8 +895,8 @@ def haptic_faults():
         "std::max(around * step, farthest);", (("haptics", "CarriedProxy.*"),))
     yield Fault(
         "contact_ends_with_the_region", "haptics", tracker,
-        "!carries_on_ && !is_near(told.geom) &&\n           (told.touch.point - searched.centre).norm() < searched.radius;",
-        "!is_near(told.geom);",
+        "!carries_on_ && !near_.has(told.geom) &&\n           (told.touch.point - searched.centre).norm() < searched.radius;",
+        "!near_.has(told.geom);",
         (("haptics", "*ReleasedForceTest.Fades*"),))
     yield Fault(
         "budget_of_triangles_not_spent", "haptics", slide, "left_ -= most - budget.left();", "", (("haptics", "*SlideBudgetTest.*"),))
@@ -911,7 +911,7 @@ def haptic_faults():
         "roll_out_pushes_bystanders", "haptics", loop + "island_roll_out.cpp",
         "        if (known_.count(push.body) == 0)\n            continue;\n", "", (("haptics", "IslandRollOutTest.*"),))
     yield Fault(
-        "touches_beyond_the_capacity_not_told", "haptics", tracker, "exceeds_ = true;", "exceeds_ = false;",
+        "touches_beyond_the_capacity_not_told", "haptics", SOURCES + "haptics/contact/held_geoms.cpp", "exceeds_ = true;", "exceeds_ = false;",
         (("haptics", "*ManyTouches*"),))
     yield Fault(
         "what_takes_over_counts_as_appeared", "haptics", SOURCES + "haptics/contact/contact_manifold.cpp",

@@ -42,6 +42,9 @@ struct Touch
     Vector3 normal = Vector3::UnitZ();          ///< of the touched surface, of length 1, towards the probe
     double depth = 0;                           ///< m, >= 0; how far the probe is beyond the surface
     Vector3 surface_velocity = Vector3::Zero(); ///< m/s; of the touched object at the point
+    /// 1/kg; how fast the surface moves along the normal after a push of 1 N s, if nothing else holds its body: the touches of bodies that
+    /// are pushed from several sides at once give way to each other by that. 0 for what no push moves.
+    double mobility = 0;
     std::uintptr_t object = 0; ///< which object: the same from tick to tick, different for different ones
     unsigned feature = 0; ///< which plane of the object: the same from tick to tick, different for those of one object
     bool from_entry_side = false; ///< the normal is that of the side by which the probe came, however deep it is by now

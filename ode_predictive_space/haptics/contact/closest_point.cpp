@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double tolerance = 1e-9;              // of the deepest plane
+constexpr double tolerances[] = {1e-9, 1e-6};   // of the deepest plane
 constexpr double farthest = 100;                // times the deepest plane; a groove of 1.15 degrees
 constexpr double smallest_squared_sine = 1e-10; // of two normals' angle; below, one plane stands for both
 constexpr double smallest_volume = 1e-9;        // of three normals
@@ -107,9 +108,12 @@ bool exchange(const Planes &planes, Carriers &carriers, std::size_t added, doubl
 
 /// Each round takes in the plane that is kept least, and thereby lifts the point: an LP-type problem of dimension three
 /// (Sharir and Welzl 1992).
-bool find_carriers(const Planes &planes, double deepest, Carriers &carriers)
+///
+/// @param tolerance of the deepest plane.
+std::optional<Carriers> find_carriers(const Planes &planes, double deepest, double tolerance)
 {
     const double allowed = tolerance * deepest;
+    Carriers carriers;
     for (int round = 0; round < most_rounds; ++round)
     {
         std::size_t worst = 0;
@@ -117,33 +121,51 @@ bool find_carriers(const Planes &planes, double deepest, Carriers &carriers)
             if (violation(planes[i], carriers.point) > violation(planes[worst], carriers.point))
                 worst = i;
         if (!(violation(planes[worst], carriers.point) > allowed))
-            return true;
+            return carriers;
         if (!exchange(planes, carriers, worst, allowed) || carriers.point.norm() > farthest * deepest)
-            return false;
+            break;
     }
-    return false;
+    return std::nullopt;
 }
 } // namespace
+
+bool are_finite(const std::vector<ConstraintPlane> &planes)
+{
+    return std::all_of(planes.begin(), planes.end(), [](const ConstraintPlane &plane) {
+        return std::isfinite(plane.depth) && std::isfinite(plane.yield) && plane.normal.allFinite();
+    });
+}
+
+double deepest_of(const std::vector<ConstraintPlane> &planes)
+{
+    double deepest = 0;
+    for (const ConstraintPlane &plane : planes)
+        deepest = std::max(deepest, plane.depth);
+    return deepest;
+}
+
+Vector3 lift_of(const std::vector<ConstraintPlane> &planes)
+{
+    Vector3 lift = Vector3::Zero();
+    for (const ConstraintPlane &plane : planes)
+        lift += plane.share * plane.normal;
+    return lift;
+}
 
 bool find_closest_point(std::vector<ConstraintPlane> &planes)
 {
     if (planes.empty())
         return true;
 
-    double deepest = 0;
-    bool finite = true;
-    for (const ConstraintPlane &plane : planes)
-    {
-        deepest = std::max(deepest, plane.depth);
-        finite = finite && std::isfinite(plane.depth) && plane.normal.allFinite();
-    }
-
-    Carriers carriers;
-    const bool found = finite && find_carriers(planes, deepest, carriers);
+    std::optional<Carriers> carriers;
+    const double deepest = deepest_of(planes);
+    if (are_finite(planes))
+        for (const double tolerance : tolerances)
+            carriers = carriers ? carriers : find_carriers(planes, deepest, tolerance);
     for (ConstraintPlane &plane : planes)
-        plane.share = found ? 0 : plane.depth;
-    for (int i = 0; found && i < carriers.count; ++i)
-        planes[carriers.planes[i]].share = carriers.shares[i];
-    return found;
+        plane.share = carriers ? 0 : plane.depth;
+    for (int i = 0; carriers && i < carriers->count; ++i)
+        planes[carriers->planes[i]].share = carriers->shares[i];
+    return carriers.has_value();
 }
 } // namespace ode_predictive_space::haptics

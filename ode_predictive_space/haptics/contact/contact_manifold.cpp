@@ -2,6 +2,7 @@
 
 #include "ode_predictive_space/haptics/contact/material.h"
 #include "ode_predictive_space/haptics/contact/short_list.h"
+#include "ode_predictive_space/haptics/contact/yielding_place.h"
 
 #include <cmath>
 
@@ -38,7 +39,7 @@ void ContactManifold::follow(const ToolState &tool, TouchView view, double dt, s
     }
     note_lift(touches);
     let_rise(tool, dt, gap, touches);
-    solve(view, touches);
+    solve(view, dt, touches);
     for (Touch &touch : touches)
     {
         const Known *last = taken_over_by(touch);
@@ -49,6 +50,7 @@ void ContactManifold::follow(const ToolState &tool, TouchView view, double dt, s
     for (std::size_t i = 0; i < touches.size(); ++i)
         before_.push_back({touches[i], depths_[i]});
     tool_before_ = tool.position;
+    released_ = false;
 }
 
 void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, Touch &touch)
@@ -146,6 +148,8 @@ void ContactManifold::note_lift(const std::vector<Touch> &touches)
 /// deep it is. If all touches together hold the tool where the former ones held it, new touches have taken over from the former.
 double ContactManifold::part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const
 {
+    if (released_)
+        return 0;
     if (const Known *known = find_in(before_, [&](const Known &other) { return other.touch.object == touch.object; }))
         return risen(known->touch.part, dt);
     const double moved = gap.value_or(0) * (touch.surface_velocity - tool.linear_velocity).norm();
@@ -157,8 +161,9 @@ double ContactManifold::part_of(const Touch &touch, const ToolState &tool, doubl
     return carrier != nullptr ? risen(carrier->touch.part, dt) : 1;
 }
 
-/// The planes of a group share the shortest way out of all of them. What the tracker's part lags behind stays, in proportion.
-void ContactManifold::solve(TouchView view, std::vector<Touch> &touches)
+/// The planes of a group share the shortest way out of all of them; where all hold the tool together, movable ones give way. What the
+/// tracker's part lags behind stays, in proportion.
+void ContactManifold::solve(TouchView view, double dt, std::vector<Touch> &touches)
 {
     while (const Touch *first = find_in(touches, [](const Touch &touch) { return !touch.is_solved; }))
     {
@@ -167,14 +172,20 @@ void ContactManifold::solve(TouchView view, std::vector<Touch> &touches)
         };
         planes_.clear();
         Vector3 lag = Vector3::Zero();
+        bool yields = false;
         for (const Touch &touch : touches)
         {
             if (!in_group(touch))
                 continue;
-            planes_.push_back({touch.normal, touch.depth, 0});
+            const double stiffness = touch.material ? touch.material->stiffness : 0;
+            planes_.push_back({touch.normal, touch.depth, yield_of(stiffness, touch.mobility, dt)});
+            yields = yields || (view == TouchView::all_together && planes_.back().yield > rigid_yield);
             lag += carry_of(touch).lag;
         }
-        find_closest_point(planes_);
+        if (yields)
+            find_yielding_place(planes_);
+        else
+            find_closest_point(planes_);
         double carried = 0;
         for (const ConstraintPlane &plane : planes_)
             carried += plane.share;

@@ -44,6 +44,10 @@ public:
     void follow(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
                 std::vector<Touch> &touches);
 
+    /// The clutch was released: all that is touched in the next follow() rises as what appeared around the probe. There was no force on the hand
+    /// before, so that it would push as hard as it is deep, at once. What is touched later is felt in full.
+    void release() { released_ = true; }
+
     /// Forget all touches: what is touched next is new.
     void reset()
     {
@@ -67,7 +71,7 @@ private:
     double part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const;
     void note_lift(const std::vector<Touch> &touches);
     void let_rise(const ToolState &tool, double dt, std::optional<double> gap, std::vector<Touch> &touches);
-    void solve(TouchView view, std::vector<Touch> &touches);
+    void solve(TouchView view, double dt, std::vector<Touch> &touches);
 
     std::vector<Known> before_;
     Vector3 tool_before_ = Vector3::Zero(); ///< m
@@ -76,6 +80,7 @@ private:
     std::vector<double> depths_;            ///< m; of the touches of this tick, before they were made less
     std::vector<ConstraintPlane> planes_;
     std::uint32_t last_id_ = 0;
+    bool released_ = false; ///< in this tick
 };
 } // namespace ode_predictive_space::haptics
 

@@ -21,69 +21,6 @@ constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the
 constexpr double in_contact = 1e-6;  // of the radius
 constexpr double allowed_rise =
     1e-3; // of a surface beyond the plane in which it goes on, in parts of the distance looked ahead
-constexpr double least_yield = 1e-6; // of what no push moves
-
-/// How far a surface gives way in each pass of find_yielding_place(), in parts of the way that its body goes in a tick by the force.
-/// After all three, the forces of touches that act against each other are those of 0.75: from a quarter on, no arrangement of touches makes
-/// light bodies swing more and more.
-constexpr double yielding = 2.25;
-
-bool has_feature(const std::vector<TouchOfGeom> &touches, std::uintptr_t object, unsigned number)
-{
-    return find_in(touches, [&](const TouchOfGeom &told) {
-               return told.touch.object == object && told.touch.feature == number;
-           }) != nullptr;
-}
-
-/// Gives a touch of an object that has no number the number that it had in the tick before: the pair that agrees best.
-bool recognise_one(const std::vector<TouchOfGeom> &before, std::uintptr_t object, std::vector<TouchOfGeom> &now)
-{
-    double best = same_surface;
-    Touch *chosen = nullptr;
-    unsigned number = 0;
-    for (const TouchOfGeom &known : before)
-    {
-        if (known.touch.object != object || has_feature(now, object, known.touch.feature))
-            continue;
-        for (TouchOfGeom &told : now)
-        {
-            const double agreement = told.touch.normal.dot(known.touch.normal);
-            if (told.touch.object == object && told.touch.feature == 0 && agreement > best)
-            {
-                best = agreement;
-                chosen = &told.touch;
-                number = known.touch.feature;
-            }
-        }
-    }
-    if (chosen != nullptr)
-        chosen->feature = number;
-    return chosen != nullptr;
-}
-
-/// Numbers the planes of objects (Touch::feature): a plane keeps its number from tick to tick, however many triangles it goes over.
-/// 0 is for those that have none yet.
-void number_features(const std::vector<TouchOfGeom> &before, std::vector<TouchOfGeom> &now)
-{
-    for (const TouchOfGeom &told : now)
-        while (told.touch.feature == 0 && recognise_one(before, told.touch.object, now))
-        {}
-    for (TouchOfGeom &told : now)
-    {
-        if (told.touch.feature != 0)
-            continue;
-        unsigned number = 1;
-        while (has_feature(before, told.touch.object, number) || has_feature(now, told.touch.object, number))
-            ++number;
-        told.touch.feature = number;
-    }
-}
-
-/// m; how far a touch carries the proxy.
-double way_of(const Touch &touch)
-{
-    return (touch.carry.share * touch.normal + touch.carry.lag).norm();
-}
 } // namespace
 
 bool is_finite(const Touch &touch)
@@ -107,109 +44,84 @@ bool keep_within_capacity(std::vector<Touch> &touches)
 
 ContactTracker::ContactTracker(double radius) : radius_(radius)
 {
-    near_.reserve(touch_capacity + 1);
     yielding_.reserve(SphereSlide::usual_planes);
-    before_.reserve(touch_capacity);
     places_.reserve(touch_capacity);
-    told_.reserve(touch_capacity);
-    told_before_.reserve(touch_capacity);
-}
-
-void ContactTracker::Held::put(const Vector3 &at)
-{
-    place.at = at;
-    place.local = geom.to_local(at);
 }
 
 void ContactTracker::begin()
 {
-    before_.clear();
-    for (const Held &held : near_)
-        before_.push_back(held.place);
-    near_.clear();
-    exceeds_ = false;
-    told_.swap(told_before_);
-    told_.clear();
-    adopts_ = false;
+    near_.renew();
+    told_.renew();
 }
 
 void ContactTracker::forget()
 {
-    has_proxy_ = false;
-    before_.clear();
-    near_.clear();
-    told_.clear();
-    told_before_.clear();
+    course_.has_proxy = false;
+    near_.forget();
+    told_.forget();
     released_ = false;
     carries_on_ = false;
 }
 
 void ContactTracker::adopt(const ContactMemory &memory)
 {
-    adopts_ = true;
+    near_.adopt(memory);
     if (memory.has_proxy)
-    {
-        proxy_ = memory.proxy;
-        before_ = memory.places;
-    }
+        course_.proxy = memory.proxy;
 }
 
 void ContactTracker::remember_in(ContactMemory &memory) const
 {
-    memory.has_proxy = has_proxy_;
-    memory.proxy = proxy_;
+    memory.has_proxy = course_.has_proxy;
+    memory.proxy = course_.proxy;
     memory.places.clear();
-    for (const Held &held : near_)
+    for (const HeldGeom &held : near_.list())
         memory.places.push_back(held.place);
 }
 
-void ContactTracker::aim(const Vector3 &tool)
+void ContactTracker::Course::aim(const Vector3 &to)
 {
-    travel_ = has_proxy_ ? Vector3(tool - tool_) : Vector3::Zero();
-    tool_ = tool;
-    if (!has_proxy_)
-        proxy_ = tool;
-    has_proxy_ = true;
-    start_ = proxy_;
+    travel = has_proxy ? Vector3(to - tool) : Vector3::Zero();
+    tool = to;
+    if (!has_proxy)
+        proxy = to;
+    has_proxy = true;
+    start = proxy;
 }
 
 /// m; how far the proxy may go in this tick.
 double ContactTracker::longest_way() const
 {
-    return std::max(radius_, catching_up * travel_.norm());
+    return std::max(radius_, catching_up * course_.travel.norm());
 }
 
 // All that the proxy may reach lies between two balls: one about where it is, and one about the tool that goes through
 // there.
 ContactTracker::Region ContactTracker::region() const
 {
-    const Vector3 way = tool_ - start_;
+    const Vector3 way = course_.tool - course_.start;
     const double length = way.norm();
     const double step = std::min(length, longest_way());
     Region region;
-    region.centre = step < length ? Vector3(start_ + way * (step / length)) : tool_;
+    region.centre = step < length ? Vector3(course_.start + way * (step / length)) : course_.tool;
     double drift = 0;
     double farthest = 0; // of the places that differ from the proxy
-    for (const ContactMemory::Place &place : before_)
+    for (const ContactMemory::Place &place : near_.places_before())
     {
         drift = std::max(drift, place.drift);
-        if ((place.at - start_).norm() > in_contact * radius_)
+        if ((place.at - course_.start).norm() > in_contact * radius_)
             farthest = std::max(farthest, (place.at - region.centre).norm());
     }
-    const double until_looked_for_again = adopts_ ? steps_ahead * travel_.norm() : 0;
+    const double until_looked_for_again = near_.adopts() ? steps_ahead * course_.travel.norm() : 0;
     region.radius = radius_ + margin_ + until_looked_for_again + std::max(around * step, farthest) + 2 * drift;
     return region;
 }
 
 TriangleList ContactTracker::touched_triangles(dGeomID geom) const
 {
-    const auto *place = find_in(before_, [&](const ContactMemory::Place &other) { return other.geom.id == geom; });
+    const auto *place =
+        find_in(near_.places_before(), [&](const ContactMemory::Place &other) { return other.geom.id == geom; });
     return place != nullptr ? place->triangles : TriangleList();
-}
-
-bool ContactTracker::is_near(dGeomID geom) const
-{
-    return find_in(near_, [&](const Held &held) { return held.geom.id() == geom; }) != nullptr;
 }
 
 void ContactTracker::add_if_near(NearbyGeom geom)
@@ -222,38 +134,13 @@ void ContactTracker::add_if_near(NearbyGeom geom)
 
 void ContactTracker::insert(NearbyGeom geom, double distance)
 {
-    if (is_near(geom.id()))
-        return;
-    Held held;
-    held.distance = distance;
-    Vector3 start = start_;
-    held.place.geom = geom.identity();
-    const auto was_near = [&](const ContactMemory::Place &place) { return place.geom == held.place.geom; };
-    if (const ContactMemory::Place *last = find_in(before_, was_near))
-    {
-        const Vector3 carried = geom.to_scene(last->local);
-        const double drift = (carried - last->at).norm();
-        if (drift <= farthest_carried * radius_)
-        {
-            start = drift > 0 ? carried : last->at;
-            held.place.drift = drift;
-        }
-    }
-    held.geom = std::move(geom);
-    held.put(start);
-    const auto farther = [](double length, const Held &other) { return length < other.distance; };
-    near_.insert(std::upper_bound(near_.begin(), near_.end(), distance, farther), std::move(held));
-    if (near_.size() > touch_capacity)
-    {
-        near_.pop_back();
-        exceeds_ = true;
-    }
+    near_.add(std::move(geom), course_.start, farthest_carried * radius_, distance);
 }
 
 void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
 {
     geoms.geoms.clear();
-    for (const Held &held : near_)
+    for (const HeldGeom &held : near_.list())
     {
         geoms.geoms.push_back(held.geom);
         geoms.geoms.back().note_contacts();
@@ -265,20 +152,20 @@ SphereSlide::Task ContactTracker::task() const
 {
     SphereSlide::Task task;
     task.radius = radius_;
-    task.goal = tool_;
-    task.start = start_;
-    task.look = ahead * travel_.norm();
+    task.goal = course_.tool;
+    task.start = course_.start;
+    task.look = ahead * course_.travel.norm();
     task.longest = longest_way();
     task.margin = margin_;
     const auto carries = [](const TouchOfGeom &told) { return told.touch.carry.carries(); };
-    if (find_in(told_before_, carries) != nullptr && !released_ &&
-        !adopts_) // a force is rendered, which is not to jump
+    if (find_in(told_.before(), carries) != nullptr && !released_ &&
+        !near_.adopts()) // a force is rendered, which is not to jump
     {
         double drift = 0;
-        for (const Held &held : near_)
+        for (const HeldGeom &held : near_.list())
             drift = std::max(drift, held.place.drift);
-        task.reach_centre = start_ + travel_;
-        task.reach = travel_.norm() + drift + catch_up_;
+        task.reach_centre = course_.start + course_.travel;
+        task.reach = course_.travel.norm() + drift + catch_up_;
     }
     return task;
 }
@@ -288,21 +175,21 @@ SphereSlide::Task ContactTracker::task() const
 bool ContactTracker::is_gone(const TouchOfGeom &told) const
 {
     const Region searched = region();
-    return told.touch.carry.carries() && !carries_on_ && !is_near(told.geom) &&
+    return told.touch.carry.carries() && !carries_on_ && !near_.has(told.geom) &&
            (told.touch.point - searched.centre).norm() < searched.radius;
 }
 
 void ContactTracker::follow()
 {
     places_.clear();
-    for (const Held &held : near_)
+    for (const HeldGeom &held : near_.list())
         places_.push_back({&held.geom, held.place.at, 0});
     common_ = slide_.run(task(), places_);
     visited_ = SphereSlide::most_triangles - slide_.left();
     const auto has_gone = [this](const TouchOfGeom &told) { return is_gone(told); };
-    released_ = released_ || find_in(told_before_, has_gone) != nullptr;
+    released_ = released_ || find_in(told_.before(), has_gone) != nullptr;
     double stiffest = stiffness_;
-    for (const Held &held : near_)
+    for (const HeldGeom &held : near_.list())
         stiffest = held.geom.material() ? std::max(stiffest, held.geom.material()->stiffness) : stiffest;
     catch_up_ = stiffest > 0 ? gentle / stiffest : radius_;
     settle();
@@ -312,26 +199,26 @@ void ContactTracker::follow()
 /// far from the proxy to be that of the same sphere is given up: the region() holds all places.
 void ContactTracker::settle()
 {
-    if (near_.empty())
+    if (near_.list().empty())
     {
-        proxy_ = SphereSlide::unhindered(task());
+        course_.proxy = SphereSlide::unhindered(task());
         return;
     }
-    proxy_ = places_.front().at;
-    for (std::size_t i = 0; i < near_.size(); ++i)
+    course_.proxy = places_.front().at;
+    for (std::size_t i = 0; i < near_.list().size(); ++i)
     {
-        near_[i].put(places_[i].at);
-        if (!common_ && (places_[i].at - tool_).squaredNorm() > (proxy_ - tool_).squaredNorm())
-            proxy_ = places_[i].at;
+        near_.list()[i].put(places_[i].at);
+        if (!common_ && (places_[i].at - course_.tool).squaredNorm() > (course_.proxy - course_.tool).squaredNorm())
+            course_.proxy = places_[i].at;
     }
     for (const SlidePlane &plane : slide_.planes())
         if (plane.share > 0 && plane.feature.triangle >= 0)
-            near_[plane.place].place.triangles.add(plane.feature.triangle);
-    for (Held &held : near_)
+            near_.list()[plane.place].place.triangles.add(plane.feature.triangle);
+    for (HeldGeom &held : near_.list())
     {
-        if (!common_ && (held.place.at - proxy_).norm() > farthest_apart * radius_)
+        if (!common_ && (held.place.at - course_.proxy).norm() > farthest_apart * radius_)
         {
-            held.put(proxy_);
+            held.put(course_.proxy);
             held.place.drift = 0;
         }
     }
@@ -339,16 +226,19 @@ void ContactTracker::settle()
 
 bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
 {
-    const auto is_other = [&](const Held &held) { return held.geom.object() != near_.front().geom.object(); };
+    const auto is_other = [&](const HeldGeom &held) {
+        return held.geom.object() != near_.list().front().geom.object();
+    };
     told_.clear();
     carries_on_ = false;
-    if (near_.empty() || view == TouchView::all_together || find_in(near_, is_other) == nullptr || proxy_ == tool_)
+    if (near_.list().empty() || view == TouchView::all_together || find_in(near_.list(), is_other) == nullptr ||
+        course_.proxy == course_.tool)
         tell_together(view);
     else
         tell_each_object();
-    number_features(told_before_, told_);
-    const std::size_t most = touches.size() + told_.size();
-    for (const TouchOfGeom &told : told_)
+    told_.number();
+    const std::size_t most = touches.size() + told_.now().size();
+    for (const TouchOfGeom &told : told_.now())
         if (is_finite(told.touch))
             touches.push_back(told.touch);
     return touches.size() == most;
@@ -357,7 +247,7 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
 /// m; from where the planes of the last slide let the sphere go, to the place to which it came.
 Vector3 ContactTracker::lag_at(const Vector3 &place) const
 {
-    Vector3 lag = place - tool_;
+    Vector3 lag = place - course_.tool;
     for (const SlidePlane &plane : slide_.planes())
         lag -= plane.share * plane.feature.normal;
     return lag.norm() <= in_contact * radius_ ? Vector3(Vector3::Zero()) : lag;
@@ -365,23 +255,22 @@ Vector3 ContactTracker::lag_at(const Vector3 &place) const
 
 void ContactTracker::tell_together(TouchView view)
 {
-    Vector3 lag = common_ ? lag_at(proxy_) : Vector3(Vector3::Zero());
+    Vector3 lag = common_ ? lag_at(course_.proxy) : Vector3(Vector3::Zero());
     released_ = released_ && !lag.isZero(0);
     if (released_)
         lag.setZero();
     carries_on_ = tell_planes(view, lag) == 0 && !lag.isZero(0);
     if (carries_on_)
-        carry_on(lag);
+        told_.add_carriers_of_before(lag);
 }
 
-/// How far a surface gives way, per share, to the force of a tick, or of a step of the scene if it does not move before.
-double ContactTracker::yield_of(const SlidePlane &plane) const
+/// To the force of a tick, or of a step of the scene if it does not move before.
+double ContactTracker::yield_at(const SlidePlane &plane) const
 {
     const NearbyGeom &geom = *places_[plane.place].geom;
     const double stiffness = geom.material() ? geom.material()->stiffness : stiffness_;
-    const double seconds = std::max(tick_length_, geom.step());
-    const double moved = geom.mobility_at(plane.feature.point, plane.feature.normal) * seconds * seconds;
-    return std::max(least_yield, yielding * stiffness * moved);
+    const double mobility = geom.mobility_at(plane.feature.point, plane.feature.normal);
+    return yield_of(stiffness, mobility, std::max(tick_length_, geom.step()));
 }
 
 /// The shares of what the last slide found. Where all objects hold the proxy together, and a push moves one of them, all give way: shares of
@@ -395,7 +284,7 @@ void ContactTracker::share_out(TouchView view)
     {
         const NearbyGeom &geom = *places_[plane.place].geom;
         yields = yields || (geom.is_movable() && (view == TouchView::all_together || geom.step() > tick_length_));
-        yielding_.push_back({plane.feature.normal, plane.depth, yield_of(plane), plane.share});
+        yielding_.push_back({plane.feature.normal, plane.depth, yield_at(plane), plane.share});
     }
     if (yields)
         find_yielding_place(yielding_);
@@ -406,7 +295,7 @@ double ContactTracker::tell_planes(TouchView view, const Vector3 &lag)
 {
     share_out(view);
     double carried = 0;
-    for (const YieldingPlane &plane : yielding_)
+    for (const ConstraintPlane &plane : yielding_)
         carried += plane.share;
     for (std::size_t i = 0; i < yielding_.size(); ++i)
     {
@@ -422,50 +311,34 @@ double ContactTracker::tell_planes(TouchView view, const Vector3 &lag)
         touch.normal = plane.feature.normal;
         touch.depth = touched ? std::max(0.0, plane.depth) : plane.depth;
         touch.surface_velocity = geom.velocity_at(touch.point);
+        touch.mobility = geom.mobility_at(touch.point, touch.normal);
         touch.object = geom.object();
         touch.from_entry_side = true;
         touch.carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
         touch.is_solved = true;
         touch.material = geom.material();
-        told_.push_back({geom.id(), touch});
+        told_.add(geom.id(), touch);
     }
     return carried;
-}
-
-/// The proxy has left all surfaces, and is on its way to the tool: what it left lets go of it no faster than it comes there.
-void ContactTracker::carry_on(const Vector3 &lag)
-{
-    double sum = 0;
-    for (const TouchOfGeom &carrier : told_before_)
-        sum += way_of(carrier.touch);
-    for (TouchOfGeom carrier : told_before_)
-    {
-        if (!carrier.touch.carry.carries())
-            continue;
-        const double part = way_of(carrier.touch) / sum;
-        carrier.touch.carry = {0, part * lag};
-        carrier.touch.depth = std::max(0.0, part * lag.dot(carrier.touch.normal));
-        told_.push_back(carrier);
-    }
 }
 
 /// Each object holds off the tool as if there were no other; on which side of it the tool is, all of them have said.
 void ContactTracker::tell_each_object()
 {
-    for (const Held &first : near_)
+    for (const HeldGeom &first : near_.list())
     {
         const std::uintptr_t object = first.geom.object();
-        const auto is_of_it = [&](const Held &held) { return held.geom.object() == object; };
-        if (find_in(near_, is_of_it) != &first)
+        const auto is_of_it = [&](const HeldGeom &held) { return held.geom.object() == object; };
+        if (find_in(near_.list(), is_of_it) != &first)
             continue;
         places_.clear();
-        for (const Held &held : near_)
+        for (const HeldGeom &held : near_.list())
             if (is_of_it(held))
                 places_.push_back({&held.geom, held.place.at, 0});
         SphereSlide::Task alone = task();
-        alone.longest = std::max(alone.longest, 2 * (proxy_ - tool_).norm());
+        alone.longest = std::max(alone.longest, 2 * (course_.proxy - course_.tool).norm());
         alone.reach = std::numeric_limits<double>::infinity();
-        alone.triangles = std::max<std::size_t>(1, alone.triangles / near_.size());
+        alone.triangles = std::max<std::size_t>(1, alone.triangles / near_.list().size());
         const bool common = slide_.run(alone, places_);
         visited_ += alone.triangles - slide_.left();
         tell_planes(TouchView::each_object_alone, common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
@@ -477,7 +350,7 @@ void ContactTracker::tell_each_object()
 bool ContactTracker::ends_in(const TouchOfGeom &told, const Vector3 &normal) const
 {
     const double beyond = 0.1 * radius_;
-    const Held *held = find_in(near_, [&](const Held &other) { return other.geom.id() == told.geom; });
+    const HeldGeom *held = find_in(near_.list(), [&](const HeldGeom &other) { return other.geom.id() == told.geom; });
     const double distance = held->geom.distance(told.touch.point + beyond * normal, 2 * beyond);
     return distance >= beyond * (1 - allowed_rise);
 }
@@ -486,7 +359,7 @@ bool ContactTracker::ends_in(const TouchOfGeom &told, const Vector3 &normal) con
 /// others would push again.
 void ContactTracker::count_flush_touches_once()
 {
-    for (TouchOfGeom &told : told_)
+    for (TouchOfGeom &told : told_.now())
     {
         Touch &touch = told.touch;
         const auto goes_on_in_it = [&](const TouchOfGeom &other) {
@@ -495,7 +368,7 @@ void ContactTracker::count_flush_touches_once()
             return deeper.object != touch.object && is_deeper && deeper.carry.carries() &&
                    is_flush(deeper.normal, deeper.point, touch.point) && ends_in(told, deeper.normal);
         };
-        if (touch.carry.carries() && find_in(told_, goes_on_in_it) != nullptr)
+        if (touch.carry.carries() && find_in(told_.now(), goes_on_in_it) != nullptr)
             touch.carry = Carry{};
     }
 }

@@ -3,6 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 
+#include "ode_predictive_space/haptics/contact/held_geoms.h"
+#include "ode_predictive_space/haptics/contact/numbered_touches.h"
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 #include "ode_predictive_space/haptics/contact/yielding_place.h"
 
@@ -10,41 +12,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The geoms around the probe, to be handed from the scene's tracker to the servo's; it keeps the meshes alive.
-struct NearbyGeoms
-{
-    std::vector<NearbyGeom> geoms;
-    double time = 0; ///< s; when this was so
-};
-
-/// On which side of which geom the proxy is, to be handed from the servo's tracker to the scene's.
-struct ContactMemory
-{
-    /// Where the proxy is with respect to a geom. The same place for all, but while geoms squeeze the sphere.
-    struct Place
-    {
-        GeomIdentity geom;
-        Vector3 at = Vector3::Zero();    ///< m; the scene's frame
-        Vector3 local = Vector3::Zero(); ///< m; the geom's frame
-        double drift = 0;                ///< m; how far the geom carried the proxy in the last tick
-        TriangleList triangles;          ///< touched
-    };
-
-    /// Makes room for as many as there can be, since the servo does not allocate.
-    ContactMemory() { places.reserve(touch_capacity); }
-
-    bool has_proxy = false;
-    Vector3 proxy = Vector3::Zero(); ///< m; the scene's frame
-    std::vector<Place> places;
-};
-
-/// A touch, and which of the object's geoms it is of.
-struct TouchOfGeom
-{
-    dGeomID geom;
-    Touch touch;
-};
-
 /// Whether all numbers of a touch are.
 bool is_finite(const Touch &touch);
 
@@ -95,10 +62,10 @@ public:
     /// Of the scene's tracker, after begin(): another one, which has gone on meanwhile, knows where the proxy is.
     void adopt(const ContactMemory &memory);
 
-    void aim(const Vector3 &tool);
+    void aim(const Vector3 &tool) { course_.aim(tool); }
 
     /// m; in the scene's frame: the proxy before it follows.
-    const Vector3 &start() const { return start_; }
+    const Vector3 &start() const { return course_.start; }
 
     /// Where to look for geoms.
     Region region() const;
@@ -113,7 +80,7 @@ public:
     void add_if_near(NearbyGeom geom);
 
     /// Whether there were more geoms in this tick than the capacity: the farthest ones were left out.
-    bool exceeds_capacity() const { return exceeds_; }
+    bool exceeds_capacity() const { return near_.exceeds_capacity(); }
 
     /// Hands the geoms that were added to the scene's tracker over to that of the servo.
     ///
@@ -127,7 +94,7 @@ public:
     std::size_t visited() const { return visited_; }
 
     /// m; in the scene's frame.
-    const Vector3 &proxy() const { return proxy_; }
+    const Vector3 &proxy() const { return course_.proxy; }
 
     /// Append what is touched, or nearer than the margin.
     ///
@@ -138,18 +105,19 @@ public:
     void remember_in(ContactMemory &memory) const;
 
 private:
-    /// A geom, and where the proxy is with respect to it.
-    struct Held
+    /// The tool, and the proxy that follows it. m; the scene's frame.
+    struct Course
     {
-        NearbyGeom geom;
-        double distance = 0;        ///< m; from the middle of the region, if the order goes by it
-        ContactMemory::Place place; ///< when the tick began; after follow(), when it was over
+        bool has_proxy = false;
+        Vector3 tool = Vector3::Zero();
+        Vector3 travel = Vector3::Zero(); ///< of the tool, since the tick before
+        Vector3 start = Vector3::Zero();  ///< the proxy when the tick began
+        Vector3 proxy = Vector3::Zero();  ///< when it was over
 
-        void put(const Vector3 &at);
+        void aim(const Vector3 &to);
     };
 
     void insert(NearbyGeom geom, double distance);
-    bool is_near(dGeomID geom) const;
     bool is_gone(const TouchOfGeom &told) const;
     double longest_way() const;
     SphereSlide::Task task() const;
@@ -157,9 +125,8 @@ private:
     Vector3 lag_at(const Vector3 &place) const;
     void tell_together(TouchView view);
     double tell_planes(TouchView view, const Vector3 &lag);
-    double yield_of(const SlidePlane &plane) const;
+    double yield_at(const SlidePlane &plane) const;
     void share_out(TouchView view);
-    void carry_on(const Vector3 &lag);
     void tell_each_object();
     bool ends_in(const TouchOfGeom &told, const Vector3 &normal) const;
     void count_flush_touches_once();
@@ -168,26 +135,18 @@ private:
     double margin_ = 0;
     double stiffness_ = 1000;
     double tick_length_ = 0.001;
-    bool has_proxy_ = false;
-    Vector3 tool_ = Vector3::Zero();
-    Vector3 travel_ = Vector3::Zero(); ///< m; of the tool, since the tick before
-    Vector3 start_ = Vector3::Zero();  ///< m; the proxy when the tick began
-    Vector3 proxy_ = Vector3::Zero();  ///< m; when it was over
-    bool exceeds_ = false;             ///< the capacity
-    bool adopts_ = false;              ///< another tracker has the proxy
+    Course course_;
+    HeldGeoms near_;
     /// What carried the proxy is gone, and it has not come to rest since: no force but by what it touches.
     bool released_ = false;
     bool carries_on_ = false; ///< in the tick before, the proxy was on its way to the tool, and touched nothing
     double catch_up_ = 0;     ///< m; how far the proxy may go in a tick beyond the tool's way, by what was near before
-    std::vector<Held> near_;
-    std::vector<ContactMemory::Place> before_;
-    std::vector<SlidePlace> places_;
     SphereSlide slide_;
-    std::vector<YieldingPlane> yielding_;
-    std::size_t visited_ = 0;
-    std::vector<TouchOfGeom> told_;        ///< in this tick
-    std::vector<TouchOfGeom> told_before_; ///< in the one before: what carried the proxy, and the numbers of planes
-    bool common_ = true;                   ///< all geoms see the proxy at the same place
+    std::vector<SlidePlace> places_;        ///< of the slide
+    bool common_ = true;                    ///< all geoms see the proxy at the same place
+    std::size_t visited_ = 0;               ///< triangles
+    std::vector<ConstraintPlane> yielding_; ///< what the slide found, with shares
+    NumberedTouches told_;
 };
 } // namespace ode_predictive_space::haptics
 

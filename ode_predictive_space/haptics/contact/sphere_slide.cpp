@@ -1,8 +1,11 @@
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 
+#include "ode_predictive_space/haptics/contact/yielding_place.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -19,52 +22,8 @@ constexpr double part_of_clearance = 0.9;
 constexpr double smallest_step = 1e-6; // of the radius; away from a surface that the centre lies on
 constexpr double allowed_entry = 5e-4; // of the radius; how deep a step may bring the sphere into a surface
 constexpr double shortest_try = 1e-5;  // of the radius; of a step that entered a surface and is tried again
-constexpr int most_sweeps = 200;
-constexpr double allowed_violation = 1e-6; // of the deepest plane
-constexpr double cancelling = 1e-3;        // of shares that cancel each other: how much they cost
-constexpr double squeezed = 2;             // times the radius; how far apart geoms that squeeze it see the sphere
-
-/// Hildreth's method: slower than find_closest_point() and less exact, but never confused by normals that are nearly
-/// dependent.
-bool find_by_sweeps(std::vector<ConstraintPlane> &planes)
-{
-    double deepest = 0;
-    for (ConstraintPlane &plane : planes)
-    {
-        deepest = std::max(deepest, plane.depth);
-        plane.share = 0;
-    }
-    Vector3 lift = Vector3::Zero();
-    for (int sweep = 0; sweep < most_sweeps; ++sweep)
-    {
-        double worst = 0;
-        for (ConstraintPlane &plane : planes)
-        {
-            const double missing = plane.depth - plane.normal.dot(lift);
-            const double share = std::max(0.0, plane.share + missing);
-            worst = std::max(worst, missing);
-            lift += (share - plane.share) * plane.normal;
-            plane.share = share;
-        }
-        if (worst <= allowed_violation * deepest)
-            return true;
-    }
-    return false;
-}
-
-/// @return whether there is a place; the shares say where.
-bool find_place(std::vector<ConstraintPlane> &planes)
-{
-    return find_closest_point(planes) || find_by_sweeps(planes);
-}
-
-Vector3 lift_of(const std::vector<ConstraintPlane> &planes)
-{
-    Vector3 lift = Vector3::Zero();
-    for (const ConstraintPlane &plane : planes)
-        lift += plane.share * plane.normal;
-    return lift;
-}
+constexpr double yielding_cell = 1e-3; // of planes that leave no place: what only cancels stays small
+constexpr double squeezed = 2;         // times the radius; how far apart geoms that squeeze it see the sphere
 
 /// How far a step may go.
 double longest_step(const SlidePlace &place, double look, double radius)
@@ -154,24 +113,21 @@ Vector3 SphereSlide::unhindered(const Task &task)
 }
 
 /// A single geom whose planes leave no place holds the sphere where it is. The planes in contact get such shares that they lift as far
-/// as there as they can; shares that would only cancel each other stay small.
+/// as there as they can.
 void SphereSlide::share_place(const Task &task, const SlidePlace &place)
 {
-    Vector3 missing = place.at - task.goal;
+    const Vector3 lift = place.at - task.goal;
+    const auto in_contact = [&](const SlidePlane &plane) {
+        return plane.feature.distance <= task.radius * (1 + allowed_entry);
+    };
+    constraints_.clear();
+    for (const SlidePlane &plane : planes_)
+        if (in_contact(plane))
+            constraints_.push_back({plane.feature.normal, plane.feature.normal.dot(lift), yielding_cell});
+    find_yielding_place(constraints_);
+    auto found = constraints_.begin();
     for (SlidePlane &plane : planes_)
-        plane.share = 0;
-    for (int sweep = 0; sweep < most_sweeps; ++sweep)
-    {
-        for (SlidePlane &plane : planes_)
-        {
-            if (plane.feature.distance > task.radius * (1 + allowed_entry))
-                continue;
-            const Vector3 &normal = plane.feature.normal;
-            const double share = std::max(0.0, (plane.share + normal.dot(missing)) / (1 + cancelling));
-            missing -= (share - plane.share) * normal;
-            plane.share = share;
-        }
-    }
+        plane.share = in_contact(plane) ? found++->share : 0;
 }
 
 /// Back to the planes before the step, and with them those of what it entered: the next try goes around these.
@@ -266,8 +222,8 @@ bool SphereSlide::find_target(const Vector3 &goal)
 {
     constraints_.clear();
     for (const SlidePlane &plane : planes_)
-        constraints_.push_back({plane.feature.normal, plane.depth, 0});
-    const bool found = find_place(constraints_);
+        constraints_.push_back({plane.feature.normal, plane.depth});
+    const bool found = find_closest_point(constraints_);
     target_ = goal + lift_of(constraints_);
     return found;
 }
@@ -285,7 +241,7 @@ bool SphereSlide::turn_planes(const Task &task, const std::vector<SlidePlace> &p
             constraints_[i].depth = task.radius - seen.normal.dot(task.goal - seen.point);
         }
     }
-    return find_place(constraints_);
+    return find_closest_point(constraints_);
 }
 
 /// To the target: so short that all surfaces are nearly as far from there as from here, and to the same side.
@@ -297,16 +253,24 @@ bool SphereSlide::is_short_step(const std::vector<SlidePlace> &places) const
 }
 
 /// Around an edge the steps alone would come nearer by the same factor each time: depth over radius. A turned plane lets the
-/// sphere in behind the one before it, by what a short step makes of that: the next step sees what is there.
+/// sphere in behind the one before it, by what a short step makes of that: the next step sees what is there. On a flat face whose edges
+/// alone are seen, turned planes lead farther away each time: there, the target stays as it was.
 void SphereSlide::refine_target(const Task &task, const std::vector<SlidePlace> &places)
 {
     const Vector3 unrefined = target_;
+    double change = std::numeric_limits<double>::infinity();
     for (int i = 0; i < most_refinements && is_short_step(places) && turn_planes(task, places); ++i)
     {
         const Vector3 last = target_;
         target_ = task.goal + lift_of(constraints_);
-        if ((target_ - last).norm() <= arrived * task.radius)
+        const double change_before = std::exchange(change, (target_ - last).norm());
+        if (change <= arrived * task.radius)
             break;
+        if (change > change_before)
+        {
+            target_ = unrefined;
+            break;
+        }
     }
     target_ = is_short_step(places) ? target_ : unrefined;
 }
@@ -323,8 +287,8 @@ Vector3 SphereSlide::target_of(std::size_t place, const Task &task, const std::v
     {
         const Vector3 &normal = plane.feature.normal;
         if (plane.place == place)
-            constraints_.push_back({normal, plane.depth + normal.dot(task.goal - goal), 0});
+            constraints_.push_back({normal, plane.depth + normal.dot(task.goal - goal)});
     }
-    return find_place(constraints_) ? goal + lift_of(constraints_) : places[place].at;
+    return find_closest_point(constraints_) ? goal + lift_of(constraints_) : places[place].at;
 }
 } // namespace ode_predictive_space::haptics

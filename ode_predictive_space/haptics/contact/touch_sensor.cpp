@@ -112,6 +112,7 @@ public:
         touch.object = object_of(other);
         touch.material = material_of(other);
         touch.surface_velocity = motion.velocity_at(touch.point);
+        touch.mobility = Mobility::of(dGeomGetBody(other)).along(touch.point - motion.centre, touch.normal);
         if (const dBodyID body = dGeomGetBody(other))
             bodies.keep(body);
         if (!is_finite(touch))

@@ -3,20 +3,14 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_YIELDING_PLACE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_YIELDING_PLACE_H
 
-#include "ode_predictive_space/haptics/device.h"
-
-#include <vector>
+#include "ode_predictive_space/haptics/contact/closest_point.h"
 
 namespace ode_predictive_space::haptics
 {
-/// A plane that holds the proxy off the tool, and gives way to the force by which it does.
-struct YieldingPlane
-{
-    Vector3 normal = Vector3::UnitZ(); ///< of length 1, towards where the proxy may be
-    double depth = 0;                  ///< m; how far the tool is behind it
-    double yield = 0;                  ///< > 0; how far it gives way per share
-    double share = 0;                  ///< m, >= 0; how far it lifts the proxy off the tool, along its normal
-};
+/// How far a surface gives way per share, to the force of a tick.
+///
+/// @param stiffness N/m. @param mobility 1/kg; of the surface along its normal. @param seconds of the tick.
+double yield_of(double stiffness, double mobility, double seconds);
 
 /// Finds the shares that hold the proxy off the tool, whatever the planes: the solution of a quadratic program,
 ///
@@ -31,7 +25,7 @@ struct YieldingPlane
 /// but for a part of (yield / (1 + yield))^3. Shares that act against each other alone stay below 3 depth / yield.
 ///
 /// The shares are the depths when something is not finite, so that checks for it still find it.
-void find_yielding_place(std::vector<YieldingPlane> &planes);
+void find_yielding_place(std::vector<ConstraintPlane> &planes);
 } // namespace ode_predictive_space::haptics
 
 #endif

@@ -1,4 +1,4 @@
-// How the base of a device gets from one of the scene's steps to the next.
+// Where the workspace of a device is in the scene, and how its base gets from one of the scene's steps to the next.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_BASE_COURSE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_BASE_COURSE_H
@@ -7,6 +7,7 @@
 #include "ode_predictive_space/haptics/workspace.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -74,6 +75,31 @@ private:
     Snapshot<Aim> aims_;
     double left_ = 0; ///< s; until the base is there
     bool moves_ = false;
+};
+/// Where the device's workspace is in the scene: by the program, the clutch, and the base. Used from the servo's thread, apart from base.aim().
+struct HandWorkspace
+{
+    explicit HandWorkspace(const WorkspacePlacement &placement) : mapping(placement) {}
+
+    void place(const WorkspacePlacement &placement)
+    {
+        mapping = WorkspaceMapping(placement);
+        base.forget();
+    }
+
+    void move_clutch(bool held, const DeviceState &state)
+    {
+        const bool was_held = mapping.clutched();
+        mapping.clutch(held, state);
+        clutch_released = was_held && !held;
+    }
+
+    /// Whether the clutch was released, and nothing has been rendered since. Once for each release.
+    bool take_release() { return std::exchange(clutch_released, false); }
+
+    WorkspaceMapping mapping;
+    BaseCourse base;
+    bool clutch_released = false;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -21,9 +21,9 @@ DeviceGate &guarded(DeviceGate &gate)
 } // namespace
 
 LoopGuard::LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties)
-    : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)),
+    : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)), notices_(std::move(duties_.sink)),
       watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }})),
-      speaker_(clock.start({speaker_period, {}, [this](double) { deliver_all(); }}))
+      speaker_(clock.start({speaker_period, {}, [this](double) { notices_.deliver_all(); }}))
 {
     if (typeid(clock) != typeid(MonotonicClock) && typeid(clock) != typeid(SimulatedClock))
         clock_watch_ = machine_clock_.start({watch_period, duties_.prepare, [this](double) { look_at_clock(); }});
@@ -41,20 +41,20 @@ void LoopGuard::end()
     watch_.reset();
     speaker_.reset();
     clock_watch_.reset();
-    deliver_all();
+    notices_.deliver_all();
 }
 
 void LoopGuard::look()
 {
     const double beat = last_beat_.load(std::memory_order_relaxed);
-    const double step = last_step_.load(std::memory_order_acquire);
+    const double step = scene_.last.load(std::memory_order_acquire);
     const double now = clock_.now();
     if (beat != stopped_beat_ && now - beat >= duties_.stall_after)
         stop_force(now, beat);
-    if (step != stopped_step_ && now - step >= duties_.scene_stall_after)
+    if (step != scene_.stopped && now - step >= duties_.scene_stall_after)
     {
-        stopped_step_ = step;
-        if (open_gates::close_unguarded(scene_thread_.load(std::memory_order_relaxed), now))
+        scene_.stopped = step;
+        if (open_gates::close_unguarded(scene_.thread.load(std::memory_order_relaxed), now))
             tell("No force at another probe of the program: the scene has hung for too long.");
     }
     // The loop itself may sleep until its next deadline, or wait for the scene.
@@ -77,8 +77,8 @@ void LoopGuard::look_at_clock()
 
 void LoopGuard::begin_step(double now)
 {
-    scene_thread_.store(std::this_thread::get_id(), std::memory_order_relaxed);
-    last_step_.store(now, std::memory_order_release);
+    scene_.thread.store(std::this_thread::get_id(), std::memory_order_relaxed);
+    scene_.last.store(now, std::memory_order_release);
 }
 
 void LoopGuard::stop_force(double now, double beat)
@@ -111,30 +111,5 @@ bool LoopGuard::take_force(double now)
         tell(with_reason("The device takes no zero force, and was closed"));
     }
     return true;
-}
-
-void LoopGuard::deliver_all()
-{
-    for (Queue<Notice> &queue : posted_)
-    {
-        Notice notice;
-        while (queue.receive(notice))
-            deliver(notice);
-    }
-}
-
-void LoopGuard::deliver(const Notice &notice)
-{
-    if (!duties_.sink || sink_failed())
-        return;
-    try
-    {
-        duties_.sink(notice);
-    }
-    catch (...)
-    {
-        sink_error_ = std::current_exception();
-        sink_failed_.store(true, std::memory_order_release);
-    }
 }
 } // namespace ode_predictive_space::haptics

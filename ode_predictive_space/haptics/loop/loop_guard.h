@@ -3,11 +3,10 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_GUARD_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_GUARD_H
 
-#include "ode_predictive_space/haptics/exchange.h"
 #include "ode_predictive_space/haptics/loop.h"
+#include "ode_predictive_space/haptics/loop/notice_post.h"
 #include "ode_predictive_space/haptics/safety/device_gate.h"
 
-#include <exception>
 #include <limits>
 
 namespace ode_predictive_space::haptics
@@ -45,29 +44,16 @@ public:
     void begin_step(double now);
 
     /// Of the same: there are no more steps.
-    void end_steps() { last_step_.store(never, std::memory_order_relaxed); }
+    void end_steps() { scene_.last.store(never, std::memory_order_relaxed); }
 
-    /// Who posts: each from one thread.
-    enum class Side
-    {
-        servo,
-        scene, ///< of a decoupled loop
-        watch,
-        clock,
-        count
-    };
-
-    /// Neither allocates nor waits. Lost when a hundred others of this side are on their way.
-    void post(const Notice &notice, Side side = Side::servo) { posted_[static_cast<std::size_t>(side)].give(notice); }
+    using Side = NoticePost::Side;
+    void post(const Notice &notice, Side side = Side::servo) { notices_.post(notice, side); }
 
     /// When the servo has ended: the watch is over, and what was posted is delivered.
     void end();
 
-    /// Whether the sink threw; it is not called any more, then. From any thread.
-    bool sink_failed() const { return sink_failed_.load(std::memory_order_acquire); }
-
-    /// What it threw. After sink_failed().
-    std::exception_ptr sink_error() const { return sink_error_; }
+    bool sink_failed() const { return notices_.sink_failed(); }
+    std::exception_ptr sink_error() const { return notices_.sink_error(); }
 
 private:
     void look();
@@ -75,11 +61,16 @@ private:
     void stop_force(double now, double beat);
     void tell(std::string_view sentence, Side side = Side::watch);
     bool take_force(double now);
-    void deliver_all();
-    void deliver(const Notice &notice);
 
     static constexpr double never = std::numeric_limits<double>::infinity();
-    static constexpr std::size_t most_notices = 100; ///< on their way
+
+    /// Of the scene's thread.
+    struct SceneSteps
+    {
+        std::atomic<double> last{never};
+        double stopped = never; ///< the last step before a stall that has been dealt with
+        std::atomic<std::thread::id> thread{};
+    };
 
     LoopClock &clock_;
     DeviceGate &gate_;
@@ -87,15 +78,9 @@ private:
     std::atomic<double> last_beat_{never};
     double stopped_beat_ = never; ///< the last beat before a stall that has been dealt with
     double busy_beat_ = never;    ///< the same, told that the driver hangs
-    std::atomic<double> last_step_{never};
-    double stopped_step_ = never; ///< the last step before a stall that has been dealt with
-    std::atomic<std::thread::id> scene_thread_{};
+    SceneSteps scene_;
     bool ended_ = false; ///< must_end() has been dealt with
-    Queue<Notice> posted_[static_cast<std::size_t>(Side::count)] = {
-        Queue<Notice>(most_notices), Queue<Notice>(most_notices), Queue<Notice>(most_notices),
-        Queue<Notice>(most_notices)};
-    std::atomic<bool> sink_failed_{false};
-    std::exception_ptr sink_error_;
+    NoticePost notices_;
     MonotonicClock machine_clock_;
     double newest_ = -never;             ///< s; of the loop's clock
     bool has_gone_back_ = false;         ///< and the force is still to be taken

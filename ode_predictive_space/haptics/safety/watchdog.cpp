@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "ode_predictive_space/haptics/device/check_argument.h"
 
@@ -52,7 +53,7 @@ void Watchdog::servo_ticked(double time)
 {
     const double elapsed = has_ticked_ ? std::max(0.0, time - last_tick_) : 0;
     const Fault fault = find_fault(time, elapsed);
-    reason_ = fault.reason;
+    reason_before_ = std::exchange(reason_, fault.reason);
 
     if (has_ticked_ && time < last_tick_) // how long it has been is unknown
     {

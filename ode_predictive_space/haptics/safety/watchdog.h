@@ -65,6 +65,9 @@ public:
     /// Why factor() falls or stays at 0; none while it rises.
     WatchdogReason reason() const { return reason_; }
 
+    /// Whether it was another one in the tick before.
+    bool has_new_reason() const { return reason_ != reason_before_; }
+
 private:
     struct Fault
     {
@@ -85,6 +88,7 @@ private:
     int missed_in_a_row_ = 0;
     double factor_ = 0;
     WatchdogReason reason_ = WatchdogReason::device_lost;
+    WatchdogReason reason_before_ = WatchdogReason::none;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -1,0 +1,65 @@
+// The touches of a tick: how they are felt, the forces that a law makes of them, and each object's part of what the hand got.
+
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_FELT_TOUCHES_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_FELT_TOUCHES_H
+
+#include "ode_predictive_space/haptics/contact/contact_manifold.h"
+#include "ode_predictive_space/haptics/force_law.h"
+#include "ode_predictive_space/haptics/law/force_shares.h"
+
+namespace ode_predictive_space::haptics
+{
+/// Each tick: take(), force(), then give() or give_nothing(). Does not allocate when it has seen as many touches before.
+class FeltTouches
+{
+public:
+    FeltTouches()
+    {
+        felt_.reserve(touch_capacity);
+        forces_.reserve(touch_capacity);
+    }
+
+    /// Forgets all touches: what is touched next is new.
+    void reset()
+    {
+        manifold_.reset();
+        split_.clear();
+    }
+
+    /// @return the touches, to get the materials with which they are rendered.
+    std::vector<Touch> &take(const std::vector<Touch> &touches) { return felt_ = touches; }
+
+    /// @param gap see ContactManifold::follow(). @param released whether the clutch was released in this tick.
+    /// @return N; the law's.
+    Vector3 force(ForceLaw &law, const ToolState &tool, double dt, std::optional<double> gap, bool released)
+    {
+        if (released)
+            manifold_.release();
+        manifold_.follow(tool, law.view(), dt, gap, felt_);
+        law.forces(tool, felt_, dt, forces_);
+        return sum_of(forces_);
+    }
+
+    /// @param given N; what the hand got of the force().
+    void give(const Vector3 &given)
+    {
+        if (given.isZero(0))
+            split_.clear();
+        else
+            split_.split(felt_, forces_, given);
+    }
+
+    void give_nothing() { split_.clear(); }
+
+    /// Of what the hand got last.
+    const std::vector<ForceShare> &shares() const { return split_.shares(); }
+
+private:
+    std::vector<Touch> felt_;
+    ContactManifold manifold_;
+    TouchForces forces_; ///< N; by the law
+    ForceSplit split_;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif
