@@ -183,6 +183,8 @@ private:
         top_ = (scenario_.crowd == Crowd::pit ? 2 : 3.7) * ball + probe_radius;
     }
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations" // dGeomTransform is deprecated, but supported
     void wrap(dBodyID body) const
     {
         const dGeomID sphere = dBodyGetFirstGeom(body), transform = dCreateGeomTransform(scene_.space);
@@ -192,6 +194,7 @@ private:
         dGeomTransformSetCleanup(transform, 1);
         dGeomSetBody(transform, body);
     }
+#pragma GCC diagnostic pop
 
     void add_pit(double half)
     {
