@@ -35,7 +35,7 @@ std::shared_ptr<const DataHull> HullStore::known(const DataKey &key) const
     return hull && !hull->outdated ? hull : nullptr;
 }
 
-// Now and then forgets those that are not used any more.
+// Removes those that are not used any more whenever the number has doubled.
 void HullStore::add(const std::shared_ptr<DataHull> &hull)
 {
     if (hulls_.size() >= 2 * used_)

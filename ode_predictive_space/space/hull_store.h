@@ -54,7 +54,8 @@ private:
 
     std::map<DataKey, std::weak_ptr<DataHull>> hulls_;
     std::map<ProxyId, OfGeom> geoms_;
-    std::size_t used_ = 0;   // so many of them, when that was last counted, and the next one
+    std::size_t used_ =
+        0; // hulls that were in use when expired ones were last removed, and the one that was added then
     std::uint32_t made_ = 0; // so many hulls
 };
 } // namespace ode_predictive_space

@@ -70,8 +70,8 @@ void NearSet::want_all_by_shape()
             want(pair);
 }
 
-// Brings the travels of postponed pairs up to date, and of pairs that rest apart; now and then of all, as others can wait to be told
-// that they do not touch any more. A pair of an object whose shape is another one now is as good as new, also one at rest.
+// Brings the shapes of postponed pairs up to date, and of pairs that rest apart. When pairs may rest, all measured shapes follow: a pair that is
+// reported may be apart since its data changed. A pair of an object whose shape is another one now is as good as new, also one at rest.
 void NearSet::follow(ShapeTest &test, bool all_shapes)
 {
     wanted_ = apart_;

@@ -83,7 +83,7 @@ private:
     std::vector<double> travels_;       // of the objects
     std::vector<UpdateNumber> seen_;    // of each object, the update that saw its last move before it was looked at
     IdSet renewed_;
-    IdSet awaited_; // hulls, by the objects whose shapes they will be
+    IdSet awaited_; // objects whose hulls are being made
     bool any_renewed_ = false;
     IdList stale_;                        // scratch
     std::vector<ConvexShape *> followed_; // scratch: the shapes of these

@@ -58,7 +58,7 @@ struct alignas(64) ProxyRecord
     bool is_costly : 1;    ///< the contacts of its shape are costly to find
 
     bool had_overlap() const { return useless < tests; }
-    /// Has it a body, or has it moved?
+    /// Had it a body that is not kinematic at the last prediction, or has it moved by then, or leapt since?
     bool can_move() const { return has_body || leapt || is_interactive(role); }
 };
 static_assert(sizeof(ProxyRecord) == 64, "one cache line");
@@ -70,8 +70,8 @@ public:
     std::vector<Place, CacheLineAllocator<Place>> places;
     std::vector<ProxyRecord> records;
 
-    /// Are contacts of the pair costly to find, and can there be any that matter? Those of two landscapes that stand do not. Contacts of
-    /// what the program says that a person holds count as costly: it asks for more of these.
+    /// Should the pair be tested by shape? Its contacts are costly to find, or the program has said of one of the two that a person drives it.
+    /// Two costly objects that cannot move are tested by box: they are pieces of a landscape.
     bool is_worth_a_look(ProxyId first, ProxyId second) const
     {
         const ProxyRecord &one = records[first], &other = records[second];

@@ -26,7 +26,8 @@ constexpr double allowed_rise =
 bool is_finite(const Touch &touch)
 {
     return touch.point.allFinite() && touch.normal.allFinite() && std::isfinite(touch.depth) &&
-           touch.surface_velocity.allFinite() && std::isfinite(touch.carry.share) && touch.carry.lag.allFinite();
+           std::isfinite(touch.mobility) && touch.surface_velocity.allFinite() && std::isfinite(touch.carry.share) &&
+           touch.carry.lag.allFinite();
 }
 
 bool keep_within_capacity(std::vector<Touch> &touches)

@@ -15,8 +15,8 @@ constexpr double shortest_newton_step = 1e-12; // of the deepest plane: a step t
 constexpr double least_descent = 0.1;          // of what the slope says that a step descends
 
 /// How far a surface gives way in each pass of find_yielding_place(), in parts of the way that its body goes in a tick by the force.
-/// After all three, the forces of touches that act against each other are those of 0.75: from a quarter on, no arrangement of touches makes
-/// light bodies swing more and more.
+/// Three passes act on touches that oppose each other as one pass with 0.75 does. From 0.25 on, light bodies do not swing more and more in
+/// any arrangement of touches.
 constexpr double yielding = 2.25;
 
 using Planes = std::vector<ConstraintPlane>;

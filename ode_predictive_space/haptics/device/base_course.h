@@ -76,7 +76,8 @@ private:
     double left_ = 0; ///< s; until the base is there
     bool moves_ = false;
 };
-/// Where the device's workspace is in the scene: by the program, the clutch, and the base. Used from the servo's thread, apart from base.aim().
+
+/// Where the device's workspace is in the scene: by the program, the clutch, and the base. Used by the servo's thread, except base.aim().
 struct HandWorkspace
 {
     explicit HandWorkspace(const WorkspacePlacement &placement) : mapping(placement) {}
