@@ -19,14 +19,6 @@ ConstraintPlane plane(const Vector3 &normal, double depth)
     return result;
 }
 
-Vector3 point_of(const std::vector<ConstraintPlane> &planes)
-{
-    Vector3 point = Vector3::Zero();
-    for (const ConstraintPlane &plane : planes)
-        point += plane.share * plane.normal;
-    return point;
-}
-
 double worst_violation(const std::vector<ConstraintPlane> &planes, const Vector3 &point)
 {
     double worst = 0;
@@ -89,8 +81,8 @@ TEST(ClosestPoint, IsWhereDykstrasProjectionsEnd)
                 corrections[k] = std::max(0.0, planes[k].depth - planes[k].normal.dot(start));
                 point = start + corrections[k] * planes[k].normal;
             }
-        EXPECT_NEAR((point - point_of(planes)).norm(), 0, 1e-4);
-        EXPECT_LE(point_of(planes).norm(), 1 + 1e-9); // the free point is no nearer
+        EXPECT_NEAR((point - lift_of(planes)).norm(), 0, 1e-4);
+        EXPECT_LE(lift_of(planes).norm(), 1 + 1e-9); // the free point is no nearer
     }
     EXPECT_GT(found, 450);
 }
@@ -107,7 +99,7 @@ TEST(ClosestPoint, IsFoundBetweenManyNearlyEqualPlanes)
                 planes.push_back(
                     plane((up + random.in_cube(spread)).normalized(), 0.01 + random.between(0, spread * 0.01)));
             EXPECT_TRUE(find_closest_point(planes)) << spread;
-            EXPECT_LE(worst_violation(planes, point_of(planes)), 2e-9 * 0.02) << spread;
+            EXPECT_LE(worst_violation(planes, lift_of(planes)), 2e-9 * 0.02) << spread;
         }
 }
 
@@ -126,8 +118,8 @@ TEST(ClosestPoint, IsFoundInACornerOfManyPlanesThroughOneEdge)
             planes.push_back(plane(normal, std::max(0.0, normal.dot(on_edge))));
         }
         EXPECT_TRUE(find_closest_point(planes));
-        EXPECT_LE(worst_violation(planes, point_of(planes)), 1e-11);
-        EXPECT_LE(point_of(planes).norm(), on_edge.norm() + 1e-12);
+        EXPECT_LE(worst_violation(planes, lift_of(planes)), 1e-11);
+        EXPECT_LE(lift_of(planes).norm(), on_edge.norm() + 1e-12);
     }
 }
 
@@ -139,8 +131,8 @@ TEST(ClosestPoint, IsFoundWhereRoundingHidesTheCornerOfTwoPlanes)
         plane({3.6040162085170895e-05, 0, 0.99999999935055339}, 0.015333333329842769),
         plane({0, -3.2436145965682079e-05, 0.99999999947394824}, 0.015333333330505978)};
     EXPECT_TRUE(find_closest_point(planes));
-    EXPECT_LE(worst_violation(planes, point_of(planes)), 1e-6 * 0.0154);
-    EXPECT_NEAR(point_of(planes).z(), 0.0153333333, 1e-9);
+    EXPECT_LE(worst_violation(planes, lift_of(planes)), 1e-6 * 0.0154);
+    EXPECT_NEAR(lift_of(planes).z(), 0.0153333333, 1e-9);
 }
 
 TEST(ClosestPoint, OfOppositePlanesThereIsNone)
@@ -170,7 +162,7 @@ TEST(ClosestPoint, ThatIsTooFarIsNone)
     };
     std::vector<ConstraintPlane> blunt = wedge(std::asin(1 / 99.0)), sharp = wedge(std::asin(1 / 101.0));
     EXPECT_TRUE(find_closest_point(blunt));
-    EXPECT_NEAR(point_of(blunt).norm(), 0.99, 1e-9);
+    EXPECT_NEAR(lift_of(blunt).norm(), 0.99, 1e-9);
     EXPECT_FALSE(find_closest_point(sharp));
     EXPECT_EQ(sharp[0].share, 0.01);
 }

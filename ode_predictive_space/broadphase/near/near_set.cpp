@@ -70,8 +70,9 @@ void NearSet::want_all_by_shape()
             want(pair);
 }
 
-// Brings the shapes of postponed pairs up to date, and of pairs that rest apart. When pairs may rest, all measured shapes follow: a pair that is
-// reported may be apart since its data changed. A pair of an object whose shape is another one now is as good as new, also one at rest.
+// Updates the shapes of postponed pairs and of pairs that rest apart. When pairs may rest, it updates all measured shapes, because the shapes of
+// a reported pair may have separated when their data changed. When the shape of an object is replaced, all its pairs become active, and are
+// looked at like new pairs.
 void NearSet::follow(ShapeTest &test, bool all_shapes)
 {
     wanted_ = apart_;

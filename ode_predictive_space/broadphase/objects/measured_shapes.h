@@ -52,7 +52,7 @@ public:
     /// Has the object been looked at, and not been forgotten since?
     bool has_shape(ProxyId id) const { return places_[id] > 0; }
 
-    /// Of an object that has been looked at, and not been forgotten since.
+    /// The shape of an object. @pre has_shape(id).
     const ConvexShape &operator[](ProxyId id) const { return shapes_[place_of(id)]; }
 
     /// Gives the shapes of all other objects back: when they are looked at again, it is as for the first time.

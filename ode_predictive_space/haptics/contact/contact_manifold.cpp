@@ -161,8 +161,8 @@ double ContactManifold::part_of(const Touch &touch, const ToolState &tool, doubl
     return carrier != nullptr ? risen(carrier->touch.part, dt) : 1;
 }
 
-/// The planes of a group share the shortest way out of all of them; where all hold the tool together, movable ones give way. What the
-/// tracker's part lags behind stays, in proportion.
+/// Divides the shortest way out of all planes of a group among these planes. If all objects hold the tool together, movable ones give way.
+/// The lag that the tracker found is divided in proportion to the shares.
 void ContactManifold::solve(TouchView view, double dt, std::vector<Touch> &touches)
 {
     while (const Touch *first = find_in(touches, [](const Touch &touch) { return !touch.is_solved; }))

@@ -44,8 +44,9 @@ public:
     void follow(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
                 std::vector<Touch> &touches);
 
-    /// The clutch was released: all that is touched in the next follow() rises as what appeared around the probe. There was no force on the hand
-    /// before, so that it would push as hard as it is deep, at once. What is touched later is felt in full.
+    /// The clutch was released: the force of each object that the next follow() touches rises from zero, as that of an object which appeared around
+    /// the probe. There was no force on the hand before, so the full force of a deep touch would come at once. Objects that are touched later are
+    /// felt in full.
     void release() { released_ = true; }
 
     /// Forget all touches: what is touched next is new.

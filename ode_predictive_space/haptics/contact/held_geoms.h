@@ -19,7 +19,7 @@ struct NearbyGeoms
 /// On which side of which geom the proxy is, to be handed from the servo's tracker to the scene's.
 struct ContactMemory
 {
-    /// Where the proxy is with respect to a geom. The same place for all, but while geoms squeeze the sphere.
+    /// The place of the proxy beside one geom. The places differ only while several geoms squeeze the sphere.
     struct Place
     {
         GeomIdentity geom;
@@ -77,7 +77,7 @@ public:
     std::vector<HeldGeom> &list() { return list_; }
     const std::vector<HeldGeom> &list() const { return list_; }
 
-    /// Where the proxy was with respect to the geoms of the tick before.
+    /// The places of the proxy in the last tick, one for each geom that was near then.
     const std::vector<ContactMemory::Place> &places_before() const { return before_; }
 
     /// Whether there were more geoms in this tick than the capacity: the farthest ones were left out.

@@ -31,7 +31,8 @@ public:
     void clear() { now_.clear(); }
     void add(dGeomID geom, const Touch &touch) { now_.push_back({geom, touch}); }
 
-    /// The proxy has left all surfaces, and is on its way to the tool: the force of those that carried it fades as it comes there.
+    /// Adds the touches that carried the proxy in the last tick. The proxy has left all surfaces and moves to the tool; the force of these touches
+    /// fades on the way.
     ///
     /// @param lag m; from the tool to the proxy.
     void add_carriers_of_before(const Vector3 &lag);
@@ -41,7 +42,7 @@ public:
 
     std::vector<TouchOfGeom> &now() { return now_; }
 
-    /// What carried the proxy in the tick before, and the numbers of planes.
+    /// The touches of the last tick, with the numbers of their planes.
     const std::vector<TouchOfGeom> &before() const { return before_; }
 
 private:

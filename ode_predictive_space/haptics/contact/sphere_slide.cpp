@@ -252,9 +252,9 @@ bool SphereSlide::is_short_step(const std::vector<SlidePlace> &places) const
     });
 }
 
-/// Around an edge the steps alone would come nearer by the same factor each time: depth over radius. A turned plane lets the
-/// sphere in behind the one before it, by what a short step makes of that: the next step sees what is there. On a flat face whose edges
-/// alone are seen, turned planes lead farther away each time: there, the target stays as it was.
+/// Around an edge the steps alone would come nearer by the same factor each time: depth over radius. A turned plane allows
+/// places behind the plane that it replaces. This is safe for a short step, because the next step meets what is there. On a flat face of which only
+/// edges are found, each turned plane leads farther away: then the target stays as it was.
 void SphereSlide::refine_target(const Task &task, const std::vector<SlidePlace> &places)
 {
     const Vector3 unrefined = target_;

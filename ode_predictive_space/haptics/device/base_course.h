@@ -1,4 +1,4 @@
-// Where the workspace of a device is in the scene, and how its base gets from one of the scene's steps to the next.
+// The place of a device's workspace in the scene, and the motion of its base between two steps of the scene.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_BASE_COURSE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_BASE_COURSE_H
@@ -77,7 +77,8 @@ private:
     bool moves_ = false;
 };
 
-/// Where the device's workspace is in the scene: by the program, the clutch, and the base. Used by the servo's thread, except base.aim().
+/// The place of the device's workspace in the scene, which follows from the program, the clutch and the base. Only the servo's thread uses it,
+/// except for base.aim().
 struct HandWorkspace
 {
     explicit HandWorkspace(const WorkspacePlacement &placement) : mapping(placement) {}

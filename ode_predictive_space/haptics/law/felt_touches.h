@@ -51,7 +51,7 @@ public:
 
     void give_nothing() { split_.clear(); }
 
-    /// Of what the hand got last.
+    /// The force that the hand got last, as a share for each touched object.
     const std::vector<ForceShare> &shares() const { return split_.shares(); }
 
 private:
