@@ -32,9 +32,20 @@ bool is_space_class(int geom_class)
     return geom_class >= dFirstSpaceClass && geom_class <= dLastSpaceClass;
 }
 
+bool is_heightfield(int geom_class)
+{
+    return geom_class == dHeightfieldClass || geom_class == fixed_heightfield;
+}
+
+bool has_data(int geom_class)
+{
+    return geom_class == dTriMeshClass || geom_class == dConvexClass || is_heightfield(geom_class);
+}
+
 bool is_placeable_class(int geom_class)
 {
-    return geom_class != dPlaneClass && geom_class != stand_in && !is_space_class(geom_class);
+    return geom_class != dPlaneClass && geom_class != stand_in && geom_class != fixed_heightfield &&
+           !is_space_class(geom_class);
 }
 
 std::uint64_t hash_of_pair(std::uint32_t first, std::uint32_t second)

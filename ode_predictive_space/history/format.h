@@ -14,7 +14,10 @@
 namespace ode_predictive_space::history
 {
 constexpr char magic[8] = {'O', 'D', 'E', 'h', 'i', 's', 't', '\n'};
-constexpr std::uint32_t format_version = 1;
+constexpr std::uint32_t format_version = 2;
+
+/// Version 1 has neither notices nor heights, and records a geom in a transform as a bounding box.
+constexpr std::uint32_t oldest_version = 1;
 
 /// Magic, version (4 bytes), sizeof(dReal) (4 bytes).
 constexpr std::size_t header_size = sizeof magic + 8;
@@ -34,7 +37,10 @@ enum class RecordKind : std::uint8_t
     collide2, ///< ids of two geoms: dSpaceCollide2()
     pairs,    ///< number of the event (collide or collide2, from 0), number of pairs, hash of them
     end,      ///< EndReason (1 byte); nothing follows. A program that crashed leaves none.
-    last = end
+    heights, ///< id, columns, rows, repeats (1 byte); width, depth, scale, offset, thickness, lowest, highest; samples (8 bytes each)
+    notices, ///< (id of a geom, number of its notices) for each geom for which it is not 1 where the geom has another pose of its own
+             ///< or from its body, or another box, and 0 where it has none of these or is new
+    last = notices
 };
 
 enum class EndReason : std::uint8_t
@@ -55,31 +61,45 @@ constexpr std::uint8_t body_enabled = 1, body_kinematic = 2;
 
 namespace geom_field
 {
-constexpr std::uint16_t is_new = 1;   ///< nothing; with all others, when the geom first appears
-constexpr std::uint16_t space = 2;    ///< of a space: sublevel, minlevel, maxlevel (4 bytes each)
-constexpr std::uint16_t parent = 4;   ///< id of a space + 1; 0: it is in none; for good
-constexpr std::uint16_t bits = 8;     ///< category, collide (8 bytes each)
-constexpr std::uint16_t flags = 16;   ///< 1 byte: geom_enabled and three of rays
-constexpr std::uint16_t size = 32;    ///< as many reals as the class has: see size_count()
-constexpr std::uint16_t data = 64;    ///< id of a mesh or convex
-constexpr std::uint16_t body = 128;   ///< id of a body + 1; 0: none
-constexpr std::uint16_t offset = 256; ///< has one (1 byte), 12 reals: from the body
-constexpr std::uint16_t pose = 512;   ///< 12 reals, in the world; not of a geom that is where its body is
-constexpr std::uint16_t all = 1023;
+constexpr std::uint16_t is_new = 1;     ///< nothing; with all others, when the geom first appears
+constexpr std::uint16_t space = 2;      ///< of a space: sublevel, minlevel, maxlevel (4 bytes each)
+constexpr std::uint16_t parent = 4;     ///< id of a space + 1; 0: it is in none; for good
+constexpr std::uint16_t bits = 8;       ///< category, collide (8 bytes each)
+constexpr std::uint16_t flags = 16;     ///< 1 byte: geom_enabled and three of rays
+constexpr std::uint16_t size = 32;      ///< as many reals as the class has: see size_count()
+constexpr std::uint16_t data = 64;      ///< id of a mesh, convex or heightfield
+constexpr std::uint16_t body = 128;     ///< id of a body + 1; 0: none
+constexpr std::uint16_t offset = 256;   ///< has one (1 byte), 12 reals: from the body
+constexpr std::uint16_t pose = 512;     ///< 12 reals, in the world; not of a geom that is where its body is
+constexpr std::uint16_t service = 1024; ///< of a space: SpaceService (2 bytes)
+
+constexpr std::uint16_t all = 2047;
+constexpr std::uint16_t all_of_version_1 = 1023;
 } // namespace geom_field
 
 constexpr std::uint8_t geom_enabled = 1, ray_first_contact = 2, ray_backface_cull = 4, ray_closest_hit = 8;
 
-/// The class of a geom of which only the bounding box is recorded: user classes, heightfields, transforms.
+/// The class of a geom of which only the bounding box is recorded: user classes, and what has no data that can be read.
 constexpr std::uint8_t stand_in = 255;
+
+/// The class of a heightfield that has no pose: dCreateHeightfield() was told that it is not placeable.
+constexpr std::uint8_t fixed_heightfield = 254;
 
 /// Reals in geom_field::size; of a stand-in, its bounding box.
 int size_count(int geom_class);
 
 bool is_space_class(int geom_class);
 
+bool is_heightfield(int geom_class);
+
+/// A mesh, convex or heightfield.
+bool has_data(int geom_class);
+
 /// Has a position and a rotation.
 bool is_placeable_class(int geom_class);
+
+/// Notices of one geom that a reader takes.
+constexpr std::uint32_t most_notices = 1000;
 
 /// An order of two geoms has no meaning, and none that pairs are found in.
 std::uint64_t hash_of_pair(std::uint32_t first, std::uint32_t second);
@@ -87,7 +107,7 @@ std::uint64_t hash_of_pair(std::uint32_t first, std::uint32_t second);
 /// What a reader demands of a convex, and a recorder records: ODE compares each of its edges with all others.
 constexpr std::uint32_t most_polygon_entries = 10000;
 
-/// Vertices and triangles of a mesh that a reader takes.
+/// Vertices and triangles of a mesh, and samples of a heightfield, that a reader takes.
 constexpr std::uint32_t most_of_mesh = 100000000;
 
 /// Spaces in spaces.

@@ -25,6 +25,13 @@ std::string header()
     return text;
 }
 
+RecordKind kind_of_data(int geom_class)
+{
+    return geom_class == dConvexClass    ? RecordKind::convex
+           : geom_class == dTriMeshClass ? RecordKind::mesh
+                                         : RecordKind::heights;
+}
+
 constexpr std::size_t end_size = record_header_size + 1;
 constexpr std::size_t pairs_size = record_header_size + 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t);
 } // namespace
@@ -63,8 +70,9 @@ private:
     std::size_t begin_;
 };
 
-Recorder::Recorder(HistoryFile file, std::uint64_t limit, const std::string &note)
-    : file_(std::move(file)), limit_(limit), buffer_(header())
+Recorder::Recorder(HistoryFile file, std::uint64_t limit, const std::string &note,
+                   std::function<bool(dSpaceID)> is_substitute)
+    : file_(std::move(file)), limit_(limit), buffer_(header()), is_substitute_(std::move(is_substitute))
 {
     Record(buffer_, RecordKind::note).add_text(note);
 }
@@ -76,6 +84,7 @@ Recorder::~Recorder()
 
 bool Recorder::close()
 {
+    ode_predictive_space_stop_listening(&notices_);
     const std::lock_guard<std::mutex> guard(mutex_);
     if (!over_ && append([&] { Record(buffer_, RecordKind::end).add(EndReason::closed); }))
         file_.write(buffer_);
@@ -192,7 +201,9 @@ void Recorder::look_at(dGeomID geom, bool is_collide)
     if (geom->parent_space && !is_known(geom->parent_space))
         while (begin->parent_space)
             begin = begin->parent_space;
+    noticed_.clear();
     visit(begin, is_collide);
+    write_notices();
     forget_absent();
 }
 
@@ -209,6 +220,8 @@ void Recorder::visit(dGeomID geom, bool is_collide)
     GeomState state = state_of(geom);
     state.parent = geom->parent_space ? geoms_.at(geom->parent_space).id + 1 : 0;
     state.body = body_of(geom, body_changed);
+    if (IS_SPACE(geom))
+        state.service = service_of(static_cast<dSpaceID>(geom));
     take_shape_data(geom, is_collide, state);
 
     auto [place, is_new] = geoms_.try_emplace(geom, Known{next_geom_, 0, {}});
@@ -232,8 +245,42 @@ void Recorder::visit(dGeomID geom, bool is_collide)
     known.state = state;
     if (fields)
         write_geom(known, fields);
+    take_notices(geom, known, fields, body_changed);
     if (IS_SPACE(geom))
         visit_members(static_cast<dSpaceID>(geom), is_collide);
+}
+
+SpaceService Recorder::service_of(dSpaceID space)
+{
+    SpaceService service;
+    if (!dSpaceIsPredictive(space))
+        return service;
+    ode_predictive_space_listen(space, &notices_);
+    service.counts_notices = 1;
+    if (!is_substitute_(space))
+        service.predictive = static_cast<std::uint8_t>(1 + dPredictiveSpaceGetProximity(space));
+    return service;
+}
+
+void Recorder::take_notices(dGeomID geom, const Known &known, std::uint16_t fields, bool body_changed)
+{
+    if (!geom->parent_space || !geoms_.at(geom->parent_space).state.service.counts_notices)
+        return;
+    const bool other_box = known.state.geom_class == stand_in && (fields & geom_field::size);
+    const bool other_pose = body_changed || (fields & geom_field::pose) || other_box;
+    const std::uint32_t usual = other_pose && !(fields & geom_field::is_new) ? 1 : 0;
+    const std::uint32_t number = std::min(notices_.take(geom), most_notices);
+    if (number != usual)
+        noticed_.push_back({known.id, number});
+}
+
+void Recorder::write_notices()
+{
+    if (noticed_.empty())
+        return;
+    Record record(buffer_, RecordKind::notices);
+    for (const auto &each : noticed_)
+        record.add(each);
 }
 
 // A space puts new geoms in front: from the last to the first, a replay has them in the same order.
@@ -277,16 +324,14 @@ std::uint32_t Recorder::body_of(dGeomID geom, bool &changed)
 
 void Recorder::take_shape_data(dGeomID geom, bool is_collide, GeomState &state)
 {
-    if (state.geom_class != dConvexClass && state.geom_class != dTriMeshClass)
+    if (!has_data(state.geom_class))
         return;
     ShapeData::Entry entry{};
     std::string content;
-    if (!shape_data_.find(geom, is_collide ? walk_ : 0, entry, content))
+    if (!shape_data_.find(shape_of(geom), is_collide ? walk_ : 0, entry, content))
         return make_stand_in(geom, state);
     if (entry.is_new)
-        Record(buffer_, state.geom_class == dConvexClass ? RecordKind::convex : RecordKind::mesh)
-            .add(entry.id)
-            .add_text(content);
+        Record(buffer_, kind_of_data(state.geom_class)).add(entry.id).add_text(content);
     state.data = entry.id;
 }
 
@@ -328,6 +373,8 @@ void Recorder::write_geom(const Known &known, std::uint16_t fields)
     }
     if (fields & geom_field::pose)
         record.add_reals(state.pose.data(), 12);
+    if (fields & geom_field::service)
+        record.add(state.service);
 }
 
 // A geom that has left a space is in another one, which is not looked at now, in none, or destroyed. If it comes back, it is new.
@@ -344,6 +391,7 @@ void Recorder::forget_absent()
         if (absent)
         {
             Record(buffer_, RecordKind::gone).add(known.id);
+            notices_.take(place->first);
             count_member(known.state.parent, -1);
         }
         place = absent ? geoms_.erase(place) : std::next(place);

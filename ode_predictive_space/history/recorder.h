@@ -1,12 +1,15 @@
 // Writes a history while it happens: before each collide and question, what has changed since the one before.
 //
-// It reads the geoms through ODE, like any program, and needs no notifications: a space that is not recorded costs nothing more.
+// It reads the geoms through ODE, like any program. Of predictive spaces it counts the notices; a space that is not recorded costs
+// nothing more.
 
 #ifndef ODE_PREDICTIVE_SPACE_HISTORY_RECORDER_H
 #define ODE_PREDICTIVE_SPACE_HISTORY_RECORDER_H
 
+#include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -16,6 +19,7 @@
 #include <ode/common.h>
 
 #include "ode_predictive_space/history/history_file.h"
+#include "ode_predictive_space/history/notices.h"
 #include "ode_predictive_space/history/shape_data.h"
 #include "ode_predictive_space/history/state.h"
 
@@ -29,7 +33,10 @@ public:
     /// @param file an empty one, taken over.
     /// @param limit bytes; where the next collide would exceed it, the recording ends.
     /// @param note where the recording comes from.
-    Recorder(HistoryFile file, std::uint64_t limit, const std::string &note);
+    /// @param is_substitute whether a predictive space stands in the place of one of ODE's that the program made.
+    Recorder(
+        HistoryFile file, std::uint64_t limit, const std::string &note,
+        std::function<bool(dSpaceID)> is_substitute = [](dSpaceID) { return false; });
     ~Recorder();
     Recorder(const Recorder &) = delete;
     Recorder &operator=(const Recorder &) = delete;
@@ -95,6 +102,9 @@ private:
     void take_shape_data(dGeomID geom, bool is_collide, GeomState &state);
     void write_geom(const Known &known, std::uint16_t fields);
     void write_body(const KnownBody &known, std::uint16_t fields);
+    SpaceService service_of(dSpaceID space);
+    void take_notices(dGeomID geom, const Known &known, std::uint16_t fields, bool body_changed);
+    void write_notices();
     void forget_absent();
     void count_member(std::uint32_t parent, int change);
     Event write_event(std::size_t before);
@@ -114,6 +124,9 @@ private:
     std::vector<std::uint32_t> walked_; // ids of the spaces whose geoms have been visited
     std::uint32_t next_geom_ = 0, next_body_ = 0, next_event_ = 0;
     std::uint64_t walk_ = 0;
+    std::function<bool(dSpaceID)> is_substitute_;
+    NoticeCounts notices_;
+    std::vector<std::array<std::uint32_t, 2>> noticed_; // in the present walk: ids and numbers
 };
 
 /// "ode_predictive_space recorded <program>", and ODE's configuration.

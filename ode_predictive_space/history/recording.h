@@ -62,6 +62,20 @@ struct ConvexContent
     const char *planes, *points, *polygons; ///< not aligned
 };
 
+struct HeightsContent
+{
+    std::uint32_t columns, rows;
+    bool repeats;
+    dReal width, depth, scale, offset, thickness, lowest, highest;
+    const char *samples; ///< doubles, row by row, not aligned
+};
+
+/// How often a geom was moved, or set to where it was, before an event.
+struct NoticeCount
+{
+    std::uint32_t id, number;
+};
+
 /// A collide or a question, with what the program got for it.
 struct EventSummary
 {
@@ -85,6 +99,7 @@ public:
     std::uint32_t geom_count() const { return geom_count_; }
     std::uint32_t body_count() const { return body_count_; }
     std::uint32_t stand_ins() const { return stand_ins_; }
+    std::uint32_t version() const { return version_; }
     std::size_t bytes() const { return bytes_.size(); }
 
     /// Bytes of the header and of the whole records, where a recording that is cut ends. Less than bytes() when the last record
@@ -107,6 +122,8 @@ public:
     GeomChange geom(const Record &record) const;
     MeshContent mesh(const Record &record) const;
     ConvexContent convex(const Record &record) const;
+    HeightsContent heights(const Record &record) const;
+    std::vector<NoticeCount> notices(const Record &record) const;
 
     /// The first number of the content: an id.
     std::uint32_t id(const Record &record) const;
@@ -122,6 +139,7 @@ private:
     std::vector<EventSummary> events_;
     std::uint32_t geom_count_ = 0, body_count_ = 0, stand_ins_ = 0;
     std::uint32_t first_space_ = 0;
+    std::uint32_t version_ = format_version;
     std::string note_;
     bool has_end_ = false, reached_limit_ = false;
     std::array<double, 6> extent_{};

@@ -7,6 +7,8 @@
 
 #include <ode/collision.h>
 
+#include "ode_predictive_space/predictive_space.h"
+
 namespace ode_predictive_space::history
 {
 bool Recording::Check::take_header()
@@ -16,12 +18,14 @@ bool Recording::Check::take_header()
         throw BadRecording(0, "this is no recorded history of ODE");
     if (bytes.size() < header_size)
         return false;
-    std::uint32_t version, size_of_real;
+    std::uint32_t &version = recording_.version_;
+    std::uint32_t size_of_real;
     std::memcpy(&version, bytes.data() + sizeof magic, sizeof version);
     std::memcpy(&size_of_real, bytes.data() + sizeof magic + sizeof version, sizeof size_of_real);
-    if (version != format_version)
-        throw BadRecording(sizeof magic, "the format has version " + std::to_string(version) + "; version " +
-                                             std::to_string(format_version) + " is read here");
+    if (version < oldest_version || version > format_version)
+        throw BadRecording(sizeof magic, "the format has version " + std::to_string(version) + "; versions " +
+                                             std::to_string(oldest_version) + " to " + std::to_string(format_version) +
+                                             " are read here");
     if (size_of_real != sizeof(dReal))
         throw BadRecording(sizeof magic + 4, size_of_real == 4   ? "recorded in single precision; this ODE has double"
                                              : size_of_real == 8 ? "recorded in double precision; this ODE has single"
@@ -39,7 +43,7 @@ void Recording::Check::take_records()
 
 namespace
 {
-// Only notes, meshes and convexes are longer. A longer size is none that a recorder has written, also where the file is cut.
+// Only notes, notices and the data of geoms are longer. A longer size is none that a recorder has written, also where the file is cut.
 constexpr std::uint32_t most_of_other_kinds = 1000;
 
 bool can_be_cut(const Record &record)
@@ -49,6 +53,8 @@ bool can_be_cut(const Record &record)
     case RecordKind::note:
     case RecordKind::mesh:
     case RecordKind::convex:
+    case RecordKind::heights:
+    case RecordKind::notices:
         return true;
     default:
         return record.kind <= RecordKind::last && record.size <= most_of_other_kinds;
@@ -97,6 +103,10 @@ void Recording::Check::take(const Record &record)
         return take_pairs(record);
     case RecordKind::end:
         return take_end(record);
+    case RecordKind::heights:
+        return take_heights(record);
+    case RecordKind::notices:
+        return take_notices(record);
     }
     throw BadRecording(record.begin(), "there is no such kind of record");
 }
@@ -170,6 +180,39 @@ void Recording::Check::take_convex(const Record &record)
         cursor.refuse("there are more polygons than planes");
 }
 
+void Recording::Check::take_heights(const Record &record)
+{
+    RecordCursor cursor(recording_.bytes_, record);
+    take_data_id(cursor, Shape::heightfield);
+    const auto columns = cursor.take<std::uint32_t>(), rows = cursor.take<std::uint32_t>();
+    if (columns < 2 || rows < 2 || columns > most_of_mesh || rows > most_of_mesh / columns)
+        cursor.refuse("a heightfield has too few or too many samples");
+    if (cursor.take<std::uint8_t>() > 1)
+        cursor.refuse("a heightfield neither repeats nor ends");
+    const HeightsContent field = recording_.heights(record);
+    for (const dReal number : {field.width, field.depth, field.scale, field.offset, field.thickness})
+        if (!std::isfinite(number))
+            cursor.refuse("a number of a heightfield is not finite");
+    if (!(field.width > 0) || !(field.depth > 0))
+        cursor.refuse("a heightfield has no width or no depth");
+    if (std::isnan(field.lowest) || std::isnan(field.highest))
+        cursor.refuse("a bound of a heightfield is not a number");
+    if (!all_finite<double>(field.samples, std::uint64_t{columns} * rows))
+        cursor.refuse("a sample is not finite");
+}
+
+void Recording::Check::take_notices(const Record &record)
+{
+    const RecordCursor cursor(recording_.bytes_, record);
+    for (const NoticeCount &count : recording_.notices(record))
+    {
+        if (count.id >= geoms_.size() || geoms_[count.id].gone)
+            cursor.refuse("a geom that does not exist has notices");
+        if (count.number > most_notices)
+            cursor.refuse("a geom has too many notices");
+    }
+}
+
 void Recording::Check::extend(const Pose &pose)
 {
     constexpr double most = 1e9; // an object that was lost is no part of the scene
@@ -216,6 +259,19 @@ void Recording::Check::check_levels(const RecordCursor &cursor, const SpaceState
         cursor.refuse("a hash space has no such levels");
 }
 
+void Recording::Check::check_service(const RecordCursor &cursor, const SpaceService &service)
+{
+    if (service.predictive > 1 + dPredictiveProximityShape || service.counts_notices > 1)
+        cursor.refuse("there is no such kind of predictive space");
+}
+
+// What a recorder of the first version did not know.
+void Recording::Check::check_version(const RecordCursor &cursor, const GeomChange &change) const
+{
+    if (recording_.version_ == 1 && ((change.fields & geom_field::service) || is_heightfield(change.state.geom_class)))
+        cursor.refuse("a file of version 1 has no such geom");
+}
+
 std::uint32_t Recording::Check::depth_in(const RecordCursor &cursor, std::uint32_t parent) const
 {
     if (parent == 0)
@@ -236,6 +292,7 @@ void Recording::Check::take_geom(const Record &record)
         cursor.refuse("the id of a geom is not the next one");
     const bool is_new = id == geoms_.size();
     const GeomChange change = recording_.geom(record);
+    check_version(cursor, change);
     if (is_new)
         add_geom(cursor, change);
     Geom &geom = geoms_[id];
@@ -244,6 +301,8 @@ void Recording::Check::take_geom(const Record &record)
         check_size(cursor, change.state);
     if ((change.fields & geom_field::space) && geom.geom_class == dHashSpaceClass)
         check_levels(cursor, change.state.space);
+    if (change.fields & geom_field::service)
+        check_service(cursor, change.state.service);
     if (change.fields & geom_field::data)
         check_data(cursor, change.state);
     take_body_of(cursor, geom, change);
@@ -253,7 +312,7 @@ void Recording::Check::take_geom(const Record &record)
 
 void Recording::Check::add_geom(const RecordCursor &cursor, const GeomChange &change)
 {
-    if (change.fields != geom_field::all)
+    if (change.fields != (recording_.version_ == 1 ? geom_field::all_of_version_1 : geom_field::all))
         cursor.refuse("a new geom is not described");
     const int geom_class = change.state.geom_class;
     geoms_.push_back({geom_class, false, false, depth_in(cursor, change.state.parent)});
@@ -274,11 +333,13 @@ void Recording::Check::check_identity(const RecordCursor &cursor, const Geom &ge
 
 void Recording::Check::check_data(const RecordCursor &cursor, const GeomState &state) const
 {
-    if (state.geom_class != dTriMeshClass && state.geom_class != dConvexClass)
+    if (!has_data(state.geom_class))
         return;
-    const Shape shape = state.geom_class == dConvexClass ? Shape::convex : Shape::mesh;
+    const Shape shape = state.geom_class == dConvexClass    ? Shape::convex
+                        : state.geom_class == dTriMeshClass ? Shape::mesh
+                                                            : Shape::heightfield;
     if (state.data >= data_.size() || data_[state.data] != shape)
-        cursor.refuse("there are no such data of a mesh or convex");
+        cursor.refuse("there are no such data of a mesh, convex or heightfield");
 }
 
 void Recording::Check::take_body_of(const RecordCursor &cursor, Geom &geom, const GeomChange &change) const

@@ -30,19 +30,24 @@ private:
     enum class Shape : std::uint8_t
     {
         mesh,
-        convex
+        convex,
+        heightfield
     };
 
     bool next_record(Record &record) const;
     void take(const Record &record);
     void take_mesh(const Record &record);
     void take_convex(const Record &record);
+    void take_heights(const Record &record);
+    void take_notices(const Record &record);
     void take_body(const Record &record);
     void take_geom(const Record &record);
     std::uint32_t depth_in(const RecordCursor &cursor, std::uint32_t parent) const;
     static void check_levels(const RecordCursor &cursor, const SpaceState &state);
+    static void check_service(const RecordCursor &cursor, const SpaceService &service);
     static void check_size(const RecordCursor &cursor, const GeomState &state);
     void check_data(const RecordCursor &cursor, const GeomState &state) const;
+    void check_version(const RecordCursor &cursor, const GeomChange &change) const;
     static void check_identity(const RecordCursor &cursor, const Geom &geom, const GeomChange &change, bool is_new);
     void add_geom(const RecordCursor &cursor, const GeomChange &change);
     void take_body_of(const RecordCursor &cursor, Geom &geom, const GeomChange &change) const;

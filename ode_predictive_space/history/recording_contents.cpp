@@ -53,10 +53,10 @@ GeomChange Recording::geom(const Record &record) const
     cursor.take(change.fields);
     if (!is_within(change.fields, geom_field::all))
         cursor.refuse("a geom has no such fields");
-    if (state.geom_class > dLastSpaceClass && state.geom_class != stand_in)
+    if (state.geom_class > dLastSpaceClass && state.geom_class != stand_in && state.geom_class != fixed_heightfield)
         cursor.refuse("there is no such class");
-    if (state.geom_class == dGeomTransformClass || state.geom_class == dHeightfieldClass)
-        cursor.refuse("geoms of this class are recorded as their boxes");
+    if (state.geom_class == dGeomTransformClass)
+        cursor.refuse("a transform is recorded as what it holds");
     if (change.fields & geom_field::space)
         cursor.take(state.space);
     if (change.fields & geom_field::parent)
@@ -78,6 +78,8 @@ GeomChange Recording::geom(const Record &record) const
     }
     if (change.fields & geom_field::pose)
         cursor.take_reals(state.pose.data(), 12);
+    if (change.fields & geom_field::service)
+        cursor.take(state.service);
     cursor.expect_end();
     return change;
 }
@@ -110,5 +112,31 @@ ConvexContent Recording::convex(const Record &record) const
     convex.polygons = cursor.take_bytes(std::uint64_t{sizeof(std::uint32_t)} * convex.entry_count);
     cursor.expect_end();
     return convex;
+}
+
+HeightsContent Recording::heights(const Record &record) const
+{
+    RecordCursor cursor(bytes_, record);
+    HeightsContent field{};
+    cursor.take_bytes(sizeof(std::uint32_t));
+    cursor.take(field.columns);
+    cursor.take(field.rows);
+    field.repeats = cursor.take<std::uint8_t>() != 0;
+    for (dReal *number :
+         {&field.width, &field.depth, &field.scale, &field.offset, &field.thickness, &field.lowest, &field.highest})
+        cursor.take(*number);
+    field.samples = cursor.take_bytes(std::uint64_t{sizeof(double)} * field.columns * field.rows);
+    cursor.expect_end();
+    return field;
+}
+
+std::vector<NoticeCount> Recording::notices(const Record &record) const
+{
+    RecordCursor cursor(bytes_, record);
+    std::vector<NoticeCount> counts(record.size / sizeof(NoticeCount));
+    for (NoticeCount &count : counts)
+        cursor.take(count);
+    cursor.expect_end();
+    return counts;
 }
 } // namespace ode_predictive_space::history

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "ode_predictive_space/history/format.h"
+#include "ode_predictive_space/space/height_data.h"
 #include "ode_predictive_space/space/mesh_data.h"
 #include "ode_predictive_space/space/ode_internals.h"
 
@@ -81,6 +82,35 @@ bool read_convex(const dxConvex &convex, std::string &content)
     return true;
 }
 
+// A height is a sample times the scale, and the offset: ODE computes it from these numbers, to the bit.
+bool read_heights(const HeightSamples &field, std::string &content)
+{
+    const std::int64_t count = std::int64_t{field.columns} * field.rows;
+    if (field.columns < 2 || field.rows < 2 || count > most_of_mesh || std::isnan(field.lowest) ||
+        std::isnan(field.highest))
+        return false;
+    append(content, static_cast<std::uint32_t>(field.columns));
+    append(content, static_cast<std::uint32_t>(field.rows));
+    content.push_back(field.repeats ? 1 : 0);
+    for (const dReal number : {field.width, field.depth, field.scale, field.offset, field.thickness})
+    {
+        if (!std::isfinite(number))
+            return false;
+        append(content, &number, sizeof number);
+    }
+    append(content, &field.lowest, sizeof field.lowest);
+    append(content, &field.highest, sizeof field.highest);
+    for (int row = 0; row < field.rows; ++row)
+        for (int column = 0; column < field.columns; ++column)
+        {
+            const double sample = field.sample(column, row);
+            if (!std::isfinite(sample))
+                return false;
+            append(content, &sample, sizeof sample);
+        }
+    return true;
+}
+
 std::uint64_t hash_of(const std::string &content)
 {
     std::uint64_t hash = content.size();
@@ -92,6 +122,10 @@ std::uint64_t hash_of(const std::string &content)
         hash ^= hash >> 32;
     }
     return hash;
+}
+bool is_sampled_once(dGeomID geom)
+{
+    return geom->type == dHeightfieldClass && height_data_of(geom)->source == HeightSamples::callback;
 }
 } // namespace
 
@@ -106,6 +140,18 @@ bool ShapeData::key_of(dGeomID geom, Key &key)
     {
         const auto *convex = static_cast<const dxConvex *>(geom);
         key = {convex->points, convex->polygons, convex->planes, {convex->planecount, convex->pointcount}};
+        return true;
+    }
+    if (geom->type == dHeightfieldClass)
+    {
+        const HeightSamples *field = height_data_of(geom);
+        if (!field)
+            return false;
+        key = {field,
+               field->samples,
+               field->user_data,
+               {static_cast<std::uint32_t>(field->columns), static_cast<std::uint32_t>(field->rows),
+                static_cast<std::uint32_t>(field->source)}};
         return true;
     }
     const TriangleArrays *mesh = mesh_data_of(geom);
@@ -124,6 +170,11 @@ bool ShapeData::read(dGeomID geom, std::string &content)
     content.clear();
     if (geom->type == dConvexClass)
         return read_convex(*static_cast<const dxConvex *>(geom), content);
+    if (geom->type == dHeightfieldClass)
+    {
+        const HeightSamples *field = height_data_of(geom);
+        return field && read_heights(*field, content);
+    }
     const TriangleArrays *mesh = mesh_data_of(geom);
     return mesh && read_mesh(*mesh, content);
 }
@@ -134,7 +185,7 @@ bool ShapeData::find(dGeomID geom, std::uint64_t collide, Entry &entry, std::str
     if (!key_of(geom, key))
         return false;
     const auto known = known_.find(key);
-    if (known != known_.end() && (collide == 0 || known->second.looked_at == collide))
+    if (known != known_.end() && (collide == 0 || known->second.looked_at == collide || is_sampled_once(geom)))
     {
         entry = {known->second.id, false};
         return true;

@@ -1,4 +1,4 @@
-// The arrays that meshes and convexes are made of, as bytes, each recorded once.
+// The arrays that meshes, convexes and heightfields are made of, as bytes, each recorded once.
 
 #ifndef ODE_PREDICTIVE_SPACE_HISTORY_SHAPE_DATA_H
 #define ODE_PREDICTIVE_SPACE_HISTORY_SHAPE_DATA_H
@@ -22,15 +22,15 @@ public:
         bool is_new; ///< its content has no record yet
     };
 
-    /// The arrays of a mesh or convex as they are now, into `content`, as a record has them, but for the id.
+    /// The arrays of a mesh, convex or heightfield as they are now, into `content`, as a record has them, but for the id.
     ///
     /// @return false when they cannot be read, or when no reader would take them.
     static bool read(dGeomID geom, std::string &content);
 
     /// The entry of a geom's arrays.
     ///
-    /// @param collide a number of the collide that begins: arrays whose address and size are known are looked at once in it, for
-    /// their content may have changed. 0: they are not looked at.
+    /// @param collide a number of the collide that begins: arrays whose address and size are known are read once in it, for
+    /// their content may have changed. 0: they are not read. A heightfield with a callback is sampled once and never again.
     /// @param content receives the content of a new entry.
     /// @return false as read() does.
     bool find(dGeomID geom, std::uint64_t collide, Entry &entry, std::string &content);

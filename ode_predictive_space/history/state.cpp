@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstring>
 
+#include <ode/matrix.h>
+#include <ode/odemath.h>
+
 #include "ode_predictive_space/history/format.h"
 #include "ode_predictive_space/space/ode_internals.h"
 
@@ -50,20 +53,50 @@ void read_size(dGeomID geom, GeomState &state)
     }
 }
 
-std::uint8_t flags_of(dGeomID geom)
+std::uint8_t flags_of(dGeomID geom, dGeomID shape)
 {
     int flags = dGeomIsEnabled(geom) ? geom_enabled : 0;
-    if (geom->type != dRayClass)
+    if (shape->type != dRayClass)
         return static_cast<std::uint8_t>(flags);
-    flags |= (dGeomRayGetFirstContact(geom) ? ray_first_contact : 0) |
-             (dGeomRayGetBackfaceCull(geom) ? ray_backface_cull : 0) |
-             (dGeomRayGetClosestHit(geom) ? ray_closest_hit : 0);
+    flags |= (dGeomRayGetFirstContact(shape) ? ray_first_contact : 0) |
+             (dGeomRayGetBackfaceCull(shape) ? ray_backface_cull : 0) |
+             (dGeomRayGetClosestHit(shape) ? ray_closest_hit : 0);
     return static_cast<std::uint8_t>(flags);
 }
 
-bool is_stand_in(int type)
+std::uint8_t class_of(dGeomID shape)
 {
-    return type == dGeomTransformClass || type == dHeightfieldClass || type > dLastSpaceClass;
+    if (shape->type == dGeomTransformClass || shape->type > dLastSpaceClass)
+        return stand_in;
+    if (shape->type == dHeightfieldClass && !(shape->gflags & GEOM_PLACEABLE))
+        return fixed_heightfield;
+    return static_cast<std::uint8_t>(shape->type);
+}
+
+// As ODE computes the pose of what a transform holds, to the bit.
+dxPosR held_at(const dReal *position, const dReal *rotation, dGeomID held)
+{
+    dxPosR place{};
+    dMultiply0_331(place.pos, rotation, dGeomGetPosition(held));
+    dAddVectors3(place.pos, place.pos, position);
+    dMultiply0_333(place.R, rotation, dGeomGetRotation(held));
+    return place;
+}
+
+Pose pose_of(dGeomID geom, dGeomID shape)
+{
+    if (shape == geom)
+        return pose_of(dGeomGetPosition(geom), dGeomGetRotation(geom));
+    const dxPosR place = held_at(dGeomGetPosition(geom), dGeomGetRotation(geom), shape);
+    return pose_of(place.pos, place.R);
+}
+
+Pose offset_of(dGeomID geom, dGeomID shape)
+{
+    if (shape == geom)
+        return pose_of(dGeomGetOffsetPosition(geom), dGeomGetOffsetRotation(geom));
+    const dxPosR place = held_at(dGeomGetOffsetPosition(geom), dGeomGetOffsetRotation(geom), shape);
+    return pose_of(place.pos, place.R);
 }
 
 void read_space(dSpaceID space, SpaceState &state)
@@ -100,22 +133,36 @@ BodyState state_of(dBodyID body)
     return state;
 }
 
+// ODE's own header calls transforms deprecated; programs have them.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+dGeomID shape_of(dGeomID geom)
+{
+    const dGeomID held = geom->type == dGeomTransformClass ? dGeomTransformGetGeom(geom) : nullptr;
+    // ODE collides a transform also when what it holds has no size.
+    const bool can_be_recorded = held && held->type <= dTriMeshClass && held->type != dGeomTransformClass &&
+                                 (held->gflags & (GEOM_PLACEABLE | GEOM_ZERO_SIZED)) == GEOM_PLACEABLE;
+    return can_be_recorded ? held : geom;
+}
+#pragma GCC diagnostic pop
+
 GeomState state_of(dGeomID geom)
 {
+    const dGeomID shape = shape_of(geom);
     GeomState state;
-    state.geom_class = is_stand_in(geom->type) ? stand_in : static_cast<std::uint8_t>(geom->type);
-    state.flags = flags_of(geom);
+    state.geom_class = class_of(shape);
+    state.flags = flags_of(geom, shape);
     state.bits = {geom->category_bits, geom->collide_bits};
-    read_size(geom, state);
+    read_size(shape, state);
     if (IS_SPACE(geom))
         read_space(static_cast<dSpaceID>(geom), state.space);
     if (!is_placeable_class(state.geom_class))
         return state;
-    state.has_offset = geom->body && dGeomIsOffset(geom);
+    state.has_offset = geom->body && (shape != geom || dGeomIsOffset(geom));
     if (state.has_offset)
-        state.offset = pose_of(dGeomGetOffsetPosition(geom), dGeomGetOffsetRotation(geom));
+        state.offset = offset_of(geom, shape);
     if (!geom->body || state.has_offset)
-        state.pose = pose_of(dGeomGetPosition(geom), dGeomGetRotation(geom));
+        state.pose = pose_of(geom, shape);
     return state;
 }
 
@@ -142,6 +189,7 @@ std::uint16_t difference(const GeomState &before, const GeomState &now)
     return static_cast<std::uint16_t>(
         when(before.geom_class != now.geom_class, geom_field::is_new) |
         when(differ(before.space, now.space), geom_field::space) |
+        when(differ(before.service, now.service), geom_field::service) |
         when(before.parent != now.parent, geom_field::parent) | when(before.bits != now.bits, geom_field::bits) |
         when(before.flags != now.flags, geom_field::flags) | when(differ(before.size, now.size), geom_field::size) |
         when(before.data != now.data, geom_field::data) | when(before.body != now.body, geom_field::body) |

@@ -26,14 +26,22 @@ struct SpaceState
     std::int32_t min_level = 0, max_level = 0; ///< of a hash space
 };
 
+/// How a space served the program.
+struct SpaceService
+{
+    std::uint8_t predictive = 0; ///< 1 + its proximity (dPredictiveProximityBox, ...); 0: the program made one of ODE's
+    std::uint8_t counts_notices = 0; ///< 1: the notices of its geoms are recorded; 0: they are unknown
+};
+
 struct GeomState
 {
-    std::uint8_t geom_class = 0; ///< or stand_in
+    std::uint8_t geom_class = 0; ///< or stand_in, fixed_heightfield; what a transform holds has its class
     std::uint8_t flags = 0;
     std::uint8_t has_offset = 0;
     SpaceState space;
+    SpaceService service;
     std::uint32_t parent = 0; ///< id + 1
-    std::uint32_t data = 0;   ///< id of a mesh or convex
+    std::uint32_t data = 0;   ///< id of a mesh, convex or heightfield
     std::uint32_t body = 0;   ///< id + 1
     std::array<std::uint64_t, 2> bits{};
     std::array<dReal, 6> size{};
@@ -45,8 +53,11 @@ bool has_own_pose(const GeomState &state);
 
 BodyState state_of(dBodyID body);
 
-/// Parent, data and body remain 0. A convex or mesh keeps its class; without data that can be recorded, it is to become a stand-in.
+/// Parent, data, body and service remain 0. A geom with data keeps its class; if these cannot be recorded, it is to become a stand-in.
 GeomState state_of(dGeomID geom);
+
+/// The geom that is collided: what a transform holds, if it is of a class that can be recorded, or the geom itself.
+dGeomID shape_of(dGeomID geom);
 
 /// Of the geom only its bounding box.
 void make_stand_in(dGeomID geom, GeomState &state);

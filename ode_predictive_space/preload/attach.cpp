@@ -6,6 +6,7 @@
 
 #include <pthread.h>
 
+#include "ode_predictive_space/history/notices.h"
 #include "ode_predictive_space/predictive_space.h"
 #include "ode_predictive_space/preload/say.h"
 #include "ode_predictive_space/preload/settings.h"
@@ -34,13 +35,13 @@ dSpaceID create(int space_class, dSpaceID parent)
     if (settings->proximity != dPredictiveProximityBox)
         dPredictiveSpaceSetProximity(space, settings->proximity);
     if (watch)
-        watch->ledger().made(space);
+        watch->ledger().made(space, true);
     return space;
 }
 
 void made(dSpaceID space)
 {
-    watch->ledger().made(space);
+    watch->ledger().made(space, false);
 }
 
 void collide(dSpaceID space, void *data, dNearCallback *callback)
@@ -55,6 +56,8 @@ void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback
 
 void keep_ledger_whole_in_children()
 {
+    // So that the lock of the library's listeners is taken after those below, as it is when a recording ends.
+    ode_predictive_space_stop_listening(nullptr);
     pthread_atfork(
         [] {
             watch->hold_recording();

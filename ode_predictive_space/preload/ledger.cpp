@@ -14,26 +14,33 @@ Ledger::Ledger() : file_(CountsFile::open(secure_getenv(counts_variable)))
         process_ = file_->new_process();
 }
 
-void Ledger::made(dSpaceID space)
+void Ledger::made(dSpaceID space, bool is_substitute)
 {
     const std::lock_guard<std::mutex> guard(mutex_);
-    enter(space);
+    enter(space, is_substitute);
+}
+
+bool Ledger::is_substitute(dSpaceID space) const
+{
+    const std::lock_guard<std::mutex> guard(mutex_);
+    const auto found = current_.find(space);
+    return found != current_.end() && found->second.is_substitute;
 }
 
 KnownSpace &Ledger::known(dSpaceID space)
 {
     const auto found = current_.find(space);
     if (found == current_.end())
-        return enter(space);
+        return enter(space, false);
     if (!found->second.counts)
         found->second.counts = begin_counts(space, found->second.number);
     return found->second;
 }
 
-KnownSpace &Ledger::enter(dSpaceID space)
+KnownSpace &Ledger::enter(dSpaceID space, bool is_substitute)
 {
     ++made_;
-    return current_[space] = {made_, begin_counts(space, made_), {}, {}};
+    return current_[space] = {made_, is_substitute, begin_counts(space, made_), {}, {}};
 }
 
 SpaceCounts *Ledger::begin_counts(dSpaceID space, int number)

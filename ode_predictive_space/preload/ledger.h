@@ -15,9 +15,10 @@ namespace ode_predictive_space::preload
 /// A space that the program made.
 struct KnownSpace
 {
-    int number;                        ///< in the order in which they were made, from 1
-    SpaceCounts *counts;               ///< of this process; 0: none yet
-    dPredictiveSpaceStats latest;      ///< its own, of a predictive one, when it was last collided
+    int number;                   ///< in the order in which they were made, from 1
+    bool is_substitute;           ///< a predictive space in the place of the one of ODE's that the program asked for
+    SpaceCounts *counts;          ///< of this process; 0: none yet
+    dPredictiveSpaceStats latest; ///< its own, of a predictive one, when it was last collided
     dPredictiveSpaceStats before_fork; ///< what of them belongs to the process that this one was forked from
 };
 
@@ -28,7 +29,9 @@ public:
     Ledger();
 
     /// A space was made, perhaps where one was that is gone.
-    void made(dSpaceID space);
+    void made(dSpaceID space, bool is_substitute);
+
+    bool is_substitute(dSpaceID space) const;
 
     /// Changes what is known of a space, which has counts then.
     ///
@@ -54,11 +57,11 @@ public:
 
 private:
     KnownSpace &known(dSpaceID space);
-    KnownSpace &enter(dSpaceID space);
+    KnownSpace &enter(dSpaceID space, bool is_substitute);
     SpaceCounts *begin_counts(dSpaceID space, int number);
     SpaceCounts *new_page();
 
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::unique_ptr<CountsFile> file_; // 0: there is no launcher; the counts end with the process
     std::uint32_t process_ = 0;
     std::deque<SpaceCounts> own_pages_; // when there is no file, or it is full

@@ -207,8 +207,8 @@ history::Recorder *Watch::recorder()
         records_ = false;
         return nullptr;
     }
-    recorder_ =
-        std::make_unique<history::Recorder>(std::move(file), settings_.record_limit, history::note_of_process());
+    recorder_ = std::make_unique<history::Recorder>(std::move(file), settings_.record_limit, history::note_of_process(),
+                                                    [this](dSpaceID space) { return ledger_.is_substitute(space); });
     return recorder_.get();
 }
 

@@ -7,6 +7,7 @@
 #include "ode_predictive_space/replay/advice.h"
 #include "ode_predictive_space/replay/check.h"
 #include "ode_predictive_space/replay/formatted.h"
+#include "ode_predictive_space/replay/own_space.h"
 #include "ode_predictive_space/replay/replay.h"
 #include "ode_predictive_space/report/curves.h"
 
@@ -16,14 +17,6 @@ using history::Recording;
 
 namespace
 {
-int class_of_first_space(const Recording &recording)
-{
-    for (const history::Record &record : recording.records())
-        if (record.kind == history::RecordKind::geom && recording.id(record) == recording.first_space())
-            return recording.geom(record).state.geom_class;
-    return dHashSpaceClass;
-}
-
 double per_event(double value, const Cost &cost)
 {
     return cost.events > 0 ? value / static_cast<double>(cost.events) : 0;
@@ -45,7 +38,7 @@ Findings findings_of(const Recording &recording, const Costs &costs)
     Findings findings;
     findings.events = costs.own.events;
     findings.own_name = name_of_own_space(recording);
-    findings.own_is_simple = class_of_first_space(recording) == dSimpleSpaceClass;
+    findings.own_is_simple = name_of_own_space(recording) == "simple";
     findings.own = microseconds(costs.own);
     findings.box = microseconds(costs.box);
     findings.shape = microseconds(costs.shape);
@@ -96,26 +89,11 @@ std::vector<std::string> notes_of(const Recording &recording, const Costs &costs
                                   callbacks.unknown > 0 ? " Pairs with spaces, or with geoms of which only the box is "
                                                           "recorded, are not among them."
                                                         : ""));
-    notes.emplace_back(
-        "Only what had changed at a collide is replayed: a pose that was set to what it was costs nothing here.");
+    if (const std::string unknown = unknown_notices(recording); !unknown.empty())
+        notes.push_back(unknown);
     return notes;
 }
 } // namespace
-
-std::string name_of_own_space(const Recording &recording)
-{
-    switch (class_of_first_space(recording))
-    {
-    case dSimpleSpaceClass:
-        return "simple";
-    case dQuadTreeSpaceClass:
-        return "quadtree";
-    case dSweepAndPruneSpaceClass:
-        return "sap";
-    default:
-        return "hash";
-    }
-}
 
 report::Answer answer_for(const Recording &recording, double seconds)
 {
@@ -125,8 +103,10 @@ report::Answer answer_for(const Recording &recording, double seconds)
     // One that ends itself is no measure for the others.
     const std::size_t most = own_ends ? recording.events().size() : costs.own.events;
     const double no_limit = own_ends ? seconds : 1e9;
-    costs.box = measure_repeatedly(recording, SpaceKind::box, most, no_limit);
-    costs.shape = measure_repeatedly(recording, SpaceKind::shape, most, no_limit);
+    const Cost none = measure_repeatedly(recording, SpaceKind::none, most, no_limit);
+    costs.own = without(none, costs.own);
+    costs.box = without(none, measure_repeatedly(recording, SpaceKind::box, most, no_limit));
+    costs.shape = without(none, measure_repeatedly(recording, SpaceKind::shape, most, no_limit));
     costs.callbacks = judge_callbacks(recording, most, no_limit);
     report::Answer answer;
     if (recording.events().empty())

@@ -12,9 +12,6 @@ namespace ode_predictive_space::replay
 ///
 /// @param seconds that each replay may take. All of them end where that of the program's own kind did.
 report::Answer answer_for(const history::Recording &recording, double seconds);
-
-/// "hash", or whatever class the space has that is collided first.
-std::string name_of_own_space(const history::Recording &recording);
 } // namespace ode_predictive_space::replay
 
 #endif

@@ -1,9 +1,7 @@
 #include "ode_predictive_space/replay/instructions.h"
 
 #include <cstdlib>
-#include <filesystem>
 #include <sstream>
-#include <vector>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -54,19 +52,17 @@ std::optional<std::uint64_t> collected(const std::string &output)
     return end == digits ? std::nullopt : std::optional<std::uint64_t>(number);
 }
 
-std::optional<std::uint64_t> count_instructions(const std::string &path, SpaceKind kind)
+std::optional<std::uint64_t> instructions_of(const std::vector<std::string> &program)
 {
-    std::error_code none;
-    const std::vector<std::string> command = {path_of_valgrind(),
-                                              "--tool=callgrind",
-                                              "--callgrind-out-file=/dev/null",
-                                              "--toggle-collect=counted_notices",
-                                              "--toggle-collect=counted_collide",
-                                              std::filesystem::read_symlink("/proc/self/exe", none).string(),
-                                              "--counted",
-                                              name_of(kind),
-                                              path};
+    std::vector<std::string> command = {path_of_valgrind(), "--tool=callgrind", "--callgrind-out-file=/dev/null",
+                                        "--toggle-collect=counted_changes", "--toggle-collect=counted_collide"};
+    command.insert(command.end(), program.begin(), program.end());
     const auto output = process::child_output([&](int pipe) { become(command, pipe); });
     return output ? collected(*output) : std::nullopt;
+}
+
+std::optional<std::uint64_t> count_instructions(const std::string &replayer, const std::string &path, SpaceKind kind)
+{
+    return instructions_of({replayer, "--counted", name_of(kind), path});
 }
 } // namespace ode_predictive_space::replay

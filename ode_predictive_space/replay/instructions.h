@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ode_predictive_space/replay/space_kind.h"
 
@@ -11,11 +12,15 @@ namespace ode_predictive_space::replay
 {
 bool has_valgrind();
 
-/// Of all collides, questions and notices of a recording, in spaces of one kind. This program is run again, under callgrind, with
-/// the option --counted.
+/// Of all collides, questions and changes of a recording, in spaces of one kind. What these take is the difference to
+/// SpaceKind::none.
 ///
+/// @param replayer the program ode-predictive-replay, which is run under callgrind with the option --counted.
 /// @return none when it did not get to its end.
-std::optional<std::uint64_t> count_instructions(const std::string &path, SpaceKind kind);
+std::optional<std::uint64_t> count_instructions(const std::string &replayer, const std::string &path, SpaceKind kind);
+
+/// What callgrind counts in the functions counted_changes and counted_collide of a program; none when it failed.
+std::optional<std::uint64_t> instructions_of(const std::vector<std::string> &program);
 
 /// The number that callgrind writes at its end; none when there is none.
 std::optional<std::uint64_t> collected(const std::string &output);

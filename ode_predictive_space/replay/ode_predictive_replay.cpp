@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,9 @@
 #include "ode_predictive_space/process/printable.h"
 #include "ode_predictive_space/replay/answer.h"
 #include "ode_predictive_space/replay/check.h"
+#include "ode_predictive_space/replay/formatted.h"
 #include "ode_predictive_space/replay/instructions.h"
+#include "ode_predictive_space/replay/own_space.h"
 #include "ode_predictive_space/replay/replay.h"
 
 using namespace ode_predictive_space;
@@ -82,6 +86,11 @@ SpaceKind kind_of(const char *name)
     if (!kind)
         fail("--space: '%s' is not own, simple, hash, quadtree, sap, box, sphere or shape", name);
     return *kind;
+}
+
+SpaceKind counted_kind(const std::string &name)
+{
+    return name == name_of(SpaceKind::none) ? SpaceKind::none : kind_of(name.c_str());
 }
 
 double seconds_of(const char *text)
@@ -173,47 +182,81 @@ void describe(const Options &options, const history::Recording &recording)
                 recording.stand_ins(), recording.body_count(), 1e-6 * static_cast<double>(recording.bytes()),
                 printable(recording.note()).c_str());
     std::printf("%s\n", completeness_of(recording).c_str());
+    if (const std::string unknown = unknown_notices(recording); !unknown.empty())
+        std::printf("%s\n", unknown.c_str());
 }
 
-std::string cost_of(const Options &options, const history::Recording &recording, SpaceKind kind, bool instructions)
+std::string own_path()
 {
-    char text[64];
-    if (recording.events().empty())
-        return "";
-    const double events = static_cast<double>(recording.events().size());
-    if (instructions)
-    {
-        const auto count = count_instructions(options.file, kind);
-        if (!count)
-            return "-";
-        std::snprintf(text, sizeof text, "%.4g", 1e-3 * static_cast<double>(*count) / events);
-        return text;
-    }
-    const Cost cost = measure_repeatedly(recording, kind, recording.events().size(), 1e9);
-    if (!cost.failure.empty())
-        return "-";
-    std::snprintf(text, sizeof text, "%.4g", 1e6 * (cost.collides + cost.notices) / events);
-    return text;
+    std::error_code none;
+    return std::filesystem::read_symlink("/proc/self/exe", none).string();
 }
+
+// Of the spaces alone, per event.
+class CostsOfSpaces
+{
+public:
+    CostsOfSpaces(const Options &options, const history::Recording &recording, bool instructions)
+        : file_(options.file), recording_(recording), instructions_(instructions)
+    {
+        if (recording.events().empty())
+            return;
+        if (instructions)
+            counted_without_ = count_instructions(own_path(), file_, SpaceKind::none);
+        else
+            measured_without_ = measured(SpaceKind::none);
+    }
+
+    std::string of(SpaceKind kind) const
+    {
+        if (recording_.events().empty())
+            return "";
+        const double events = static_cast<double>(recording_.events().size());
+        if (instructions_)
+        {
+            const auto count = count_instructions(own_path(), file_, kind);
+            if (!count || !counted_without_)
+                return "-";
+            return formatted("%.4g",
+                             1e-3 * (static_cast<double>(*count) - static_cast<double>(*counted_without_)) / events);
+        }
+        const Cost cost = without(measured_without_, measured(kind));
+        if (!cost.failure.empty())
+            return "-";
+        return formatted("%.4g", 1e6 * (cost.collides + cost.notices) / events);
+    }
+
+private:
+    Cost measured(SpaceKind kind) const
+    {
+        return measure_repeatedly(recording_, kind, recording_.events().size(), 1e9);
+    }
+
+    const std::string &file_;
+    const history::Recording &recording_;
+    bool instructions_;
+    std::optional<std::uint64_t> counted_without_;
+    Cost measured_without_;
+};
 
 bool replay_all(const Options &options, const history::Recording &recording)
 {
     const bool instructions = !options.times && has_valgrind();
     describe(options, recording);
     const Pairs simple = find_pairs(recording, SpaceKind::simple);
-    std::printf("\n%-14s %12s  %s\n", "spaces", instructions ? "1000 instr." : "microseconds", "pairs");
+    const CostsOfSpaces costs(options, recording, instructions);
+    std::printf("\n%-26s %12s  %s\n", "spaces", instructions ? "1000 instr." : "microseconds", "pairs");
     bool all_agree = true;
     for (const SpaceKind kind : options.kinds)
     {
         const Pairs pairs = kind == SpaceKind::simple ? simple : find_pairs(recording, kind);
         const Verdict verdict = compare(recording, kind, pairs, simple);
         const std::string name = kind == SpaceKind::own ? "own (" + name_of_own_space(recording) + ")" : name_of(kind);
-        std::printf("%-14s %12s  %s\n", name.c_str(), cost_of(options, recording, kind, instructions).c_str(),
-                    verdict.text.c_str());
+        std::printf("%-26s %12s  %s\n", name.c_str(), costs.of(kind).c_str(), verdict.text.c_str());
         all_agree &= verdict.agrees;
     }
     std::printf(
-        "\n%s are means per event, with the changes before it. Pairs are compared with those of simple spaces.\n%s\n",
+        "\n%s are means per event, with the notices before it. Pairs are compared with those of simple spaces.\n%s\n",
         instructions ? "Instructions" : "Times", compared_with_program(recording, simple).c_str());
     return all_agree;
 }
@@ -228,7 +271,7 @@ int main(int argc, char **argv)
     dInitODE2(0);
     int status = 0;
     if (options.counted)
-        replay_to_be_counted(recording, kind_of(options.counted));
+        replay_to_be_counted(recording, counted_kind(options.counted));
     else if (options.answer)
         std::fputs(report::lines_of(answer_for(recording, options.seconds)).c_str(), stdout);
     else

@@ -19,7 +19,7 @@ using history::RecordKind;
 
 // By their names callgrind knows what to count; as they are exported, also in a program without symbols.
 extern "C" {
-__attribute__((noinline, visibility("default"))) void counted_notices(replay::Stage &stage, const Record &record)
+__attribute__((noinline, visibility("default"))) void counted_changes(replay::Stage &stage, const Record &record)
 {
     stage.apply(record);
 }
@@ -228,7 +228,16 @@ void add_up(Cost &cost)
         cost.callbacks += cost.callbacks_of[i];
     }
 }
+} // namespace
 
+Cost without(const Cost &none, Cost cost)
+{
+    cost.notices = std::max(0.0, cost.notices - none.notices);
+    return cost;
+}
+
+namespace
+{
 void measure_here(const Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds,
                   const SharedArray<ByClockOfEvent> &events, ByClock &result)
 {
@@ -349,11 +358,13 @@ Callbacks judge_callbacks(const Recording &recording, std::size_t most_events, d
 void replay_to_be_counted(const Recording &recording, SpaceKind kind)
 {
     Stage stage(recording, kind);
+    bool is_first = true;
     walk(
-        recording, [&](const Record &record) { counted_notices(stage, record); },
+        recording, [&](const Record &record) { is_first ? stage.apply(record) : counted_changes(stage, record); },
         [&](const Record &record, std::size_t) {
             std::uint32_t callbacks = 0;
             counted_collide(stage, record, &callbacks, count_pair);
+            is_first = false;
             return true;
         });
 }

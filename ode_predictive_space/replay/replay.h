@@ -52,12 +52,17 @@ struct Cost
     std::string failure;
     std::size_t events = 0; ///< that were replayed
     double collides = 0;    ///< of all events, with a callback that only counts
-    double notices = 0;     ///< of the changes between them: moves, sizes, bits, new geoms
+    double notices = 0;     ///< of the changes between them: moves, sizes, bits, new geoms; see without()
     std::uint64_t callbacks = 0;
     std::vector<float> seconds;              ///< of each event
     std::vector<float> seconds_of_notices;   ///< before it
     std::vector<std::uint32_t> callbacks_of; ///< likewise
 };
+
+/// What the spaces take of it: the changes cost something without a space, too.
+///
+/// @param none of SpaceKind::none, for the same events.
+Cost without(const Cost &none, Cost cost);
 
 /// Replays by the clock.
 ///
@@ -80,7 +85,7 @@ struct Callbacks
 Callbacks judge_callbacks(const history::Recording &recording, std::size_t most_events, double most_seconds);
 
 /// Replays in this process and counts nothing: for callgrind, which gets the names of the two functions whose instructions
-/// count, counted_notices and counted_collide.
+/// count, counted_changes and counted_collide. What is before the first event, the making of all geoms, does not count.
 void replay_to_be_counted(const history::Recording &recording, SpaceKind kind);
 } // namespace ode_predictive_space::replay
 

@@ -1,11 +1,26 @@
 #include "ode_predictive_space/replay/space_kind.h"
 
+#include "ode_predictive_space/predictive_space.h"
+
 namespace ode_predictive_space::replay
 {
 const char *name_of(SpaceKind kind)
 {
-    constexpr const char *names[] = {"own", "simple", "hash", "quadtree", "sap", "box", "sphere", "shape"};
+    constexpr const char *names[] = {"own", "simple", "hash", "quadtree", "sap", "box", "sphere", "shape", "none"};
     return names[static_cast<std::size_t>(kind)];
+}
+
+SpaceKind predictive_kind(int proximity)
+{
+    switch (proximity)
+    {
+    case dPredictiveProximitySphere:
+        return SpaceKind::sphere;
+    case dPredictiveProximityShape:
+        return SpaceKind::shape;
+    default:
+        return SpaceKind::box;
+    }
 }
 
 std::optional<SpaceKind> kind_named(const std::string &name)

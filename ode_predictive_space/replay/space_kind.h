@@ -17,7 +17,8 @@ enum class SpaceKind
     sap,
     box, ///< predictive, by boxes
     sphere,
-    shape
+    shape,
+    none ///< simple ones that are never asked: what remains is what the changes cost without a space
 };
 
 constexpr std::array<SpaceKind, 8> all_kinds = {SpaceKind::own,      SpaceKind::simple, SpaceKind::hash,
@@ -25,6 +26,9 @@ constexpr std::array<SpaceKind, 8> all_kinds = {SpaceKind::own,      SpaceKind::
                                                 SpaceKind::sphere,   SpaceKind::shape};
 
 const char *name_of(SpaceKind kind);
+
+/// @param proximity dPredictiveProximityBox, ...
+SpaceKind predictive_kind(int proximity);
 std::optional<SpaceKind> kind_named(const std::string &name);
 
 /// Calls the callback for fewer pairs than the others.

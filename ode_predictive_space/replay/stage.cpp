@@ -6,6 +6,7 @@
 
 #include <ode/ode.h>
 
+#include "ode_predictive_space/space/height_data.h"
 #include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space::replay
@@ -129,9 +130,11 @@ dGeomID make_simple_shape(const GeomState &state)
     }
 }
 
-SpaceKind kind_of_class(int space_class)
+SpaceKind own_kind(const GeomState &space)
 {
-    switch (space_class)
+    if (space.service.predictive)
+        return predictive_kind(space.service.predictive - 1);
+    switch (space.geom_class)
     {
     case dSimpleSpaceClass:
         return SpaceKind::simple;
@@ -152,8 +155,12 @@ Stage::~Stage()
     for (std::size_t id = 0; id < geoms_.size(); ++id)
         destroy(static_cast<std::uint32_t>(id));
     for (const Shape &shape : shapes_)
+    {
         if (shape.mesh && shape.mesh->data)
             dGeomTriMeshDataDestroy(shape.mesh->data);
+        if (shape.heights)
+            dGeomHeightfieldDataDestroy(shape.heights->data);
+    }
     dWorldDestroy(world_);
 }
 
@@ -174,6 +181,10 @@ void Stage::apply(const Record &record)
         return change_body(recording_.body(record));
     case RecordKind::geom:
         return change_geom(recording_.geom(record));
+    case RecordKind::heights:
+        return add_heights(recording_.heights(record));
+    case RecordKind::notices:
+        return repeat_notices(recording_.notices(record));
     case RecordKind::gone:
         return destroy(recording_.id(record));
     default:
@@ -183,6 +194,11 @@ void Stage::apply(const Record &record)
 
 void Stage::ask(const Record &record, void *data, dNearCallback *callback)
 {
+    for (const std::uint32_t id : reported_)
+        geoms_[id].was_reported = false;
+    reported_.clear();
+    if (kind_ == SpaceKind::none)
+        return;
     if (record.kind == RecordKind::collide)
         return dSpaceCollide(reinterpret_cast<dSpaceID>(geom(recording_.id(record))), data, callback);
     const auto asked = recording_.asked(record);
@@ -196,7 +212,7 @@ void Stage::add_mesh(const MeshContent &content)
     mesh->single = content.single;
     mesh->vertices = copied<char>(content.vertices, 3 * size_of_real * content.vertex_count);
     mesh->triangles = copied<std::uint32_t>(content.triangles, std::size_t{3} * content.triangle_count);
-    shapes_.push_back({std::move(mesh), nullptr});
+    shapes_.push_back({std::move(mesh), nullptr, nullptr});
 }
 
 void Stage::add_convex(const ConvexContent &content)
@@ -205,10 +221,26 @@ void Stage::add_convex(const ConvexContent &content)
     convex->planes = copied<dReal>(content.planes, std::size_t{4} * content.plane_count);
     convex->points = copied<dReal>(content.points, std::size_t{3} * content.point_count);
     convex->polygons = copied<unsigned>(content.polygons, content.entry_count);
-    shapes_.push_back({nullptr, std::move(convex)});
+    shapes_.push_back({nullptr, std::move(convex), nullptr});
 }
 
-// ODE makes a rotation from the matrix that it is given; this one is one, and its bits remain.
+void Stage::add_heights(const HeightsContent &content)
+{
+    auto heights = std::make_unique<Heights>();
+    heights->samples = copied<double>(content.samples, std::size_t{content.columns} * content.rows);
+    heights->data = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildDouble(heights->data, heights->samples.data(), 0, content.width, content.depth,
+                                    static_cast<int>(content.columns), static_cast<int>(content.rows), content.scale,
+                                    content.offset, content.thickness, content.repeats);
+    if (HeightSamples *known = writable_height_data(heights->data))
+    {
+        known->lowest = content.lowest;
+        known->highest = content.highest;
+    }
+    shapes_.push_back({nullptr, nullptr, std::move(heights)});
+}
+
+// As a step of ODE moves a body: the matrix keeps its bits, and then ODE reports each of its geoms.
 void Stage::change_body(const BodyChange &change)
 {
     if (change.id == bodies_.size())
@@ -235,7 +267,9 @@ void Stage::change_body(const BodyChange &change)
     if (change.fields & body_field::pose)
     {
         copy_rotation(state.pose, const_cast<dReal *>(dBodyGetRotation(body)));
-        dBodySetPosition(body, state.pose[0], state.pose[1], state.pose[2]);
+        std::copy_n(state.pose.begin(), 3, const_cast<dReal *>(dBodyGetPosition(body)));
+        for (dGeomID geom = dBodyGetFirstGeom(body); geom; geom = dBodyGetNextGeom(geom))
+            report_move(id_of(geom));
     }
 }
 
@@ -246,6 +280,7 @@ dSpaceID Stage::make_space_of_kind(SpaceKind kind) const
     switch (kind)
     {
     case SpaceKind::simple:
+    case SpaceKind::none:
         return dSimpleSpaceCreate(nullptr);
     case SpaceKind::sap:
         return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
@@ -272,7 +307,7 @@ dSpaceID Stage::make_space_of_kind(SpaceKind kind) const
 dSpaceID Stage::make_space(const GeomState &state) const
 {
     const bool stays_simple = state.geom_class == dSimpleSpaceClass && state.parent != 0;
-    const SpaceKind kind = kind_ == SpaceKind::own || stays_simple ? kind_of_class(state.geom_class) : kind_;
+    const SpaceKind kind = kind_ == SpaceKind::own || stays_simple ? own_kind(state) : kind_;
     const dSpaceID space = make_space_of_kind(kind);
     dSpaceSetCleanup(space, 0);
     return space;
@@ -299,6 +334,11 @@ dGeomID Stage::make_convex(std::uint32_t data)
                          convex.points.data(), static_cast<unsigned>(convex.points.size() / 3), convex.polygons.data());
 }
 
+dGeomID Stage::make_heightfield(const GeomState &state)
+{
+    return dCreateHeightfield(nullptr, shapes_[state.data].heights->data, state.geom_class == dHeightfieldClass);
+}
+
 void Stage::make(Geom &geom, std::uint32_t id)
 {
     const GeomState &state = geom.state;
@@ -308,6 +348,8 @@ void Stage::make(Geom &geom, std::uint32_t id)
         geom.geom = make_mesh(state.data);
     else if (state.geom_class == dConvexClass)
         geom.geom = make_convex(state.data);
+    else if (is_heightfield(state.geom_class))
+        geom.geom = make_heightfield(state);
     else
         geom.geom = make_simple_shape(state);
     if (state.geom_class == stand_in)
@@ -340,15 +382,11 @@ void update(GeomState &state, const GeomChange &change)
     take(geom_field::offset, &GeomState::has_offset);
     take(geom_field::offset, &GeomState::offset);
     take(geom_field::pose, &GeomState::pose);
-}
-
-bool has_data(const GeomState &state)
-{
-    return state.geom_class == dTriMeshClass || state.geom_class == dConvexClass;
+    take(geom_field::service, &GeomState::service);
 }
 } // namespace
 
-// Other data of a mesh or convex make another geom of it: ODE is not told of all that depends on them.
+// A geom with other data is made again: ODE is not told of all that depends on them.
 void Stage::change_geom(const GeomChange &change)
 {
     std::uint16_t fields = change.fields;
@@ -357,7 +395,7 @@ void Stage::change_geom(const GeomChange &change)
     Geom &geom = geoms_[change.id];
     update(geom.state, change);
     const GeomState &state = geom.state;
-    if (geom.geom && (fields & geom_field::data) && has_data(state))
+    if (geom.geom && (fields & geom_field::data) && has_data(state.geom_class))
     {
         dGeomDestroy(geom.geom);
         fields = geom_field::all;
@@ -375,17 +413,18 @@ void Stage::change_geom(const GeomChange &change)
         set_flags(geom.geom, state);
     if (fields & geom_field::size)
         set_size(geom.geom, state);
-    place(geom, fields);
+    place(change.id, fields);
     if (fields & geom_field::parent)
         place_in_space(geom);
 }
 
 // Body, offset, pose.
-void Stage::place(const Geom &geom, std::uint16_t fields) const
+void Stage::place(std::uint32_t id, std::uint16_t fields)
 {
+    Geom &geom = geoms_[id];
     const GeomState &state = geom.state;
-    const bool is_stand_in = state.geom_class == stand_in;
-    if (!is_placeable_class(state.geom_class) && !is_stand_in)
+    const bool is_box = state.geom_class == stand_in;
+    if (!is_placeable_class(state.geom_class) && !is_box)
         return;
     if (fields & geom_field::body)
     {
@@ -394,35 +433,80 @@ void Stage::place(const Geom &geom, std::uint16_t fields) const
         dGeomSetBody(geom.geom, state.body ? bodies_[state.body - 1] : nullptr);
         fields |= geom_field::offset | geom_field::pose;
     }
-    if (is_stand_in)
+    if (is_box)
     {
         std::copy_n(state.size.begin(), 6, geom.box.get());
-        if ((fields & geom_field::size) && state.body)
-            dGeomSetOffsetPosition(geom.geom, 0, 0, 0); // that it has changed
-        else if (fields & geom_field::size)
-            dGeomSetPosition(geom.geom, state.size[0], state.size[2], state.size[4]);
+        if (fields & geom_field::size)
+            report_move(id);
         return;
     }
     if ((fields & geom_field::offset) && state.body)
-    {
-        if (state.has_offset)
-        {
-            dMatrix3 rotation{};
-            copy_rotation(state.offset, rotation);
-            dGeomSetOffsetRotation(geom.geom, rotation);
-            dGeomSetOffsetPosition(geom.geom, state.offset[0], state.offset[1], state.offset[2]);
-        }
-        else if (dGeomIsOffset(geom.geom))
-            dGeomClearOffset(geom.geom);
-    }
+        take_offset(geom);
     if (!(fields & geom_field::pose) || !has_own_pose(state))
         return;
-    dxPosR &pose = *geom.geom->final_posr;
-    copy_rotation(state.pose, pose.R);
+    take_pose(geom);
     if (!state.body)
-        return dGeomSetPosition(geom.geom, state.pose[0], state.pose[1], state.pose[2]);
-    std::copy_n(state.pose.begin(), 3, pose.pos);
-    geom.geom->gflags &= ~GEOM_POSR_BAD;
+        report_move(id);
+}
+
+void Stage::take_offset(const Geom &geom) const
+{
+    const GeomState &state = geom.state;
+    if (state.has_offset)
+    {
+        dMatrix3 rotation{};
+        copy_rotation(state.offset, rotation);
+        dGeomSetOffsetRotation(geom.geom, rotation);
+        dGeomSetOffsetPosition(geom.geom, state.offset[0], state.offset[1], state.offset[2]);
+    }
+    else if (dGeomIsOffset(geom.geom))
+        dGeomClearOffset(geom.geom);
+}
+
+namespace
+{
+bool is_at(const dxPosR &place, const Pose &pose)
+{
+    dxPosR recorded = place;
+    std::copy_n(pose.begin(), 3, recorded.pos);
+    copy_rotation(pose, recorded.R);
+    return std::memcmp(&recorded, &place, sizeof place) == 0;
+}
+} // namespace
+
+// A geom with an offset is left to be computed by ODE from the pose of its body when it is needed, as in the program, where that
+// gives the recorded pose.
+void Stage::take_pose(const Geom &geom)
+{
+    dxGeom &self = *geom.geom;
+    if (self.offset_posr)
+        self.computePosr(); // in any case: it is to cost the same in all spaces
+    if (is_at(*self.final_posr, geom.state.pose))
+        return;
+    copy_rotation(geom.state.pose, self.final_posr->R);
+    std::copy_n(geom.state.pose.begin(), 3, self.final_posr->pos);
+    self.gflags &= ~GEOM_POSR_BAD;
+}
+
+// At once: what is set next may be reported as well, and a space takes a second notice from the same place for a change of the shape.
+void Stage::report_move(std::uint32_t id)
+{
+    dGeomMoved(geoms_[id].geom);
+    if (!geoms_[id].was_reported)
+        reported_.push_back(id);
+    geoms_[id].was_reported = true;
+}
+
+void Stage::repeat_notices(const std::vector<NoticeCount> &counts)
+{
+    for (const NoticeCount &count : counts)
+    {
+        const Geom &geom = geoms_[count.id];
+        for (std::uint32_t i = geom.was_reported ? 1 : 0; i < count.number; ++i)
+            dGeomMoved(geom.geom);
+        if (geom.state.has_offset && count.number > 0)
+            take_pose(geom);
+    }
 }
 
 void Stage::place_in_space(const Geom &geom) const

@@ -28,7 +28,7 @@ public:
     /// Of all records but events and what tells of them, in their order: what they change.
     void apply(const history::Record &record);
 
-    /// Of an event: dSpaceCollide() or dSpaceCollide2().
+    /// Of an event: dSpaceCollide() or dSpaceCollide2(). Nothing with SpaceKind::none.
     void ask(const history::Record &record, void *data, dNearCallback *callback);
 
     /// The number of a geom in the recording.
@@ -52,20 +52,28 @@ private:
         std::vector<dReal> planes, points;
         std::vector<unsigned> polygons;
     };
-    struct Shape // a mesh or a convex
+    struct Heights
+    {
+        std::vector<double> samples;
+        dHeightfieldDataID data;
+    };
+    struct Shape // one of these
     {
         std::unique_ptr<Mesh> mesh;
         std::unique_ptr<Convex> convex;
+        std::unique_ptr<Heights> heights;
     };
     struct Geom
     {
         dGeomID geom = nullptr;
         history::GeomState state;
         std::unique_ptr<dReal[]> box; // of a stand-in
+        bool was_reported = false;    // since the last event, that it has moved
     };
 
     void add_mesh(const history::MeshContent &content);
     void add_convex(const history::ConvexContent &content);
+    void add_heights(const history::HeightsContent &content);
     void change_body(const history::BodyChange &change);
     void change_geom(const history::GeomChange &change);
     void make(Geom &geom, std::uint32_t id);
@@ -73,8 +81,13 @@ private:
     dSpaceID make_space_of_kind(SpaceKind kind) const;
     dGeomID make_mesh(std::uint32_t data);
     dGeomID make_convex(std::uint32_t data);
+    dGeomID make_heightfield(const history::GeomState &state);
     void place_in_space(const Geom &geom) const;
-    void place(const Geom &geom, std::uint16_t fields) const;
+    void place(std::uint32_t id, std::uint16_t fields);
+    void take_offset(const Geom &geom) const;
+    static void take_pose(const Geom &geom);
+    void report_move(std::uint32_t id);
+    void repeat_notices(const std::vector<history::NoticeCount> &counts);
     void destroy(std::uint32_t id);
 
     const history::Recording &recording_;
@@ -83,6 +96,7 @@ private:
     std::vector<dBodyID> bodies_;
     std::deque<Geom> geoms_;
     std::vector<Shape> shapes_;
+    std::vector<std::uint32_t> reported_; // those that were reported since the last event
 };
 } // namespace ode_predictive_space::replay
 

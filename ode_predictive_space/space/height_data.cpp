@@ -6,9 +6,9 @@ namespace ode_predictive_space
 {
 namespace
 {
-const HeightSamples *laid_out(dHeightfieldDataID data)
+HeightSamples *laid_out(dHeightfieldDataID data)
 {
-    return reinterpret_cast<const HeightSamples *>(data);
+    return reinterpret_cast<HeightSamples *>(data);
 }
 
 dReal known_height(void *, int column, int)
@@ -42,35 +42,39 @@ bool knows_heightfields()
     return known;
 }
 
-template <typename T> double sample(const void *samples, int index)
+template <typename T> double element(const void *samples, int index)
 {
     return static_cast<double>(static_cast<const T *>(samples)[index]);
 }
 } // namespace
 
-double HeightSamples::height(int column, int row) const
+double HeightSamples::sample(int column, int row) const
 {
-    const auto scaled = [this](double value) { return value * double{scale} + double{offset}; };
     const int index = column + row * columns;
     switch (source)
     {
     case callback:
-        return scaled(get_height(user_data, column, row));
+        return get_height(user_data, column, row);
     case of_bytes:
-        return scaled(sample<unsigned char>(samples, index));
+        return element<unsigned char>(samples, index);
     case of_shorts:
-        return scaled(sample<short>(samples, index));
+        return element<short>(samples, index);
     case of_floats:
-        return scaled(sample<float>(samples, index));
+        return element<float>(samples, index);
     case of_doubles:
-        return scaled(sample<double>(samples, index));
+        return element<double>(samples, index);
     default:
         return std::numeric_limits<double>::quiet_NaN();
     }
 }
 
+HeightSamples *writable_height_data(dHeightfieldDataID data)
+{
+    return knows_heightfields() ? laid_out(data) : nullptr;
+}
+
 const HeightSamples *height_data_of(dGeomID heightfield)
 {
-    return knows_heightfields() ? laid_out(dGeomHeightfieldGetHeightfieldData(heightfield)) : nullptr;
+    return writable_height_data(dGeomHeightfieldGetHeightfieldData(heightfield));
 }
 } // namespace ode_predictive_space

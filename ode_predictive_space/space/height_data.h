@@ -40,11 +40,15 @@ struct HeightSamples
     dHeightfieldGetHeight *get_height;
 
     GridSize size() const { return {columns, rows, double{cell_x}, double{cell_z}, repeats != 0}; }
-    double height(int column, int row) const;
+    double sample(int column, int row) const;
+    double height(int column, int row) const { return sample(column, row) * double{scale} + double{offset}; }
 };
 
 /// The data of a heightfield; null when it has none or when the ODE in this process keeps it in another way.
 const HeightSamples *height_data_of(dGeomID heightfield);
+
+/// The data themselves, likewise.
+HeightSamples *writable_height_data(dHeightfieldDataID data);
 } // namespace ode_predictive_space
 
 #endif

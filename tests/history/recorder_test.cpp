@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <set>
 
 #include <ode/ode.h>
@@ -16,8 +17,10 @@
 #include "ode_predictive_space/history/recorder.h"
 #include "ode_predictive_space/history/recording.h"
 #include "ode_predictive_space/replay/check.h"
+#include "ode_predictive_space/replay/own_space.h"
 #include "ode_predictive_space/replay/replay.h"
 #include "ode_predictive_space/replay/stage.h"
+#include "tests/contract/support/geom_zoo.h"
 #include "tests/contract/support/ode_test.h"
 #include "tests/faults/allocation_faults.h"
 #include "tests/history/recorded.h"
@@ -361,31 +364,354 @@ TEST_F(RecorderTest, MeshesOfTheSameArraysReadWithOtherStridesAreOthers)
         dGeomTriMeshDataDestroy(each);
 }
 
-// ODE's own header calls transforms deprecated; programs have them.
-#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
-TEST_F(RecorderTest, HeightfieldsAndTransformsAreTheirBoxes)
+// What dCollide() finds, to the bit.
+std::vector<dReal> contacts_of(dGeomID first, dGeomID second)
 {
-    const float heights[4] = {0, 1, 2, 3};
-    const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
-    dGeomHeightfieldDataBuildSingle(field, heights, 0, 10, 10, 2, 2, 1, 0, 1, 0);
+    dContactGeom contacts[20];
+    const int count = dCollide(first, second, 20, contacts, sizeof contacts[0]);
+    std::vector<dReal> numbers;
+    for (int i = 0; i < count; ++i)
+    {
+        numbers.insert(numbers.end(), contacts[i].pos, contacts[i].pos + 3);
+        numbers.insert(numbers.end(), contacts[i].normal, contacts[i].normal + 3);
+        numbers.push_back(contacts[i].depth);
+    }
+    return numbers;
+}
+
+dReal callback_height(void *scale, int column, int row)
+{
+    return *static_cast<const dReal *>(scale) * static_cast<dReal>((column * 7 + row * 5) % 4);
+}
+
+struct Fields
+{
+    const unsigned char bytes[9] = {0, 3, 0, 1, 2, 1, 0, 1, 0};
+    const float floats[9] = {0, 0.1f, 0, 0.3f, 0.7f, 0.2f, 0, 0.1f, 0};
+    dReal scale = REAL(0.3);
+    dHeightfieldDataID data[3] = {dGeomHeightfieldDataCreate(), dGeomHeightfieldDataCreate(),
+                                  dGeomHeightfieldDataCreate()};
+
+    Fields()
+    {
+        dGeomHeightfieldDataBuildByte(data[0], bytes, 1, 10, 14, 3, 3, REAL(0.1), REAL(-0.2), REAL(0.3), 0);
+        dGeomHeightfieldDataBuildSingle(data[1], floats, 0, 12, 10, 3, 3, REAL(1.1), REAL(0.7), 1, 1);
+        dGeomHeightfieldDataBuildCallback(data[2], &scale, callback_height, 20, 20, 9, 5, REAL(0.5), REAL(0.1), 1, 0);
+        dGeomHeightfieldDataSetBounds(data[2], -1, 2);
+    }
+    ~Fields()
+    {
+        for (const dHeightfieldDataID each : data)
+            dGeomHeightfieldDataDestroy(each);
+    }
+};
+
+TEST_F(RecorderTest, HeightfieldsComeBackToTheBit)
+{
+    Fields fields;
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    const dGeomID ground = dCreateHeightfield(space, field, 1), transform = dCreateGeomTransform(space);
-    dGeomTransformSetGeom(transform, dCreateSphere(nullptr, 1));
-    dGeomTransformSetCleanup(transform, 1);
+    std::vector<dGeomID> grounds;
+    for (int i = 0; i < 6; ++i)
+        grounds.push_back(dCreateHeightfield(space, fields.data[i / 2], i % 2)); // fixed and placeable
+    for (int i = 1; i < 6; i += 2)
+    {
+        dMatrix3 rotation;
+        dRFromEulerAngles(rotation, REAL(0.1) * dReal(i), REAL(0.2), REAL(0.1));
+        dGeomSetRotation(grounds[std::size_t(i)], rotation);
+        dGeomSetPosition(grounds[std::size_t(i)], 0, REAL(-0.1) * dReal(i), 0);
+    }
+    const dGeomID ball = dCreateSphere(space, 1);
     Recorded recorded;
     for (int i = 0; i < 5; ++i)
     {
-        dGeomSetPosition(transform, 0, dReal(i), 0);
+        dGeomSetPosition(ball, dReal(i) - 2, REAL(0.6), REAL(0.5) * dReal(i));
         recorded.collide(space);
     }
     const Recording recording = recorded.end();
-    EXPECT_EQ(recording.stand_ins(), 2u);
+    EXPECT_EQ(recording.stand_ins(), 0u);
     const auto stage = staged(recording);
-    expect_same(ground, stage->geom(1));
-    expect_same(transform, stage->geom(2));
+    const dGeomID ball_now = stage->geom(7);
+    expect_same(ball, ball_now);
+    std::size_t with_contacts = 0;
+    for (std::size_t i = 0; i < grounds.size(); ++i)
+    {
+        const dGeomID now = stage->geom(std::uint32_t(i) + 1);
+        expect_same(grounds[i], now);
+        const std::vector<dReal> contacts = contacts_of(grounds[i], ball);
+        EXPECT_EQ(contacts, contacts_of(now, ball_now)) << i;
+        with_contacts += !contacts.empty();
+    }
+    EXPECT_GT(with_contacts, 3u);
     expect_pairs_agree(recording);
     dSpaceDestroy(space);
+}
+
+TEST_F(RecorderTest, AHeightfieldIsRecordedAgainWhenItsSamplesChange)
+{
+    float heights[4] = {0, 1, 2, 3};
+    const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildSingle(field, heights, 0, 10, 10, 2, 2, 1, 0, 1, 0);
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dGeomID ground = dCreateHeightfield(space, field, 1), ball = dCreateSphere(space, 1);
+    Recorded recorded;
+    recorded.collide(space);
+    recorded.collide(space);
+    heights[0] = 2;
+    recorded.collide(space);
+    const Recording recording = recorded.end();
+    const auto &records = recording.records();
+    EXPECT_EQ(
+        std::count_if(records.begin(), records.end(), [](const Record &r) { return r.kind == RecordKind::heights; }),
+        2);
+    const auto stage = staged(recording);
+    EXPECT_EQ(contacts_of(ground, ball), contacts_of(stage->geom(1), stage->geom(2)));
+    dSpaceDestroy(space);
     dGeomHeightfieldDataDestroy(field);
+}
+
+TEST_F(RecorderTest, TheCallbackOfAHeightfieldIsCalledOnceForEachSample)
+{
+    int calls = 0;
+    const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildCallback(
+        field, &calls,
+        [](void *count, int, int) {
+            ++*static_cast<int *>(count);
+            return dReal(0);
+        },
+        10, 10, 4, 5, 1, 0, 1, 0);
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    dCreateHeightfield(space, field, 1);
+    Recorded recorded;
+    for (int i = 0; i < 3; ++i)
+        recorded.collide(space);
+    EXPECT_EQ(calls, 4 * 5);
+    dSpaceDestroy(space);
+    dGeomHeightfieldDataDestroy(field);
+}
+
+// ODE's own header calls transforms deprecated; programs have them.
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+TEST_F(RecorderTest, WhatATransformHoldsComesBackAndAUserClassIsItsBox)
+{
+    const dWorldID world = dWorldCreate();
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    std::vector<dGeomID> transforms, held = {dCreateBox(nullptr, 1, 2, 3), dCreateCapsule(nullptr, REAL(0.5), 2)};
+    dMatrix3 rotation;
+    dRFromEulerAngles(rotation, REAL(0.3), REAL(0.7), REAL(0.1));
+    for (const dGeomID each : held)
+    {
+        dGeomSetPosition(each, REAL(0.3), REAL(0.1), REAL(-0.2));
+        dGeomSetRotation(each, rotation);
+        transforms.push_back(dCreateGeomTransform(space));
+        dGeomTransformSetGeom(transforms.back(), each);
+        dGeomTransformSetCleanup(transforms.back(), 1);
+    }
+    const dBodyID body = dBodyCreate(world);
+    dGeomSetBody(transforms[1], body);
+    const dGeomID ball = dCreateSphere(space, 2), other = create_geom(GeomKind::user, 1, space);
+    Recorded recorded;
+    for (int i = 0; i < 5; ++i)
+    {
+        dGeomSetPosition(transforms[0], 0, REAL(0.1) * dReal(i), 0);
+        dGeomSetRotation(transforms[0], rotation);
+        dBodySetPosition(body, REAL(0.2) * dReal(i), 0, 0);
+        dBodySetRotation(body, rotation);
+        dGeomSetPosition(other, dReal(i), 0, 0);
+        recorded.collide(space);
+    }
+    const Recording recording = recorded.end();
+    EXPECT_EQ(recording.stand_ins(), 1u);
+    const auto stage = staged(recording);
+    EXPECT_EQ(dGeomGetClass(stage->geom(1)), dBoxClass);
+    EXPECT_EQ(dGeomGetClass(stage->geom(2)), dCapsuleClass);
+    for (std::uint32_t i = 0; i < 2; ++i)
+    {
+        expect_same(transforms[i], stage->geom(i + 1));
+        const std::vector<dReal> contacts = contacts_of(transforms[i], ball);
+        EXPECT_FALSE(contacts.empty());
+        EXPECT_EQ(contacts, contacts_of(stage->geom(i + 1), stage->geom(3)));
+    }
+    expect_same(other, stage->geom(4));
+    expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+    dWorldDestroy(world);
+}
+
+// By the numbers of geoms, what a space is told between two collides.
+class Notices final : public NoticeListener
+{
+public:
+    explicit Notices(dSpaceID space) { ode_predictive_space_listen(space, this); }
+    ~Notices() { ode_predictive_space_stop_listening(this); }
+    void notify_moved(dGeomID geom) override { ++numbers_[geom]; }
+
+    // Of the geoms, in this order.
+    std::vector<int> take(const std::vector<dGeomID> &geoms)
+    {
+        std::vector<int> numbers;
+        for (const dGeomID geom : geoms)
+            numbers.push_back(numbers_[geom]);
+        numbers_.clear();
+        return numbers;
+    }
+
+private:
+    std::map<dGeomID, int> numbers_;
+};
+
+// Enough for the space to predict, which leaves no moved geom marked.
+std::vector<dGeomID> balls_in(dSpaceID space)
+{
+    std::vector<dGeomID> balls;
+    for (int i = 0; i < 30; ++i)
+    {
+        balls.push_back(dCreateSphere(space, REAL(0.1)));
+        dGeomSetPosition(balls.back(), dReal(i), 0, 0);
+    }
+    return balls;
+}
+
+// Before each event but the first, of the geoms in the first space, from the last to the first as they were recorded.
+std::vector<std::vector<int>> notices_in_replay(const Recording &recording)
+{
+    Stage stage(recording, SpaceKind::box);
+    std::unique_ptr<Notices> notices;
+    std::vector<dGeomID> geoms;
+    std::vector<std::vector<int>> numbers;
+    for (const Record &record : recording.records())
+    {
+        if (record.kind != RecordKind::collide)
+        {
+            stage.apply(record);
+            continue;
+        }
+        if (notices)
+            numbers.push_back(notices->take(geoms));
+        stage.ask(record, nullptr, ignore);
+        if (notices)
+            continue;
+        for (std::uint32_t id = 1; id < recording.geom_count(); ++id)
+            geoms.push_back(stage.geom(id));
+        notices = std::make_unique<Notices>(reinterpret_cast<dSpaceID>(stage.geom(0)));
+    }
+    return numbers;
+}
+
+// As an engine of its own does that sets all poses in each tick, though few change.
+TEST_F(RecorderTest, NoticesComeBackAlsoOfPosesThatAreSetToWhatTheyAre)
+{
+    const dWorldID world = dWorldCreate();
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    std::vector<dGeomID> geoms = balls_in(space);
+    const dBodyID body = dBodyCreate(world);
+    for (const std::size_t i : {20u, 21u})
+        dGeomSetBody(geoms[i], body);
+    dGeomSetOffsetPosition(geoms[21], 0, 1, 0);
+    Recorded recorded;
+    recorded.collide(space);
+    std::vector<std::vector<int>> live;
+    {
+        Notices notices(space);
+        for (int tick = 0; tick < 6; ++tick)
+        {
+            for (std::size_t i = 0; i < 10; ++i) // two notices each
+            {
+                const dReal *position = dGeomGetPosition(geoms[i]);
+                dGeomSetPosition(geoms[i], position[0], position[1] + (i == 0 ? REAL(0.1) : 0), position[2]);
+                dGeomSetRotation(geoms[i], dGeomGetRotation(geoms[i]));
+            }
+            dGeomSetPosition(geoms[15], 15, dReal(tick), 0);
+            dBodySetPosition(body, 0, 0, dReal(tick / 2));
+            live.push_back(notices.take(geoms));
+            recorded.collide(space);
+        }
+    }
+    EXPECT_EQ(live[3][0], 2);
+    EXPECT_EQ(live[3][9], 2);
+    EXPECT_EQ(live[3][10], 0);
+    EXPECT_EQ(live[3][15], 1);
+    EXPECT_EQ(live[3][21], 1) << "its body was set to where it was";
+    const Recording recording = recorded.end();
+    EXPECT_EQ(notices_in_replay(recording), live);
+    expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+    dWorldDestroy(world);
+}
+
+TEST_F(RecorderTest, NoticesOfNestedPredictiveSpacesAreRecordedAndThoseOfOdesSpacesAreNot)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr), inner = dPredictiveSpaceCreate(space),
+                   simple = dSimpleSpaceCreate(space);
+    dPredictiveSpaceSetProximity(inner, dPredictiveProximityShape);
+    const std::vector<dGeomID> in_predictive = balls_in(inner), in_simple = balls_in(simple);
+    Recorded recorded;
+    for (int tick = 0; tick < 4; ++tick)
+    {
+        recorded.collide(space);
+        for (const dGeomID each : {in_predictive[3], in_simple[3]})
+            for (int times = 0; times < 3; ++times)
+                dGeomSetPosition(each, 3, 0, 0);
+    }
+    const Recording recording = recorded.end();
+    std::map<std::uint32_t, std::uint32_t> number_of;
+    std::vector<SpaceService> services;
+    for (const Record &record : recording.records())
+        if (record.kind == RecordKind::notices)
+            for (const NoticeCount &count : recording.notices(record))
+                number_of[count.id] = count.number;
+        else if (record.kind == RecordKind::geom && is_space_class(recording.geom(record).state.geom_class))
+            services.push_back(recording.geom(record).state.service);
+    ASSERT_EQ(services.size(), 3u);
+    EXPECT_EQ(services[0].predictive, 1 + dPredictiveProximityBox);
+    EXPECT_EQ(services[1].predictive, 1 + dPredictiveProximityShape);
+    EXPECT_EQ(services[1].counts_notices, 1);
+    EXPECT_EQ(services[2].predictive, 0);
+    EXPECT_EQ(services[2].counts_notices, 0);
+    EXPECT_EQ(number_of.size(), 3u) << "one ball, and both spaces";
+    EXPECT_EQ(number_of[5], 3u) << "the fourth ball";
+    expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+}
+
+// What stands in the place of one of ODE's is of that class to the program; what the program made itself is predictive.
+TEST_F(RecorderTest, ASubstituteIsRecordedAsTheSpaceThatTheProgramMade)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    balls_in(space);
+    for (const bool is_substitute : {false, true})
+    {
+        const ScratchRecording file;
+        Recorder recorder(HistoryFile(file.path(), false), 1 << 24, "a test", [=](dSpaceID) { return is_substitute; });
+        recorder.begin_collide(space).end();
+        recorder.close();
+        EXPECT_EQ(replay::name_of_own_space(Recording::read(file.path())),
+                  is_substitute ? "hash" : "predictive, by box");
+    }
+    dSpaceDestroy(space);
+}
+
+TEST_F(RecorderTest, ASpaceThatIsNotRecordedAnyMoreIsNotWatchedEither)
+{
+    const ScratchRecording file;
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const std::vector<dGeomID> balls = balls_in(space);
+    const auto functions = [&] { return *reinterpret_cast<void **>(space); };
+    void *const before = functions();
+    {
+        Recorded recorded;
+        recorded.collide(space);
+        EXPECT_NE(functions(), before);
+        EXPECT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
+        recorded.end();
+        EXPECT_NE(functions(), before) << "it records itself";
+    }
+    EXPECT_EQ(dPredictiveSpaceRecord(space, nullptr, 0), 1);
+    EXPECT_EQ(functions(), before);
+    Recorded other;
+    other.collide(space);
+    dSpaceDestroy(space); // while it is listened to
+    EXPECT_TRUE(other.recorder().close());
 }
 
 TEST_F(RecorderTest, TheRecordingEndsAtItsLimitWithAWholeTick)

@@ -21,10 +21,10 @@ namespace
 class Bytes
 {
 public:
-    Bytes()
+    explicit Bytes(std::uint32_t version = format_version) : version_(version)
     {
         raw(magic, sizeof magic);
-        number<std::uint32_t>(format_version).number<std::uint32_t>(sizeof(dReal));
+        number<std::uint32_t>(version).number<std::uint32_t>(sizeof(dReal));
     }
 
     template <typename Number, typename Value> Bytes &number(Value value)
@@ -60,16 +60,20 @@ public:
         std::uint32_t parent = 0, data = 0, body = 0;
         bool has_offset = false;
         std::int32_t min_level = 0, max_level = 0;
+        std::uint8_t predictive = 0, counts_notices = 0;
     };
 
     Bytes &geom(std::uint32_t id, int geom_class, const Links &links, dReal size = 1)
     {
         begin(RecordKind::geom).number<std::uint32_t>(id).number<std::uint8_t>(geom_class);
-        number<std::uint16_t>(geom_field::all).number<std::uint32_t>(0).number<std::int32_t>(links.min_level);
+        number<std::uint16_t>(version_ == 1 ? geom_field::all_of_version_1 : geom_field::all);
+        number<std::uint32_t>(0).number<std::int32_t>(links.min_level);
         number<std::int32_t>(links.max_level).number<std::uint32_t>(links.parent);
         number<std::uint64_t>(1).number<std::uint64_t>(1);
         number<std::uint8_t>(geom_enabled).reals(size_count(geom_class), size).number<std::uint32_t>(links.data);
         number<std::uint32_t>(links.body).number<std::uint8_t>(links.has_offset).reals(12).reals(12);
+        if (version_ > 1)
+            number<std::uint8_t>(links.predictive).number<std::uint8_t>(links.counts_notices);
         return end();
     }
 
@@ -95,6 +99,23 @@ public:
         links.min_level = min_level;
         links.max_level = max_level;
         return geom(id, dHashSpaceClass, links);
+    }
+
+    Bytes &predictive_space(std::uint32_t id, int predictive, int counts_notices = 1)
+    {
+        Links links;
+        links.predictive = static_cast<std::uint8_t>(predictive);
+        links.counts_notices = static_cast<std::uint8_t>(counts_notices);
+        return geom(id, dHashSpaceClass, links);
+    }
+
+    Bytes &heights(std::uint32_t columns, std::uint32_t rows, dReal width = 2, double sample = 0, dReal lowest = -1)
+    {
+        begin(RecordKind::heights).number<std::uint32_t>(0).number<std::uint32_t>(columns).number<std::uint32_t>(rows);
+        number<std::uint8_t>(1).reals(1, width).reals(4).reals(1, lowest).reals(1, 1);
+        for (int i = 0; i < 4; ++i)
+            number<double>(sample);
+        return end();
     }
 
     // A change of one field that is a number.
@@ -167,6 +188,7 @@ private:
 
     std::vector<char> bytes_;
     std::size_t begin_ = 0;
+    std::uint32_t version_;
 };
 
 // What is wrong, "" when nothing is; and whether the offset is that of the last record.
@@ -204,6 +226,33 @@ TEST(Recording, TakesWhatIsWhole)
     EXPECT_EQ(complaint(bytes, 0), "");
 }
 
+TEST(Recording, TakesHeightsNoticesAndPredictiveSpaces)
+{
+    Bytes bytes;
+    bytes.predictive_space(0, 3).heights(2, 2).geom(1, dHeightfieldClass, 1).geom(2, fixed_heightfield, 1);
+    bytes.event(RecordKind::notices, {2, 7, 0, 1}).event(RecordKind::collide, {0});
+    EXPECT_EQ(complaint(bytes, 0), "");
+    const Recording recording(bytes.bytes());
+    const std::vector<NoticeCount> notices = recording.notices(recording.records()[4]);
+    ASSERT_EQ(notices.size(), 2u);
+    EXPECT_EQ(notices[0].id, 2u);
+    EXPECT_EQ(notices[0].number, 7u);
+    EXPECT_EQ(recording.stand_ins(), 0u);
+}
+
+TEST(Recording, TakesAFileOfTheFirstVersion)
+{
+    Bytes bytes(1);
+    bytes.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1).event(RecordKind::collide, {0});
+    EXPECT_EQ(complaint(bytes, 0), "");
+    EXPECT_EQ(Recording(bytes.bytes()).version(), 1u);
+    expect_refused(
+        bytes, [](Bytes &b) { b.change(0, dHashSpaceClass, geom_field::service, 0); }, "longer");
+    bytes.heights(2, 2);
+    expect_refused(
+        bytes, [](Bytes &b) { b.geom(2, dHeightfieldClass, 1); }, "version 1");
+}
+
 // The launcher's answer is about this one.
 TEST(Recording, KnowsItsFirstSpace)
 {
@@ -223,7 +272,7 @@ TEST(Recording, RefusesOtherFiles)
     EXPECT_THROW(Recording(std::vector<char>(1000, 'x')), BadRecording);
     EXPECT_THROW(Recording::read("/nonexistent/file"), std::runtime_error);
     EXPECT_THROW(Recording::read(testing::TempDir()), std::runtime_error) << "a folder";
-    for (const char version : {2, 0}) // a version below the first one is none that this reader knows
+    for (const char version : {3, 0}) // a version below the first one is none that this reader knows
     {
         Bytes other;
         other.bytes()[sizeof magic] = version;
@@ -285,7 +334,21 @@ TEST(Recording, RefusesWhatAReplayWouldStumbleOver)
     refused("negative or not a number",
             [](Bytes &b) { b.geom(2, dSphereClass, 0, 0, std::numeric_limits<dReal>::quiet_NaN()); });
     refused("no such class", [](Bytes &b) { b.geom(2, dFirstUserClass); });
-    refused("recorded as their boxes", [](Bytes &b) { b.geom(2, dHeightfieldClass); });
+    refused("what it holds", [](Bytes &b) { b.geom(2, dGeomTransformClass); });
+    refused("no such data", [](Bytes &b) { b.geom(2, dHeightfieldClass); });
+    refused("no such data", [](Bytes &b) { b.geom(2, fixed_heightfield); });
+    refused("too few or too many", [](Bytes &b) { b.heights(1, 4); });
+    refused("too few or too many", [](Bytes &b) { b.heights(0x10000, 0x10000); });
+    refused("shorter", [](Bytes &b) { b.heights(3, 2); });
+    refused("no width", [](Bytes &b) { b.heights(2, 2, 0); });
+    refused("not finite", [](Bytes &b) { b.heights(2, 2, std::numeric_limits<dReal>::infinity()); });
+    refused("sample is not finite", [](Bytes &b) { b.heights(2, 2, 2, std::numeric_limits<double>::quiet_NaN()); });
+    refused("not a number", [](Bytes &b) { b.heights(2, 2, 2, 0, std::numeric_limits<dReal>::quiet_NaN()); });
+    refused("kind of predictive space", [](Bytes &b) { b.predictive_space(2, 4); });
+    refused("kind of predictive space", [](Bytes &b) { b.predictive_space(2, 1, 2); });
+    refused("does not exist", [](Bytes &b) { b.event(RecordKind::notices, {2, 1}); });
+    refused("too many notices", [](Bytes &b) { b.event(RecordKind::notices, {1, most_notices + 1}); });
+    refused("longer", [](Bytes &b) { b.event(RecordKind::notices, {1}); });
     refused("no space", [](Bytes &b) { b.geom(2, dSphereClass, 2); });
     refused("no space", [](Bytes &b) { b.geom(2, dSphereClass, 77); });
     refused("no space", [](Bytes &b) { b.geom(2, dSimpleSpaceClass, 3); }); // in itself

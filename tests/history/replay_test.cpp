@@ -16,6 +16,8 @@
 #include "ode_predictive_space/replay/answer.h"
 #include "ode_predictive_space/replay/check.h"
 #include "ode_predictive_space/replay/child.h"
+#include "ode_predictive_space/replay/own_space.h"
+#include "tests/contract/support/geom_zoo.h"
 #include "tests/contract/support/ode_test.h"
 #include "tests/history/recorded.h"
 
@@ -75,20 +77,22 @@ TEST_F(Replay, JudgesCallbacksByTheirContacts)
     ball_at(dReal(1.9), dReal(1.9), 0); // the boxes overlap, the balls do not
     ball_at(20, 0, 0);
     ball_at(21, 0, 0); // a contact
+    dGeomSetPosition(create_geom(GeomKind::user, 1, space_), 40, 0, 0);
+    ball_at(40, 0, 0); // of the other one only the box is known
     const float heights[4] = {0, 0, 0, 0};
     const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
     dGeomHeightfieldDataBuildSingle(field, heights, 0, 4, 4, 2, 2, 1, 0, 1, 0);
     const dGeomID ground = dCreateHeightfield(space_, field, 1);
-    dGeomSetPosition(ground, 40, 0, 0);
-    ball_at(40, 0, 0); // of the other one only the box is known
+    dGeomSetPosition(ground, 60, 0, 0);
+    ball_at(60, 0, 0); // a contact
     const Recording recording = collided(2);
     const Callbacks callbacks = judge_callbacks(recording, recording.events().size(), no_limit);
     EXPECT_EQ(callbacks.failure, "");
-    EXPECT_EQ(callbacks.all, 2 * 3u);
+    EXPECT_EQ(callbacks.all, 2 * 4u);
     EXPECT_EQ(callbacks.nothing, 2 * 1u);
     EXPECT_EQ(callbacks.unknown, 2 * 1u);
     EXPECT_EQ(callbacks.seconds_spared, 0) << "two balls are told apart by box by shape, too";
-    EXPECT_EQ(judge_callbacks(recording, 1, no_limit).all, 3u);
+    EXPECT_EQ(judge_callbacks(recording, 1, no_limit).all, 4u);
     dGeomDestroy(ground);
     dGeomHeightfieldDataDestroy(field);
 }

@@ -603,8 +603,8 @@ def space_faults():
         "pose_not_computed_when_a_geom_leaves", "space", space, "    if (geom->offset_posr)\n        geom->recomputePosr();\n", "",
         contract("Offset.*"))
     yield Fault(
-        "bytes_with_a_sign", "shapes", SOURCES + "space/height_data.cpp", "sample<unsigned char>(samples, index)",
-        "sample<char>(samples, index)", CONTACT_HISTORIES)
+        "bytes_with_a_sign", "shapes", SOURCES + "space/height_data.cpp", "element<unsigned char>(samples, index)",
+        "element<char>(samples, index)", CONTACT_HISTORIES)
     yield Fault(
         "unknown_counters_not_written", "space", SOURCES + "space/c_api.cpp", "    std::memset(counters, 0, size);\n", "",
         (("space", "PredictiveSpace.*"),))
@@ -746,10 +746,10 @@ def history_faults():
     yield Fault(
         "levels_that_change_not_recorded", "history", state, "when(differ(before.space, now.space), geom_field::space) |", "", recorded)
     yield Fault(
-        "a_convex_cannot_be_cut", "history", check, "    case RecordKind::convex:\n        return true;", "        return true;", read)
+        "a_convex_cannot_be_cut", "history", check, "    case RecordKind::convex:\n    case RecordKind::heights:", "    case RecordKind::heights:", read)
     yield Fault(
-        "spaces_within_asked_spaces_recorded", "history", SOURCES + "history/recorded_space.cpp", "        if (IS_SPACE(geom))\n",
-        "        if (false)\n", (("recordings", "*Recorded*"),))
+        "spaces_within_asked_spaces_recorded", "history", SOURCES + "history/recorded_space.cpp", "        if (!recorder || IS_SPACE(geom))\n",
+        "        if (!recorder)\n", (("recordings", "*Recorded*"),))
     yield Fault(
         "another_class_at_the_address_known", "history", recorder,
         "return known != geoms_.end() && known->second.state.geom_class == geom->type;", "return known != geoms_.end();", recorded)
@@ -785,8 +785,8 @@ def history_faults():
     yield Fault(
         "half_of_the_velocity", "history", state,
         "std::copy_n(dBodyGetAngularVel(body), 3, state.velocity.begin() + 3);", "", recorded)
-    yield Fault("changed_vertices_unnoticed", "history", data, "(collide == 0 || known->second.looked_at == collide)",
-                "(collide == 0 || known->second.looked_at <= collide)", recorded)
+    yield Fault("changed_vertices_unnoticed", "history", data, "(collide == 0 || known->second.looked_at == collide || is_sampled_once(geom))",
+                "(collide == 0 || known->second.looked_at <= collide || is_sampled_once(geom))", recorded)
     yield Fault(
         "meshes_told_apart_by_their_first_bytes", "history", data, "i < content.size(); i += sizeof(std::uint64_t)",
         "i < 1; i += sizeof(std::uint64_t)", recorded)
@@ -796,7 +796,7 @@ def history_faults():
     yield Fault(
         "emptied_under_another_recording", "history", file, "return EBUSY;", "return 0;", (("recordings", "HistoryFile.*"),))
     yield Fault(
-        "versions_below_the_first_accepted", "history", check, "if (version != format_version)", "if (version > format_version)", read)
+        "versions_below_the_first_accepted", "history", check, "if (version < oldest_version || version > format_version)", "if (version > format_version)", read)
     yield Fault(
         "any_length_taken_for_a_cut", "history", check, "record.kind <= RecordKind::last && record.size <= most_of_other_kinds",
         "record.kind <= RecordKind::last", read)
@@ -816,6 +816,26 @@ def history_faults():
         read)
     yield Fault(
         "pairs_of_an_event_twice", "history", check, " || recording_.events_[number].has_pairs)", ")", read)
+    yield Fault(
+        "a_pose_set_to_what_it_was_is_no_notice", "history", recorder, "if (number != usual)", "if (number < usual)", recorded)
+    yield Fault(
+        "a_new_geom_has_a_notice", "history", recorder, "other_pose && !(fields & geom_field::is_new) ? 1 : 0", "other_pose ? 1 : 0", recorded)
+    yield Fault(
+        "nested_predictive_spaces_not_listened_to", "history", recorder, "    ode_predictive_space_listen(space, &notices_);\n",
+        "    if (!space->parent_space)\n        ode_predictive_space_listen(space, &notices_);\n", recorded)
+    yield Fault(
+        "functions_of_a_recorded_space_kept", "history", SOURCES + "history/recorded_space.cpp",
+        "    recorded_spaces().all.erase(place);\n    give_functions_of<dxPredictiveSpace>(space);\n",
+        "    recorded_spaces().all.erase(place);\n", (("recordings", "RecorderTest.*"),))
+    yield Fault(
+        "a_callback_sampled_at_every_collide", "history", data, "height_data_of(geom)->source == HeightSamples::callback", "false", recorded)
+    yield Fault(
+        "bounds_of_a_heightfield_not_recorded", "history", SOURCES + "replay/stage.cpp", "        known->lowest = content.lowest;\n", "", recorded)
+    yield Fault(
+        "a_sizeless_geom_in_a_transform_recorded", "history", state, "(GEOM_PLACEABLE | GEOM_ZERO_SIZED)) == GEOM_PLACEABLE", "GEOM_PLACEABLE) != 0",
+        (("recordings", "*RecordedHistories*"),))
+    yield Fault(
+        "notices_of_a_geom_that_does_not_exist", "history", check, "count.id >= geoms_.size() || geoms_[count.id].gone", "count.id > geoms_.size()", read)
     yield Fault(
         "asked_before_it_is_collided", "history", check,
         "if (is_collide ? !has_collide_ : !has_collide_ && !has_question_)", "if (!has_collide_ && !has_question_)", read)
@@ -843,8 +863,8 @@ def replay_faults():
         "velocities_swapped", "replay", stage, "dBodySetAngularVel(body, velocity[3], velocity[4], velocity[5]);",
         "dBodySetAngularVel(body, velocity[0], velocity[1], velocity[2]);", staged)
     yield Fault(
-        "old_mesh_kept", "replay", stage, "if (geom.geom && (fields & geom_field::data) && has_data(state))",
-        "if (geom.geom && (fields & geom_field::data) && !has_data(state))", staged)
+        "old_mesh_kept", "replay", stage, "if (geom.geom && (fields & geom_field::data) && has_data(state.geom_class))",
+        "if (geom.geom && (fields & geom_field::data) && !has_data(state.geom_class))", staged)
     yield Fault("levels_forgotten", "replay", stage, "dHashSpaceSetLevels(space, state.space.min_level, state.space.max_level);",
                 ";", staged)
     yield Fault("sublevel_forgotten", "replay", stage,

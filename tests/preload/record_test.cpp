@@ -51,6 +51,24 @@ TEST(Record, AProgramGoesTheSameWayAndItsRecordingHasItsPairs)
     }
 }
 
+TEST(Record, SaysWhichSpacesTheProgramMadeAndWhetherNoticesAreKnown)
+{
+    const RecordingFolder folder;
+    struct Case
+    {
+        const char *options, *program, *own;
+        bool notices_are_known;
+    };
+    for (const Case &each : {Case{"", LINKED, "own (hash)", true}, Case{"--space none ", LINKED, "own (hash)", false},
+                             Case{"--space none ", SWAPPED, "own (predictive, by box)", true}})
+    {
+        launch(std::string(each.options) + "--record " + folder.file() + " " + each.program);
+        const Outcome replayed = run(REPLAYER, "--times --space own " + folder.file());
+        EXPECT_TRUE(contains(replayed.output, each.own)) << replayed.output;
+        EXPECT_EQ(contains(replayed.output, "Spaces of ODE were recorded"), !each.notices_are_known) << replayed.output;
+    }
+}
+
 TEST(Record, HasThePairsOfAProgramThatIsTracedToo)
 {
     const RecordingFolder folder, traced;

@@ -1,0 +1,19 @@
+// The spaces that the recorded program had.
+
+#ifndef ODE_PREDICTIVE_SPACE_REPLAY_OWN_SPACE_H
+#define ODE_PREDICTIVE_SPACE_REPLAY_OWN_SPACE_H
+
+#include <string>
+
+#include "ode_predictive_space/history/recording.h"
+
+namespace ode_predictive_space::replay
+{
+/// The kind of the space that is collided first: "hash", or "predictive, by box" where the program made a predictive one.
+std::string name_of_own_space(const history::Recording &recording);
+
+/// A sentence for a recording without the notices of that space; empty when it has them.
+std::string unknown_notices(const history::Recording &recording);
+} // namespace ode_predictive_space::replay
+
+#endif
