@@ -59,8 +59,9 @@ TEST(Record, SaysWhichSpacesTheProgramMadeAndWhetherNoticesAreKnown)
         const char *options, *program, *own;
         bool notices_are_known;
     };
-    for (const Case &each : {Case{"", LINKED, "own (hash)", true}, Case{"--space none ", LINKED, "own (hash)", false},
-                             Case{"--space none ", SWAPPED, "own (predictive, by box)", true}})
+    for (const Case &each :
+         {Case{"--space all ", LINKED, "own (simple)", true}, Case{"--space none ", LINKED, "own (simple)", false},
+          Case{"--space none ", SWAPPED, "own (predictive, by box)", true}})
     {
         launch(std::string(each.options) + "--record " + folder.file() + " " + each.program);
         const Outcome replayed = run(REPLAYER, "--times --space own " + folder.file());
