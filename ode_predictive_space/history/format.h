@@ -40,7 +40,16 @@ enum class RecordKind : std::uint8_t
     heights, ///< id, columns, rows, repeats (1 byte); width, depth, scale, offset, thickness, lowest, highest; samples (8 bytes each)
     notices, ///< (id of a geom, number of its notices) for each geom for which it is not 1 where the geom has another pose of its own
              ///< or from its body, or another box, and 0 where it has none of these or is new
-    last = notices
+    times,   ///< number of the event, EventTimes; of one that was not asked by the callback of another
+    last = times
+};
+
+/// What an event took in the program, in seconds, without the recording of it.
+struct EventTimes
+{
+    float space;     ///< in the space, without callbacks
+    float callbacks; ///< in the program's callbacks
+    float tick; ///< processor time of its thread from the end of the event before to the end of this one; 0: unknown
 };
 
 enum class EndReason : std::uint8_t

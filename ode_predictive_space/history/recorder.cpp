@@ -34,6 +34,7 @@ RecordKind kind_of_data(int geom_class)
 
 constexpr std::size_t end_size = record_header_size + 1;
 constexpr std::size_t pairs_size = record_header_size + 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t);
+constexpr std::size_t times_size = record_header_size + sizeof(std::uint32_t) + sizeof(EventTimes);
 } // namespace
 
 // Appends one record to the buffer; its length is known at the end.
@@ -152,7 +153,7 @@ Recorder::Event Recorder::begin_collide2(dGeomID first, dGeomID second)
 // Written before the collide, which may be the one that the program does not survive.
 Recorder::Event Recorder::write_event(std::size_t before)
 {
-    const std::size_t still_to_come = (unfinished_ + 1) * pairs_size + end_size;
+    const std::size_t still_to_come = (unfinished_ + 1) * (pairs_size + times_size) + end_size;
     if (file_.size() + buffer_.size() + still_to_come > limit_)
     {
         buffer_.resize(before);
@@ -180,7 +181,7 @@ void Recorder::Event::note(dGeomID first, dGeomID second)
         hash_ += hash_of_pair(one->second.id, other->second.id);
 }
 
-void Recorder::Event::end()
+void Recorder::Event::end(const EventTimes *times)
 {
     if (!recorder_ || recorder_->over_)
         return;
@@ -188,7 +189,11 @@ void Recorder::Event::end()
     if (recorder_->over_)
         return;
     --recorder_->unfinished_;
-    recorder_->append([&] { Record(recorder_->buffer_, RecordKind::pairs).add(number_).add(pairs_).add(hash_); });
+    recorder_->append([&] {
+        Record(recorder_->buffer_, RecordKind::pairs).add(number_).add(pairs_).add(hash_);
+        if (times)
+            Record(recorder_->buffer_, RecordKind::times).add(number_).add(*times);
+    });
 }
 
 // Of a geom in a space that is not known, the outermost space comes first.
@@ -256,15 +261,14 @@ SpaceService Recorder::service_of(dSpaceID space)
     if (!dSpaceIsPredictive(space))
         return service;
     ode_predictive_space_listen(space, &notices_);
-    service.counts_notices = 1;
-    if (!is_substitute_(space))
-        service.predictive = static_cast<std::uint8_t>(1 + dPredictiveSpaceGetProximity(space));
+    service.predictive = static_cast<std::uint8_t>(1 + dPredictiveSpaceGetProximity(space));
+    service.is_substitute = is_substitute_(space);
     return service;
 }
 
 void Recorder::take_notices(dGeomID geom, const Known &known, std::uint16_t fields, bool body_changed)
 {
-    if (!geom->parent_space || !geoms_.at(geom->parent_space).state.service.counts_notices)
+    if (!geom->parent_space || !geoms_.at(geom->parent_space).state.service.predictive)
         return;
     const bool other_box = known.state.geom_class == stand_in && (fields & geom_field::size);
     const bool other_pose = body_changed || (fields & geom_field::pose) || other_box;

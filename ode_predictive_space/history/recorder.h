@@ -18,6 +18,7 @@
 
 #include <ode/common.h>
 
+#include "ode_predictive_space/history/format.h"
 #include "ode_predictive_space/history/history_file.h"
 #include "ode_predictive_space/history/notices.h"
 #include "ode_predictive_space/history/shape_data.h"
@@ -49,7 +50,9 @@ public:
         void note(dGeomID first, dGeomID second);
 
         /// No further pair.
-        void end();
+        ///
+        /// @param times of the program; 0: they are not known.
+        void end(const EventTimes *times = nullptr);
 
     private:
         friend class Recorder;

@@ -83,6 +83,8 @@ struct EventSummary
     bool has_pairs = false; ///< false: the program did not get to the end of it
     std::uint32_t pairs = 0;
     std::uint64_t hash = 0; ///< sum of hash_of_pair()
+    bool has_times = false;
+    EventTimes times = {};
 };
 
 class Recording

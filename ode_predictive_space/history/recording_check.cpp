@@ -107,6 +107,8 @@ void Recording::Check::take(const Record &record)
         return take_heights(record);
     case RecordKind::notices:
         return take_notices(record);
+    case RecordKind::times:
+        return take_times(record);
     }
     throw BadRecording(record.begin(), "there is no such kind of record");
 }
@@ -261,7 +263,7 @@ void Recording::Check::check_levels(const RecordCursor &cursor, const SpaceState
 
 void Recording::Check::check_service(const RecordCursor &cursor, const SpaceService &service)
 {
-    if (service.predictive > 1 + dPredictiveProximityShape || service.counts_notices > 1)
+    if (service.predictive > 1 + dPredictiveProximityShape || service.is_substitute > (service.predictive != 0))
         cursor.refuse("there is no such kind of predictive space");
 }
 
@@ -400,6 +402,21 @@ void Recording::Check::take_pairs(const Record &record)
     cursor.take(event.pairs);
     cursor.take(event.hash);
     cursor.expect_end();
+}
+
+void Recording::Check::take_times(const Record &record)
+{
+    RecordCursor cursor(recording_.bytes_, record);
+    const auto number = cursor.take<std::uint32_t>();
+    if (number >= recording_.events_.size() || recording_.events_[number].has_times)
+        cursor.refuse("there is no such event, or its times are known");
+    EventSummary &event = recording_.events_[number];
+    event.has_times = true;
+    cursor.take(event.times);
+    cursor.expect_end();
+    for (const float seconds : {event.times.space, event.times.callbacks, event.times.tick})
+        if (!(seconds >= 0) || std::isinf(seconds))
+            cursor.refuse("a time is negative or not finite");
 }
 
 void Recording::Check::take_end(const Record &record)

@@ -40,6 +40,7 @@ private:
     void take_convex(const Record &record);
     void take_heights(const Record &record);
     void take_notices(const Record &record);
+    void take_times(const Record &record);
     void take_body(const Record &record);
     void take_geom(const Record &record);
     std::uint32_t depth_in(const RecordCursor &cursor, std::uint32_t parent) const;

@@ -29,8 +29,10 @@ struct SpaceState
 /// How a space served the program.
 struct SpaceService
 {
-    std::uint8_t predictive = 0; ///< 1 + its proximity (dPredictiveProximityBox, ...); 0: the program made one of ODE's
-    std::uint8_t counts_notices = 0; ///< 1: the notices of its geoms are recorded; 0: they are unknown
+    std::uint8_t predictive = 0; ///< 1 + its proximity (dPredictiveProximityBox, ...); 0: of ODE, with unknown notices
+    std::uint8_t is_substitute = 0; ///< 1: predictive, in the place of a space of ODE that the program made
+
+    bool is_predictive_in_program() const { return predictive && !is_substitute; }
 };
 
 struct GeomState

@@ -5,7 +5,9 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <optional>
+#include <utility>
 
 #include <cerrno>
 #include <unistd.h>
@@ -24,6 +26,49 @@ double now()
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
+
+double processor_time()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// The ticks of a thread: a tick ends with a collide that no callback of another one has asked for. Recording is no part of it.
+class TickClock
+{
+public:
+    /// A collide is about to be recorded.
+    void begin_recording()
+    {
+        paused_ = processor_time();
+        ++depth_;
+    }
+
+    /// It begins, or after it: it has been recorded.
+    void end_recording() { recording_ += processor_time() - paused_; }
+
+    void pause() { paused_ = processor_time(); }
+
+    /// Between pause() and end_recording(), of the collide that ends.
+    ///
+    /// @return the seconds of the tick; 0: it is the first one. Negative: the tick goes on.
+    double end_collide()
+    {
+        if (--depth_ > 0)
+            return -1;
+        const double before = std::exchange(since_, paused_ - recording_);
+        return before < 0 ? 0 : std::max(0.0, since_ - before);
+    }
+
+private:
+    double since_ = -1;    // end of the tick before, in processor time without recording
+    double recording_ = 0; // of all recording
+    double paused_ = 0;
+    int depth_ = 0;
+};
+
+thread_local TickClock tick_clock;
 
 // What one reading of the clock takes; the least of many, for the machine may do other things in between.
 double cost_of_clock()
@@ -143,7 +188,11 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
         call.kept.reserve(1000);
 
     if (history::Recorder *const recorder = this->recorder())
+    {
+        tick_clock.begin_recording();
         call.event.emplace(call.recorded(*recorder));
+        tick_clock.end_recording();
+    }
 
     const double start = now();
     call.native(&call, &Watch::on_pair);
@@ -153,7 +202,7 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
     call.seconds = std::max(0.0, inside - readings * cost_of_clock());
 
     if (call.event)
-        call.event->end();
+        end_event(call);
     if (call.comparison)
         judge(call);
     if (call.keep)
@@ -171,6 +220,16 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
         dPredictiveSpaceGetStats(call.space, &known.latest);
         counts.stats = since(known.before_fork, known.latest);
     });
+}
+
+void Watch::end_event(Call &call)
+{
+    tick_clock.pause();
+    const double tick = tick_clock.end_collide();
+    const history::EventTimes times = {static_cast<float>(call.seconds), static_cast<float>(call.in_callbacks),
+                                       static_cast<float>(tick)};
+    call.event->end(tick < 0 ? nullptr : &times);
+    tick_clock.end_recording();
 }
 
 void Watch::on_pair(void *data, dGeomID first, dGeomID second)

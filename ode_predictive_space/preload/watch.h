@@ -39,6 +39,7 @@ private:
     history::Recorder *recorder();
     void end_recording();
     void run(Call &call, void *data, dNearCallback *callback);
+    static void end_event(Call &call);
     void judge(Call &call);
     void trace(Call &call);
     static void on_pair(void *call, dGeomID first, dGeomID second);

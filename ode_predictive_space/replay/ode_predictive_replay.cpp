@@ -42,7 +42,7 @@ that they find the same pairs, and prints what they take.
                   otherwise counts instructions
   --answer        print, for a program to read, what the recorded program would
                   gain: lines of fields with tabs between them
-  --seconds S     with --answer: no replay takes much longer (default: 5)
+  --seconds S     with --answer: no replay takes much longer (default: 2)
   --help, --version
 
 An event is a dSpaceCollide() or a dSpaceCollide2(). Pairs are compared with
@@ -76,7 +76,7 @@ struct Options
     bool times = false;
     bool answer = false;
     const char *counted = nullptr; // for the process under callgrind
-    double seconds = 5;
+    double seconds = 2;
     std::string file;
 };
 

@@ -2,8 +2,6 @@
 
 #include <ode/collision.h>
 
-#include "ode_predictive_space/replay/space_kind.h"
-
 namespace ode_predictive_space::replay
 {
 namespace
@@ -24,27 +22,26 @@ GeomState first_space(const Recording &recording)
 }
 } // namespace
 
-std::string name_of_own_space(const Recording &recording)
+SpaceKind kind_of_own_space(const Recording &recording)
+{
+    return own_kind(first_space(recording));
+}
+
+SpaceKind kind_of_recorded_space(const Recording &recording)
 {
     const GeomState space = first_space(recording);
-    if (space.service.predictive)
-        return std::string("predictive, by ") + name_of(predictive_kind(space.service.predictive - 1));
-    switch (space.geom_class)
-    {
-    case dSimpleSpaceClass:
-        return "simple";
-    case dQuadTreeSpaceClass:
-        return "quadtree";
-    case dSweepAndPruneSpaceClass:
-        return "sap";
-    default:
-        return "hash";
-    }
+    return space.service.predictive ? predictive_kind(space.service.predictive - 1) : own_kind(space);
+}
+
+std::string name_of_own_space(const Recording &recording)
+{
+    const std::string name = name_of(kind_of_own_space(recording));
+    return first_space(recording).service.is_predictive_in_program() ? "predictive, by " + name : name;
 }
 
 std::string unknown_notices(const Recording &recording)
 {
-    if (first_space(recording).service.counts_notices)
+    if (first_space(recording).service.predictive)
         return "";
     const char *const why =
         recording.version() == 1 ? "The recording has the first format" : "Spaces of ODE were recorded";

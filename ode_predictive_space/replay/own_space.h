@@ -6,10 +6,17 @@
 #include <string>
 
 #include "ode_predictive_space/history/recording.h"
+#include "ode_predictive_space/replay/space_kind.h"
 
 namespace ode_predictive_space::replay
 {
-/// The kind of the space that is collided first: "hash", or "predictive, by box" where the program made a predictive one.
+/// The kind of the space that is collided first, as the program made it.
+SpaceKind kind_of_own_space(const history::Recording &recording);
+
+/// The kind that it had while it was recorded: predictive also where it stood in the place of one of ODE's.
+SpaceKind kind_of_recorded_space(const history::Recording &recording);
+
+/// The first of these in words: "hash", or "predictive, by box" where the program made a predictive one.
 std::string name_of_own_space(const history::Recording &recording);
 
 /// A sentence for a recording without the notices of that space; empty when it has them.

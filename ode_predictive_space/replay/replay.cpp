@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <iterator>
 #include <memory>
 #include <set>
@@ -56,6 +57,13 @@ void count_pair(void *count, dGeomID /*first*/, dGeomID /*second*/)
 double now()
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double processor_time()
+{
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 // Goes through the records: `change` for each that is no event, `event` with its number for each that is one, until it says no.
@@ -209,6 +217,7 @@ namespace
 struct ByClock
 {
     std::uint64_t events;
+    double processor_time;
 };
 
 struct ByClockOfEvent
@@ -233,6 +242,7 @@ void add_up(Cost &cost)
 Cost without(const Cost &none, Cost cost)
 {
     cost.notices = std::max(0.0, cost.notices - none.notices);
+    cost.processor_time -= none.processor_time;
     return cost;
 }
 
@@ -244,6 +254,7 @@ void measure_here(const Recording &recording, SpaceKind kind, std::size_t most_e
     Stage stage(recording, kind);
     const double begin = now();
     double told = begin; // since when there are notices
+    double processor_begin = 0;
     walk(
         recording, [&](const Record &record) { stage.apply(record); },
         [&](const Record &record, std::size_t number) {
@@ -251,6 +262,8 @@ void measure_here(const Recording &recording, SpaceKind kind, std::size_t most_e
             const double start = now();
             if (number >= most_events || start - begin > most_seconds)
                 return false;
+            if (number == 0)
+                processor_begin = processor_time();
             stage.ask(record, &callbacks, count_pair);
             const double end = now();
             // What is before the first is the making of all geoms.
@@ -260,6 +273,7 @@ void measure_here(const Recording &recording, SpaceKind kind, std::size_t most_e
             told = now();
             return true;
         });
+    result.processor_time = result.events > 0 ? processor_time() - processor_begin : 0;
 }
 } // namespace
 
@@ -270,6 +284,7 @@ Cost measure(const Recording &recording, SpaceKind kind, std::size_t most_events
     Cost cost;
     cost.failure = do_in_child([&] { measure_here(recording, kind, most_events, most_seconds, events, result[0]); });
     cost.events = result[0].events;
+    cost.processor_time = result[0].processor_time;
     for (std::size_t i = 0; i < cost.events; ++i)
     {
         cost.seconds.push_back(events[i].seconds);
@@ -280,21 +295,22 @@ Cost measure(const Recording &recording, SpaceKind kind, std::size_t most_events
     return cost;
 }
 
+void take_least(const Cost &again, Cost &cost)
+{
+    for (std::size_t event = 0; event < std::min(again.events, cost.events); ++event)
+    {
+        cost.seconds[event] = std::min(cost.seconds[event], again.seconds[event]);
+        cost.seconds_of_notices[event] = std::min(cost.seconds_of_notices[event], again.seconds_of_notices[event]);
+    }
+    add_up(cost);
+}
+
 Cost measure_repeatedly(const Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds)
 {
     constexpr int more_times = 2;
     Cost least = measure(recording, kind, most_events, most_seconds);
     for (int i = 0; i < more_times && least.failure.empty(); ++i)
-    {
-        const Cost again = measure(recording, kind, least.events, 1e9);
-        for (std::size_t event = 0; event < std::min(again.events, least.events); ++event)
-        {
-            least.seconds[event] = std::min(least.seconds[event], again.seconds[event]);
-            least.seconds_of_notices[event] =
-                std::min(least.seconds_of_notices[event], again.seconds_of_notices[event]);
-        }
-    }
-    add_up(least);
+        take_least(measure(recording, kind, least.events, 1e9), least);
     return least;
 }
 

@@ -54,12 +54,13 @@ struct Cost
     double collides = 0;    ///< of all events, with a callback that only counts
     double notices = 0;     ///< of the changes between them: moves, sizes, bits, new geoms; see without()
     std::uint64_t callbacks = 0;
-    std::vector<float> seconds;              ///< of each event
+    double processor_time = 0;  ///< of the process, from the first event on: with all that a replay does besides
+    std::vector<float> seconds; ///< of each event
     std::vector<float> seconds_of_notices;   ///< before it
     std::vector<std::uint32_t> callbacks_of; ///< likewise
 };
 
-/// What the spaces take of it: the changes cost something without a space, too.
+/// What the spaces take of it: the changes cost something without a space, too, and so does the replay.
 ///
 /// @param none of SpaceKind::none, for the same events.
 Cost without(const Cost &none, Cost cost);
@@ -69,7 +70,10 @@ Cost without(const Cost &none, Cost cost);
 /// @param most_events no more than these. @param most_seconds no event begins later.
 Cost measure(const history::Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds);
 
-/// The same, several times; of each event the least time, for the machine does other things in between.
+/// Of each event the lesser time of two replays, for the machine does other things in between.
+void take_least(const Cost &again, Cost &cost);
+
+/// The same, several times, and of each event the least time.
 Cost measure_repeatedly(const history::Recording &recording, SpaceKind kind, std::size_t most_events,
                         double most_seconds);
 

@@ -1,5 +1,7 @@
 #include "ode_predictive_space/replay/space_kind.h"
 
+#include <ode/collision.h>
+
 #include "ode_predictive_space/predictive_space.h"
 
 namespace ode_predictive_space::replay
@@ -20,6 +22,23 @@ SpaceKind predictive_kind(int proximity)
         return SpaceKind::shape;
     default:
         return SpaceKind::box;
+    }
+}
+
+SpaceKind own_kind(const history::GeomState &space)
+{
+    if (space.service.is_predictive_in_program())
+        return predictive_kind(space.service.predictive - 1);
+    switch (space.geom_class)
+    {
+    case dSimpleSpaceClass:
+        return SpaceKind::simple;
+    case dQuadTreeSpaceClass:
+        return SpaceKind::quadtree;
+    case dSweepAndPruneSpaceClass:
+        return SpaceKind::sap;
+    default:
+        return SpaceKind::hash;
     }
 }
 

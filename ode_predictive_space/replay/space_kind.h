@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "ode_predictive_space/history/state.h"
+
 namespace ode_predictive_space::replay
 {
 /// In which spaces a history is replayed. Spaces that were simple ones within others remain so, as with the launcher.
@@ -29,6 +31,10 @@ const char *name_of(SpaceKind kind);
 
 /// @param proximity dPredictiveProximityBox, ...
 SpaceKind predictive_kind(int proximity);
+
+/// The kind of a recorded space, as the program made it.
+SpaceKind own_kind(const history::GeomState &space);
+
 std::optional<SpaceKind> kind_named(const std::string &name);
 
 /// Calls the callback for fewer pairs than the others.

@@ -130,22 +130,6 @@ dGeomID make_simple_shape(const GeomState &state)
     }
 }
 
-SpaceKind own_kind(const GeomState &space)
-{
-    if (space.service.predictive)
-        return predictive_kind(space.service.predictive - 1);
-    switch (space.geom_class)
-    {
-    case dSimpleSpaceClass:
-        return SpaceKind::simple;
-    case dQuadTreeSpaceClass:
-        return SpaceKind::quadtree;
-    case dSweepAndPruneSpaceClass:
-        return SpaceKind::sap;
-    default:
-        return SpaceKind::hash;
-    }
-}
 } // namespace
 
 Stage::Stage(const Recording &recording, SpaceKind kind) : recording_(recording), kind_(kind), world_(dWorldCreate()) {}

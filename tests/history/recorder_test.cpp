@@ -665,9 +665,8 @@ TEST_F(RecorderTest, NoticesOfNestedPredictiveSpacesAreRecordedAndThoseOfOdesSpa
     ASSERT_EQ(services.size(), 3u);
     EXPECT_EQ(services[0].predictive, 1 + dPredictiveProximityBox);
     EXPECT_EQ(services[1].predictive, 1 + dPredictiveProximityShape);
-    EXPECT_EQ(services[1].counts_notices, 1);
     EXPECT_EQ(services[2].predictive, 0);
-    EXPECT_EQ(services[2].counts_notices, 0);
+    EXPECT_FALSE(services[0].is_substitute);
     EXPECT_EQ(number_of.size(), 3u) << "one ball, and both spaces";
     EXPECT_EQ(number_of[5], 3u) << "the fourth ball";
     expect_pairs_agree(recording);

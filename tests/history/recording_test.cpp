@@ -60,7 +60,7 @@ public:
         std::uint32_t parent = 0, data = 0, body = 0;
         bool has_offset = false;
         std::int32_t min_level = 0, max_level = 0;
-        std::uint8_t predictive = 0, counts_notices = 0;
+        std::uint8_t predictive = 0, is_substitute = 0;
     };
 
     Bytes &geom(std::uint32_t id, int geom_class, const Links &links, dReal size = 1)
@@ -73,7 +73,7 @@ public:
         number<std::uint8_t>(geom_enabled).reals(size_count(geom_class), size).number<std::uint32_t>(links.data);
         number<std::uint32_t>(links.body).number<std::uint8_t>(links.has_offset).reals(12).reals(12);
         if (version_ > 1)
-            number<std::uint8_t>(links.predictive).number<std::uint8_t>(links.counts_notices);
+            number<std::uint8_t>(links.predictive).number<std::uint8_t>(links.is_substitute);
         return end();
     }
 
@@ -101,11 +101,11 @@ public:
         return geom(id, dHashSpaceClass, links);
     }
 
-    Bytes &predictive_space(std::uint32_t id, int predictive, int counts_notices = 1)
+    Bytes &predictive_space(std::uint32_t id, int predictive, int is_substitute = 0)
     {
         Links links;
         links.predictive = static_cast<std::uint8_t>(predictive);
-        links.counts_notices = static_cast<std::uint8_t>(counts_notices);
+        links.is_substitute = static_cast<std::uint8_t>(is_substitute);
         return geom(id, dHashSpaceClass, links);
     }
 
@@ -135,6 +135,12 @@ public:
     {
         begin(RecordKind::pairs).number<std::uint32_t>(event).number<std::uint32_t>(1);
         return number<std::uint64_t>(1).end();
+    }
+
+    Bytes &times(std::uint32_t event, float seconds)
+    {
+        begin(RecordKind::times).number<std::uint32_t>(event);
+        return number<float>(seconds).number<float>(seconds).number<float>(seconds).end();
     }
 
     Bytes &event(RecordKind kind, std::initializer_list<std::uint32_t> ids)
@@ -346,6 +352,7 @@ TEST(Recording, RefusesWhatAReplayWouldStumbleOver)
     refused("not a number", [](Bytes &b) { b.heights(2, 2, 2, 0, std::numeric_limits<dReal>::quiet_NaN()); });
     refused("kind of predictive space", [](Bytes &b) { b.predictive_space(2, 4); });
     refused("kind of predictive space", [](Bytes &b) { b.predictive_space(2, 1, 2); });
+    refused("kind of predictive space", [](Bytes &b) { b.predictive_space(2, 0, 1); });
     refused("does not exist", [](Bytes &b) { b.event(RecordKind::notices, {2, 1}); });
     refused("too many notices", [](Bytes &b) { b.event(RecordKind::notices, {1, most_notices + 1}); });
     refused("longer", [](Bytes &b) { b.event(RecordKind::notices, {1}); });
@@ -375,7 +382,8 @@ TEST(Recording, RefusesWhatAReplayWouldStumbleOver)
 TEST(Recording, RefusesLinksThatOdeWouldStopAt)
 {
     Bytes good;
-    good.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1).body(0).event(RecordKind::collide, {0}).pairs(0);
+    good.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1).body(0).event(RecordKind::collide, {0}).pairs(0).times(0, 1);
+    good.event(RecordKind::collide, {0});
     const auto refused = [&](const char *what, const std::function<void(Bytes &)> &go_on) {
         SCOPED_TRACE(what);
         expect_refused(good, go_on, what);
@@ -391,7 +399,10 @@ TEST(Recording, RefusesLinksThatOdeWouldStopAt)
     refused("moved to another space", [](Bytes &b) { b.change(1, dSphereClass, geom_field::parent, 0); });
     refused("another class", [](Bytes &b) { b.change(1, dBoxClass, geom_field::body, 0); });
     refused("pairs are known", [](Bytes &b) { b.pairs(0); });
-    refused("no such event", [](Bytes &b) { b.pairs(1); });
+    refused("no such event", [](Bytes &b) { b.pairs(2); });
+    refused("no such event", [](Bytes &b) { b.times(2, 0); });
+    refused("negative or not finite", [](Bytes &b) { b.times(1, -1); });
+    refused("times are known", [](Bytes &b) { b.times(0, 0); });
     refused("no such reason", [](Bytes &b) { b.begin(RecordKind::end).number<std::uint8_t>(7).end(); });
 }
 

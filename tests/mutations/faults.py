@@ -761,10 +761,10 @@ def history_faults():
         "geoms_that_left_still_recorded", "history", recorder, "has_absent_ |= member_counts_[id + 1] != members.size();",
         "(void)id;", recorded)
     yield Fault(
-        "no_room_for_the_end", "history", recorder, "(unfinished_ + 1) * pairs_size + end_size;",
-        "(unfinished_ + 1) * pairs_size;", recorded)
+        "no_room_for_the_end", "history", recorder, "(unfinished_ + 1) * (pairs_size + times_size) + end_size;",
+        "(unfinished_ + 1) * (pairs_size + times_size);", recorded)
     yield Fault(
-        "no_room_for_pairs_to_come", "history", recorder, "(unfinished_ + 1) * pairs_size + end_size;", "end_size;", recorded)
+        "no_room_for_pairs_to_come", "history", recorder, "(unfinished_ + 1) * (pairs_size + times_size) + end_size;", "end_size;", recorded)
     yield Fault(
         "half_of_a_tick_at_the_limit", "history", recorder, "buffer_.resize(before);\n        Record(", "(void)before;\n        Record(", recorded)
     yield Fault(
@@ -839,6 +839,17 @@ def history_faults():
     yield Fault(
         "asked_before_it_is_collided", "history", check,
         "if (is_collide ? !has_collide_ : !has_collide_ && !has_question_)", "if (!has_collide_ && !has_question_)", read)
+
+
+def advice_faults():
+    advice = SOURCES + "replay/advice.cpp"
+    advised = (("recordings", "Advice.*"),)
+    yield Fault(
+        "the_tick_of_the_recording_taken_for_that_of_the_program", "replay", advice,
+        "findings.tick->whole + median(own->costs) - median(recorded->costs)", "findings.tick->whole", advised)
+    yield Fault("spared_callbacks_not_counted", "replay", advice, " + other->spared - own->spared)", ")", advised)
+    yield Fault("any_spread_is_clear", "replay", advice, "return gain.share >= 2 * gain.spread;", "return gain.share > 0;", advised)
+    yield Fault("ends_of_the_program_count_as_fast", "replay", advice, "space.kind == kind && !space.costs.empty()", "space.kind == kind", advised)
 
 
 def replay_faults():

@@ -70,6 +70,14 @@ TEST(Record, SaysWhichSpacesTheProgramMadeAndWhetherNoticesAreKnown)
     }
 }
 
+TEST(Record, HasTheTimesOfTheProgram)
+{
+    const RecordingFolder folder;
+    launch("--space all --record " + folder.file() + " " LINKED);
+    const Outcome answered = run(REPLAYER, "--answer " + folder.file());
+    EXPECT_TRUE(contains(answered.output, "In the program a collide took")) << answered.output;
+}
+
 TEST(Record, HasThePairsOfAProgramThatIsTracedToo)
 {
     const RecordingFolder folder, traced;
