@@ -952,5 +952,5 @@ def haptic_faults():
 FAULTS = tuple(
     fault
     for faults in (notice_faults, predict_faults, index_faults, proximity_faults, near_faults, shape_faults, sweep_faults,
-                   space_faults, history_faults, replay_faults, haptic_faults)
+                   space_faults, history_faults, advice_faults, replay_faults, haptic_faults)
     for fault in faults())
