@@ -1,9 +1,6 @@
 // Every world moves as it did when its line of motion_hashes.txt was written: to the last bit.
 
-#include "demos/scenes/scene_run.h"
-#include "tests/benchmarks/limits/limit_scenes.h"
-#include "tests/benchmarks/stepped/stepped_scenes.h"
-#include "tests/scenes/worlds/worlds.h"
+#include "demos/worlds/world.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -15,12 +12,11 @@
 #include <set>
 #include <sstream>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 namespace
 {
 constexpr int ticks = 210; // more than between two events of the worlds that have some
-constexpr std::uint64_t seed = 3;
 
 /// FNV-1a of the bits of numbers.
 class BitHash
@@ -60,24 +56,6 @@ void add_geoms(BitHash &hash, const std::vector<dGeomID> &geoms)
     }
 }
 
-std::vector<dGeomID> geoms_in(dSpaceID space)
-{
-    std::vector<dGeomID> geoms;
-    for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
-    {
-        const dGeomID geom = dSpaceGetGeom(space, i);
-        if (dGeomIsSpace(geom) != 0)
-        {
-            const std::vector<dGeomID> inside = geoms_in(reinterpret_cast<dSpaceID>(geom));
-            geoms.insert(geoms.end(), inside.begin(), inside.end());
-        }
-        else
-            geoms.push_back(geom);
-    }
-    std::stable_sort(geoms.begin(), geoms.end(), [](dGeomID a, dGeomID b) { return geom_index(a) < geom_index(b); });
-    return geoms;
-}
-
 template <typename Number> void add_pairs(BitHash &hash, const std::vector<std::pair<Number, Number>> &pairs)
 {
     hash.add(static_cast<double>(pairs.size()));
@@ -88,62 +66,30 @@ template <typename Number> void add_pairs(BitHash &hash, const std::vector<std::
     }
 }
 
-std::string hash_of(Scene &scene, dSpaceID space)
+std::string hash_of(const WorldSpec &spec)
 {
+    const OwnedSpace space(dSimpleSpaceCreate(nullptr));
+    const std::unique_ptr<World> world = WorldFactory(spec).make(space.get());
     BitHash hash;
-    add_geoms(hash, scene.geoms());
+    add_geoms(hash, world->geoms());
     for (int tick = 0; tick < ticks; ++tick)
     {
         PairList list;
-        scene.advance();
-        scene.collide(space, list);
-        for (const dGeomID query : scene.queries())
-            dSpaceCollide2(query, reinterpret_cast<dGeomID>(space), &list, &PairList::collect);
-        const std::vector<IndexPair> pairs = list.sorted();
+        world->advance();
+        world->collide(space.get(), &list, PairList::near);
+        for (const dGeomID query : world->queries())
+            dSpaceCollide2(query, reinterpret_cast<dGeomID>(space.get()), &list, &PairList::collect);
+        std::vector<IndexPair> pairs = list.sorted();
         add_pairs(hash, pairs);
-        add_geoms(hash, scene.geoms());
-        add_geoms(hash, scene.queries());
-        std::vector<IndexPair> of_scene;
-        for (const IndexPair &pair : pairs)
-        {
-            if (pair.second < scene.geoms().size())
-                of_scene.push_back(pair);
-        }
-        scene.respond(of_scene);
-        hash.add(static_cast<double>(scene.contacts()));
-        if (scene.probe() != nullptr)
-            hash.add(scene.probe()->force.data(), 3);
-    }
-    return hash.text();
-}
-
-std::string hash_of_factory(const SceneFactory &factory)
-{
-    const OwnedSpace space(dSimpleSpaceCreate(nullptr));
-    return hash_of(*factory.make(space.get()), space.get());
-}
-
-std::string hash_of_stepped(const std::string &name, int objects)
-{
-    const SceneFactory factory(benchmarks::spec_of_stepped_scene(name, objects, seed));
-    const OwnedSpace space(dSimpleSpaceCreate(nullptr));
-    return hash_of(*benchmarks::make_stepped_scene(name, factory, space.get()), space.get());
-}
-
-/// Geoms by their numbers: the scene does not list them.
-std::string hash_of_limit(const std::string &name, int objects)
-{
-    const OwnedSpace space(dSimpleSpaceCreate(nullptr));
-    const auto scene = benchmarks::make_limit_scene(name, objects, SpaceKind::simple, space.get());
-    BitHash hash;
-    add_geoms(hash, geoms_in(space.get()));
-    for (int tick = 0; tick < ticks; ++tick)
-    {
-        PairList list;
-        scene->advance();
-        scene->collide(&list, &PairList::collect);
-        add_pairs(hash, list.sorted());
-        add_geoms(hash, geoms_in(space.get()));
+        add_geoms(hash, world->geoms());
+        add_geoms(hash, world->queries());
+        const auto asked = [&](const IndexPair &pair) { return pair.second >= world->geoms().size(); };
+        pairs.erase(std::remove_if(pairs.begin(), pairs.end(), asked), pairs.end());
+        world->respond(pairs);
+        if (world_named(spec.name).group != Group::limit)
+            hash.add(static_cast<double>(world->contacts()));
+        if (world->probe() != nullptr)
+            hash.add(world->probe()->force.data(), 3);
     }
     return hash.text();
 }
@@ -159,7 +105,7 @@ void add_fall(BitHash &hash)
     dGeomSetBody(box, body);
     dBodySetPosition(body, 0, 0, 0.4);
     dBodySetAngularVel(body, 1, 2, 3);
-    dRandSetSeed(seed);
+    dRandSetSeed(3);
     for (int tick = 0; tick < 300; ++tick)
     {
         dContact contacts[8]{};
@@ -202,54 +148,37 @@ std::string fingerprint()
 struct Line
 {
     std::string name;
-    int objects;
-    std::uint64_t seed;
-    std::string hash;
+    WorldSpec spec;
 };
 
 std::ostream &operator<<(std::ostream &out, const Line &line)
 {
-    return out << line.name << ' ' << line.objects << ' ' << line.seed << ' ' << line.hash;
+    return out << line.name << ' ' << line.spec.objects << ' ' << line.spec.seed << ' ' << hash_of(line.spec);
 }
 
-int objects_of(const std::string &name)
+int objects_of(const WorldEntry &world)
 {
     const std::map<std::string, int> few = {{"ragdolls", 3},     {"chain", 1}, {"city", 5},   {"nested", 6},
                                             {"nested_empty", 8}, {"many", 17}, {"lidar", 40}, {"lidar_nested", 40},
                                             {"hills", 250},      {"reset", 12}};
-    const auto found = few.find(name);
-    return found == few.end() ? 60 : found->second;
+    const auto found = few.find(world.name);
+    if (found != few.end())
+        return found->second;
+    return world.group == Group::program ? 60 : world.group == Group::limit ? 50 : 100;
 }
 
 std::vector<Line> lines()
 {
-    std::vector<Line> all;
-    for (const std::string &name : scene_names())
-        all.push_back({name, 100, seed, hash_of_factory(SceneFactory({name, 100, seed}))});
-    all.push_back({"gas_of_which_a_tenth_moves", 100, seed, hash_of_factory(SceneFactory({"gas", 100, seed, 0.1}))});
-    all.push_back({"mix_without_probe", 100, seed, hash_of_factory(SceneFactory({"mix", 100, seed, -1, false}))});
-    for (const std::string &name : world_names())
-        all.push_back({name, objects_of(name), seed, hash_of_factory(world_factory({name, objects_of(name), seed}))});
-    for (const std::string &name : benchmarks::stepped_scene_names())
-    {
-        const bool is_one_of_scenes = name == "pile" || name == "stack";
-        const bool is_new = name == "settling" || name == "dart" || name == "ask";
-        if (!is_one_of_scenes)
-            all.push_back({name + (is_new ? "" : "_stepped"), 100, seed, hash_of_stepped(name, 100)});
-    }
-    const std::map<std::string, std::string> renamed = {{"many", "gas"},
-                                                        {"nested", "spaces_in_spaces"},
-                                                        {"beside", "spaces_side_by_side"},
-                                                        {"planes-all", "planes_all"},
-                                                        {"planes-apart", "planes_apart"}};
-    for (const std::string &name : benchmarks::limit_scene_names())
-        all.push_back({renamed.count(name) != 0 ? renamed.at(name) : name, 50, 1, hash_of_limit(name, 50)});
+    std::vector<Line> all = {{"gas_of_which_a_tenth_moves", {"gas", 100, 3, 0.1}},
+                             {"mix_without_probe", {"mix", 100, 3, -1, false}}};
+    for (const WorldEntry &world : all_worlds())
+        all.push_back({world.name, {world.name, objects_of(world), world.group == Group::limit ? 1u : 3u}});
     return all;
 }
 
 TEST(MotionHashes, AreThoseOfTheTable)
 {
-    const OdeSession ode;
+    dInitODE();
     const std::string here = fingerprint();
     if (std::getenv("WRITE_MOTION_HASHES") != nullptr)
     {
@@ -279,4 +208,4 @@ TEST(MotionHashes, AreThoseOfTheTable)
     EXPECT_EQ(found, expected);
 }
 } // namespace
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::worlds

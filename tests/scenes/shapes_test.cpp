@@ -1,11 +1,11 @@
-#include "demos/scenes/scene.h"
-#include "demos/scenes/shapes.h"
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
+#include "demos/worlds/shapes.h"
+#include "demos/worlds/world.h"
 #include "ode_predictive_space/haptics/device/random.h"
 
 #include <gtest/gtest.h>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 namespace
 {
@@ -31,9 +31,9 @@ protected:
 
     OdeSession ode_;
     dSpaceID space_ = dSimpleSpaceCreate(nullptr);
-    BallMesh mesh_{object_radius};
+    std::unique_ptr<TriangleMesh> ball_ = make_ball(object_radius);
     Octahedron octahedron_{object_radius};
-    ShapeData data_{&mesh_, &octahedron_};
+    ShapeData data_{ball_.get(), &octahedron_};
 };
 
 TEST_F(ShapesTest, FitTheirBoundingSphere)
@@ -126,4 +126,4 @@ TEST_F(ShapesTest, HaveTheMassOfTheirVolume)
     EXPECT_NEAR(octahedron.mass, 1000 * 4.0 / 3.0 * std::pow(object_radius, 3), 1e-9);
 }
 } // namespace
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::worlds

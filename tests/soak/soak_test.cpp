@@ -16,7 +16,7 @@ namespace ode_predictive_space::soak
 {
 namespace
 {
-using scenes::SpaceKind;
+using worlds::SpaceKind;
 
 struct Case
 {
@@ -118,7 +118,7 @@ protected:
 private:
     void run_quarter(ChurnedScene &scene, Quarter &quarter, int first_tick);
 
-    const scenes::OdeSession ode_;
+    const worlds::OdeSession ode_;
 };
 
 Quarters Soak::run()
@@ -259,7 +259,7 @@ TEST(SoakCases, AreOfEveryScene)
     {
         soaked.insert(one.scene);
     }
-    const std::vector<std::string> &names = scenes::scene_names();
+    const std::vector<std::string> names = worlds::world_names(worlds::Group::scene);
     EXPECT_EQ(soaked, std::set<std::string>(names.begin(), names.end()));
 }
 } // namespace
