@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_CONTENDER_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_CONTENDER_H
 
-#include "demos/worlds/pair_list.h"
+#include "demos/runs/pair_hash.h"
 
 #include <memory>
 #include <string>

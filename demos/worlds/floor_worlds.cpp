@@ -27,41 +27,49 @@ double half_side_of_moon(int objects)
     return 0.5 * std::sqrt(objects) + 1;
 }
 
-class FloorWorld : public ProgramWorld
+/// Spheres and boxes in turn.
+class RollingWorld : public ProgramWorld
 {
-public:
-    FloorWorld(const WorldSpec &spec, dSpaceID space, double variation) : ProgramWorld(spec, space, floor_step)
+protected:
+    using ProgramWorld::ProgramWorld;
+
+    /// @param half of the box in which they begin, metres
+    /// @param middle its height, metres
+    void add_bodies(int count, const Vector3 &half, double middle, double radius, const Vector3 &box)
     {
-        vary_steps(variation);
-        objects_.add_geom(dCreatePlane(space, 0, 0, 1, 0));
-        const double half = half_side_of_floor(spec.objects);
-        for (int i = 0; i < spec.objects; ++i)
+        const dSpaceID space = objects_.space();
+        for (int i = 0; i < count; ++i)
         {
             BodyState state;
-            state.position = random_.in_box({half, half, 0});
-            state.position.z() = half_height + 0.01;
+            state.position = random_.in_box(half) + Vector3(0, 0, middle);
             state.velocity = random_.in_box({fastest, fastest, 0});
-            objects_.add_body(i % 2 == 0 ? dCreateSphere(space, half_height) : dCreateBox(space, 0.25, 0.25, 0.3), 1,
-                              state);
+            objects_.add_body(i % 2 == 0 ? dCreateSphere(space, radius) : dCreateBox(space, box.x(), box.y(), box.z()),
+                              1, state);
         }
     }
 };
 
-class MoonWorld : public ProgramWorld
+class FloorWorld : public RollingWorld
 {
 public:
-    MoonWorld(const WorldSpec &spec, dSpaceID space) : ProgramWorld(spec, space, moon_step)
+    FloorWorld(const WorldSpec &spec, dSpaceID space, double variation) : RollingWorld(spec, space, floor_step)
+    {
+        vary_steps(variation);
+        objects_.add_geom(dCreatePlane(space, 0, 0, 1, 0));
+        const double half = half_side_of_floor(spec.objects);
+        add_bodies(spec.objects, {half, half, 0}, half_height + 0.01, half_height, {0.25, 0.25, 0.3});
+    }
+};
+
+class MoonWorld : public RollingWorld
+{
+public:
+    MoonWorld(const WorldSpec &spec, dSpaceID space) : RollingWorld(spec, space, moon_step)
     {
         dWorldSetGravity(objects_.world(), 0, 0, -moon_gravity);
         set_position(objects_.add_geom(dCreateSphere(space, moon_radius)), {0, 0, -moon_radius});
         const double half = half_side_of_moon(spec.objects);
-        for (int i = 0; i < spec.objects; ++i)
-        {
-            BodyState state;
-            state.position = random_.in_box({half, half, 0.2}) + Vector3(0, 0, 0.4);
-            state.velocity = random_.in_box({fastest, fastest, 0});
-            objects_.add_body(i % 2 == 0 ? dCreateSphere(space, 0.1) : dCreateBox(space, 0.2, 0.2, 0.2), 1, state);
-        }
+        add_bodies(spec.objects, {half, half, 0.2}, 0.4, 0.1, {0.2, 0.2, 0.2});
     }
 };
 
@@ -127,18 +135,13 @@ WorldEntry floor(const char *name, const char *text, double variation)
     return {Group::program, name, text, 500, floor_step, &floor_bounds, made_of<FloorWorld>(variation)};
 }
 
-/// The plane is one of its geoms.
-int objects_of_life(int objects)
-{
-    return std::max(1, objects - 1);
-}
 } // namespace
 
 WorldSpec life_of_many(const WorldSpec &spec)
 {
     WorldSpec life = spec;
     life.name = "floor";
-    life.objects = objects_of_life(spec.objects);
+    life.objects = std::max(1, spec.objects - 1); // the plane is one of its geoms
     return life;
 }
 
@@ -148,7 +151,10 @@ std::vector<WorldEntry> floor_worlds()
         floor("floor", "n bodies that roll and lie on a plane", 0),
         floor("floor_50", "the same in steps that vary by 50 %", 0.5),
         {Group::program, "many", "worlds of n geoms that live for 60 ticks, one after the other", 17, floor_step,
-         [](int objects) { return floor_bounds(objects_of_life(objects)); }, made_of<ManyWorlds>()},
+         [](int geoms) {
+             return floor_bounds(life_of_many({"many", geoms}).objects);
+         },
+         made_of<ManyWorlds>()},
         {Group::program, "moon", "n bodies on a sphere of 1,700 km", 200, moon_step,
          [](int objects) { return square(half_side_of_moon(objects), 2); }, made_of<MoonWorld>()},
     };

@@ -1,6 +1,5 @@
 // Free bodies that fly and bounce, each time with one large surface around or below them: drones, room, hills.
 
-#include "demos/worlds/heightfield.h"
 #include "demos/worlds/lists.h"
 #include "demos/worlds/stepped_world.h"
 
@@ -46,15 +45,15 @@ protected:
     }
 
     /// It turns, and flies at up to 3 m/s in any direction.
-    dBodyID add_flyer(int number, const Vector3 &place, const Vector3 &box = {0.15, 0.15, 0.1}, double radius = 0.1)
+    void add_flyer(int number, const Vector3 &place, const Vector3 &box = {0.15, 0.15, 0.1}, double radius = 0.1)
     {
         BodyState state;
         state.position = place;
         state.velocity = random_.uniform(0, fastest) * random_.direction();
         state.angular_velocity = random_.uniform(0, 2) * random_.direction();
         const dSpaceID space = objects_.space();
-        return objects_.add_body(
-            number % 2 == 0 ? dCreateBox(space, box.x(), box.y(), box.z()) : dCreateSphere(space, radius), 1, state);
+        objects_.add_body(number % 2 == 0 ? dCreateBox(space, box.x(), box.y(), box.z()) : dCreateSphere(space, radius),
+                          1, state);
     }
 };
 
@@ -81,24 +80,15 @@ private:
         return {distance * (number % pillars + 0.5) - half_, distance * (number / pillars + 0.5) - half_, 0};
     }
 
-    bool is_free(const Vector3 &place) const
+    Vector3 free_place()
     {
+        const Vector3 place = random_.in_box({half_ - 0.5, half_ - 0.5, half_height_of_drones - 0.5});
         for (int i = 0; i < pillars * pillars; ++i)
         {
             const Vector3 way = place - place_of_pillar(i);
             if (std::max(std::abs(way.x()), std::abs(way.y())) < half_pillar + 0.3)
-                return false;
+                return free_place();
         }
-        return true;
-    }
-
-    Vector3 free_place()
-    {
-        Vector3 place;
-        do
-        {
-            place = random_.in_box({half_ - 0.5, half_ - 0.5, half_height_of_drones - 0.5});
-        } while (!is_free(place));
         return place;
     }
 
@@ -134,7 +124,7 @@ public:
         {
             Vector3 place = random_.in_box({half_, half_, 0});
             place.z() = random_.uniform(highest_hill + 0.3, ceiling);
-            bodies_.push_back(add_flyer(i, place));
+            add_flyer(i, place);
         }
     }
 
@@ -146,13 +136,12 @@ private:
 
     void before_step() override
     {
-        for (const dBodyID body : bodies_)
+        for (const dBodyID body : objects_.bodies())
             turn_back(sky_, body);
     }
 
     double half_; ///< half the side of what they fly over, metres
     Eigen::AlignedBox3d sky_;
-    std::vector<dBodyID> bodies_;
 };
 } // namespace
 

@@ -1,11 +1,14 @@
-// Objects that follow a motion which nothing disturbs: gas, game, classes, still, probe, churn, explosion, teleport, query.
+// Gas and the worlds like it, moved in two ways: gas, game, classes, still, churn, explosion, teleport and their namesakes _stepped;
+// and an engine that sets every pose.
 //
-// Their bodies are moved by dBodySetPosition() and dBodySetQuaternion() and have the velocities of that motion; ODE's world is
-// never stepped, and objects fly through one another.
+// In the first ones nothing disturbs the motion: bodies are moved by dBodySetPosition() and dBodySetQuaternion() and have the
+// velocities that go with it; ODE's world is never stepped, and objects fly through one another. The others float, are moved by
+// steps and pushed by contacts.
 
-#include "demos/worlds/asking.h"
-#include "demos/worlds/gas_room.h"
 #include "demos/worlds/lists.h"
+#include "demos/worlds/stepped_world.h"
+
+#include <cmath>
 
 namespace ode_predictive_space::worlds
 {
@@ -15,28 +18,38 @@ constexpr double calm_speed = 0.01 * object_radius; // metres per tick
 constexpr double game_speed = 0.1 * object_radius;  // metres per tick
 constexpr double fastest_spin = 0.005;              // radians per tick
 constexpr double churned_per_tick = 0.01;           // share of the objects
+constexpr double density = 1000;                    // kg/m^3
+constexpr double fastest_turn = 5;                  // rad/s
+constexpr int objects_per_moving_pose = 20;
+constexpr double half_move = -1; // unless the specification has another share
 
+/// How gas and the worlds like it differ.
 struct GasSettings
 {
-    double volume_fraction = thin;
-    double moving = 0.5;           ///< share of the objects
-    double max_speed = calm_speed; ///< metres per tick
-    int shapes = 3;                ///< the objects have the first so many shapes
+    double volume_fraction;
+    double moving;    ///< share of the objects
+    double max_speed; ///< metres per tick, or m/s
+    int shapes = 3;   ///< the objects have the first so many shapes
 };
+
+/// Whether an object is one of the share that moves: every k-th is, where k = 1 / share.
+bool is_of_share(int number, double share)
+{
+    return std::floor((number + 1) * share) > std::floor(number * share);
+}
 
 /// Objects that fly and bounce off the walls of a room that has no geoms.
 class GasWorld : public World
 {
 public:
-    GasWorld(const WorldSpec &spec, dSpaceID space, const GasSettings &settings = {}, bool with_probe = false)
+    GasWorld(const WorldSpec &spec, dSpaceID space, const GasSettings &settings)
         : World(spec, space), settings_(settings),
-          half_(half_gas_room(spec.objects, settings.volume_fraction) - object_radius),
-          room_(room_of(Vector3::Constant(half_)))
+          half_(Vector3::Constant(half_gas_room(spec.objects, settings.volume_fraction) - object_radius))
     {
-        if (with_probe)
-            objects_.add_geom(dCreateSphere(space, object_radius));
+        const double share_of_spec = spec.moving < 0 ? 0.5 : spec.moving;
+        const double share = settings.moving == half_move ? share_of_spec : settings.moving;
         for (int i = 0; i < spec.objects; ++i)
-            add_object(static_cast<Shape>(i % settings.shapes), is_of_share(i, settings.moving));
+            add_object(static_cast<Shape>(i % settings.shapes), is_of_share(i, share));
     }
 
     void advance() override
@@ -46,19 +59,25 @@ public:
             BodyState &state = mover.state;
             state.position += usual_tick * state.velocity;
             state.orientation = (mover.turn * state.orientation).normalized();
-            set_position(mover.object.body, state.position);
-            set_orientation(mover.object.body, state.orientation);
-            if (turn_back(room_, state.position, state.velocity))
-                set_velocity(mover.object.body, state.velocity);
+            set_position(mover.body, state.position);
+            set_orientation(mover.body, state.orientation);
+            if (turn_back(room_of(half_), state.position, state.velocity))
+                set_velocity(mover.body, state.velocity);
         }
     }
 
 protected:
     struct Mover
     {
-        Object object;
+        Shape shape;
+        dBodyID body;
         BodyState state; ///< kept here too, so that the motion does not depend on how ODE rounds
         Quaternion turn; ///< per tick
+    };
+    struct Still
+    {
+        Shape shape;
+        dGeomID geom;
     };
 
     void add_object(Shape shape, bool moves)
@@ -67,10 +86,11 @@ protected:
         const Quaternion orientation = random_.orientation();
         if (!moves)
         {
-            still_.push_back(objects_.add_still(shape, position, orientation));
+            still_.push_back({shape, objects_.add_still(shape, position, orientation)});
             return;
         }
-        Mover mover;
+        Mover mover{};
+        mover.shape = shape;
         mover.state.position = position;
         mover.state.orientation = orientation;
         mover.state.velocity = random_.uniform(0, settings_.max_speed) / usual_tick * random_.direction();
@@ -78,39 +98,16 @@ protected:
         const double spin = random_.uniform(0, fastest_spin);
         mover.state.angular_velocity = spin / usual_tick * axis;
         mover.turn = Quaternion(Eigen::AngleAxisd(spin, axis));
-        mover.object = objects_.add_moving(shape, mover.state, 1000);
+        mover.body = objects_.add_moving(shape, mover.state, 1000);
         movers_.push_back(mover);
     }
 
-    Vector3 random_place() { return random_.in_box(Vector3::Constant(half_)); }
+    Vector3 random_place() { return random_.in_box(half_); }
 
     GasSettings settings_;
-    double half_; ///< half the side of the cube that the objects' centres stay in, metres
-    Eigen::AlignedBox3d room_;
+    Vector3 half_; ///< half the cube that the objects' centres stay in, metres
     std::vector<Mover> movers_;
-    std::vector<Object> still_;
-};
-
-/// A probe on a hand's path among still objects.
-class ProbeWorld : public GasWorld
-{
-public:
-    ProbeWorld(const WorldSpec &spec, dSpaceID space)
-        : GasWorld(spec, space, {thin, 0}, true), hand_(hand_in(half_), spec.seed)
-    {}
-
-    void advance() override
-    {
-        report_.position = hand_.position(++tick_ * usual_tick);
-        set_position(objects_.geom(0), report_.position);
-    }
-
-    const ProbeReport *probe() const override { return &report_; }
-
-private:
-    haptics::HandPath hand_;
-    ProbeReport report_;
-    int tick_ = 0;
+    std::vector<Still> still_;
 };
 
 class ChurnWorld : public GasWorld
@@ -133,12 +130,13 @@ private:
     {
         const bool moves = number < movers_.size();
         const auto place = static_cast<std::ptrdiff_t>(moves ? number : number - movers_.size());
-        const Object old = moves ? movers_[number].object : still_[static_cast<std::size_t>(place)];
+        const Still old = moves ? Still{movers_[number].shape, dBodyGetFirstGeom(movers_[number].body)}
+                                : still_[static_cast<std::size_t>(place)];
         if (moves)
             movers_.erase(movers_.begin() + place);
         else
             still_.erase(still_.begin() + place);
-        objects_.destroy(old);
+        objects_.destroy(old.geom);
         add_object(old.shape, moves);
     }
 
@@ -164,7 +162,7 @@ private:
         {
             const Vector3 outwards = (mover.state.position - centre).normalized();
             mover.state.velocity = random_.uniform(0, settings_.max_speed) / usual_tick * outwards;
-            set_state(mover.object.body, mover.state);
+            set_state(mover.body, mover.state);
         }
     }
 
@@ -178,45 +176,160 @@ public:
 
     void advance() override
     {
-        for (const Object &object : still_)
-            set_position(object.geom, random_place());
+        for (const Still &still : still_)
+            set_position(still.geom, random_place());
     }
 };
 
-template <typename Kind>
-WorldEntry entry(const char *name, const char *text, const GasSettings &settings, bool share_can_be_chosen = false)
+/// They bounce off one another and turn back at the sides of a room that has no geoms. They begin in random places, with speeds up
+/// to a limit. Those that do not move have no body.
+class FloatingWorld : public SteppedWorld
 {
-    const auto prepare = [=](const WorldSpec &spec) {
-        GasSettings chosen = settings;
-        if (share_can_be_chosen && spec.moving >= 0)
-            chosen.moving = spec.moving;
-        return made_of<Kind>(chosen)(spec);
-    };
-    return {Group::scene, name, text, 1000, usual_tick, gas_bounds(settings.volume_fraction), prepare};
+public:
+    FloatingWorld(const WorldSpec &spec, dSpaceID space, const GasSettings &settings)
+        : SteppedWorld(spec, space, usual_tick),
+          half_(Vector3::Constant(half_gas_room(spec.objects, settings.volume_fraction) - object_radius))
+    {
+        dWorldSetContactMaxCorrectingVel(objects_.world(), 1); // what overlaps at the start is not blasted apart
+        let_bounce(0, 1, 0.01);
+        for (int i = 0; i < spec.objects; ++i)
+        {
+            const BodyState state = random_state(settings.max_speed);
+            const auto shape = static_cast<Shape>(i % settings.shapes);
+            if (is_of_share(i, settings.moving))
+                objects_.add_moving(shape, state, density);
+            else
+                objects_.add_still(shape, state.position, state.orientation);
+        }
+    }
+
+protected:
+    /// Without objects.
+    FloatingWorld(const WorldSpec &spec, dSpaceID space)
+        : SteppedWorld(spec, space, usual_tick),
+          half_(Vector3::Constant(half_gas_room(spec.objects, thin) - object_radius))
+    {}
+
+    BodyState random_state(double max_speed)
+    {
+        BodyState state;
+        state.position = random_.in_box(half_);
+        state.orientation = random_.orientation();
+        state.velocity = random_.uniform(0, max_speed) * random_.direction();
+        state.angular_velocity = random_.uniform(0, fastest_turn) * random_.direction();
+        return state;
+    }
+
+    void before_step() override
+    {
+        for (const dBodyID floater : objects_.bodies())
+            turn_back(room_of(half_), floater);
+    }
+
+    Vector3 half_; ///< half the cube in which the centres stay, metres
+};
+
+/// All objects jump to a random place after each step, and come to a stop there.
+class JumpingWorld : public FloatingWorld
+{
+public:
+    JumpingWorld(const WorldSpec &spec, dSpaceID space) : FloatingWorld(spec, space, {thin, 1, 0}) {}
+
+    void advance() override
+    {
+        FloatingWorld::advance();
+        for (const dBodyID floater : objects_.bodies())
+        {
+            BodyState state;
+            state.position = random_.in_box(half_);
+            state.orientation = state_of(floater).orientation;
+            set_state(floater, state);
+        }
+    }
+};
+
+/// A physics engine that has a world of its own and uses ODE to find contacts, as DART does: its geoms have no bodies in ODE, and
+/// at every tick it sets every pose, though one object in twenty moves.
+class PoseSettingWorld : public FloatingWorld
+{
+public:
+    PoseSettingWorld(const WorldSpec &spec, dSpaceID space) : FloatingWorld(spec, space)
+    {
+        for (int i = 0; i < spec.objects; ++i)
+        {
+            poses_.push_back(random_state(1));
+            objects_.add_still(static_cast<Shape>(i % 3), poses_.back().position, poses_.back().orientation);
+            if (i % objects_per_moving_pose == 0)
+            {
+                floaters_.push_back(dBodyCreate(objects_.world()));
+                set_state(floaters_.back(), poses_.back());
+            }
+        }
+    }
+
+    void advance() override
+    {
+        FloatingWorld::advance();
+        for (std::size_t i = 0; i < floaters_.size(); ++i)
+            poses_[objects_per_moving_pose * i] = state_of(floaters_[i]);
+        for (std::size_t i = 0; i < poses_.size(); ++i)
+        {
+            set_position(objects_.geoms()[i], poses_[i].position);
+            set_orientation(objects_.geoms()[i], poses_[i].orientation);
+        }
+    }
+
+private:
+    void before_step() override
+    {
+        for (const dBodyID floater : floaters_)
+            turn_back(room_of(half_), floater);
+    }
+
+    std::vector<BodyState> poses_;  ///< of each geom
+    std::vector<dBodyID> floaters_; ///< of every twentieth
+};
+
+template <typename Kind, typename... Settings>
+WorldEntry entry(Group group, const char *name, const char *text, double volume_fraction, Settings... settings)
+{
+    return {group, name, text, 1000, usual_tick, gas_bounds(volume_fraction), made_of<Kind>(settings...)};
 }
 } // namespace
 
 std::vector<WorldEntry> gas_worlds()
 {
-    constexpr GasSettings still = {thin, 0};
+    const GasSettings gas = {thin, half_move, calm_speed}, game = {dense, 1, game_speed},
+                      classes = {dense, 1, game_speed, 6}, all_move = {thin, 1, calm_speed}, still = {thin, 0, 0};
     return {
-        entry<GasWorld>("gas",
-                        "half of the objects still, the others fly at up to 1 mm per tick and bounce off the walls", {},
-                        true),
-        entry<GasWorld>("game", "a dense room in which everything flies, at up to 10 mm per tick",
-                        {dense, 1, game_speed}),
-        entry<GasWorld>("classes", "game with spheres, boxes, capsules, meshes, cylinders and convexes",
-                        {dense, 1, game_speed, 6}),
-        entry<GasWorld>("still", "nothing moves", still),
-        {Group::scene, "probe", "one hand-driven probe among still objects", 1000, usual_tick, gas_bounds(thin),
-         made_of<ProbeWorld>()},
-        entry<ChurnWorld>("churn", "gas in which 1 % of the objects are destroyed and made anew in each tick", {},
-                          true),
-        entry<ExplosionWorld>("explosion", "a calm scene in which all velocities change in one tick, every 200 ticks",
-                              {thin, 1}),
-        entry<TeleportWorld>("teleport", "every object jumps to a random place in each tick", still),
-        entry<Asking<GasWorld>>("query", "gas, with 20 spheres and 20 rays that ask in each tick what is near them", {},
-                                true),
+        entry<GasWorld>(Group::scene, "gas",
+                        "half of the objects still, the others fly at up to 1 mm per tick and bounce off the walls",
+                        thin, gas),
+        entry<GasWorld>(Group::scene, "game", "a dense room in which everything flies, at up to 10 mm per tick", dense,
+                        game),
+        entry<GasWorld>(Group::scene, "classes", "game with spheres, boxes, capsules, meshes, cylinders and convexes",
+                        dense, classes),
+        entry<GasWorld>(Group::scene, "still", "nothing moves", thin, still),
+        entry<ChurnWorld>(Group::scene, "churn",
+                          "gas in which 1 % of the objects are destroyed and made anew in each tick", thin, gas),
+        entry<ExplosionWorld>(Group::scene, "explosion",
+                              "a calm scene in which all velocities change in one tick, every 200 ticks", thin,
+                              all_move),
+        entry<TeleportWorld>(Group::scene, "teleport", "every object jumps to a random place in each tick", thin,
+                             still),
+        entry<FloatingWorld>(Group::stepped, "gas_stepped",
+                             "half of the objects still, the others float at up to 1 mm per tick", thin,
+                             GasSettings{thin, 0.5, 1}),
+        entry<FloatingWorld>(Group::stepped, "game_stepped",
+                             "a dense room in which everything floats, at up to 10 mm per tick", dense,
+                             GasSettings{dense, 1, 10}),
+        entry<FloatingWorld>(Group::stepped, "classes_stepped",
+                             "game with spheres, boxes, capsules, meshes, cylinders and convexes", dense,
+                             GasSettings{dense, 1, 10, 6}),
+        entry<JumpingWorld>(Group::stepped, "teleport_stepped", "every object jumps to a random place after each step",
+                            thin),
+        entry<PoseSettingWorld>(Group::stepped, "dart",
+                                "geoms without bodies; every pose is set at every tick, 5 % are new", thin),
     };
 }
 } // namespace ode_predictive_space::worlds

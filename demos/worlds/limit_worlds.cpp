@@ -1,12 +1,9 @@
-// Far outside of what programs usually have: very many, very large, very near, very far. No geom has a body. (Very many objects are
-// in gas.)
+// Far outside of what programs usually have: many planes, very large, very near, very far. No geom has a body.
 
-#include "demos/worlds/gas_room.h"
 #include "demos/worlds/lists.h"
 #include "demos/worlds/stepped_world.h"
 
 #include <cmath>
-#include <numeric>
 
 namespace ode_predictive_space::worlds
 {
@@ -81,19 +78,14 @@ public:
     }
 };
 
-enum class Planes
-{
-    apart_by_bits, ///< they do not collide with one another
-    with_each_other,
-    in_another_space ///< a simple one, which is collided with the one that is measured
-};
-
 /// Planes in all directions among a hundred moving spheres.
 class PlanesWorld : public SpheresWorld
 {
 public:
-    PlanesWorld(const WorldSpec &spec, dSpaceID space, Planes which)
-        : SpheresWorld(spec, space), apart_(which == Planes::in_another_space ? dSimpleSpaceCreate(nullptr) : nullptr)
+    /// @param collide whether planes collide with one another
+    /// @param apart they are in a simple space, which is collided with the one that is measured
+    PlanesWorld(const WorldSpec &spec, dSpaceID space, bool collide, bool apart)
+        : SpheresWorld(spec, space), apart_(apart ? dSimpleSpaceCreate(nullptr) : nullptr)
     {
         for (int i = 0; i < spec.objects; ++i)
         {
@@ -101,10 +93,7 @@ public:
             const double distance = random_.uniform(-half_room_of_planes, half_room_of_planes);
             const dGeomID plane =
                 dCreatePlane(apart_ != nullptr ? apart_.get() : space, normal.x(), normal.y(), normal.z(), distance);
-            if (which == Planes::apart_by_bits)
-                objects_.add_scenery(plane);
-            else
-                objects_.add_geom(plane);
+            collide ? objects_.add_geom(plane) : objects_.add_scenery(plane);
         }
         for (int i = 0; i < moving_spheres; ++i)
             add_oscillating_sphere(space, half_room_of_planes);
@@ -219,7 +208,7 @@ public:
         for (std::size_t i = order.size(); order_ == Order::random && i > 1; --i)
             std::swap(order[i - 1], order[random_.index(i)]);
         for (const dGeomID geom : order)
-            objects_.destroy({geom});
+            objects_.destroy(geom);
     }
 
 private:
@@ -253,10 +242,9 @@ std::vector<WorldEntry> limit_worlds()
     return {
         entry<SpotWorld>("spot", "n spheres on one spot, all of them trembling", always(cube(2 * object_radius))),
         entry<PlanesWorld>("planes", "n planes and 100 moving spheres; planes do not collide with one another", planes,
-                           Planes::apart_by_bits),
-        entry<PlanesWorld>("planes_all", "the same; planes collide with one another", planes, Planes::with_each_other),
-        entry<PlanesWorld>("planes_apart", "the same; planes are in a simple space of their own", planes,
-                           Planes::in_another_space),
+                           false, false),
+        entry<PlanesWorld>("planes_all", "the same; planes collide with one another", planes, true, false),
+        entry<PlanesWorld>("planes_apart", "the same; planes are in a simple space of their own", planes, true, true),
         entry<SpacesWorld>("spaces_in_spaces", "n spaces in one another, 100 moving spheres", spaces, true),
         entry<SpacesWorld>("spaces_side_by_side", "n spaces side by side in one space, 100 moving spheres", spaces,
                            false),

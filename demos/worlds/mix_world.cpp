@@ -1,10 +1,12 @@
 // The paper's experiment: still and moving objects in a room, and a probe that a hand moves among them.
 
-#include "demos/worlds/asking.h"
 #include "demos/worlds/lists.h"
 #include "demos/worlds/probe_force.h"
 #include "demos/worlds/stepped_world.h"
+#include "ode_predictive_space/haptics/hand_path.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ode_predictive_space::worlds
@@ -23,6 +25,13 @@ constexpr std::uint32_t probe_index = 0; // the probe is made first
 double half_side_of_mix(int objects)
 {
     return std::max(half_room(objects, volume_fraction), 3 * object_radius);
+}
+
+haptics::HandPathSettings hand_settings(int objects)
+{
+    haptics::HandPathSettings settings;
+    settings.scale = (half_side_of_mix(objects) - probe_radius) / (settings.half_workspace + settings.tremor);
+    return settings;
 }
 
 /// Places in a lattice, shuffled: no two objects overlap at the start, where contacts would blast them apart.
@@ -51,8 +60,7 @@ class MixWorld : public SteppedWorld
 {
 public:
     MixWorld(const WorldSpec &spec, dSpaceID space)
-        : SteppedWorld(spec, space, usual_tick),
-          hand_(hand_in(half_side_of_mix(spec.objects) - probe_radius, haptics::HandPathSettings().tremor), spec.seed),
+        : SteppedWorld(spec, space, usual_tick), hand_(hand_settings(spec.objects), spec.seed),
           probe_(spec.own_probe ? objects_.add_geom(dCreateSphere(space, probe_radius)) : nullptr)
     {
         let_bounce(0.2, 0.9, 0.01);
@@ -94,7 +102,6 @@ private:
     {
         dBodyID body;
         double cruising_speed; ///< m/s
-        double mass;           ///< kg
     };
 
     void add_floater(Shape shape, const Vector3 &position)
@@ -105,10 +112,7 @@ private:
         const double speed = random_.uniform(slowest, fastest);
         state.velocity = speed * random_.direction();
         state.angular_velocity = random_.uniform(0, 3) * random_.direction();
-        const dBodyID body = objects_.add_moving(shape, state, density).body;
-        dMass mass;
-        dBodyGetMass(body, &mass);
-        floaters_.push_back({body, speed, mass.mass});
+        floaters_.push_back({objects_.add_moving(shape, state, density), speed});
     }
 
     void before_step() override
@@ -117,7 +121,8 @@ private:
         {
             const Vector3 velocity = from_ode(dBodyGetLinearVel(floater.body));
             const double speed = std::max(velocity.norm(), 0.01 * floater.cruising_speed);
-            add_force(floater.body, floater.mass / time_to_recover * (floater.cruising_speed / speed - 1) * velocity);
+            add_force(floater.body,
+                      mass_of(floater.body) / time_to_recover * (floater.cruising_speed / speed - 1) * velocity);
         }
     }
 

@@ -1,18 +1,41 @@
-// The parts of all worlds: geoms, with or without a body.
+// The parts of all worlds: solids, each as large as a sphere of object_radius allows, and other geoms, with or without a body.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_OBJECTS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_OBJECTS_H
 
-#include "demos/worlds/shapes.h"
+#include "demos/worlds/surfaces.h"
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace ode_predictive_space::worlds
 {
-/// Radius of the sphere around a usual object, metres.
+/// Radius of the sphere around an object, metres.
 constexpr double object_radius = 0.1;
+
+enum class Shape
+{
+    sphere,
+    box,
+    capsule,
+    mesh,     ///< a faceted ball of 80 triangles
+    cylinder, ///< as long as it is wide
+    convex    ///< an octahedron
+};
+
+/// Half the side of a cube, as all boxes here are, in metres.
+inline double half_side_of_box()
+{
+    return object_radius / std::sqrt(3.0);
+}
+
+/// @param ball for Shape::mesh: see TriangleMesh::add_ball().
+dGeomID make_shape(dSpaceID space, Shape shape, const TriangleMesh *ball = nullptr);
+
+/// The mass of such a solid. A mesh has the mass of the ball that it represents.
+dMass mass_of_shape(Shape shape, double density);
 
 /// Of worlds that do not step at a rate of their own, seconds.
 constexpr double usual_tick = 0.001;
@@ -23,13 +46,6 @@ struct BodyState
     Quaternion orientation = Quaternion::Identity();
     Vector3 velocity = Vector3::Zero();         ///< m/s
     Vector3 angular_velocity = Vector3::Zero(); ///< rad/s
-};
-
-struct Object
-{
-    dGeomID geom = nullptr;
-    dBodyID body = nullptr; ///< null for an object that never moves
-    Shape shape = Shape::sphere;
 };
 
 /// Owns ODE's world, the bodies and the geoms of one world; numbers the geoms in the order of creation, from 0 on.
@@ -51,12 +67,12 @@ public:
     dGeomID add_scenery(dGeomID geom);
 
     /// Make an object of the usual size that never moves: no body.
-    Object add_still(Shape shape, const Vector3 &position, const Quaternion &orientation);
+    dGeomID add_still(Shape shape, const Vector3 &position, const Quaternion &orientation);
 
     /// Make an object of the usual size with a body of its own.
     ///
     /// @param density kg/m^3
-    Object add_moving(Shape shape, const BodyState &state, double density);
+    dBodyID add_moving(Shape shape, const BodyState &state, double density);
 
     /// Take over a geom and give it a new body of this mass, in kg, with the inertia of the geom's box.
     dBodyID add_body(dGeomID geom, double mass, const BodyState &state);
@@ -64,8 +80,8 @@ public:
     /// Take over a further geom of a body, at a place relative to it.
     void attach(dGeomID geom, dBodyID body, const Vector3 &offset);
 
-    /// Destroy an object. Its number is not reused.
-    void destroy(const Object &object);
+    /// Destroy a geom and its body, if it has one. Its number is not reused.
+    void destroy(dGeomID geom);
 
     /// Destroy all geoms.
     void clear();
@@ -76,15 +92,27 @@ public:
     /// All of them, by number; null where one has been destroyed.
     const std::vector<dGeomID> &geoms() const { return geoms_; }
 
+    /// Those of add_moving() and add_body(), in this order.
+    const std::vector<dBodyID> &bodies() const { return bodies_; }
+
 private:
     dGeomID make_geom(Shape shape);
+    dBodyID add_body(dGeomID geom, const dMass &mass, const BodyState &state);
 
     dSpaceID space_;
     dWorldID world_;
     std::unique_ptr<TriangleMesh> ball_; ///< created with the first mesh
-    const Octahedron octahedron_{object_radius};
-    std::vector<dGeomID> geoms_; ///< by number
+    std::vector<dGeomID> geoms_;         ///< by number
+    std::vector<dBodyID> bodies_;
 };
+
+/// In kg.
+inline double mass_of(dBodyID body)
+{
+    dMass mass;
+    dBodyGetMass(body, &mass);
+    return mass.mass;
+}
 
 BodyState state_of(dBodyID body);
 void set_state(dBodyID body, const BodyState &state);

@@ -20,10 +20,16 @@ struct SpaceDestroyer
 using OwnedSpace = std::unique_ptr<dxSpace, SpaceDestroyer>;
 
 /// Give a geom its number in the world. It is kept in the geom's data pointer.
-void set_geom_index(dGeomID geom, std::uint32_t index);
+inline void set_geom_index(dGeomID geom, std::uint32_t index)
+{
+    dGeomSetData(geom, reinterpret_cast<void *>(static_cast<std::uintptr_t>(index)));
+}
 
 /// The number given by set_geom_index().
-std::uint32_t geom_index(dGeomID geom);
+inline std::uint32_t geom_index(dGeomID geom)
+{
+    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(dGeomGetData(geom)));
+}
 
 /// Two geoms by their numbers, the smaller first.
 using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
@@ -78,20 +84,6 @@ public:
 
 private:
     std::vector<std::pair<dGeomID, dGeomID>> pairs_;
-};
-
-/// A hash of a set of pairs. It does not depend on their order, but on the number of times that each is in it.
-std::uint64_t hash_pairs(const std::vector<IndexPair> &pairs);
-
-/// A hash of a whole run: of the hashes of its ticks in their order.
-class PairHash
-{
-public:
-    void add_tick(std::uint64_t hash_of_pairs);
-    std::uint64_t value() const { return value_; }
-
-private:
-    std::uint64_t value_ = 0;
 };
 } // namespace ode_predictive_space::worlds
 

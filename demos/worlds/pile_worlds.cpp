@@ -3,7 +3,9 @@
 #include "demos/worlds/lists.h"
 #include "demos/worlds/stepped_world.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace ode_predictive_space::worlds
 {
@@ -39,15 +41,14 @@ public:
         {
             const BodyState state =
                 start.empty() ? place_in_lattice(i, spec.objects) : start[static_cast<std::size_t>(i)];
-            pile_.push_back(objects_.add_moving(i % 2 == 0 ? Shape::sphere : Shape::box, state, 1000).body);
+            objects_.add_moving(i % 2 == 0 ? Shape::sphere : Shape::box, state, 1000);
         }
     }
 
     std::vector<BodyState> states() const
     {
         std::vector<BodyState> result;
-        for (const dBodyID body : pile_)
-            result.push_back(state_of(body));
+        std::transform(objects_.bodies().begin(), objects_.bodies().end(), std::back_inserter(result), &state_of);
         return result;
     }
 
@@ -62,8 +63,6 @@ private:
         state.orientation = random_.orientation();
         return state;
     }
-
-    std::vector<dBodyID> pile_;
 };
 
 /// The states of its bodies when the pile has come to rest.

@@ -1,10 +1,8 @@
-// Robots, vehicles and ragdolls: bodies joined by hinges with motors or by balls.
+// Vehicles and robots, a chassis and four wheels with motors each: shelves, city, nested; spaces without robots; and robots that
+// look around with rays.
 
-#include "demos/worlds/heightfield.h"
 #include "demos/worlds/lists.h"
-#include "demos/worlds/ragdoll.h"
 #include "demos/worlds/stepped_world.h"
-#include "demos/worlds/vehicle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,101 +12,68 @@ namespace ode_predictive_space::worlds
 namespace
 {
 constexpr double robots_step = 0.005;
+constexpr double slowest = 4;      // rad/s, of a wheel
+constexpr double fastest = 12;     // rad/s
+constexpr double difference = 0.1; // of the speeds left and right
 
-constexpr double chain_step = 0.004;
-constexpr int links = 17;
-constexpr double link_length = 0.2;  // metres
-constexpr double link_radius = 0.06; // metres
-constexpr double link_torque = 8;    // N m
-constexpr double fastest_link = 2;   // rad/s
-constexpr double place_for_one = 2;  // metres
-
-class ChainWorld : public ProgramWorld
+/// Lengths in metres.
+struct VehicleSize
 {
-public:
-    ChainWorld(const WorldSpec &spec, dSpaceID space) : ProgramWorld(spec, space, chain_step)
-    {
-        objects_.add_geom(dCreatePlane(space, 0, 0, 1, 0));
-        for (int i = 0; i < spec.objects; ++i)
-            add_chain(place_for_one * i);
-    }
-
-private:
-    void add_chain(double y)
-    {
-        dBodyID last = nullptr;
-        for (int i = 0; i < links; ++i)
-        {
-            BodyState state;
-            state.position = {link_length * i, y, link_radius + 0.02};
-            const dGeomID geom = i % 2 == 0
-                                     ? dCreateBox(objects_.space(), link_length, 2 * link_radius, 2 * link_radius)
-                                     : dCreateSphere(objects_.space(), link_radius);
-            const dBodyID body = objects_.add_body(geom, 0.5, state);
-            if (last != nullptr)
-                join(last, body, i);
-            last = body;
-        }
-    }
-
-    void join(dBodyID last, dBodyID body, int number)
-    {
-        const dReal *place = dBodyGetPosition(body);
-        const dJointID hinge = dJointCreateHinge(objects_.world(), nullptr);
-        dJointAttach(hinge, last, body);
-        dJointSetHingeAnchor(hinge, place[0] - link_length / 2, place[1], place[2]);
-        dJointSetHingeAxis(hinge, 0, number % 2, 1 - number % 2);
-        hinges_.push_back(hinge);
-    }
-
-    void before_step() override
-    {
-        time_ += step();
-        for (std::size_t i = 0; i < hinges_.size(); ++i)
-            drive(hinges_[i], fastest_link * std::sin(2 * time_ + 0.8 * static_cast<double>(i)), link_torque);
-    }
-
-    std::vector<dJointID> hinges_;
-    double time_ = 0;
+    Vector3 half_chassis{0.3, 0.2, 0.06};
+    double wheel_radius = 0.1;
+    double mass = 20;   ///< kg, of the chassis
+    bool mast = true;   ///< two further geoms of the chassis: a mast and a head on it
+    double torque = 10; ///< N m, of each wheel's motor
 };
 
-Bounds chain_bounds(int chains)
+void add_mast(Objects &objects, dSpaceID space, const VehicleSize &size, dBodyID chassis)
 {
-    return {{link_length * links / 2, place_for_one * chains / 2, 0}, {5, place_for_one * chains + 2, 2}};
+    const double height = 4 * size.half_chassis.z();
+    const double radius = 0.2 * size.half_chassis.y();
+    const double foot = size.half_chassis.z();
+    objects.attach(dCreateBox(space, radius, radius, height), chassis, {0, 0, foot + height / 2});
+    objects.attach(dCreateSphere(space, radius), chassis, {0, 0, foot + height + radius});
 }
 
-constexpr int stairs = 12;
-constexpr double stair_depth = 0.6;        // metres
-constexpr double stair_rise = 0.25;        // metres
-constexpr double half_width_of_stairs = 5; // metres
-constexpr int side_by_side = 5;            // ragdolls
-
-class RagdollsWorld : public ProgramWorld
+void add_wheel(Objects &objects, dSpaceID space, const VehicleSize &size, const BodyState &state, dBodyID chassis,
+               double speed)
 {
-public:
-    RagdollsWorld(const WorldSpec &spec, dSpaceID space) : ProgramWorld(spec, space, robots_step)
+    const dBodyID wheel = objects.add_body(dCreateSphere(space, size.wheel_radius), 0.05 * size.mass, state);
+    const dJointID hinge = dJointCreateHinge(objects.world(), nullptr);
+    const Vector3 axis = state.orientation * Vector3::UnitY();
+    dJointAttach(hinge, wheel, chassis);
+    dJointSetHingeAnchor(hinge, state.position.x(), state.position.y(), state.position.z());
+    dJointSetHingeAxis(hinge, axis.x(), axis.y(), axis.z());
+    drive(hinge, speed, size.torque);
+}
+
+/// Make a vehicle whose wheels stand on the height of `place`, and which drives at random speeds.
+///
+/// @param space of its geoms
+/// @param heading radians about the vertical
+void add_vehicle(Objects &objects, dSpaceID space, const VehicleSize &size, const Vector3 &place, double heading,
+                 haptics::Random &random)
+{
+    const Vector3 &half = size.half_chassis;
+    BodyState state;
+    state.position = place + Vector3(0, 0, size.wheel_radius + half.z());
+    state.orientation = Eigen::AngleAxisd(heading, Vector3::UnitZ());
+    const dBodyID chassis =
+        objects.add_body(dCreateBox(space, 2 * half.x(), 2 * half.y(), 2 * half.z()), size.mass, state);
+    if (size.mast)
+        add_mast(objects, space, size, chassis);
+    const double speed = random.uniform(slowest, fastest);
+    const double turn = random.uniform(-difference, difference);
+    for (const double front : {-1.0, 1.0})
     {
-        objects_.add_geom(dCreatePlane(space, 0, 0, 1, 0));
-        for (int stair = 0; stair < stairs; ++stair)
+        for (const double left : {-1.0, 1.0})
         {
-            const double height = stair_rise * (stair + 1);
-            set_position(objects_.add_scenery(dCreateBox(space, stair_depth, 2 * half_width_of_stairs, height)),
-                         {stair_depth * stair, 0, height / 2});
-        }
-        for (int i = 0; i < spec.objects; ++i)
-        {
-            const double side = place_for_one * (i % side_by_side - 0.5 * (side_by_side - 1));
-            const double up = place_for_one * static_cast<double>(i / side_by_side);
-            const Quaternion turn(Eigen::AngleAxisd(random_.uniform(-pi, pi), random_.direction()));
-            const Vector3 place(stair_depth * stairs * random_.unit(), side, stair_rise * stairs + 1.5 + up);
-            add_ragdoll(objects_, place, turn);
+            BodyState wheel = state;
+            const Vector3 offset(front * 0.8 * half.x(), left * (half.y() + 1.05 * size.wheel_radius), -half.z());
+            wheel.position += state.orientation * offset;
+            add_wheel(objects, space, size, wheel, chassis, speed * (1 + left * turn));
         }
     }
-};
-
-Bounds ragdolls_bounds(int)
-{
-    return {{stair_depth * stairs / 2, 0, 5}, {stair_depth * stairs, 2 * half_width_of_stairs, 10}};
 }
 
 constexpr int robots_in_store = 50;
@@ -224,47 +189,24 @@ Bounds nested_bounds(int robots)
     return square(half_side_of_nested(robots), 2);
 }
 
-/// Spaces in the space, above a plane.
+/// Spaces in the space, above a plane: one for each robot, whose geoms are not tested against one another; or empty ones.
 class NestedWorld : public ProgramWorld
 {
 public:
-    void collide(dSpaceID space, void *data, const NearCallbacks &near) override
-    {
-        dSpaceCollide(space, data, near.nested);
-    }
-
-protected:
-    NestedWorld(const WorldSpec &spec, dSpaceID space) : ProgramWorld(spec, space, robots_step)
+    NestedWorld(const WorldSpec &spec, dSpaceID space, bool empty) : ProgramWorld(spec, space, robots_step)
     {
         objects_.add_geom(dCreatePlane(space, 0, 0, 1, 0));
-    }
-};
-
-/// One for each robot, whose geoms are not tested against one another.
-class RobotSpacesWorld : public NestedWorld
-{
-public:
-    RobotSpacesWorld(const WorldSpec &spec, dSpaceID space) : NestedWorld(spec, space)
-    {
         const double half = half_side_of_nested(spec.objects) - 1;
         const int side = static_cast<int>(std::ceil(std::sqrt(spec.objects)));
         for (int i = 0; i < spec.objects; ++i)
         {
+            const dSpaceID nested = add_space(nested_bounds(spec.objects));
             const Vector3 place(2 * half * (i % side + 0.5) / side - half, 2 * half * (i / side + 0.5) / side - half,
                                 0);
-            add_vehicle(objects_, add_space(nested_bounds(spec.objects)), {}, place, random_.uniform(-pi, pi), random_);
+            if (!empty)
+                add_vehicle(objects_, nested, {}, place, random_.uniform(-pi, pi), random_);
         }
-    }
-};
-
-class EmptySpacesWorld : public NestedWorld
-{
-public:
-    EmptySpacesWorld(const WorldSpec &spec, dSpaceID space) : NestedWorld(spec, space)
-    {
-        for (int i = 0; i < spec.objects; ++i)
-            add_space(nested_bounds(spec.objects));
-        for (int i = 0; i < balls; ++i)
+        for (int i = 0; empty && i < balls; ++i)
         {
             BodyState state;
             state.position = random_.in_box({2, 2, 0}) + Vector3(0, 0, 0.2);
@@ -272,24 +214,115 @@ public:
             objects_.add_body(dCreateSphere(space, 0.15), 1, state);
         }
     }
+
+    void collide(dSpaceID space, void *data, const NearCallbacks &near) override
+    {
+        dSpaceCollide(space, data, near.nested);
+    }
 };
+
+constexpr double lidar_step = 0.05;
+constexpr int lidars = 10;
+constexpr int rays_per_robot = 360;
+constexpr double range = 10;      // metres
+constexpr double lidar_speed = 1; // m/s
+
+Bounds lidar_bounds(int boxes)
+{
+    return square(std::sqrt(boxes) + 1, 2);
+}
+
+/// Robots that look around with rays among still boxes. Each ray asks by itself, or the rays of a robot have a space of their own
+/// in the space of the boxes.
+class LidarWorld : public ProgramWorld
+{
+public:
+    LidarWorld(const WorldSpec &spec, dSpaceID space, bool nested)
+        : ProgramWorld(spec, space, lidar_step), nested_(nested)
+    {
+        const double half = std::sqrt(spec.objects);
+        for (int i = 0; i < spec.objects; ++i)
+        {
+            const Vector3 size = Vector3::Constant(0.7) + random_.in_box(Vector3::Constant(0.4));
+            set_position(objects_.add_scenery(dCreateBox(space, size.x(), size.y(), size.z())),
+                         random_.in_box({half, half, 0.5}));
+        }
+        for (int i = 0; i < lidars; ++i)
+        {
+            const double heading = random_.uniform(-pi, pi);
+            BodyState robot;
+            robot.position = random_.in_box({half, half, 0.2});
+            robot.velocity = lidar_speed * Vector3(std::cos(heading), std::sin(heading), 0);
+            robots_.push_back(robot);
+            add_rays(nested ? add_space(lidar_bounds(spec.objects)) : nullptr);
+        }
+        place_rays();
+    }
+
+    void collide(dSpaceID space, void *data, const NearCallbacks &near) override
+    {
+        if (nested_)
+        {
+            dSpaceCollide(space, data, near.nested);
+            return;
+        }
+        for (const dGeomID ray : rays_)
+            dSpaceCollide2(ray, reinterpret_cast<dGeomID>(space), data, near.geoms);
+    }
+
+private:
+    void add_rays(dSpaceID space)
+    {
+        for (int i = 0; i < rays_per_robot; ++i)
+        {
+            const dGeomID ray = dCreateRay(space, range);
+            dGeomSetCategoryBits(ray, 1);
+            dGeomSetCollideBits(ray, ~1ul);
+            rays_.push_back(objects_.add_geom(ray));
+        }
+    }
+
+    void place_rays()
+    {
+        for (std::size_t i = 0; i < rays_.size(); ++i)
+        {
+            const Vector3 &place = robots_[i / rays_per_robot].position;
+            const double angle = 2 * pi * static_cast<double>(i % rays_per_robot) / rays_per_robot;
+            dGeomRaySet(rays_[i], place.x(), place.y(), place.z(), std::cos(angle), std::sin(angle), 0);
+        }
+    }
+
+    void before_step() override
+    {
+        for (BodyState &robot : robots_)
+            robot.position += step() * robot.velocity;
+        place_rays();
+    }
+
+    bool nested_;
+    std::vector<BodyState> robots_;
+    std::vector<dGeomID> rays_;
+};
+
+WorldEntry lidar(const char *name, const char *text, bool nested)
+{
+    return {Group::program, name, text, 1000, lidar_step, &lidar_bounds, made_of<LidarWorld>(nested)};
+}
 } // namespace
 
 std::vector<WorldEntry> robot_worlds()
 {
     return {
-        {Group::program, "ragdolls", "n ragdolls of 12 capsules that fall on stairs", 20, robots_step, &ragdolls_bounds,
-         made_of<RagdollsWorld>()},
-        {Group::program, "chain", "n robots of 17 bodies with motors on a plane", 1, chain_step, &chain_bounds,
-         made_of<ChainWorld>()},
         shelves("shelves", "n still boxes and 50 robots of 7 geoms on a plane", false),
         shelves("shelves_mesh", "the same; ground and walls are one mesh", true),
         {Group::program, "city", "n vehicles with four wheels on a heightfield, and 5 n trees", 100, robots_step,
          [](int vehicles) { return square(half_side_of_city(vehicles) + 1, 10); }, made_of<CityWorld>()},
         {Group::program, "nested", "n robots of 7 geoms, each with a space of its own", 22, robots_step, &nested_bounds,
-         made_of<RobotSpacesWorld>()},
+         made_of<NestedWorld>(false)},
         {Group::program, "nested_empty", "n spaces without geoms and 10 balls", 100, robots_step, &nested_bounds,
-         made_of<EmptySpacesWorld>()},
+         made_of<NestedWorld>(true)},
+        lidar("lidar", "10 robots with 360 rays that ask one by one among n boxes", false),
+        lidar("lidar_nested", "the same rays in a space for each robot", true),
     };
 }
 } // namespace ode_predictive_space::worlds

@@ -98,7 +98,7 @@ private:
 
     void build(int boxes)
     {
-        const double side = 2 * half_side_of_box(object_radius);
+        const double side = 2 * half_side_of_box();
         for (int i = 0; i < boxes; ++i)
         {
             const int structure = i / boxes_per_structure;

@@ -19,11 +19,6 @@ SteppedWorld::SteppedWorld(const WorldSpec &spec, dSpaceID space, double step_se
     dWorldSetAutoDisableFlag(objects_.world(), 0);
 }
 
-SteppedWorld::~SteppedWorld()
-{
-    dJointGroupDestroy(joints_);
-}
-
 void SteppedWorld::advance()
 {
     step_ = mean_step_ * step_random_.uniform(1 - variation_, 1 + variation_);
@@ -59,27 +54,13 @@ void SteppedWorld::respond(const std::vector<IndexPair> &pairs)
     }
 }
 
-bool SteppedWorld::take_contacts(const IndexPair &, const dContactGeom *, int)
-{
-    return false;
-}
-
+// Walls touch one another at the edges of the room; these pairs do not count.
 void SteppedWorld::add_walls(const Vector3 &half_room, bool lid)
 {
-    for (int axis = 0; axis < 3; ++axis)
+    for (const Wall &wall : walls_of(half_room, wall_thickness, lid))
     {
-        for (const double side : {-1.0, 1.0})
-        {
-            if (axis == 2 && side > 0 && !lid)
-                continue;
-            Vector3 half = half_room + Vector3::Constant(wall_thickness);
-            Vector3 centre = Vector3::Zero();
-            centre[axis] = side * (half_room[axis] + wall_thickness / 2);
-            half[axis] = wall_thickness / 2;
-            // Walls touch one another at the edges of the room; these pairs do not count.
-            set_position(objects_.add_scenery(dCreateBox(objects_.space(), 2 * half.x(), 2 * half.y(), 2 * half.z())),
-                         centre);
-        }
+        const Vector3 size = 2 * wall.half;
+        set_position(objects_.add_scenery(dCreateBox(objects_.space(), size.x(), size.y(), size.z())), wall.centre);
     }
 }
 

@@ -17,7 +17,7 @@ constexpr double standard_gravity = 9.81; // m/s^2
 class SteppedWorld : public World
 {
 public:
-    ~SteppedWorld() override;
+    ~SteppedWorld() override { dJointGroupDestroy(joints_); }
 
     void advance() override;
     void respond(const std::vector<IndexPair> &pairs) override;
@@ -37,7 +37,7 @@ protected:
 
     /// Called for each pair that has contacts, before joints are made. When it returns true, the contacts of the pair get no
     /// joints.
-    virtual bool take_contacts(const IndexPair &pair, const dContactGeom *contacts, int count);
+    virtual bool take_contacts(const IndexPair &, const dContactGeom *, int /* count */) { return false; }
 
     /// The walls of a box-shaped room, open above when `lid` is false. Boxes and not planes: an infinite geom is near
     /// everything in a sweep-and-prune space.

@@ -1,6 +1,5 @@
 // Small movers on a large ground, among a few huge boxes: terrain, and the same moved by gravity, contacts and forces.
 
-#include "demos/worlds/heightfield.h"
 #include "demos/worlds/lists.h"
 #include "demos/worlds/stepped_world.h"
 
@@ -114,15 +113,14 @@ std::vector<HugeBox> huge_boxes(double half_side)
 }
 
 /// What both worlds have: the ground, the huge boxes, and objects of which half roll and the other half fly.
-template <typename Base> class OnTerrain : private TerrainGround, public Base
+class OnTerrain : private TerrainGround, public SteppedWorld
 {
 protected:
-    template <typename... Arguments>
-    OnTerrain(const WorldSpec &spec, dSpaceID space, Arguments... arguments)
-        : TerrainGround(half_side_of_square(spec.objects)), Base(spec, space, arguments...),
+    OnTerrain(const WorldSpec &spec, dSpaceID space)
+        : TerrainGround(half_side_of_square(spec.objects)), SteppedWorld(spec, space, usual_tick),
           half_side_(half_side_of_square(spec.objects)), square_(room_of({half_side_, half_side_, dInfinity}))
     {
-        this->add_geoms(this->objects_);
+        add_geoms(objects_);
     }
 
     using TerrainGround::height;
@@ -132,7 +130,7 @@ protected:
 
     static double rest_height_of(Shape shape)
     {
-        return (shape == Shape::box ? half_side_of_box(object_radius) : object_radius) - sunk;
+        return (shape == Shape::box ? half_side_of_box() : object_radius) - sunk;
     }
 
     /// A huge box collides with objects, not with the ground or with other huge boxes.
@@ -140,14 +138,13 @@ protected:
     /// @return its body; null for one that does not move.
     dBodyID add_huge(const HugeBox &box)
     {
-        Objects &objects = this->objects_;
-        const dGeomID geom = objects.add_geom(dCreateBox(objects.space(), box.size.x(), box.size.y(), box.size.z()));
+        const dGeomID geom = objects_.add_geom(dCreateBox(objects_.space(), box.size.x(), box.size.y(), box.size.z()));
         set_position(geom, box.position);
         dGeomSetCategoryBits(geom, huge_category);
         dGeomSetCollideBits(geom, small_bits);
         if (box.spin == 0 && box.velocity.isZero(0))
             return nullptr;
-        const dBodyID body = dBodyCreate(objects.world());
+        const dBodyID body = dBodyCreate(objects_.world());
         dGeomSetBody(geom, body);
         set_state(body, {box.position, Quaternion::Identity(), box.velocity, {0, 0, box.spin}});
         return body;
@@ -159,7 +156,7 @@ protected:
 
 /// All move at up to 5 mm per tick and turn back at the edge of the square. The motion does not depend on contacts, so it can go
 /// on for any time.
-class TerrainWorld : public OnTerrain<World>
+class TerrainWorld : public OnTerrain
 {
 public:
     TerrainWorld(const WorldSpec &spec, dSpaceID space) : OnTerrain(spec, space)
@@ -185,10 +182,16 @@ public:
             state.orientation = (mover.turn * state.orientation).normalized();
             turn_back(square_, state.position, state.velocity);
             if (mover.rolls)
-                roll(mover);
+            {
+                const double before = state.position.z() - usual_tick * state.velocity.z();
+                state.position.z() = height(state.position.x(), state.position.y()) + mover.rest_height;
+                state.velocity.z() = (state.position.z() - before) / usual_tick;
+            }
             set_state(mover.body, state);
         }
     }
+    void respond(const std::vector<IndexPair> &) override {}
+    bool moves_by_itself() const override { return true; }
 
 private:
     struct Mover
@@ -222,16 +225,8 @@ private:
         }
         mover.state.angular_velocity = spin * axis;
         mover.turn = Quaternion(Eigen::AngleAxisd(spin * usual_tick, axis));
-        mover.body = objects_.add_moving(shape, mover.state, 1000).body;
+        mover.body = objects_.add_moving(shape, mover.state, 1000);
         movers_.push_back(mover);
-    }
-
-    void roll(Mover &mover) const
-    {
-        BodyState &state = mover.state;
-        const double before = state.position.z() - usual_tick * state.velocity.z();
-        state.position.z() = height(state.position.x(), state.position.y()) + mover.rest_height;
-        state.velocity.z() = (state.position.z() - before) / usual_tick;
     }
 
     std::vector<Mover> movers_;
@@ -239,10 +234,10 @@ private:
 
 /// Half of the objects lie on the ground, the other half fly, without gravity; forces drive all of them at up to 5 m/s, each in
 /// a direction of its own, and back at the edge of the square.
-class DrivenWorld : public OnTerrain<SteppedWorld>
+class DrivenWorld : public OnTerrain
 {
 public:
-    DrivenWorld(const WorldSpec &spec, dSpaceID space) : OnTerrain(spec, space, usual_tick)
+    DrivenWorld(const WorldSpec &spec, dSpaceID space) : OnTerrain(spec, space)
     {
         let_fall(0.3);
         dWorldSetContactSurfaceLayer(objects_.world(), 0);
@@ -262,7 +257,6 @@ private:
     struct Driven
     {
         dBodyID body;
-        double mass;      ///< kg
         Vector3 velocity; ///< that it is driven to, m/s
         bool flies;
     };
@@ -281,11 +275,8 @@ private:
         if (driven.flies)
             state.orientation = random_.orientation();
         state.velocity = driven.velocity;
-        driven.body = objects_.add_moving(shape, state, 1000).body;
+        driven.body = objects_.add_moving(shape, state, 1000);
         dBodySetGravityMode(driven.body, driven.flies ? 0 : 1);
-        dMass mass;
-        dBodyGetMass(driven.body, &mass);
-        driven.mass = mass.mass;
         driven_.push_back(driven);
     }
 
@@ -296,7 +287,7 @@ private:
             turn_back(square_, from_ode(dBodyGetPosition(driven.body)), driven.velocity);
             Vector3 missing = driven.velocity - from_ode(dBodyGetLinearVel(driven.body));
             missing.z() = driven.flies ? missing.z() : 0;
-            add_force(driven.body, driven.mass / time_to_recover * missing);
+            add_force(driven.body, mass_of(driven.body) / time_to_recover * missing);
         }
         for (const dBodyID body : huge_)
             turn_back(square_, body);

@@ -22,6 +22,7 @@
 #include "demos/worlds/pair_list.h"
 #include "ode_predictive_space/haptics/device/random.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -50,10 +51,30 @@ struct Bounds
 };
 
 /// A cube around the origin.
-Bounds cube(double half);
+inline Bounds cube(double half)
+{
+    return {Vector3::Zero(), Vector3::Constant(half)};
+}
 
 /// A square around the origin, of this height above and below.
-Bounds square(double half, double half_height);
+inline Bounds square(double half, double half_height)
+{
+    return {Vector3::Zero(), {half, half, half_height}};
+}
+
+constexpr double thin = 0.01;  ///< share of the volume that objects fill
+constexpr double dense = 0.05; ///< the same
+
+/// Half the side of a room for usual objects that has no geoms, metres.
+inline double half_gas_room(int objects, double volume_fraction)
+{
+    return std::max(half_room(objects, volume_fraction), 2 * object_radius);
+}
+
+inline std::function<Bounds(int)> gas_bounds(double volume_fraction)
+{
+    return [volume_fraction](int objects) { return cube(half_gas_room(objects, volume_fraction)); };
+}
 
 /// The probe of a world in the last tick.
 struct ProbeReport

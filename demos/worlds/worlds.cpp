@@ -5,16 +5,6 @@
 
 namespace ode_predictive_space::worlds
 {
-Bounds cube(double half)
-{
-    return {Vector3::Zero(), Vector3::Constant(half)};
-}
-
-Bounds square(double half, double half_height)
-{
-    return {Vector3::Zero(), {half, half, half_height}};
-}
-
 void World::collide(dSpaceID space, void *data, const NearCallbacks &near)
 {
     dSpaceCollide(space, data, near.geoms);
@@ -31,8 +21,8 @@ const std::vector<WorldEntry> &all_worlds()
     static const std::vector<WorldEntry> all = [] {
         std::vector<WorldEntry> result;
         for (const auto list :
-             {&gas_worlds, &floating_worlds, &pile_worlds, &stack_worlds, &terrain_worlds, &mix_worlds, &floor_worlds,
-              &robot_worlds, &flying_worlds, &free_worlds, &lidar_worlds, &event_worlds, &limit_worlds})
+             {&gas_worlds, &asking_worlds, &pile_worlds, &stack_worlds, &terrain_worlds, &mix_worlds, &floor_worlds,
+              &jointed_worlds, &robot_worlds, &flying_worlds, &free_worlds, &event_worlds, &limit_worlds})
         {
             for (const WorldEntry &entry : list())
                 result.push_back(entry);

@@ -56,7 +56,7 @@ public:
             }
             else
             {
-                bodies_.push_back(objects_.add_moving(shape, state, 1000).body);
+                bodies_.push_back(objects_.add_moving(shape, state, 1000));
             }
         }
         dWorldSetAutoDisableFlag(objects_.world(), 0);

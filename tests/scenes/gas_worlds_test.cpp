@@ -76,16 +76,6 @@ TEST(Still, NothingMoves)
     EXPECT_EQ(motion.moved(), 0);
 }
 
-TEST(ProbeWorld, TheProbeMovesAndNothingElse)
-{
-    Motion motion({"probe", 100, 1});
-    motion.advance();
-    EXPECT_EQ(motion.moved(), 1);
-    EXPECT_NE(motion.before().at(0), motion.after().at(0)) << "the probe has number 0";
-    ASSERT_NE(motion.scene().probe(), nullptr);
-    EXPECT_EQ(motion.scene().probe()->position, motion.after().at(0));
-}
-
 TEST(Churn, OneInAHundredIsReplacedInEachTick)
 {
     Motion motion({"churn", 200, 1});

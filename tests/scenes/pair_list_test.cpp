@@ -1,5 +1,5 @@
+#include "demos/runs/pair_hash.h"
 #include "demos/runs/spaces.h"
-#include "demos/worlds/pair_list.h"
 
 #include <gtest/gtest.h>
 

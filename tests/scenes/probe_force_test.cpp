@@ -28,7 +28,7 @@ protected:
     OdeSession ode_;
     dWorldID world_ = dWorldCreate();
     dBodyID body_ = dBodyCreate(world_);
-    ProbeForce force_{{500, 7.9}};
+    ProbeForce force_;
 };
 
 TEST_F(ProbeForceTest, IsStiffnessTimesDepthAlongTheNormal)
