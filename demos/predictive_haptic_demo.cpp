@@ -5,9 +5,9 @@
 #include "demos/haptic/probe_scenes.h"
 #include "demos/haptic/run_page.h"
 #include "demos/haptic/run_summary.h"
-#include "demos/scenes/check_writable.h"
-#include "demos/scenes/narrow_output.h"
-#include "demos/scenes/result_records.h"
+#include "demos/runs/check_writable.h"
+#include "demos/runs/narrow_output.h"
+#include "demos/runs/result_records.h"
 #include "ode_predictive_space/haptics/drivers.h"
 #include "ode_predictive_space/haptics/safety.h"
 #ifdef HAPTIC_DEMO_HAS_WINDOW
@@ -46,11 +46,11 @@ std::string what_a_window_lacks()
 
 demo::RunResult run(const Options &options, demo::DemoDevice &device, bool in_window)
 {
-    scenes::SceneSpec spec;
+    worlds::WorldSpec spec;
     spec.name = options.scene;
     spec.objects = options.objects;
     spec.seed = options.seed;
-    const scenes::SceneFactory factory = demo::factory_for_probe(spec);
+    const worlds::WorldFactory factory = demo::factory_for_probe(spec);
     const auto notice = [](const haptics::Notice &told) { std::cerr << "-- " << told.sentence() << std::endl; };
 #ifdef HAPTIC_DEMO_HAS_WINDOW
     if (in_window)
@@ -74,7 +74,7 @@ void run_probe(Options options, bool in_window)
     const demo::RunResult result = run(options, device, in_window);
     demo::print_summary(std::cout, options, result);
     if (!options.json_file.empty())
-        scenes::write_json(options.json_file, demo::json_summary(options, result));
+        worlds::write_json(options.json_file, demo::json_summary(options, result));
     if (!options.report_folder.empty())
         std::cerr << "report: " << report::write_page(options.report_folder, demo::page_of_run(options, result))
                   << std::endl;
@@ -85,7 +85,7 @@ void check_outputs(const Options &options)
     for (const std::string &file : {options.json_file, options.screenshot_file})
     {
         if (!file.empty())
-            scenes::check_writable(file);
+            worlds::check_writable(file);
     }
     if (!options.report_folder.empty())
         report::prepare_folder(options.report_folder);
@@ -94,7 +94,7 @@ void check_outputs(const Options &options)
 ExitStatus run_demo(const Options &options)
 {
     check_outputs(options);
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     const std::string lack = options.headless ? "" : what_a_window_lacks();
     const bool in_window = !options.headless && !options.compare && lack.empty();
     if (!options.screenshot_file.empty() && !in_window)
@@ -112,7 +112,7 @@ ExitStatus run_demo(const Options &options)
 
 int run_as_asked(int argc, char **argv)
 {
-    scenes::NarrowOutput results(std::cout);
+    worlds::NarrowOutput results(std::cout);
     Options options;
     const std::optional<int> parsed = demo::parse_command_line(argc, argv, options);
     const int status = parsed ? *parsed : run_demo(options);
@@ -124,7 +124,7 @@ int run_as_asked(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    const scenes::NarrowOutput messages(std::cerr);
+    const worlds::NarrowOutput messages(std::cerr);
     try
     {
         return run_as_asked(argc, argv);

@@ -2,8 +2,8 @@
 
 #include "demos/haptic/comparison_report.h"
 #include "demos/haptic/run_page.h"
-#include "demos/scenes/progress.h"
-#include "demos/scenes/result_records.h"
+#include "demos/runs/progress.h"
+#include "demos/runs/result_records.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace ode_predictive_space::demo
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 constexpr int most_warm_up_ticks = 100;
 constexpr double usual_seconds = 2;
@@ -39,7 +39,7 @@ std::vector<SpaceKind> usual_kinds()
 }
 
 /// Spaces that leave pairs out must not leave out contacts.
-void compare_contacts(const SceneRuns &runs)
+void compare_contacts(const WorldRuns &runs)
 {
     const bool all_exact =
         std::all_of(runs.begin(), runs.end(), [](const auto &run) { return run->contender().exact(); });
@@ -53,12 +53,12 @@ void compare_contacts(const SceneRuns &runs)
 
 bool compare_spaces(const Options &options)
 {
-    SceneSpec spec;
+    WorldSpec spec;
     spec.name = "mix";
     spec.objects = options.objects;
     spec.seed = options.seed;
-    const SceneFactory factory(spec);
-    const SceneRuns runs = make_runs(options.spaces.empty() ? usual_kinds() : kinds_of(options.spaces), factory);
+    const WorldFactory factory(spec);
+    const WorldRuns runs = make_runs(options.spaces.empty() ? usual_kinds() : kinds_of(options.spaces), factory);
     compare_contacts(runs);
     const double seconds = options.seconds > 0 ? options.seconds : usual_seconds;
     const int ticks = static_cast<int>(std::lround(seconds / factory.tick_seconds()));

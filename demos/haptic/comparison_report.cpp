@@ -1,39 +1,39 @@
 #include "demos/haptic/comparison_report.h"
 
-#include "demos/scenes/result_records.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/result_records.h"
+#include "demos/runs/table.h"
 
 #include <algorithm>
 #include <cctype>
 #include <ostream>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 namespace
 {
 constexpr double longest_haptic_tick = 1000; // microseconds: haptics needs 1 kHz
 
-double median_collide_time(const SceneRun &run)
+double median_collide_time(const WorldRun &run)
 {
     return summarise(run.collide_times()).median;
 }
 
-double median_tick_time(const SceneRun &run)
+double median_tick_time(const WorldRun &run)
 {
     return summarise(run.tick_times()).median;
 }
 
-double ticks_per_second(const SceneRun &run)
+double ticks_per_second(const WorldRun &run)
 {
     return 1e6 / summarise(run.tick_times()).mean;
 }
 
-double per_tick(std::uint64_t sum, const SceneRun &run)
+double per_tick(std::uint64_t sum, const WorldRun &run)
 {
     return static_cast<double>(sum) / static_cast<double>(run.ticks());
 }
 
-double share_of_late_ticks(const SceneRun &run)
+double share_of_late_ticks(const WorldRun &run)
 {
     const auto late = std::count_if(run.tick_times().begin(), run.tick_times().end(),
                                     [](double time) { return time > longest_haptic_tick; });
@@ -41,7 +41,7 @@ double share_of_late_ticks(const SceneRun &run)
 }
 
 /// The run in the predictive space; null when it was not asked for.
-const SceneRun *predictive_run(const SceneRuns &runs)
+const WorldRun *predictive_run(const WorldRuns &runs)
 {
     const auto found = std::find_if(runs.begin(), runs.end(),
                                     [](const auto &run) { return run->contender().family() == Family::predictive; });
@@ -49,9 +49,9 @@ const SceneRun *predictive_run(const SceneRuns &runs)
 }
 
 /// The fastest of the other spaces, by the median; null when there is none.
-const SceneRun *best_other_run(const SceneRuns &runs)
+const WorldRun *best_other_run(const WorldRuns &runs)
 {
-    const SceneRun *best = nullptr;
+    const WorldRun *best = nullptr;
     for (const auto &run : runs)
     {
         if (run->contender().family() != Family::predictive &&
@@ -61,17 +61,17 @@ const SceneRun *best_other_run(const SceneRuns &runs)
     return best;
 }
 
-std::string long_name(const SceneRun &run)
+std::string long_name(const WorldRun &run)
 {
     return run.name() == space_name(SpaceKind::sweep_and_prune) ? "sweep and prune" : run.name();
 }
 
-std::string gain_text(const SceneRun *ours, const SceneRun &other, double (*time)(const SceneRun &))
+std::string gain_text(const WorldRun *ours, const WorldRun &other, double (*time)(const WorldRun &))
 {
     return ours == nullptr || ours == &other ? "-" : fixed(gain_percent(time(*ours), time(other)), 1) + " %";
 }
 
-void print_collision_table(std::ostream &out, const SceneRuns &runs)
+void print_collision_table(std::ostream &out, const WorldRuns &runs)
 {
     out << "\nCollision detection: time in dSpaceCollide(), microseconds per tick\n\n";
     Table table({"space", "mean", "median", "p99", "max", "gain", "pairs per tick"});
@@ -85,7 +85,7 @@ void print_collision_table(std::ostream &out, const SceneRuns &runs)
     table.print(out);
 }
 
-void print_tick_table(std::ostream &out, const SceneRuns &runs)
+void print_tick_table(std::ostream &out, const WorldRuns &runs)
 {
     out << "\nWhole tick: collision detection, contacts, forces and the step of the world\n\n";
     Table table({"space", "ticks / s", "median (µs)", "over 1 ms", "gain", "contacts / tick"});
@@ -99,10 +99,10 @@ void print_tick_table(std::ostream &out, const SceneRuns &runs)
     table.print(out);
 }
 
-void print_verdict(std::ostream &out, const SceneRuns &runs)
+void print_verdict(std::ostream &out, const WorldRuns &runs)
 {
-    const SceneRun *ours = predictive_run(runs);
-    const SceneRun *best = best_other_run(runs);
+    const WorldRun *ours = predictive_run(runs);
+    const WorldRun *best = best_other_run(runs);
     if (ours == nullptr || best == nullptr)
         return;
     const double ratio = median_collide_time(*best) / median_collide_time(*ours);
@@ -115,9 +115,9 @@ void print_verdict(std::ostream &out, const SceneRuns &runs)
         << " the best of the others (" << long_name(*best) << ") in finding the pairs.\n";
 }
 
-void print_faster_variants(std::ostream &out, const SceneRuns &runs)
+void print_faster_variants(std::ostream &out, const WorldRuns &runs)
 {
-    const SceneRun *first = predictive_run(runs);
+    const WorldRun *first = predictive_run(runs);
     for (const auto &run : runs)
     {
         if (run->contender().family() == Family::predictive)
@@ -125,7 +125,7 @@ void print_faster_variants(std::ostream &out, const SceneRuns &runs)
     }
 }
 
-void print_probe(std::ostream &out, const SceneRun &run)
+void print_probe(std::ostream &out, const WorldRun &run)
 {
     const ProbeLog &log = run.probe_log();
     if (log.touched.empty())
@@ -141,16 +141,16 @@ void print_probe(std::ostream &out, const SceneRun &run)
     out << ".\n";
 }
 
-void print_false_pairs(std::ostream &out, const SceneRun &run)
+void print_false_pairs(std::ostream &out, const WorldRun &run)
 {
     if (run.false_pairs() > 0)
         out << "(The " << long_name(run) << " space also reported " << grouped(run.false_pairs())
             << " pairs whose boxes are apart, as it rounds one axis to\nsingle precision. They are not counted.)\n";
 }
 
-std::vector<const SceneRun *> exact_runs(const SceneRuns &runs)
+std::vector<const WorldRun *> exact_runs(const WorldRuns &runs)
 {
-    std::vector<const SceneRun *> exact;
+    std::vector<const WorldRun *> exact;
     for (const auto &run : runs)
     {
         if (run->contender().exact())
@@ -160,15 +160,15 @@ std::vector<const SceneRun *> exact_runs(const SceneRuns &runs)
 }
 
 /// Of the spaces that report every pair whose boxes overlap.
-void print_agreement(std::ostream &out, const SceneRuns &runs)
+void print_agreement(std::ostream &out, const WorldRuns &runs)
 {
-    const std::vector<const SceneRun *> exact = exact_runs(runs);
-    const SceneRun &first = exact.empty() ? *runs.front() : *exact.front();
+    const std::vector<const WorldRun *> exact = exact_runs(runs);
+    const WorldRun &first = exact.empty() ? *runs.front() : *exact.front();
     const int tick = first_difference(runs);
     if (tick >= 0)
     {
         out << "THE SPACES DISAGREE: from tick " << tick << " on they did not all report the same pairs.\n";
-        for (const SceneRun *run : exact)
+        for (const WorldRun *run : exact)
             out << "  " << long_name(*run) << ": hash of the pairs " << hexadecimal(run->pair_hash()) << '\n';
         return;
     }
@@ -181,9 +181,9 @@ void print_agreement(std::ostream &out, const SceneRuns &runs)
 }
 
 /// Of the spaces that leave out pairs that do not touch.
-void print_contacts_of_inexact(std::ostream &out, const SceneRuns &runs)
+void print_contacts_of_inexact(std::ostream &out, const WorldRuns &runs)
 {
-    const std::vector<const SceneRun *> exact = exact_runs(runs);
+    const std::vector<const WorldRun *> exact = exact_runs(runs);
     const int tick = first_difference_of_contacts(runs);
     if (tick >= 0)
     {
@@ -218,7 +218,7 @@ std::string faster_variant_text(const std::string &variant, double variant_time,
            ") sets it; docs/tuning.md says when it pays.\n";
 }
 
-void print_introduction(std::ostream &out, const SceneSpec &spec, int ticks, std::size_t spaces)
+void print_introduction(std::ostream &out, const WorldSpec &spec, int ticks, std::size_t spaces)
 {
     out << grouped(static_cast<std::uint64_t>(spec.objects))
         << " objects in a room: spheres, boxes, capsules and triangle meshes; half of them still, half "
@@ -230,7 +230,7 @@ void print_introduction(std::ostream &out, const SceneSpec &spec, int ticks, std
     out.flush();
 }
 
-void print_report(std::ostream &out, const SceneRuns &runs)
+void print_report(std::ostream &out, const WorldRuns &runs)
 {
     print_collision_table(out, runs);
     print_tick_table(out, runs);
@@ -244,9 +244,9 @@ void print_report(std::ostream &out, const SceneRuns &runs)
         print_false_pairs(out, *run);
 }
 
-nlohmann::json json_report(const SceneRuns &runs, const SceneSpec &spec)
+nlohmann::json json_report(const WorldRuns &runs, const WorldSpec &spec)
 {
-    const SceneRun *ours = predictive_run(runs);
+    const WorldRun *ours = predictive_run(runs);
     nlohmann::json records = nlohmann::json::array();
     for (const auto &run : runs)
     {
@@ -272,4 +272,4 @@ nlohmann::json json_report(const SceneRuns &runs, const SceneSpec &spec)
               {"max_force_n", probe.max_force}}},
             {"spaces", records}};
 }
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::worlds

@@ -3,13 +3,13 @@
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_COMPARISON_REPORT_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_COMPARISON_REPORT_H
 
-#include "demos/scenes/scene_run.h"
+#include "demos/runs/world_run.h"
 
 #include <iosfwd>
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 /// The gain in the sense of Vogiannou et al.: (T_other - T_ours) / T_other, in percent.
 double gain_percent(double ours, double other);
@@ -20,13 +20,13 @@ std::string faster_variant_text(const std::string &variant, double variant_time,
                                 double first_time);
 
 /// The run to come.
-void print_introduction(std::ostream &out, const SceneSpec &spec, int ticks, std::size_t spaces);
+void print_introduction(std::ostream &out, const WorldSpec &spec, int ticks, std::size_t spaces);
 
 /// The table and its interpretation.
-void print_report(std::ostream &out, const SceneRuns &runs);
+void print_report(std::ostream &out, const WorldRuns &runs);
 
 /// The same as JSON.
-nlohmann::json json_report(const SceneRuns &runs, const SceneSpec &spec);
-} // namespace ode_predictive_space::scenes
+nlohmann::json json_report(const WorldRuns &runs, const WorldSpec &spec);
+} // namespace ode_predictive_space::worlds
 
 #endif

@@ -1,6 +1,6 @@
 #include "demos/haptic/geom_reader.h"
 
-#include "demos/scenes/room.h"
+#include "demos/haptic/room.h"
 
 #include <algorithm>
 
@@ -8,11 +8,11 @@ namespace ode_predictive_space::demo
 {
 namespace
 {
-using scenes::bounds_of;
 using window::Part;
 using window::Solid;
 using window::Triangles;
 using window::Vector3;
+using worlds::bounds_of;
 
 void read_pose(dGeomID geom, window::DrawnGeom &drawn)
 {
@@ -88,7 +88,7 @@ Triangles triangles_between(const std::vector<Vector3> &lattice)
 }
 } // namespace
 
-GeomReader::GeomReader(const scenes::Scene &scene, const Eigen::AlignedBox3d &room)
+GeomReader::GeomReader(const worlds::World &scene, const Eigen::AlignedBox3d &room)
     : scene_(scene), wall_size_(room.sizes().minCoeff() / 2)
 {
     for (const dGeomID geom : scene.geoms())

@@ -3,8 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_GEOM_READER_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_GEOM_READER_H
 
-#include "demos/scenes/scene.h"
 #include "demos/window/view.h"
+#include "demos/worlds/world.h"
 
 #include <Eigen/Geometry>
 #include <map>
@@ -24,7 +24,7 @@ class GeomReader
 {
 public:
     /// @param room geoms larger than half of it are walls.
-    GeomReader(const scenes::Scene &scene, const Eigen::AlignedBox3d &room);
+    GeomReader(const worlds::World &scene, const Eigen::AlignedBox3d &room);
 
     /// Read the next geoms.
     ///
@@ -38,7 +38,7 @@ private:
     std::shared_ptr<const window::Triangles> triangles_of(dGeomID mesh);
     bool is_wall(dGeomID geom) const;
 
-    const scenes::Scene &scene_;
+    const worlds::World &scene_;
     double wall_size_; ///< m
     std::size_t next_ = 0;
     std::map<dTriMeshDataID, std::shared_ptr<const window::Triangles>> meshes_;

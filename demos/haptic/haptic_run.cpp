@@ -1,8 +1,8 @@
 #include "demos/haptic/haptic_run.h"
 
-#include "demos/scenes/free_place.h"
-#include "demos/scenes/room.h"
-#include "demos/scenes/scene_run.h"
+#include "demos/haptic/free_place.h"
+#include "demos/haptic/room.h"
+#include "demos/runs/world_run.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "ode_predictive_space/haptics/recording.h"
@@ -17,16 +17,16 @@ namespace
 constexpr double usual_rate = 1000;           // Hz
 constexpr double more_than_any_device = 1e12; // N/m
 
-using scenes::Clock;
+using worlds::Clock;
 } // namespace
 
-HapticRun::HapticRun(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device,
+HapticRun::HapticRun(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device,
                      RunControl &control, const haptics::NoticeSink &notice)
     : options_(options), device_(device), control_(control), tick_seconds_(factory.tick_seconds()),
       decoupled_(options.decoupled || options.rate > 0 || tick_seconds_ > 1 / usual_rate),
       servo_rate_(options.rate > 0 ? options.rate : usual_rate),
-      space_(scenes::make_space(scenes::space_named(options.spaces.front()), factory)),
-      scene_(factory.make(space_.get())), room_(scenes::room_inside_walls(*scene_, factory.bounds()))
+      space_(worlds::make_space(worlds::space_named(options.spaces.front()), factory)),
+      scene_(factory.make(space_.get())), room_(worlds::room_inside_walls(*scene_, factory.bounds()))
 {
     make_probe(counted(notice));
     make_loop(counted(notice));
@@ -45,10 +45,10 @@ haptics::NoticeSink HapticRun::counted(const haptics::NoticeSink &notice)
 Vector3 HapticRun::free_start(const Vector3 &wish, const Eigen::AlignedBox3d &room) const
 {
     constexpr double roomy = 1.5 * probe_radius;
-    if (const auto place = scenes::free_place(*scene_, wish, roomy, probe_radius, room))
+    if (const auto place = worlds::free_place(*scene_, wish, roomy, probe_radius, room))
         return *place;
     const Vector3 beyond = Vector3::Constant(2 * probe_radius);
-    return scenes::free_place(*scene_, wish, probe_radius, probe_radius / 4, {room.min() - beyond, room.max() + beyond})
+    return worlds::free_place(*scene_, wish, probe_radius, probe_radius / 4, {room.min() - beyond, room.max() + beyond})
         .value_or(wish);
 }
 
@@ -154,7 +154,7 @@ void HapticRun::near_callback(void *run, dGeomID first, dGeomID second)
         self.near_.push_back(first == self.probe_geom() ? second : first);
         return;
     }
-    scenes::PairList::collect(&self.pairs_, first, second);
+    worlds::PairList::collect(&self.pairs_, first, second);
 }
 
 void HapticRun::collide()
@@ -163,7 +163,7 @@ void HapticRun::collide()
     near_.clear();
     const Clock::time_point begin = Clock::now();
     dSpaceCollide(space_.get(), this, &near_callback);
-    const double seconds = scenes::seconds_between(begin, Clock::now());
+    const double seconds = worlds::seconds_between(begin, Clock::now());
     collide_times_.add(seconds);
     collide_series_.add(seconds);
     pair_count_ += pairs_.size() + near_.size();
@@ -185,7 +185,7 @@ void HapticRun::advance()
         scene_->advance();
     ++steps_;
     time_ = static_cast<double>(steps_) * tick_seconds_;
-    const double seconds = scenes::seconds_between(begin, Clock::now());
+    const double seconds = worlds::seconds_between(begin, Clock::now());
     servo_log_->step_took(seconds);
     advance_series_.add(seconds);
 }

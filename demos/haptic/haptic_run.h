@@ -8,9 +8,9 @@
 #include "demos/haptic/encounter_log.h"
 #include "demos/haptic/options.h"
 #include "demos/haptic/servo_log.h"
-#include "demos/scenes/contender.h"
-#include "demos/scenes/scene.h"
-#include "demos/scenes/spaces.h"
+#include "demos/runs/contender.h"
+#include "demos/runs/spaces.h"
+#include "demos/worlds/world.h"
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/loop/time_histogram.h"
 
@@ -64,10 +64,10 @@ class HapticRun
 {
 public:
     /// Radius of the probe, in metres: that of the objects.
-    static constexpr double probe_radius = scenes::object_radius;
+    static constexpr double probe_radius = worlds::object_radius;
 
     /// @throws exceptions derived from std::exception when a part cannot be created.
-    HapticRun(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device, RunControl &control,
+    HapticRun(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device, RunControl &control,
               const haptics::NoticeSink &notice);
     ~HapticRun();
     HapticRun(const HapticRun &) = delete;
@@ -83,11 +83,11 @@ public:
     ServoLog &servo_log() { return *servo_log_; }
 
     double time() const { return time_; } ///< s; simulated
-    const scenes::Scene &scene() const { return *scene_; }
+    const worlds::World &scene() const { return *scene_; }
     const Vector3 &start() const { return start_; } ///< m; where the probe begins: in free space
     dGeomID probe_geom() const { return probe_->geom(); }
     const haptics::RenderedTick &rendered() const { return loop_->latest(); }
-    const scenes::PairList &pairs() const { return pairs_; }         ///< of the last step, without the probe's
+    const worlds::PairList &pairs() const { return pairs_; }         ///< of the last step, without the probe's
     const std::vector<dGeomID> &near_probe() const { return near_; } ///< in the last step
     const std::vector<dGeomID> &touched() const { return touched_; } ///< in the last step
     const std::vector<haptics::Encounter> &meetings() const { return meetings_; }
@@ -125,8 +125,8 @@ private:
     double max_stiffness_ = 0;
     double scale_ = 1;                             ///< metres of the scene per metre of the device
     std::atomic<std::uint64_t> safety_notices_{0}; ///< added to by the guard's thread and the servo's
-    scenes::OwnedSpace space_;
-    std::unique_ptr<scenes::Scene> scene_;
+    worlds::OwnedSpace space_;
+    std::unique_ptr<worlds::World> scene_;
     Eigen::AlignedBox3d room_;
     Vector3 start_ = Vector3::Zero(); ///< m
     std::shared_ptr<AdjustableLaw> law_;
@@ -136,7 +136,7 @@ private:
     std::unique_ptr<haptics::HapticLoop> loop_;
     double time_ = 0; ///< s
     std::uint64_t steps_ = 0;
-    scenes::PairList pairs_;
+    worlds::PairList pairs_;
     std::uint64_t pair_count_ = 0;
     std::vector<dGeomID> near_;
     std::vector<dGeomID> touched_;

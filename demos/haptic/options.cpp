@@ -1,8 +1,8 @@
 #include "demos/haptic/options.h"
 
 #include "demos/haptic/probe_scenes.h"
-#include "demos/scenes/command_line.h"
-#include "demos/scenes/spaces.h"
+#include "demos/runs/command_line.h"
+#include "demos/runs/spaces.h"
 #include "ode_predictive_space/haptics/drivers.h"
 
 #include <CLI/CLI.hpp>
@@ -16,8 +16,8 @@ namespace
 std::vector<std::string> names_of_spaces()
 {
     std::vector<std::string> names{"predictive", "predictive-sphere", "predictive-shape"};
-    for (const scenes::SpaceKind kind : scenes::all_spaces())
-        names.push_back(scenes::space_name(kind));
+    for (const worlds::SpaceKind kind : worlds::all_spaces())
+        names.push_back(worlds::space_name(kind));
     return names;
 }
 
@@ -149,7 +149,7 @@ std::optional<int> parse_command_line(int argc, char **argv, Options &options)
     }
     catch (const CLI::ParseError &end)
     {
-        return scenes::end_of_parsing(app, end);
+        return worlds::end_of_parsing(app, end);
     }
     complete(options, app);
     return std::nullopt;

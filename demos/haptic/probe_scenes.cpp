@@ -1,6 +1,6 @@
 #include "demos/haptic/probe_scenes.h"
 
-#include "demos/scenes/surface_scenes.h"
+#include "demos/worlds/world.h"
 
 namespace ode_predictive_space::demo
 {
@@ -12,13 +12,9 @@ const std::vector<std::string> &scenes_for_probes()
     return names;
 }
 
-scenes::SceneFactory factory_for_probe(scenes::SceneSpec spec)
+worlds::WorldFactory factory_for_probe(worlds::WorldSpec spec)
 {
     spec.own_probe = false;
-    if (spec.name == "room")
-        return {spec, scenes::room_scene(spec)};
-    if (spec.name == "hills")
-        return {spec, scenes::hills_scene(spec)};
-    return scenes::SceneFactory(spec);
+    return worlds::WorldFactory(spec);
 }
 } // namespace ode_predictive_space::demo

@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_PROBE_SCENES_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_PROBE_SCENES_H
 
-#include "demos/scenes/scene.h"
+#include "demos/worlds/world.h"
 
 namespace ode_predictive_space::demo
 {
@@ -12,7 +12,7 @@ const std::vector<std::string> &scenes_for_probes();
 /// Without a probe of the scene's own.
 ///
 /// @param spec its name is one of scenes_for_probes().
-scenes::SceneFactory factory_for_probe(scenes::SceneSpec spec);
+worlds::WorldFactory factory_for_probe(worlds::WorldSpec spec);
 } // namespace ode_predictive_space::demo
 
 #endif

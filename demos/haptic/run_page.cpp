@@ -2,7 +2,7 @@
 
 #include "demos/haptic/comparison_report.h"
 #include "demos/haptic/run_summary.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 #include "ode_predictive_space/report/curves.h"
 
 #include <sstream>
@@ -66,8 +66,8 @@ Plot contacts_plot(const RunResult &result)
     return {"Predicted and actual contacts", "time of the contact (s)", "milliseconds", {warnings, delays, surprises}};
 }
 
-Plot comparison_plot(const char *title, const scenes::SceneRuns &runs, double tick_seconds,
-                     const std::vector<double> &(scenes::SceneRun::*times)() const)
+Plot comparison_plot(const char *title, const worlds::WorldRuns &runs, double tick_seconds,
+                     const std::vector<double> &(worlds::WorldRun::*times)() const)
 {
     Plot plot{title, seconds_label, "microseconds", {}, true};
     for (const auto &run : runs)
@@ -84,7 +84,7 @@ Plot comparison_plot(const char *title, const scenes::SceneRuns &runs, double ti
 report::Page page_of_run(const Options &options, const RunResult &result)
 {
     std::ostringstream text;
-    text << "Scene " << options.scene << ", " << scenes::grouped(static_cast<std::uint64_t>(options.objects))
+    text << "Scene " << options.scene << ", " << worlds::grouped(static_cast<std::uint64_t>(options.objects))
          << " objects, space " << options.spaces.front() << ", device " << options.device << ", law " << options.law
          << ", seed " << options.seed << ".\n";
     print_summary(text, options, result);
@@ -95,13 +95,13 @@ report::Page page_of_run(const Options &options, const RunResult &result)
     return page;
 }
 
-report::Page page_of_comparison(const scenes::SceneRuns &runs, double tick_seconds)
+report::Page page_of_comparison(const worlds::WorldRuns &runs, double tick_seconds)
 {
     std::ostringstream text;
-    scenes::print_report(text, runs);
+    worlds::print_report(text, runs);
     return {"Spaces compared",
             text.str(),
-            {comparison_plot("Time per tick in dSpaceCollide()", runs, tick_seconds, &scenes::SceneRun::collide_times),
-             comparison_plot("Time per whole tick", runs, tick_seconds, &scenes::SceneRun::tick_times)}};
+            {comparison_plot("Time per tick in dSpaceCollide()", runs, tick_seconds, &worlds::WorldRun::collide_times),
+             comparison_plot("Time per whole tick", runs, tick_seconds, &worlds::WorldRun::tick_times)}};
 }
 } // namespace ode_predictive_space::demo

@@ -4,7 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_RUN_PAGE_H
 
 #include "demos/haptic/haptic_run.h"
-#include "demos/scenes/scene_run.h"
+#include "demos/runs/world_run.h"
 #include "ode_predictive_space/report/page.h"
 
 namespace ode_predictive_space::demo
@@ -13,7 +13,7 @@ namespace ode_predictive_space::demo
 report::Page page_of_run(const Options &options, const RunResult &result);
 
 /// Time per tick of each space.
-report::Page page_of_comparison(const scenes::SceneRuns &runs, double tick_seconds);
+report::Page page_of_comparison(const worlds::WorldRuns &runs, double tick_seconds);
 } // namespace ode_predictive_space::demo
 
 #endif

@@ -1,6 +1,6 @@
 #include "demos/haptic/run_summary.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <iomanip>
 #include <ostream>
@@ -9,8 +9,8 @@ namespace ode_predictive_space::demo
 {
 namespace
 {
-using scenes::fixed;
-using scenes::grouped;
+using worlds::fixed;
+using worlds::grouped;
 
 std::string milliseconds(double seconds, int digits = 3)
 {

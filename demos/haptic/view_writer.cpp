@@ -1,6 +1,6 @@
 #include "demos/haptic/view_writer.h"
 
-#include "demos/scenes/vector.h"
+#include "demos/worlds/vector.h"
 
 #include <algorithm>
 
@@ -26,7 +26,7 @@ window::NearPair line_between(dGeomID first, dGeomID second, bool with_probe)
 /// A wall can be near although its centre is far away.
 bool is_wall(dGeomID geom, const Eigen::AlignedBox3d &room)
 {
-    return dGeomGetClass(geom) == dPlaneClass || !room.contains(scenes::from_ode(dGeomGetPosition(geom)));
+    return dGeomGetClass(geom) == dPlaneClass || !room.contains(worlds::from_ode(dGeomGetPosition(geom)));
 }
 } // namespace
 

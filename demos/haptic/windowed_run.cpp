@@ -1,8 +1,8 @@
 #include "demos/haptic/windowed_run.h"
 
 #include "demos/haptic/view_writer.h"
-#include "demos/scenes/scene_run.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
+#include "demos/runs/world_run.h"
 #include "demos/window/window.h"
 #include "ode_predictive_space/haptics/mouse_device.h"
 
@@ -22,13 +22,13 @@ constexpr double softest = 10;       // N/m
 constexpr double notice_seconds = 5; // that a notice stays in the window
 constexpr double never = std::numeric_limits<double>::infinity();
 
-using scenes::fixed;
+using worlds::fixed;
 
 /// State shared by both threads. The loop never waits for the window.
 class WindowedRun : public window::Shown
 {
 public:
-    WindowedRun(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device,
+    WindowedRun(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device,
                 haptics::NoticeSink notice);
 
     /// The loop's thread: runs when the window is open, and restarts at the person's request.
@@ -61,7 +61,7 @@ private:
     void tell(const haptics::Notice &notice);
 
     const Options &options_;
-    const scenes::SceneFactory &factory_;
+    const worlds::WorldFactory &factory_;
     DemoDevice &device_;
     haptics::NoticeSink notice_;
     haptics::MouseDevice *mouse_; ///< null for other devices
@@ -80,18 +80,18 @@ private:
     std::unique_ptr<ViewWriter> writer_; ///< of that run
     std::mutex notice_mutex_;
     std::string last_notice_;
-    scenes::Clock::time_point notice_time_;
+    worlds::Clock::time_point notice_time_;
     RunResult result_;
     std::exception_ptr failure_;
 };
 
-WindowedRun::WindowedRun(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device,
+WindowedRun::WindowedRun(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device,
                          haptics::NoticeSink notice)
     : options_(options), factory_(factory), device_(device), notice_(std::move(notice)),
       mouse_(dynamic_cast<haptics::MouseDevice *>(&device.inner())),
       picture_time_(options.screenshot_file.empty() ? never : options.screenshot_time)
 {
-    view_.heading = options.scene + ", " + scenes::grouped(static_cast<std::uint64_t>(options.objects)) + " objects, " +
+    view_.heading = options.scene + ", " + worlds::grouped(static_cast<std::uint64_t>(options.objects)) + " objects, " +
                     options.spaces.front();
     view_.chart_seconds = ServoLog::column_seconds;
 }
@@ -187,7 +187,7 @@ void WindowedRun::tell(const haptics::Notice &notice)
     notice_(notice);
     const std::lock_guard<std::mutex> lock(notice_mutex_);
     last_notice_ = notice.sentence();
-    notice_time_ = scenes::Clock::now();
+    notice_time_ = worlds::Clock::now();
 }
 
 const window::View &WindowedRun::view()
@@ -198,7 +198,7 @@ const window::View &WindowedRun::view()
     }
     read_run();
     const std::lock_guard<std::mutex> lock(notice_mutex_);
-    const bool recent = scenes::seconds_between(notice_time_, scenes::Clock::now()) < notice_seconds;
+    const bool recent = worlds::seconds_between(notice_time_, worlds::Clock::now()) < notice_seconds;
     view_.notice = recent && !options_.fast ? last_notice_ : ""; // simulated time would be over before it is read
     return view_;
 }
@@ -232,7 +232,7 @@ void WindowedRun::read_loop(const haptics::LoopReport &report)
     readings.push_back({"real-time factor", fixed(report.real_time_factor, 2), report.real_time_factor < 0.95});
     readings.push_back({"period p50 / p99 / p99.9", times(report.period)});
     readings.push_back({"computation", times(report.compute)});
-    readings.push_back({"too long", scenes::grouped(report.overruns) + " of " + scenes::grouped(report.ticks)});
+    readings.push_back({"too long", worlds::grouped(report.overruns) + " of " + worlds::grouped(report.ticks)});
 }
 
 void WindowedRun::read_probe()
@@ -241,7 +241,7 @@ void WindowedRun::read_probe()
     const double force = view_.probe.force.norm();
     readings.push_back({"force", fixed(force, 2) + " N"});
     readings.push_back({"stiffness at the hand", fixed(control_.stiffness.load(), 0) + " N/m"});
-    readings.push_back({"near pairs", scenes::grouped(view_.near_pairs.size())});
+    readings.push_back({"near pairs", worlds::grouped(view_.near_pairs.size())});
     std::string next = "-";
     for (const window::Meeting &meeting : view_.probe.meetings)
     {
@@ -277,7 +277,7 @@ void WindowedRun::change_stiffness(double factor)
     if (wish > run_->max_stiffness())
     {
         const std::lock_guard<std::mutex> notice_lock(notice_mutex_);
-        notice_time_ = scenes::Clock::now();
+        notice_time_ = worlds::Clock::now();
         last_notice_ = "The device can render no more than " + fixed(run_->max_stiffness(), 0) + " N/m";
     }
 }
@@ -346,7 +346,7 @@ private:
 };
 } // namespace
 
-RunResult run_in_window(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device,
+RunResult run_in_window(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device,
                         const haptics::NoticeSink &notice)
 {
     window::WindowSettings settings;

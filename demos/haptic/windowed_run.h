@@ -11,7 +11,7 @@ namespace ode_predictive_space::demo
 ///
 /// @return the result of the last run, after restarts.
 /// @throws what HapticRun throws; std::runtime_error for a screenshot that cannot be written.
-RunResult run_in_window(const Options &options, const scenes::SceneFactory &factory, DemoDevice &device,
+RunResult run_in_window(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device,
                         const haptics::NoticeSink &notice);
 } // namespace ode_predictive_space::demo
 

@@ -2,8 +2,8 @@
 
 #include "tests/benchmarks/commands.h"
 
-#include "demos/scenes/scene_run.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
+#include "demos/runs/world_run.h"
 
 #include <iostream>
 
@@ -24,18 +24,18 @@ public:
         of_parts.objects.reset();
         of_parts.ticks.reset();
         of_parts.spaces.clear();
-        const auto start = scenes::Clock::now();
+        const auto start = worlds::Clock::now();
         for (const auto &part : parts_)
         {
-            const auto begin = scenes::Clock::now();
+            const auto begin = worlds::Clock::now();
             std::cout << "===== " << part->name() << ": " << part->description() << "\n\n";
             part->measure(of_parts, findings);
-            const double seconds = scenes::seconds_between(begin, scenes::Clock::now());
-            std::cout << "(" << part->name() << " took " << scenes::fixed(seconds, 1) << " s)\n\n";
+            const double seconds = worlds::seconds_between(begin, worlds::Clock::now());
+            std::cout << "(" << part->name() << " took " << worlds::fixed(seconds, 1) << " s)\n\n";
             std::cout.flush();
         }
-        const double seconds = scenes::seconds_between(start, scenes::Clock::now());
-        std::cout << "===== The requirements, measured in " << scenes::fixed(seconds, 0) << " s\n";
+        const double seconds = worlds::seconds_between(start, worlds::Clock::now());
+        std::cout << "===== The requirements, measured in " << worlds::fixed(seconds, 0) << " s\n";
     }
 
 private:

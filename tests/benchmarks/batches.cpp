@@ -1,6 +1,6 @@
 #include "tests/benchmarks/batches.h"
 
-#include "demos/scenes/scene_run.h"
+#include "demos/runs/world_run.h"
 #include "tests/benchmarks/contenders/contenders.h"
 #include "tests/benchmarks/replay.h"
 
@@ -11,7 +11,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 constexpr int warm_up_batches = 3;
 constexpr double microseconds_per_second = 1e6;
@@ -20,7 +20,7 @@ constexpr double microseconds_per_second = 1e6;
 class BatchRun
 {
 public:
-    BatchRun(const std::string &name, const SceneFactory &factory)
+    BatchRun(const std::string &name, const WorldFactory &factory)
         : contender_(benchmarks::make_contender(name, factory)), replay_(factory, contender_->space())
     {}
 
@@ -55,7 +55,7 @@ private:
 class MotionRun
 {
 public:
-    explicit MotionRun(const SceneFactory &factory)
+    explicit MotionRun(const WorldFactory &factory)
         : space_(make_space(SpaceKind::simple, factory)), replay_(factory, space_.get())
     {}
 
@@ -93,12 +93,12 @@ std::vector<std::vector<double>> per_tick_without(std::vector<double> bare,
 }
 } // namespace
 
-bool measured_in_batches(const SceneSpec &spec)
+bool measured_in_batches(const WorldSpec &spec)
 {
     return spec.objects < objects_for_single_ticks && spec.name != "churn";
 }
 
-std::vector<std::vector<double>> measure_batches(const SceneFactory &factory,
+std::vector<std::vector<double>> measure_batches(const WorldFactory &factory,
                                                  const std::vector<std::string> &contenders, int ticks,
                                                  NearCallback callback)
 {

@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_BATCHES_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_BATCHES_H
 
-#include "demos/scenes/scene.h"
+#include "demos/worlds/world.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace ode_predictive_space::benchmarks
 constexpr int ticks_per_batch = 64;
 
 /// Whether a scene is measured in batches: below some hundreds of objects, and when its motion can be recorded.
-bool measured_in_batches(const scenes::SceneSpec &spec);
+bool measured_in_batches(const worlds::WorldSpec &spec);
 
 enum class NearCallback
 {
@@ -31,7 +31,7 @@ enum class NearCallback
 /// copy that moves by itself is never collided, so that all its geoms stay dirty and ODE gives its space no notice: what is
 /// subtracted is bare motion, the same for all, and a contender's figure holds all that its program pays for having it.
 /// (When ticks are timed one by one, notices fall outside the time that is measured, for all alike.)
-std::vector<std::vector<double>> measure_batches(const scenes::SceneFactory &factory,
+std::vector<std::vector<double>> measure_batches(const worlds::WorldFactory &factory,
                                                  const std::vector<std::string> &contenders, int ticks,
                                                  NearCallback callback);
 } // namespace ode_predictive_space::benchmarks

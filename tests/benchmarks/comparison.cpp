@@ -1,7 +1,7 @@
 #include "tests/benchmarks/comparison.h"
 
-#include "demos/scenes/progress.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/progress.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/batches.h"
 #include "tests/benchmarks/contenders/contenders.h"
 #include "tests/benchmarks/weight.h"
@@ -17,16 +17,16 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
-std::string title(const SceneSpec &spec)
+std::string title(const WorldSpec &spec)
 {
     return spec.name + " " + grouped(static_cast<std::uint64_t>(spec.objects));
 }
 
-SceneRuns make_runs(const Plan &plan, const SceneFactory &factory, Findings &findings)
+WorldRuns make_runs(const Plan &plan, const WorldFactory &factory, Findings &findings)
 {
-    SceneRuns runs;
+    WorldRuns runs;
     for (const std::string &name : plan.contenders)
     {
         const std::string reason = why_not(name, plan.spec);
@@ -36,8 +36,7 @@ SceneRuns make_runs(const Plan &plan, const SceneFactory &factory, Findings &fin
             continue;
         }
         auto contender = benchmarks::make_contender(name, factory);
-        auto scene = plan.make_scene ? plan.make_scene(factory, contender->space()) : factory.make(contender->space());
-        runs.push_back(std::make_unique<SceneRun>(std::move(contender), std::move(scene)));
+        runs.push_back(std::make_unique<WorldRun>(std::move(contender), factory));
         runs.back()->ask_only(plan.queries);
         if (plan.contacts)
         {
@@ -54,7 +53,7 @@ SceneRuns make_runs(const Plan &plan, const SceneFactory &factory, Findings &fin
 // However little time there is: a new predictive space scans for some ticks, and then predicts for some.
 constexpr int least_warm_up = 16;
 
-void make_ticks(const Plan &plan, const SceneRuns &runs)
+void make_ticks(const Plan &plan, const WorldRuns &runs)
 {
     run_by_turns(runs, std::min(plan.warm_up_ticks, least_warm_up), {});
     run_by_turns(runs, plan.warm_up_ticks - least_warm_up, {}, plan.seconds_each / 2);
@@ -77,7 +76,7 @@ std::uint64_t hash_of(const std::vector<std::uint64_t> &tick_hashes)
     return hash.value();
 }
 
-void add_contacts(const SceneRun &run, Result &result)
+void add_contacts(const WorldRun &run, Result &result)
 {
     std::transform(run.collide_times().begin(), run.collide_times().end(), run.contact_times().begin(),
                    std::back_inserter(result.both_times), std::plus<>());
@@ -87,7 +86,7 @@ void add_contacts(const SceneRun &run, Result &result)
     result.touching_hash = hash_of(run.touching_hashes());
 }
 
-Result result_of(const SceneRun &run, bool with_contacts)
+Result result_of(const WorldRun &run, bool with_contacts)
 {
     Result result;
     result.name = run.name();
@@ -109,14 +108,14 @@ Result result_of(const SceneRun &run, bool with_contacts)
 }
 
 // A space that leaves out pairs without contacts must not leave out one with: the same contacts as the exact ones.
-bool contacts_agree(const SceneRuns &runs)
+bool contacts_agree(const WorldRuns &runs)
 {
     return std::all_of(runs.begin(), runs.end(), [&](const auto &run) {
         return run->ticks() != runs.front()->ticks() || run->contacts() == runs.front()->contacts();
     });
 }
 
-void judge(const Plan &plan, const SceneRuns &runs, Findings &findings)
+void judge(const Plan &plan, const WorldRuns &runs, Findings &findings)
 {
     const std::string where = " (" + title(plan.spec) + ")\n";
     const int tick = first_difference(runs);
@@ -148,11 +147,18 @@ void judge(const Plan &plan, const SceneRuns &runs, Findings &findings)
     }
 }
 
-Comparison compare_with(const Plan &plan, const SceneFactory &factory, Findings &findings)
+WorldFactory factory_of(const Plan &plan)
+{
+    WorldSpec spec = plan.spec;
+    spec.name = plan.world.empty() ? spec.name : plan.world;
+    return WorldFactory(spec);
+}
+
+Comparison compare_with(const Plan &plan, const WorldFactory &factory, Findings &findings)
 {
     Comparison comparison;
     comparison.spec = plan.spec;
-    const SceneRuns runs = make_runs(plan, factory, findings);
+    const WorldRuns runs = make_runs(plan, factory, findings);
     make_ticks(plan, runs);
     judge(plan, runs, findings);
     for (const auto &run : runs)
@@ -172,7 +178,7 @@ Comparison compare_with(const Plan &plan, const SceneFactory &factory, Findings 
     return comparison;
 }
 
-void time_in_batches(Comparison &comparison, const Plan &plan, const SceneFactory &factory)
+void time_in_batches(Comparison &comparison, const Plan &plan, const WorldFactory &factory)
 {
     std::vector<std::string> names;
     for (const Result &result : comparison.results)
@@ -195,7 +201,7 @@ void time_in_batches(Comparison &comparison, const Plan &plan, const SceneFactor
     comparison.in_batches = true;
 }
 
-bool same(const SceneSpec &one, const SceneSpec &other)
+bool same(const WorldSpec &one, const WorldSpec &other)
 {
     return one.name == other.name && one.objects == other.objects && one.seed == other.seed &&
            one.moving == other.moving;
@@ -274,9 +280,9 @@ double Comparison::ratio(const Result &other, const Result &ours) const
 
 Comparison compare(const Plan &plan, Findings &findings)
 {
-    const SceneFactory factory(plan.spec);
+    const WorldFactory factory = factory_of(plan);
     Comparison comparison = compare_with(plan, factory, findings);
-    if (measured_in_batches(plan.spec) && !plan.make_scene)
+    if (measured_in_batches(plan.spec) && plan.world.empty())
     {
         time_in_batches(comparison, plan, factory);
     }
@@ -300,11 +306,6 @@ std::shared_ptr<const Comparison> compare_once(const Plan &plan, Findings &findi
 
 Comparison compare_single_ticks(const Plan &plan, Findings &findings)
 {
-    return compare_single_ticks(plan, SceneFactory(plan.spec), findings);
-}
-
-Comparison compare_single_ticks(const Plan &plan, const SceneFactory &factory, Findings &findings)
-{
-    return compare_with(plan, factory, findings);
+    return compare_with(plan, factory_of(plan), findings);
 }
 } // namespace ode_predictive_space::benchmarks

@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_COMPARISON_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_COMPARISON_H
 
-#include "demos/scenes/scene_run.h"
+#include "demos/runs/world_run.h"
 #include "tests/benchmarks/findings.h"
 #include "tests/benchmarks/options.h"
 
@@ -17,15 +17,15 @@ namespace ode_predictive_space::benchmarks
 {
 struct Plan
 {
-    scenes::SceneSpec spec;
+    worlds::WorldSpec spec;
     std::vector<std::string> contenders;
     int ticks = 1000;        ///< to measure
     int warm_up_ticks = 100; ///< before that; their pairs are compared, too
     double seconds_each =
-        scenes::unlimited; ///< a contender that has used up so many makes no more ticks, see run_by_turns()
+        worlds::unlimited; ///< a contender that has used up so many makes no more ticks, see run_by_turns()
     bool check = false;    ///< check the predictive spaces by brute force after every tick
-    /// Makes the scene, if it is not the one that the factory makes.
-    std::function<std::unique_ptr<scenes::Scene>(const scenes::SceneFactory &, dSpaceID)> make_scene{};
+    std::string
+        world{}; ///< the world of this name, tick by tick; empty: the one of spec.name, in batches where it is small
     std::size_t queries = 0; ///< not 0: instead of dSpaceCollide(), dSpaceCollide2() for so many queries of the scene
     bool contacts = false;   ///< measure the dCollide() calls for the reported pairs, too
     bool weigh = false; ///< find out what memory contenders need that do not tell: this takes one more copy of each
@@ -35,7 +35,7 @@ struct Plan
 struct Result
 {
     std::string name;
-    scenes::Family family = scenes::Family::reference;
+    worlds::Family family = worlds::Family::reference;
     bool exact = true;
     std::vector<double> times;       ///< microseconds per dSpaceCollide(), or of each batch the mean
     std::vector<double> clock_times; ///< microseconds per dSpaceCollide(), each timed by itself in any case
@@ -52,14 +52,14 @@ struct Result
     std::uint64_t contacts = 0;
     double bytes_per_geom = std::numeric_limits<double>::quiet_NaN(); ///< not a number: not known
 
-    double mean() const { return scenes::summarise(times).mean; }
-    double mean_tick() const { return scenes::summarise(tick_times).mean; }
-    double mean_of_both() const { return scenes::summarise(both_times).mean; }
+    double mean() const { return worlds::summarise(times).mean; }
+    double mean_tick() const { return worlds::summarise(tick_times).mean; }
+    double mean_of_both() const { return worlds::summarise(both_times).mean; }
 };
 
 struct Comparison
 {
-    scenes::SceneSpec spec;
+    worlds::WorldSpec spec;
     bool in_batches = false; ///< times are means of batches, see measure_batches()
     std::vector<Result> results;
 
@@ -94,19 +94,14 @@ std::shared_ptr<const Comparison> compare_once(const Plan &plan, Findings &findi
 /// A comparison without the times that need batches: of ticks that are timed one by one, in scenes of any size.
 Comparison compare_single_ticks(const Plan &plan, Findings &findings);
 
-/// The same in a scene of the caller's own.
-///
-/// @param factory of plan.spec
-Comparison compare_single_ticks(const Plan &plan, const scenes::SceneFactory &factory, Findings &findings);
-
 /// A plan for this scene as the options have it, with what a subcommand takes where they say nothing.
 ///
 /// @param ticks what is enough; a fifth of it when quick.
-Plan plan_for(const scenes::SceneSpec &spec, const std::vector<std::string> &contenders, int ticks,
+Plan plan_for(const worlds::WorldSpec &spec, const std::vector<std::string> &contenders, int ticks,
               const Options &options);
 
 /// Those of the contenders that are not too slow to be waited for with so many objects; for each of the others a note.
-std::vector<std::string> fast_enough(const std::vector<std::string> &contenders, const scenes::SceneSpec &spec,
+std::vector<std::string> fast_enough(const std::vector<std::string> &contenders, const worlds::WorldSpec &spec,
                                      Findings &findings);
 
 /// The names of ODE's own spaces.

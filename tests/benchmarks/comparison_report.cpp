@@ -2,7 +2,7 @@
 
 #include "tests/benchmarks/comparison.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/batches.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 /// How many times as fast as the best of ODE's spaces; not a number when there is none.
 double ratio_to_best(const Comparison &comparison, const Result &result)

@@ -5,7 +5,7 @@
 #include "tests/benchmarks/first_tick.h"
 #include "tests/benchmarks/weight.h"
 
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 class ComparisonTest : public testing::Test
 {
@@ -181,7 +181,7 @@ TEST_F(ComparisonTest, OneThatCannotTakePartNeedNotHave)
 
 TEST_F(ComparisonTest, ASpaceIsWeighedWithoutItsGeoms)
 {
-    const SceneFactory factory({"gas", 500, 1});
+    const WorldFactory factory({"gas", 500, 1});
     EXPECT_EQ(bytes_per_geom("predictive-box", factory) > 0, heap_in_use() > 0) << "an instrumented heap tells nothing";
     EXPECT_TRUE(std::isnan(bytes_per_geom("hash", factory)));
 }

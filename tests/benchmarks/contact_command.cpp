@@ -1,15 +1,14 @@
 // predictive_bench contact: broad and narrow phase together, dSpaceCollide() and the dCollide() calls for what it reports.
 
+#include "demos/worlds/world.h"
 #include "tests/benchmarks/batches.h"
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/comparison.h"
 #include "tests/benchmarks/contenders/contenders.h"
 #include "tests/benchmarks/scene_choice.h"
-#include "tests/benchmarks/stepped/stepped_scenes.h"
 #include "tests/benchmarks/table1.h"
-#include "tests/scenes/worlds/worlds.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -21,7 +20,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 const std::string by_boxes = "predictive-box";
 const std::string by_shapes = "predictive-shape";
@@ -108,34 +107,16 @@ std::vector<std::string> without_late_ones(std::vector<std::string> names, Findi
     return names;
 }
 
-bool is_stepped(const std::string &scene)
-{
-    const auto &names = stepped_scene_names();
-    return std::find(names.begin(), names.end(), scene) != names.end();
-}
-
-SceneSpec spec_of(const ContactCase &one, std::uint64_t seed)
-{
-    return is_stepped(one.scene) ? spec_of_stepped_scene(one.scene, one.objects, seed)
-                                 : SceneSpec{one.scene, one.objects, seed};
-}
-
 Plan plan_of(const ContactCase &one, const Options &options, Findings &findings)
 {
-    const bool stepped = is_stepped(one.scene);
-    const SceneSpec spec = spec_of(one, options.seed);
+    const WorldSpec spec{one.scene, one.objects, options.seed};
     Plan plan = plan_for(spec, fast_enough(contact_contenders(), spec, findings), one.ticks, options);
     plan.contenders = without_late_ones(plan.contenders, findings);
     plan.warm_up_ticks = one.warm_up_ticks;
     plan.seconds_each = unlimited;
     plan.weigh = false;
     plan.contacts = true;
-    if (stepped)
-    {
-        plan.make_scene = [name = one.scene](const SceneFactory &factory, dSpaceID space) {
-            return make_stepped_scene(name, factory, space);
-        };
-    }
+    plan.world = one.scene == "mix" ? "" : stepped_world(one.scene).name; // mix in batches
     return plan;
 }
 
@@ -321,9 +302,7 @@ public:
             if (options.objects.value_or(one.objects) == one.objects)
             {
                 const Plan plan = plan_of(one, options, findings);
-                const Comparison comparison = is_world(one.scene)
-                                                  ? compare_single_ticks(plan, world_factory(plan.spec), findings)
-                                                  : compare(plan, findings);
+                const Comparison comparison = compare(plan, findings);
                 print(one, comparison);
                 record(one, comparison, findings);
                 require(one, comparison, findings);

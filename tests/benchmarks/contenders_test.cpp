@@ -1,6 +1,6 @@
 // Whatever takes part finds the same pairs, in every scene.
 
-#include "demos/scenes/scene_run.h"
+#include "demos/runs/world_run.h"
 #include "tests/benchmarks/comparison.h"
 #include "tests/benchmarks/contenders/contenders.h"
 
@@ -12,7 +12,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 class ContendersInScene : public testing::TestWithParam<std::string>
 {
@@ -20,18 +20,18 @@ protected:
     OdeSession ode_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Contenders, ContendersInScene, testing::ValuesIn(scene_names()),
+INSTANTIATE_TEST_SUITE_P(Contenders, ContendersInScene, testing::ValuesIn(world_names(Group::scene)),
                          [](const auto &info) { return info.param; });
 
-SceneRuns runs_of_all(const SceneSpec &spec)
+WorldRuns runs_of_all(const WorldSpec &spec)
 {
-    const SceneFactory factory(spec);
-    SceneRuns runs;
+    const WorldFactory factory(spec);
+    WorldRuns runs;
     for (const std::string &name : contender_names())
     {
         if (why_not(name, spec).empty())
         {
-            runs.push_back(std::make_unique<SceneRun>(benchmarks::make_contender(name, factory), factory));
+            runs.push_back(std::make_unique<WorldRun>(benchmarks::make_contender(name, factory), factory));
         }
     }
     return runs;
@@ -39,7 +39,7 @@ SceneRuns runs_of_all(const SceneSpec &spec)
 
 TEST_P(ContendersInScene, AllExactOnesReportTheSamePairs)
 {
-    const SceneRuns runs = runs_of_all({GetParam(), 40, 3});
+    const WorldRuns runs = runs_of_all({GetParam(), 40, 3});
     run_by_turns(runs, 250);
     EXPECT_EQ(first_difference(runs), -1);
     EXPECT_EQ(runs.size(), contender_names().size() - (GetParam() == "churn" ? 2 : 0))
@@ -62,7 +62,7 @@ TEST_F(Contenders, TheFloorKnowsThePairsOfAScene)
 {
     for (const char *scene : {"gas", "pile"})
     {
-        const SceneRuns runs = runs_of_all({scene, objects_for_single_ticks, 1});
+        const WorldRuns runs = runs_of_all({scene, objects_for_single_ticks, 1});
         run_by_turns(runs, 60);
         EXPECT_EQ(first_difference(runs), -1) << scene;
         const std::vector<std::string> names = {runs[runs.size() - 2]->name(), runs.back()->name()};
@@ -74,7 +74,7 @@ TEST_F(Contenders, TheFloorKnowsThePairsOfAScene)
 
 TEST_F(Contenders, SpheresLeaveOutPairsButNoContact)
 {
-    const SceneRuns runs = runs_of_all({"pile", 60, 1});
+    const WorldRuns runs = runs_of_all({"pile", 60, 1});
     run_by_turns(runs, 50);
     const auto is = [](const char *name) { return [name](const auto &run) { return run->name() == name; }; };
     const auto spheres = std::find_if(runs.begin(), runs.end(), is("predictive-sphere"));
@@ -86,7 +86,7 @@ TEST_F(Contenders, SpheresLeaveOutPairsButNoContact)
 
 TEST_F(Contenders, AnUnknownOneIsRefused)
 {
-    const SceneFactory factory({"gas", 10, 1});
+    const WorldFactory factory({"gas", 10, 1});
     EXPECT_THROW(benchmarks::make_contender("octree", factory), std::invalid_argument);
     EXPECT_EQ(benchmarks::make_contender("predictive", factory)->name(), "predictive-box");
 }
@@ -113,10 +113,10 @@ public:
 
 TEST_F(Contenders, OneThatLosesPairsIsNoticed)
 {
-    const SceneFactory factory({"game", 40, 1});
-    SceneRuns runs;
-    runs.push_back(std::make_unique<SceneRun>(SpaceKind::simple, factory));
-    runs.push_back(std::make_unique<SceneRun>(std::make_unique<Blind>(), factory));
+    const WorldFactory factory({"game", 40, 1});
+    WorldRuns runs;
+    runs.push_back(std::make_unique<WorldRun>(SpaceKind::simple, factory));
+    runs.push_back(std::make_unique<WorldRun>(std::make_unique<Blind>(), factory));
     run_by_turns(runs, 100);
     EXPECT_GE(first_difference(runs), 0);
 }

@@ -1,6 +1,6 @@
 #include "tests/benchmarks/findings.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <algorithm>
 #include <ostream>
@@ -22,7 +22,7 @@ std::string bound_text(const Requirement &requirement)
 
 std::string with_unit(double value, const std::string &unit)
 {
-    return scenes::fixed(value, 2) + " " + unit;
+    return worlds::fixed(value, 2) + " " + unit;
 }
 
 nlohmann::json record_of(const Requirement &requirement)
@@ -36,7 +36,7 @@ void print_requirements(std::ostream &out, std::vector<Requirement> requirements
 {
     std::stable_sort(requirements.begin(), requirements.end(),
                      [](const Requirement &a, const Requirement &b) { return number_of(a) < number_of(b); });
-    scenes::Table table({"asked for", "measured", "limit", "met"});
+    worlds::Table table({"asked for", "measured", "limit", "met"});
     for (const Requirement &requirement : requirements)
     {
         table.add({requirement.line + "  " + requirement.what, with_unit(requirement.value, requirement.unit),

@@ -9,7 +9,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 struct FirstTicks
 {
@@ -18,9 +18,9 @@ struct FirstTicks
 };
 
 /// @return the hash of the pairs.
-std::uint64_t add_first_tick(FirstTicks &ticks, const SceneFactory &factory)
+std::uint64_t add_first_tick(FirstTicks &ticks, const WorldFactory &factory)
 {
-    SceneRun run(benchmarks::make_contender(ticks.result.name, factory), factory);
+    WorldRun run(benchmarks::make_contender(ticks.result.name, factory), factory);
     run.tick();
     ticks.result.family = run.contender().family();
     ticks.result.exact = run.contender().exact();
@@ -33,7 +33,7 @@ std::uint64_t add_first_tick(FirstTicks &ticks, const SceneFactory &factory)
     return run.tick_hashes().front();
 }
 
-void compare_one_copy(std::vector<FirstTicks> &all, const SceneFactory &factory, int copy, Findings &findings)
+void compare_one_copy(std::vector<FirstTicks> &all, const WorldFactory &factory, int copy, Findings &findings)
 {
     std::vector<std::uint64_t> hashes(all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -62,9 +62,9 @@ Comparison compare_first_ticks(const Plan &plan, int copies, Findings &findings)
     }
     for (int copy = 0; copy < copies; ++copy)
     {
-        SceneSpec spec = plan.spec;
+        WorldSpec spec = plan.spec;
         spec.seed += static_cast<std::uint64_t>(copy);
-        compare_one_copy(all, SceneFactory(spec), copy, findings);
+        compare_one_copy(all, WorldFactory(spec), copy, findings);
     }
     Comparison comparison;
     comparison.spec = plan.spec;

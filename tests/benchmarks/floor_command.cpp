@@ -3,7 +3,7 @@
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/comparison.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <iostream>
 
@@ -26,9 +26,9 @@ public:
 
     void measure(const Options &options, Findings &findings) override
     {
-        const scenes::SceneSpec spec{"gas", options.objects.value_or(floor_objects)};
+        const worlds::WorldSpec spec{"gas", options.objects.value_or(floor_objects)};
         Plan plan = plan_for(spec, {"predictive-box", "floor"}, floor_ticks, options);
-        plan.seconds_each = scenes::unlimited;
+        plan.seconds_each = worlds::unlimited;
         const Comparison comparison = compare(plan, findings);
         print(std::cout, comparison);
         record(comparison, findings);
@@ -37,7 +37,7 @@ public:
         if (ours != nullptr && floor != nullptr)
         {
             findings.require(
-                {"P11", "gas " + scenes::grouped(static_cast<std::uint64_t>(spec.objects)) + ", time over the floor's",
+                {"P11", "gas " + worlds::grouped(static_cast<std::uint64_t>(spec.objects)) + ", time over the floor's",
                  comparison.ratio(*ours, *floor), Requirement::at_most, most_times_the_floor, "x"});
         }
     }

@@ -1,6 +1,6 @@
 // predictive_bench haptic: how many objects a loop at 1 kHz can have.
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/haptic_measurement.h"
 
@@ -12,7 +12,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace ode_predictive_space::scenes;
+using namespace ode_predictive_space::worlds;
 
 constexpr int quick_haptic_ticks = 1000;
 constexpr int quick_first = 2000;

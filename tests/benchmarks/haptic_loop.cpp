@@ -1,7 +1,7 @@
 #include "tests/benchmarks/haptic_loop.h"
 
-#include "demos/scenes/kinematic_scenes.h"
-#include "demos/scenes/scene_objects.h"
+#include "demos/worlds/objects.h"
+#include "demos/worlds/world.h"
 #include "ode_predictive_space/haptics/device/random.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace ode_predictive_space::scenes;
+using namespace ode_predictive_space::worlds;
 
 constexpr double tick_seconds = 0.001;
 constexpr double loop_probe_radius = 0.2;       // metres
@@ -36,28 +36,27 @@ haptics::HandPathSettings hand_settings()
 }
 
 /// Gas whose moving objects are free bodies in a world that is stepped; what leaves the room is sent back.
-class SteppedGas : public Scene
+class SteppedGas : public World
 {
 public:
-    SteppedGas(const SceneSpec &spec, dSpaceID space)
-        : half_room_(kinematic_half_room("gas", spec.objects) - object_radius), objects_(space)
+    SteppedGas(const WorldSpec &spec, dSpaceID space)
+        : World(spec, space), half_room_(WorldFactory(spec).bounds().half_extent.x() - object_radius)
     {
-        haptics::Random random(spec.seed);
         for (int i = 0; i < spec.objects; ++i)
         {
             const auto shape = static_cast<Shape>(i / 2 % 3);
             BodyState state;
-            state.position = random.in_box(Vector3::Constant(half_room_));
-            state.orientation = random.orientation();
-            state.velocity = random.uniform(0, fastest_of_loop) * random.direction();
-            state.angular_velocity = random.uniform(0, fastest_loop_spin) * random.direction();
+            state.position = random_.in_box(Vector3::Constant(half_room_));
+            state.orientation = random_.orientation();
+            state.velocity = random_.uniform(0, fastest_of_loop) * random_.direction();
+            state.angular_velocity = random_.uniform(0, fastest_loop_spin) * random_.direction();
             if (i % 2 == 0)
             {
                 objects_.add_still(shape, state.position, state.orientation);
             }
             else
             {
-                bodies_.push_back(objects_.add_moving(shape, state, 1000).body);
+                bodies_.push_back(objects_.add_moving(shape, state, 1000));
             }
         }
         dWorldSetAutoDisableFlag(objects_.world(), 0);
@@ -71,12 +70,6 @@ public:
             send_back(body);
         }
     }
-
-    void respond(const std::vector<IndexPair> &) override {}
-    std::size_t contacts() const override { return 0; }
-    bool moves_by_itself() const override { return true; }
-    const ProbeReport *probe() const override { return nullptr; }
-    const std::vector<dGeomID> &geoms() const override { return objects_.geoms(); }
 
 private:
     void send_back(dBodyID body) const
@@ -94,17 +87,16 @@ private:
     }
 
     double half_room_;
-    SceneObjects objects_;
     std::vector<dBodyID> bodies_;
 };
 
-std::unique_ptr<Scene> make_objects(const SceneSpec &spec, dSpaceID space, HapticTick tick)
+std::unique_ptr<World> make_objects(const WorldSpec &spec, dSpaceID space, HapticTick tick)
 {
     if (tick == HapticTick::stepped)
     {
         return std::make_unique<SteppedGas>(spec, space);
     }
-    return make_kinematic_scene(spec, space);
+    return WorldFactory(spec).make(space);
 }
 } // namespace
 
@@ -123,7 +115,7 @@ std::string haptic_tick_name(HapticTick tick)
 }
 
 HapticLoop::HapticLoop(SpaceKind kind, int objects, std::uint64_t seed, HapticTick tick)
-    : space_(make_space(kind, SceneFactory({"gas", objects, seed}))),
+    : space_(make_space(kind, WorldFactory({"gas", objects, seed}))),
       objects_(make_objects({"gas", objects, seed}, space_.get(), tick)), content_(tick), hand_(hand_settings(), seed),
       probe_(dCreateSphere(space_.get(), loop_probe_radius))
 {

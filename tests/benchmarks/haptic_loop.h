@@ -3,8 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_HAPTIC_LOOP_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_HAPTIC_LOOP_H
 
-#include "demos/scenes/probe_force.h"
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
+#include "demos/worlds/probe_force.h"
 #include "ode_predictive_space/haptics/hand_path.h"
 
 namespace ode_predictive_space::benchmarks
@@ -29,7 +29,7 @@ std::string haptic_tick_name(HapticTick tick);
 class HapticLoop
 {
 public:
-    HapticLoop(scenes::SpaceKind kind, int objects, std::uint64_t seed, HapticTick tick);
+    HapticLoop(worlds::SpaceKind kind, int objects, std::uint64_t seed, HapticTick tick);
     ~HapticLoop();
     HapticLoop(const HapticLoop &) = delete;
     HapticLoop &operator=(const HapticLoop &) = delete;
@@ -47,12 +47,12 @@ private:
     void read_device();
     void feel();
 
-    scenes::OwnedSpace space_;               // before the objects, which are in it
-    std::unique_ptr<scenes::Scene> objects_; // that the probe can touch
+    worlds::OwnedSpace space_;               // before the objects, which are in it
+    std::unique_ptr<worlds::World> objects_; // that the probe can touch
     HapticTick content_;
     haptics::HandPath hand_;
     dGeomID probe_;
-    scenes::ProbeForce force_;
+    worlds::ProbeForce force_;
     std::vector<dGeomID> touched_; // by their boxes
     int ticks_ = 0;
     double force_sum_ = 0;

@@ -8,7 +8,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace ode_predictive_space::scenes;
+using namespace ode_predictive_space::worlds;
 
 constexpr int haptic_warm_up_ticks = 200;
 

@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_HAPTIC_MEASUREMENT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_HAPTIC_MEASUREMENT_H
 
-#include "demos/scenes/statistics.h"
+#include "demos/runs/statistics.h"
 #include "tests/benchmarks/haptic_loop.h"
 
 #include <functional>
@@ -27,16 +27,16 @@ struct HapticSettings
 struct HapticTrial
 {
     bool kept = false;          ///< enough ticks were in time
-    scenes::Statistics times{}; ///< of the ticks, microseconds; when not kept, up to where that was clear
+    worlds::Statistics times{}; ///< of the ticks, microseconds; when not kept, up to where that was clear
     double force_sum = 0;       ///< N, over the ticks
 };
 
 /// Runs so many ticks after a warm-up, or fewer when too many of them have been late.
-HapticTrial try_haptic_loop(scenes::SpaceKind kind, int objects, const HapticSettings &settings);
+HapticTrial try_haptic_loop(worlds::SpaceKind kind, int objects, const HapticSettings &settings);
 
 struct HapticResult
 {
-    scenes::SpaceKind space{};
+    worlds::SpaceKind space{};
     int objects = 0;              ///< the most that kept; 0 when not even one did
     HapticTrial at_most{};        ///< the trial with them
     std::vector<int> kept{};      ///< numbers of objects whose trial kept, as tried
@@ -47,7 +47,7 @@ struct HapticResult
 /// outside counts against no space.
 ///
 /// @param attempt called before each trial with its number of objects.
-HapticResult most_objects(scenes::SpaceKind kind, const HapticSettings &settings,
+HapticResult most_objects(worlds::SpaceKind kind, const HapticSettings &settings,
                           const std::function<void(int)> &attempt = {});
 
 /// Whether the probe felt the same in all spaces, wherever two of them kept with the same number of objects.

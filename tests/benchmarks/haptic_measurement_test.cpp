@@ -8,15 +8,15 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using scenes::SpaceKind;
+using worlds::SpaceKind;
 
 TEST(HapticLoop, TheProbeFeelsTheSameInEverySpaceAndWhateverTheTickContains)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     for (const HapticTick tick : all_haptic_ticks)
     {
         std::vector<double> forces;
-        for (const SpaceKind kind : scenes::all_spaces())
+        for (const SpaceKind kind : worlds::all_spaces())
         {
             HapticLoop loop(kind, 300, 1, tick);
             for (int i = 0; i < 2000; ++i)
@@ -42,7 +42,7 @@ HapticSettings short_search()
 
 TEST(HapticMeasurement, WithoutADeadlineAllThatIsAllowedKeeps)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     HapticSettings settings = short_search();
     settings.deadline = 1e12;
     const HapticResult result = most_objects(SpaceKind::predictive, settings);
@@ -54,7 +54,7 @@ TEST(HapticMeasurement, WithoutADeadlineAllThatIsAllowedKeeps)
 
 TEST(HapticMeasurement, WhatNothingCanKeepIsTriedTwiceDownToOneObject)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     HapticSettings settings = short_search();
     settings.deadline = -1;
     std::vector<int> tried;
@@ -65,7 +65,7 @@ TEST(HapticMeasurement, WhatNothingCanKeepIsTriedTwiceDownToOneObject)
 
 TEST(HapticMeasurement, ATrialEndsWhenTooManyTicksWereLate)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     HapticSettings settings;
     settings.deadline = -1;
     settings.ticks = 1000;

@@ -1,6 +1,6 @@
 #include "tests/benchmarks/histogram.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,7 @@ void print(std::ostream &out, const Histogram &histogram)
     for (std::size_t i = 0; i < histogram.counts.size(); ++i)
     {
         const std::size_t count = histogram.counts[i];
-        out << std::setw(12) << scenes::fixed(histogram.edges[i], 1) << std::setw(11) << scenes::grouped(count) << "  "
+        out << std::setw(12) << worlds::fixed(histogram.edges[i], 1) << std::setw(11) << worlds::grouped(count) << "  "
             << bar(count) << '\n';
     }
 }

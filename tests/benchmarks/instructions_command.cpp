@@ -1,13 +1,13 @@
 // predictive_bench instructions: what a busy machine does not change.
 
+#include "demos/worlds/world.h"
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/comparison.h"
 #include "tests/benchmarks/contenders/contenders.h"
 #include "tests/benchmarks/instructions/counted_run.h"
 #include "tests/benchmarks/scene_choice.h"
-#include "tests/scenes/worlds/worlds.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 struct CountedCase
 {
@@ -278,7 +278,7 @@ private:
     void count_case(const CountedCase &one, const Options &options, std::vector<Count> &counts,
                     Findings &findings) const
     {
-        const SceneFactory factory = factory_of(run_of(one, "", options));
+        const WorldFactory factory = factory_of(run_of(one, "", options));
         std::string expected_hash;
         for (const std::string &space : spaces(one, options, findings))
         {

@@ -1,19 +1,20 @@
 // predictive_bench limits: what happens far outside of what programs usually have.
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/commands.h"
-#include "tests/benchmarks/limits/limit_costs.h"
+#include "tests/benchmarks/limit_costs.h"
 #include "tests/benchmarks/scene_choice.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
+#include <set>
 
 namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 const std::vector<Limit> &limits()
 {
@@ -84,7 +85,7 @@ std::string text_of(double number)
 void print(const Limit &limit, const std::vector<MeasuredSpace> &spaces)
 {
     std::cout << limit.scene << ", n = " << grouped(static_cast<std::uint64_t>(limit.objects)) << ": "
-              << describe_limit_scene(limit.scene) << "; milliseconds of the processor, and bytes per object\n\n";
+              << limit_world(limit.scene).text << "; milliseconds of the processor, and bytes per object\n\n";
     Table table({"space", "fill", "first collide", "motion", "collide", "empty", "bytes", "pairs", "sap / this: first",
                  "collide", "empty"});
     for (const MeasuredSpace &space : spaces)
@@ -142,9 +143,13 @@ public:
     void add_options(CLI::App &command) override
     {
         std::string text = "Times are of the processor, the spaces in turn. Scenes:\n";
-        for (const std::string &name : limit_scene_names())
+        std::set<std::string> told;
+        for (const Limit &limit : limits())
         {
-            text.append("  ").append(name).append(": ").append(describe_limit_scene(name)).append("\n");
+            if (told.insert(limit.scene).second)
+            {
+                text.append("  ").append(limit.scene).append(": ").append(limit_world(limit.scene).text).append("\n");
+            }
         }
         command.footer(text);
         command.add_option("--scenes", scenes_, "Scenes, or scenes and sizes, separated by commas: spot,many:1000")

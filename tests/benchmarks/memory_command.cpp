@@ -1,7 +1,7 @@
 // predictive_bench memory: bytes per geom, and whether they stay the same while geoms come and go.
 
-#include "demos/scenes/progress.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/progress.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/memory_measurement.h"
 
@@ -12,7 +12,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace ode_predictive_space::scenes;
+using namespace ode_predictive_space::worlds;
 
 constexpr int gas_objects = 100000;
 constexpr int gas_ticks = 200;
@@ -43,7 +43,7 @@ private:
     bool only_shapes_;
 };
 
-std::string per_geom(std::int64_t bytes, const SceneSpec &spec)
+std::string per_geom(std::int64_t bytes, const WorldSpec &spec)
 {
     return fixed(static_cast<double>(bytes) / spec.objects, 0);
 }
@@ -90,7 +90,7 @@ MemoryResult measure_churn(const Options &options)
 
 void print_gas(const std::vector<MemoryResult> &results)
 {
-    const SceneSpec &spec = results.front().spec;
+    const WorldSpec &spec = results.front().spec;
     std::cout << "memory: gas, n = " << grouped(static_cast<std::uint64_t>(spec.objects)) << ", after "
               << results.front().samples.back().tick << " ticks; bytes per geom\n\n";
     Table table({"space", "counted by itself", "allocated", "allocated at work"});
@@ -148,7 +148,7 @@ void require_flatness(const MemoryResult &result, Findings &findings)
 
 ShapeMemory measure_shapes(const std::string &scene, int objects, const Options &options)
 {
-    const SceneSpec spec{scene, objects, options.seed};
+    const WorldSpec spec{scene, objects, options.seed};
     const int ticks = options.quick ? quick_gas_ticks : gas_ticks;
     return {measure_memory(SpaceKind::predictive, spec, ticks, 1),
             measure_memory(SpaceKind::predictive_by_shapes, spec, ticks, 1)};

@@ -10,7 +10,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace ode_predictive_space::scenes;
+using namespace ode_predictive_space::worlds;
 
 /// Notes the heap at the first pair that is reported, and the pairs for a scene that needs them.
 struct AtWork
@@ -66,14 +66,14 @@ std::int64_t near_pairs(dSpaceID space)
 }
 
 /// The program's memory with a scene in a space, over what it was before. `collides` is false for the scene alone.
-std::vector<MemorySample> watch(OwnedSpace space, const SceneFactory &factory, int ticks, int samples, bool collides,
+std::vector<MemorySample> watch(OwnedSpace space, const WorldFactory &factory, int ticks, int samples, bool collides,
                                 const std::function<void(int)> &progress)
 {
     std::vector<MemorySample> result;
     result.reserve(static_cast<std::size_t>(samples));
     AtWork at_work;
     const std::int64_t before = heap_in_use();
-    const std::unique_ptr<Scene> scene = factory.make(space.get());
+    const std::unique_ptr<World> scene = factory.make(space.get());
     at_work.notes_pairs = collides && !scene->moves_by_itself();
     for (int tick = 1; tick <= ticks; ++tick)
     {
@@ -106,10 +106,10 @@ std::vector<MemorySample> watch(OwnedSpace space, const SceneFactory &factory, i
 }
 } // namespace
 
-MemoryResult measure_memory(SpaceKind kind, const SceneSpec &spec, int ticks, int samples,
+MemoryResult measure_memory(SpaceKind kind, const WorldSpec &spec, int ticks, int samples,
                             const std::function<void(int)> &progress)
 {
-    const SceneFactory factory(spec);
+    const WorldFactory factory(spec);
     // A space that was never collided keeps the geoms in ODE's list and nothing else.
     const std::vector<MemorySample> alone =
         watch(OwnedSpace(make_space(SpaceKind::simple, factory)), factory, ticks, samples, false, {});

@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_MEMORY_MEASUREMENT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_MEMORY_MEASUREMENT_H
 
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
 
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -29,15 +29,15 @@ struct MemorySample
 
 struct MemoryResult
 {
-    scenes::SpaceKind space{};
-    scenes::SceneSpec spec{};
+    worlds::SpaceKind space{};
+    worlds::WorldSpec spec{};
     std::vector<MemorySample> samples{}; ///< at equal distances, the last one at the end
 };
 
 /// Runs a scene and looks at the memory so many times.
 ///
 /// @param progress called now and then with the number of ticks done.
-MemoryResult measure_memory(scenes::SpaceKind kind, const scenes::SceneSpec &spec, int ticks, int samples,
+MemoryResult measure_memory(worlds::SpaceKind kind, const worlds::WorldSpec &spec, int ticks, int samples,
                             const std::function<void(int)> &progress = {});
 
 /// The largest sample of the second half over the largest of the first half without its first tenth, in which a space still

@@ -9,11 +9,11 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using scenes::SpaceKind;
+using worlds::SpaceKind;
 
 TEST(MemoryMeasurement, ThePredictiveSpaceCountsItsBytesAndChurnDoesNotAddToThem)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     const MemoryResult result = measure_memory(SpaceKind::predictive, {"churn", 200, 1}, 4000, 20);
     ASSERT_EQ(result.samples.size(), 20u);
     EXPECT_EQ(result.samples.front().tick, 200);
@@ -27,7 +27,7 @@ TEST(MemoryMeasurement, ThePredictiveSpaceCountsItsBytesAndChurnDoesNotAddToThem
 
 TEST(MemoryMeasurement, ASpaceThatDoesNotCountHasNoBytesPerGeom)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     const MemoryResult result = measure_memory(SpaceKind::simple, {"gas", 100, 1}, 10, 1);
     EXPECT_EQ(result.samples.back().counted, 0);
     EXPECT_TRUE(memory_record(result)["bytes_per_geom"].is_null());
@@ -35,8 +35,8 @@ TEST(MemoryMeasurement, ASpaceThatDoesNotCountHasNoBytesPerGeom)
 
 TEST(MemoryMeasurement, OfShapesIsOfTheSameScene)
 {
-    const scenes::OdeSession ode;
-    const scenes::SceneSpec spec{"pile", 60, 1};
+    const worlds::OdeSession ode;
+    const worlds::WorldSpec spec{"pile", 60, 1};
     const MemoryResult by_boxes = measure_memory(SpaceKind::predictive, spec, 60, 1);
     const MemoryResult by_shapes = measure_memory(SpaceKind::predictive_by_shapes, spec, 60, 1);
     EXPECT_EQ(by_boxes.samples.back().postponed, 0);

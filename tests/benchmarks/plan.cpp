@@ -2,7 +2,7 @@
 
 #include "tests/benchmarks/comparison.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/contenders/contenders.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 constexpr int quick_share = 5;
 constexpr double quick_seconds_each = 0.4;
@@ -33,7 +33,7 @@ int most_objects(const std::string &contender)
 }
 } // namespace
 
-Plan plan_for(const SceneSpec &spec, const std::vector<std::string> &contenders, int ticks, const Options &options)
+Plan plan_for(const WorldSpec &spec, const std::vector<std::string> &contenders, int ticks, const Options &options)
 {
     Plan plan;
     plan.spec = spec;
@@ -46,7 +46,7 @@ Plan plan_for(const SceneSpec &spec, const std::vector<std::string> &contenders,
     return plan;
 }
 
-std::vector<std::string> fast_enough(const std::vector<std::string> &contenders, const SceneSpec &spec,
+std::vector<std::string> fast_enough(const std::vector<std::string> &contenders, const WorldSpec &spec,
                                      Findings &findings)
 {
     std::vector<std::string> result;

@@ -1,10 +1,10 @@
 // Benchmarks of the predictive space beside ODE's own. Every claim is a ratio measured in one run, with the same motion.
 
-#include "demos/scenes/check_writable.h"
-#include "demos/scenes/command_line.h"
-#include "demos/scenes/narrow_output.h"
-#include "demos/scenes/result_records.h"
-#include "demos/scenes/spaces.h"
+#include "demos/runs/check_writable.h"
+#include "demos/runs/command_line.h"
+#include "demos/runs/narrow_output.h"
+#include "demos/runs/result_records.h"
+#include "demos/runs/spaces.h"
 #include "tests/benchmarks/command.h"
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/which_ode.h"
@@ -24,15 +24,15 @@ ExitStatus run(Command &command, const Options &options)
     {
         if (!options.json_file.empty())
         {
-            ode_predictive_space::scenes::check_writable(options.json_file);
+            ode_predictive_space::worlds::check_writable(options.json_file);
         }
-        const ode_predictive_space::scenes::OdeSession ode;
+        const ode_predictive_space::worlds::OdeSession ode;
         std::cout << which_ode() << "\n\n" << std::flush;
         command.measure(options, findings);
         findings.print(std::cout);
         if (!options.json_file.empty())
         {
-            ode_predictive_space::scenes::write_json(options.json_file, findings.records());
+            ode_predictive_space::worlds::write_json(options.json_file, findings.records());
         }
     }
     catch (const std::exception &failure)
@@ -64,7 +64,7 @@ int run_as_asked(int argc, char **argv)
     }
     catch (const CLI::ParseError &end)
     {
-        return ode_predictive_space::scenes::end_of_parsing(app, end);
+        return ode_predictive_space::worlds::end_of_parsing(app, end);
     }
     for (std::size_t i = 0; i < commands.size(); ++i)
     {
@@ -79,7 +79,7 @@ int run_as_asked(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    ode_predictive_space::scenes::NarrowOutput results;
+    ode_predictive_space::worlds::NarrowOutput results;
     const int status = run_as_asked(argc, argv);
     if (!results.finish())
     {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "demos/scenes/narrow_output.h"
+#include "demos/runs/narrow_output.h"
 #include "tests/support/program.h"
 
 namespace ode_predictive_space::benchmarks
@@ -327,7 +327,7 @@ TEST(PredictiveBench, PrintsWithinEightyColumns)
         for (std::string line; std::getline(lines, line);)
         {
             line.erase(0, line.rfind('\r') + 1);
-            EXPECT_LE(scenes::width(line), scenes::output_width) << arguments << ": " << line;
+            EXPECT_LE(worlds::width(line), worlds::output_width) << arguments << ": " << line;
         }
     }
 }

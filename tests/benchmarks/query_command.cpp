@@ -1,8 +1,8 @@
 // predictive_bench query: probes and rays against a space.
 
-#include "demos/scenes/progress.h"
-#include "demos/scenes/statistics.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/progress.h"
+#include "demos/runs/statistics.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/query_measurement.h"
 
@@ -14,7 +14,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace ode_predictive_space::scenes;
+using namespace ode_predictive_space::worlds;
 
 constexpr int quick_query_ticks = 200;
 

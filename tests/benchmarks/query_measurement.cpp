@@ -1,8 +1,8 @@
 #include "tests/benchmarks/query_measurement.h"
 
-#include "demos/scenes/query_scene.h"
-#include "demos/scenes/scene_run.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
+#include "demos/runs/world_run.h"
+#include "demos/worlds/world.h"
 
 #include <algorithm>
 #include <ode_predictive_space/predictive_space.h>
@@ -11,7 +11,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace ode_predictive_space::scenes;
+using namespace ode_predictive_space::worlds;
 
 constexpr int query_warm_up_ticks = 100;
 constexpr int ticks_per_turn = 100;
@@ -23,7 +23,7 @@ void answer_nothing(void *, dGeomID, dGeomID) {}
 class QueryRun
 {
 public:
-    QueryRun(SpaceKind kind, const SceneFactory &factory, const QuerySettings &settings)
+    QueryRun(SpaceKind kind, const WorldFactory &factory, const QuerySettings &settings)
         : contender_(make_contender(kind, factory)), scene_(factory.make(contender_->space())),
           collide_first_(settings.collide_first), checking_(settings.check && dSpaceIsPredictive(contender_->space())),
           clock_overhead_(clock_overhead())
@@ -39,8 +39,8 @@ public:
         {
             collide();
         }
-        ask(0, QueryScene::probes, result_.spheres, sphere_hash_);
-        ask(QueryScene::probes, scene_->queries().size(), result_.rays, ray_hash_);
+        ask(0, asking_spheres, result_.spheres, sphere_hash_);
+        ask(asking_spheres, scene_->queries().size(), result_.rays, ray_hash_);
         if (checking_ && dPredictiveSpaceValidate(contender_->space()) == 0)
         {
             result_.valid = false;
@@ -93,7 +93,7 @@ private:
     }
 
     std::unique_ptr<Contender> contender_; // before the scene, whose geoms are in its space
-    std::unique_ptr<Scene> scene_;
+    std::unique_ptr<World> scene_;
     bool collide_first_;
     bool checking_;
     double clock_overhead_;
@@ -141,7 +141,7 @@ nlohmann::json record_of(const QueryResult &result, const QuerySettings &setting
     const Statistics times = summarise(series.times);
     return {{"scene", "query"},
             {"what", what},
-            {"queries_per_tick", QueryScene::probes},
+            {"queries_per_tick", asking_spheres},
             {"collide_first", settings.collide_first},
             {"still", settings.still},
             {"n", settings.objects},
@@ -161,7 +161,7 @@ nlohmann::json record_of(const QueryResult &result, const QuerySettings &setting
 std::vector<QueryResult> measure_queries(const QuerySettings &settings, const std::function<void(int)> &progress)
 {
     constexpr double usual = -1, none = 0; // share of the objects that move
-    const SceneFactory factory({"query", settings.objects, settings.seed, settings.still ? none : usual});
+    const WorldFactory factory({"query", settings.objects, settings.seed, settings.still ? none : usual});
     QueryRuns runs;
     for (const SpaceKind kind : settings.spaces)
     {

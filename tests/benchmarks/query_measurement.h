@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_QUERY_MEASUREMENT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_QUERY_MEASUREMENT_H
 
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
 
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ struct QuerySettings
     int objects = 10000;
     int ticks = 1000; ///< to measure
     std::uint64_t seed = 1;
-    std::vector<scenes::SpaceKind> spaces;
+    std::vector<worlds::SpaceKind> spaces;
     /// Whether dSpaceCollide() is called in each tick before the queries, untimed, as most programs do. Without it, the first
     /// query of a tick also pays for the motion since the last one.
     bool collide_first = true;
@@ -33,7 +33,7 @@ struct QuerySeries
 
 struct QueryResult
 {
-    scenes::SpaceKind space{};
+    worlds::SpaceKind space{};
     bool exact = true; ///< whether it is to report the same pairs as the others
     bool valid = true; ///< passed its checks
     QuerySeries spheres{};
@@ -55,7 +55,7 @@ bool all_valid(const std::vector<QueryResult> &results);
 ///
 /// @param series &QueryResult::spheres or &QueryResult::rays
 /// @return 0 when predictive-box or all of these were not measured.
-double query_ratio(const std::vector<QueryResult> &results, const std::vector<scenes::SpaceKind> &others,
+double query_ratio(const std::vector<QueryResult> &results, const std::vector<worlds::SpaceKind> &others,
                    QuerySeries QueryResult::*series);
 
 /// Two records per space, with "what": "spheres" or "rays".

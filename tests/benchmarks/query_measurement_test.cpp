@@ -8,20 +8,20 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using scenes::SpaceKind;
+using worlds::SpaceKind;
 
 QuerySettings small_query()
 {
     QuerySettings settings;
     settings.objects = 300;
     settings.ticks = 50;
-    settings.spaces = scenes::all_spaces();
+    settings.spaces = worlds::all_spaces();
     return settings;
 }
 
 TEST(QueryMeasurement, AllSpacesFindTheSame)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     for (const auto &[collide_first, still] : {std::pair(true, false), std::pair(false, false), std::pair(false, true)})
     {
         QuerySettings settings = small_query();
@@ -69,7 +69,7 @@ TEST(QueryMeasurement, RatioIsThatToTheFastestOfTheOthers)
 
 TEST(QueryMeasurement, RecordsSayWhatWasAsked)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     QuerySettings settings = small_query();
     settings.spaces = {SpaceKind::predictive};
     const nlohmann::json records = query_records(measure_queries(settings), settings);

@@ -3,7 +3,7 @@
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/comparison.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/contenders/contenders.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 constexpr double most_seconds_per_ratio = 10;
 constexpr int short_warm_up = 30; ///< of scenes with contacts, whose slow contenders else would have no tick in common
@@ -131,7 +131,7 @@ void require(const RatioCase &one, const Comparison &comparison, Findings &findi
 
 void measure_case(const RatioCase &one, const Options &options, Findings &findings)
 {
-    const SceneSpec spec{one.scene, one.objects, options.seed, one.moving};
+    const WorldSpec spec{one.scene, one.objects, options.seed, one.moving};
     Plan plan = plan_for(spec, fast_enough(contenders(one), spec, findings), ticks_of(one), options);
     plan.seconds_each = std::min(std::max(plan.seconds_each, one.seconds_each), most_seconds_per_ratio);
     plan.warm_up_ticks = has_contacts(one) ? short_warm_up : plan.warm_up_ticks;

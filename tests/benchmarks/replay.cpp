@@ -52,7 +52,7 @@ bool differ(const Move &a, const Move &b)
 }
 } // namespace
 
-Recorder::Recorder(const scenes::SceneFactory &factory)
+Recorder::Recorder(const worlds::WorldFactory &factory)
     : contender_(make_plain_sweep()), scene_(factory.make(contender_->space())), start_(changes())
 {
     clean();
@@ -82,7 +82,7 @@ std::vector<Move> Recorder::changes()
 void Recorder::clean()
 {
     list_.clear();
-    scene_->collide(contender_->space(), list_);
+    scene_->collide(contender_->space(), &list_, worlds::PairList::near);
 }
 
 Motion Recorder::record(int ticks)
@@ -98,7 +98,7 @@ Motion Recorder::record(int ticks)
     return motion;
 }
 
-Replay::Replay(const scenes::SceneFactory &factory, dSpaceID space) : scene_(factory.make(space)) {}
+Replay::Replay(const worlds::WorldFactory &factory, dSpaceID space) : scene_(factory.make(space)) {}
 
 // What a step of the world does to a body and its geoms, but for the body's quaternion, which only the next step would read.
 // ODE has no function that sets position and rotation with a single notice.

@@ -3,8 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_REPLAY_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_REPLAY_H
 
-#include "demos/scenes/contender.h"
-#include "demos/scenes/scene.h"
+#include "demos/runs/contender.h"
+#include "demos/worlds/world.h"
 
 #include <array>
 #include <vector>
@@ -28,7 +28,7 @@ using Motion = std::vector<std::vector<Move>>;
 class Recorder
 {
 public:
-    explicit Recorder(const scenes::SceneFactory &factory);
+    explicit Recorder(const worlds::WorldFactory &factory);
 
     /// @throws std::logic_error for a scene that it is not for.
     Motion record(int ticks);
@@ -40,9 +40,9 @@ private:
     std::vector<Move> changes();
     void clean();
 
-    std::unique_ptr<scenes::Contender> contender_; // before the scene, whose geoms are in its space
-    std::unique_ptr<scenes::Scene> scene_;
-    scenes::PairList list_;
+    std::unique_ptr<worlds::Contender> contender_; // before the scene, whose geoms are in its space
+    std::unique_ptr<worlds::World> scene_;
+    worlds::PairList list_;
     std::vector<Move> last_seen_; // by number
     std::vector<Move> start_;
 };
@@ -53,14 +53,14 @@ class Replay
 {
 public:
     /// @param space gets the geoms and must outlive the replay; null: the geoms are in no space.
-    Replay(const scenes::SceneFactory &factory, dSpaceID space);
+    Replay(const worlds::WorldFactory &factory, dSpaceID space);
 
     void make(const std::vector<Move> &moves);
 
-    scenes::Scene &scene() { return *scene_; }
+    worlds::World &scene() { return *scene_; }
 
 private:
-    std::unique_ptr<scenes::Scene> scene_;
+    std::unique_ptr<worlds::World> scene_;
 };
 } // namespace ode_predictive_space::benchmarks
 

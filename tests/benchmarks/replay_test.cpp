@@ -1,7 +1,7 @@
 #include "tests/benchmarks/replay.h"
 
-#include "demos/scenes/scene_run.h"
-#include "tests/scenes/worlds/worlds.h"
+#include "demos/runs/world_run.h"
+#include "demos/worlds/world.h"
 
 #include <gtest/gtest.h>
 #include <stdexcept>
@@ -10,9 +10,9 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
-std::vector<std::vector<IndexPair>> pairs_of_replay(const SceneFactory &factory, dSpaceID space, const Motion &motion)
+std::vector<std::vector<IndexPair>> pairs_of_replay(const WorldFactory &factory, dSpaceID space, const Motion &motion)
 {
     Replay replay(factory, space);
     std::vector<std::vector<IndexPair>> pairs;
@@ -31,7 +31,7 @@ TEST(Replay, MovesAsTheSceneDid)
     const OdeSession ode;
     for (const char *name : {"gas", "mix", "pile", "teleport", "explosion"})
     {
-        const SceneFactory factory({name, 40, 2});
+        const WorldFactory factory({name, 40, 2});
         Recorder recorder(factory);
         Motion motion = recorder.record(150);
         const Motion rest = recorder.record(100);
@@ -39,7 +39,7 @@ TEST(Replay, MovesAsTheSceneDid)
         const OwnedSpace space(make_space(SpaceKind::quadtree, factory));
         const auto replayed = pairs_of_replay(factory, space.get(), motion);
 
-        SceneRun original(SpaceKind::simple, factory);
+        WorldRun original(SpaceKind::simple, factory);
         original.turn(250);
         for (std::size_t tick = 0; tick < replayed.size(); ++tick)
         {
@@ -51,12 +51,12 @@ TEST(Replay, MovesAsTheSceneDid)
 TEST(Replay, WhatRestsIsNotMoved)
 {
     const OdeSession ode;
-    Recorder recorder(SceneFactory({"gas", 40, 1}));
+    Recorder recorder(WorldFactory({"gas", 40, 1}));
     for (const std::vector<Move> &moves : recorder.record(5))
     {
         EXPECT_EQ(moves.size(), 20u);
     }
-    Recorder still(SceneFactory({"still", 40, 1}));
+    Recorder still(WorldFactory({"still", 40, 1}));
     EXPECT_TRUE(still.record(1).front().empty());
 }
 
@@ -65,17 +65,17 @@ TEST(Replay, BodiesOfSeveralGeomsAndSpacesInTheSpaceMoveAsTheyDid)
     const OdeSession ode;
     for (const char *name : {"nested", "ragdolls"})
     {
-        const SceneFactory factory = world_factory({name, 3, 2});
+        const WorldFactory factory({name, 3, 2});
         const Motion motion = Recorder(factory).record(100);
         const OwnedSpace space(make_space(SpaceKind::hash, factory));
         Replay replay(factory, space.get());
-        SceneRun original(SpaceKind::simple, factory);
+        WorldRun original(SpaceKind::simple, factory);
         original.turn(100);
         for (std::size_t tick = 0; tick < motion.size(); ++tick)
         {
             replay.make(motion[tick]);
             PairList list;
-            replay.scene().collide(space.get(), list);
+            replay.scene().collide(space.get(), &list, PairList::near);
             ASSERT_EQ(hash_pairs(list.sorted()), original.tick_hashes()[tick]) << name << ", tick " << tick;
         }
     }
@@ -84,13 +84,13 @@ TEST(Replay, BodiesOfSeveralGeomsAndSpacesInTheSpaceMoveAsTheyDid)
 TEST(Replay, ScenesWhoseGeomsComeAndGoAreRefused)
 {
     const OdeSession ode;
-    EXPECT_THROW(Recorder(SceneFactory({"churn", 200, 1})).record(20), std::logic_error);
+    EXPECT_THROW(Recorder(WorldFactory({"churn", 200, 1})).record(20), std::logic_error);
 }
 
 TEST(Replay, AChangeOfVelocityIsPassedOn)
 {
     const OdeSession ode;
-    const SceneFactory factory({"explosion", 5, 1});
+    const WorldFactory factory({"explosion", 5, 1});
     const Motion motion = Recorder(factory).record(200);
     const OwnedSpace space(dSimpleSpaceCreate(nullptr));
     Replay replay(factory, space.get());

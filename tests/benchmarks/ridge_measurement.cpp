@@ -1,6 +1,6 @@
 #include "tests/benchmarks/ridge_measurement.h"
 
-#include "demos/scenes/contender.h"
+#include "demos/runs/contender.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/ridges.h"
 #include "tests/haptics/scripted_device.h"
@@ -89,7 +89,7 @@ void compare(const std::vector<Sample> &samples, const haptics::RidgeShape &ridg
 RidgeResult run_ridges(const RidgeSettings &settings)
 {
     const haptics::RidgeShape ridges;
-    const scenes::OwnedSpace space(dPredictiveSpaceCreate(nullptr));
+    const worlds::OwnedSpace space(dPredictiveSpaceCreate(nullptr));
     const haptics::OdeMesh mesh(haptics::ridge_mesh(ridges, settings.cells, settings.cells));
     mesh.add_to(space.get());
     haptics::ScriptedDevice device(Circle(settings, ridges.cell));

@@ -2,7 +2,7 @@
 
 #include "tests/benchmarks/ridge_measurement.h"
 
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace
 {
 TEST(RidgeMeasurement, TheForceIsRightBetweenStepsOnMeshesOfAnySize)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     for (const int cells : {22, 224})
     {
         haptics::SimulatedClock clock;

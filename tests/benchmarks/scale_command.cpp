@@ -3,7 +3,7 @@
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/comparison.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/contenders/contenders.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 constexpr double seconds_per_scale = 5;
 constexpr double quick_seconds_per_scale = 0.3;
@@ -70,7 +70,7 @@ std::vector<std::string> scale_contenders()
 
 Measured measure_step(const Step &step, const Options &options, Findings &findings)
 {
-    const SceneSpec spec{step.scene, step.objects, options.seed, step.moving};
+    const WorldSpec spec{step.scene, step.objects, options.seed, step.moving};
     Plan plan = plan_for(spec, fast_enough(scale_contenders(), spec, findings), step.ticks, options);
     plan.seconds_each = options.quick ? quick_seconds_per_scale : seconds_per_scale;
     return {step, compare_once(plan, findings)};

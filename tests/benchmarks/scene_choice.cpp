@@ -10,6 +10,18 @@ namespace
 constexpr int largest_scene = 1000000;
 } // namespace
 
+const worlds::WorldEntry &stepped_world(const std::string &scene)
+{
+    for (const worlds::WorldEntry &world : worlds::all_worlds())
+    {
+        if (world.name == scene + "_stepped")
+        {
+            return world;
+        }
+    }
+    return worlds::world_named(scene);
+}
+
 SceneChoice parse_scene_choice(const std::string &text)
 {
     const std::size_t colon = text.find(':');

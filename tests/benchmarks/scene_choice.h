@@ -3,12 +3,19 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_SCENE_CHOICE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_SCENE_CHOICE_H
 
+#include "demos/worlds/world.h"
+
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace ode_predictive_space::benchmarks
 {
+/// The world in which a scene is moved by steps and contacts: gas_stepped for gas, pile for pile.
+///
+/// @throws std::invalid_argument for a name that no world has.
+const worlds::WorldEntry &stepped_world(const std::string &scene);
+
 /// "gas" chooses a scene in all the sizes that the command has for it, "gas:1000" in this one.
 struct SceneChoice
 {

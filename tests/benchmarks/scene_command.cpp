@@ -10,7 +10,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 class SceneCommand : public Command
 {
@@ -20,7 +20,9 @@ public:
 
     void add_options(CLI::App &command) override
     {
-        command.add_option("name", spec_.name, describe_all())->required()->check(CLI::IsMember(scene_names()));
+        command.add_option("name", spec_.name, describe_all())
+            ->required()
+            ->check(CLI::IsMember(world_names(Group::scene)));
         command.add_option("--moving", spec_.moving, "Share of the objects that move, in gas and churn (default 0.5)")
             ->check(CLI::Range(0.0, 1.0));
     }
@@ -40,14 +42,14 @@ private:
     static std::string describe_all()
     {
         std::string text = "One of:";
-        for (const std::string &name : scene_names())
+        for (const std::string &name : world_names(Group::scene))
         {
-            text += "\n  " + name + ": " + describe_scene(name);
+            text += "\n  " + name + ": " + world_named(name).text;
         }
         return text;
     }
 
-    SceneSpec spec_;
+    WorldSpec spec_;
 };
 } // namespace
 

@@ -1,8 +1,8 @@
 // predictive_bench servo: haptic loops at their rate, by the wall clock.
 
-#include "demos/scenes/contender.h"
-#include "demos/scenes/statistics.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/contender.h"
+#include "demos/runs/statistics.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/ridge_measurement.h"
 #include "tests/benchmarks/servo_measurement.h"
@@ -16,7 +16,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace ode_predictive_space::scenes;
+using namespace ode_predictive_space::worlds;
 
 constexpr double fast_rate = 4000;      // Hz; of a decoupled servo
 constexpr double most_part_of_tick = 5; // %
@@ -188,7 +188,7 @@ void measure_scrubbing(double seconds, Findings &findings)
     Table table({"triangles", "probe's radius", "median", "p99", "max", "triangles visited at most"});
     for (const int rings : scanned_rings)
     {
-        const scenes::OwnedSpace space(dPredictiveSpaceCreate(nullptr));
+        const worlds::OwnedSpace space(dPredictiveSpaceCreate(nullptr));
         const haptics::OdeMesh mesh(haptics::scanned_ball(rings));
         const int triangles = dGeomTriMeshGetTriangleCount(mesh.add_to(space.get()));
         for (const double radius : {0.001, 0.003, 0.01})

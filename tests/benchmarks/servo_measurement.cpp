@@ -1,6 +1,6 @@
 #include "tests/benchmarks/servo_measurement.h"
 
-#include "demos/scenes/kinematic_scenes.h"
+#include "demos/worlds/world.h"
 #include "ode_predictive_space/haptics/hand_path.h"
 #include "ode_predictive_space/haptics/loop/time_histogram.h"
 
@@ -8,7 +8,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 constexpr double servo_probe_radius = 0.2; // metres
 constexpr double half_of_workspace = 1;    // in the scene, metres
@@ -26,8 +26,8 @@ class ServoScene
 {
 public:
     ServoScene(SpaceKind kind, const ServoSettings &settings)
-        : spec_{"gas", settings.objects, settings.seed, settings.moving}, space_(make_space(kind, SceneFactory(spec_))),
-          objects_(make_kinematic_scene(spec_, space_.get())), device_({}, settings.seed),
+        : spec_{"gas", settings.objects, settings.seed, settings.moving}, space_(make_space(kind, WorldFactory(spec_))),
+          objects_(WorldFactory(spec_).make(space_.get())), device_({}, settings.seed),
           probe_(device_, space_.get(), servo_probe_radius, render_settings())
     {}
 
@@ -48,9 +48,9 @@ private:
     }
     void collide() { dSpaceCollide(space_.get(), this, &near); }
 
-    SceneSpec spec_;
+    WorldSpec spec_;
     OwnedSpace space_; // before what is in it
-    std::unique_ptr<Scene> objects_;
+    std::unique_ptr<World> objects_;
     haptics::HandPathDevice device_;
     haptics::HapticProbe probe_;
     double started_ = 0; // s; when the present step began to collide

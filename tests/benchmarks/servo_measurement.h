@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_SERVO_MEASUREMENT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_SERVO_MEASUREMENT_H
 
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
 #include "ode_predictive_space/haptics/loop.h"
 
 #include <nlohmann/json.hpp>
@@ -26,7 +26,7 @@ struct ServoSettings
 
 struct ServoResult
 {
-    scenes::SpaceKind space{};
+    worlds::SpaceKind space{};
     haptics::LoopReport report;
     haptics::TimeSummary
         collide_and_force; ///< s; of the scene's steps: dSpaceCollide() with the probe's contacts, and, unless
@@ -39,7 +39,7 @@ struct ServoResult
 };
 
 /// Runs the loop once.
-ServoResult run_servo(scenes::SpaceKind kind, const ServoSettings &settings);
+ServoResult run_servo(worlds::SpaceKind kind, const ServoSettings &settings);
 
 nlohmann::json servo_record(const ServoResult &result, const ServoSettings &settings);
 } // namespace ode_predictive_space::benchmarks

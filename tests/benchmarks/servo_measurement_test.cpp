@@ -8,7 +8,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using scenes::SpaceKind;
+using worlds::SpaceKind;
 
 ServoResult run_simulated(SpaceKind kind, bool decoupled)
 {
@@ -24,7 +24,7 @@ ServoResult run_simulated(SpaceKind kind, bool decoupled)
 
 TEST(ServoMeasurement, MakesItsTicksAndTouchesSomething)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     const ServoResult result = run_simulated(SpaceKind::predictive, false);
     EXPECT_EQ(result.report.ticks, 2000u);
     EXPECT_EQ(result.report.steps, 2000u);
@@ -36,7 +36,7 @@ TEST(ServoMeasurement, MakesItsTicksAndTouchesSomething)
 
 TEST(ServoMeasurement, IsTheSameInEverySpace)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     const ServoResult ours = run_simulated(SpaceKind::predictive, false);
     for (const SpaceKind kind : {SpaceKind::simple, SpaceKind::hash, SpaceKind::quadtree})
     {
@@ -48,7 +48,7 @@ TEST(ServoMeasurement, IsTheSameInEverySpace)
 
 TEST(ServoMeasurement, RunsDecoupled)
 {
-    const scenes::OdeSession ode;
+    const worlds::OdeSession ode;
     const ServoResult result = run_simulated(SpaceKind::predictive, true);
     EXPECT_NEAR(static_cast<double>(result.report.ticks), 8000, 20);
     EXPECT_EQ(result.report.steps, 500u);

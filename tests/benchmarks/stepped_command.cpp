@@ -3,21 +3,19 @@
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/comparison.h"
 #include "tests/benchmarks/scene_choice.h"
-#include "tests/benchmarks/stepped/span_table.h"
-#include "tests/benchmarks/stepped/stepped_scenes.h"
-#include "tests/benchmarks/stepped/windows.h"
-
-#include "demos/scenes/pile_scene.h"
+#include "tests/benchmarks/span_table.h"
+#include "tests/benchmarks/windows.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
+#include <set>
 
 namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 struct SteppedCase
 {
@@ -48,9 +46,13 @@ std::string describe_stepped()
         "Mean, median and percentiles are of dSpaceCollide() alone, whose callback only notes the pair. Between two\n"
         "calls there are the narrow phase, contact joints, dWorldQuickStep() and the notices of what moved; the\n"
         "whole tick is all of it. In microseconds. Scenes:\n";
-    for (const std::string &name : stepped_scene_names())
+    std::set<std::string> told;
+    for (const SteppedCase &one : stepped_cases())
     {
-        text.append("  ").append(name).append(": ").append(describe_stepped_scene(name)).append("\n");
+        if (told.insert(one.scene).second)
+        {
+            text.append("  ").append(one.scene).append(": ").append(stepped_world(one.scene).text).append("\n");
+        }
     }
     return text;
 }
@@ -64,15 +66,13 @@ std::vector<std::string> stepped_contenders()
 
 Plan plan_of(const SteppedCase &one, const Options &options, Findings &findings)
 {
-    const SceneSpec spec = spec_of_stepped_scene(one.scene, one.objects, options.seed);
+    const WorldSpec spec{one.scene, one.objects, options.seed};
     Plan plan = plan_for(spec, fast_enough(stepped_contenders(), spec, findings), one.ticks, options);
     plan.warm_up_ticks = one.warm_up_ticks;
     plan.seconds_each = unlimited;
     plan.weigh = false;
-    plan.queries = queries_of_stepped_scene(one.scene);
-    plan.make_scene = [name = one.scene](const SceneFactory &factory, dSpaceID space) {
-        return make_stepped_scene(name, factory, space);
-    };
+    plan.queries = one.scene == "ask" ? asking_spheres : 0;
+    plan.world = stepped_world(one.scene).name;
     return plan;
 }
 
@@ -86,7 +86,7 @@ void measure_case(const SteppedCase &one, const Options &options, Findings &find
         show(span, comparison, findings);
         return;
     }
-    const auto per_window = static_cast<std::size_t>(std::lround(seconds_of_settling / PileScene::step_seconds));
+    const auto per_window = static_cast<std::size_t>(std::lround(seconds_of_settling / stepped_world(one.scene).step));
     double begin = 0;
     for (const Comparison &window : windows_of(comparison, per_window))
     {

@@ -4,8 +4,8 @@
 #include "tests/benchmarks/comparison.h"
 #include "tests/benchmarks/first_tick.h"
 
-#include "demos/scenes/kinematic_scenes.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
+#include "demos/worlds/world.h"
 
 #include <algorithm>
 #include <iostream>
@@ -14,7 +14,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 /// What is measured with so many objects, and how many times as fast as the best of ODE's spaces it is to be.
 struct Size

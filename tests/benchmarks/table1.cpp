@@ -3,7 +3,7 @@
 #include "tests/benchmarks/batches.h"
 #include "tests/benchmarks/comparison.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <iostream>
 
@@ -11,7 +11,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 constexpr int table1_ticks = 16000;
 
@@ -40,7 +40,7 @@ Means means_of(const Comparison &comparison, std::vector<double> Result::*times)
 Means means_with_narrow_phase(const Plan &plan)
 {
     const auto times =
-        measure_batches(SceneFactory(plan.spec), plan.contenders, plan.ticks, NearCallback::find_contacts);
+        measure_batches(WorldFactory(plan.spec), plan.contenders, plan.ticks, NearCallback::find_contacts);
     Means means{};
     for (std::size_t i = 0; i < means.size(); ++i)
     {

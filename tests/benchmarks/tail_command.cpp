@@ -4,7 +4,7 @@
 #include "tests/benchmarks/comparison.h"
 #include "tests/benchmarks/histogram.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <algorithm>
 #include <iostream>
@@ -13,7 +13,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 constexpr int tail_objects = 10000;
 constexpr int tail_ticks = 5000;
@@ -41,7 +41,7 @@ std::vector<double> shortest_times(const Result &first, Plan plan, Findings &fin
     return shortest;
 }
 
-void show(const Result &result, const SceneSpec &spec, Findings &findings)
+void show(const Result &result, const WorldSpec &spec, Findings &findings)
 {
     const Histogram histogram = histogram_of(result.times);
     std::cout << result.name << '\n';
@@ -68,7 +68,7 @@ Comparison compare_and_show(const Plan &plan, Findings &findings)
     return comparison;
 }
 
-void require(const std::vector<double> &ticks, const SceneSpec &spec, const std::string &which, Findings &findings)
+void require(const std::vector<double> &ticks, const WorldSpec &spec, const std::string &which, Findings &findings)
 {
     const Statistics times = summarise(ticks);
     const std::string where = spec.name + " " + grouped(static_cast<std::uint64_t>(spec.objects)) + ", ";
@@ -86,7 +86,7 @@ public:
 
     void measure(const Options &options, Findings &findings) override
     {
-        const SceneSpec spec{"gas", options.objects.value_or(tail_objects), options.seed};
+        const WorldSpec spec{"gas", options.objects.value_or(tail_objects), options.seed};
         Plan plan = plan_for(spec, {"predictive-box"}, tail_ticks, options);
         plan.ticks = options.ticks.value_or(tail_ticks); // also when quick: rare ticks need many
         plan.warm_up_ticks = tail_warm_up;

@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_WEIGHT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_WEIGHT_H
 
-#include "demos/scenes/scene.h"
+#include "demos/worlds/world.h"
 
 #include <cstddef>
 #include <optional>
@@ -22,7 +22,7 @@ std::optional<std::size_t> told_bytes(dSpaceID space);
 ///
 /// @return not a number for those that hold nothing between ticks but need memory in between (hash), or are no way to find
 ///         pairs (brute, floor).
-double bytes_per_geom(const std::string &contender, const scenes::SceneFactory &factory);
+double bytes_per_geom(const std::string &contender, const worlds::WorldFactory &factory);
 } // namespace ode_predictive_space::benchmarks
 
 #endif

@@ -4,7 +4,7 @@
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/comparison.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <algorithm>
 #include <iostream>
@@ -15,7 +15,7 @@ namespace
 {
 constexpr int whole_ticks = 1000;
 
-std::vector<scenes::SceneSpec> usual_scenes()
+std::vector<worlds::WorldSpec> usual_scenes()
 {
     return {{"gas", 1000}, {"gas", 10000}, {"game", 1000}, {"game", 10000}, {"pile", 500}, {"stack", 1000}};
 }
@@ -24,18 +24,18 @@ std::vector<scenes::SceneSpec> usual_scenes()
 void report(const Comparison &comparison, const std::vector<std::string> &contenders, Findings &findings)
 {
     std::cout << comparison.spec.name
-              << ", n = " << scenes::grouped(static_cast<std::uint64_t>(comparison.spec.objects))
+              << ", n = " << worlds::grouped(static_cast<std::uint64_t>(comparison.spec.objects))
               << ": microseconds per tick, in dSpaceCollide() and outside of it\n\n";
     const Result *best = comparison.best_of_ode_by_ticks();
-    scenes::Table table({"space", "collide", "the rest", "whole tick", "best ODE / this"});
+    worlds::Table table({"space", "collide", "the rest", "whole tick", "best ODE / this"});
     for (const Result &result : comparison.results)
     {
         if (std::find(contenders.begin(), contenders.end(), result.name) == contenders.end())
             continue;
-        const double whole = result.mean_tick(), collide = scenes::summarise(result.clock_times).mean;
+        const double whole = result.mean_tick(), collide = worlds::summarise(result.clock_times).mean;
         const double ratio = best != nullptr ? best->mean_tick() / whole : 0;
-        table.add({result.name, scenes::fixed(collide, 2), scenes::fixed(whole - collide, 2), scenes::fixed(whole, 2),
-                   scenes::fixed(ratio, 2)});
+        table.add({result.name, worlds::fixed(collide, 2), worlds::fixed(whole - collide, 2), worlds::fixed(whole, 2),
+                   worlds::fixed(ratio, 2)});
         findings.record({{"table", "whole"},
                          {"scene", comparison.spec.name},
                          {"n", comparison.spec.objects},
@@ -60,7 +60,7 @@ public:
 
     void measure(const Options &options, Findings &findings) override
     {
-        for (const scenes::SceneSpec &spec : usual_scenes())
+        for (const worlds::WorldSpec &spec : usual_scenes())
         {
             if (options.objects && spec.objects != *options.objects)
                 continue;

@@ -1,13 +1,13 @@
 // predictive_bench worlds: worlds as programs have them, whole ticks.
 
+#include "demos/worlds/world.h"
 #include "tests/benchmarks/commands.h"
 #include "tests/benchmarks/comparison.h"
 #include "tests/benchmarks/scene_choice.h"
-#include "tests/benchmarks/stepped/span_table.h"
-#include "tests/benchmarks/stepped/windows.h"
-#include "tests/scenes/worlds/worlds.h"
+#include "tests/benchmarks/span_table.h"
+#include "tests/benchmarks/windows.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 struct WorldCase
 {
@@ -76,9 +76,9 @@ std::string describe_worlds()
         "Mean, median and percentiles are of what a program calls for its pairs; the whole tick is that, the\n"
         "narrow phase, contact joints and the step of the world. In microseconds. A heap is reported by half\n"
         "seconds from its drop on. Worlds of n objects:\n";
-    for (const std::string &name : world_names())
+    for (const std::string &name : world_names(Group::program))
     {
-        text.append("  ").append(name).append(": ").append(describe_world(name)).append("\n");
+        text.append("  ").append(name).append(": ").append(world_named(name).text).append("\n");
     }
     return text;
 }
@@ -153,17 +153,16 @@ public:
 private:
     static Comparison measure_case(const WorldCase &one, const Options &options, Findings &findings)
     {
-        const SceneSpec spec{one.scene, one.objects, options.seed};
-        const SceneFactory factory = world_factory(spec);
+        const WorldSpec spec{one.scene, one.objects, options.seed};
         Plan plan = plan_for(spec, fast_enough(world_contenders(), spec, findings), one.ticks, options);
         plan.warm_up_ticks = one.warm_up_ticks;
         plan.seconds_each = unlimited;
         plan.weigh = false;
-        Comparison comparison = compare_single_ticks(plan, factory, findings);
+        Comparison comparison = compare_single_ticks(plan, findings);
         show({"worlds", one.scene}, comparison, findings);
         if (one.scene == "heap")
         {
-            show_windows(comparison, factory.tick_seconds(), findings);
+            show_windows(comparison, world_named(one.scene).step, findings);
         }
         return comparison;
     }

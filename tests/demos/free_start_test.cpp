@@ -11,16 +11,16 @@ namespace ode_predictive_space::demo
 namespace
 {
 /// The deepest contact of a sphere with a geom of a scene, by ODE alone; m.
-double deepest_contact(const scenes::Scene &scene, const Vector3 &place, double radius)
+double deepest_contact(const worlds::World &scene, const Vector3 &place, double radius)
 {
     const dGeomID sphere = dCreateSphere(nullptr, radius);
     dGeomSetPosition(sphere, place.x(), place.y(), place.z());
     double deepest = 0;
     for (const dGeomID geom : scene.geoms())
     {
-        dContactGeom contacts[scenes::max_contacts];
+        dContactGeom contacts[worlds::max_contacts];
         const int count =
-            geom == nullptr ? 0 : dCollide(sphere, geom, scenes::max_contacts, contacts, sizeof(dContactGeom));
+            geom == nullptr ? 0 : dCollide(sphere, geom, worlds::max_contacts, contacts, sizeof(dContactGeom));
         for (int i = 0; i < count; ++i)
         {
             deepest = std::max(deepest, static_cast<double>(contacts[i].depth));
@@ -39,11 +39,11 @@ struct Start
 /// Makes the run, and does not run it.
 Start start_of(const std::string &scene, int objects, std::uint64_t seed, const std::string &device_name)
 {
-    scenes::SceneSpec spec;
+    worlds::WorldSpec spec;
     spec.name = scene;
     spec.objects = objects;
     spec.seed = seed;
-    const scenes::SceneFactory factory = factory_for_probe(spec);
+    const worlds::WorldFactory factory = factory_for_probe(spec);
     Options options;
     options.spaces = {"predictive"};
     DemoDevice device(haptics::make_device(device_name, seed));
@@ -56,7 +56,7 @@ Start start_of(const std::string &scene, int objects, std::uint64_t seed, const 
 class FreeStart : public testing::Test
 {
 protected:
-    const scenes::OdeSession ode_;
+    const worlds::OdeSession ode_;
 };
 
 // Before, the mouse began in an object with 30 of 100 seeds and 300 objects, the default one among them.

@@ -9,7 +9,7 @@
 #include "demos/haptic/options.h"
 #include "demos/haptic/probe_scenes.h"
 #include "demos/haptic/run_summary.h"
-#include "demos/scenes/narrow_output.h"
+#include "demos/runs/narrow_output.h"
 #include "tests/support/program.h"
 
 namespace ode_predictive_space::demo
@@ -102,7 +102,7 @@ TEST_F(ProbeRun, PrintsWithinEightyColumnsAndNothingEmpty)
         for (std::string line; std::getline(lines, line);)
         {
             line.erase(0, line.rfind('\r') + 1);
-            EXPECT_LE(scenes::width(line), scenes::output_width) << line;
+            EXPECT_LE(worlds::width(line), worlds::output_width) << line;
             EXPECT_FALSE(contains(line, "Of 0 ") || contains(line, "touched 0") || contains(line, "in 0.00 %")) << line;
         }
     }

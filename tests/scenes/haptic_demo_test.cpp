@@ -11,7 +11,7 @@
 
 #include "tests/support/program.h"
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 namespace
 {
@@ -159,4 +159,4 @@ TEST(BesideOde, ComparesMediansWithinEightyColumns)
         EXPECT_LE(line.size(), 80u) << line;
 }
 } // namespace
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::worlds

@@ -3,13 +3,13 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SCENES_MOTION_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SCENES_MOTION_H
 
-#include "demos/scenes/scene.h"
-#include "demos/scenes/scene_run.h"
+#include "demos/runs/world_run.h"
+#include "demos/worlds/world.h"
 
 #include <algorithm>
 #include <map>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 /// Whether a geom is somewhere: a plane is not.
 inline bool has_place(dGeomID geom)
@@ -21,7 +21,7 @@ inline bool has_place(dGeomID geom)
 class Motion
 {
 public:
-    explicit Motion(const SceneSpec &spec) : scene_(SceneFactory(spec).make(space_.get())) {}
+    explicit Motion(const WorldSpec &spec) : scene_(WorldFactory(spec).make(space_.get())) {}
 
     void advance()
     {
@@ -78,15 +78,15 @@ public:
     const std::map<std::uint32_t, Vector3> &before() const { return before_; }
     const std::map<std::uint32_t, Vector3> &after() const { return after_; }
     dSpaceID space() const { return space_.get(); }
-    const Scene &scene() const { return *scene_; }
+    const World &scene() const { return *scene_; }
 
 private:
     OdeSession ode_;
     OwnedSpace space_{dSimpleSpaceCreate(nullptr)};
-    std::unique_ptr<Scene> scene_;
+    std::unique_ptr<World> scene_;
     std::map<std::uint32_t, Vector3> before_;
     std::map<std::uint32_t, Vector3> after_;
 };
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::worlds
 
 #endif

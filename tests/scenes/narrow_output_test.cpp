@@ -1,9 +1,9 @@
-#include "demos/scenes/narrow_output.h"
+#include "demos/runs/narrow_output.h"
 
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 namespace
 {
@@ -76,4 +76,4 @@ TEST(NarrowOutput, TellsWhetherAllIsWritten)
     }
 }
 } // namespace
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::worlds

@@ -1,9 +1,9 @@
-#include "demos/scenes/pair_list.h"
-#include "demos/scenes/spaces.h"
+#include "demos/runs/pair_hash.h"
+#include "demos/runs/spaces.h"
 
 #include <gtest/gtest.h>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 namespace
 {
@@ -83,4 +83,4 @@ TEST_F(PairListTest, DropsWhatTheSweepAndPruneSpaceRoundsTogether)
     EXPECT_EQ(list_.sorted(), (std::vector<IndexPair>{{0, 2}}));
 }
 } // namespace
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::worlds

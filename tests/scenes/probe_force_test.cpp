@@ -1,10 +1,10 @@
-#include "demos/scenes/probe_force.h"
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
+#include "demos/worlds/probe_force.h"
 
 #include <array>
 #include <gtest/gtest.h>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 namespace
 {
@@ -28,7 +28,7 @@ protected:
     OdeSession ode_;
     dWorldID world_ = dWorldCreate();
     dBodyID body_ = dBodyCreate(world_);
-    ProbeForce force_{{500, 7.9}};
+    ProbeForce force_;
 };
 
 TEST_F(ProbeForceTest, IsStiffnessTimesDepthAlongTheNormal)
@@ -97,4 +97,4 @@ TEST_F(ProbeForceTest, WhatHasNoBodyIsFeltButNotPushed)
     EXPECT_EQ(from_ode(dBodyGetForce(body_)), Vector3::Zero());
 }
 } // namespace
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::worlds

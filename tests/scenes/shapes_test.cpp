@@ -1,11 +1,11 @@
-#include "demos/scenes/scene.h"
-#include "demos/scenes/shapes.h"
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
+#include "demos/worlds/objects.h"
+#include "demos/worlds/world.h"
 #include "ode_predictive_space/haptics/device/random.h"
 
 #include <gtest/gtest.h>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 namespace
 {
@@ -14,6 +14,11 @@ constexpr Shape all_shapes[] = {Shape::sphere, Shape::box, Shape::capsule, Shape
 class ShapesTest : public testing::Test
 {
 protected:
+    ShapesTest()
+    {
+        ball_.add_ball(object_radius);
+        ball_.build(true);
+    }
     ~ShapesTest() override { dSpaceDestroy(space_); }
 
     int contacts_of(dGeomID first, dGeomID second)
@@ -31,16 +36,14 @@ protected:
 
     OdeSession ode_;
     dSpaceID space_ = dSimpleSpaceCreate(nullptr);
-    BallMesh mesh_{object_radius};
-    Octahedron octahedron_{object_radius};
-    ShapeData data_{&mesh_, &octahedron_};
+    TriangleMesh ball_;
 };
 
 TEST_F(ShapesTest, FitTheirBoundingSphere)
 {
     for (const Shape shape : all_shapes)
     {
-        const dGeomID geom = make_shape(space_, shape, object_radius, data_);
+        const dGeomID geom = make_shape(space_, shape, &ball_);
         dReal box[6];
         dGeomGetAABB(geom, box);
         double longest = 0;
@@ -56,12 +59,12 @@ TEST_F(ShapesTest, FitTheirBoundingSphere)
 
 TEST_F(ShapesTest, CornersOfTheBoxLieOnItsBoundingSphere)
 {
-    EXPECT_NEAR(std::sqrt(3.0) * half_side_of_box(object_radius), object_radius, 1e-12);
+    EXPECT_NEAR(std::sqrt(3.0) * half_side_of_box(), object_radius, 1e-12);
 }
 
 TEST_F(ShapesTest, MeshIsClosedAndFacesOutwards)
 {
-    const dGeomID mesh = make_shape(space_, Shape::mesh, object_radius, data_);
+    const dGeomID mesh = make_shape(space_, Shape::mesh, &ball_);
     EXPECT_EQ(dGeomTriMeshGetTriangleCount(mesh), 80);
     // Every ray from outside to the centre meets it once, at a face that looks at the ray's beginning.
     haptics::Random random(1);
@@ -79,7 +82,7 @@ TEST_F(ShapesTest, MeshIsClosedAndFacesOutwards)
 
 TEST_F(ShapesTest, OctahedronIsTouchedAtEachOfItsFaces)
 {
-    const dGeomID octahedron = make_shape(space_, Shape::convex, object_radius, data_);
+    const dGeomID octahedron = make_shape(space_, Shape::convex, &ball_);
     const double ball_radius = 0.01;
     const dGeomID ball = dCreateSphere(space_, ball_radius);
     haptics::Random random(1);
@@ -104,8 +107,8 @@ TEST_F(ShapesTest, TouchOneAnother)
     {
         for (const Shape other : all_shapes)
         {
-            const dGeomID first = make_shape(space_, one, object_radius, data_);
-            const dGeomID second = make_shape(space_, other, object_radius, data_);
+            const dGeomID first = make_shape(space_, one, &ball_);
+            const dGeomID second = make_shape(space_, other, &ball_);
             // Not deep: a mesh is hollow, and what lies inside it touches nothing.
             dGeomSetPosition(second, half_width(first) + half_width(second) - 0.01, 0.001, 0.002);
             EXPECT_GT(contacts_of(first, second), 0)
@@ -118,12 +121,12 @@ TEST_F(ShapesTest, TouchOneAnother)
 
 TEST_F(ShapesTest, HaveTheMassOfTheirVolume)
 {
-    const dMass box = mass_of_shape(Shape::box, object_radius, 1000);
-    EXPECT_NEAR(box.mass, 1000 * std::pow(2 * half_side_of_box(object_radius), 3), 1e-9);
-    const dMass ball = mass_of_shape(Shape::sphere, object_radius, 1000);
+    const dMass box = mass_of_shape(Shape::box, 1000);
+    EXPECT_NEAR(box.mass, 1000 * std::pow(2 * half_side_of_box(), 3), 1e-9);
+    const dMass ball = mass_of_shape(Shape::sphere, 1000);
     EXPECT_NEAR(ball.mass, 1000 * 4.0 / 3.0 * pi * std::pow(object_radius, 3), 1e-9);
-    const dMass octahedron = mass_of_shape(Shape::convex, object_radius, 1000);
+    const dMass octahedron = mass_of_shape(Shape::convex, 1000);
     EXPECT_NEAR(octahedron.mass, 1000 * 4.0 / 3.0 * std::pow(object_radius, 3), 1e-9);
 }
 } // namespace
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::worlds

@@ -1,9 +1,9 @@
-#include "demos/scenes/statistics.h"
+#include "demos/runs/statistics.h"
 
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 namespace
 {
@@ -38,4 +38,4 @@ TEST(Statistics, OfOneNumberAndOfNone)
     EXPECT_EQ(summarise({}).max, 0);
 }
 } // namespace
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::worlds

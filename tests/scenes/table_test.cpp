@@ -1,9 +1,9 @@
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace ode_predictive_space::scenes
+namespace ode_predictive_space::worlds
 {
 namespace
 {
@@ -63,4 +63,4 @@ TEST(Table, AFirstCellWithoutRoomHasALineOfItsOwn)
                              std::string(79, ' ') + "1\nshort" + std::string(74, ' ') + "2\n");
 }
 } // namespace
-} // namespace ode_predictive_space::scenes
+} // namespace ode_predictive_space::worlds

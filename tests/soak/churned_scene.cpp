@@ -7,7 +7,7 @@ namespace ode_predictive_space::soak
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 constexpr std::size_t transients = 16;
 constexpr std::uint32_t first_transient = 1u << 31; // their numbers; those of the scene are below
@@ -54,7 +54,7 @@ std::string differences(const std::vector<GeomPair> &expected, const std::vector
 }
 } // namespace
 
-ChurnedScene::ChurnedScene(const SceneSpec &spec, SpaceKind kind, int ticks_per_copy)
+ChurnedScene::ChurnedScene(const WorldSpec &spec, SpaceKind kind, int ticks_per_copy)
     : factory_(spec), space_(make_space(kind, factory_)), scene_(factory_.make(space_.get())),
       ticks_per_copy_(ticks_per_copy), by_shapes_(kind == SpaceKind::predictive_by_shapes), random_(spec.seed)
 {
@@ -108,7 +108,7 @@ void ChurnedScene::renew_scene()
 
 ChurnedScene::Transient ChurnedScene::make_transient(std::size_t number)
 {
-    const SceneBounds bounds = factory_.bounds();
+    const Bounds bounds = factory_.bounds();
     Transient transient{make_geom(), bounds.centre + random_.in_box(bounds.half_extent), 0};
     transient.radius = number % 2 == 0 ? random_.uniform(0, largest_circle) : 0;
     set_geom_index(transient.geom, first_transient + static_cast<std::uint32_t>(number));

@@ -3,8 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SOAK_CHURNED_SCENE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SOAK_CHURNED_SCENE_H
 
-#include "demos/scenes/scene.h"
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
+#include "demos/worlds/world.h"
 #include "ode_predictive_space/haptics/device/random.h"
 #include "tests/soak/pair_oracle.h"
 
@@ -23,7 +23,7 @@ public:
     /// @param ticks_per_copy after so many ticks the scene is destroyed and made anew, in the same space; 0: never. For scenes
     ///        that do not stay as they begin (a pile settles further, an explosion drives all objects to the walls), or that
     ///        keep all numbers or all reaches of a hand that there ever were.
-    ChurnedScene(const scenes::SceneSpec &spec, scenes::SpaceKind kind, int ticks_per_copy);
+    ChurnedScene(const worlds::WorldSpec &spec, worlds::SpaceKind kind, int ticks_per_copy);
     ~ChurnedScene();
     ChurnedScene(const ChurnedScene &) = delete;
     ChurnedScene &operator=(const ChurnedScene &) = delete;
@@ -39,13 +39,13 @@ public:
     dSpaceID space() const { return space_.get(); }
 
     /// What dSpaceCollide() reported in the last tick, sorted.
-    const std::vector<scenes::IndexPair> &pairs() const { return pairs_; }
+    const std::vector<worlds::IndexPair> &pairs() const { return pairs_; }
 
 private:
     struct Transient
     {
         dGeomID geom;
-        scenes::Vector3 home;
+        worlds::Vector3 home;
         double radius; ///< of its circle; 0 when it does not move
     };
     struct Absent
@@ -70,17 +70,17 @@ private:
     dGeomID geom(bool is_transient, std::size_t number) const;
     std::vector<dGeomID> geoms_inside() const;
 
-    scenes::SceneFactory factory_;
-    scenes::OwnedSpace space_; // before what is in it
-    std::unique_ptr<scenes::Scene> scene_;
+    worlds::WorldFactory factory_;
+    worlds::OwnedSpace space_; // before what is in it
+    std::unique_ptr<worlds::World> scene_;
     int ticks_per_copy_;
     bool by_shapes_;
     haptics::Random random_;
     std::vector<Transient> transients_;
     std::vector<Absent> absent_;
-    scenes::PairList list_;
-    std::vector<scenes::IndexPair> pairs_;   ///< see pairs()
-    std::vector<scenes::IndexPair> answers_; ///< of dSpaceCollide2(), sorted
+    worlds::PairList list_;
+    std::vector<worlds::IndexPair> pairs_;   ///< see pairs()
+    std::vector<worlds::IndexPair> answers_; ///< of dSpaceCollide2(), sorted
     int tick_ = 0;
 };
 } // namespace ode_predictive_space::soak

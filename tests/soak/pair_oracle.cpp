@@ -7,13 +7,13 @@ namespace ode_predictive_space::soak
 {
 namespace
 {
-using scenes::IndexPair;
+using worlds::IndexPair;
 
 /// What decides on a geom's pairs.
 struct Record
 {
     explicit Record(dGeomID the_geom)
-        : geom(the_geom), number(scenes::geom_index(geom)), body(dGeomGetBody(geom)),
+        : geom(the_geom), number(worlds::geom_index(geom)), body(dGeomGetBody(geom)),
           category(dGeomGetCategoryBits(geom)), collide(dGeomGetCollideBits(geom))
     {
         dGeomGetAABB(geom, box.data());

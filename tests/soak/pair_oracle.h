@@ -3,14 +3,14 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SOAK_PAIR_ORACLE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SOAK_PAIR_ORACLE_H
 
-#include "demos/scenes/pair_list.h"
+#include "demos/worlds/pair_list.h"
 
 namespace ode_predictive_space::soak
 {
 /// Two geoms, in the order of their numbers.
 struct GeomPair
 {
-    scenes::IndexPair numbers;
+    worlds::IndexPair numbers;
     dGeomID first, second;
 };
 

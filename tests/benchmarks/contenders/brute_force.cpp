@@ -19,10 +19,10 @@ public:
         });
     }
 
-    void find_overlapping(scenes::PairList &list)
+    void find_overlapping(worlds::PairList &list)
     {
         for_each_pair(
-            [&list](dxGeom *first, dxGeom *second) { report(first, second, &list, &scenes::PairList::collect); });
+            [&list](dxGeom *first, dxGeom *second) { report(first, second, &list, &worlds::PairList::collect); });
     }
 
 private:
@@ -50,14 +50,14 @@ private:
     }
 };
 
-class BruteForce : public scenes::Contender
+class BruteForce : public worlds::Contender
 {
 public:
     explicit BruteForce(BruteForceSpace *space)
-        : Contender("brute", scenes::Family::reference, scenes::OwnedSpace(space)), brute_(*space)
+        : Contender("brute", worlds::Family::reference, worlds::OwnedSpace(space)), brute_(*space)
     {}
 
-    std::size_t finish(scenes::PairList &list) override
+    std::size_t finish(worlds::PairList &list) override
     {
         brute_.find_overlapping(list);
         return 0;
@@ -68,7 +68,7 @@ private:
 };
 } // namespace
 
-std::unique_ptr<scenes::Contender> make_brute_force()
+std::unique_ptr<worlds::Contender> make_brute_force()
 {
     return std::make_unique<BruteForce>(new BruteForceSpace);
 }

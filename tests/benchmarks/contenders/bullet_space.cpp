@@ -98,33 +98,33 @@ private:
     std::vector<btBroadphaseProxy *> proxies_; // by slot
 };
 
-std::unique_ptr<scenes::Contender> contender(const char *name, std::unique_ptr<btBroadphaseInterface> broadphase,
+std::unique_ptr<worlds::Contender> contender(const char *name, std::unique_ptr<btBroadphaseInterface> broadphase,
                                              bool owns_proxies)
 {
-    return std::make_unique<scenes::Contender>(
-        name, scenes::Family::reference, scenes::OwnedSpace(new BulletSpace(std::move(broadphase), owns_proxies)));
+    return std::make_unique<worlds::Contender>(
+        name, worlds::Family::reference, worlds::OwnedSpace(new BulletSpace(std::move(broadphase), owns_proxies)));
 }
 
 /// It keeps its proxies in an array. (To destroy one is to sort it to the end of each axis.)
-std::unique_ptr<scenes::Contender> sweep_contender(std::unique_ptr<btBroadphaseInterface> broadphase)
+std::unique_ptr<worlds::Contender> sweep_contender(std::unique_ptr<btBroadphaseInterface> broadphase)
 {
     return contender("bullet-sap", std::move(broadphase), true);
 }
 
-btVector3 bullet_vector(const scenes::Vector3 &v)
+btVector3 bullet_vector(const worlds::Vector3 &v)
 {
     return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
 } // namespace
 
-std::unique_ptr<scenes::Contender> make_bullet_dbvt()
+std::unique_ptr<worlds::Contender> make_bullet_dbvt()
 {
     return contender("bullet-dbvt", std::make_unique<btDbvtBroadphase>(), false);
 }
 
-std::unique_ptr<scenes::Contender> make_bullet_sap(const scenes::SceneFactory &factory)
+std::unique_ptr<worlds::Contender> make_bullet_sap(const worlds::WorldFactory &factory)
 {
-    const scenes::SceneBounds bounds = factory.bounds();
+    const worlds::Bounds bounds = factory.bounds();
     const btVector3 low = bullet_vector(bounds.centre - bounds.half_extent);
     const btVector3 high = bullet_vector(bounds.centre + bounds.half_extent);
     const int handles = factory.spec().objects + handles_to_spare;

@@ -14,19 +14,19 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using scenes::Contender;
-using scenes::SceneFactory;
-using scenes::SpaceKind;
+using worlds::Contender;
+using worlds::SpaceKind;
+using worlds::WorldFactory;
 
 struct Entry
 {
     std::string name;
-    std::function<std::unique_ptr<Contender>(const SceneFactory &)> make;
+    std::function<std::unique_ptr<Contender>(const WorldFactory &)> make;
 };
 
 Entry entry_of(SpaceKind kind)
 {
-    return {space_name(kind), [kind](const SceneFactory &factory) { return scenes::make_contender(kind, factory); }};
+    return {space_name(kind), [kind](const WorldFactory &factory) { return worlds::make_contender(kind, factory); }};
 }
 
 const std::vector<Entry> &entries()
@@ -39,14 +39,14 @@ const std::vector<Entry> &entries()
         entry_of(SpaceKind::hash),
         entry_of(SpaceKind::quadtree),
         entry_of(SpaceKind::sweep_and_prune),
-        {"brute", [](const SceneFactory &) { return make_brute_force(); }},
-        {"sweep", [](const SceneFactory &) { return make_plain_sweep(); }},
+        {"brute", [](const WorldFactory &) { return make_brute_force(); }},
+        {"sweep", [](const WorldFactory &) { return make_plain_sweep(); }},
 #ifdef ODE_PREDICTIVE_SPACE_HAVE_BULLET
-        {"bullet-dbvt", [](const SceneFactory &) { return make_bullet_dbvt(); }},
-        {"bullet-sap", [](const SceneFactory &factory) { return make_bullet_sap(factory); }},
+        {"bullet-dbvt", [](const WorldFactory &) { return make_bullet_dbvt(); }},
+        {"bullet-sap", [](const WorldFactory &factory) { return make_bullet_sap(factory); }},
 #endif
-        {"floor-boxes", [](const SceneFactory &factory) { return make_floor_with_boxes(factory); }},
-        {"floor", [](const SceneFactory &factory) { return make_floor(factory); }},
+        {"floor-boxes", [](const WorldFactory &factory) { return make_floor_with_boxes(factory); }},
+        {"floor", [](const WorldFactory &factory) { return make_floor(factory); }},
     };
     return all;
 }
@@ -65,7 +65,7 @@ const std::vector<std::string> &contender_names()
     return names;
 }
 
-std::unique_ptr<Contender> make_contender(const std::string &name, const SceneFactory &factory)
+std::unique_ptr<Contender> make_contender(const std::string &name, const WorldFactory &factory)
 {
     const std::string full_name = name == "predictive" ? space_name(SpaceKind::predictive) : name;
     for (const Entry &entry : entries())
@@ -88,7 +88,7 @@ bool is_floor(const std::string &name)
     return name == "floor" || name == "floor-boxes";
 }
 
-std::string why_not(const std::string &name, const scenes::SceneSpec &spec)
+std::string why_not(const std::string &name, const worlds::WorldSpec &spec)
 {
     if (is_floor(name) && spec.name == "churn")
     {

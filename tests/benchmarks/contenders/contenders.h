@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_CONTENDERS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_CONTENDERS_H
 
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
 
 namespace ode_predictive_space::benchmarks
 {
@@ -17,7 +17,7 @@ const std::vector<std::string> &contender_names();
 /// A contender of this name, for this scene; "predictive" is another name of "predictive-box".
 ///
 /// @throws std::invalid_argument for a name that is none of contender_names().
-std::unique_ptr<scenes::Contender> make_contender(const std::string &name, const scenes::SceneFactory &factory);
+std::unique_ptr<worlds::Contender> make_contender(const std::string &name, const worlds::WorldFactory &factory);
 
 /// Is it one of Bullet's broad phases?
 bool is_bullet(const std::string &name);
@@ -26,7 +26,7 @@ bool is_bullet(const std::string &name);
 bool is_floor(const std::string &name);
 
 /// Why a contender cannot take part in a scene, as a half-sentence; empty when it can.
-std::string why_not(const std::string &name, const scenes::SceneSpec &spec);
+std::string why_not(const std::string &name, const worlds::WorldSpec &spec);
 
 constexpr bool have_bullet =
 #ifdef ODE_PREDICTIVE_SPACE_HAVE_BULLET

@@ -11,7 +11,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using scenes::IndexPair;
+using worlds::IndexPair;
 
 class FloorSpace : public NoticeSpace
 {
@@ -89,7 +89,7 @@ private:
         by_index_.resize(slots());
         for (Slot slot = 0; slot < slots(); ++slot)
         {
-            by_index_[scenes::geom_index(geom_in(slot))] = geom_in(slot);
+            by_index_[worlds::geom_index(geom_in(slot))] = geom_in(slot);
         }
     }
 
@@ -100,11 +100,11 @@ private:
     volatile double sum_of_positions_ = 0;
 };
 
-class Floor : public scenes::Contender
+class Floor : public worlds::Contender
 {
 public:
-    Floor(const std::string &name, const scenes::SceneFactory &factory, FloorSpace *space)
-        : Contender(name, scenes::Family::reference, scenes::OwnedSpace(space)), floor_(*space),
+    Floor(const std::string &name, const worlds::WorldFactory &factory, FloorSpace *space)
+        : Contender(name, worlds::Family::reference, worlds::OwnedSpace(space)), floor_(*space),
           leader_(make_plain_sweep()), scene_(factory.make(leader_->space()))
     {}
 
@@ -114,7 +114,7 @@ public:
         {
             scene_->advance();
             list_.clear();
-            dSpaceCollide(leader_->space(), &list_, &scenes::PairList::collect);
+            dSpaceCollide(leader_->space(), &list_, &worlds::PairList::collect);
             const std::vector<IndexPair> pairs = list_.sorted();
             scene_->respond(pairs);
             floor_.learn(pairs);
@@ -125,18 +125,18 @@ public:
 
 private:
     FloorSpace &floor_;
-    std::unique_ptr<scenes::Contender> leader_; // before its scene, whose geoms are in its space
-    std::unique_ptr<scenes::Scene> scene_;
-    scenes::PairList list_;
+    std::unique_ptr<worlds::Contender> leader_; // before its scene, whose geoms are in its space
+    std::unique_ptr<worlds::World> scene_;
+    worlds::PairList list_;
 };
 } // namespace
 
-std::unique_ptr<scenes::Contender> make_floor(const scenes::SceneFactory &factory)
+std::unique_ptr<worlds::Contender> make_floor(const worlds::WorldFactory &factory)
 {
     return std::make_unique<Floor>("floor", factory, new FloorSpace(false));
 }
 
-std::unique_ptr<scenes::Contender> make_floor_with_boxes(const scenes::SceneFactory &factory)
+std::unique_ptr<worlds::Contender> make_floor_with_boxes(const worlds::WorldFactory &factory)
 {
     return std::make_unique<Floor>("floor-boxes", factory, new FloorSpace(true));
 }

@@ -64,9 +64,9 @@ private:
 };
 } // namespace
 
-std::unique_ptr<scenes::Contender> make_plain_sweep()
+std::unique_ptr<worlds::Contender> make_plain_sweep()
 {
-    return std::make_unique<scenes::Contender>("sweep", scenes::Family::reference,
-                                               scenes::OwnedSpace(new PlainSweepSpace));
+    return std::make_unique<worlds::Contender>("sweep", worlds::Family::reference,
+                                               worlds::OwnedSpace(new PlainSweepSpace));
 }
 } // namespace ode_predictive_space::benchmarks

@@ -3,13 +3,13 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_PLAIN_SWEEP_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_PLAIN_SWEEP_H
 
-#include "demos/scenes/contender.h"
+#include "demos/runs/contender.h"
 
 namespace ode_predictive_space::benchmarks
 {
 /// Sorts and sweeps the boxes of all geoms in each tick, from scratch. Only the boxes of those that have moved are computed
 /// anew.
-std::unique_ptr<scenes::Contender> make_plain_sweep();
+std::unique_ptr<worlds::Contender> make_plain_sweep();
 } // namespace ode_predictive_space::benchmarks
 
 #endif

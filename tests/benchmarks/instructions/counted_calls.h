@@ -4,7 +4,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_COUNTED_CALLS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_COUNTED_CALLS_H
 
-#include "demos/scenes/scene.h"
+#include "demos/worlds/world.h"
 #include "tests/benchmarks/instructions/life.h"
 
 extern "C" {
@@ -18,8 +18,9 @@ void predictive_bench_bare_moves(ode_predictive_space::benchmarks::Replay *repla
                                  const std::vector<ode_predictive_space::benchmarks::Move> *moves);
 
 /// dSpaceCollide(), or what a scene calls in its place.
-void predictive_bench_counted_collide(ode_predictive_space::scenes::Scene *scene, dSpaceID space,
-                                      ode_predictive_space::scenes::PairList *list);
+void predictive_bench_counted_collide(ode_predictive_space::worlds::World *scene, dSpaceID space,
+                                      ode_predictive_space::worlds::PairList *list,
+                                      const ode_predictive_space::worlds::NearCallbacks *near);
 
 /// A world begins: its space and its geoms are made. Without a space, or with one.
 void predictive_bench_counted_birth(ode_predictive_space::benchmarks::Life *life);
@@ -30,11 +31,11 @@ void predictive_bench_counted_death(ode_predictive_space::benchmarks::Life *life
 void predictive_bench_bare_death(ode_predictive_space::benchmarks::Life *life);
 
 /// The motion of a tick that a scene makes by itself, with the step of its world.
-void predictive_bench_counted_advance(ode_predictive_space::scenes::Scene *scene);
+void predictive_bench_counted_advance(ode_predictive_space::worlds::World *scene);
 
 /// What a scene does with the pairs of a tick: dCollide() and contact joints.
-void predictive_bench_counted_respond(ode_predictive_space::scenes::Scene *scene,
-                                      const std::vector<ode_predictive_space::scenes::IndexPair> *pairs);
+void predictive_bench_counted_respond(ode_predictive_space::worlds::World *scene,
+                                      const std::vector<ode_predictive_space::worlds::IndexPair> *pairs);
 }
 
 #endif

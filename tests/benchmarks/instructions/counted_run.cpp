@@ -2,13 +2,12 @@
 
 #include "tests/benchmarks/instructions/counted_run.h"
 
-#include "demos/scenes/spaces.h"
+#include "demos/runs/spaces.h"
+#include "demos/worlds/world.h"
 #include "tests/benchmarks/instructions/callgrind_output.h"
 #include "tests/benchmarks/instructions/child_process.h"
 #include "tests/benchmarks/instructions/motion_stream.h"
-#include "tests/benchmarks/stepped/stepped_scenes.h"
 #include "tests/benchmarks/weight.h"
-#include "tests/scenes/worlds/worlds.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -107,7 +106,7 @@ std::vector<std::string> command_line(const CountedRun &run, const std::string &
     return line;
 }
 
-void pass_motion_on(const CountedRun &run, const scenes::SceneFactory &factory, ChildProcess &process)
+void pass_motion_on(const CountedRun &run, const worlds::WorldFactory &factory, ChildProcess &process)
 {
     Recorder recorder(factory);
     write_moves(process.input(), recorder.start());
@@ -204,34 +203,14 @@ void add_costs(const CostsPerTick &costs, bool with_life, Count &count)
     }
 }
 
-scenes::SceneFactory dart_factory(const scenes::SceneSpec &spec)
-{
-    const auto make = [](const scenes::SceneSpec &made, dSpaceID space) {
-        const scenes::SceneFactory room(spec_of_stepped_scene(made.name, made.objects, made.seed));
-        return make_stepped_scene(made.name, room, space);
-    };
-    return {spec, {make, scenes::SceneFactory(spec_of_stepped_scene(spec.name, spec.objects, spec.seed)).bounds()}};
-}
 } // namespace
 
-scenes::SceneFactory factory_of(const CountedRun &run)
+worlds::WorldFactory factory_of(const CountedRun &run)
 {
-    if (run.lives > 0)
-    {
-        return scenes::life_of_many(run.spec);
-    }
-    if (scenes::is_world(run.spec.name))
-    {
-        return scenes::world_factory(run.spec);
-    }
-    if (run.spec.name == "dart")
-    {
-        return dart_factory(run.spec);
-    }
-    return scenes::SceneFactory(run.spec);
+    return worlds::WorldFactory(run.lives > 0 ? worlds::life_of_many(run.spec) : run.spec);
 }
 
-Count count_instructions(const CountedRun &run, const scenes::SceneFactory &factory)
+Count count_instructions(const CountedRun &run, const worlds::WorldFactory &factory)
 {
     const TemporaryFolder folder;
     const std::string counts = folder.file("counts");

@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_COUNTED_RUN_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_INSTRUCTIONS_COUNTED_RUN_H
 
-#include "demos/scenes/scene.h"
+#include "demos/worlds/world.h"
 #include "tests/benchmarks/instructions/counts.h"
 #include "tests/benchmarks/instructions/whole_counts.h"
 
@@ -13,7 +13,7 @@ namespace ode_predictive_space::benchmarks
 {
 struct CountedRun
 {
-    scenes::SceneSpec spec;
+    worlds::WorldSpec spec;
     std::string space; ///< a contender's name
     int warm_up_ticks = 0;
     int ticks = 0;      ///< that are counted
@@ -26,14 +26,14 @@ struct CountedRun
 };
 
 /// What a run counts the ticks of: a scene of the library, one that is stepped, or a world.
-scenes::SceneFactory factory_of(const CountedRun &run);
+worlds::WorldFactory factory_of(const CountedRun &run);
 
 /// Count it: run this program again under callgrind and feed it with the motion of the scene, so that only what is counted, and
 /// not the scene, has to run in a simulated processor.
 ///
 /// @param factory of run.spec
 /// @throws std::runtime_error when valgrind is not there, or the other process fails.
-Count count_instructions(const CountedRun &run, const scenes::SceneFactory &factory);
+Count count_instructions(const CountedRun &run, const worlds::WorldFactory &factory);
 
 /// In the other process: make the ticks that come on the standard input.
 ///

@@ -2,8 +2,8 @@
 
 #include "tests/benchmarks/instructions/counted_run.h"
 
-#include "demos/scenes/spaces.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/spaces.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/instructions/callgrind_requests.h"
 #include "tests/benchmarks/instructions/counted_calls.h"
 #include "tests/benchmarks/instructions/motion_stream.h"
@@ -15,14 +15,14 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 /// The scene in the space that is counted, and once more where it only moves: in a space that is never collided or, where the
 /// making of a space is counted, in none.
 class CountedTicks
 {
 public:
-    CountedTicks(const CountedRun &run, const SceneFactory &factory)
+    CountedTicks(const CountedRun &run, const WorldFactory &factory)
         : counted_(run.space, factory), bare_(run.lives > 0 ? "" : space_name(SpaceKind::simple), factory)
     {}
 
@@ -51,7 +51,8 @@ public:
         toggle_if(is_counted);
         predictive_bench_bare_moves(&bare_.replay(), &moves);
         predictive_bench_counted_moves(&counted_.replay(), &moves);
-        predictive_bench_counted_collide(&counted_.replay().scene(), counted_.contender().space(), &list_);
+        predictive_bench_counted_collide(&counted_.replay().scene(), counted_.contender().space(), &list_,
+                                         &PairList::near);
         toggle_if(is_counted);
         counted_.contender().finish(list_);
         pairs_ += list_.size();
@@ -77,7 +78,7 @@ private:
     PairHash hash_;
 };
 
-nlohmann::json make_one_life(const CountedRun &run, const SceneFactory &factory)
+nlohmann::json make_one_life(const CountedRun &run, const WorldFactory &factory)
 {
     CountedTicks counted(run, factory);
     counted.begin(read_moves(stdin), run.ticks_to_make());
@@ -95,7 +96,7 @@ nlohmann::json make_one_life(const CountedRun &run, const SceneFactory &factory)
 }
 
 /// All lives are the same; the first one, which finds the heap empty, is not counted.
-nlohmann::json make_lives(const CountedRun &run, const SceneFactory &factory)
+nlohmann::json make_lives(const CountedRun &run, const WorldFactory &factory)
 {
     const std::vector<Move> start = read_moves(stdin);
     Motion motion;
@@ -124,8 +125,11 @@ nlohmann::json make_lives(const CountedRun &run, const SceneFactory &factory)
 nlohmann::json make_counted_ticks(const CountedRun &run)
 {
     CountedRun unsettled = run;
-    unsettled.spec.settled = false; // where a pile has come to rest is in the motion
-    const SceneFactory factory = factory_of(unsettled);
+    if (run.spec.name == "pile")
+    {
+        unsettled.spec.name = "settling"; // where it has come to rest is in the motion
+    }
+    const WorldFactory factory = factory_of(unsettled);
     return run.lives > 0 ? make_lives(run, factory) : make_one_life(run, factory);
 }
 } // namespace ode_predictive_space::benchmarks

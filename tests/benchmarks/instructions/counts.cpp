@@ -1,6 +1,6 @@
 #include "tests/benchmarks/instructions/counts.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 #include "tests/benchmarks/comparison.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 bool same_scene(const Count &one, const Count &other)
 {

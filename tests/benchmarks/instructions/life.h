@@ -16,7 +16,7 @@ class Life
 public:
     /// @param contender its name; empty: the geoms are in no space.
     /// @param factory must outlive this object.
-    Life(std::string contender, const scenes::SceneFactory &factory) : name_(std::move(contender)), factory_(factory) {}
+    Life(std::string contender, const worlds::WorldFactory &factory) : name_(std::move(contender)), factory_(factory) {}
     ~Life() { end(); }
     Life(const Life &) = delete;
     Life &operator=(const Life &) = delete;
@@ -40,12 +40,12 @@ public:
 
     // Between begin() and end().
     Replay &replay() { return *replay_; }
-    scenes::Contender &contender() { return *contender_; }
+    worlds::Contender &contender() { return *contender_; }
 
 private:
     std::string name_;
-    const scenes::SceneFactory &factory_;
-    std::unique_ptr<scenes::Contender> contender_;
+    const worlds::WorldFactory &factory_;
+    std::unique_ptr<worlds::Contender> contender_;
     std::unique_ptr<Replay> replay_;
 };
 } // namespace ode_predictive_space::benchmarks

@@ -1,6 +1,6 @@
 #include "tests/benchmarks/instructions/whole_counts.h"
 
-#include "demos/scenes/table.h"
+#include "demos/runs/table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 std::string ratio_text(double one, double other)
 {

@@ -2,8 +2,8 @@
 
 #include "tests/benchmarks/instructions/counted_run.h"
 
-#include "demos/scenes/spaces.h"
-#include "demos/scenes/table.h"
+#include "demos/runs/spaces.h"
+#include "demos/runs/table.h"
 #include "ode_predictive_space/haptics/device/random.h"
 #include "tests/benchmarks/contenders/contenders.h"
 #include "tests/benchmarks/instructions/callgrind_requests.h"
@@ -15,12 +15,12 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-using namespace scenes;
+using namespace worlds;
 
 class WholeTicks
 {
 public:
-    WholeTicks(const std::string &space, const SceneFactory &factory)
+    WholeTicks(const std::string &space, const WorldFactory &factory)
         : contender_(benchmarks::make_contender(space, factory)), scene_(factory.make(contender_->space()))
     {}
 
@@ -30,7 +30,7 @@ public:
         list_.clear();
         CALLGRIND_TOGGLE_COLLECT;
         predictive_bench_counted_advance(scene_.get());
-        predictive_bench_counted_collide(scene_.get(), contender_->space(), &list_);
+        predictive_bench_counted_collide(scene_.get(), contender_->space(), &list_, &PairList::near);
         CALLGRIND_TOGGLE_COLLECT;
         contender_->finish(list_);
         const std::vector<IndexPair> pairs = list_.sorted();
@@ -71,7 +71,7 @@ private:
     }
 
     std::unique_ptr<Contender> contender_; // before the scene, whose geoms are in its space
-    std::unique_ptr<Scene> scene_;
+    std::unique_ptr<World> scene_;
     PairList list_;
     std::uint64_t calls_ = 0;
     std::uint64_t contacts_ = 0;
@@ -80,7 +80,7 @@ private:
 
 nlohmann::json make_whole_ticks(const CountedRun &run)
 {
-    const SceneFactory factory = factory_of(run);
+    const WorldFactory factory = factory_of(run);
     WholeTicks whole(run.space, factory);
     for (int tick = 0; tick < run.warm_up_ticks; ++tick)
     {

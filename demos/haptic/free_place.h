@@ -1,0 +1,22 @@
+// Where in a scene there is room.
+
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_FREE_PLACE_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_FREE_PLACE_H
+
+#include "demos/worlds/world.h"
+
+#include <optional>
+
+namespace ode_predictive_space::worlds
+{
+/// A place for a sphere that touches nothing of a scene: the wish, or the nearest one in a lattice around it. The space of the
+/// scene is not asked, so that its first tick remains its first.
+///
+/// @param step m; of the lattice.
+/// @param within m; the place is in this box.
+/// @return nothing when there is no such place.
+std::optional<Vector3> free_place(const World &scene, const Vector3 &wish, double radius, double step,
+                                  const Eigen::AlignedBox3d &within);
+} // namespace ode_predictive_space::worlds
+
+#endif

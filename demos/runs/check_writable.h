@@ -1,0 +1,24 @@
+#ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_CHECK_WRITABLE_H
+#define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_CHECK_WRITABLE_H
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace ode_predictive_space::worlds
+{
+/// Checks before a run that its results can be written afterwards. The file is left as it was.
+///
+/// @throws std::runtime_error when it cannot be written.
+inline void check_writable(const std::string &file)
+{
+    const bool existed = std::filesystem::exists(file);
+    if (!std::ofstream(file, std::ios::app))
+        throw std::runtime_error("cannot write " + file);
+    if (!existed)
+        std::filesystem::remove(file);
+}
+} // namespace ode_predictive_space::worlds
+
+#endif
