@@ -36,7 +36,7 @@ TEST(MemoryMeasurement, ASpaceThatDoesNotCountHasNoBytesPerGeom)
 TEST(MemoryMeasurement, OfShapesIsOfTheSameScene)
 {
     const worlds::OdeSession ode;
-    const worlds::WorldSpec spec{"pile", 60, 1};
+    const worlds::WorldSpec spec{"terrain", 60, 1};
     const MemoryResult by_boxes = measure_memory(SpaceKind::predictive, spec, 60, 1);
     const MemoryResult by_shapes = measure_memory(SpaceKind::predictive_by_shapes, spec, 60, 1);
     EXPECT_EQ(by_boxes.samples.back().postponed, 0);

@@ -32,7 +32,7 @@ Moved moved_objects(std::size_t count, Watch watch)
         float start[4];
         middle.store(start);
         if (watch == Watch::centre)
-            place.watch_centre(start, 0.1f);
+            place.watch_centre(start, 0.1f, Origin().doubt());
         result.places.push_back(place);
     }
     return result;
@@ -42,6 +42,7 @@ Moved moved_objects(std::size_t count, Watch watch)
 void notices(benchmark::State &state, Watch watch)
 {
     Moved moved = moved_objects(static_cast<std::size_t>(state.range(0)), watch);
+    const Origin origin;
     std::size_t inside = 0;
     double move = 0.01;
     while (state.KeepRunning())
@@ -50,7 +51,8 @@ void notices(benchmark::State &state, Watch watch)
         {
             Object &object = moved.objects[i];
             object.centre.x() += move;
-            inside += moved.places[i].follow(object.centre.data(), object.rotation.data()) == Followed::moved ? 1 : 0;
+            inside +=
+                moved.places[i].follow(object.centre.data(), object.rotation.data(), origin) == Followed::moved ? 1 : 0;
         }
         move = -move;
     }
