@@ -7,8 +7,7 @@
 
 namespace ode_predictive_space::preload
 {
-/// What the recorded program would gain: ode-predictive-replay, which lies beside this program, measures it in a process of its
-/// own. When it is not known, the answer says so and why.
+/// What the recorded program would gain, from replays of its recording. When it is not known, the answer says so and why.
 report::Answer gain_of(const std::string &recording);
 } // namespace ode_predictive_space::preload
 

@@ -181,8 +181,9 @@ std::vector<std::string> notes_of(const Recording &recording, const Costs &costs
 }
 } // namespace
 
-report::Answer answer_for(const Recording &recording, double seconds)
+report::Answer answer_for(const Recording &recording)
 {
+    constexpr double seconds = 2; // of each replay
     Costs costs;
     costs.spaces = spaces_to_replay(kind_of_own_space(recording));
     const Cost first = measure(recording, SpaceKind::own, recording.events().size(), seconds);

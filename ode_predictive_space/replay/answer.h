@@ -10,8 +10,8 @@ namespace ode_predictive_space::replay
 {
 /// What the program that was recorded would gain: replays it in its own kind of spaces and in predictive ones, by the clock.
 ///
-/// @param seconds that each replay may take. All of them end where that of the program's own kind did.
-report::Answer answer_for(const history::Recording &recording, double seconds);
+/// No replay takes much longer than two seconds: all of them end where the first one did.
+report::Answer answer_for(const history::Recording &recording);
 } // namespace ode_predictive_space::replay
 
 #endif

@@ -22,6 +22,7 @@
 #include "ode_predictive_space/replay/instructions.h"
 #include "ode_predictive_space/replay/own_space.h"
 #include "ode_predictive_space/replay/replay.h"
+#include "ode_predictive_space/report/page.h"
 
 using namespace ode_predictive_space;
 using namespace ode_predictive_space::replay;
@@ -40,9 +41,8 @@ that they find the same pairs, and prints what they take.
                   --proximity of ode-predictive-run names (default: all)
   --times         measure times also where valgrind is installed, which
                   otherwise counts instructions
-  --answer        print, for a program to read, what the recorded program would
-                  gain: lines of fields with tabs between them
-  --seconds S     with --answer: no replay takes much longer (default: 2)
+  --report DIR    write a page, DIR/index.html, that says what the recorded
+                  program would gain; DIR is made unless it exists
   --help, --version
 
 An event is a dSpaceCollide() or a dSpaceCollide2(). Pairs are compared with
@@ -74,9 +74,8 @@ struct Options
 {
     std::vector<SpaceKind> kinds;
     bool times = false;
-    bool answer = false;
+    std::string report_folder;     // empty: there is no page to write
     const char *counted = nullptr; // for the process under callgrind
-    double seconds = 2;
     std::string file;
 };
 
@@ -91,15 +90,6 @@ SpaceKind kind_of(const char *name)
 SpaceKind counted_kind(const std::string &name)
 {
     return name == name_of(SpaceKind::none) ? SpaceKind::none : kind_of(name.c_str());
-}
-
-double seconds_of(const char *text)
-{
-    char *end = nullptr;
-    const double seconds = std::strtod(text, &end);
-    if (end == text || *end || !(seconds > 0))
-        fail("--seconds: '%s' is no number above 0", text);
-    return seconds;
 }
 
 [[noreturn]] void show(const char *text)
@@ -119,11 +109,8 @@ void take_option(int option, const char *option_text, Options &options)
     case 't':
         options.times = true;
         return;
-    case 'a':
-        options.answer = true;
-        return;
-    case 'S':
-        options.seconds = seconds_of(optarg);
+    case 'r':
+        options.report_folder = optarg;
         return;
     case 'c':
         options.counted = optarg;
@@ -141,10 +128,13 @@ void take_option(int option, const char *option_text, Options &options)
 
 Options options_of(int argc, char **argv)
 {
-    const option known[] = {{"space", required_argument, nullptr, 's'},   {"times", no_argument, nullptr, 't'},
-                            {"answer", no_argument, nullptr, 'a'},        {"seconds", required_argument, nullptr, 'S'},
-                            {"counted", required_argument, nullptr, 'c'}, {"help", no_argument, nullptr, 'h'},
-                            {"version", no_argument, nullptr, 'v'},       {}};
+    const option known[] = {{"space", required_argument, nullptr, 's'},
+                            {"times", no_argument, nullptr, 't'},
+                            {"report", required_argument, nullptr, 'r'},
+                            {"counted", required_argument, nullptr, 'c'},
+                            {"help", no_argument, nullptr, 'h'},
+                            {"version", no_argument, nullptr, 'v'},
+                            {}};
     Options options;
     opterr = 0;
     for (;;)
@@ -239,6 +229,20 @@ private:
     Cost measured_without_;
 };
 
+void write_report(const Options &options, const history::Recording &recording)
+{
+    try
+    {
+        report::prepare_folder(options.report_folder);
+        const report::Page page = {printable(options.file), printable(recording.note()), {}, answer_for(recording)};
+        std::printf("%s\n", printable(report::write_page(options.report_folder, page)).c_str());
+    }
+    catch (const std::runtime_error &failure)
+    {
+        fail("--report: %s", failure.what());
+    }
+}
+
 bool replay_all(const Options &options, const history::Recording &recording)
 {
     const bool instructions = !options.times && has_valgrind();
@@ -266,14 +270,14 @@ int main(int argc, char **argv)
 {
     const Options options = options_of(argc, argv);
     const history::Recording recording = read(options.file);
-    if (recording.records().empty() && !options.answer)
+    if (recording.records().empty())
         fail("%s: %s", options.file.c_str(), completeness_of(recording).c_str());
     dInitODE2(0);
     int status = 0;
     if (options.counted)
         replay_to_be_counted(recording, counted_kind(options.counted));
-    else if (options.answer)
-        std::fputs(report::lines_of(answer_for(recording, options.seconds)).c_str(), stdout);
+    else if (!options.report_folder.empty())
+        write_report(options, recording);
     else
         status = replay_all(options, recording) ? 0 : 1;
     dCloseODE();

@@ -1,9 +1,8 @@
-// The part of a page that comes first and answers a question: a sentence, a table, plots. One program may write it for another.
+// The part of a page that comes first and answers a question: a sentence, a table, plots.
 
 #ifndef ODE_PREDICTIVE_SPACE_REPORT_ANSWER_H
 #define ODE_PREDICTIVE_SPACE_REPORT_ANSWER_H
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +17,6 @@ struct Answer
     std::vector<std::string> notes;
     std::vector<Plot> plots;
 };
-
-/// Lines of fields, with tabs between them.
-std::string lines_of(const Answer &answer);
-
-/// What lines_of() wrote; none when it is not whole.
-std::optional<Answer> answer_of(const std::string &lines);
 } // namespace ode_predictive_space::report
 
 #endif

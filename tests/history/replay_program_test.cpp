@@ -1,6 +1,8 @@
 // ode-predictive-replay, as a user calls it.
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -29,7 +31,7 @@ TEST(ReplayProgram, ExplainsItself)
 {
     const Outcome outcome = run(REPLAYER, "--help");
     EXPECT_EQ(outcome.status, 0);
-    for (const char *word : {"--space", "--times", "--answer", "--seconds", "Exit status"})
+    for (const char *word : {"--space", "--times", "--report", "Exit status"})
         EXPECT_TRUE(contains(outcome.output, word)) << word;
     std::istringstream lines(outcome.output);
     for (std::string line; std::getline(lines, line);)
@@ -39,8 +41,8 @@ TEST(ReplayProgram, ExplainsItself)
 
 TEST(ReplayProgram, RefusesWrongOptions)
 {
-    for (const char *arguments : {"", "--space octree x", "--seconds no x", "--seconds -1 x", "--speed x", "x y",
-                                  "--space", "/nonexistent/file"})
+    for (const char *arguments :
+         {"", "--space octree x", "--report /dev/null/x x", "--speed x", "x y", "--space", "/nonexistent/file"})
     {
         const Outcome outcome = run(REPLAYER, arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
@@ -52,6 +54,18 @@ std::string bytes_of(const std::string &path)
 {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Of --report.
+std::string page_about(const std::string &recording)
+{
+    std::string folder = testing::TempDir() + "replay_page.XXXXXX";
+    EXPECT_NE(mkdtemp(folder.data()), nullptr);
+    const Outcome outcome = run(REPLAYER, "--report " + folder + " " + recording);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    const std::string page = bytes_of(folder + "/index.html");
+    std::filesystem::remove_all(folder);
+    return page;
 }
 
 // Behind the note, which comes first and is shorter than 256 bytes.
@@ -82,7 +96,6 @@ TEST(ReplayProgram, SaysOfAFileWithoutAWholeRecordThatItIsNothing)
         EXPECT_EQ(outcome.status, 2);
         EXPECT_EQ(lines_of(outcome.output), 1) << outcome.output;
         EXPECT_TRUE(contains(outcome.output, "The recording is nothing")) << outcome.output;
-        EXPECT_TRUE(contains(run(REPLAYER, "--answer " + cut.path()).output, "note\tThe recording is nothing"));
     }
 }
 
@@ -103,7 +116,7 @@ TEST(ReplayProgram, ReplaysARecordingThatIsCutAndSaysWhere)
         contains(outcome.output, "The recording is cut at event " + std::to_string(std::stoi(events)) + ", byte "))
         << outcome.output;
     EXPECT_GT(std::stoi(events), 10);
-    EXPECT_TRUE(contains(run(REPLAYER, "--answer " + cut.path()).output, "\nnote\tThe recording is cut at event "));
+    EXPECT_TRUE(contains(page_about(cut.path()), "<p>The recording is cut at event "));
 }
 
 // The escape sequences of its note reached the terminal.
@@ -136,14 +149,14 @@ TEST(ReplayProgram, ComparesTheSpacesThatAreNamed)
     EXPECT_TRUE(contains(outcome.output, "the same")) << outcome.output;
 }
 
-TEST(ReplayProgram, AnswersWhatWouldBeGained)
+TEST(ReplayProgram, WritesAPageThatSaysWhatWouldBeGained)
 {
     if (sizeof(dReal) == sizeof(float))
         return;
-    const Outcome outcome = run(REPLAYER, "--answer " + nested);
-    EXPECT_EQ(outcome.status, 0) << outcome.output;
-    for (const char *line : {"answer\t", "\nrow\tspaces\t", "\nplot\tTime per collide", "\ncurve\t", "\nend\n"})
-        EXPECT_TRUE(contains(outcome.output, line)) << line << outcome.output;
+    const std::string page = page_about(nested);
+    for (const char *part : {"class=\"answer\"", "<th>spaces</th>", "Time per collide, replayed", "<svg", "</html>"})
+        EXPECT_TRUE(contains(page, part)) << part << page;
+    EXPECT_EQ(run(REPLAYER, "--report /dev/null/folder " + nested).status, 2);
 }
 } // namespace
 } // namespace ode_predictive_space::history

@@ -3,6 +3,8 @@
 #include <ode/common.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -74,8 +76,10 @@ TEST(Record, HasTheTimesOfTheProgram)
 {
     const RecordingFolder folder;
     launch("--space all --record " + folder.file() + " " LINKED);
-    const Outcome answered = run(REPLAYER, "--answer " + folder.file());
-    EXPECT_TRUE(contains(answered.output, "In the program a collide took")) << answered.output;
+    run(REPLAYER, "--report " + folder.file() + ".page " + folder.file());
+    std::ifstream file(folder.file() + ".page/index.html");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_TRUE(contains(page, "In the program a collide took")) << page;
 }
 
 TEST(Record, HasThePairsOfAProgramThatIsTracedToo)
