@@ -110,8 +110,8 @@ std::string said_of_ode(const Findings &findings)
     const std::optional<SpaceKind> best = best_of_ode(findings);
     if (!best)
         return "";
-    return std::string(" In the best other one of ODE's spaces, ") + name_of(*best) + ", it would be " +
-           longer_or_shorter(gain_of(findings, *best)->share) + ".";
+    return std::string(" In the best ") + (is_predictive(findings.own) ? "" : "other one ") + "of ODE's spaces, " +
+           name_of(*best) + ", it would be " + longer_or_shorter(gain_of(findings, *best)->share) + ".";
 }
 
 std::string said_of_gain(const Findings &findings, SpaceKind kind)

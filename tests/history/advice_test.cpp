@@ -122,7 +122,8 @@ TEST(Advice, KnowsThatTheProgramHasItAlready)
     EXPECT_EQ(advice_for(findings), Advice::leave);
     EXPECT_TRUE(says(findings, "Leave it as it is: the program has predictive spaces, by box. "))
         << sentence_for(findings);
-    EXPECT_TRUE(says(findings, "of ODE's spaces, hash, it would be 36 % longer.")) << sentence_for(findings);
+    EXPECT_TRUE(says(findings, "In the best of ODE's spaces, hash, it would be 36 % longer."))
+        << sentence_for(findings);
     findings.spaces[2].spared = 100;
     EXPECT_EQ(advice_for(findings), Advice::use_by_shape);
     EXPECT_TRUE(says(findings, ". Call dPredictiveSpaceSetProximity(space, dPredictiveProximityShape). While"))
