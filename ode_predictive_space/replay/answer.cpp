@@ -57,6 +57,16 @@ std::vector<Replays> spaces_to_replay(SpaceKind own)
     return spaces;
 }
 
+// The quicker of two replays: a virtual machine may stand still meanwhile, which counts as processor time.
+Cost quicker_of_two(const Recording &recording, SpaceKind kind, std::size_t events, double most_seconds)
+{
+    Cost one = measure(recording, kind, events, most_seconds);
+    if (!one.failure.empty())
+        return one;
+    Cost other = measure(recording, kind, events, most_seconds);
+    return other.failure.empty() && other.processor_time < one.processor_time ? other : one;
+}
+
 // One replay of each kind after another, so that a change of the machine's speed is in all of them.
 void replay_in_turns(const Recording &recording, std::size_t events, double most_seconds, std::vector<Replays> &spaces)
 {
@@ -64,13 +74,13 @@ void replay_in_turns(const Recording &recording, std::size_t events, double most
     Cost none = measure(recording, SpaceKind::none, events, most_seconds);
     for (int i = 0; i < times; ++i)
     {
-        const Cost none_now = measure(recording, SpaceKind::none, events, most_seconds);
+        const Cost none_now = quicker_of_two(recording, SpaceKind::none, events, most_seconds);
         take_least(none_now, none);
         for (Replays &replays : spaces)
         {
             if (i > 0 && !replays.least.failure.empty())
                 continue;
-            const Cost cost = measure(recording, replays.replayed_as, events, most_seconds);
+            const Cost cost = quicker_of_two(recording, replays.replayed_as, events, most_seconds);
             if (i == 0)
                 replays.least = cost;
             else
