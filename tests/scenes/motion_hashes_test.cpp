@@ -193,18 +193,22 @@ TEST(MotionHashes, AreThoseOfTheTable)
     std::string text;
     std::getline(table, text);
     std::getline(table, text);
-    if (text != here)
-        GTEST_SKIP() << "the table was written with another mathematical library, ODE or compiler: " << text << ", not "
-                     << here;
+    // Another mathematical library, ODE or compiler gives other numbers, but the same ones each time.
+    const bool is_known_here = text == here;
     std::set<std::string> expected, found;
-    while (std::getline(table, text))
+    while (is_known_here && std::getline(table, text))
         expected.insert(text);
-    for (const Line &line : lines())
-    {
-        std::ostringstream one;
-        one << line;
-        found.insert(one.str());
-    }
+    const auto put_lines = [](std::set<std::string> &texts) {
+        for (const Line &line : lines())
+        {
+            std::ostringstream one;
+            one << line;
+            texts.insert(one.str());
+        }
+    };
+    put_lines(found);
+    if (!is_known_here)
+        put_lines(expected);
     EXPECT_EQ(found, expected);
 }
 } // namespace
