@@ -79,9 +79,7 @@ public:
                 continue;
             touch.surface_velocity += shift.velocity_at(touch.point);
             // The contact goes with the tool along the surface, and with the surface along the normal.
-            const Vector3 went = moved - touch.normal * touch.normal.dot(moved - carried);
-            touch.point += went;
-            touch.arm += went - carried;
+            touch.point += moved - touch.normal * touch.normal.dot(moved - carried);
             touches.push_back(touch);
         }
     }

@@ -193,12 +193,11 @@ void IslandRollOut::run(std::size_t steps, double dt, const std::vector<BodyImpu
     {
         if (known_.count(push.body) == 0)
             continue;
-        const Vector3 force = push.impulse / dt, moment = push.arm.cross(force);
+        const Vector3 force = push.impulse / dt;
         dBodyEnable(push.body);
-        dBodyAddForce(push.body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),
-                      static_cast<dReal>(force.z()));
-        dBodyAddTorque(push.body, static_cast<dReal>(moment.x()), static_cast<dReal>(moment.y()),
-                       static_cast<dReal>(moment.z()));
+        dBodyAddForceAtPos(push.body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),
+                           static_cast<dReal>(force.z()), static_cast<dReal>(push.point.x()),
+                           static_cast<dReal>(push.point.y()), static_cast<dReal>(push.point.z()));
     }
     for (std::size_t step = 1; step <= steps; ++step)
     {
