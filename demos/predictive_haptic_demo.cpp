@@ -76,7 +76,7 @@ void run_probe(Options options, bool in_window)
     if (!options.json_file.empty())
         worlds::write_json(options.json_file, demo::json_summary(options, result));
     if (!options.report_folder.empty())
-        std::cerr << "report: " << report::write_page(options.report_folder, demo::page_of_run(options, result))
+        std::cerr << "report: " << recording::write_page(options.report_folder, demo::page_of_run(options, result))
                   << std::endl;
 }
 
@@ -88,7 +88,7 @@ void check_outputs(const Options &options)
             worlds::check_writable(file);
     }
     if (!options.report_folder.empty())
-        report::prepare_folder(options.report_folder);
+        recording::prepare_folder(options.report_folder);
 }
 
 ExitStatus run_demo(const Options &options)

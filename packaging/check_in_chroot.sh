@@ -47,7 +47,7 @@ build_programs() {
 
 run_launcher() {
     say 'The launcher'
-    inside ode-predictive-run --stats /tmp/beside_ode >"$chroot/tmp/launcher" 2>&1
+    inside ode-predictive run --stats /tmp/beside_ode >"$chroot/tmp/launcher" 2>&1
     grep 'hash, predictive by boxes' "$chroot/tmp/launcher"
 }
 

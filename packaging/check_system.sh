@@ -27,7 +27,7 @@ newest_clang() { inside apt-cache pkgnames clang- | sed -nE 's/^clang-([0-9]+)$/
 make_chroot "$suite"
 copy_sources "$2"
 clang=$(newest_clang)
-install_in_chroot g++ "clang-$clang" cmake ninja-build pkg-config libode-dev libeigen3-dev
+install_in_chroot g++ "clang-$clang" cmake ninja-build pkg-config libode-dev libeigen3-dev libcli11-dev
 show_versions g++ "clang-$clang" cmake libode-dev libeigen3-dev
 
 build_with gcc gcc g++

@@ -77,7 +77,7 @@ bool compare_spaces(const Options &options)
         write_json(options.json_file, json_report(runs, spec));
     if (!options.report_folder.empty())
         std::cerr << "report: "
-                  << report::write_page(options.report_folder, page_of_comparison(runs, factory.tick_seconds()))
+                  << recording::write_page(options.report_folder, page_of_comparison(runs, factory.tick_seconds()))
                   << std::endl;
     return first_difference(runs) < 0 && first_difference_of_contacts(runs) < 0;
 }

@@ -26,10 +26,10 @@ struct RunSeries
 {
     double step_seconds = 0;         ///< simulated, of a value in collide and advance
     double servo_seconds = 0;        ///< of a value in force and period
-    report::BoundedSeries collide{}; ///< s; in dSpaceCollide()
-    report::BoundedSeries advance{}; ///< s; contacts, forces and the step of the world
-    report::BoundedSeries force{};   ///< N
-    report::BoundedSeries period{};  ///< s
+    recording::BoundedSeries collide{}; ///< s; in dSpaceCollide()
+    recording::BoundedSeries advance{}; ///< s; contacts, forces and the step of the world
+    recording::BoundedSeries force{};   ///< N
+    recording::BoundedSeries period{};  ///< s
 };
 
 /// The result of a run.
@@ -143,8 +143,8 @@ private:
     std::vector<haptics::Encounter> meetings_;
     EncounterLog encounter_log_;
     haptics::TimeHistogram collide_times_;
-    report::BoundedSeries collide_series_{};
-    report::BoundedSeries advance_series_{};
+    recording::BoundedSeries collide_series_{};
+    recording::BoundedSeries advance_series_{};
 };
 } // namespace ode_predictive_space::demo
 

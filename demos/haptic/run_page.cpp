@@ -3,7 +3,7 @@
 #include "demos/haptic/comparison_report.h"
 #include "demos/haptic/run_summary.h"
 #include "demos/runs/table.h"
-#include "ode_predictive_space/report/curves.h"
+#include "ode_predictive_space/recording/curves.h"
 
 #include <sstream>
 
@@ -11,8 +11,8 @@ namespace ode_predictive_space::demo
 {
 namespace
 {
-using report::Curve;
-using report::Plot;
+using recording::Curve;
+using recording::Plot;
 
 constexpr char seconds_label[] = "simulated time (s)";
 
@@ -22,9 +22,9 @@ Plot times_plot(const RunResult &result)
     return {"Time per step",
             seconds_label,
             "microseconds",
-            {report::means("dSpaceCollide(), mean", result.series.collide, step, 1e6),
-             report::largest("dSpaceCollide(), longest", result.series.collide, step, 1e6),
-             report::means("contacts and step of the world, mean", result.series.advance, step, 1e6)},
+            {recording::means("dSpaceCollide(), mean", result.series.collide, step, 1e6),
+             recording::largest("dSpaceCollide(), longest", result.series.collide, step, 1e6),
+             recording::means("contacts and step of the world, mean", result.series.advance, step, 1e6)},
             true};
 }
 
@@ -33,8 +33,8 @@ Plot force_plot(const RunResult &result)
     return {"Force at the hand",
             seconds_label,
             "newtons",
-            {report::largest("largest", result.series.force, result.series.servo_seconds, 1),
-             report::means("mean", result.series.force, result.series.servo_seconds, 1)}};
+            {recording::largest("largest", result.series.force, result.series.servo_seconds, 1),
+             recording::means("mean", result.series.force, result.series.servo_seconds, 1)}};
 }
 
 Plot period_plot(const RunResult &result)
@@ -42,8 +42,8 @@ Plot period_plot(const RunResult &result)
     return {"Period of the servo",
             seconds_label,
             "milliseconds",
-            {report::largest("longest", result.series.period, result.series.servo_seconds, 1e3),
-             report::means("mean", result.series.period, result.series.servo_seconds, 1e3)}};
+            {recording::largest("longest", result.series.period, result.series.servo_seconds, 1e3),
+             recording::means("mean", result.series.period, result.series.servo_seconds, 1e3)}};
 }
 
 Plot contacts_plot(const RunResult &result)
@@ -72,30 +72,30 @@ Plot comparison_plot(const char *title, const worlds::WorldRuns &runs, double ti
     Plot plot{title, seconds_label, "microseconds", {}, true};
     for (const auto &run : runs)
     {
-        report::BoundedSeries series{};
+        recording::BoundedSeries series{};
         for (const double time : (*run.*times)())
             series.add(time);
-        plot.curves.push_back(report::means(run->name(), series, tick_seconds, 1));
+        plot.curves.push_back(recording::means(run->name(), series, tick_seconds, 1));
     }
     return plot;
 }
 } // namespace
 
-report::Page page_of_run(const Options &options, const RunResult &result)
+recording::Page page_of_run(const Options &options, const RunResult &result)
 {
     std::ostringstream text;
     text << "Scene " << options.scene << ", " << worlds::grouped(static_cast<std::uint64_t>(options.objects))
          << " objects, space " << options.spaces.front() << ", device " << options.device << ", law " << options.law
          << ", seed " << options.seed << ".\n";
     print_summary(text, options, result);
-    report::Page page{"A run of the haptic probe", text.str(), {times_plot(result), force_plot(result)}};
+    recording::Page page{"A run of the haptic probe", text.str(), {times_plot(result), force_plot(result)}};
     if (!options.fast) // simulated time has no periods
         page.plots.push_back(period_plot(result));
     page.plots.push_back(contacts_plot(result));
     return page;
 }
 
-report::Page page_of_comparison(const worlds::WorldRuns &runs, double tick_seconds)
+recording::Page page_of_comparison(const worlds::WorldRuns &runs, double tick_seconds)
 {
     std::ostringstream text;
     worlds::print_report(text, runs);

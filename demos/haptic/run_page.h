@@ -5,15 +5,15 @@
 
 #include "demos/haptic/haptic_run.h"
 #include "demos/runs/world_run.h"
-#include "ode_predictive_space/report/page.h"
+#include "ode_predictive_space/recording/page.h"
 
 namespace ode_predictive_space::demo
 {
 /// Time per step, force, period of the servo, and predicted against actual contacts.
-report::Page page_of_run(const Options &options, const RunResult &result);
+recording::Page page_of_run(const Options &options, const RunResult &result);
 
 /// Time per tick of each space.
-report::Page page_of_comparison(const worlds::WorldRuns &runs, double tick_seconds);
+recording::Page page_of_comparison(const worlds::WorldRuns &runs, double tick_seconds);
 } // namespace ode_predictive_space::demo
 
 #endif

@@ -6,7 +6,7 @@
 #include "ode_predictive_space/haptics/exchange.h"
 #include "ode_predictive_space/haptics/recording.h"
 #include "ode_predictive_space/haptics/renderer.h"
-#include "ode_predictive_space/report/bounded_series.h"
+#include "ode_predictive_space/recording/bounded_series.h"
 
 #include <atomic>
 #include <chrono>
@@ -67,8 +67,8 @@ public:
     /// After the end.
     const ServoTotals &totals() const { return totals_; }
     const std::vector<haptics::Vector3> &forces() const { return forces_; }       ///< N
-    const report::BoundedSeries &force_series() const { return force_series_; }   ///< N
-    const report::BoundedSeries &period_series() const { return period_series_; } ///< s; from the second tick on
+    const recording::BoundedSeries &force_series() const { return force_series_; }   ///< N
+    const recording::BoundedSeries &period_series() const { return period_series_; } ///< s; from the second tick on
     std::size_t lost_in_recording() const { return recorder_ ? recorder_->lost() : 0; }
 
     /// After the end. @throws haptics::DeviceError when the recording could not be written.
@@ -84,8 +84,8 @@ private:
     bool keep_forces_;
     std::vector<haptics::Vector3> forces_;
     ServoTotals totals_;
-    report::BoundedSeries force_series_{};
-    report::BoundedSeries period_series_{};
+    recording::BoundedSeries force_series_{};
+    recording::BoundedSeries period_series_{};
     Clock::time_point last_tick_{};
     ServoColumn column_;
     std::atomic<double> longest_step_{0};

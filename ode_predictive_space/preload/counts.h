@@ -1,15 +1,11 @@
-// What is counted of a space: plain data, two pages, so that it can lie in memory that outlives its process (counts_file.h).
+// What is counted of a space.
 
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_COUNTS_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_COUNTS_H
 
-#include <atomic>
-#include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 #include "ode_predictive_space/predictive_space.h"
-#include "ode_predictive_space/report/bounded_series.h"
 
 namespace ode_predictive_space::preload
 {
@@ -43,23 +39,9 @@ struct CallTimes
     void add(double seconds, double callback_seconds);
 };
 
-/// Which pages there is something to say of.
-enum class PageState : std::uint32_t
-{
-    unused,   ///< as all zeros are
-    counting, ///< and its process has not said it
-    reported
-};
-
-/// The counts of a space in a process, which writes it alone. All zeros at first. A program that goes astray may write anything
-/// here: a reader must get on with every content.
+/// The counts of a space in a process.
 struct SpaceCounts
 {
-    std::atomic<PageState> state;
-    std::uint32_t process; ///< tells processes apart that have the same id one after another
-    std::int32_t process_id;
-    char program[32];
-
     int number;      ///< in the order in which the process made them, from 1
     int space_class; ///< as the program sees it
     int predictive;  ///< 1; 0: ODE's own
@@ -67,18 +49,12 @@ struct SpaceCounts
     int most_geoms;
     unsigned long reported; ///< callbacks
     CallTimes collide, collide2;
-    report::BoundedSeries collide_series; ///< s; each call of dSpaceCollide()
     unsigned long compared, differences;
     dPredictiveSpaceStats stats; ///< of a predictive one, when it was last collided
 };
 
-constexpr std::size_t counts_page_size = 4096;
-static_assert(sizeof(SpaceCounts) <= 2 * counts_page_size, "two pages for each");
-static_assert(std::is_standard_layout_v<SpaceCounts>, "two programs read it");
-static_assert(std::atomic<PageState>::is_always_lock_free, "it is shared by processes");
-
-/// From this space of a process on, all share its page: a program may make any number of them.
-constexpr int last_space_with_page = 1000;
+/// From this space of a process on, all share one line: a program may make any number of them.
+constexpr int last_space_with_line = 1000;
 } // namespace ode_predictive_space::preload
 
 #endif

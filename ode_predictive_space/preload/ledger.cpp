@@ -1,19 +1,7 @@
 #include "ode_predictive_space/preload/ledger.h"
 
-#include <cerrno>
-#include <cstdlib>
-#include <string_view>
-
-#include <unistd.h>
-
 namespace ode_predictive_space::preload
 {
-Ledger::Ledger() : file_(CountsFile::open(secure_getenv(counts_variable)))
-{
-    if (file_)
-        process_ = file_->new_process();
-}
-
 void Ledger::made(dSpaceID space, bool is_substitute)
 {
     const std::lock_guard<std::mutex> guard(mutex_);
@@ -45,32 +33,19 @@ KnownSpace &Ledger::enter(dSpaceID space, bool is_substitute)
 
 SpaceCounts *Ledger::begin_counts(dSpaceID space, int number)
 {
-    if (number > last_space_with_page && !counts_.empty() && counts_.back()->number >= last_space_with_page)
-        return counts_.back();
-    SpaceCounts *counts = new_page();
-    counts->process = process_;
-    counts->process_id = getpid();
-    std::string_view(program_invocation_short_name).copy(counts->program, sizeof counts->program - 1);
-    counts->number = number;
-    counts->space_class = dSpaceGetClass(space);
-    counts->predictive = dSpaceIsPredictive(space);
-    if (counts->predictive)
-        counts->proximity = dPredictiveSpaceGetProximity(space);
-    counts->state = PageState::counting;
-    counts_.push_back(counts);
-    return counts;
-}
-
-SpaceCounts *Ledger::new_page()
-{
-    SpaceCounts *page = file_ ? file_->take_page() : nullptr;
-    return page ? page : &own_pages_.emplace_back();
+    if (number > last_space_with_line && !counts_.empty() && counts_.back().number >= last_space_with_line)
+        return &counts_.back();
+    SpaceCounts &counts = counts_.emplace_back();
+    counts.number = number;
+    counts.space_class = dSpaceGetClass(space);
+    counts.predictive = dSpaceIsPredictive(space);
+    if (counts.predictive)
+        counts.proximity = dPredictiveSpaceGetProximity(space);
+    return &counts;
 }
 
 void Ledger::begin_in_child()
 {
-    if (file_)
-        process_ = file_->new_process();
     counts_.clear();
     for (auto &each : current_)
     {
@@ -80,13 +55,7 @@ void Ledger::begin_in_child()
     mutex_.unlock();
 }
 
-void Ledger::note_lost_output()
-{
-    if (file_)
-        file_->note_lost_output();
-}
-
-std::vector<SpaceCounts *> Ledger::all()
+std::deque<SpaceCounts> Ledger::all() const
 {
     const std::lock_guard<std::mutex> guard(mutex_);
     return counts_;

@@ -2,13 +2,10 @@
 #define ODE_PREDICTIVE_SPACE_PRELOAD_LEDGER_H
 
 #include <deque>
-#include <memory>
 #include <mutex>
 #include <unordered_map>
-#include <vector>
 
 #include "ode_predictive_space/preload/counts.h"
-#include "ode_predictive_space/preload/counts_file.h"
 
 namespace ode_predictive_space::preload
 {
@@ -26,8 +23,6 @@ struct KnownSpace
 class Ledger
 {
 public:
-    Ledger();
-
     /// A space was made, perhaps where one was that is gone.
     void made(dSpaceID space, bool is_substitute);
 
@@ -49,23 +44,16 @@ public:
     /// This process was forked, with the lock: it begins to count, and leaves to its parent what was counted before.
     void begin_in_child();
 
-    /// Tells the launcher, if there is one, that some output of this process could not be written.
-    void note_lost_output();
-
     /// The counts of this process's spaces, in the order in which they began.
-    std::vector<SpaceCounts *> all();
+    std::deque<SpaceCounts> all() const;
 
 private:
     KnownSpace &known(dSpaceID space);
     KnownSpace &enter(dSpaceID space, bool is_substitute);
     SpaceCounts *begin_counts(dSpaceID space, int number);
-    SpaceCounts *new_page();
 
     mutable std::mutex mutex_;
-    std::unique_ptr<CountsFile> file_; // 0: there is no launcher; the counts end with the process
-    std::uint32_t process_ = 0;
-    std::deque<SpaceCounts> own_pages_; // when there is no file, or it is full
-    std::vector<SpaceCounts *> counts_;
+    std::deque<SpaceCounts> counts_;
     std::unordered_map<dSpaceID, KnownSpace> current_;
     int made_ = 0;
 };

@@ -6,11 +6,11 @@
 #include <atomic>
 #include <string>
 
-#include "ode_predictive_space/history/no_signal_of_writing.h"
+#include "ode_predictive_space/recording/no_signal_of_writing.h"
 
 namespace ode_predictive_space::preload
 {
-using history::NoSignalOfWriting;
+using recording::NoSignalOfWriting;
 
 /// A file to append to. Without a buffer: a text is written at once and in one piece, also when other processes write to the same
 /// file, and when this one forks there is nothing left that its child would write again. Any number of threads may write.

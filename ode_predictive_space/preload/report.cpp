@@ -3,19 +3,15 @@
 #include <cstdio>
 
 #include "ode_predictive_space/preload/output_file.h"
-#include "ode_predictive_space/process/printable.h"
+#include "ode_predictive_space/recording/formatted.h"
+#include "ode_predictive_space/recording/printable.h"
 
 namespace ode_predictive_space::preload
 {
+using recording::formatted;
+
 namespace
 {
-template <typename... Arguments> std::string formatted(const char *format, Arguments... arguments)
-{
-    char text[512];
-    std::snprintf(text, sizeof text, format, arguments...);
-    return text;
-}
-
 std::string times_line(const char *function, const CallTimes &times)
 {
     if (times.calls == 0)
@@ -34,7 +30,7 @@ std::string space_line(const SpaceCounts &counts)
                          : counts.proximity == dPredictiveProximityShape  ? "predictive by shapes"
                                                                           : "predictive by boxes";
     return formatted("  space %d%s: %s, %s; at most %d geoms, %lu pairs", counts.number,
-                     counts.number >= last_space_with_page ? " and later ones" : "", kind, served, counts.most_geoms,
+                     counts.number >= last_space_with_line ? " and later ones" : "", kind, served, counts.most_geoms,
                      counts.reported) +
            times_line("dSpaceCollide", counts.collide) + times_line("dSpaceCollide2", counts.collide2) + "\n";
 }
@@ -47,25 +43,25 @@ std::string counters_line(const dPredictiveSpaceStats &stats)
                      stats.woken, stats.near, stats.scans, stats.bytes);
 }
 
-std::string statistics(const std::vector<SpaceCounts *> &spaces)
+std::string statistics(const std::deque<SpaceCounts> &spaces)
 {
     std::string text;
-    for (const SpaceCounts *counts : spaces)
+    for (const SpaceCounts &counts : spaces)
     {
-        text += space_line(*counts);
-        if (counts->stats.ticks > 0)
-            text += counters_line(counts->stats);
+        text += space_line(counts);
+        if (counts.stats.ticks > 0)
+            text += counters_line(counts.stats);
     }
     return text;
 }
 
-std::string comparison(const std::vector<SpaceCounts *> &spaces)
+std::string comparison(const std::deque<SpaceCounts> &spaces)
 {
     unsigned long compared = 0, differences = 0;
-    for (const SpaceCounts *counts : spaces)
+    for (const SpaceCounts &counts : spaces)
     {
-        compared += counts->compared;
-        differences += counts->differences;
+        compared += counts.compared;
+        differences += counts.differences;
     }
     return formatted("  compared with all pairs: %lu collides, %lu differences\n", compared, differences);
 }
@@ -85,7 +81,7 @@ bool written_to_standard_error(const std::string &text)
 } // namespace
 
 std::string report_text(const Settings &settings, const char *program, int process_id,
-                        const std::vector<SpaceCounts *> &spaces)
+                        const std::deque<SpaceCounts> &spaces)
 {
     std::string text;
     if (settings.stats)
@@ -97,17 +93,15 @@ std::string report_text(const Settings &settings, const char *program, int proce
     return formatted("ode_predictive_space: %s (process %d)\n", printable(program).c_str(), process_id) + text;
 }
 
-bool write_report(const Settings &settings, const std::string &text, const std::vector<SpaceCounts *> &spaces)
+bool write_report(const Settings &settings, const std::string &text)
 {
     if (text.empty())
         return true;
-    bool written = false;
-    if (!settings.stats_file.empty())
-        written = written_to_file(settings.stats_file, text);
-    const bool told = written || written_to_standard_error(text);
-    if (told)
-        for (SpaceCounts *counts : spaces)
-            counts->state = PageState::reported;
-    return settings.stats_file.empty() ? told : written;
+    if (settings.stats_file.empty())
+        return written_to_standard_error(text);
+    const bool written = written_to_file(settings.stats_file, text);
+    if (!written)
+        written_to_standard_error(text);
+    return written;
 }
 } // namespace ode_predictive_space::preload

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "ode_predictive_space/process/printable.h"
+#include "ode_predictive_space/recording/printable.h"
 
 namespace ode_predictive_space::preload
 {

@@ -130,7 +130,6 @@ Settings read_settings(const std::function<const char *(const char *)> &variable
     const std::string stats = reader.value("ODE_PREDICTIVE_STATS");
     settings.stats = !stats.empty() && stats != "0";
     settings.stats_file = settings.stats && stats != "1" ? stats : "";
-    settings.counted = !reader.value("ODE_PREDICTIVE_COUNTS").empty();
     settings.compare = reader.yes("ODE_PREDICTIVE_COMPARE");
     settings.trace_file = reader.value("ODE_PREDICTIVE_TRACE");
     settings.record_file = reader.value("ODE_PREDICTIVE_RECORD");

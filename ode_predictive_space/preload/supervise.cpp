@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "ode_predictive_space/process/printable.h"
+#include "ode_predictive_space/recording/printable.h"
 
 namespace ode_predictive_space::preload
 {
@@ -84,27 +84,16 @@ bool is_sent_by_a_process(const siginfo_t &signal)
     return signal.si_code <= 0;
 }
 
-// @return whether there was one.
-bool wait_for_signal(siginfo_t &signal, bool at_most_half_a_second)
+int wait_for(pid_t program)
 {
     sigset_t all;
     sigfillset(&all);
-    const timespec half_a_second = {0, 500'000'000};
-    return sigtimedwait(&all, &signal, at_most_half_a_second ? &half_a_second : nullptr) > 0;
-}
-
-int wait_for(pid_t program, const std::function<void()> &twice_a_second)
-{
     for (;;)
     {
         siginfo_t signal;
         int status;
-        if (!wait_for_signal(signal, static_cast<bool>(twice_a_second)))
-        {
-            if (twice_a_second)
-                twice_a_second();
+        if (sigwaitinfo(&all, &signal) < 0)
             continue;
-        }
         if (signal.si_signo != SIGCHLD && is_sent_by_a_process(signal))
             kill(program, signal.si_signo);
         if (signal.si_signo == SIGCHLD && follow_state(program, status))
@@ -117,24 +106,24 @@ void become(char **command)
 {
     execvp(command[0], command);
     const int reason = errno;
-    std::fprintf(stderr, "ode-predictive-run: %s: %s\n", printable(command[0]).c_str(), std::strerror(reason));
+    std::fprintf(stderr, "ode-predictive: %s: %s\n", printable(command[0]).c_str(), std::strerror(reason));
     _exit(reason == ENOENT ? 127 : 126);
 }
 
-int run_and_wait(char **command, int file, const std::function<void()> &twice_a_second)
+int run_and_wait(char **command, int file)
 {
     const SignalState signals = block_signals();
     const pid_t launcher = getpid();
     const pid_t program = fork();
     if (program < 0)
     {
-        std::fprintf(stderr, "ode-predictive-run: %s\n", std::strerror(errno));
+        std::fprintf(stderr, "ode-predictive: %s\n", std::strerror(errno));
         std::exit(126);
     }
     if (program == 0)
         begin_program(command, signals, launcher);
     close_all_files_but(file);
-    return wait_for(program, twice_a_second);
+    return wait_for(program);
 }
 
 void end_like(int status, bool all_written)

@@ -3,8 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_SUPERVISE_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_SUPERVISE_H
 
-#include <functional>
-
 namespace ode_predictive_space::preload
 {
 /// Puts a program in the place of this one. When it cannot be started, ends this one with status 126 or 127.
@@ -16,9 +14,8 @@ namespace ode_predictive_space::preload
 ///
 /// @param file stays open; standard error too. Standard input, output and all other files of this process are closed, so that
 /// the program alone decides when the other end of a pipe sees its end.
-/// @param twice_a_second called meanwhile; empty: nothing is.
 /// @return its status, as from waitpid().
-int run_and_wait(char **command, int file, const std::function<void()> &twice_a_second);
+int run_and_wait(char **command, int file);
 
 /// Ends this process as the other one ended: with its exit status, or by its signal, but without a second core file. Exit status 0
 /// becomes 2 unless all output was written.

@@ -15,6 +15,7 @@
 #include <ode/collision.h>
 
 #include "ode_predictive_space/preload/comparison.h"
+#include "ode_predictive_space/preload/notes_to_launcher.h"
 #include "ode_predictive_space/preload/report.h"
 #include "ode_predictive_space/preload/say.h"
 
@@ -104,13 +105,13 @@ std::string described(dGeomID geom)
 }
 // A file of this name; with the number of this process when there is such a file already. There may be one with its number, too, of
 // another process or of the program that this process was before.
-history::HistoryFile new_file(const std::string &name, std::string &path)
+recording::HistoryFile new_file(const std::string &name, std::string &path)
 {
     const std::string numbered = name + "." + std::to_string(getpid());
     path = name;
     for (int others = 1;; ++others)
     {
-        history::HistoryFile file(path, true);
+        recording::HistoryFile file(path, true);
         if (file.error() != EEXIST && file.error() != EBUSY)
             return file;
         path = others == 1 ? numbered : numbered + "." + std::to_string(others);
@@ -125,7 +126,7 @@ struct Watch::Call
     const char *function;
     std::function<void(void *, dNearCallback *)> native;
     std::function<std::vector<Pair>()> expected;
-    std::function<history::Recorder::Event(history::Recorder &)> recorded;
+    std::function<recording::Recorder::Event(recording::Recorder &)> recorded;
     CallTimes SpaceCounts::*times;
 
     void *data = nullptr;
@@ -134,7 +135,7 @@ struct Watch::Call
     double in_callbacks = 0;
     double seconds = 0;
     std::optional<Comparison> comparison = {};
-    std::optional<history::Recorder::Event> event = {};
+    std::optional<recording::Recorder::Event> event = {};
     bool keep = false; // the pairs, for later, instead of calling back at once
     std::vector<Pair> kept = {};
 };
@@ -156,7 +157,7 @@ void Watch::collide(dSpaceID space, void *data, dNearCallback *callback)
               "dSpaceCollide",
               [=](void *d, dNearCallback *c) { ode_.collide(space, d, c); },
               [=] { return expected_pairs(space); },
-              [=](history::Recorder &recorder) { return recorder.begin_collide(space); },
+              [=](recording::Recorder &recorder) { return recorder.begin_collide(space); },
               &SpaceCounts::collide};
     run(call, data, callback);
 }
@@ -170,7 +171,7 @@ void Watch::collide2(dGeomID first, dGeomID second, void *data, dNearCallback *c
               "dSpaceCollide2",
               [=](void *d, dNearCallback *c) { ode_.collide2(first, second, d, c); },
               [=] { return expected_pairs(first, second); },
-              [=](history::Recorder &recorder) { return recorder.begin_collide2(first, second); },
+              [=](recording::Recorder &recorder) { return recorder.begin_collide2(first, second); },
               &SpaceCounts::collide2};
     run(call, data, callback);
 }
@@ -187,7 +188,7 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
     if (call.keep)
         call.kept.reserve(1000);
 
-    if (history::Recorder *const recorder = this->recorder())
+    if (recording::Recorder *const recorder = this->recorder())
     {
         tick_clock.begin_recording();
         call.event.emplace(call.recorded(*recorder));
@@ -213,8 +214,6 @@ void Watch::run(Call &call, void *data, dNearCallback *callback)
         counts.most_geoms = std::max(counts.most_geoms, dSpaceGetNumGeoms(call.space));
         counts.reported += call.reported;
         (counts.*call.times).add(call.seconds, call.in_callbacks);
-        if (call.times == &SpaceCounts::collide)
-            counts.collide_series.add(call.seconds);
         if (!predictive)
             return;
         dPredictiveSpaceGetStats(call.space, &known.latest);
@@ -226,7 +225,7 @@ void Watch::end_event(Call &call)
 {
     tick_clock.pause();
     const double tick = tick_clock.end_collide();
-    const history::EventTimes times = {static_cast<float>(call.seconds), static_cast<float>(call.in_callbacks),
+    const recording::EventTimes times = {static_cast<float>(call.seconds), static_cast<float>(call.in_callbacks),
                                        static_cast<float>(tick)};
     call.event->end(tick < 0 ? nullptr : &times);
     tick_clock.end_recording();
@@ -251,22 +250,22 @@ void Watch::on_pair(void *data, dGeomID first, dGeomID second)
 }
 
 // The file is made at the first collide. Of several processes the first one to get there has it; each other one adds its number.
-history::Recorder *Watch::recorder()
+recording::Recorder *Watch::recorder()
 {
     if (!records_)
         return nullptr;
     const std::lock_guard<std::mutex> guard(recording_);
     if (recorder_)
         return recorder_.get();
-    history::HistoryFile file = new_file(settings_.record_file, recorded_file_);
+    recording::HistoryFile file = new_file(settings_.record_file, recorded_file_);
     if (!file.is_open())
     {
         say("%s cannot be written: %s; nothing is recorded", recorded_file_.c_str(), std::strerror(file.error()));
-        ledger_.note_lost_output();
+        leave_note(Note::lost);
         records_ = false;
         return nullptr;
     }
-    recorder_ = std::make_unique<history::Recorder>(std::move(file), settings_.record_limit, history::note_of_process(),
+    recorder_ = std::make_unique<recording::Recorder>(std::move(file), settings_.record_limit, recording::note_of_process(),
                                                     [this](dSpaceID space) { return ledger_.is_substitute(space); });
     return recorder_.get();
 }
@@ -286,7 +285,7 @@ void Watch::end_recording()
     if (!recorder_ || recorder_->close())
         return;
     say("%s could not be written to its end", recorded_file_.c_str());
-    ledger_.note_lost_output();
+    leave_note(Note::lost);
 }
 
 void Watch::judge(Call &call)
@@ -319,7 +318,7 @@ void Watch::trace(Call &call)
     std::snprintf(line, sizeof line, "%s space %d geoms %d pairs %zu hash %016" PRIx64 "\n", call.function, number,
                   dSpaceGetNumGeoms(call.space), call.kept.size(), hash);
     if (!trace_file_->write(line))
-        ledger_.note_lost_output();
+        leave_note(Note::lost);
     const double start = now();
     for (const Pair &pair : call.kept)
         call.callback(call.data, pair.first, pair.second);
@@ -329,10 +328,8 @@ void Watch::trace(Call &call)
 void Watch::report()
 {
     end_recording();
-    const std::vector<SpaceCounts *> spaces = ledger_.all();
-    const bool written =
-        write_report(settings_, report_text(settings_, program_invocation_short_name, getpid(), spaces), spaces);
-    if (!written)
-        ledger_.note_lost_output();
+    if (!write_report(settings_, report_text(settings_, program_invocation_short_name, getpid(), ledger_.all())))
+        leave_note(Note::lost);
+    leave_note(Note::finished);
 }
 } // namespace ode_predictive_space::preload

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <string>
 
-#include "ode_predictive_space/history/recorder.h"
+#include "ode_predictive_space/recording/recorder.h"
 #include "ode_predictive_space/preload/ledger.h"
 #include "ode_predictive_space/preload/output_file.h"
 #include "ode_predictive_space/preload/settings.h"
@@ -36,7 +36,7 @@ public:
 
 private:
     struct Call;
-    history::Recorder *recorder();
+    recording::Recorder *recorder();
     void end_recording();
     void run(Call &call, void *data, dNearCallback *callback);
     static void end_event(Call &call);
@@ -49,7 +49,7 @@ private:
     Ledger ledger_;
     std::unique_ptr<OutputFile> trace_file_;      // 0: there is no trace
     std::mutex recording_;                        // of the next three
-    std::unique_ptr<history::Recorder> recorder_; // 0: nothing has been recorded yet
+    std::unique_ptr<recording::Recorder> recorder_; // 0: nothing has been recorded yet
     std::string recorded_file_;
     bool records_ = false; // unless it could not
     unsigned long complaints_ = 0;

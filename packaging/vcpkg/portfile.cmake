@@ -13,8 +13,8 @@ vcpkg_cmake_configure(
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(CONFIG_PATH lib/cmake/ode_predictive_space PACKAGE_NAME ode_predictive_space)
 vcpkg_fixup_pkgconfig()
-if(EXISTS "${CURRENT_PACKAGES_DIR}/bin/ode-predictive-run")
-    vcpkg_copy_tools(TOOL_NAMES ode-predictive-run ode-predictive-replay AUTO_CLEAN)
+if(EXISTS "${CURRENT_PACKAGES_DIR}/bin/ode-predictive")
+    vcpkg_copy_tools(TOOL_NAMES ode-predictive ode-predictive-run ode-predictive-replay AUTO_CLEAN)
 endif()
 
 file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share")

@@ -11,8 +11,8 @@
 
 #include <ode/ode.h>
 
-#include "ode_predictive_space/history/recording.h"
-#include "ode_predictive_space/replay/stage.h"
+#include "ode_predictive_space/recording/recording.h"
+#include "ode_predictive_space/recording/stage.h"
 #include "tests/fuzz/fuzz_target.h"
 
 namespace ode_predictive_space
@@ -112,10 +112,10 @@ using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 void add(void *pairs, dGeomID first, dGeomID second)
 {
-    static_cast<Pairs *>(pairs)->push_back(std::minmax(replay::Stage::id_of(first), replay::Stage::id_of(second)));
+    static_cast<Pairs *>(pairs)->push_back(std::minmax(recording::Stage::id_of(first), recording::Stage::id_of(second)));
 }
 
-Pairs pairs_of(replay::Stage &stage, const Record &record)
+Pairs pairs_of(recording::Stage &stage, const Record &record)
 {
     Pairs pairs;
     stage.ask(record, &pairs, add);
@@ -126,8 +126,8 @@ Pairs pairs_of(replay::Stage &stage, const Record &record)
 void replay_all(const Recording &recording)
 {
     const bool usual = is_usual(recording);
-    replay::Stage simple(recording, replay::SpaceKind::simple), box(recording, replay::SpaceKind::box),
-        shape(recording, replay::SpaceKind::shape);
+    recording::Stage simple(recording, recording::SpaceKind::simple), box(recording, recording::SpaceKind::box),
+        shape(recording, recording::SpaceKind::shape);
     for (const Record &record : recording.records())
         if (record.kind == RecordKind::collide || record.kind == RecordKind::collide2)
         {
@@ -136,7 +136,7 @@ void replay_all(const Recording &recording)
             pairs_of(shape, record);
         }
         else
-            for (replay::Stage *stage : {&simple, &box, &shape})
+            for (recording::Stage *stage : {&simple, &box, &shape})
                 stage->apply(record);
 }
 void take(const std::uint8_t *data, std::size_t size)

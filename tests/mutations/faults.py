@@ -729,11 +729,11 @@ def space_faults():
 
 
 def history_faults():
-    recorder = SOURCES + "history/recorder.cpp"
-    state = SOURCES + "history/state.cpp"
-    data = SOURCES + "history/shape_data.cpp"
-    check = SOURCES + "history/recording_check.cpp"
-    file = SOURCES + "history/history_file.cpp"
+    recorder = SOURCES + "recording/recorder.cpp"
+    state = SOURCES + "recording/state.cpp"
+    data = SOURCES + "recording/shape_data.cpp"
+    check = SOURCES + "recording/recording_check.cpp"
+    file = SOURCES + "recording/history_file.cpp"
     recorded = (("recordings", "RecorderTest.*"),)
     read = (("recordings", "Recording.*"),)
     yield Fault(
@@ -748,7 +748,7 @@ def history_faults():
     yield Fault(
         "a_convex_cannot_be_cut", "history", check, "    case RecordKind::convex:\n    case RecordKind::heights:", "    case RecordKind::heights:", read)
     yield Fault(
-        "spaces_within_asked_spaces_recorded", "history", SOURCES + "history/recorded_space.cpp", "        if (!recorder || IS_SPACE(geom))\n",
+        "spaces_within_asked_spaces_recorded", "history", SOURCES + "recording/recorded_space.cpp", "        if (!recorder || IS_SPACE(geom))\n",
         "        if (!recorder)\n", (("recordings", "*Recorded*"),))
     yield Fault(
         "another_class_at_the_address_known", "history", recorder,
@@ -776,7 +776,7 @@ def history_faults():
     yield Fault(
         "closed_as_whole_without_memory", "history", recorder, "file_.give_up(ENOMEM);\n    over_ = true;", "", recorded)
     yield Fault(
-        "pairs_hashed_in_their_order", "history", SOURCES + "history/format.cpp",
+        "pairs_hashed_in_their_order", "history", SOURCES + "recording/format.cpp",
         "std::uint64_t{std::min(first, second)} << 32 | std::max(first, second);",
         "std::uint64_t{first} << 32 | std::max(second, std::min(first, second));", recorded)
     yield Fault(
@@ -824,13 +824,13 @@ def history_faults():
         "nested_predictive_spaces_not_listened_to", "history", recorder, "    ode_predictive_space_listen(space, &notices_);\n",
         "    if (!space->parent_space)\n        ode_predictive_space_listen(space, &notices_);\n", recorded)
     yield Fault(
-        "functions_of_a_recorded_space_kept", "history", SOURCES + "history/recorded_space.cpp",
+        "functions_of_a_recorded_space_kept", "history", SOURCES + "recording/recorded_space.cpp",
         "    recorded_spaces().all.erase(place);\n    give_functions_of<dxPredictiveSpace>(space);\n",
         "    recorded_spaces().all.erase(place);\n", (("recordings", "RecorderTest.*"),))
     yield Fault(
         "a_callback_sampled_at_every_collide", "history", data, "height_data_of(geom)->source == HeightSamples::callback", "false", recorded)
     yield Fault(
-        "bounds_of_a_heightfield_not_recorded", "history", SOURCES + "replay/stage.cpp", "        known->lowest = content.lowest;\n", "", recorded)
+        "bounds_of_a_heightfield_not_recorded", "history", SOURCES + "recording/stage.cpp", "        known->lowest = content.lowest;\n", "", recorded)
     yield Fault(
         "a_sizeless_geom_in_a_transform_recorded", "history", state, "(GEOM_PLACEABLE | GEOM_ZERO_SIZED)) == GEOM_PLACEABLE", "GEOM_PLACEABLE) != 0",
         (("recordings", "*RecordedHistories*"),))
@@ -842,7 +842,7 @@ def history_faults():
 
 
 def advice_faults():
-    advice = SOURCES + "replay/advice.cpp"
+    advice = SOURCES + "recording/advice.cpp"
     advised = (("recordings", "Advice.*"),)
     yield Fault(
         "the_tick_of_the_recording_taken_for_that_of_the_program", "replay", advice,
@@ -853,10 +853,10 @@ def advice_faults():
 
 
 def replay_faults():
-    stage = SOURCES + "replay/stage.cpp"
-    replay = SOURCES + "replay/replay.cpp"
-    check = SOURCES + "replay/check.cpp"
-    child = SOURCES + "replay/child.cpp"
+    stage = SOURCES + "recording/stage.cpp"
+    replay = SOURCES + "recording/replay.cpp"
+    check = SOURCES + "recording/check.cpp"
+    child = SOURCES + "recording/child.cpp"
     staged = (("recordings", "RecorderTest.*"),)
     replayed = (("recordings", "Replay.*"),)
     yield Fault(

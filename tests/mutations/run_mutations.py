@@ -33,7 +33,7 @@ SUITES = {  # where the programs are; quick ones first
     "shape_contract": "tests/shape/shape_contract_tests",
     "colliders": "tests/shape/shape_colliders_test",
     "differential": "tests/differential/differential_tests",
-    "recordings": "tests/history/history_tests",
+    "recordings": "tests/recording/history_tests",
     "histories": "tests/fuzz/contact_history_tests",
     "haptics": "tests/haptics/haptics_test",
 }

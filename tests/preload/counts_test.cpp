@@ -54,20 +54,17 @@ TEST(CallTimes, AddUp)
     EXPECT_DOUBLE_EQ(times.in_callbacks, 6e-6);
 }
 
-// A program that goes astray may leave anything in its page; the launcher must get on with it.
-TEST(Report, IsMadeOfAnyBytes)
+TEST(Report, HasALineForEachSpaceAndOneForTheComparison)
 {
     Settings settings;
     settings.stats = settings.compare = true;
-    for (int byte : {0x00, 0x01, 0x7f, 0x80, 0xff})
-    {
-        alignas(SpaceCounts) unsigned char bytes[sizeof(SpaceCounts)];
-        std::fill(std::begin(bytes), std::end(bytes), static_cast<unsigned char>(byte));
-        auto *counts = reinterpret_cast<SpaceCounts *>(bytes);
-        const std::string text = report_text(settings, "program", 7, {counts, counts});
-        EXPECT_EQ(text.rfind("ode_predictive_space: program (process 7)\n  space ", 0), 0u) << text;
-        EXPECT_NE(text.find("\n  compared with all pairs: "), std::string::npos) << text;
-    }
+    SpaceCounts counts{};
+    counts.number = 3;
+    counts.compared = 2;
+    counts.differences = 1;
+    const std::string text = report_text(settings, "program\x1b", 7, {counts, counts});
+    EXPECT_EQ(text.rfind("ode_predictive_space: program\\x1b (process 7)\n  space 3", 0), 0u) << text;
+    EXPECT_NE(text.find("\n  compared with all pairs: 4 collides, 2 differences\n"), std::string::npos) << text;
 }
 } // namespace
 } // namespace ode_predictive_space::preload

@@ -1,4 +1,4 @@
-// What was counted remains, however a program ends, and its end is passed on.
+// What remains of a program, however it ends, and that its end is passed on.
 
 #include <csignal>
 #include <utility>
@@ -117,20 +117,23 @@ private:
 struct EndOfAProgram : testing::TestWithParam<const char *>
 {};
 
-TEST_P(EndOfAProgram, LeavesStatisticsComparisonAndTrace)
+// Those that the process itself can write are written; of the others a line says how to keep what they did.
+TEST_P(EndOfAProgram, LeavesItsTraceAndStatisticsOrAWordAboutThem)
 {
     const ScratchFile statistics, trace;
     const std::string program = std::string(ENDING " ") + GetParam();
-    const int native = raw_status(program);
-    const int ours =
-        raw_status(LAUNCHER " --compare --stats=" + statistics.path() + " --trace=" + trace.path() + " " + program);
-    EXPECT_EQ(ours, native);
-    const std::string said = statistics.text();
-    EXPECT_EQ(count_of("preload_ending (process ", said), 1) << said;
-    EXPECT_EQ(count_of("hash, predictive by boxes; at most 2 geoms, 3 pairs; dSpaceCollide 3 calls", said), 1) << said;
-    EXPECT_EQ(count_of("    ticks 3,", said), 1) << said;
-    EXPECT_EQ(count_of("  compared with all pairs: 3 collides, 0 differences\n", said), 1) << said;
+    const std::string options = " --compare --stats=" + statistics.path() + " --trace=" + trace.path() + " ";
+    EXPECT_EQ(raw_status(LAUNCHER + options + program), raw_status(program));
     EXPECT_EQ(count_of("dSpaceCollide space 1 geoms 2 pairs 1 hash ", trace.text()), 3) << trace.text();
+    const bool can_write = GetParam() == std::string("return") || GetParam() == std::string("exit");
+    const std::string said = statistics.text();
+    EXPECT_EQ(count_of("preload_ending (process ", said), can_write) << said;
+    EXPECT_EQ(count_of("hash, predictive by boxes; at most 2 geoms, 3 pairs; dSpaceCollide 3 calls", said), can_write)
+        << said;
+    EXPECT_EQ(count_of("    ticks 3,", said), can_write) << said;
+    EXPECT_EQ(count_of("  compared with all pairs: 3 collides, 0 differences\n", said), can_write) << said;
+    const std::string warned = launch("--stats=/dev/null " + program).output;
+    EXPECT_EQ(count_of("1 of 1 processes with ODE wrote no statistics: ", warned), !can_write) << warned;
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, EndOfAProgram,
@@ -146,52 +149,31 @@ TEST_P(EndOfAProgram, LeavesAPageWithPlots)
     page << std::ifstream(folder + "/index.html").rdbuf();
     constexpr int of_the_run = 1, of_its_replay_in_three_spaces = 2 * 3;
     EXPECT_EQ(count_of("<polyline", page.str()), of_the_run + of_its_replay_in_three_spaces) << page.str();
-    EXPECT_TRUE(contains(page.str(), "dSpaceCollide 3 calls")) << page.str();
-    EXPECT_TRUE(contains(page.str(), "<title>ode-predictive-run " + program + "</title>")) << page.str();
+    EXPECT_TRUE(contains(page.str(), "<title>ode-predictive run " + program + "</title>")) << page.str();
     unlink((folder + "/index.html").c_str());
+    unlink((folder + "/recording.odehist").c_str());
     rmdir(folder.c_str());
-}
-
-TEST(LiveCounters, AreShownWhileTheProgramRunsAndAtItsEnd)
-{
-    alarm(300); // a test that does not end is ended
-    allow_preload();
-    FILE *pipe = popen("exec " LAUNCHER " --watch " ENDING " wait 2>&1", "r");
-    ASSERT_NE(pipe, nullptr);
-    pid_t program = 0;
-    char line[1000];
-    while (std::fgets(line, sizeof line, pipe) && !contains(line, "1 space, 3 collides, "))
-        program = std::max(program, std::atoi(line));
-    ASSERT_GT(program, 0);
-    kill(program, SIGKILL);
-    std::string last;
-    while (std::fgets(line, sizeof line, pipe))
-        last = line;
-    EXPECT_TRUE(contains(last, "ode-predictive-run: 1 space, 3 collides, ")) << last;
-    EXPECT_EQ(pclose(pipe), SIGKILL) << "its end is passed on";
-    alarm(0);
 }
 
 // Of a child that had its parent's memory, exit() told what the parent had counted.
 TEST(EndOfAChild, IsToldOfItsOwnCollidesAlone)
 {
-    for (const char *way : {"exit", "_exit", "9", "crash"})
-    {
-        const ScratchFile statistics;
-        EXPECT_EQ(raw_status(LAUNCHER " --stats=" + statistics.path() + " " ENDING " child " + way), 0);
-        const std::string said = statistics.text();
-        EXPECT_EQ(count_of("(process ", said), 2) << said;
-        EXPECT_EQ(count_of("1 pairs; dSpaceCollide 1 calls", said), 1) << said;
-        EXPECT_EQ(count_of("    ticks 1,", said), 1) << said;
-        EXPECT_EQ(count_of("3 pairs; dSpaceCollide 3 calls", said), 1) << said;
-    }
+    const ScratchFile statistics;
+    EXPECT_EQ(raw_status(LAUNCHER " --stats=" + statistics.path() + " " ENDING " child exit"), 0);
+    const std::string said = statistics.text();
+    EXPECT_EQ(count_of("(process ", said), 2) << said;
+    EXPECT_EQ(count_of("1 pairs; dSpaceCollide 1 calls", said), 1) << said;
+    EXPECT_EQ(count_of("    ticks 1,", said), 1) << said;
+    EXPECT_EQ(count_of("3 pairs; dSpaceCollide 3 calls", said), 1) << said;
 }
 
-TEST(EndOfAChild, WithoutCollidesNothingIsTold)
+TEST(EndOfAChild, ThatCannotWriteItsStatisticsIsNotForgotten)
 {
-    const ScratchFile statistics;
-    EXPECT_EQ(launch("--stats=" + statistics.path() + " sh -c '" ENDING " _exit; true'").status, 0);
-    EXPECT_EQ(count_of("(process ", statistics.text()), 1) << statistics.text();
+    for (const char *way : {"_exit", "9", "crash"})
+    {
+        const std::string said = launch("--stats=/dev/null " ENDING " child " + std::string(way)).output;
+        EXPECT_EQ(count_of("1 of 2 processes with ODE wrote no statistics: ", said), 1) << said;
+    }
 }
 
 // It is not the launcher's to tell: it still counts.
@@ -207,40 +189,17 @@ TEST(EndOfAChild, ThatOutlivesItsParentIsToldByItself)
     EXPECT_EQ(count_of("dSpaceCollide 1 calls", statistics.text()), 1) << statistics.text();
 }
 
-// The launcher went away without a word about it, or said that it had seen no process with a space.
-TEST(ProgramThatOutlivesItsScript, IsNamedAsNotWaitedFor)
+TEST(EndOfAChild, ThatOutlivesTheLauncherIsNotForgotten)
 {
     const Fifo fifo;
     const std::string orphan = ENDING " orphan " + fifo.path();
-    const std::string without_ode = "sh -c 'read word <" + fifo.path() + " >/dev/null 2>&1 &'";
-    for (const auto &[command, name] : {std::pair(orphan, "preload_ending"), std::pair(without_ode, "sh")})
-    {
-        const std::string output = launch("--stats=/dev/null " + command + " 2>&1; echo > " + fifo.path()).output;
-        EXPECT_EQ(count_of("ode_predictive_space: not waited for, still running: " + std::string(name) + " (process ",
-                           output),
-                  1)
-            << output;
-    }
+    const std::string said = launch("--stats=/dev/null " + orphan + " 2>&1; echo > " + fifo.path()).output;
+    EXPECT_EQ(count_of(" of 2 processes with ODE wrote no statistics: ", said), 1) << said;
 }
 
-TEST(ProgramThatOutlivesItsScript, IsOnThePage)
+TEST(EndOfAChild, ThatItsScriptWaitsForIsNotMissed)
 {
-    const ScratchFile place;
-    const Fifo fifo;
-    const std::string folder = place.path() + ".report";
-    launch("--report " + folder + " " ENDING " orphan " + fifo.path() + "; echo > " + fifo.path());
-    std::ostringstream page;
-    page << std::ifstream(folder + "/index.html").rdbuf();
-    EXPECT_EQ(count_of("counted up to then: preload_ending (process ", page.str()), 1) << page.str();
-    EXPECT_EQ(count_of("dSpaceCollide 1 calls", page.str()), 1) << page.str();
-    unlink((folder + "/index.html").c_str());
-    rmdir(folder.c_str());
-}
-
-TEST(ProgramThatOutlivesItsScript, IsNotMissedWhenItsScriptWaits)
-{
-    const Outcome outcome = launch("--stats=/dev/null sh -c '" ENDING " & wait'");
-    EXPECT_EQ(outcome.output, "");
+    EXPECT_EQ(launch("--stats=/dev/null sh -c '" ENDING " & wait'").output, "");
 }
 
 TEST(LauncherThatWaits, PassesASignalOn)
@@ -321,7 +280,7 @@ std::string output_after_ignoring_children(std::vector<const char *> command)
 
 TEST(LauncherThatWaits, SeesTheEndOfAProgramAlsoWhereSuchEndsAreIgnored)
 {
-    const std::string said = output_after_ignoring_children({LAUNCHER, "--stats", ENDING, "_exit"});
+    const std::string said = output_after_ignoring_children({LAUNCHER, "--stats", ENDING, "exit"});
     EXPECT_TRUE(contains(said, "dSpaceCollide 3 calls")) << said;
 }
 
@@ -363,26 +322,24 @@ TEST(Statistics, CountASpaceThatTheProgramItselfMakesPredictive)
     EXPECT_TRUE(contains(outcome.output, "hash, predictive by spheres; at most 2 geoms")) << outcome.output;
 }
 
-// The first processes use up the pages that outlive them; the others have their own.
 TEST(Statistics, AreBoundedAndCompleteForAnyNumberOfSpaces)
 {
     const ScratchFile statistics;
-    const std::string six_times = "for i in 1 2 3 4 5 6; do " ENDING " many; done";
-    EXPECT_EQ(launch("--stats=" + statistics.path() + " sh -c '" + six_times + "'").status, 0);
+    EXPECT_EQ(launch("--stats=" + statistics.path() + " " ENDING " many").status, 0);
     const std::string said = statistics.text();
-    EXPECT_EQ(count_of("\n  space ", said), 6 * 1000);
+    EXPECT_EQ(count_of("\n  space ", said), 1000);
     EXPECT_EQ(count_of("\n  space 1: hash, predictive by boxes; at most 2 geoms, 3 pairs; dSpaceCollide 3 calls", said),
-              6);
+              1);
     EXPECT_EQ(count_of("\n  space 1000 and later ones: hash, predictive by boxes; at most 0 geoms, 0 pairs; "
                        "dSpaceCollide 101 calls",
                        said),
-              6);
+              1);
 }
 
 TEST(Statistics, NeedNoLauncher)
 {
     const Outcome outcome = run("env", "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" PRELOAD
-                                       " ODE_PREDICTIVE_STATS=1 ODE_PREDICTIVE_COUNTS=1:1 " ENDING);
+                                       " ODE_PREDICTIVE_STATS=1 ODE_PREDICTIVE_NOTES=1:1 " ENDING);
     EXPECT_TRUE(contains(outcome.output, "dSpaceCollide 3 calls")) << outcome.output;
 }
 } // namespace

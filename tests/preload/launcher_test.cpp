@@ -10,18 +10,18 @@ TEST(Launcher, ExplainsItself)
 {
     const Outcome outcome = launch("--help");
     EXPECT_EQ(outcome.status, 0);
-    for (const char *word : {"--space", "--proximity", "--stats", "--compare", "--trace", "--watch", "--report",
-                             "--record", "--record-limit", "ODE_PREDICTIVE_SPACE"})
+    for (const char *word : {"--space", "--proximity", "--stats", "--compare", "--trace", "--report", "--record",
+                             "--record-limit", "ODE_PREDICTIVE_SPACE"})
         EXPECT_TRUE(contains(outcome.output, word)) << word;
-    std::istringstream lines(outcome.output);
-    for (std::string line; std::getline(lines, line);)
-        EXPECT_LE(line.size(), 80u) << line;
+    EXPECT_EQ(run(TOOL, "run --help").output, outcome.output) << "a link is a call of the command";
+    for (const char *command : {"run", "replay", "report"})
+        EXPECT_TRUE(contains(run(TOOL, "--help").output, command)) << command;
 }
 
 TEST(Launcher, RefusesWrongOptions)
 {
     for (const char *arguments :
-         {"--space hsah true", "--space= true", "--proximity cube true", "--stats= true", "--trace", "--speed true",
+         {"--space hsah true", "--space= true", "--proximity cube true", "--trace", "--speed true",
           "--space all", "", "--report= true", "--report /proc/no_folder true", "--stats=/nonexistent/file true",
           "--trace=/nonexistent/file true", "--record", "--record= true", "--record /nonexistent/file true",
           "--record /dev/null true", "--record-limit 0 true", "--record-limit 10X true", "--record-limit -1 true"})
@@ -38,7 +38,7 @@ TEST(Launcher, RefusesAFileAsTheFolderOfAReport)
     const ScratchFile file;
     const Outcome outcome = launch("--report " + file.path() + " true");
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.output, "ode-predictive-run: --report: " + file.path() + " is not a folder\n");
+    EXPECT_EQ(outcome.output, "ode-predictive: " + file.path() + " is not a folder\n");
 }
 
 // It was written without a word.
@@ -59,7 +59,7 @@ TEST(Launcher, SaysWhereTheReportIs)
 // `--stats ls` printed no more than `ls`.
 TEST(Launcher, SaysThatNothingWasCounted)
 {
-    for (const char *option : {"--stats", "--compare", "--watch"})
+    for (const char *option : {"--stats", "--compare"})
     {
         const std::string output = launch(std::string(option) + " true").output;
         EXPECT_EQ(count_of("ode_predictive_space: no process with a space of ODE was seen\n", output), 1) << output;
@@ -125,7 +125,7 @@ TEST(Launcher, SaysHowAProgramWithAddressSanitizerCanBeRun)
 TEST(Launcher, PrintsNamesWithoutControlCharacters)
 {
     const Outcome missing = launch("\"$(printf '/nonexistent/\\033[31m')\"");
-    EXPECT_EQ(missing.output, "ode-predictive-run: /nonexistent/\\x1b[31m: No such file or directory\n");
+    EXPECT_EQ(missing.output, "ode-predictive: /nonexistent/\\x1b[31m: No such file or directory\n");
     const Outcome refused = launch("--space \"$(printf 'x\\033[31m')\" true");
     EXPECT_TRUE(contains(refused.output, "'x\\x1b[31m'")) << refused.output;
     const ScratchFile place;

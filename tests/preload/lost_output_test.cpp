@@ -25,7 +25,7 @@ public:
     }
 
 private:
-    static constexpr long limit = 1L << 27; // the counts, which are a file too, are smaller
+    static constexpr long limit = 1L << 20;
     ScratchFile file_;
 };
 
@@ -74,25 +74,10 @@ TEST(LostOutput, AtTheLimitForSizesOfFilesDoesNotEndTheProgram)
     }
 }
 
-// SIGXFSZ ended the launcher: the counts are a file.
-TEST(LostOutput, TheLauncherNeedsNoCountsForStatistics)
-{
-    allow_preload();
-    const Outcome outcome = run("sh", "-c 'ulimit -f 10; exec " LAUNCHER " --stats " ENDING " return'");
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(count_of("no memory for counts that outlive the program: File too large", outcome.output), 1)
-        << outcome.output;
-    EXPECT_EQ(count_of("dSpaceCollide 3 calls", outcome.output), 1) << outcome.output;
-    const Outcome report = run("sh", "-c 'ulimit -f 10; exec " LAUNCHER " --report " + testing::TempDir() +
-                                         "no_counts " ENDING " return'");
-    EXPECT_EQ(report.status, 2) << "there can be no page";
-    rmdir((testing::TempDir() + "no_counts").c_str());
-}
-
 TEST(LostOutput, OnStandardErrorIsToldByTheStatus)
 {
     allow_preload();
-    for (const char *options : {"--stats", "--watch", "--compare"})
+    for (const char *options : {"--stats", "--compare"})
         EXPECT_EQ(run("sh", "-c '" LAUNCHER " " + std::string(options) + " " ENDING " return 2>/dev/full'").status, 2)
             << options;
 }

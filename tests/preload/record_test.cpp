@@ -76,7 +76,7 @@ TEST(Record, HasTheTimesOfTheProgram)
 {
     const RecordingFolder folder;
     launch("--space all --record " + folder.file() + " " LINKED);
-    run(REPLAYER, "--report " + folder.file() + ".page " + folder.file());
+    run(TOOL, "report " + folder.file() + " " + folder.file() + ".page");
     std::ifstream file(folder.file() + ".page/index.html");
     const std::string page{std::istreambuf_iterator<char>(file), {}};
     EXPECT_TRUE(contains(page, "In the program a collide took")) << page;
@@ -132,17 +132,12 @@ TEST(Record, AProcessThatBecomesAnotherProgramHasAFurtherFile)
     EXPECT_EQ(folder.files(), 3) << outcome.output;
 }
 
-// The first one's file was removed, also while its program was still writing to it.
+// The file was removed while a program was still writing to it.
 TEST(Record, ASecondLauncherLeavesTheRecordingOfTheFirstAlone)
 {
     const RecordingFolder folder;
     const std::string record = "--record " + folder.file() + " ";
-    const Outcome outcome = launch(record + "sh -c '" LINKED "; " LAUNCHER " " + record + LINKED "; echo second $?'");
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_TRUE(contains(outcome.output, "second 2\n")) << outcome.output;
-    EXPECT_EQ(count_of("file is the recording of another run: ", outcome.output), 1) << outcome.output;
-    EXPECT_EQ(run(REPLAYER, "--times --space box " + folder.file()).status, 0);
-
+    EXPECT_EQ(launch(record + LINKED).status, 0);
     const int file = open(folder.file().c_str(), O_WRONLY | O_CLOEXEC);
     ASSERT_EQ(flock(file, LOCK_EX), 0);
     const Outcome busy = launch(record + LINKED);

@@ -1,0 +1,195 @@
+// The tool ode-predictive: runs programs with predictive spaces, replays what was recorded of them, and says what they would gain.
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "ode_predictive_space/preload/run_command.h"
+#include "ode_predictive_space/recording/commands.h"
+#include "ode_predictive_space/recording/printable.h"
+
+using namespace ode_predictive_space;
+
+namespace
+{
+constexpr char about_run[] =
+    R"(
+The program uses the Open Dynamics Engine (ODE). It does not notice: its spaces have the class that it asked for, and its near
+callback gets the pairs that dSimpleSpace would report, in another order.
+
+Each option but --report sets an environment variable, which the programs that PROGRAM starts inherit, and which can be set
+without this tool: ODE_PREDICTIVE_SPACE=LIST, ODE_PREDICTIVE_PROXIMITY=KIND, ODE_PREDICTIVE_STATS=1 or FILE,
+ODE_PREDICTIVE_COMPARE=1, ODE_PREDICTIVE_TRACE=FILE, ODE_PREDICTIVE_RECORD=FILE, ODE_PREDICTIVE_RECORD_LIMIT=N; and
+LD_PRELOAD, the path of libode_predictive_space_preload.so.
+
+Each process writes its statistics when it exits. One that a signal or _exit() ends writes none, which a line says; its
+recording is kept. With --stats, --compare, --trace, --record or --report the tool stays until PROGRAM has ended and passes
+signals on to it. Without these options, PROGRAM takes the tool's place.
+
+The program must use the shared library of ODE that this was built for. Others keep their own spaces, and a line on standard
+error says why: an ODE of another precision or layout, a second copy in the process, an ODE built into the program. An ODE
+inside a program without symbols is not seen and not replaced. LD_PRELOAD has no effect on set-user-ID programs and on
+statically linked ones.
+
+Exit status: the program's, also when a signal ended it; 2 for a wrong option, and instead of 0 when some output of these
+options could not be written, which a line on standard error says; 126 or 127 when the program cannot be started.
+Statistics that FILE does not take go to standard error.)";
+
+constexpr char about_replay[] =
+    R"(
+An event is a dSpaceCollide() or a dSpaceCollide2(). Pairs are compared with those of simple spaces. By sphere and by shape,
+pairs are left out; then dCollide() must find no contact in any of them. ODE's own spaces may end by an assertion, which is
+said. A recording that is cut, as when the program was killed, is replayed up to its last whole record, and a line says where
+that is.
+
+Exit status: 0 when all pairs agree; 1 when some do not, or spaces ended; 2 for a wrong option, for a file without a whole
+record, and for one that is no recording or contradicts itself, which a line on standard error says, with the offset of the
+byte.)";
+
+void add_run(CLI::App &tool, preload::RunOptions &options)
+{
+    CLI::App *run = tool.add_subcommand("run", "Run an unchanged program with predictive spaces in place of those of ODE: "
+                                               "ode-predictive run [OPTIONS] PROGRAM [ARGUMENT...]");
+    run->add_option("--space", options.spaces,
+                    "Which spaces are replaced: hash, quadtree, sap, simple, separated by commas; all; none (default: "
+                    "hash,quadtree,sap; simple ones are what programs use for tiny groups)")
+        ->type_name("LIST")
+        ->delimiter(',')
+        ->expected(1)
+        ->check(CLI::IsMember({"hash", "quadtree", "sap", "simple", "all", "none"}));
+    run->add_option("--proximity", options.proximity,
+                    "box: report the pairs whose bounding boxes overlap, as ODE does (default); sphere: leave out those "
+                    "whose bounding spheres do not overlap; shape: leave out those whose shapes cannot touch. No contact is "
+                    "lost that ODE's own colliders find")
+        ->type_name("KIND")
+        ->check(CLI::IsMember({"box", "sphere", "shape"}));
+    run->add_flag("--stats", options.stats,
+                  "At the end, write to standard error, or with --stats=FILE append to FILE, what each space did and the time "
+                  "it took");
+    run->add_option("--report", options.report_folder,
+                    "At the end, write a page that says what the program would gain, DIR/index.html. For it the program is "
+                    "recorded, up to 64 MB in DIR/recording.odehist, and the recording replayed")
+        ->type_name("DIR");
+    run->add_option("--record", options.record_file,
+                    "Record what the program tells its spaces and asks them, for `ode-predictive replay FILE`; each further "
+                    "process that collides gets a file of its own, FILE.<its number>")
+        ->type_name("FILE");
+    run->add_option("--record-limit", options.record_limit,
+                    "Bytes of a recording, as 100M; there it ends, at the end of a collide (default: 256M)")
+        ->type_name("N");
+    run->add_flag("--compare", options.compare,
+                  "Check each collide against all pairs, and report differences on standard error; slow");
+    run->add_option("--trace", options.trace_file,
+                    "Add a line to FILE for each collide: how many pairs, and a hash of them. To make runs comparable, the "
+                    "callback then gets the pairs after the collide, in an order that does not depend on the space; with "
+                    "--space none the program's own spaces are traced")
+        ->type_name("FILE");
+    run->footer(about_run);
+    run->prefix_command();
+}
+
+void add_replay(CLI::App &tool, recording::ReplayOptions &options)
+{
+    CLI::App *replay = tool.add_subcommand("replay", "Replay a recording in spaces of every kind: do they find the same pairs, what do they take?");
+    std::vector<std::string> kinds;
+    for (const recording::SpaceKind kind : recording::all_kinds)
+        kinds.emplace_back(name_of(kind));
+    replay
+        ->add_option("--space", options.spaces,
+                     "One kind of space; may be given several times. own: of the class that each space had in the program; "
+                     "simple, hash, quadtree, sap: ODE's; box, sphere, shape: predictive (default: all)")
+        ->type_name("KIND")
+        ->expected(1)
+        ->take_all()
+        ->check(CLI::IsMember(kinds));
+    replay->add_flag("--times", options.times,
+                     "Measure times also where valgrind is installed, which otherwise counts instructions");
+    replay->add_option("--counted", options.counted)->group(""); // for the process under callgrind
+    replay->add_option("FILE", options.file)->required();
+    replay->footer(about_replay);
+}
+
+void add_report(CLI::App &tool, std::string &file, std::string &folder)
+{
+    CLI::App *report = tool.add_subcommand("report", "Write a page, DIR/index.html, that says what a recorded program would gain");
+    report->add_option("FILE", file, "The recording")->required();
+    report->add_option("DIR", folder, "A folder, which is made unless it exists")->required();
+}
+
+// The first word that is no option of ours is the program.
+void take_program(const CLI::App &tool, preload::RunOptions &options)
+{
+    options.command = tool.get_subcommand("run")->remaining();
+    if (options.command.empty())
+        throw std::runtime_error("no program is named; --help explains");
+    if (options.command.front()[0] == '-')
+        throw std::runtime_error("there is no option '" + options.command.front() + "'; --help lists them");
+}
+
+// As this tool is called; links that have the name of a command, ode-predictive-run, are calls of it.
+std::vector<std::string> words_of(int argc, char **argv)
+{
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    const std::string name = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "";
+    for (const std::string command : {"run", "replay", "report"})
+        if (name == "ode-predictive-" + command)
+            words.insert(words.begin(), command);
+    return words;
+}
+
+int do_command(int argc, char **argv)
+{
+    CLI::App tool("Predictive collision spaces for programs that use the Open Dynamics Engine (ODE).", "ode-predictive");
+    preload::RunOptions run;
+    recording::ReplayOptions replay;
+    std::string file, folder;
+    add_run(tool, run);
+    add_replay(tool, replay);
+    add_report(tool, file, folder);
+    tool.require_subcommand(1);
+    for (CLI::App *each : tool.get_subcommands(nullptr))
+        each->set_version_flag("--version", "ode-predictive " VERSION);
+    tool.set_version_flag("--version", "ode-predictive " VERSION);
+    std::vector<std::string> words = words_of(argc, argv);
+    std::reverse(words.begin(), words.end()); // as the parser takes them
+    try
+    {
+        tool.parse(words);
+    }
+    catch (const CLI::Success &asked) // --help, --version
+    {
+        return tool.exit(asked);
+    }
+    if (tool.got_subcommand("run"))
+    {
+        take_program(tool, run);
+        preload::run(run);
+    }
+    if (tool.got_subcommand("replay"))
+        return recording::replay(replay);
+    std::printf("%s\n", printable(recording::write_report(folder, file, "ode-predictive report " + file)).c_str());
+    return 0;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+    int status = 2;
+    try
+    {
+        status = do_command(argc, argv);
+    }
+    catch (const std::exception &failure)
+    {
+        std::fprintf(stderr, "ode-predictive: %s\n", printable(failure.what()).c_str());
+    }
+    if (std::fclose(stdout) == 0)
+        return status;
+    std::fprintf(stderr, "ode-predictive: standard output cannot be written\n");
+    return 2;
+}

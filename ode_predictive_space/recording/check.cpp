@@ -1,0 +1,100 @@
+#include "ode_predictive_space/recording/check.h"
+
+#include <algorithm>
+
+#include "ode_predictive_space/recording/formatted.h"
+
+namespace ode_predictive_space::recording
+{
+
+namespace
+{
+std::string described(const DifferentPairs &pairs, const char *kind)
+{
+    std::string text;
+    constexpr std::size_t most = 3;
+    for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i)
+        text += formatted("%s%u and %u only in %s", i ? ", " : ": geoms ", pairs[i].first.first, pairs[i].first.second,
+                          pairs[i].second ? kind : "simple");
+    return text + (pairs.size() > most ? ", \xe2\x80\xa6" : "");
+}
+
+Verdict compare_left_out(const Pairs &pairs, const Pairs &simple)
+{
+    if (pairs.lost_contacts > 0 || pairs.strange > 0)
+        return {false, formatted("%llu pairs with a contact left out, %llu too many",
+                                 static_cast<unsigned long long>(pairs.lost_contacts),
+                                 static_cast<unsigned long long>(pairs.strange))};
+    std::uint64_t left_out = 0;
+    for (std::size_t i = 0; i < std::min(pairs.events.size(), simple.events.size()); ++i)
+        left_out += simple.events[i].count - std::min(pairs.events[i].count, simple.events[i].count);
+    return {true,
+            formatted("all with a contact; %llu without one left out", static_cast<unsigned long long>(left_out))};
+}
+} // namespace
+
+std::string completeness_of(const Recording &recording)
+{
+    if (recording.reached_limit())
+        return "The recording is whole. It ends where it had as many bytes as it was to have.";
+    if (recording.has_end())
+        return "The recording is whole.";
+    if (recording.records().empty())
+        return formatted("The recording is nothing: the file has %zu bytes and no whole record.", recording.bytes());
+    return formatted(
+        "The recording is cut at event %zu, byte %zu of %zu: the program was killed, has crashed or became "
+        "another one, or there was no disk or memory for more.",
+        recording.events().size(), recording.whole_bytes(), recording.bytes());
+}
+
+Verdict compare(const Recording &recording, SpaceKind kind, const Pairs &pairs, const Pairs &simple)
+{
+    if (!pairs.failure.empty())
+        return {false, formatted("ends at event %zu: %s", pairs.events.size(), pairs.failure.c_str())};
+    if (leaves_out_pairs(kind))
+        return compare_left_out(pairs, simple);
+    const std::size_t events = std::min(pairs.events.size(), simple.events.size());
+    const bool may_have_more = kind == SpaceKind::own || kind == SpaceKind::quadtree || kind == SpaceKind::sap;
+    std::size_t differing = 0, first = 0, with_unbounded = 0;
+    for (std::size_t i = events; i-- > 0;)
+    {
+        if (pairs.events[i] == simple.events[i])
+            continue;
+        ++with_unbounded;
+        if (may_have_more && pairs.events[i].same_but_more_unbounded(simple.events[i]))
+            continue;
+        ++differing;
+        first = i;
+    }
+    if (differing == 0)
+        return {true, with_unbounded == 0
+                          ? "the same"
+                          : "the same, but more with geoms that have no bounds (planes, nested spaces)"};
+    return {false, formatted("other pairs in %zu events, first in event %zu", differing, first) +
+                       described(differing_pairs(recording, kind, SpaceKind::simple, first), name_of(kind))};
+}
+
+std::string compared_with_program(const Recording &recording, const Pairs &simple)
+{
+    std::size_t known = 0, differing = 0, first = 0;
+    for (std::size_t i = std::min(recording.events().size(), simple.events.size()); i-- > 0;)
+    {
+        const EventSummary &event = recording.events()[i];
+        known += event.has_pairs;
+        if (event.has_pairs && !(simple.events[i] == EventPairs{event.pairs, event.hash, 0, 0}))
+        {
+            ++differing;
+            first = i;
+        }
+    }
+    if (known == 0)
+        return "";
+    if (differing == 0)
+        return formatted("The program got the pairs of simple spaces in all of its %zu events.", known);
+    return formatted(
+        "The program got other pairs than simple spaces give here in %zu of %zu events, first in event %zu "
+        "(%u instead of %u pairs): its callbacks move or remove geoms, it leaves pairs out, its spaces are of "
+        "a kind that reports more with what has no bounds, or they are wrong.",
+        differing, known, first, recording.events()[first].pairs, simple.events[first].count);
+}
+} // namespace ode_predictive_space::recording

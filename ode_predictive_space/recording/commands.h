@@ -1,0 +1,34 @@
+// The commands of the tool that begin with a recording.
+
+#ifndef ODE_PREDICTIVE_SPACE_RECORDING_COMMANDS_H
+#define ODE_PREDICTIVE_SPACE_RECORDING_COMMANDS_H
+
+#include <string>
+#include <vector>
+
+#include "ode_predictive_space/recording/space_kind.h"
+
+namespace ode_predictive_space::recording
+{
+struct ReplayOptions
+{
+    std::vector<std::string> spaces; ///< names of kinds; empty: all
+    bool times = false;              ///< also where valgrind is installed, which otherwise counts instructions
+    std::string counted;             ///< the process is under callgrind, which counts in spaces of this kind
+    std::string file;
+};
+
+/// Replays a recording in spaces of every kind and prints how their pairs agree and what they take.
+///
+/// @return 0 when all pairs agree, else 1.
+/// @throws std::runtime_error for a file that cannot be replayed.
+int replay(const ReplayOptions &options);
+
+/// Writes the page that says what the recorded program would gain. Without a recording the page says that it is not known.
+///
+/// @return the path of the page.
+/// @throws std::runtime_error when the page cannot be written, or the file is no recording.
+std::string write_report(const std::string &folder, const std::string &file, const std::string &title);
+} // namespace ode_predictive_space::recording
+
+#endif

@@ -1,0 +1,15 @@
+#ifndef ODE_PREDICTIVE_SPACE_RECORDING_DRAWING_H
+#define ODE_PREDICTIVE_SPACE_RECORDING_DRAWING_H
+
+#include "ode_predictive_space/recording/page.h"
+
+namespace ode_predictive_space::recording
+{
+/// Text that HTML shows as it is.
+std::string escaped(const std::string &text);
+
+/// A heading, the plot and its legend; empty for a plot without points.
+std::string svg(const Plot &plot);
+} // namespace ode_predictive_space::recording
+
+#endif

@@ -1,0 +1,126 @@
+// The file of a recorded history: what a program told its spaces, and what it asked them. docs/recording.md describes it.
+//
+// Little-endian. A header; then records, each with the number of bytes in it. Whatever has an id gets the next one of its kind
+// when it first appears.
+
+#ifndef ODE_PREDICTIVE_SPACE_RECORDING_FORMAT_H
+#define ODE_PREDICTIVE_SPACE_RECORDING_FORMAT_H
+
+#include <cstddef>
+#include <cstdint>
+
+#include <ode/common.h>
+
+namespace ode_predictive_space::recording
+{
+constexpr char magic[8] = {'O', 'D', 'E', 'h', 'i', 's', 't', '\n'};
+constexpr std::uint32_t format_version = 2;
+
+/// Version 1 has neither notices nor heights, and records a geom in a transform as a bounding box.
+constexpr std::uint32_t oldest_version = 1;
+
+/// Magic, version (4 bytes), sizeof(dReal) (4 bytes).
+constexpr std::size_t header_size = sizeof magic + 8;
+
+/// Of each record, before its content: number of bytes in the content (4 bytes), kind (1 byte).
+constexpr std::size_t record_header_size = 5;
+
+enum class RecordKind : std::uint8_t
+{
+    note = 1, ///< text: where the recording comes from
+    mesh,     ///< id, single, vertex count, triangle count; vertices, indices
+    convex,   ///< id, plane count, point count, number of polygon entries; planes, points, polygons as ODE has them
+    body,     ///< id, mask of body_field; the fields that differ from before, in this order
+    geom,     ///< id, class (1 byte; a class of ODE's, or stand_in), mask of geom_field; likewise
+    gone,     ///< id of a geom that is in none of its spaces any more; the id is not used again
+    collide,  ///< id of a space: dSpaceCollide()
+    collide2, ///< ids of two geoms: dSpaceCollide2()
+    pairs,    ///< number of the event (collide or collide2, from 0), number of pairs, hash of them
+    end,      ///< EndReason (1 byte); nothing follows. A program that crashed leaves none.
+    heights, ///< id, columns, rows, repeats (1 byte); width, depth, scale, offset, thickness, lowest, highest; samples (8 bytes each)
+    notices, ///< (id of a geom, number of its notices) for each geom for which it is not 1 where the geom has another pose of its own
+             ///< or from its body, or another box, and 0 where it has none of these or is new
+    times,   ///< number of the event, EventTimes; of one that was not asked by the callback of another
+    last = times
+};
+
+/// What an event took in the program, in seconds, without the recording of it.
+struct EventTimes
+{
+    float space;     ///< in the space, without callbacks
+    float callbacks; ///< in the program's callbacks
+    float tick; ///< processor time of its thread from the end of the event before to the end of this one; 0: unknown
+};
+
+enum class EndReason : std::uint8_t
+{
+    closed,
+    limit ///< the recording has as many bytes as it may have
+};
+
+namespace body_field
+{
+constexpr std::uint16_t flags = 1;    ///< 1 byte: body_enabled, body_kinematic
+constexpr std::uint16_t pose = 2;     ///< 12 reals: position, rotation by rows
+constexpr std::uint16_t velocity = 4; ///< 6 reals: linear, angular
+constexpr std::uint16_t all = 7;
+} // namespace body_field
+
+constexpr std::uint8_t body_enabled = 1, body_kinematic = 2;
+
+namespace geom_field
+{
+constexpr std::uint16_t is_new = 1;     ///< nothing; with all others, when the geom first appears
+constexpr std::uint16_t space = 2;      ///< of a space: sublevel, minlevel, maxlevel (4 bytes each)
+constexpr std::uint16_t parent = 4;     ///< id of a space + 1; 0: it is in none; for good
+constexpr std::uint16_t bits = 8;       ///< category, collide (8 bytes each)
+constexpr std::uint16_t flags = 16;     ///< 1 byte: geom_enabled and three of rays
+constexpr std::uint16_t size = 32;      ///< as many reals as the class has: see size_count()
+constexpr std::uint16_t data = 64;      ///< id of a mesh, convex or heightfield
+constexpr std::uint16_t body = 128;     ///< id of a body + 1; 0: none
+constexpr std::uint16_t offset = 256;   ///< has one (1 byte), 12 reals: from the body
+constexpr std::uint16_t pose = 512;     ///< 12 reals, in the world; not of a geom that is where its body is
+constexpr std::uint16_t service = 1024; ///< of a space: SpaceService (2 bytes)
+
+constexpr std::uint16_t all = 2047;
+constexpr std::uint16_t all_of_version_1 = 1023;
+} // namespace geom_field
+
+constexpr std::uint8_t geom_enabled = 1, ray_first_contact = 2, ray_backface_cull = 4, ray_closest_hit = 8;
+
+/// The class of a geom of which only the bounding box is recorded: user classes, and what has no data that can be read.
+constexpr std::uint8_t stand_in = 255;
+
+/// The class of a heightfield that has no pose: dCreateHeightfield() was told that it is not placeable.
+constexpr std::uint8_t fixed_heightfield = 254;
+
+/// Reals in geom_field::size; of a stand-in, its bounding box.
+int size_count(int geom_class);
+
+bool is_space_class(int geom_class);
+
+bool is_heightfield(int geom_class);
+
+/// A mesh, convex or heightfield.
+bool has_data(int geom_class);
+
+/// Has a position and a rotation.
+bool is_placeable_class(int geom_class);
+
+/// Notices of one geom that a reader takes.
+constexpr std::uint32_t most_notices = 1000;
+
+/// An order of two geoms has no meaning, and none that pairs are found in.
+std::uint64_t hash_of_pair(std::uint32_t first, std::uint32_t second);
+
+/// What a reader demands of a convex, and a recorder records: ODE compares each of its edges with all others.
+constexpr std::uint32_t most_polygon_entries = 10000;
+
+/// Vertices and triangles of a mesh, and samples of a heightfield, that a reader takes.
+constexpr std::uint32_t most_of_mesh = 100000000;
+
+/// Spaces in spaces.
+constexpr std::uint32_t deepest_nesting = 100;
+} // namespace ode_predictive_space::recording
+
+#endif

@@ -1,0 +1,50 @@
+#ifndef ODE_PREDICTIVE_SPACE_RECORDING_HISTORY_FILE_H
+#define ODE_PREDICTIVE_SPACE_RECORDING_HISTORY_FILE_H
+
+#include <cstdint>
+#include <string>
+
+namespace ode_predictive_space::recording
+{
+/// The file that a recorder writes. It ends with a whole record after each write, also after one that failed. As long as it is
+/// open, it is locked, so that no other recording can empty it.
+class HistoryFile
+{
+public:
+    /// @param only_new a file that exists is left alone (EEXIST); otherwise its content is lost, unless another recording is being
+    /// written to it (EBUSY).
+    HistoryFile(const std::string &path, bool only_new);
+    ~HistoryFile();
+    HistoryFile(HistoryFile &&other) noexcept;
+    HistoryFile &operator=(HistoryFile &&) = delete;
+
+    bool is_open() const { return file_ >= 0; }
+
+    /// errno of the first failure; 0: there was none.
+    int error() const { return error_; }
+
+    std::uint64_t size() const { return size_; }
+
+    /// @return whether all of it is written. After a failure nothing more is.
+    bool write(const std::string &records);
+
+    /// Nothing more is written, because of an error outside of the file.
+    void give_up(int error);
+
+    /// @return whether everything is written.
+    bool close();
+
+    /// Closes it and takes it for another process's.
+    void abandon();
+
+private:
+    int take();
+    void fail();
+
+    int file_;
+    int error_ = 0;
+    std::uint64_t size_ = 0;
+};
+} // namespace ode_predictive_space::recording
+
+#endif

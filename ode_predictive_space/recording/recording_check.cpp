@@ -1,0 +1,432 @@
+#include "ode_predictive_space/recording/recording_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include <ode/collision.h>
+
+#include "ode_predictive_space/predictive_space.h"
+
+namespace ode_predictive_space::recording
+{
+bool Recording::Check::take_header()
+{
+    const std::vector<char> &bytes = recording_.bytes_;
+    if (!std::equal(bytes.begin(), bytes.begin() + std::min(bytes.size(), sizeof magic), magic))
+        throw BadRecording(0, "this is no recorded history of ODE");
+    if (bytes.size() < header_size)
+        return false;
+    std::uint32_t &version = recording_.version_;
+    std::uint32_t size_of_real;
+    std::memcpy(&version, bytes.data() + sizeof magic, sizeof version);
+    std::memcpy(&size_of_real, bytes.data() + sizeof magic + sizeof version, sizeof size_of_real);
+    if (version < oldest_version || version > format_version)
+        throw BadRecording(sizeof magic, "the format has version " + std::to_string(version) + "; versions " +
+                                             std::to_string(oldest_version) + " to " + std::to_string(format_version) +
+                                             " are read here");
+    if (size_of_real != sizeof(dReal))
+        throw BadRecording(sizeof magic + 4, size_of_real == 4   ? "recorded in single precision; this ODE has double"
+                                             : size_of_real == 8 ? "recorded in double precision; this ODE has single"
+                                                                 : "there is no such precision");
+    return true;
+}
+
+void Recording::Check::take_records()
+{
+    for (Record record{}; next_record(record); recording_.records_.push_back(record))
+        take(record);
+    if (recording_.has_end_ && recording_.whole_bytes() < recording_.bytes_.size())
+        throw BadRecording(recording_.whole_bytes(), "something follows the end");
+}
+
+namespace
+{
+// Only notes, notices and the data of geoms are longer. A longer size is none that a recorder has written, also where the file is cut.
+constexpr std::uint32_t most_of_other_kinds = 1000;
+
+bool can_be_cut(const Record &record)
+{
+    switch (record.kind)
+    {
+    case RecordKind::note:
+    case RecordKind::mesh:
+    case RecordKind::convex:
+    case RecordKind::heights:
+    case RecordKind::notices:
+        return true;
+    default:
+        return record.kind <= RecordKind::last && record.size <= most_of_other_kinds;
+    }
+}
+} // namespace
+
+// @return whether there is a further record, which is whole. A program that was killed leaves the beginning of one.
+bool Recording::Check::next_record(Record &record) const
+{
+    const std::vector<char> &bytes = recording_.bytes_;
+    const std::size_t at = recording_.whole_bytes();
+    if (recording_.has_end_ || bytes.size() - at < record_header_size)
+        return false;
+    std::memcpy(&record.size, bytes.data() + at, sizeof record.size);
+    record.kind = static_cast<RecordKind>(bytes[at + sizeof record.size]);
+    record.content = at + record_header_size;
+    if (record.size <= bytes.size() - record.content)
+        return true;
+    if (!can_be_cut(record))
+        throw BadRecording(at, "the record is longer than one of its kind");
+    return false;
+}
+
+void Recording::Check::take(const Record &record)
+{
+    switch (record.kind)
+    {
+    case RecordKind::note:
+        recording_.note_.assign(recording_.bytes_.data() + record.content, record.size);
+        return;
+    case RecordKind::mesh:
+        return take_mesh(record);
+    case RecordKind::convex:
+        return take_convex(record);
+    case RecordKind::body:
+        return take_body(record);
+    case RecordKind::geom:
+        return take_geom(record);
+    case RecordKind::gone:
+        return take_gone(record);
+    case RecordKind::collide:
+    case RecordKind::collide2:
+        return take_event(record);
+    case RecordKind::pairs:
+        return take_pairs(record);
+    case RecordKind::end:
+        return take_end(record);
+    case RecordKind::heights:
+        return take_heights(record);
+    case RecordKind::notices:
+        return take_notices(record);
+    case RecordKind::times:
+        return take_times(record);
+    }
+    throw BadRecording(record.begin(), "there is no such kind of record");
+}
+
+void Recording::Check::take_data_id(RecordCursor &cursor, Shape shape)
+{
+    if (cursor.take<std::uint32_t>() != data_.size())
+        cursor.refuse("the id is not the next one");
+    data_.push_back(shape);
+}
+
+namespace
+{
+template <typename Real> bool all_finite(const char *values, std::uint64_t count)
+{
+    for (std::uint64_t i = 0; i < count; ++i)
+    {
+        Real value;
+        std::memcpy(&value, values + i * sizeof value, sizeof value);
+        if (!std::isfinite(value))
+            return false;
+    }
+    return true;
+}
+
+std::uint32_t number_at(const char *numbers, std::uint64_t index)
+{
+    std::uint32_t number;
+    std::memcpy(&number, numbers + index * sizeof number, sizeof number);
+    return number;
+}
+} // namespace
+
+void Recording::Check::take_mesh(const Record &record)
+{
+    RecordCursor cursor(recording_.bytes_, record);
+    take_data_id(cursor, Shape::mesh);
+    if (cursor.take<std::uint8_t>() > 1)
+        cursor.refuse("a mesh has vertices of no known precision");
+    const MeshContent mesh = recording_.mesh(record); // not before the byte of the precision is known
+    if (mesh.triangle_count == 0 || mesh.triangle_count > most_of_mesh || mesh.vertex_count > most_of_mesh)
+        cursor.refuse("a mesh has no triangle, or too many");
+    const std::uint64_t reals = std::uint64_t{3} * mesh.vertex_count;
+    if (!(mesh.single ? all_finite<float>(mesh.vertices, reals) : all_finite<double>(mesh.vertices, reals)))
+        cursor.refuse("a vertex is not finite");
+    for (std::uint64_t i = 0; i < std::uint64_t{3} * mesh.triangle_count; ++i)
+        if (number_at(mesh.triangles, i) >= mesh.vertex_count)
+            cursor.refuse("a triangle has a corner that is no vertex");
+}
+
+void Recording::Check::take_convex(const Record &record)
+{
+    RecordCursor cursor(recording_.bytes_, record);
+    take_data_id(cursor, Shape::convex);
+    const ConvexContent convex = recording_.convex(record);
+    if (convex.point_count == 0 || convex.plane_count == 0 || convex.entry_count > most_polygon_entries ||
+        convex.point_count > most_polygon_entries)
+        cursor.refuse("a convex has no point, no plane, or too many");
+    std::uint32_t at = 0;
+    for (std::uint32_t plane = 0; plane < convex.plane_count; ++plane)
+    {
+        const std::uint32_t corners = at < convex.entry_count ? number_at(convex.polygons, at) : 0;
+        if (corners < 3 || corners >= convex.entry_count - at)
+            cursor.refuse("a polygon has too few or too many corners");
+        for (std::uint32_t corner = 1; corner <= corners; ++corner)
+            if (number_at(convex.polygons, at + corner) >= convex.point_count)
+                cursor.refuse("a polygon has a corner that is no point");
+        at += corners + 1;
+    }
+    if (at != convex.entry_count)
+        cursor.refuse("there are more polygons than planes");
+}
+
+void Recording::Check::take_heights(const Record &record)
+{
+    RecordCursor cursor(recording_.bytes_, record);
+    take_data_id(cursor, Shape::heightfield);
+    const auto columns = cursor.take<std::uint32_t>(), rows = cursor.take<std::uint32_t>();
+    if (columns < 2 || rows < 2 || columns > most_of_mesh || rows > most_of_mesh / columns)
+        cursor.refuse("a heightfield has too few or too many samples");
+    if (cursor.take<std::uint8_t>() > 1)
+        cursor.refuse("a heightfield neither repeats nor ends");
+    const HeightsContent field = recording_.heights(record);
+    for (const dReal number : {field.width, field.depth, field.scale, field.offset, field.thickness})
+        if (!std::isfinite(number))
+            cursor.refuse("a number of a heightfield is not finite");
+    if (!(field.width > 0) || !(field.depth > 0))
+        cursor.refuse("a heightfield has no width or no depth");
+    if (std::isnan(field.lowest) || std::isnan(field.highest))
+        cursor.refuse("a bound of a heightfield is not a number");
+    if (!all_finite<double>(field.samples, std::uint64_t{columns} * rows))
+        cursor.refuse("a sample is not finite");
+}
+
+void Recording::Check::take_notices(const Record &record)
+{
+    const RecordCursor cursor(recording_.bytes_, record);
+    for (const NoticeCount &count : recording_.notices(record))
+    {
+        if (count.id >= geoms_.size() || geoms_[count.id].gone)
+            cursor.refuse("a geom that does not exist has notices");
+        if (count.number > most_notices)
+            cursor.refuse("a geom has too many notices");
+    }
+}
+
+void Recording::Check::extend(const Pose &pose)
+{
+    constexpr double most = 1e9; // an object that was lost is no part of the scene
+    std::array<double, 6> &extent = recording_.extent_;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (const double value = pose[axis]; std::abs(value) < most)
+        {
+            extent[2 * axis] = std::min(extent[2 * axis], value);
+            extent[2 * axis + 1] = std::max(extent[2 * axis + 1], value);
+        }
+}
+
+void Recording::Check::take_body(const Record &record)
+{
+    const RecordCursor cursor(recording_.bytes_, record);
+    const BodyChange change = recording_.body(record);
+    if (change.id > recording_.body_count_)
+        cursor.refuse("the id of a body is not the next one");
+    if (change.id == recording_.body_count_)
+    {
+        if (change.fields != body_field::all)
+            cursor.refuse("a new body is not described");
+        ++recording_.body_count_;
+    }
+    if (change.fields & body_field::pose)
+        extend(change.state.pose);
+}
+
+// Not what ODE would stop at.
+void Recording::Check::check_size(const RecordCursor &cursor, const GeomState &state)
+{
+    const int geom_class = state.geom_class;
+    if (geom_class == dPlaneClass || geom_class == dRayClass || geom_class == stand_in)
+        return;
+    for (int i = 0; i < size_count(geom_class); ++i)
+        if (!(state.size[static_cast<std::size_t>(i)] >= 0))
+            cursor.refuse("a size is negative or not a number");
+}
+
+void Recording::Check::check_levels(const RecordCursor &cursor, const SpaceState &state)
+{
+    constexpr std::int32_t most = 1100; // as a logarithm of a number
+    if (state.min_level < -most || state.min_level > state.max_level || state.max_level > most)
+        cursor.refuse("a hash space has no such levels");
+}
+
+void Recording::Check::check_service(const RecordCursor &cursor, const SpaceService &service)
+{
+    if (service.predictive > 1 + dPredictiveProximityShape || service.is_substitute > (service.predictive != 0))
+        cursor.refuse("there is no such kind of predictive space");
+}
+
+// What a recorder of the first version did not know.
+void Recording::Check::check_version(const RecordCursor &cursor, const GeomChange &change) const
+{
+    if (recording_.version_ == 1 && ((change.fields & geom_field::service) || is_heightfield(change.state.geom_class)))
+        cursor.refuse("a file of version 1 has no such geom");
+}
+
+std::uint32_t Recording::Check::depth_in(const RecordCursor &cursor, std::uint32_t parent) const
+{
+    if (parent == 0)
+        return 0;
+    if (parent > geoms_.size() || !is_space_class(geoms_[parent - 1].geom_class) || geoms_[parent - 1].gone)
+        cursor.refuse("a geom is in something that is no space, or is gone");
+    const std::uint32_t depth = geoms_[parent - 1].depth + 1;
+    if (depth > deepest_nesting)
+        cursor.refuse("spaces are nested too deeply");
+    return depth;
+}
+
+void Recording::Check::take_geom(const Record &record)
+{
+    const RecordCursor cursor(recording_.bytes_, record);
+    const std::uint32_t id = recording_.id(record);
+    if (id > geoms_.size())
+        cursor.refuse("the id of a geom is not the next one");
+    const bool is_new = id == geoms_.size();
+    const GeomChange change = recording_.geom(record);
+    check_version(cursor, change);
+    if (is_new)
+        add_geom(cursor, change);
+    Geom &geom = geoms_[id];
+    check_identity(cursor, geom, change, is_new);
+    if (change.fields & geom_field::size)
+        check_size(cursor, change.state);
+    if ((change.fields & geom_field::space) && geom.geom_class == dHashSpaceClass)
+        check_levels(cursor, change.state.space);
+    if (change.fields & geom_field::service)
+        check_service(cursor, change.state.service);
+    if (change.fields & geom_field::data)
+        check_data(cursor, change.state);
+    take_body_of(cursor, geom, change);
+    if (change.fields & geom_field::pose && is_placeable_class(geom.geom_class))
+        extend(change.state.pose);
+}
+
+void Recording::Check::add_geom(const RecordCursor &cursor, const GeomChange &change)
+{
+    if (change.fields != (recording_.version_ == 1 ? geom_field::all_of_version_1 : geom_field::all))
+        cursor.refuse("a new geom is not described");
+    const int geom_class = change.state.geom_class;
+    geoms_.push_back({geom_class, false, false, depth_in(cursor, change.state.parent)});
+    recording_.stand_ins_ += geom_class == stand_in;
+    recording_.geom_count_ = static_cast<std::uint32_t>(geoms_.size());
+}
+
+void Recording::Check::check_identity(const RecordCursor &cursor, const Geom &geom, const GeomChange &change,
+                                      bool is_new)
+{
+    if (geom.gone)
+        cursor.refuse("the geom is gone");
+    if (geom.geom_class != change.state.geom_class || is_new != bool(change.fields & geom_field::is_new))
+        cursor.refuse("the geom has another class than before");
+    if ((change.fields & geom_field::parent) && !is_new)
+        cursor.refuse("a geom has moved to another space");
+}
+
+void Recording::Check::check_data(const RecordCursor &cursor, const GeomState &state) const
+{
+    if (!has_data(state.geom_class))
+        return;
+    const Shape shape = state.geom_class == dConvexClass    ? Shape::convex
+                        : state.geom_class == dTriMeshClass ? Shape::mesh
+                                                            : Shape::heightfield;
+    if (state.data >= data_.size() || data_[state.data] != shape)
+        cursor.refuse("there are no such data of a mesh, convex or heightfield");
+}
+
+void Recording::Check::take_body_of(const RecordCursor &cursor, Geom &geom, const GeomChange &change) const
+{
+    const GeomState &state = change.state;
+    if (change.fields & geom_field::body)
+    {
+        const bool may_have = is_placeable_class(geom.geom_class) || geom.geom_class == stand_in;
+        if (state.body > recording_.body_count_ || (state.body != 0 && !may_have))
+            cursor.refuse("there is no such body");
+        geom.has_body = state.body != 0;
+    }
+    if ((change.fields & geom_field::offset) && state.has_offset &&
+        (!geom.has_body || !is_placeable_class(geom.geom_class)))
+        cursor.refuse("a geom without body has an offset from it");
+}
+
+std::uint32_t Recording::Check::take_live(RecordCursor &cursor) const
+{
+    const auto id = cursor.take<std::uint32_t>();
+    if (id >= geoms_.size() || geoms_[id].gone)
+        cursor.refuse("there is no such geom");
+    return id;
+}
+
+void Recording::Check::take_gone(const Record &record)
+{
+    RecordCursor cursor(recording_.bytes_, record);
+    geoms_[take_live(cursor)].gone = true;
+    cursor.expect_end();
+}
+
+void Recording::Check::take_event(const Record &record)
+{
+    RecordCursor cursor(recording_.bytes_, record);
+    const bool is_collide = record.kind == RecordKind::collide;
+    const std::uint32_t first = take_live(cursor);
+    const std::uint32_t second = is_collide ? first : take_live(cursor);
+    cursor.expect_end();
+    const bool first_is_space = is_space_class(geoms_[first].geom_class);
+    if (!first_is_space && !is_space_class(geoms_[second].geom_class))
+        cursor.refuse("the geom that is asked is no space");
+    if (is_collide ? !has_collide_ : !has_collide_ && !has_question_)
+        recording_.first_space_ = first_is_space ? first : second;
+    has_collide_ |= is_collide;
+    has_question_ = true;
+    recording_.events_.push_back({recording_.records_.size()});
+}
+
+void Recording::Check::take_pairs(const Record &record)
+{
+    RecordCursor cursor(recording_.bytes_, record);
+    const auto number = cursor.take<std::uint32_t>();
+    if (number >= recording_.events_.size() || recording_.events_[number].has_pairs)
+        cursor.refuse("there is no such event, or its pairs are known");
+    EventSummary &event = recording_.events_[number];
+    event.has_pairs = true;
+    cursor.take(event.pairs);
+    cursor.take(event.hash);
+    cursor.expect_end();
+}
+
+void Recording::Check::take_times(const Record &record)
+{
+    RecordCursor cursor(recording_.bytes_, record);
+    const auto number = cursor.take<std::uint32_t>();
+    if (number >= recording_.events_.size() || recording_.events_[number].has_times)
+        cursor.refuse("there is no such event, or its times are known");
+    EventSummary &event = recording_.events_[number];
+    event.has_times = true;
+    cursor.take(event.times);
+    cursor.expect_end();
+    for (const float seconds : {event.times.space, event.times.callbacks, event.times.tick})
+        if (!(seconds >= 0) || std::isinf(seconds))
+            cursor.refuse("a time is negative or not finite");
+}
+
+void Recording::Check::take_end(const Record &record)
+{
+    RecordCursor cursor(recording_.bytes_, record);
+    const auto reason = cursor.take<std::uint8_t>();
+    if (reason > static_cast<std::uint8_t>(EndReason::limit))
+        cursor.refuse("there is no such reason to end");
+    cursor.expect_end();
+    recording_.has_end_ = true;
+    recording_.reached_limit_ = reason == static_cast<std::uint8_t>(EndReason::limit);
+}
+} // namespace ode_predictive_space::recording

@@ -1,0 +1,58 @@
+// The arrays that meshes, convexes and heightfields are made of, as bytes, each recorded once.
+
+#ifndef ODE_PREDICTIVE_SPACE_RECORDING_SHAPE_DATA_H
+#define ODE_PREDICTIVE_SPACE_RECORDING_SHAPE_DATA_H
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+
+#include <ode/common.h>
+
+namespace ode_predictive_space::recording
+{
+class ShapeData
+{
+public:
+    struct Entry
+    {
+        std::uint32_t id;
+        bool is_new; ///< its content has no record yet
+    };
+
+    /// The arrays of a mesh, convex or heightfield as they are now, into `content`, as a record has them, but for the id.
+    ///
+    /// @return false when they cannot be read, or when no reader would take them.
+    static bool read(dGeomID geom, std::string &content);
+
+    /// The entry of a geom's arrays.
+    ///
+    /// @param collide a number of the collide that begins: arrays whose address and size are known are read once in it, for
+    /// their content may have changed. 0: they are not read. A heightfield with a callback is sampled once and never again.
+    /// @param content receives the content of a new entry.
+    /// @return false as read() does.
+    bool find(dGeomID geom, std::uint64_t collide, Entry &entry, std::string &content);
+
+private:
+    struct Key
+    {
+        const void *first, *second, *third;
+        std::array<std::uint32_t, 5> numbers; // counts and strides
+        bool operator<(const Key &other) const;
+    };
+    static bool key_of(dGeomID geom, Key &key);
+
+    struct Known
+    {
+        std::uint32_t id;
+        std::uint64_t looked_at; // in this collide
+    };
+    std::map<Key, Known> known_;
+    std::unordered_map<std::uint64_t, std::uint32_t> by_hash_;
+    std::uint32_t next_ = 0;
+};
+} // namespace ode_predictive_space::recording
+
+#endif

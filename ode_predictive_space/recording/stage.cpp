@@ -1,0 +1,510 @@
+#include "ode_predictive_space/recording/stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <ode/ode.h>
+
+#include "ode_predictive_space/space/height_data.h"
+#include "ode_predictive_space/space/ode_internals.h"
+
+namespace ode_predictive_space::recording
+{
+
+namespace
+{
+// --- What only has a box ----------------------------------------------------------------------------------------------
+
+void box_of_stand_in(dGeomID geom, dReal *aabb)
+{
+    const dReal *box = *static_cast<const dReal *const *>(dGeomGetClassData(geom));
+    if (box)
+        std::copy_n(box, 6, aabb);
+    else
+        std::fill_n(aabb, 6, dReal{0});
+}
+
+int collide_nothing(dGeomID /*first*/, dGeomID /*second*/, int /*flags*/, dContactGeom * /*contacts*/, int /*skip*/)
+{
+    return 0;
+}
+
+dColliderFn *collider_of_stand_in(int /*other_class*/)
+{
+    return collide_nothing;
+}
+
+int class_of_stand_ins()
+{
+    static const int number = [] {
+        dGeomClass stand_in_class{};
+        stand_in_class.bytes = sizeof(const dReal *);
+        stand_in_class.collider = collider_of_stand_in;
+        stand_in_class.aabb = box_of_stand_in;
+        return dCreateGeomClass(&stand_in_class);
+    }();
+    return number;
+}
+
+// --- Bits ---------------------------------------------------------------------------------------------------------------
+
+void copy_rotation(const Pose &pose, dReal *rotation)
+{
+    for (std::size_t row = 0; row < 3; ++row)
+        std::copy_n(pose.begin() + 3 + 3 * static_cast<std::ptrdiff_t>(row), 3, rotation + 4 * row);
+}
+
+template <typename Value> std::vector<Value> copied(const char *bytes, std::size_t count)
+{
+    std::vector<Value> values(count);
+    if (count > 0)
+        std::memcpy(values.data(), bytes, count * sizeof(Value));
+    return values;
+}
+
+void set_size(dGeomID geom, const GeomState &state)
+{
+    const auto &size = state.size;
+    switch (state.geom_class)
+    {
+    case dSphereClass:
+        return dGeomSphereSetRadius(geom, size[0]);
+    case dBoxClass:
+        return dGeomBoxSetLengths(geom, size[0], size[1], size[2]);
+    case dCapsuleClass:
+        return dGeomCapsuleSetParams(geom, size[0], size[1]);
+    case dCylinderClass:
+        return dGeomCylinderSetParams(geom, size[0], size[1]);
+    case dRayClass:
+        return dGeomRaySetLength(geom, size[0]);
+    case dPlaneClass:
+        dGeomPlaneSetParams(geom, size[0], size[1], size[2], size[3]);
+        std::copy_n(size.begin(), 4, static_cast<dxPlane *>(geom)->p); // it has scaled them
+        return;
+    default:
+        return;
+    }
+}
+
+void set_levels(dSpaceID space, const GeomState &state)
+{
+    dSpaceSetSublevel(space, state.space.sublevel);
+    if (state.geom_class == dHashSpaceClass && dSpaceGetClass(space) == dHashSpaceClass && !dSpaceIsPredictive(space))
+        dHashSpaceSetLevels(space, state.space.min_level, state.space.max_level);
+}
+
+void set_flags(dGeomID geom, const GeomState &state)
+{
+    if (state.flags & geom_enabled)
+        dGeomEnable(geom);
+    else
+        dGeomDisable(geom);
+    if (state.geom_class != dRayClass)
+        return;
+    dGeomRaySetFirstContact(geom, (state.flags & ray_first_contact) != 0);
+    dGeomRaySetBackfaceCull(geom, (state.flags & ray_backface_cull) != 0);
+    dGeomRaySetClosestHit(geom, (state.flags & ray_closest_hit) != 0);
+}
+
+dGeomID make_simple_shape(const GeomState &state)
+{
+    const auto &size = state.size;
+    switch (state.geom_class)
+    {
+    case dSphereClass:
+        return dCreateSphere(nullptr, size[0]);
+    case dBoxClass:
+        return dCreateBox(nullptr, size[0], size[1], size[2]);
+    case dCapsuleClass:
+        return dCreateCapsule(nullptr, size[0], size[1]);
+    case dCylinderClass:
+        return dCreateCylinder(nullptr, size[0], size[1]);
+    case dRayClass:
+        return dCreateRay(nullptr, size[0]);
+    case dPlaneClass:
+        return dCreatePlane(nullptr, size[0], size[1], size[2], size[3]);
+    default:
+        return dCreateGeom(class_of_stand_ins());
+    }
+}
+
+} // namespace
+
+Stage::Stage(const Recording &recording, SpaceKind kind) : recording_(recording), kind_(kind), world_(dWorldCreate()) {}
+
+Stage::~Stage()
+{
+    for (std::size_t id = 0; id < geoms_.size(); ++id)
+        destroy(static_cast<std::uint32_t>(id));
+    for (const Shape &shape : shapes_)
+    {
+        if (shape.mesh && shape.mesh->data)
+            dGeomTriMeshDataDestroy(shape.mesh->data);
+        if (shape.heights)
+            dGeomHeightfieldDataDestroy(shape.heights->data);
+    }
+    dWorldDestroy(world_);
+}
+
+std::uint32_t Stage::id_of(dGeomID geom)
+{
+    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(dGeomGetData(geom)));
+}
+
+void Stage::apply(const Record &record)
+{
+    switch (record.kind)
+    {
+    case RecordKind::mesh:
+        return add_mesh(recording_.mesh(record));
+    case RecordKind::convex:
+        return add_convex(recording_.convex(record));
+    case RecordKind::body:
+        return change_body(recording_.body(record));
+    case RecordKind::geom:
+        return change_geom(recording_.geom(record));
+    case RecordKind::heights:
+        return add_heights(recording_.heights(record));
+    case RecordKind::notices:
+        return repeat_notices(recording_.notices(record));
+    case RecordKind::gone:
+        return destroy(recording_.id(record));
+    default:
+        return;
+    }
+}
+
+void Stage::ask(const Record &record, void *data, dNearCallback *callback)
+{
+    for (const std::uint32_t id : reported_)
+        geoms_[id].was_reported = false;
+    reported_.clear();
+    if (kind_ == SpaceKind::none)
+        return;
+    if (record.kind == RecordKind::collide)
+        return dSpaceCollide(reinterpret_cast<dSpaceID>(geom(recording_.id(record))), data, callback);
+    const auto asked = recording_.asked(record);
+    dSpaceCollide2(geom(asked[0]), geom(asked[1]), data, callback);
+}
+
+void Stage::add_mesh(const MeshContent &content)
+{
+    auto mesh = std::make_unique<Mesh>();
+    const std::size_t size_of_real = content.single ? sizeof(float) : sizeof(double);
+    mesh->single = content.single;
+    mesh->vertices = copied<char>(content.vertices, 3 * size_of_real * content.vertex_count);
+    mesh->triangles = copied<std::uint32_t>(content.triangles, std::size_t{3} * content.triangle_count);
+    shapes_.push_back({std::move(mesh), nullptr, nullptr});
+}
+
+void Stage::add_convex(const ConvexContent &content)
+{
+    auto convex = std::make_unique<Convex>();
+    convex->planes = copied<dReal>(content.planes, std::size_t{4} * content.plane_count);
+    convex->points = copied<dReal>(content.points, std::size_t{3} * content.point_count);
+    convex->polygons = copied<unsigned>(content.polygons, content.entry_count);
+    shapes_.push_back({nullptr, std::move(convex), nullptr});
+}
+
+void Stage::add_heights(const HeightsContent &content)
+{
+    auto heights = std::make_unique<Heights>();
+    heights->samples = copied<double>(content.samples, std::size_t{content.columns} * content.rows);
+    heights->data = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildDouble(heights->data, heights->samples.data(), 0, content.width, content.depth,
+                                    static_cast<int>(content.columns), static_cast<int>(content.rows), content.scale,
+                                    content.offset, content.thickness, content.repeats);
+    if (HeightSamples *known = writable_height_data(heights->data))
+    {
+        known->lowest = content.lowest;
+        known->highest = content.highest;
+    }
+    shapes_.push_back({nullptr, nullptr, std::move(heights)});
+}
+
+// As a step of ODE moves a body: the matrix keeps its bits, and then ODE reports each of its geoms.
+void Stage::change_body(const BodyChange &change)
+{
+    if (change.id == bodies_.size())
+        bodies_.push_back(dBodyCreate(world_));
+    const dBodyID body = bodies_[change.id];
+    const BodyState &state = change.state;
+    if (change.fields & body_field::flags)
+    {
+        if (state.flags & body_kinematic)
+            dBodySetKinematic(body);
+        else if (dBodyIsKinematic(body))
+            dBodySetDynamic(body);
+        if (state.flags & body_enabled)
+            dBodyEnable(body);
+        else
+            dBodyDisable(body);
+    }
+    if (change.fields & body_field::velocity)
+    {
+        const auto &velocity = state.velocity;
+        dBodySetLinearVel(body, velocity[0], velocity[1], velocity[2]);
+        dBodySetAngularVel(body, velocity[3], velocity[4], velocity[5]);
+    }
+    if (change.fields & body_field::pose)
+    {
+        copy_rotation(state.pose, const_cast<dReal *>(dBodyGetRotation(body)));
+        std::copy_n(state.pose.begin(), 3, const_cast<dReal *>(dBodyGetPosition(body)));
+        for (dGeomID geom = dBodyGetFirstGeom(body); geom; geom = dBodyGetNextGeom(geom))
+            report_move(id_of(geom));
+    }
+}
+
+dSpaceID Stage::make_space_of_kind(SpaceKind kind) const
+{
+    const std::array<double, 6> &extent = recording_.extent();
+    dVector3 centre{}, half{};
+    switch (kind)
+    {
+    case SpaceKind::simple:
+    case SpaceKind::none:
+        return dSimpleSpaceCreate(nullptr);
+    case SpaceKind::sap:
+        return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
+    case SpaceKind::quadtree:
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            centre[axis] = static_cast<dReal>((extent[2 * axis] + extent[2 * axis + 1]) / 2);
+            half[axis] = static_cast<dReal>((extent[2 * axis + 1] - extent[2 * axis]) / 2 + 1);
+        }
+        return dQuadTreeSpaceCreate(nullptr, centre, half, recording_.geom_count() > 1000 ? 6 : 4);
+    case SpaceKind::hash:
+        return dHashSpaceCreate(nullptr);
+    default:
+    {
+        const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+        dPredictiveSpaceSetProximity(space, kind == SpaceKind::sphere  ? dPredictiveProximitySphere
+                                            : kind == SpaceKind::shape ? dPredictiveProximityShape
+                                                                       : dPredictiveProximityBox);
+        return space;
+    }
+    }
+}
+
+dSpaceID Stage::make_space(const GeomState &state) const
+{
+    const bool stays_simple = state.geom_class == dSimpleSpaceClass && state.parent != 0;
+    const SpaceKind kind = kind_ == SpaceKind::own || stays_simple ? own_kind(state) : kind_;
+    const dSpaceID space = make_space_of_kind(kind);
+    dSpaceSetCleanup(space, 0);
+    return space;
+}
+
+dGeomID Stage::make_mesh(std::uint32_t data)
+{
+    Mesh &mesh = *shapes_[data].mesh;
+    if (!mesh.data)
+    {
+        mesh.data = dGeomTriMeshDataCreate();
+        const std::size_t stride = 3 * (mesh.single ? sizeof(float) : sizeof(double));
+        (mesh.single ? dGeomTriMeshDataBuildSingle : dGeomTriMeshDataBuildDouble)(
+            mesh.data, mesh.vertices.data(), static_cast<int>(stride), static_cast<int>(mesh.vertices.size() / stride),
+            mesh.triangles.data(), static_cast<int>(mesh.triangles.size()), 3 * sizeof(dTriIndex));
+    }
+    return dCreateTriMesh(nullptr, mesh.data, nullptr, nullptr, nullptr);
+}
+
+dGeomID Stage::make_convex(std::uint32_t data)
+{
+    const Convex &convex = *shapes_[data].convex;
+    return dCreateConvex(nullptr, convex.planes.data(), static_cast<unsigned>(convex.planes.size() / 4),
+                         convex.points.data(), static_cast<unsigned>(convex.points.size() / 3), convex.polygons.data());
+}
+
+dGeomID Stage::make_heightfield(const GeomState &state)
+{
+    return dCreateHeightfield(nullptr, shapes_[state.data].heights->data, state.geom_class == dHeightfieldClass);
+}
+
+void Stage::make(Geom &geom, std::uint32_t id)
+{
+    const GeomState &state = geom.state;
+    if (is_space_class(state.geom_class))
+        geom.geom = reinterpret_cast<dGeomID>(make_space(state));
+    else if (state.geom_class == dTriMeshClass)
+        geom.geom = make_mesh(state.data);
+    else if (state.geom_class == dConvexClass)
+        geom.geom = make_convex(state.data);
+    else if (is_heightfield(state.geom_class))
+        geom.geom = make_heightfield(state);
+    else
+        geom.geom = make_simple_shape(state);
+    if (state.geom_class == stand_in)
+    {
+        geom.box = std::make_unique<dReal[]>(6);
+        *static_cast<const dReal **>(dGeomGetClassData(geom.geom)) = geom.box.get();
+    }
+    // A number, not an address. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    dGeomSetData(geom.geom, reinterpret_cast<void *>(static_cast<std::uintptr_t>(id)));
+}
+
+namespace
+{
+// What a record tells of the fields that it has.
+void update(GeomState &state, const GeomChange &change)
+{
+    const GeomState &now = change.state;
+    state.geom_class = now.geom_class;
+    const auto take = [&](std::uint16_t field, auto member) {
+        if (change.fields & field)
+            state.*member = now.*member;
+    };
+    take(geom_field::space, &GeomState::space);
+    take(geom_field::parent, &GeomState::parent);
+    take(geom_field::bits, &GeomState::bits);
+    take(geom_field::flags, &GeomState::flags);
+    take(geom_field::size, &GeomState::size);
+    take(geom_field::data, &GeomState::data);
+    take(geom_field::body, &GeomState::body);
+    take(geom_field::offset, &GeomState::has_offset);
+    take(geom_field::offset, &GeomState::offset);
+    take(geom_field::pose, &GeomState::pose);
+    take(geom_field::service, &GeomState::service);
+}
+} // namespace
+
+// A geom with other data is made again: ODE is not told of all that depends on them.
+void Stage::change_geom(const GeomChange &change)
+{
+    std::uint16_t fields = change.fields;
+    if (fields & geom_field::is_new)
+        geoms_.emplace_back();
+    Geom &geom = geoms_[change.id];
+    update(geom.state, change);
+    const GeomState &state = geom.state;
+    if (geom.geom && (fields & geom_field::data) && has_data(state.geom_class))
+    {
+        dGeomDestroy(geom.geom);
+        fields = geom_field::all;
+    }
+    if (fields & geom_field::is_new)
+        make(geom, change.id);
+    if (fields & geom_field::space && is_space_class(state.geom_class))
+        set_levels(reinterpret_cast<dSpaceID>(geom.geom), state);
+    if (fields & geom_field::bits)
+    {
+        dGeomSetCategoryBits(geom.geom, state.bits[0]);
+        dGeomSetCollideBits(geom.geom, state.bits[1]);
+    }
+    if (fields & geom_field::flags)
+        set_flags(geom.geom, state);
+    if (fields & geom_field::size)
+        set_size(geom.geom, state);
+    place(change.id, fields);
+    if (fields & geom_field::parent)
+        place_in_space(geom);
+}
+
+// Body, offset, pose.
+void Stage::place(std::uint32_t id, std::uint16_t fields)
+{
+    Geom &geom = geoms_[id];
+    const GeomState &state = geom.state;
+    const bool is_box = state.geom_class == stand_in;
+    if (!is_placeable_class(state.geom_class) && !is_box)
+        return;
+    if (fields & geom_field::body)
+    {
+        if (dGeomIsOffset(geom.geom))
+            dGeomClearOffset(geom.geom); // ODE takes it away, too, but not the mark that the pose follows from it
+        dGeomSetBody(geom.geom, state.body ? bodies_[state.body - 1] : nullptr);
+        fields |= geom_field::offset | geom_field::pose;
+    }
+    if (is_box)
+    {
+        std::copy_n(state.size.begin(), 6, geom.box.get());
+        if (fields & geom_field::size)
+            report_move(id);
+        return;
+    }
+    if ((fields & geom_field::offset) && state.body)
+        take_offset(geom);
+    if (!(fields & geom_field::pose) || !has_own_pose(state))
+        return;
+    take_pose(geom);
+    if (!state.body)
+        report_move(id);
+}
+
+void Stage::take_offset(const Geom &geom) const
+{
+    const GeomState &state = geom.state;
+    if (state.has_offset)
+    {
+        dMatrix3 rotation{};
+        copy_rotation(state.offset, rotation);
+        dGeomSetOffsetRotation(geom.geom, rotation);
+        dGeomSetOffsetPosition(geom.geom, state.offset[0], state.offset[1], state.offset[2]);
+    }
+    else if (dGeomIsOffset(geom.geom))
+        dGeomClearOffset(geom.geom);
+}
+
+namespace
+{
+bool is_at(const dxPosR &place, const Pose &pose)
+{
+    dxPosR recorded = place;
+    std::copy_n(pose.begin(), 3, recorded.pos);
+    copy_rotation(pose, recorded.R);
+    return std::memcmp(&recorded, &place, sizeof place) == 0;
+}
+} // namespace
+
+// A geom with an offset is left to be computed by ODE from the pose of its body when it is needed, as in the program, where that
+// gives the recorded pose.
+void Stage::take_pose(const Geom &geom)
+{
+    dxGeom &self = *geom.geom;
+    if (self.offset_posr)
+        self.computePosr(); // in any case: it is to cost the same in all spaces
+    if (is_at(*self.final_posr, geom.state.pose))
+        return;
+    copy_rotation(geom.state.pose, self.final_posr->R);
+    std::copy_n(geom.state.pose.begin(), 3, self.final_posr->pos);
+    self.gflags &= ~GEOM_POSR_BAD;
+}
+
+// At once: what is set next may be reported as well, and a space takes a second notice from the same place for a change of the shape.
+void Stage::report_move(std::uint32_t id)
+{
+    dGeomMoved(geoms_[id].geom);
+    if (!geoms_[id].was_reported)
+        reported_.push_back(id);
+    geoms_[id].was_reported = true;
+}
+
+void Stage::repeat_notices(const std::vector<NoticeCount> &counts)
+{
+    for (const NoticeCount &count : counts)
+    {
+        const Geom &geom = geoms_[count.id];
+        for (std::uint32_t i = geom.was_reported ? 1 : 0; i < count.number; ++i)
+            dGeomMoved(geom.geom);
+        if (geom.state.has_offset && count.number > 0)
+            take_pose(geom);
+    }
+}
+
+void Stage::place_in_space(const Geom &geom) const
+{
+    if (const dSpaceID before = dGeomGetSpace(geom.geom))
+        dSpaceRemove(before, geom.geom);
+    const std::uint32_t parent = geom.state.parent;
+    if (parent != 0 && geoms_[parent - 1].geom)
+        dSpaceAdd(reinterpret_cast<dSpaceID>(geoms_[parent - 1].geom), geom.geom);
+}
+
+void Stage::destroy(std::uint32_t id)
+{
+    if (geoms_[id].geom)
+        dGeomDestroy(geoms_[id].geom);
+    geoms_[id].geom = nullptr;
+}
+} // namespace ode_predictive_space::recording

@@ -1,0 +1,99 @@
+// The file of a recording on a full disk, which a limit of the process stands for.
+
+#include "ode_predictive_space/recording/history_file.h"
+
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "tests/recording/scratch_recording.h"
+
+namespace ode_predictive_space::recording
+{
+namespace
+{
+int signals_of_size;
+
+void count_signal(int /*number*/)
+{
+    ++signals_of_size;
+}
+
+/// While it lives, this process writes no file of more bytes, and counts the signals that say so.
+class LimitOfFiles
+{
+public:
+    explicit LimitOfFiles(rlim_t bytes) : handler_(std::signal(SIGXFSZ, count_signal))
+    {
+        signals_of_size = 0;
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit small{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~LimitOfFiles()
+    {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    LimitOfFiles(const LimitOfFiles &) = delete;
+    LimitOfFiles &operator=(const LimitOfFiles &) = delete;
+
+private:
+    void (*handler_)(int);
+    rlimit before_;
+};
+
+TEST(HistoryFile, EndsWithTheLastWholeRecordWhenTheDiskIsFull)
+{
+    const ScratchRecording scratch;
+    HistoryFile file(scratch.path(), false);
+    {
+        const LimitOfFiles limit(150);
+        EXPECT_TRUE(file.write(std::string(100, 'a')));
+        EXPECT_FALSE(file.write(std::string(100, 'b')));
+        EXPECT_EQ(signals_of_size, 0) << "the program may not expect it";
+    }
+    EXPECT_EQ(file.error(), EFBIG);
+    EXPECT_EQ(file.size(), 100u);
+    EXPECT_EQ(std::filesystem::file_size(scratch.path()), 100u) << "half of a record would make it a broken file";
+    EXPECT_FALSE(file.write("c")) << "what comes later would follow on what is missing";
+    EXPECT_FALSE(file.close());
+    EXPECT_EQ(std::filesystem::file_size(scratch.path()), 100u);
+}
+
+TEST(HistoryFile, LeavesAFileAloneThatIsThereAlready)
+{
+    const ScratchRecording scratch;
+    EXPECT_FALSE(HistoryFile(scratch.path(), true).is_open());
+    EXPECT_EQ(HistoryFile(scratch.path(), true).error(), EEXIST);
+    EXPECT_TRUE(HistoryFile(scratch.path(), false).is_open());
+}
+
+// Its content was lost, while the first recording went on.
+TEST(HistoryFile, LeavesAFileAloneThatAnotherRecordingIsWrittenTo)
+{
+    const ScratchRecording scratch;
+    HistoryFile first(scratch.path(), false);
+    EXPECT_TRUE(first.write("a record"));
+    EXPECT_EQ(HistoryFile(scratch.path(), false).error(), EBUSY);
+    EXPECT_EQ(std::filesystem::file_size(scratch.path()), 8u);
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        pause();
+        _exit(0);
+    }
+    EXPECT_TRUE(first.close());
+    EXPECT_EQ(HistoryFile(scratch.path(), false).error(), 0) << "a child of this process has the file open, too";
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    EXPECT_EQ(std::filesystem::file_size(scratch.path()), 0u);
+}
+} // namespace
+} // namespace ode_predictive_space::recording

@@ -1,0 +1,118 @@
+#include "ode_predictive_space/recording/page.h"
+
+#include "ode_predictive_space/recording/curves.h"
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <limits>
+#include <sstream>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace ode_predictive_space::recording
+{
+namespace
+{
+std::size_t count_of(const std::string &part, const std::string &text)
+{
+    std::size_t count = 0;
+    for (std::size_t place = text.find(part); place != std::string::npos; place = text.find(part, place + 1))
+    {
+        ++count;
+    }
+    return count;
+}
+
+/// While it lives, this process writes no file of more bytes.
+class SmallFiles
+{
+public:
+    explicit SmallFiles(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN))
+    {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit small{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~SmallFiles()
+    {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    SmallFiles(const SmallFiles &) = delete;
+    SmallFiles &operator=(const SmallFiles &) = delete;
+
+private:
+    void (*handler_)(int);
+    rlimit before_;
+};
+
+TEST(Page, DrawsLinesAndDots)
+{
+    const std::string text =
+        html({"t", "", {{"plot", "x", "y", {{"a", {{0, 0}, {1, 2}}}, {"b", {{1, 1}}, Curve::Style::dots}}}}});
+    EXPECT_EQ(count_of("<svg", text), 1u);
+    EXPECT_EQ(count_of("points=\"70.0,255.0 790.0,10.0 \"", text), 1u) << "from corner to corner: " << text;
+    EXPECT_EQ(count_of("<circle cx=\"790.0\" cy=\"132.5\"", text), 1u) << text;
+}
+
+TEST(Page, HasRoomForTheLabelAtTheEndOfAnAxis)
+{
+    const std::string text = html({"t", "", {{"plot", "x", "y", {{"a", {{0, 0}, {20000, 2}}}}}}});
+    EXPECT_EQ(count_of("<text x=\"790\" y=\"272\" text-anchor=\"middle\">20000</text>", text), 1u) << text;
+    const std::size_t box = text.find("viewBox=\"0 0 ");
+    ASSERT_NE(box, std::string::npos);
+    constexpr double half_of_the_label = 5 * 7.0 / 2; // five digits of 12 pixels' height
+    EXPECT_GE(std::stod(text.substr(box + 13)), 790 + half_of_the_label);
+}
+
+TEST(Page, ALogarithmicAxisHasWholeDecades)
+{
+    const std::string text = html({"t", "", {{"plot", "x", "y", {{"a", {{0, 1}, {1, 50}}}}, true}}});
+    EXPECT_EQ(count_of("points=\"70.0,255.0 790.0,46.9 \"", text), 1u) << text;
+    EXPECT_EQ(count_of(">100</text>", text), 1u);
+}
+
+TEST(Page, LeavesOutWhatHasNoPoints)
+{
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const double infinite = std::numeric_limits<double>::infinity();
+    const std::string text = html({"t",
+                                   "",
+                                   {{"empty", "x", "y", {{"a", {}}, {"b", {{none, 1}, {1, infinite}}}}},
+                                    {"log", "x", "y", {{"c", {{1, 0}, {2, -1}}}}, true}}});
+    EXPECT_EQ(count_of("<svg", text), 0u);
+    EXPECT_EQ(count_of("nan", text) + count_of("inf", text), 0u);
+}
+
+TEST(Page, ShowsTextAsItIs)
+{
+    const std::string text = html({"<script>", "a < b & \"c\"", {}});
+    EXPECT_EQ(count_of("<script", text), 0u);
+    EXPECT_EQ(count_of("a &lt; b &amp; &quot;c&quot;", text), 1u);
+}
+
+TEST(Page, HasNoControlCharacters)
+{
+    const std::string text =
+        html({"\x1b[31m", "two\nlines\x07\n", {{"p\x08", "x", "y", {{"c\x1b", {{0, 1}, {1, 2}}}}}}});
+    EXPECT_EQ(count_of("<h1>\\x1b[31m</h1>", text), 1u) << text;
+    EXPECT_EQ(count_of("<pre>two\nlines\\x07\n</pre>", text), 1u) << text;
+    EXPECT_TRUE(
+        std::all_of(text.begin(), text.end(), [](char each) { return each == '\n' || each >= ' ' || each < 0; }));
+}
+
+TEST(Page, BeginsWithTheAnswer)
+{
+    Page page{"t", "details", {}};
+    page.answer = {"Leave < it.", {{"spaces", "time"}, {"hash", "1 & 2"}}, {"a note"}, {}};
+    const std::string text = html(page);
+    EXPECT_LT(text.find("Leave &lt; it."), text.find("<th>spaces</th>")) << text;
+    EXPECT_LT(text.find("<td>1 &amp; 2</td>"), text.find("a note")) << text;
+    EXPECT_LT(text.find("a note"), text.find("details")) << text;
+    EXPECT_EQ(count_of("<table", html({"t", "details", {}})), 0u) << "no answer, no table";
+}
+} // namespace
+} // namespace ode_predictive_space::recording

@@ -1,0 +1,212 @@
+// What a replay counts, measures and says of small scenes.
+
+#include "ode_predictive_space/recording/replay.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include <ode/ode.h>
+
+#include "ode_predictive_space/recording/answer.h"
+#include "ode_predictive_space/recording/check.h"
+#include "ode_predictive_space/recording/child.h"
+#include "ode_predictive_space/recording/own_space.h"
+#include "tests/contract/support/geom_zoo.h"
+#include "tests/contract/support/ode_test.h"
+#include "tests/recording/recorded.h"
+
+namespace ode_predictive_space::recording
+{
+namespace
+{
+using recording::Recorded;
+using recording::Recording;
+
+constexpr double no_limit = 1e9;
+
+class Replay : public OdeTest
+{
+protected:
+    Replay() : space_(dHashSpaceCreate(nullptr)) {}
+    ~Replay() override { dSpaceDestroy(space_); }
+
+    dGeomID ball_at(dReal x, dReal y, dReal z)
+    {
+        const dGeomID ball = dCreateSphere(space_, 1);
+        dGeomSetPosition(ball, x, y, z);
+        return ball;
+    }
+
+    Recording collided(int times)
+    {
+        Recorded recorded;
+        for (int i = 0; i < times; ++i)
+            recorded.collide(space_);
+        return recorded.end();
+    }
+
+    dSpaceID space_;
+};
+
+TEST_F(Replay, MeasuresNoMoreEventsThanItIsTold)
+{
+    ball_at(0, 0, 0);
+    ball_at(1, 0, 0);
+    const Recording recording = collided(5);
+    for (const std::size_t most : {std::size_t{0}, std::size_t{3}, std::size_t{5}, std::size_t{9}})
+    {
+        const Cost cost = measure(recording, SpaceKind::box, most, no_limit);
+        EXPECT_EQ(cost.failure, "");
+        EXPECT_EQ(cost.events, std::min<std::size_t>(most, 5));
+        EXPECT_EQ(cost.callbacks_of, std::vector<std::uint32_t>(cost.events, 1));
+        EXPECT_EQ(cost.callbacks, cost.events);
+        EXPECT_EQ(cost.seconds.size(), cost.events);
+        EXPECT_EQ(cost.seconds_of_notices.size(), cost.events);
+    }
+}
+
+TEST_F(Replay, JudgesCallbacksByTheirContacts)
+{
+    ball_at(0, 0, 0);
+    ball_at(dReal(1.9), dReal(1.9), 0); // the boxes overlap, the balls do not
+    ball_at(20, 0, 0);
+    ball_at(21, 0, 0); // a contact
+    dGeomSetPosition(create_geom(GeomKind::user, 1, space_), 40, 0, 0);
+    ball_at(40, 0, 0); // of the other one only the box is known
+    const float heights[4] = {0, 0, 0, 0};
+    const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildSingle(field, heights, 0, 4, 4, 2, 2, 1, 0, 1, 0);
+    const dGeomID ground = dCreateHeightfield(space_, field, 1);
+    dGeomSetPosition(ground, 60, 0, 0);
+    ball_at(60, 0, 0); // a contact
+    const Recording recording = collided(2);
+    const Callbacks callbacks = judge_callbacks(recording, recording.events().size(), no_limit);
+    EXPECT_EQ(callbacks.failure, "");
+    EXPECT_EQ(callbacks.all, 2 * 4u);
+    EXPECT_EQ(callbacks.nothing, 2 * 1u);
+    EXPECT_EQ(callbacks.unknown, 2 * 1u);
+    EXPECT_EQ(callbacks.seconds_spared, 0) << "two balls are told apart by box by shape, too";
+    EXPECT_EQ(judge_callbacks(recording, 1, no_limit).all, 4u);
+    dGeomDestroy(ground);
+    dGeomHeightfieldDataDestroy(field);
+}
+
+// A mesh of one triangle, whose box is twice as large.
+class TriangleGeom
+{
+public:
+    explicit TriangleGeom(dSpaceID space)
+    {
+        dGeomTriMeshDataBuildSingle(data_, corners_, 3 * sizeof(float), 3, indices_, 3, 3 * sizeof(dTriIndex));
+        geom_ = dCreateTriMesh(space, data_, nullptr, nullptr, nullptr);
+    }
+    ~TriangleGeom()
+    {
+        dGeomDestroy(geom_);
+        dGeomTriMeshDataDestroy(data_);
+    }
+    TriangleGeom(const TriangleGeom &) = delete;
+    TriangleGeom &operator=(const TriangleGeom &) = delete;
+
+private:
+    const float corners_[9] = {-5, -5, 0, 5, -5, 0, -5, 5, 0};
+    const dTriIndex indices_[3] = {0, 1, 2};
+    const dTriMeshDataID data_ = dGeomTriMeshDataCreate();
+    dGeomID geom_;
+};
+
+TEST_F(Replay, CountsTheTimeOfSparedCallbacksAlone)
+{
+    const TriangleGeom triangle(space_);
+    ball_at(4, 4, 0);
+    ball_at(20, 0, 0);
+    ball_at(dReal(21.9), dReal(1.9), 0); // the boxes overlap, the balls do not: by shape, too
+    const Recording recording = collided(2);
+    const Callbacks callbacks = judge_callbacks(recording, recording.events().size(), no_limit);
+    EXPECT_EQ(callbacks.failure, "");
+    EXPECT_EQ(callbacks.nothing, 2 * 2u);
+    EXPECT_GT(callbacks.seconds_spared, 0);
+}
+
+TEST_F(Replay, LeavesOutPairsByShapeAndSaysSo)
+{
+    const TriangleGeom triangle(space_);
+    ball_at(4, 4, 0);
+    ball_at(0, 0, 0);
+    ball_at(1, 0, 0);
+    const Recording recording = collided(3);
+    const Pairs simple = find_pairs(recording, SpaceKind::simple), shape = find_pairs(recording, SpaceKind::shape);
+    EXPECT_EQ(shape.lost_contacts, 0u);
+    EXPECT_EQ(shape.strange, 0u);
+    const Verdict verdict = compare(recording, SpaceKind::shape, shape, simple);
+    EXPECT_TRUE(verdict.agrees);
+    EXPECT_NE(verdict.text.find(" without one left out"), std::string::npos) << verdict.text;
+    EXPECT_EQ(verdict.text.find("; 0 without"), std::string::npos) << verdict.text;
+}
+
+// ODE's sweep-and-prune space reports the plane with everything.
+TEST_F(Replay, NamesThePairsThatDiffer)
+{
+    ball_at(0, 0, 50);
+    dCreatePlane(space_, 0, 0, 1, 0);
+    const Recording recording = collided(2);
+    const DifferentPairs differing = differing_pairs(recording, SpaceKind::sap, SpaceKind::simple, 1);
+    ASSERT_EQ(differing.size(), 1u);
+    EXPECT_EQ(differing[0].first, std::make_pair(1u, 2u));
+    EXPECT_TRUE(differing[0].second) << "the first has it";
+    EXPECT_TRUE(differing_pairs(recording, SpaceKind::box, SpaceKind::simple, 1).empty());
+}
+
+TEST_F(Replay, OnlyOdesOwnSpacesMayHaveMoreOfWhatHasNoBounds)
+{
+    ball_at(0, 0, 0);
+    ball_at(1, 0, 0);
+    const Recording recording = collided(1);
+    const Pairs simple = find_pairs(recording, SpaceKind::simple);
+    Pairs more = simple, other = simple;
+    more.events[0].count += 2;
+    more.events[0].hash += 77;
+    more.events[0].unbounded += 2;
+    more.events[0].hash_of_unbounded += 77;
+    other.events[0].count += 2;
+    other.events[0].hash += 77;
+    for (const SpaceKind kind : all_kinds)
+    {
+        if (leaves_out_pairs(kind))
+            continue;
+        const bool may = kind == SpaceKind::own || kind == SpaceKind::quadtree || kind == SpaceKind::sap;
+        EXPECT_EQ(compare(recording, kind, more, simple).agrees, may) << name_of(kind);
+        EXPECT_FALSE(compare(recording, kind, other, simple).agrees) << name_of(kind) << ": of what has bounds";
+        EXPECT_TRUE(compare(recording, kind, simple, simple).agrees) << name_of(kind);
+    }
+}
+
+TEST_F(Replay, KnowsTheProgramsOwnKindOfSpace)
+{
+    EXPECT_EQ(name_of_own_space(collided(1)), "hash");
+    const dSpaceID other = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
+    Recorded recorded;
+    recorded.ask(reinterpret_cast<dGeomID>(space_), reinterpret_cast<dGeomID>(other));
+    recorded.collide(other);
+    EXPECT_EQ(name_of_own_space(recorded.end()), "sap") << "the first that is collided";
+    dSpaceDestroy(other);
+}
+
+TEST_F(Replay, SaysWhyAChildDidNotGetToItsEnd)
+{
+    EXPECT_EQ(do_in_child([] {}), "");
+    EXPECT_EQ(do_in_child([] { throw std::runtime_error("an exception"); }), "an exception");
+    EXPECT_EQ(do_in_child([] { dError(d_ERR_UASSERT, "an error of %s", "ODE"); }), "an error of ODE");
+    EXPECT_EQ(do_in_child([] { dDebug(d_ERR_IASSERT, "an assertion"); }), "an assertion");
+    EXPECT_EQ(do_in_child([] { std::raise(SIGKILL); }), strsignal(SIGKILL));
+    EXPECT_EQ(do_in_child([] { _exit(3); }), "the process ended");
+    EXPECT_EQ(do_in_child([] { dMessage(0, "a message ends nothing"); }), "");
+}
+} // namespace
+} // namespace ode_predictive_space::recording
