@@ -4,13 +4,16 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "ode_predictive_space/preload/run_command.h"
+#include "ode_predictive_space/preload/settings.h"
 #include "ode_predictive_space/recording/commands.h"
+#include "ode_predictive_space/recording/page.h"
 #include "ode_predictive_space/recording/printable.h"
 
 using namespace ode_predictive_space;
@@ -51,6 +54,16 @@ Exit status: 0 when all pairs agree; 1 when some do not, or spaces ended; 2 for 
 record, and for one that is no recording or contradicts itself, which a line on standard error says, with the offset of the
 byte.)";
 
+// What is wrong with a list of classes of spaces; empty: nothing.
+std::string wrong_name_in(const std::string &list)
+{
+    std::istringstream names(list);
+    for (std::string name; std::getline(names, name, ',');)
+        if (!preload::is_name_of_spaces(name))
+            return "'" + name + "' is not hash, quadtree, sap, simple, all or none";
+    return list.empty() ? "a list is missing" : "";
+}
+
 void add_run(CLI::App &tool, preload::RunOptions &options)
 {
     CLI::App *run = tool.add_subcommand("run", "Run an unchanged program with predictive spaces in place of those of ODE: "
@@ -59,14 +72,11 @@ void add_run(CLI::App &tool, preload::RunOptions &options)
                     "Which spaces are replaced: hash, quadtree, sap, simple, separated by commas; all; none (default: "
                     "hash,quadtree,sap; simple ones are what programs use for tiny groups)")
         ->type_name("LIST")
-        ->delimiter(',')
-        ->expected(1)
-        ->check(CLI::IsMember({"hash", "quadtree", "sap", "simple", "all", "none"}));
+        ->check(wrong_name_in);
     run->add_option("--proximity", options.proximity,
                     "box: report the pairs whose bounding boxes overlap, as ODE does (default); sphere: leave out those "
                     "whose bounding spheres do not overlap; shape: leave out those whose shapes cannot touch. No contact is "
                     "lost that ODE's own colliders find")
-        ->type_name("KIND")
         ->check(CLI::IsMember({"box", "sphere", "shape"}));
     run->add_flag("--stats", options.stats,
                   "At the end, write to standard error, or with --stats=FILE append to FILE, what each space did and the time "
@@ -103,9 +113,7 @@ void add_replay(CLI::App &tool, recording::ReplayOptions &options)
         ->add_option("--space", options.spaces,
                      "One kind of space; may be given several times. own: of the class that each space had in the program; "
                      "simple, hash, quadtree, sap: ODE's; box, sphere, shape: predictive (default: all)")
-        ->type_name("KIND")
-        ->expected(1)
-        ->take_all()
+        ->allow_extra_args(false)
         ->check(CLI::IsMember(kinds));
     replay->add_flag("--times", options.times,
                      "Measure times also where valgrind is installed, which otherwise counts instructions");
@@ -121,13 +129,25 @@ void add_report(CLI::App &tool, std::string &file, std::string &folder)
     report->add_option("DIR", folder, "A folder, which is made unless it exists")->required();
 }
 
-// The first word that is no option of ours is the program.
-void take_program(const CLI::App &tool, preload::RunOptions &options)
+// Takes a "--" and what follows out of the words of `run`, where the parser would end the command.
+std::vector<std::string> cut_at_mark(std::vector<std::string> &words)
+{
+    const bool is_run = !words.empty() && words.front() == "run";
+    const auto mark = is_run ? std::find(words.begin(), words.end(), "--") : words.end();
+    const std::vector<std::string> cut(mark, words.end());
+    words.erase(mark, words.end());
+    return cut;
+}
+
+// The first word that is no option of ours is the program, or what follows "--".
+void take_program(const CLI::App &tool, const std::vector<std::string> &cut, preload::RunOptions &options)
 {
     options.command = tool.get_subcommand("run")->remaining();
+    const bool mark_is_ours = options.command.empty() && !cut.empty();
+    options.command.insert(options.command.end(), cut.begin() + (mark_is_ours ? 1 : 0), cut.end());
     if (options.command.empty())
         throw std::runtime_error("no program is named; --help explains");
-    if (options.command.front()[0] == '-')
+    if (!mark_is_ours && options.command.front()[0] == '-')
         throw std::runtime_error("there is no option '" + options.command.front() + "'; --help lists them");
 }
 
@@ -156,6 +176,7 @@ int do_command(int argc, char **argv)
         each->set_version_flag("--version", "ode-predictive " VERSION);
     tool.set_version_flag("--version", "ode-predictive " VERSION);
     std::vector<std::string> words = words_of(argc, argv);
+    const std::vector<std::string> cut = cut_at_mark(words);
     std::reverse(words.begin(), words.end()); // as the parser takes them
     try
     {
@@ -167,11 +188,12 @@ int do_command(int argc, char **argv)
     }
     if (tool.got_subcommand("run"))
     {
-        take_program(tool, run);
+        take_program(tool, cut, run);
         preload::run(run);
     }
     if (tool.got_subcommand("replay"))
         return recording::replay(replay);
+    recording::prepare_folder(folder);
     std::printf("%s\n", printable(recording::write_report(folder, file, "ode-predictive report " + file)).c_str());
     return 0;
 }

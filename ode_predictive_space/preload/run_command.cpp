@@ -145,10 +145,7 @@ void prepare_report(RunOptions &options)
 void set_variables(RunOptions &options)
 {
     prepare_report(options);
-    std::string spaces;
-    for (const std::string &each : options.spaces)
-        spaces += (spaces.empty() ? "" : ",") + each;
-    set("ODE_PREDICTIVE_SPACE", spaces);
+    set("ODE_PREDICTIVE_SPACE", options.spaces);
     set("ODE_PREDICTIVE_PROXIMITY", options.proximity);
     if (options.stats == RunOptions::to_standard_error)
         set("ODE_PREDICTIVE_STATS", "1");

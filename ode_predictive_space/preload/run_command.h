@@ -9,9 +9,9 @@ namespace ode_predictive_space::preload
 /// What the command line of `ode-predictive run` asks for; empty: it does not.
 struct RunOptions
 {
-    std::vector<std::string> spaces; ///< hash, quadtree, sap, simple, all, none
-    std::string proximity;           ///< box, sphere, shape
-    std::string stats;               ///< a file, or `to_standard_error`
+    std::string spaces;    ///< hash, quadtree, sap, simple, all, none; several separated by commas
+    std::string proximity; ///< box, sphere, shape
+    std::string stats;     ///< a file, or `to_standard_error`
     bool compare = false;
     std::string trace_file, record_file, record_limit, report_folder;
     std::vector<std::string> command; ///< the program and its arguments

@@ -137,6 +137,12 @@ Settings read_settings(const std::function<const char *(const char *)> &variable
     return settings;
 }
 
+bool is_name_of_spaces(const std::string &word)
+{
+    std::set<int> classes;
+    return add_classes(word, classes);
+}
+
 const char *name_of_space_class(int space_class)
 {
     for (const NamedClass &each : space_classes)

@@ -35,6 +35,9 @@ std::uint64_t bytes_named(const std::string &text);
 /// @param complaints gets a sentence for each value that is not known, for which the default is taken.
 Settings read_settings(const std::function<const char *(const char *)> &variable, std::vector<std::string> &complaints);
 
+/// Is it hash, quadtree, sap, simple, all or none?
+bool is_name_of_spaces(const std::string &word);
+
 /// "hash" for dHashSpaceClass, and so on.
 const char *name_of_space_class(int space_class);
 } // namespace ode_predictive_space::preload

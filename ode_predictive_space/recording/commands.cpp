@@ -144,7 +144,6 @@ int replay(const ReplayOptions &options)
 
 std::string write_report(const std::string &folder, const std::string &file, const std::string &title)
 {
-    prepare_folder(folder);
     Page page = {title, "", {}};
     std::error_code none;
     if (std::filesystem::exists(file, none))

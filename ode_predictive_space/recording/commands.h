@@ -24,7 +24,7 @@ struct ReplayOptions
 /// @throws std::runtime_error for a file that cannot be replayed.
 int replay(const ReplayOptions &options);
 
-/// Writes the page that says what the recorded program would gain. Without a recording the page says that it is not known.
+/// Writes into an existing folder the page that says what the recorded program would gain. Without a recording the page says that it is not known.
 ///
 /// @return the path of the page.
 /// @throws std::runtime_error when the page cannot be written, or the file is no recording.

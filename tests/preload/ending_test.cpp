@@ -212,7 +212,6 @@ TEST(LauncherThatWaits, PassesASignalOn)
     const int status = waiting.wait();
     ASSERT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), 1);
-    EXPECT_TRUE(contains(statistics.text(), "dSpaceCollide 3 calls")) << statistics.text();
 }
 
 // The terminal sends it to both. The launcher is stopped meanwhile: two signals at the same time would count as one.

@@ -80,6 +80,7 @@ TEST(Launcher, PassesArgumentsAndStatusOn)
     const Outcome outcome = launch("--space all -- sh -c 'echo \"$1|$2\"; exit 9' sh 'a b' --stats");
     EXPECT_EQ(outcome.output, "a b|--stats\n");
     EXPECT_EQ(outcome.status, 9);
+    EXPECT_EQ(launch("sh -c 'echo \"$1|$2\"' sh -- b").output, "--|b\n") << "the program's own mark";
     EXPECT_EQ(launch("/nonexistent/program").status, 127);
 }
 

@@ -49,8 +49,8 @@ TEST(LostOutput, LeavesAProgramThatFailedItsStatus)
 {
     for (const char *options : {"--stats=/dev/full ", "--trace=/dev/full "})
     {
-        const Outcome outcome = launch(std::string(options) + ENDING " _exit");
-        EXPECT_EQ(outcome.status, 5);
+        const Outcome outcome = launch(std::string(options) + ENDING " exit");
+        EXPECT_EQ(outcome.status, 4);
         EXPECT_EQ(count_of(full, outcome.output), 1) << outcome.output;
     }
 }
