@@ -11,7 +11,7 @@ namespace ode_predictive_space::worlds
 {
 namespace
 {
-/// Looks for contacts of a sphere of its own.
+/// Tells whether a sphere at a place touches anything.
 class Room
 {
 public:

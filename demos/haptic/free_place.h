@@ -1,4 +1,4 @@
-// Where in a scene there is room.
+// Finds a place in a scene at which nothing is.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_FREE_PLACE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_FREE_PLACE_H

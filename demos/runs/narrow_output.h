@@ -16,7 +16,7 @@ constexpr std::size_t output_width = 80;
 std::size_t width(const std::string &text);
 
 /// A line broken into several of at most output_width columns, at blanks or after commas. The further ones begin where the text
-/// does: after a gap of two blanks that ends a label, otherwise below the first letter. What has no place to break stays long.
+/// does: after a gap of two blanks that ends a label, otherwise below the first letter. A text without blanks or commas stays as long as it is.
 std::string folded(const std::string &line);
 
 /// Folds all lines of a stream, as long as this lives. Nothing else may set the stream's buffer meanwhile. Lines go out when they
@@ -29,7 +29,7 @@ public:
     NarrowOutput(const NarrowOutput &) = delete;
     NarrowOutput &operator=(const NarrowOutput &) = delete;
 
-    /// Writes what is left.
+    /// Writes the last line, which may lack its end.
     ///
     /// @return whether all that the stream was given since the beginning could be written.
     bool finish();

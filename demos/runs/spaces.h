@@ -40,7 +40,7 @@ SpaceKind space_named(const std::string &name);
 /// @throws std::runtime_error when ODE refuses to make it.
 dSpaceID make_space(SpaceKind kind, const WorldFactory &factory);
 
-/// The same as a contender.
+/// Makes a contender with such a space.
 std::unique_ptr<Contender> make_contender(SpaceKind kind, const WorldFactory &factory);
 
 /// An existing space as a contender of this kind.

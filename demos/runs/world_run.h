@@ -46,7 +46,7 @@ public:
     WorldRun(SpaceKind kind, const WorldFactory &factory);
     WorldRun(std::unique_ptr<Contender> contender, const WorldFactory &factory);
 
-    /// The same with a scene of the caller's own; its geoms are in the contender's space.
+    /// Runs a scene that the caller has made, whose geoms are in the contender's space.
     WorldRun(std::unique_ptr<Contender> contender, std::unique_ptr<World> scene);
 
     ~WorldRun();
@@ -147,7 +147,7 @@ using WorldRuns = std::vector<std::unique_ptr<WorldRun>>;
 WorldRuns make_runs(const std::vector<SpaceKind> &kinds, const WorldFactory &factory);
 
 /// Make `ticks` ticks in each run, in alternating turns of some hundred, each round beginning with another run. The load of
-/// the machine, its clock frequency and its temperature then affect all of them alike, while within a turn each finds its
+/// the machine, its clock frequency and its temperature then affect all of them alike, and within a turn each run finds its
 /// data in the cache as it would alone.
 ///
 /// @param progress called after each round with the number of ticks done.
@@ -159,7 +159,7 @@ void run_by_turns(const WorldRuns &runs, int ticks, const std::function<void(int
 /// none. A run with fewer ticks than another is compared in these ticks.
 int first_difference(const WorldRuns &runs);
 
-/// The same for the pairs with contacts, of all contenders with measure_contacts(), exact or not.
+/// The first tick in which the pairs with contacts differ, among all contenders with measure_contacts(), exact or not.
 int first_difference_of_contacts(const WorldRuns &runs);
 } // namespace ode_predictive_space::worlds
 

@@ -73,7 +73,7 @@ public:
     }
 };
 
-/// One small world after the other, each with a space of its own and a short life.
+/// Small worlds that follow one another. Each has a space of its own and lives for a few ticks.
 class ManyWorlds : public World
 {
 public:

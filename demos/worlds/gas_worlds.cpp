@@ -248,8 +248,8 @@ public:
     }
 };
 
-/// A physics engine that has a world of its own and uses ODE to find contacts, as DART does: its geoms have no bodies in ODE, and
-/// at every tick it sets every pose, though one object in twenty moves.
+/// Moves as in a physics engine that uses ODE for contacts alone, as DART does. The geoms have no bodies in ODE. The engine sets
+/// every pose at every tick, but only one object in twenty moves.
 class PoseSettingWorld : public FloatingWorld
 {
 public:

@@ -24,10 +24,10 @@ dGeomID make_octahedron(dSpaceID space)
 {
     constexpr dReal r = object_radius;
     static const dReal points[] = {-r, 0, 0, r, 0, 0, 0, -r, 0, 0, r, 0, 0, 0, -r, 0, 0, r};
-    // Of each face 3 and its corners, counterclockwise from outside.
+    // For each face the number of its corners and the corners, counterclockwise as seen from outside.
     static const unsigned polygons[] = {3, 4, 2, 0, 3, 1, 2, 4, 3, 0, 3, 4, 3, 4, 3, 1,
                                         3, 0, 2, 5, 3, 5, 2, 1, 3, 5, 3, 0, 3, 1, 3, 5};
-    // Of each face its normal, outwards, and its distance from the centre.
+    // For each face its outward normal and its distance from the centre.
     static const std::array<dReal, 32> planes = [] {
         std::array<dReal, 32> result{};
         for (unsigned face = 0; face < 8; ++face)

@@ -37,7 +37,7 @@ dGeomID make_shape(dSpaceID space, Shape shape, const TriangleMesh *ball = nullp
 /// The mass of such a solid. A mesh has the mass of the ball that it represents.
 dMass mass_of_shape(Shape shape, double density);
 
-/// Of worlds that do not step at a rate of their own, seconds.
+/// The step of worlds that have no rate of their own, in seconds.
 constexpr double usual_tick = 0.001;
 
 struct BodyState

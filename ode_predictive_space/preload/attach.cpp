@@ -6,13 +6,13 @@
 
 #include <pthread.h>
 
-#include "ode_predictive_space/recording/notices.h"
 #include "ode_predictive_space/predictive_space.h"
 #include "ode_predictive_space/preload/notes_to_launcher.h"
 #include "ode_predictive_space/preload/say.h"
 #include "ode_predictive_space/preload/settings.h"
 #include "ode_predictive_space/preload/substitute.h"
 #include "ode_predictive_space/preload/watch.h"
+#include "ode_predictive_space/recording/notices.h"
 #include "ode_predictive_space/space/ode_check.h"
 #include "ode_predictive_space/space/ode_internals.h"
 

@@ -58,7 +58,7 @@ private:
     int made_ = 0;
 };
 
-/// What a space did after an earlier reading of its statistics.
+/// The work of a space since an earlier reading of its statistics.
 dPredictiveSpaceStats since(const dPredictiveSpaceStats &before, dPredictiveSpaceStats now);
 } // namespace ode_predictive_space::preload
 

@@ -1,4 +1,4 @@
-// What the processes of a program tell the launcher that waits for its end: single bytes in a file without a name.
+// Notes from the processes of a program to the launcher that waits for its end: single bytes in a file without a name.
 
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_NOTES_TO_LAUNCHER_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_NOTES_TO_LAUNCHER_H

@@ -54,7 +54,7 @@ Exit status: 0 when all pairs agree; 1 when some do not, or spaces ended; 2 for 
 record, and for one that is no recording or contradicts itself, which a line on standard error says, with the offset of the
 byte.)";
 
-// What is wrong with a list of classes of spaces; empty: nothing.
+// Checks a list of classes of spaces. Returns what is wrong with it, or nothing.
 std::string wrong_name_in(const std::string &list)
 {
     std::istringstream names(list);
@@ -66,38 +66,44 @@ std::string wrong_name_in(const std::string &list)
 
 void add_run(CLI::App &tool, preload::RunOptions &options)
 {
-    CLI::App *run = tool.add_subcommand("run", "Run an unchanged program with predictive spaces in place of those of ODE: "
-                                               "ode-predictive run [OPTIONS] PROGRAM [ARGUMENT...]");
+    CLI::App *run =
+        tool.add_subcommand("run", "Run an unchanged program with predictive spaces in place of those of ODE: "
+                                   "ode-predictive run [OPTIONS] PROGRAM [ARGUMENT...]");
     run->add_option("--space", options.spaces,
                     "Which spaces are replaced: hash, quadtree, sap, simple, separated by commas; all; none (default: "
                     "hash,quadtree,sap; simple ones are what programs use for tiny groups)")
         ->type_name("LIST")
         ->check(wrong_name_in);
-    run->add_option("--proximity", options.proximity,
-                    "box: report the pairs whose bounding boxes overlap, as ODE does (default); sphere: leave out those "
-                    "whose bounding spheres do not overlap; shape: leave out those whose shapes cannot touch. No contact is "
-                    "lost that ODE's own colliders find")
+    run->add_option(
+           "--proximity", options.proximity,
+           "box: report the pairs whose bounding boxes overlap, as ODE does (default); sphere: leave out those "
+           "whose bounding spheres do not overlap; shape: leave out those whose shapes cannot touch. No contact is "
+           "lost that ODE's own colliders find")
         ->check(CLI::IsMember({"box", "sphere", "shape"}));
-    run->add_flag("--stats", options.stats,
-                  "At the end, write to standard error, or with --stats=FILE append to FILE, what each space did and the time "
-                  "it took");
-    run->add_option("--report", options.report_folder,
-                    "At the end, write a page that says what the program would gain, DIR/index.html. For it the program is "
-                    "recorded, up to 64 MB in DIR/recording.odehist, and the recording replayed")
+    run->add_flag(
+        "--stats", options.stats,
+        "At the end, write to standard error, or with --stats=FILE append to FILE, what each space did and the time "
+        "it took");
+    run->add_option(
+           "--report", options.report_folder,
+           "At the end, write a page that says what the program would gain, DIR/index.html. For it the program is "
+           "recorded, up to 64 MB in DIR/recording.odehist, and the recording replayed")
         ->type_name("DIR");
-    run->add_option("--record", options.record_file,
-                    "Record what the program tells its spaces and asks them, for `ode-predictive replay FILE`; each further "
-                    "process that collides gets a file of its own, FILE.<its number>")
+    run->add_option(
+           "--record", options.record_file,
+           "Record what the program tells its spaces and asks them, for `ode-predictive replay FILE`; each further "
+           "process that collides gets a file of its own, FILE.<its number>")
         ->type_name("FILE");
     run->add_option("--record-limit", options.record_limit,
                     "Bytes of a recording, as 100M; there it ends, at the end of a collide (default: 256M)")
         ->type_name("N");
     run->add_flag("--compare", options.compare,
                   "Check each collide against all pairs, and report differences on standard error; slow");
-    run->add_option("--trace", options.trace_file,
-                    "Add a line to FILE for each collide: how many pairs, and a hash of them. To make runs comparable, the "
-                    "callback then gets the pairs after the collide, in an order that does not depend on the space; with "
-                    "--space none the program's own spaces are traced")
+    run->add_option(
+           "--trace", options.trace_file,
+           "Add a line to FILE for each collide: how many pairs, and a hash of them. To make runs comparable, the "
+           "callback then gets the pairs after the collide, in an order that does not depend on the space; with "
+           "--space none the program's own spaces are traced")
         ->type_name("FILE");
     run->footer(about_run);
     run->prefix_command();
@@ -105,14 +111,16 @@ void add_run(CLI::App &tool, preload::RunOptions &options)
 
 void add_replay(CLI::App &tool, recording::ReplayOptions &options)
 {
-    CLI::App *replay = tool.add_subcommand("replay", "Replay a recording in spaces of every kind: do they find the same pairs, what do they take?");
+    CLI::App *replay = tool.add_subcommand(
+        "replay", "Replay a recording in spaces of every kind: do they find the same pairs, what do they take?");
     std::vector<std::string> kinds;
     for (const recording::SpaceKind kind : recording::all_kinds)
         kinds.emplace_back(name_of(kind));
     replay
-        ->add_option("--space", options.spaces,
-                     "One kind of space; may be given several times. own: of the class that each space had in the program; "
-                     "simple, hash, quadtree, sap: ODE's; box, sphere, shape: predictive (default: all)")
+        ->add_option(
+            "--space", options.spaces,
+            "One kind of space; may be given several times. own: of the class that each space had in the program; "
+            "simple, hash, quadtree, sap: ODE's; box, sphere, shape: predictive (default: all)")
         ->allow_extra_args(false)
         ->check(CLI::IsMember(kinds));
     replay->add_flag("--times", options.times,
@@ -124,7 +132,8 @@ void add_replay(CLI::App &tool, recording::ReplayOptions &options)
 
 void add_report(CLI::App &tool, std::string &file, std::string &folder)
 {
-    CLI::App *report = tool.add_subcommand("report", "Write a page, DIR/index.html, that says what a recorded program would gain");
+    CLI::App *report =
+        tool.add_subcommand("report", "Write a page, DIR/index.html, that says what a recorded program would gain");
     report->add_option("FILE", file, "The recording")->required();
     report->add_option("DIR", folder, "A folder, which is made unless it exists")->required();
 }
@@ -164,7 +173,8 @@ std::vector<std::string> words_of(int argc, char **argv)
 
 int do_command(int argc, char **argv)
 {
-    CLI::App tool("Predictive collision spaces for programs that use the Open Dynamics Engine (ODE).", "ode-predictive");
+    CLI::App tool("Predictive collision spaces for programs that use the Open Dynamics Engine (ODE).",
+                  "ode-predictive");
     preload::RunOptions run;
     recording::ReplayOptions replay;
     std::string file, folder;

@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space::preload
 {
-/// What there is to say of one process, as the settings ask: for each space a line, for a predictive one that was collided a
+/// The statistics of one process, as the settings ask for them: for each space a line, for a predictive one that was collided a
 /// second; then a line about the comparison. Empty when nothing is asked, or there is nothing to say.
 std::string report_text(const Settings &settings, const char *program, int process_id,
                         const std::deque<SpaceCounts> &spaces);

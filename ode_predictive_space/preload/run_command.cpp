@@ -29,7 +29,7 @@ namespace
 {
 using Refusal = std::runtime_error;
 
-std::string variable(const char *name)
+std::string in_environment(const char *name)
 {
     const char *value = std::getenv(name);
     return value ? value : "";
@@ -63,7 +63,7 @@ std::string path_of_program(const std::string &program)
 {
     if (program.find('/') != std::string::npos)
         return program;
-    std::istringstream folders(variable("PATH"));
+    std::istringstream folders(in_environment("PATH"));
     for (std::string folder; std::getline(folders, folder, ':');)
         if (const std::string path = folder + "/" + program; access(path.c_str(), X_OK) == 0)
             return path;
@@ -74,7 +74,7 @@ std::string path_of_program(const std::string &program)
 void refuse_sanitizer_behind_us(const std::string &program, const std::string &others)
 {
     const std::string first = std::filesystem::path(others.substr(0, others.find_first_of(": "))).filename();
-    const std::string options = variable("ASAN_OPTIONS");
+    const std::string options = in_environment("ASAN_OPTIONS");
     for (const std::string runtime : {"libasan.so", "libclang_rt.asan"})
     {
         char library[256];
@@ -90,7 +90,7 @@ void refuse_sanitizer_behind_us(const std::string &program, const std::string &o
 // Libraries that are preloaded already stay in front: some have to be the first.
 void preload(const std::string &program)
 {
-    const std::string others = variable("LD_PRELOAD");
+    const std::string others = in_environment("LD_PRELOAD");
     refuse_sanitizer_behind_us(program, others);
     set("LD_PRELOAD", (others.empty() ? "" : others + ":") + path_of_preload());
 }
@@ -138,7 +138,7 @@ void prepare_report(RunOptions &options)
     if (!options.record_file.empty())
         return;
     options.record_file = options.report_folder + "/recording.odehist";
-    if (options.record_limit.empty() && variable("ODE_PREDICTIVE_RECORD_LIMIT").empty())
+    if (options.record_limit.empty() && in_environment("ODE_PREDICTIVE_RECORD_LIMIT").empty())
         options.record_limit = "64M";
 }
 
@@ -199,8 +199,7 @@ try
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
-    say("report: %s",
-        recording::write_report(options.report_folder, options.record_file, title_of(options)).c_str());
+    say("report: %s", recording::write_report(options.report_folder, options.record_file, title_of(options)).c_str());
     return true;
 }
 catch (const std::exception &failure)

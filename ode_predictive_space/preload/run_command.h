@@ -6,7 +6,7 @@
 
 namespace ode_predictive_space::preload
 {
-/// What the command line of `ode-predictive run` asks for; empty: it does not.
+/// The command line of `ode-predictive run`. An option that is not given is empty.
 struct RunOptions
 {
     std::string spaces;    ///< hash, quadtree, sap, simple, all, none; several separated by commas

@@ -9,7 +9,7 @@
 
 namespace ode_predictive_space::preload
 {
-/// What the environment asks for.
+/// The settings of a process, which the environment gives.
 struct Settings
 {
     std::set<int> replaced;         ///< classes of spaces (dHashSpaceClass and so on) that predictive ones stand in for

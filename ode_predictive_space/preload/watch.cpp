@@ -226,7 +226,7 @@ void Watch::end_event(Call &call)
     tick_clock.pause();
     const double tick = tick_clock.end_collide();
     const recording::EventTimes times = {static_cast<float>(call.seconds), static_cast<float>(call.in_callbacks),
-                                       static_cast<float>(tick)};
+                                         static_cast<float>(tick)};
     call.event->end(tick < 0 ? nullptr : &times);
     tick_clock.end_recording();
 }
@@ -265,8 +265,9 @@ recording::Recorder *Watch::recorder()
         records_ = false;
         return nullptr;
     }
-    recorder_ = std::make_unique<recording::Recorder>(std::move(file), settings_.record_limit, recording::note_of_process(),
-                                                    [this](dSpaceID space) { return ledger_.is_substitute(space); });
+    recorder_ =
+        std::make_unique<recording::Recorder>(std::move(file), settings_.record_limit, recording::note_of_process(),
+                                              [this](dSpaceID space) { return ledger_.is_substitute(space); });
     return recorder_.get();
 }
 

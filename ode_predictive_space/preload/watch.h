@@ -6,11 +6,11 @@
 #include <mutex>
 #include <string>
 
-#include "ode_predictive_space/recording/recorder.h"
 #include "ode_predictive_space/preload/ledger.h"
 #include "ode_predictive_space/preload/output_file.h"
 #include "ode_predictive_space/preload/settings.h"
 #include "ode_predictive_space/preload/substitute.h"
+#include "ode_predictive_space/recording/recorder.h"
 
 namespace ode_predictive_space::preload
 {
@@ -47,8 +47,8 @@ private:
     Settings settings_;
     OdeCalls ode_;
     Ledger ledger_;
-    std::unique_ptr<OutputFile> trace_file_;      // 0: there is no trace
-    std::mutex recording_;                        // of the next three
+    std::unique_ptr<OutputFile> trace_file_;        // 0: there is no trace
+    std::mutex recording_;                          // of the next three
     std::unique_ptr<recording::Recorder> recorder_; // 0: nothing has been recorded yet
     std::string recorded_file_;
     bool records_ = false; // unless it could not

@@ -8,10 +8,10 @@
 
 #include "ode_predictive_space/recording/advice.h"
 #include "ode_predictive_space/recording/check.h"
+#include "ode_predictive_space/recording/curves.h"
 #include "ode_predictive_space/recording/formatted.h"
 #include "ode_predictive_space/recording/own_space.h"
 #include "ode_predictive_space/recording/replay.h"
-#include "ode_predictive_space/recording/curves.h"
 
 namespace ode_predictive_space::recording
 {

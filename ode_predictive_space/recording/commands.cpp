@@ -43,8 +43,8 @@ std::vector<SpaceKind> kinds_of(const ReplayOptions &options)
 void describe(const std::string &file, const Recording &recording)
 {
     std::printf("%s: %zu events, %u geoms (%u of them only as their boxes), %u bodies, %.3g MB; %s\n",
-                printable(file).c_str(), recording.events().size(), recording.geom_count(),
-                recording.stand_ins(), recording.body_count(), 1e-6 * static_cast<double>(recording.bytes()),
+                printable(file).c_str(), recording.events().size(), recording.geom_count(), recording.stand_ins(),
+                recording.body_count(), 1e-6 * static_cast<double>(recording.bytes()),
                 printable(recording.note()).c_str());
     std::printf("%s\n", completeness_of(recording).c_str());
     if (const std::string unknown = unknown_notices(recording); !unknown.empty())
@@ -57,7 +57,7 @@ std::string own_path()
     return std::filesystem::read_symlink("/proc/self/exe", none).string();
 }
 
-// Of the spaces alone, per event.
+// The instructions or the time that spaces of one kind take per event.
 class CostsOfSpaces
 {
 public:

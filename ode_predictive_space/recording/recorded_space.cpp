@@ -15,8 +15,8 @@
 
 #include "ode_predictive_space/history.h"
 #include "ode_predictive_space/recording/notices.h"
-#include "ode_predictive_space/recording/recorder.h"
 #include "ode_predictive_space/recording/printable.h"
+#include "ode_predictive_space/recording/recorder.h"
 #include "ode_predictive_space/space/predictive_space.h"
 
 namespace ode_predictive_space::recording

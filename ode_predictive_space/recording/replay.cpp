@@ -22,8 +22,8 @@ __attribute__((noinline, visibility("default"))) void counted_changes(Stage &sta
     stage.apply(record);
 }
 
-__attribute__((noinline, visibility("default"))) void counted_collide(Stage &stage, const Record &record,
-                                                                      void *data, dNearCallback *callback)
+__attribute__((noinline, visibility("default"))) void counted_collide(Stage &stage, const Record &record, void *data,
+                                                                      dNearCallback *callback)
 {
     stage.ask(record, data, callback);
 }

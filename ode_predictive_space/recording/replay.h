@@ -43,8 +43,7 @@ Pairs find_pairs(const Recording &recording, SpaceKind kind);
 
 /// Pairs of ids of one event that only one of two kinds of spaces has: (pair, the first has it).
 using DifferentPairs = std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, bool>>;
-DifferentPairs differing_pairs(const Recording &recording, SpaceKind first, SpaceKind second,
-                               std::size_t event);
+DifferentPairs differing_pairs(const Recording &recording, SpaceKind first, SpaceKind second, std::size_t event);
 
 /// What one kind of spaces takes. Times in seconds.
 struct Cost
@@ -74,8 +73,7 @@ Cost measure(const Recording &recording, SpaceKind kind, std::size_t most_events
 void take_least(const Cost &again, Cost &cost);
 
 /// The same, several times, and of each event the least time.
-Cost measure_repeatedly(const Recording &recording, SpaceKind kind, std::size_t most_events,
-                        double most_seconds);
+Cost measure_repeatedly(const Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds);
 
 /// What the callbacks of spaces by boxes are good for. dCollide() is asked for 8 contacts.
 struct Callbacks

@@ -69,7 +69,7 @@ has 'cmake .*TEST_CLIENTS=ON'
 
 calls_of package
 has 'apt-get install .*libode-dev'
-lacks "libgtest|libcli11|lintian|mmdebstrap|$games"
+lacks "libgtest|lintian|mmdebstrap|$games"
 has 'apt-get install .*debhelper'
 has 'make_debian_packages\.sh'
 

@@ -854,6 +854,7 @@ def advice_faults():
 
 def replay_faults():
     stage = SOURCES + "recording/stage.cpp"
+    geom = SOURCES + "recording/geom_of_state.cpp"
     replay = SOURCES + "recording/replay.cpp"
     check = SOURCES + "recording/check.cpp"
     child = SOURCES + "recording/child.cpp"
@@ -866,7 +867,7 @@ def replay_faults():
         "mark_of_the_offset_left", "replay", stage, "            dGeomClearOffset(geom.geom); // ODE", "            ; // ODE",
         (("recordings", "*Recorded*"),))
     yield Fault(
-        "plane_scaled_again", "replay", stage,
+        "plane_scaled_again", "replay", geom,
         "std::copy_n(size.begin(), 4, static_cast<dxPlane *>(geom)->p); // it has scaled them", "", staged)
     yield Fault(
         "offset_without_its_rotation", "replay", stage, "dGeomSetOffsetRotation(geom.geom, rotation);", "", staged)
@@ -876,9 +877,9 @@ def replay_faults():
     yield Fault(
         "old_mesh_kept", "replay", stage, "if (geom.geom && (fields & geom_field::data) && has_data(state.geom_class))",
         "if (geom.geom && (fields & geom_field::data) && !has_data(state.geom_class))", staged)
-    yield Fault("levels_forgotten", "replay", stage, "dHashSpaceSetLevels(space, state.space.min_level, state.space.max_level);",
+    yield Fault("levels_forgotten", "replay", geom, "dHashSpaceSetLevels(space, state.space.min_level, state.space.max_level);",
                 ";", staged)
-    yield Fault("sublevel_forgotten", "replay", stage,
+    yield Fault("sublevel_forgotten", "replay", geom,
                 "dSpaceSetSublevel(space, state.space.sublevel);", ";", staged)
     yield Fault("inner_simple_spaces_replaced", "replay", stage, "state.geom_class == dSimpleSpaceClass && state.parent != 0;",
                 "state.geom_class == dSimpleSpaceClass && state.parent == 0;", staged + replayed)

@@ -21,8 +21,8 @@ TEST(Launcher, ExplainsItself)
 TEST(Launcher, RefusesWrongOptions)
 {
     for (const char *arguments :
-         {"--space hsah true", "--space= true", "--proximity cube true", "--trace", "--speed true",
-          "--space all", "", "--report= true", "--report /proc/no_folder true", "--stats=/nonexistent/file true",
+         {"--space hsah true", "--space= true", "--proximity cube true", "--trace", "--speed true", "--space all", "",
+          "--report= true", "--report /proc/no_folder true", "--stats=/nonexistent/file true",
           "--trace=/nonexistent/file true", "--record", "--record= true", "--record /nonexistent/file true",
           "--record /dev/null true", "--record-limit 0 true", "--record-limit 10X true", "--record-limit -1 true"})
     {

@@ -9,8 +9,8 @@
 
 #include <ode/ode.h>
 
-#include "ode_predictive_space/recording/recording.h"
 #include "ode_predictive_space/recording/instructions.h"
+#include "ode_predictive_space/recording/recording.h"
 #include "ode_predictive_space/recording/stage.h"
 #include "tests/contract/support/ode_test.h"
 #include "tests/recording/scratch_recording.h"
@@ -19,7 +19,6 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-using recording::SpaceKind;
 
 struct Collisions
 {
@@ -84,8 +83,8 @@ TEST_P(Recorded, InstructionsAreThoseOfTheProgramWithinFivePercent)
     ASSERT_TRUE(recording::has_valgrind());
     in_program(GetParam(), "box", file_.path());
     const std::string program = COUNTED_LIVE, scene = GetParam();
-    const double live =
-        difference(recording::instructions_of({program, scene, "box"}), recording::instructions_of({program, scene, "none"}));
+    const double live = difference(recording::instructions_of({program, scene, "box"}),
+                                   recording::instructions_of({program, scene, "none"}));
     const double replayed = difference(recording::count_instructions(TOOL, file_.path(), SpaceKind::box),
                                        recording::count_instructions(TOOL, file_.path(), SpaceKind::none));
     EXPECT_GT(live, 1e6);

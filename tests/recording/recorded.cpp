@@ -5,12 +5,12 @@
 
 namespace ode_predictive_space::recording
 {
-void expect_pairs_agree(const Recording &recording, const std::vector<recording::SpaceKind> &kinds)
+void expect_pairs_agree(const Recording &recording, const std::vector<SpaceKind> &kinds)
 {
-    const recording::Pairs simple = find_pairs(recording, recording::SpaceKind::simple);
+    const recording::Pairs simple = find_pairs(recording, SpaceKind::simple);
     ASSERT_EQ(simple.failure, "");
     ASSERT_EQ(simple.events.size(), recording.events().size());
-    for (const recording::SpaceKind kind : kinds)
+    for (const SpaceKind kind : kinds)
     {
         const recording::Verdict verdict = compare(recording, kind, find_pairs(recording, kind), simple);
         EXPECT_TRUE(verdict.agrees) << name_of(kind) << ": " << verdict.text;

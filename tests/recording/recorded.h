@@ -1,5 +1,5 @@
-#ifndef ODE_PREDICTIVE_SPACE_TESTS_HISTORY_RECORDED_H
-#define ODE_PREDICTIVE_SPACE_TESTS_HISTORY_RECORDED_H
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_RECORDING_RECORDED_H
+#define ODE_PREDICTIVE_SPACE_TESTS_RECORDING_RECORDED_H
 
 #include <cstdint>
 #include <memory>
@@ -70,8 +70,8 @@ private:
 
 /// Spaces of these kinds find the pairs in it that the recorded program got, those of simple spaces. Collides that an exception ended
 /// have none.
-void expect_pairs_agree(const Recording &recording, const std::vector<recording::SpaceKind> &kinds = {
-                                                        recording::all_kinds.begin(), recording::all_kinds.end()});
+void expect_pairs_agree(const Recording &recording,
+                        const std::vector<SpaceKind> &kinds = {all_kinds.begin(), all_kinds.end()});
 } // namespace ode_predictive_space::recording
 
 #endif

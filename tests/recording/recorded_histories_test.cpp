@@ -16,7 +16,6 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-using recording::SpaceKind;
 
 void apply(const Operation &operation, Universe &universe)
 {

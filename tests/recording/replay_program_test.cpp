@@ -38,8 +38,7 @@ TEST(ReplayProgram, ExplainsItself)
 
 TEST(ReplayProgram, RefusesWrongOptions)
 {
-    for (const char *arguments :
-         {"", "--space octree x", "--speed x", "x y", "--space", "/nonexistent/file"})
+    for (const char *arguments : {"", "--space octree x", "--speed x", "x y", "--space", "/nonexistent/file"})
     {
         const Outcome outcome = run(REPLAYER, arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;

@@ -25,8 +25,6 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-using recording::Recorded;
-using recording::Recording;
 
 constexpr double no_limit = 1e9;
 

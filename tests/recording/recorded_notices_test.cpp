@@ -1,0 +1,196 @@
+// The notices that a recorded predictive space gets, and what a recording says of the space.
+
+#include <map>
+#include <set>
+#include <vector>
+
+#include <ode/ode.h>
+
+#include <gtest/gtest.h>
+
+#include "ode_predictive_space/history.h"
+#include "ode_predictive_space/recording/own_space.h"
+#include "ode_predictive_space/recording/recorder.h"
+#include "tests/recording/recorded.h"
+#include "tests/recording/recorder_fixture.h"
+
+namespace ode_predictive_space::recording
+{
+namespace
+{
+// By the numbers of geoms, what a space is told between two collides.
+class Notices final : public NoticeListener
+{
+public:
+    explicit Notices(dSpaceID space) { ode_predictive_space_listen(space, this); }
+    ~Notices() { ode_predictive_space_stop_listening(this); }
+    void notify_moved(dGeomID geom) override { ++numbers_[geom]; }
+
+    // Of the geoms, in this order.
+    std::vector<int> take(const std::vector<dGeomID> &geoms)
+    {
+        std::vector<int> numbers;
+        for (const dGeomID geom : geoms)
+            numbers.push_back(numbers_[geom]);
+        numbers_.clear();
+        return numbers;
+    }
+
+private:
+    std::map<dGeomID, int> numbers_;
+};
+
+// Enough for the space to predict, which leaves no moved geom marked.
+std::vector<dGeomID> balls_in(dSpaceID space)
+{
+    std::vector<dGeomID> balls;
+    for (int i = 0; i < 30; ++i)
+    {
+        balls.push_back(dCreateSphere(space, REAL(0.1)));
+        dGeomSetPosition(balls.back(), dReal(i), 0, 0);
+    }
+    return balls;
+}
+
+// Before each event but the first, of the geoms in the first space, from the last to the first as they were recorded.
+std::vector<std::vector<int>> notices_in_replay(const Recording &recording)
+{
+    Stage stage(recording, SpaceKind::box);
+    std::unique_ptr<Notices> notices;
+    std::vector<dGeomID> geoms;
+    std::vector<std::vector<int>> numbers;
+    for (const Record &record : recording.records())
+    {
+        if (record.kind != RecordKind::collide)
+        {
+            stage.apply(record);
+            continue;
+        }
+        if (notices)
+            numbers.push_back(notices->take(geoms));
+        stage.ask(record, nullptr, ignore);
+        if (notices)
+            continue;
+        for (std::uint32_t id = 1; id < recording.geom_count(); ++id)
+            geoms.push_back(stage.geom(id));
+        notices = std::make_unique<Notices>(reinterpret_cast<dSpaceID>(stage.geom(0)));
+    }
+    return numbers;
+}
+
+// As an engine of its own does that sets all poses in each tick, though few change.
+TEST_F(RecorderTest, NoticesComeBackAlsoOfPosesThatAreSetToWhatTheyAre)
+{
+    const dWorldID world = dWorldCreate();
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    std::vector<dGeomID> geoms = balls_in(space);
+    const dBodyID body = dBodyCreate(world);
+    for (const std::size_t i : {20u, 21u})
+        dGeomSetBody(geoms[i], body);
+    dGeomSetOffsetPosition(geoms[21], 0, 1, 0);
+    Recorded recorded;
+    recorded.collide(space);
+    std::vector<std::vector<int>> live;
+    {
+        Notices notices(space);
+        for (int tick = 0; tick < 6; ++tick)
+        {
+            for (std::size_t i = 0; i < 10; ++i) // two notices each
+            {
+                const dReal *position = dGeomGetPosition(geoms[i]);
+                dGeomSetPosition(geoms[i], position[0], position[1] + (i == 0 ? REAL(0.1) : 0), position[2]);
+                dGeomSetRotation(geoms[i], dGeomGetRotation(geoms[i]));
+            }
+            dGeomSetPosition(geoms[15], 15, dReal(tick), 0);
+            dBodySetPosition(body, 0, 0, dReal(tick / 2));
+            live.push_back(notices.take(geoms));
+            recorded.collide(space);
+        }
+    }
+    EXPECT_EQ(live[3][0], 2);
+    EXPECT_EQ(live[3][9], 2);
+    EXPECT_EQ(live[3][10], 0);
+    EXPECT_EQ(live[3][15], 1);
+    EXPECT_EQ(live[3][21], 1) << "its body was set to where it was";
+    const Recording recording = recorded.end();
+    EXPECT_EQ(notices_in_replay(recording), live);
+    expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+    dWorldDestroy(world);
+}
+
+TEST_F(RecorderTest, NoticesOfNestedPredictiveSpacesAreRecordedAndThoseOfOdesSpacesAreNot)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr), inner = dPredictiveSpaceCreate(space),
+                   simple = dSimpleSpaceCreate(space);
+    dPredictiveSpaceSetProximity(inner, dPredictiveProximityShape);
+    const std::vector<dGeomID> in_predictive = balls_in(inner), in_simple = balls_in(simple);
+    Recorded recorded;
+    for (int tick = 0; tick < 4; ++tick)
+    {
+        recorded.collide(space);
+        for (const dGeomID each : {in_predictive[3], in_simple[3]})
+            for (int times = 0; times < 3; ++times)
+                dGeomSetPosition(each, 3, 0, 0);
+    }
+    const Recording recording = recorded.end();
+    std::map<std::uint32_t, std::uint32_t> number_of;
+    std::vector<SpaceService> services;
+    for (const Record &record : recording.records())
+        if (record.kind == RecordKind::notices)
+            for (const NoticeCount &count : recording.notices(record))
+                number_of[count.id] = count.number;
+        else if (record.kind == RecordKind::geom && is_space_class(recording.geom(record).state.geom_class))
+            services.push_back(recording.geom(record).state.service);
+    ASSERT_EQ(services.size(), 3u);
+    EXPECT_EQ(services[0].predictive, 1 + dPredictiveProximityBox);
+    EXPECT_EQ(services[1].predictive, 1 + dPredictiveProximityShape);
+    EXPECT_EQ(services[2].predictive, 0);
+    EXPECT_FALSE(services[0].is_substitute);
+    EXPECT_EQ(number_of.size(), 3u) << "one ball, and both spaces";
+    EXPECT_EQ(number_of[5], 3u) << "the fourth ball";
+    expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+}
+
+// What stands in the place of one of ODE's is of that class to the program; what the program made itself is predictive.
+TEST_F(RecorderTest, ASubstituteIsRecordedAsTheSpaceThatTheProgramMade)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    balls_in(space);
+    for (const bool is_substitute : {false, true})
+    {
+        const ScratchRecording file;
+        Recorder recorder(HistoryFile(file.path(), false), 1 << 24, "a test", [=](dSpaceID) { return is_substitute; });
+        recorder.begin_collide(space).end();
+        recorder.close();
+        EXPECT_EQ(recording::name_of_own_space(Recording::read(file.path())),
+                  is_substitute ? "hash" : "predictive, by box");
+    }
+    dSpaceDestroy(space);
+}
+
+TEST_F(RecorderTest, ASpaceThatIsNotRecordedAnyMoreIsNotWatchedEither)
+{
+    const ScratchRecording file;
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const std::vector<dGeomID> balls = balls_in(space);
+    const auto functions = [&] { return *reinterpret_cast<void **>(space); };
+    void *const before = functions();
+    {
+        Recorded recorded;
+        recorded.collide(space);
+        EXPECT_NE(functions(), before);
+        EXPECT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
+        recorded.end();
+        EXPECT_NE(functions(), before) << "it records itself";
+    }
+    EXPECT_EQ(dPredictiveSpaceRecord(space, nullptr, 0), 1);
+    EXPECT_EQ(functions(), before);
+    Recorded other;
+    other.collide(space);
+    dSpaceDestroy(space); // while it is listened to
+    EXPECT_TRUE(other.recorder().close());
+}
+} // namespace
+} // namespace ode_predictive_space::recording

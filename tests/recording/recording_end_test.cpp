@@ -1,0 +1,210 @@
+// How recordings end, and spaces that record themselves.
+
+#include <cstdlib>
+#include <fstream>
+
+#include <ode/ode.h>
+
+#include <gtest/gtest.h>
+
+#include "ode_predictive_space/history.h"
+#include "ode_predictive_space/recording/check.h"
+#include "ode_predictive_space/recording/replay.h"
+#include "tests/faults/allocation_faults.h"
+#include "tests/recording/recorded.h"
+#include "tests/recording/recorder_fixture.h"
+#include "tests/recording/scratch_recording.h"
+#include "tests/support/effort.h"
+
+namespace ode_predictive_space::recording
+{
+namespace
+{
+TEST_F(RecorderTest, TheRecordingEndsAtItsLimitWithAWholeTick)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dGeomID ball = dCreateSphere(space, 1);
+    dCreateSphere(space, 1);
+    Recorded recorded(3000);
+    for (int i = 0; i < 100; ++i)
+    {
+        dGeomSetPosition(ball, dReal(0.1) * static_cast<dReal>(i), 0, 0);
+        recorded.collide(space);
+    }
+    EXPECT_TRUE(recorded.recorder().is_over());
+    const Recording recording = recorded.end();
+    EXPECT_TRUE(recording.reached_limit());
+    EXPECT_LE(recording.bytes(), 3000u);
+    EXPECT_GT(recording.events().size(), 5u);
+    EXPECT_LT(recording.events().size(), 100u);
+    dSpaceDestroy(space);
+}
+
+// Every limit within the size of a tick: there is always room for the end, and for the pairs of a collide that has begun.
+TEST_F(RecorderTest, NoLimitIsExceeded)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dGeomID ball = dCreateSphere(space, 1);
+    dCreateSphere(space, 1);
+    for (std::uint64_t limit = 2000; limit < 2150; ++limit)
+    {
+        Recorded recorded(limit);
+        for (int i = 0; i < 20 && !recorded.recorder().is_over(); ++i)
+        {
+            dGeomSetPosition(ball, dReal(0.1) * static_cast<dReal>(i), 0, 0);
+            recorded.collide(space);
+        }
+        const Recording recording = recorded.end();
+        EXPECT_LE(recording.bytes(), limit);
+        EXPECT_TRUE(recording.reached_limit());
+        EXPECT_TRUE(recording.events().back().has_pairs);
+    }
+    dSpaceDestroy(space);
+}
+
+TEST_F(RecorderTest, WithoutAnEndTheLastCollideIsThere)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    dCreateSphere(space, 1);
+    Recorded recorded;
+    recorded.recorder().begin_collide(space);
+    const Recording recording = recorded.so_far();
+    ASSERT_EQ(recording.events().size(), 1u);
+    EXPECT_FALSE(recording.events()[0].has_pairs) << "the program did not survive it";
+    EXPECT_FALSE(recording.has_end());
+    dSpaceDestroy(space);
+}
+
+// It was closed as whole and then refused: half of an event was in it.
+TEST_F(RecorderTest, WithoutMemoryItIsCutAfterItsLastWholeRecord)
+{
+    Tetrahedron tetrahedron;
+    const dTriMeshDataID mesh = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildSingle(mesh, tetrahedron.vertices, 3 * sizeof(float), 4, tetrahedron.triangles, 12,
+                                3 * sizeof(dTriIndex));
+    bool struck = true;
+    for (long spared = 0; struck; ++spared)
+    {
+        SCOPED_TRACE(spared);
+        const dSpaceID space = dSimpleSpaceCreate(nullptr);
+        dCreateSphere(space, 1);
+        Recorded recorded;
+        recorded.collide(space);
+        dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr);
+        for (int i = 0; i < 30; ++i)
+            dGeomSetPosition(dCreateBox(space, 1, 1, 1), dReal(i), 0, 0);
+        {
+            const AllocationFault fault(spared);
+            EXPECT_GT(recorded.collide(space), 0) << "the program goes on";
+            struck = fault.struck();
+        }
+        recorded.collide(space);
+        const bool is_whole = recorded.recorder().close();
+        EXPECT_EQ(is_whole, !struck);
+        const Recording recording = recorded.so_far();
+        EXPECT_EQ(recording.has_end(), is_whole);
+        EXPECT_EQ(recording.whole_bytes(), recording.bytes()) << "nothing of a record that is not whole";
+        EXPECT_TRUE(recording.events()[0].has_pairs) << "what was recorded before is there";
+        EXPECT_EQ(find_pairs(recording, SpaceKind::box).events.size(), recording.events().size());
+        dSpaceDestroy(space);
+    }
+    dGeomTriMeshDataDestroy(mesh);
+}
+
+// --- dPredictiveSpaceRecord() -----------------------------------------------------------------------------------------
+
+TEST_F(RecorderTest, ASpaceRecordsItselfAndFindsTheSamePairs)
+{
+    const ScratchRecording file;
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr), twin = dPredictiveSpaceCreate(nullptr);
+    std::vector<std::array<dGeomID, 2>> geoms;
+    for (int i = 0; i < 40; ++i)
+        geoms.push_back({dCreateSphere(space, 1), dCreateSphere(twin, 1)});
+    ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
+    EXPECT_TRUE(dSpaceIsPredictive(space));
+    for (int tick = 0; tick < 30; ++tick)
+    {
+        for (std::size_t i = 0; i < geoms.size(); ++i)
+            for (const dGeomID geom : geoms[i])
+                dGeomSetPosition(geom, dReal(i % 7) * dReal(1.3), dReal(i) * dReal(0.4), dReal(tick * (i % 3)) / 10);
+        int pairs = 0, expected = 0;
+        dSpaceCollide(space, &pairs, count);
+        dSpaceCollide(twin, &expected, count);
+        EXPECT_EQ(pairs, expected);
+    }
+    EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
+    EXPECT_EQ(dPredictiveSpaceRecord(space, nullptr, 0), 1);
+    int pairs = 0;
+    dSpaceCollide(space, &pairs, count);
+    const Recording recording = Recording::read(file.path());
+    EXPECT_EQ(recording.events().size(), 30u) << "what came afterwards is not in it";
+    EXPECT_TRUE(recording.has_end());
+    expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+    dSpaceDestroy(twin);
+}
+
+TEST_F(RecorderTest, ADestroyedSpaceEndsItsRecording)
+{
+    const ScratchRecording file;
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    dCreateSphere(space, 1);
+    ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
+    dSpaceCollide(space, nullptr, ignore);
+    dSpaceDestroy(space);
+    EXPECT_TRUE(Recording::read(file.path()).has_end());
+}
+
+// The next collide ended the program.
+TEST_F(RecorderTest, ASecondRecordingEndsTheFirstAlsoWhenItsFileCannotBeMade)
+{
+    const ScratchRecording file;
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr), other = dPredictiveSpaceCreate(nullptr);
+    dCreateSphere(space, 1);
+    ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
+    dSpaceCollide(space, nullptr, ignore);
+    int result = 1;
+    ode_complaint([&] { result = dPredictiveSpaceRecord(space, "/nonexistent/file", 0); });
+    EXPECT_EQ(result, 0);
+    dSpaceCollide(space, nullptr, ignore);
+    EXPECT_TRUE(Recording::read(file.path()).has_end());
+    EXPECT_EQ(Recording::read(file.path()).events().size(), 1u) << "the first recording has ended with the second call";
+
+    EXPECT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
+    EXPECT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1) << "its own file again";
+    EXPECT_NE(ode_complaint([&] {
+                  result = dPredictiveSpaceRecord(other, file.path().c_str(), 0);
+              }).find("another recording is being written to it"),
+              std::string::npos);
+    EXPECT_EQ(result, 0);
+    dSpaceDestroy(space);
+    EXPECT_TRUE(Recording::read(file.path()).has_end());
+    dSpaceDestroy(other);
+}
+
+TEST_F(RecorderTest, WhatCannotBeRecordedIsRefused)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr), hash = dHashSpaceCreate(nullptr);
+    int result = 1;
+    EXPECT_NE(ode_complaint([&] { result = dPredictiveSpaceRecord(hash, "/dev/null", 0); }).find("not a predictive"),
+              std::string::npos);
+    EXPECT_EQ(result, 0);
+    EXPECT_NE(ode_complaint([&] { result = dPredictiveSpaceRecord(nullptr, "/dev/null", 0); }).find("null"),
+              std::string::npos);
+    EXPECT_NE(ode_complaint([&] {
+                  result = dPredictiveSpaceRecord(space, "/nonexistent/file", 0);
+              }).find("/nonexistent/file"),
+              std::string::npos);
+    EXPECT_EQ(result, 0);
+    EXPECT_EQ(dPredictiveSpaceRecord(space, nullptr, 0), 1) << "there was none";
+    dSpaceCollide(space, nullptr, ignore);
+    ASSERT_EQ(dPredictiveSpaceRecord(space, "/dev/full", 0), 1);
+    dSpaceCollide(space, nullptr, ignore);
+    EXPECT_NE(ode_complaint([&] { result = dPredictiveSpaceRecord(space, nullptr, 0); }).find("to its end"),
+              std::string::npos);
+    EXPECT_EQ(result, 0);
+    dSpaceDestroy(space);
+    dSpaceDestroy(hash);
+}
+} // namespace
+} // namespace ode_predictive_space::recording
