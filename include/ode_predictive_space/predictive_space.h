@@ -99,7 +99,6 @@ typedef struct dPredictiveSpaceStats
 {
     unsigned long ticks;         /**< dSpaceCollide() calls */
     unsigned long moved;         /**< geoms that ODE reported as moved and that had changed, summed over the ticks */
-    unsigned long verified;      /**< of these, those that were compared with the geom's envelope */
     unsigned long violations;    /**< geoms that were found outside of their envelopes */
     unsigned long repredictions; /**< new paths and envelopes */
     unsigned long scheduled;     /**< pairs now in the near set that are not tested: at rest until one of their geoms

@@ -33,7 +33,6 @@ void Broadphase::update(Scene &scene, bool is_tick)
         return;
     interrupted_ = true;
     counters_.moved += clock_.moves;
-    counters_.verified += clock_.moves;
     clock_.moves = 0;
     if (time_passes)
     {

@@ -34,7 +34,6 @@ enum class ProximityTest
 struct Counters
 {
     std::uint64_t moved = 0;
-    std::uint64_t verified = 0;
     std::uint64_t violations = 0;
     std::uint64_t repredictions = 0;
     std::uint64_t sweeps = 0;

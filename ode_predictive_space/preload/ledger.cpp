@@ -64,9 +64,9 @@ std::deque<SpaceCounts> Ledger::all() const
 dPredictiveSpaceStats since(const dPredictiveSpaceStats &before, dPredictiveSpaceStats now)
 {
     for (unsigned long dPredictiveSpaceStats::*counter :
-         {&dPredictiveSpaceStats::ticks, &dPredictiveSpaceStats::moved, &dPredictiveSpaceStats::verified,
-          &dPredictiveSpaceStats::violations, &dPredictiveSpaceStats::repredictions, &dPredictiveSpaceStats::woken,
-          &dPredictiveSpaceStats::reported, &dPredictiveSpaceStats::scans})
+         {&dPredictiveSpaceStats::ticks, &dPredictiveSpaceStats::moved, &dPredictiveSpaceStats::violations,
+          &dPredictiveSpaceStats::repredictions, &dPredictiveSpaceStats::woken, &dPredictiveSpaceStats::reported,
+          &dPredictiveSpaceStats::scans})
         now.*counter -= before.*counter;
     return now;
 }

@@ -37,10 +37,10 @@ std::string space_line(const SpaceCounts &counts)
 
 std::string counters_line(const dPredictiveSpaceStats &stats)
 {
-    return formatted("    ticks %lu, moved %lu, verified %lu, violations %lu, repredictions %lu, scheduled %lu, "
+    return formatted("    ticks %lu, moved %lu, violations %lu, repredictions %lu, scheduled %lu, "
                      "woken %lu, near %lu, scans %lu, bytes %lu\n",
-                     stats.ticks, stats.moved, stats.verified, stats.violations, stats.repredictions, stats.scheduled,
-                     stats.woken, stats.near, stats.scans, stats.bytes);
+                     stats.ticks, stats.moved, stats.violations, stats.repredictions, stats.scheduled, stats.woken,
+                     stats.near, stats.scans, stats.bytes);
 }
 
 std::string statistics(const std::deque<SpaceCounts> &spaces)

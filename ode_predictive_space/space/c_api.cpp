@@ -238,7 +238,6 @@ void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
     const Counters &counters = self->broadphase().counters();
     stats->ticks = self->ticks();
     stats->moved = counters.moved;
-    stats->verified = counters.verified;
     stats->violations = counters.violations;
     stats->repredictions = counters.repredictions;
     stats->scheduled = self->broadphase().waiting_pairs();

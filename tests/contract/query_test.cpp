@@ -202,7 +202,6 @@ TEST_F(Contract, 09_OnlyTheFirstOfManyQueriesLooksAtWhatMoved)
     collide2(probe, as_geom(scene.space()));
     const dPredictiveSpaceStats first = statistics_of(scene);
     EXPECT_EQ(first.moved, before.moved + movers);
-    EXPECT_GE(first.verified, before.verified + movers);
     for (int query = 0; query < 20; ++query)
     {
         dGeomSetPosition(probe, query, 0.3 * query, 0);
@@ -211,7 +210,6 @@ TEST_F(Contract, 09_OnlyTheFirstOfManyQueriesLooksAtWhatMoved)
     scene.tick();
     const dPredictiveSpaceStats after = statistics_of(scene);
     EXPECT_EQ(after.moved, first.moved) << "neither other queries nor the tick count them again";
-    EXPECT_EQ(after.verified, first.verified);
     dGeomDestroy(probe);
 }
 

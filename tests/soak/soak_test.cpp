@@ -73,7 +73,7 @@ Work work_of(dSpaceID space)
     dPredictiveSpaceCounters more;
     dPredictiveSpaceGetCounters(space, &more, sizeof more);
     const auto count = [](unsigned long number) { return static_cast<double>(number); };
-    return {{{{"verified", count(stats.verified)},
+    return {{{{"moved", count(stats.moved)},
               {"violations", count(stats.violations)},
               {"repredictions", count(stats.repredictions)},
               {"woken", count(stats.woken)},
