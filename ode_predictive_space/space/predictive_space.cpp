@@ -7,7 +7,6 @@
 
 #include "ode_predictive_space/space/geom_shape.h"
 #include "ode_predictive_space/space/noticed_geom.h"
-#include "ode_predictive_space/space/one_at_a_time.h"
 #include "ode_predictive_space/space/pair_filter.h"
 
 using namespace ode_predictive_space;
@@ -91,8 +90,7 @@ void dxPredictiveSpace::enrol(dxGeom *geom)
     const ProxyId id = broadphase_.add();
     geoms_[id] = geom;
     unclassified_.insert(id);
-    unprepared_ = true;
-    forget_catching_up();
+    access_.forget_catching_up();
     // A number, not an address, in the member that ODE gives to spaces. NOLINTNEXTLINE(performance-no-int-to-ptr)
     geom->next_ex = reinterpret_cast<dxGeom *>(static_cast<std::uintptr_t>(id) + 1);
 }
@@ -119,13 +117,10 @@ void dxPredictiveSpace::dismiss(dxGeom *geom)
     const ProxyId id = proxy_of(geom);
     broadphase_.remove(id);
     if (!broadphase_.is_prepared())
-        forget_catching_up();
+        access_.forget_catching_up();
     geoms_[id] = nullptr;
-    polled_count_ -= polled_.contains(id);
     polled_.erase(id);
-    off_line_count_ -= off_line_.contains(id);
     off_line_.erase(id);
-    line_unknown_.erase(id);
     unclassified_.erase(id);
     hulls_.release(id);
     geom->next_ex = nullptr;
@@ -143,7 +138,8 @@ void dxPredictiveSpace::fit_to_proxies()
         free_memory(found_);
         free_memory(pairs_);
     }
-    for (IdSet *set : {&polled_, &off_line_, &line_unknown_, &unclassified_})
+    off_line_.resize(size);
+    for (CountedIdSet *set : {&polled_, &unclassified_})
         set->resize(size);
     resize_array(geoms_, size); // last: it tells the size
 }
@@ -163,7 +159,7 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
         return look_closely(geom, followed);
     listen_to(geom);
     note_changed_line(geom);
-    forget_catching_up();
+    access_.forget_catching_up();
 }
 
 // A geom with an offset from its body, whose pose ODE computes when it is needed. ODE leaves the mark of such a pose on a geom that goes
@@ -193,7 +189,7 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
 // Not inlined: dirty() saves no registers, as it goes on to this.
 [[gnu::noinline]] void dxPredictiveSpace::look_closely(dxGeom *geom, Followed followed)
 {
-    forget_catching_up();
+    access_.forget_catching_up();
     if (IS_SPACE(geom))
         return; // polled at each update; as long as it is dirty, ODE does not report further moves inside it
     if (geom->type == dTriMeshClass)
@@ -208,8 +204,7 @@ inline void dxPredictiveSpace::note_changed_line(const dxGeom *geom)
 {
     if (by_box())
         return;
-    line_unknown_.insert(proxy_of(geom));
-    lines_known_.store(false, std::memory_order_release);
+    off_line_.note_change(proxy_of(geom));
 }
 
 // Does what may need memory or the class of new geoms, which is known only now.
@@ -219,22 +214,18 @@ void dxPredictiveSpace::prepare()
         listen_to(geoms_[id]);
         note_changed_line(geoms_[id]);
         if (geoms_[id]->type == dTriMeshClass || IS_SPACE(geoms_[id]))
-        {
             polled_.insert(id);
-            ++polled_count_;
-        }
     });
     unclassified_.clear();
-    unprepared_ = false;
 }
 
 // dGeomTriMeshSetData() marks the geom dirty without a notification, and ODE then sends none for its later moves. (ODE's own
 // spaces miss the change, too, or stop at an assertion, unless the geom happens to be the first in their list.)
 void dxPredictiveSpace::poll_moves()
 {
-    if (unprepared_)
+    if (!unclassified_.empty())
         prepare();
-    if (polled_count_ == 0)
+    if (polled_.empty())
         return;
     polled_.for_each([this](ProxyId id) {
         if (geoms_[id]->gflags & GEOM_DIRTY)
@@ -250,7 +241,7 @@ void dxPredictiveSpace::note_change(ProxyId id)
     broadphase_.mark_changed(id);
     listen_to(geoms_[id]);
     note_changed_line(geoms_[id]);
-    forget_catching_up();
+    access_.forget_catching_up();
 }
 
 // Goes up through the spaces as ODE's dGeomMoved() does.
@@ -279,7 +270,7 @@ void dxPredictiveSpace::cleanGeoms()
 {
     if (!first)
         return;
-    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
     const Lock lock(this);
     if (!predicts_)
         return clean_each();
@@ -291,7 +282,7 @@ void dxPredictiveSpace::cleanGeoms()
 void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
 {
     dAASSERT(callback);
-    const Turn turn(ticking_thread_);
+    const Access::Turn turn(access_);
     if (!turn.granted())
         return dMessage(d_ERR_UASSERT, "dSpaceCollide(): not done, because another thread is colliding the space");
     if (!is_free("dSpaceCollide"))
@@ -317,7 +308,7 @@ void dxPredictiveSpace::collide_each(void *data, dNearCallback *callback)
     std::array<Pair, tuning::few_objects *(tuning::few_objects - 1) / 2> pairs;
     auto end = pairs.begin();
     {
-        const Work work(working_);
+        const Access::Work work(access_);
         clean_each();
         for (dxGeom *one = first; one; one = one->next)
             for (dxGeom *other = one->next; other; other = other->next)
@@ -358,7 +349,7 @@ void dxPredictiveSpace::collide_predicted(bool nested_call, void *data, dNearCal
     std::size_t count = 0;
     std::vector<CandidatePair> pairs = std::exchange(pairs_, {});
     {
-        const Work work(working_);
+        const Access::Work work(access_);
         count = find_reported(nested_call, pairs);
     }
     const auto visit = [&](std::size_t i) {
@@ -378,14 +369,14 @@ void dxPredictiveSpace::collide_predicted(bool nested_call, void *data, dNearCal
 std::size_t dxPredictiveSpace::find_reported(bool nested_call, std::vector<CandidatePair> &pairs)
 {
     poll_moves();
-    forget_catching_up();
+    access_.forget_catching_up();
     GeomScene now = scene();
     if (nested_call)
         broadphase_.find_new_pairs(now);
     else
         broadphase_.tick(now);
     const std::size_t count = broadphase_.report(now, pairs);
-    caught_up_.store(broadphase_.is_prepared(), std::memory_order_release);
+    access_.note_caught_up(broadphase_.is_prepared());
     return count;
 }
 
@@ -408,7 +399,7 @@ void dxPredictiveSpace::note_disabled(dxGeom *geom)
     if (!predicts_)
         return;
     broadphase_.note_disabled(proxy_of(geom));
-    forget_catching_up();
+    access_.forget_catching_up();
 }
 
 void dxPredictiveSpace::set_proximity_test(ProximityTest test)
@@ -420,20 +411,20 @@ void dxPredictiveSpace::set_proximity_test(ProximityTest test)
     if (predicts_ && !by_box())
         for (dxGeom *geom = first; geom; geom = geom->next)
             note_changed_line(geom);
-    forget_catching_up();
+    access_.forget_catching_up();
 }
 
 void dxPredictiveSpace::set_shape_margin(double margin)
 {
     broadphase_.set_shape_margin(margin);
-    forget_catching_up();
+    access_.forget_catching_up();
 }
 
 void dxPredictiveSpace::set_role(dxGeom *geom, Role role)
 {
     start_predicting();
     broadphase_.set_role(proxy_of(geom), role);
-    forget_catching_up();
+    access_.forget_catching_up();
 }
 
 Role dxPredictiveSpace::role(dxGeom *geom) const
@@ -447,7 +438,7 @@ void dxPredictiveSpace::set_deviation(int role, const Deviation *deviation)
     auto &fixed = settings.deviation[static_cast<std::size_t>(role)];
     fixed = deviation ? std::optional(*deviation) : std::nullopt;
     broadphase_.set_settings(settings);
-    forget_catching_up();
+    access_.forget_catching_up();
 }
 
 void dxPredictiveSpace::set_horizon(const HorizonBounds &horizon)
@@ -455,11 +446,11 @@ void dxPredictiveSpace::set_horizon(const HorizonBounds &horizon)
     PredictionSettings settings = broadphase_.settings();
     settings.horizon = horizon;
     broadphase_.set_settings(settings);
-    forget_catching_up();
+    access_.forget_catching_up();
 }
 
 std::size_t dxPredictiveSpace::bytes() const
 {
     return sizeof(*this) + broadphase_.bytes() + bytes_of(geoms_) + bytes_of(found_) + bytes_of(pairs_) +
-           unclassified_.bytes() + polled_.bytes() + off_line_.bytes() + line_unknown_.bytes() + hulls_.bytes();
+           unclassified_.bytes() + polled_.bytes() + off_line_.bytes() + hulls_.bytes();
 }

@@ -4,15 +4,17 @@
 #define ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
 
 #include <atomic>
-#include <map>
 #include <memory>
 #include <mutex>
-#include <thread>
+#include <optional>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/broadphase.h"
+#include "ode_predictive_space/space/access.h"
+#include "ode_predictive_space/space/counted_id_set.h"
 #include "ode_predictive_space/space/geom_scene.h"
 #include "ode_predictive_space/space/hash_levels.h"
+#include "ode_predictive_space/space/off_line_geoms.h"
 
 /// A space that calls its callback for exactly the pairs for which dxSimpleSpace would.
 ///
@@ -102,7 +104,7 @@ private:
     static ProxyId proxy_of(const dxGeom *geom);
     ode_predictive_space::GeomScene scene() const;
 
-    // query.cpp
+    // spatial_query.cpp
     struct Question
     {
         dxGeom *geom;
@@ -126,13 +128,16 @@ private:
     bool by_box() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::box; }
     bool by_sphere() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::sphere; }
 
-    // inquiry.cpp
     bool by_shape() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::shape; }
+
+    // forecast_query.cpp
     void follow_shapes(const std::vector<ProxyId> &ids, ode_predictive_space::GeomScene &now);
     std::optional<double> time_of_proximity(const ode_predictive_space::CandidatePair &pair,
                                             const ode_predictive_space::Forecast &first,
                                             ode_predictive_space::GeomScene &now, double *apart_until);
     std::vector<ProxyId> members() const;
+
+    // validation.cpp
     Violation find_misplaced(const std::vector<ProxyId> &members, ode_predictive_space::GeomScene &now) const;
     Violation find_missing_pair(const std::vector<ProxyId> &members, const ode_predictive_space::GeomScene &now) const;
     Violation find_touching(ode_predictive_space::GeomScene &now);
@@ -153,7 +158,6 @@ private:
     void note_followed(dxGeom *geom, ode_predictive_space::Followed followed);
     void look_closely(dxGeom *geom, ode_predictive_space::Followed followed);
     void note_disabled(dxGeom *geom);
-    void forget_catching_up() { caught_up_.store(false, std::memory_order_relaxed); }
     void prepare();
     void poll_moves();
     void note_changed_line(const dxGeom *geom);
@@ -171,29 +175,17 @@ private:
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // by proxy number; 0 for gaps
 
-    ode_predictive_space::IdSet unclassified_; // added since the last look: their class was not known then
-    ode_predictive_space::IdSet polled_;       // geoms whose class changes them without notice
-    std::size_t polled_count_ = 0;
-    const dxGeom *moved_mesh_ = nullptr; // the mesh whose move was noticed last
-    ode_predictive_space::IdSet
-        off_line_; // by the sphere and shape tests: those that a ray may touch where it does not meet their box
-    std::size_t off_line_count_ = 0;
-    ode_predictive_space::IdSet line_unknown_; // may have come or gone there since a ray was last asked for
-    std::atomic<bool> lines_known_{true};      // there are none of these
-
-    // Nothing has been added, moved or set since the broad phase was last brought up to date. True at most questions: these only
-    // read, so that several threads may ask at once. A question counts itself in lock_count before it reads this.
-    std::atomic<bool> caught_up_{false};
-    std::recursive_mutex upkeep_;                   // of all that questions write
-    std::atomic<bool> working_{false};              // the broad phase is changing; nothing may be asked
-    std::atomic<std::thread::id> ticking_thread_{}; // in dSpaceCollide(), callbacks included
+    ode_predictive_space::CountedIdSet unclassified_; // added since the last look: their class was not known then
+    ode_predictive_space::CountedIdSet polled_;       // geoms whose class changes them without notice
+    const dxGeom *moved_mesh_ = nullptr;              // the mesh whose move was noticed last
+    ode_predictive_space::OffLineGeoms off_line_;
+    ode_predictive_space::Access access_;
 
     // Taken by collide() and collide2() while they call back, and returned afterwards: a callback may collide this space.
     std::vector<ode_predictive_space::CandidatePair> pairs_;
     std::vector<ProxyId> found_;
 
     mutable ode_predictive_space::HullStore hulls_; // a scene may make hulls
-    bool unprepared_ = false;                       // geoms are unclassified
 
     unsigned long ticks_ = 0;
     unsigned long reported_ = 0;

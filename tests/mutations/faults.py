@@ -297,7 +297,7 @@ def proximity_faults():
         "turning_of_one_tick", "proximity", BROADPHASE + "predict/predictor.cpp", "on.deviation.b += turning;",
         "on.deviation.a += turning;", (("times", "Times.*"),))
     yield Fault(
-        "apart_until_the_later_of_two_ends", "proximity", SOURCES + "space/inquiry.cpp",
+        "apart_until_the_later_of_two_ends", "proximity", SOURCES + "space/forecast_query.cpp",
         "*apart_until = std::min(first.ticks, second.ticks);", "*apart_until = std::max(first.ticks, second.ticks);",
         (("times", "Times.*"),))
 
@@ -427,7 +427,7 @@ def shape_faults():
         "slices_go_on_without_the_geom", "shapes", SOURCES + "space/predictive_space.cpp", "    hulls_.release(id);\n    geom->next_ex",
         "    geom->next_ex", (("shape_contract", "SurfaceBuilding.*"),))
     yield Fault(
-        "hulls_are_made_as_a_whole_beside_a_hand", "shapes", SOURCES + "space/query.cpp",
+        "hulls_are_made_as_a_whole_beside_a_hand", "shapes", SOURCES + "space/spatial_query.cpp",
         "broadphase_.proxies().any_hand() ? tuning::steps_per_tick : HullMaker::all_steps", "HullMaker::all_steps",
         (("shape_contract", "SurfaceBuilding.*"),))
     yield Fault(
@@ -475,7 +475,7 @@ def shape_faults():
         "old_box_of_a_mesh_ignored", "shapes", SOURCES + "space/geom_shape.cpp",
         "if (geom->type == dTriMeshClass && has_old_box(shape))", "if (false && has_old_box(shape))",
         (("shape_contract", "ShapeProximity.*"),))
-    query = SOURCES + "space/query.cpp"
+    query = SOURCES + "space/spatial_query.cpp"
     yield Fault(
         "rays_by_shape_meet_envelopes", "shapes", query, "if (question.line && ", "if (false && ",
         (("shape_contract", "ShapeQuery.*"),))
@@ -577,7 +577,7 @@ def sweep_faults():
 
 def space_faults():
     space = SOURCES + "space/predictive_space.cpp"
-    query = SOURCES + "space/query.cpp"
+    query = SOURCES + "space/spatial_query.cpp"
     filters = SOURCES + "space/pair_filter.h"
     scene = SOURCES + "space/geom_scene.cpp"
     contract = lambda pattern: (("contract", pattern),)
@@ -593,7 +593,7 @@ def space_faults():
         "ray_counted_from_another_origin", "space", query, "line_of_ray(question.geom, origin)", "line_of_ray(question.geom, Origin())",
         contract("Contract.09_*"))
     yield Fault(
-        "validated_from_another_origin", "space", SOURCES + "space/inquiry.cpp", ".translated(-broadphase_.origin().place())", "", far)
+        "validated_from_another_origin", "space", SOURCES + "space/validation.cpp", ".translated(-broadphase_.origin().place())", "", far)
     yield Fault(
         "deviation_of_c_alone_set_free", "space", SOURCES + "space/c_api.cpp", "a == 0 && b == 0 && c == 0 ?", "a == 0 && b == 0 ?",
         (("space", "PredictiveSpace.*"),))
@@ -636,7 +636,7 @@ def space_faults():
         "meshes_not_polled", "space", space, "if (geoms_[id]->type == dTriMeshClass || IS_SPACE(geoms_[id]))",
         "if (IS_SPACE(geoms_[id]))", contract("Contract.12_*"))
     yield Fault(
-        "new_geoms_missed_by_queries", "space", space, "unprepared_ = true;\n    forget_catching_up();", "unprepared_ = true;",
+        "new_geoms_missed_by_queries", "space", space, "unclassified_.insert(id);\n    access_.forget_catching_up();", "unclassified_.insert(id);",
         contract("Contract.09_*"))
     yield Fault(
         "query_reports_what_is_apart", "space", query, "if (aabbs_overlap(other, question.geom) && bits_agree",
@@ -656,7 +656,7 @@ def space_faults():
         "std::vector<ProxyId> found = lock.is_only_one ? std::exchange(found_, {}) : std::vector<ProxyId>();",
         "std::vector<ProxyId> &found = found_;", contract("Contract.08_*"))
     yield Fault(
-        "other_data_unnoticed_by_shape", "space", query, ": polled_count_ == 0);", ": true);",
+        "other_data_unnoticed_by_shape", "space", query, ": polled_.empty());", ": true);",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
         "size_of_a_cylinder_unknown", "space", scene,
@@ -673,11 +673,11 @@ def space_faults():
         "compute_box_beside_others(geom);", nests)
     yield Fault(
         "new_spaces_stay_dirty_when_cleaned", "space", space, "    poll_moves();\n    for (dxGeom *geom = first;",
-        "    const bool unprepared = std::exchange(unprepared_, false);\n    poll_moves();\n    unprepared_ = unprepared;\n"
+        "    CountedIdSet unclassified = unclassified_;\n    unclassified_.clear();\n    poll_moves();\n    unclassified_ = unclassified;\n"
         "    for (dxGeom *geom = first;", nests)
     yield Fault(
         "moved_spaces_stay_dirty_when_cleaned", "space", space, "    poll_moves();\n    for (dxGeom *geom = first;",
-        "    if (unprepared_)\n        prepare();\n    for (dxGeom *geom = first;", nests)
+        "    if (!unclassified_.empty())\n        prepare();\n    for (dxGeom *geom = first;", nests)
     yield Fault(
         "cleaned_without_the_spaces_inside", "space", space,
         "for (dxGeom *geom = first; geom; geom = geom->next)\n        valid_aabb(geom);",

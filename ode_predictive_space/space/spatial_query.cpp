@@ -1,10 +1,9 @@
-// Questions: dSpaceCollide2() and what brings the space up to date for them. Several threads may ask at once.
+// Spatial queries, by dSpaceCollide2(), and what brings the space up to date for them. Several threads may ask at once.
 
 #include <utility>
 
 #include "ode_predictive_space/broadphase/near/shape_test.h"
 #include "ode_predictive_space/space/geom_shape.h"
-#include "ode_predictive_space/space/one_at_a_time.h"
 #include "ode_predictive_space/space/pair_filter.h"
 #include "ode_predictive_space/space/predictive_space.h"
 
@@ -12,7 +11,7 @@ using namespace ode_predictive_space;
 
 bool dxPredictiveSpace::is_free(const char *function) const
 {
-    if (!working_.load(std::memory_order_relaxed))
+    if (!access_.works())
         return true;
     dMessage(d_ERR_UASSERT, "%s(): not answered, because the space is just being brought up to date", function);
     return false;
@@ -24,31 +23,30 @@ bool dxPredictiveSpace::is_free(const char *function) const
 inline bool dxPredictiveSpace::is_caught_up() const
 {
     const auto is_changed = [](const dxGeom *geom) { return geom && (flags_beside_others(geom) & GEOM_DIRTY) != 0; };
-    return caught_up_.load(std::memory_order_seq_cst) &&
-           (by_box() ? !is_changed(first) && !is_changed(moved_mesh_) : polled_count_ == 0);
+    return access_.is_caught_up() && (by_box() ? !is_changed(first) && !is_changed(moved_mesh_) : polled_.empty());
 }
 
 // The threads that ask meanwhile wait.
 [[gnu::noinline]] bool dxPredictiveSpace::catch_up(const char *function)
 {
-    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
     if (!is_free(function))
         return false;
     start_predicting();
     poll_moves();
-    if (caught_up_)
+    if (access_.is_caught_up())
         return true;
     const Lock lock(this);
-    const Work work(working_);
+    const Access::Work work(access_);
     GeomScene now = scene();
     broadphase_.catch_up(now);
-    caught_up_.store(true, std::memory_order_release);
+    access_.note_caught_up(true);
     return true;
 }
 
 std::unique_lock<std::recursive_mutex> dxPredictiveSpace::begin_inquiry(const char *function)
 {
-    std::unique_lock<std::recursive_mutex> hold(upkeep_);
+    std::unique_lock<std::recursive_mutex> hold(access_.upkeep);
     if (!catch_up(function))
         return {};
     return hold;
@@ -101,10 +99,10 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
 // The threads that ask meanwhile wait.
 [[gnu::noinline]] bool dxPredictiveSpace::compute_boxes(const char *function)
 {
-    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
     if (!is_free(function))
         return false;
-    const Work work(working_);
+    const Access::Work work(access_);
     for (dxGeom *geom = first; geom; geom = geom->next)
         valid_aabb(geom);
     return true;
@@ -153,7 +151,7 @@ ConvexShape dxPredictiveSpace::shape_now(dxGeom *geom)
 {
     if (!has_data(geom))
         return shape_of(geom, nullptr);
-    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
     std::size_t steps = steps_at_once();
     return shape_of(geom, hulls_.hull_of(proxy_of(geom), geom, steps).hull);
 }
@@ -170,12 +168,12 @@ void dxPredictiveSpace::make_hulls(const char *function)
     for (dxGeom *geom = first; geom; geom = geom->next)
         if (auto *nested = dynamic_cast<dxPredictiveSpace *>(geom))
             nested->make_hulls(function);
-    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
     if (!looks_at_shapes() || !is_free(function))
         return;
     start_predicting();
     poll_moves();
-    const Work work(working_);
+    const Access::Work work(access_);
     std::size_t steps = HullMaker::all_steps;
     for (dxGeom *geom = first; geom; geom = geom->next)
         if (has_data(geom))
@@ -185,7 +183,7 @@ void dxPredictiveSpace::make_hulls(const char *function)
 // Boxes that no tick has needed are computed when they are first asked for.
 [[gnu::noinline]] void dxPredictiveSpace::compute_box(dxGeom *geom)
 {
-    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
+    const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
     compute_box_beside_others(geom);
 }
 
@@ -196,21 +194,14 @@ void dxPredictiveSpace::make_hulls(const char *function)
     (owner ? owner : this)->compute_box(geom);
 }
 
-// Runs when a ray asks, not at each change: geoms change at every tick, and few programs send rays.
 [[gnu::noinline]] void dxPredictiveSpace::find_off_line()
 {
-    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
-    line_unknown_.for_each([this](ProxyId id) {
+    const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
+    off_line_.update([this](ProxyId id) {
         if (geoms_[id]->gflags & GEOM_POSR_BAD)
             compute_box_beside_others(geoms_[id]);
-        const bool off_line = touched_off_line(geoms_[id]), was_off_line = off_line_.contains(id);
-        if (off_line == was_off_line)
-            return;
-        off_line ? off_line_.insert(id) : off_line_.erase(id);
-        off_line_count_ += off_line ? 1 : std::size_t{0} - 1;
+        return touched_off_line(geoms_[id]);
     });
-    line_unknown_.clear();
-    lines_known_.store(true, std::memory_order_release);
 }
 
 // All geoms whose bounding box may overlap that of the probe. A ray is followed along its line; the geoms that it can touch without
@@ -227,7 +218,7 @@ std::size_t dxPredictiveSpace::find_near(const Question &question, std::vector<P
         broadphase_.walk(BoxProbe(box), [&](ProxyId id) { found.push_back(id); });
         return 0;
     }
-    if (!lines_known_.load(std::memory_order_acquire))
+    if (!off_line_.known())
         find_off_line();
     auto find = [&](const auto &probe, bool off_line) {
         broadphase_.walk(probe, [&](ProxyId id) {
@@ -237,7 +228,7 @@ std::size_t dxPredictiveSpace::find_near(const Question &question, std::vector<P
     };
     find(*line, false);
     const std::size_t on_line = found.size();
-    if (off_line_count_ > 0)
+    if (!off_line_.empty())
         find(BoxProbe(box), true);
     return on_line;
 }

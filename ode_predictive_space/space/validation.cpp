@@ -1,73 +1,13 @@
-// Inquiries of a program: which geoms will meet, when, and whether the invariant holds.
+// Validation: does the invariant hold? By brute force.
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "ode_predictive_space/space/geom_shape.h"
+#include "ode_predictive_space/space/pair_filter.h"
 #include "ode_predictive_space/space/predictive_space.h"
 
 using namespace ode_predictive_space;
-
-std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom *second, double *apart_until)
-{
-    GeomScene now = scene();
-    const CandidatePair pair{proxy_of(first), proxy_of(second)};
-    follow_shapes({pair.first, pair.second}, now);
-    return time_of_proximity(pair, broadphase_.forecast(now, pair.first, ticks_), now, apart_until);
-}
-
-// By the shape test, answers are about shapes.
-void dxPredictiveSpace::follow_shapes(const std::vector<ProxyId> &ids, GeomScene &now)
-{
-    if (!by_shape())
-        return;
-    IdSet wanted;
-    wanted.resize(geoms_.size());
-    for (ProxyId id : ids)
-        wanted.insert(id);
-    broadphase_.follow_shapes(now, wanted);
-}
-
-// @param first the forecast of the pair's first object.
-std::optional<double> dxPredictiveSpace::time_of_proximity(const CandidatePair &pair, const Forecast &first,
-                                                           GeomScene &now, double *apart_until)
-{
-    const Forecast second = broadphase_.forecast(now, pair.second, ticks_);
-    *apart_until = std::min(first.ticks, second.ticks);
-    if (now.overlap(pair.first, pair.second) && (!by_shape() || broadphase_.may_touch(pair)))
-        return 0.0;
-    if (!first.known() || !second.known())
-        return std::nullopt;
-    const bool by_spheres = by_sphere() && !found_by_libccd(geoms_[pair.first], geoms_[pair.second]);
-    const std::optional<double> near = broadphase_.time_of_proximity(first, second, by_spheres);
-    if (!near || !by_shape())
-        return near;
-    const std::optional<double> contact = broadphase_.time_of_contact(first, second, pair);
-    return contact ? std::optional<double>(std::max(*near, *contact)) : std::nullopt;
-}
-
-std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *geom)
-{
-    const ProxyId self = proxy_of(geom);
-    GeomScene now = scene();
-    const std::vector<ProxyId> members = this->members();
-    follow_shapes(members, now);
-    const Forecast own = broadphase_.forecast(now, self, ticks_);
-    std::vector<std::pair<double, ProxyId>> times;
-    for (ProxyId other : members)
-    {
-        double apart_until;
-        const auto time = other == self ? std::nullopt : time_of_proximity({self, other}, own, now, &apart_until);
-        if (time)
-            times.emplace_back(*time, other);
-    }
-    std::sort(times.begin(), times.end()); // at one time by number: never by address
-    std::vector<Encounter> met;
-    for (const auto &[time, id] : times)
-        met.push_back({geoms_[id], time});
-    return met;
-}
 
 // Is the box within the outer one? A side of it may be NaN only where the outer one is infinite.
 static bool is_within(const FloatBox &outer, const Box &box)
@@ -80,13 +20,6 @@ static bool is_within(const FloatBox &outer, const Box &box)
         within &= box.max()[axis] <= outer.high[axis] || outer.high[axis] == infinity;
     }
     return within;
-}
-
-std::vector<ProxyId> dxPredictiveSpace::members() const
-{
-    std::vector<ProxyId> members;
-    broadphase_.proxies().members().for_each([&](ProxyId id) { members.push_back(id); });
-    return members;
 }
 
 dxPredictiveSpace::Violation dxPredictiveSpace::find_misplaced(const std::vector<ProxyId> &members,
@@ -159,8 +92,8 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_touching(GeomScene &now)
 
 dxPredictiveSpace::Violation dxPredictiveSpace::find_violation()
 {
-    const std::lock_guard<std::recursive_mutex> hold(upkeep_);
-    forget_catching_up(); // ODE does not report that a geom was enabled
+    const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
+    access_.forget_catching_up(); // ODE does not report that a geom was enabled
     if (!catch_up("dPredictiveSpaceValidate"))
         return {"it cannot be checked now"};
     const Lock lock(this);

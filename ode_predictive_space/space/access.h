@@ -1,0 +1,72 @@
+// Which thread may use a predictive space: one ticks, and several may ask meanwhile what only has to be read.
+
+#ifndef ODE_PREDICTIVE_SPACE_SPACE_ACCESS_H
+#define ODE_PREDICTIVE_SPACE_SPACE_ACCESS_H
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+namespace ode_predictive_space
+{
+class Access
+{
+public:
+    /// A thread's turn to tick, callbacks included. Refused while another thread has it; a callback may collide the space again.
+    class Turn
+    {
+    public:
+        explicit Turn(Access &access) : holder_(access.ticking_thread_)
+        {
+            const std::thread::id self = std::this_thread::get_id();
+            std::thread::id before;
+            taken_ = holder_.compare_exchange_strong(before, self, std::memory_order_acquire);
+            granted_ = taken_ || before == self;
+        }
+        ~Turn()
+        {
+            if (taken_)
+                holder_.store(std::thread::id(), std::memory_order_release);
+        }
+        Turn(const Turn &) = delete;
+        Turn &operator=(const Turn &) = delete;
+
+        bool granted() const { return granted_; }
+
+    private:
+        std::atomic<std::thread::id> &holder_;
+        bool taken_, granted_;
+    };
+
+    /// While it lives the broad phase changes. A callback for bounding boxes that asks the space meanwhile is refused.
+    class Work
+    {
+    public:
+        explicit Work(Access &access) : works_(access.works_) { works_.store(true, std::memory_order_relaxed); }
+        ~Work() { works_.store(false, std::memory_order_relaxed); }
+        Work(const Work &) = delete;
+        Work &operator=(const Work &) = delete;
+
+    private:
+        std::atomic<bool> &works_;
+    };
+
+    bool works() const { return works_.load(std::memory_order_relaxed); }
+
+    /// Nothing has been added, moved or set since the broad phase was last brought up to date. True at most questions: these only
+    /// read, so that several threads may ask at once. A question counts itself in lock_count before it reads this.
+    bool is_caught_up() const { return caught_up_.load(std::memory_order_seq_cst); }
+    void note_caught_up(bool is_caught_up) { caught_up_.store(is_caught_up, std::memory_order_release); }
+    void forget_catching_up() { caught_up_.store(false, std::memory_order_relaxed); }
+
+    /// Held by a question that writes: other threads' questions that write wait.
+    std::recursive_mutex upkeep;
+
+private:
+    std::atomic<bool> caught_up_{false};
+    std::atomic<bool> works_{false};
+    std::atomic<std::thread::id> ticking_thread_{}; // in dSpaceCollide(), callbacks included
+};
+} // namespace ode_predictive_space
+
+#endif

@@ -1,0 +1,57 @@
+// By the sphere and shape tests a ray is followed along its line. Some geoms can be touched where the ray does not meet their box.
+
+#ifndef ODE_PREDICTIVE_SPACE_SPACE_OFF_LINE_GEOMS_H
+#define ODE_PREDICTIVE_SPACE_SPACE_OFF_LINE_GEOMS_H
+
+#include <atomic>
+
+#include "ode_predictive_space/space/counted_id_set.h"
+
+namespace ode_predictive_space
+{
+/// The set of these geoms. It is brought up to date when a ray asks, not at each change: geoms change at every tick, and few programs
+/// send rays.
+class OffLineGeoms
+{
+public:
+    void resize(std::size_t count)
+    {
+        geoms_.resize(count);
+        unknown_.resize(count);
+    }
+
+    /// The geom may have come or gone.
+    void note_change(ProxyId id)
+    {
+        unknown_.insert(id);
+        known_.store(false, std::memory_order_release);
+    }
+
+    void erase(ProxyId id)
+    {
+        geoms_.erase(id);
+        unknown_.erase(id);
+    }
+
+    bool known() const { return known_.load(std::memory_order_acquire); }
+
+    /// @param is_off_line is called with each geom that has changed. One thread at a time may update.
+    template <typename IsOffLine> void update(IsOffLine is_off_line)
+    {
+        unknown_.for_each([&](ProxyId id) { is_off_line(id) ? geoms_.insert(id) : geoms_.erase(id); });
+        unknown_.clear();
+        known_.store(true, std::memory_order_release);
+    }
+
+    bool contains(ProxyId id) const { return geoms_.contains(id); }
+    bool empty() const { return geoms_.empty(); }
+    std::size_t bytes() const { return geoms_.bytes() + unknown_.bytes(); }
+
+private:
+    CountedIdSet geoms_;
+    IdSet unknown_;
+    std::atomic<bool> known_{true}; // unknown_ is empty
+};
+} // namespace ode_predictive_space
+
+#endif
