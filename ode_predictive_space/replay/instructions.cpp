@@ -22,11 +22,12 @@ std::string path_of_valgrind()
     return "";
 }
 
-// Its standard error is wanted, its standard output is not.
+// Its standard error is wanted, its standard output is not. All functions are bound at its start, not when they are first called.
 void become(const std::vector<std::string> &command, int error)
 {
     dup2(open("/dev/null", O_WRONLY | O_CLOEXEC), STDOUT_FILENO);
     dup2(error, STDERR_FILENO);
+    setenv("LD_BIND_NOW", "1", 1);
     std::vector<char *> arguments;
     for (const std::string &word : command)
         arguments.push_back(const_cast<char *>(word.c_str()));
@@ -55,14 +56,23 @@ std::optional<std::uint64_t> collected(const std::string &output)
 std::optional<std::uint64_t> instructions_of(const std::vector<std::string> &program)
 {
     std::vector<std::string> command = {path_of_valgrind(), "--tool=callgrind", "--callgrind-out-file=/dev/null",
-                                        "--toggle-collect=counted_changes", "--toggle-collect=counted_collide"};
+                                        "--toggle-collect=counted_changes", "--toggle-collect=counted_collide",
+                                        "--toggle-collect=counted_end"};
     command.insert(command.end(), program.begin(), program.end());
     const auto output = process::child_output([&](int pipe) { become(command, pipe); });
     return output ? collected(*output) : std::nullopt;
 }
 
-std::optional<std::uint64_t> count_instructions(const std::string &replayer, const std::string &path, SpaceKind kind)
+std::optional<std::uint64_t> count_instructions(const std::string &replayer, const std::string &path, SpaceKind kind,
+                                                const CountedEvents &events)
 {
-    return instructions_of({replayer, "--counted", name_of(kind), path});
+    std::vector<std::string> program = {replayer, "--counted", name_of(kind), "--from", std::to_string(events.from),
+                                        "--to", std::to_string(events.to), "--every", std::to_string(events.every)};
+    if (events.contacts)
+        program.emplace_back("--contacts");
+    if (events.whole_life)
+        program.emplace_back("--whole-life");
+    program.push_back(path);
+    return instructions_of(program);
 }
 } // namespace ode_predictive_space::replay

@@ -41,6 +41,15 @@ that they find the same pairs, and prints what they take.
                   --proximity of ode-predictive-run names (default: all)
   --times         measure times also where valgrind is installed, which
                   otherwise counts instructions
+  --from N, --to N, --every N
+                  count the instructions of the events N, N + 1, ... and before
+                  N, and of each Nth of these (default: of all)
+  --contacts      count also a dCollide() for each callback
+  --whole-life    count also what is before the first event, the making of all
+                  geoms, and their end
+  --json FILE     write the figures to FILE, too: for each kind of spaces the
+                  cost per event, the pairs of these events, and whether all
+                  pairs agree
   --report DIR    write a page, DIR/index.html, that says what the recorded
                   program would gain; DIR is made unless it exists
   --help, --version
@@ -75,6 +84,8 @@ struct Options
     std::vector<SpaceKind> kinds;
     bool times = false;
     std::string report_folder;     // empty: there is no page to write
+    std::string json_file;         // empty: none
+    CountedEvents events;          // whose instructions count
     const char *counted = nullptr; // for the process under callgrind
     std::string file;
 };
@@ -99,10 +110,38 @@ SpaceKind counted_kind(const std::string &name)
     std::exit(0);
 }
 
+std::size_t number_of(const char *text, std::size_t least)
+{
+    char *end = nullptr;
+    errno = 0;
+    const unsigned long long number = std::strtoull(text, &end, 10);
+    if (*text < '0' || *text > '9' || *end != '\0' || errno != 0 || number < least)
+        fail("'%s' is not a whole number of at least %zu", text, least);
+    return number;
+}
+
 void take_option(int option, const char *option_text, Options &options)
 {
     switch (option)
     {
+    case 'f':
+        options.events.from = number_of(optarg, 0);
+        return;
+    case 'u':
+        options.events.to = number_of(optarg, 1);
+        return;
+    case 'e':
+        options.events.every = number_of(optarg, 1);
+        return;
+    case 'd':
+        options.events.contacts = true;
+        return;
+    case 'w':
+        options.events.whole_life = true;
+        return;
+    case 'j':
+        options.json_file = optarg;
+        return;
     case 's':
         options.kinds.push_back(kind_of(optarg));
         return;
@@ -131,6 +170,12 @@ Options options_of(int argc, char **argv)
     const option known[] = {{"space", required_argument, nullptr, 's'},
                             {"times", no_argument, nullptr, 't'},
                             {"report", required_argument, nullptr, 'r'},
+                            {"from", required_argument, nullptr, 'f'},
+                            {"to", required_argument, nullptr, 'u'},
+                            {"every", required_argument, nullptr, 'e'},
+                            {"contacts", no_argument, nullptr, 'd'},
+                            {"whole-life", no_argument, nullptr, 'w'},
+                            {"json", required_argument, nullptr, 'j'},
                             {"counted", required_argument, nullptr, 'c'},
                             {"help", no_argument, nullptr, 'h'},
                             {"version", no_argument, nullptr, 'v'},
@@ -182,49 +227,63 @@ std::string own_path()
     return std::filesystem::read_symlink("/proc/self/exe", none).string();
 }
 
-// Of the spaces alone, per event.
+// Of the spaces alone, per event: instructions or microseconds.
 class CostsOfSpaces
 {
 public:
     CostsOfSpaces(const Options &options, const history::Recording &recording, bool instructions)
-        : file_(options.file), recording_(recording), instructions_(instructions)
+        : options_(options), recording_(recording), instructions_(instructions),
+          events_(instructions ? options.events.count_of(recording.events().size()) : recording.events().size())
     {
-        if (recording.events().empty())
+        if (events_ == 0)
             return;
         if (instructions)
-            counted_without_ = count_instructions(own_path(), file_, SpaceKind::none);
+            counted_without_ = counted(SpaceKind::none);
         else
             measured_without_ = measured(SpaceKind::none);
     }
 
-    std::string of(SpaceKind kind) const
+    std::size_t events() const { return events_; }
+
+    // None when the spaces end the program.
+    std::optional<double> of(SpaceKind kind) const
     {
-        if (recording_.events().empty())
-            return "";
-        const double events = static_cast<double>(recording_.events().size());
+        const double events = static_cast<double>(events_);
         if (instructions_)
         {
-            const auto count = count_instructions(own_path(), file_, kind);
+            const auto count = counted(kind);
             if (!count || !counted_without_)
-                return "-";
-            return formatted("%.4g",
-                             1e-3 * (static_cast<double>(*count) - static_cast<double>(*counted_without_)) / events);
+                return std::nullopt;
+            return (static_cast<double>(*count) - static_cast<double>(*counted_without_)) / events;
         }
         const Cost cost = without(measured_without_, measured(kind));
         if (!cost.failure.empty())
-            return "-";
-        return formatted("%.4g", 1e6 * (cost.collides + cost.notices) / events);
+            return std::nullopt;
+        return 1e6 * (cost.collides + cost.notices) / events;
+    }
+
+    std::string text(const std::optional<double> &cost) const
+    {
+        if (events_ == 0)
+            return "";
+        return cost ? formatted("%.4g", instructions_ ? 1e-3 * *cost : *cost) : "-";
     }
 
 private:
+    std::optional<std::uint64_t> counted(SpaceKind kind) const
+    {
+        return count_instructions(own_path(), options_.file, kind, options_.events);
+    }
+
     Cost measured(SpaceKind kind) const
     {
         return measure_repeatedly(recording_, kind, recording_.events().size(), 1e9);
     }
 
-    const std::string &file_;
+    const Options &options_;
     const history::Recording &recording_;
     bool instructions_;
+    std::size_t events_; // that are counted or measured
     std::optional<std::uint64_t> counted_without_;
     Cost measured_without_;
 };
@@ -243,22 +302,63 @@ void write_report(const Options &options, const history::Recording &recording)
     }
 }
 
+// The figures of --json.
+class Figures
+{
+public:
+    explicit Figures(const CountedEvents &events) : events_(events) {}
+
+    void add(const char *space, const std::optional<double> &cost, const Pairs &pairs, bool agrees)
+    {
+        std::uint64_t count = 0;
+        for (std::size_t event = 0; event < pairs.events.size(); ++event)
+            count += events_.has(event) ? pairs.events[event].count : 0;
+        spaces_ += formatted("%s\n  {\"space\": \"%s\", \"cost_per_event\": %s, \"pairs\": %llu, \"agrees\": %s}",
+                             spaces_.empty() ? "" : ",", space, cost ? formatted("%.17g", *cost).c_str() : "null",
+                             static_cast<unsigned long long>(count), agrees ? "true" : "false");
+    }
+
+    void write(const std::string &path, const char *unit, std::size_t counted, std::size_t events) const
+    {
+        std::FILE *const file = std::fopen(path.c_str(), "w");
+        const std::string text =
+            formatted("{\"unit\": \"%s\", \"counted_events\": %zu, \"events\": %zu, \"spaces\": [", unit, counted,
+                      events) +
+            spaces_ + "]}\n";
+        const bool written = file && std::fputs(text.c_str(), file) >= 0;
+        if (!file || std::fclose(file) != 0 || !written)
+            fail("--json: %s cannot be written: %s", path.c_str(), std::strerror(errno));
+    }
+
+private:
+    const CountedEvents &events_;
+    std::string spaces_;
+};
+
 bool replay_all(const Options &options, const history::Recording &recording)
 {
     const bool instructions = !options.times && has_valgrind();
+    if (!instructions && options.events.count_of(recording.events().size()) < recording.events().size())
+        fail("--from, --to and --every choose events whose instructions are counted; times are measured of all");
     describe(options, recording);
     const Pairs simple = find_pairs(recording, SpaceKind::simple);
     const CostsOfSpaces costs(options, recording, instructions);
     std::printf("\n%-26s %12s  %s\n", "spaces", instructions ? "1000 instr." : "microseconds", "pairs");
     bool all_agree = true;
+    Figures figures(options.events);
     for (const SpaceKind kind : options.kinds)
     {
         const Pairs pairs = kind == SpaceKind::simple ? simple : find_pairs(recording, kind);
         const Verdict verdict = compare(recording, kind, pairs, simple);
         const std::string name = kind == SpaceKind::own ? "own (" + name_of_own_space(recording) + ")" : name_of(kind);
-        std::printf("%-26s %12s  %s\n", name.c_str(), costs.of(kind).c_str(), verdict.text.c_str());
+        const std::optional<double> cost = costs.events() > 0 ? costs.of(kind) : std::nullopt;
+        std::printf("%-26s %12s  %s\n", name.c_str(), costs.text(cost).c_str(), verdict.text.c_str());
+        figures.add(name_of(kind), cost, pairs, verdict.agrees);
         all_agree &= verdict.agrees;
     }
+    if (!options.json_file.empty())
+        figures.write(options.json_file, instructions ? "instructions" : "microseconds", costs.events(),
+                      recording.events().size());
     std::printf(
         "\n%s are means per event, with the notices before it. Pairs are compared with those of simple spaces.\n%s\n",
         instructions ? "Instructions" : "Times", compared_with_program(recording, simple).c_str());
@@ -275,7 +375,7 @@ int main(int argc, char **argv)
     dInitODE2(0);
     int status = 0;
     if (options.counted)
-        replay_to_be_counted(recording, counted_kind(options.counted));
+        replay_to_be_counted(recording, counted_kind(options.counted), options.events);
     else if (!options.report_folder.empty())
         write_report(options, recording);
     else

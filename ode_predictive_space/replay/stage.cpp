@@ -108,6 +108,12 @@ void set_flags(dGeomID geom, const GeomState &state)
     dGeomRaySetClosestHit(geom, (state.flags & ray_closest_hit) != 0);
 }
 
+// About one geom per leaf, which was the fastest of the depths tried.
+int quadtree_depth(std::uint32_t geoms)
+{
+    return std::clamp(static_cast<int>(std::lround(std::log2(std::max(geoms, 1u)) / 2)), 1, 8);
+}
+
 dGeomID make_simple_shape(const GeomState &state)
 {
     const auto &size = state.size;
@@ -132,7 +138,9 @@ dGeomID make_simple_shape(const GeomState &state)
 
 } // namespace
 
-Stage::Stage(const Recording &recording, SpaceKind kind) : recording_(recording), kind_(kind), world_(dWorldCreate()) {}
+Stage::Stage(const Recording &recording, SpaceKind kind, bool in_spaces)
+    : recording_(recording), kind_(kind), in_spaces_(in_spaces), world_(dWorldCreate())
+{}
 
 Stage::~Stage()
 {
@@ -274,7 +282,7 @@ dSpaceID Stage::make_space_of_kind(SpaceKind kind) const
             centre[axis] = static_cast<dReal>((extent[2 * axis] + extent[2 * axis + 1]) / 2);
             half[axis] = static_cast<dReal>((extent[2 * axis + 1] - extent[2 * axis]) / 2 + 1);
         }
-        return dQuadTreeSpaceCreate(nullptr, centre, half, recording_.geom_count() > 1000 ? 6 : 4);
+        return dQuadTreeSpaceCreate(nullptr, centre, half, quadtree_depth(recording_.geom_count()));
     case SpaceKind::hash:
         return dHashSpaceCreate(nullptr);
     default:
@@ -498,7 +506,7 @@ void Stage::place_in_space(const Geom &geom) const
     if (const dSpaceID before = dGeomGetSpace(geom.geom))
         dSpaceRemove(before, geom.geom);
     const std::uint32_t parent = geom.state.parent;
-    if (parent != 0 && geoms_[parent - 1].geom)
+    if (in_spaces_ && parent != 0 && geoms_[parent - 1].geom)
         dSpaceAdd(reinterpret_cast<dSpaceID>(geoms_[parent - 1].geom), geom.geom);
 }
 
