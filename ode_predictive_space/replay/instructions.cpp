@@ -55,8 +55,11 @@ std::optional<std::uint64_t> collected(const std::string &output)
 
 std::optional<std::uint64_t> instructions_of(const std::vector<std::string> &program)
 {
-    std::vector<std::string> command = {path_of_valgrind(), "--tool=callgrind", "--callgrind-out-file=/dev/null",
-                                        "--toggle-collect=counted_changes", "--toggle-collect=counted_collide",
+    std::vector<std::string> command = {path_of_valgrind(),
+                                        "--tool=callgrind",
+                                        "--callgrind-out-file=/dev/null",
+                                        "--toggle-collect=counted_changes",
+                                        "--toggle-collect=counted_collide",
                                         "--toggle-collect=counted_end"};
     command.insert(command.end(), program.begin(), program.end());
     const auto output = process::child_output([&](int pipe) { become(command, pipe); });
@@ -66,8 +69,15 @@ std::optional<std::uint64_t> instructions_of(const std::vector<std::string> &pro
 std::optional<std::uint64_t> count_instructions(const std::string &replayer, const std::string &path, SpaceKind kind,
                                                 const CountedEvents &events)
 {
-    std::vector<std::string> program = {replayer, "--counted", name_of(kind), "--from", std::to_string(events.from),
-                                        "--to", std::to_string(events.to), "--every", std::to_string(events.every)};
+    std::vector<std::string> program = {replayer,
+                                        "--counted",
+                                        name_of(kind),
+                                        "--from",
+                                        std::to_string(events.from),
+                                        "--to",
+                                        std::to_string(events.to),
+                                        "--every",
+                                        std::to_string(events.every)};
     if (events.contacts)
         program.emplace_back("--contacts");
     if (events.whole_life)

@@ -321,10 +321,9 @@ public:
     void write(const std::string &path, const char *unit, std::size_t counted, std::size_t events) const
     {
         std::FILE *const file = std::fopen(path.c_str(), "w");
-        const std::string text =
-            formatted("{\"unit\": \"%s\", \"counted_events\": %zu, \"events\": %zu, \"spaces\": [", unit, counted,
-                      events) +
-            spaces_ + "]}\n";
+        const std::string text = formatted("{\"unit\": \"%s\", \"counted_events\": %zu, \"events\": %zu, \"spaces\": [",
+                                           unit, counted, events) +
+                                 spaces_ + "]}\n";
         const bool written = file && std::fputs(text.c_str(), file) >= 0;
         if (!file || std::fclose(file) != 0 || !written)
             fail("--json: %s cannot be written: %s", path.c_str(), std::strerror(errno));

@@ -99,7 +99,8 @@ nlohmann::json measure_all(const std::string &ours, int ticks)
         add_block("broad and narrow phase", &Means::narrow, row, means, records);
         add_block("whole tick", &Means::whole, row, means, records);
     }
-    std::cout << "The paper's Table 1: the gain (other - ours) / other of mean times per tick, here and in the paper\n\n";
+    std::cout
+        << "The paper's Table 1: the gain (other - ours) / other of mean times per tick, here and in the paper\n\n";
     print_records(records);
     return records;
 }

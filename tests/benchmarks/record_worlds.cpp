@@ -137,7 +137,8 @@ void list_rows()
 
 int run_as_asked(int argc, char **argv)
 {
-    CLI::App app("Records a world of demos/worlds in a predictive space, for ode-predictive-replay. Prints, as JSON, the number\n"
+    CLI::App app("Records a world of demos/worlds in a predictive space, for ode-predictive-replay. Prints, as JSON, "
+                 "the number\n"
                  "of the first event of each tick.");
     WorldSpec spec;
     int ticks = 100;

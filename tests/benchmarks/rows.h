@@ -24,8 +24,8 @@ struct Row
 {
     std::string world;
     int objects;
-    Ticks clocked{};  ///< by predictive_bench
-    Ticks counted{};  ///< of their instructions, by record_worlds and ode-predictive-replay
+    Ticks clocked{};    ///< by predictive_bench
+    Ticks counted{};    ///< of their instructions, by record_worlds and ode-predictive-replay
     std::string part{}; ///< of the world's time, where a row measures less than the world's row
 
     /// "gas", "heap:0.5s".

@@ -25,16 +25,36 @@ struct Life
 const std::vector<Life> &lives()
 {
     static const std::vector<Life> all = {
-        {"gas", 1000, 200},         {"gas", 10000, 100},        {"gas", 100000, 20},
-        {"gas", 1000000, 10},       {"spot", 500, 20},          {"spot", 2000, 20},
-        {"planes", 1000, 100},      {"planes", 10000, 20},      {"planes_all", 1000, 20},
-        {"planes_all", 10000, 2},   {"planes_apart", 1000, 100}, {"planes_apart", 10000, 20},
-        {"spaces_in_spaces", 10, 100}, {"spaces_in_spaces", 100, 100}, {"spaces_side_by_side", 10, 100},
-        {"spaces_side_by_side", 100, 100}, {"huge", 1000, 200},  {"huge", 10000, 100},
-        {"close", 1000, 200},       {"close", 4000, 100},       {"away", 1000, 200},
-        {"away", 4000, 100},        {"far", 1000, 50},          {"far", 4000, 20},
-        {"forwards", 10000, 10},    {"forwards", 100000, 10},   {"backwards", 10000, 10},
-        {"backwards", 100000, 10},  {"shuffled", 10000, 10},    {"shuffled", 100000, 10},
+        {"gas", 1000, 200},
+        {"gas", 10000, 100},
+        {"gas", 100000, 20},
+        {"gas", 1000000, 10},
+        {"spot", 500, 20},
+        {"spot", 2000, 20},
+        {"planes", 1000, 100},
+        {"planes", 10000, 20},
+        {"planes_all", 1000, 20},
+        {"planes_all", 10000, 2},
+        {"planes_apart", 1000, 100},
+        {"planes_apart", 10000, 20},
+        {"spaces_in_spaces", 10, 100},
+        {"spaces_in_spaces", 100, 100},
+        {"spaces_side_by_side", 10, 100},
+        {"spaces_side_by_side", 100, 100},
+        {"huge", 1000, 200},
+        {"huge", 10000, 100},
+        {"close", 1000, 200},
+        {"close", 4000, 100},
+        {"away", 1000, 200},
+        {"away", 4000, 100},
+        {"far", 1000, 50},
+        {"far", 4000, 20},
+        {"forwards", 10000, 10},
+        {"forwards", 100000, 10},
+        {"backwards", 10000, 10},
+        {"backwards", 100000, 10},
+        {"shuffled", 10000, 10},
+        {"shuffled", 100000, 10},
     };
     return all;
 }
@@ -142,9 +162,11 @@ void register_lives(Extent extent)
             const std::string name = benchmark_name("life", life.world, life.objects, space_name(kind));
             if (life.objects > most_objects(space_name(kind)) || !known.insert(name).second)
                 continue;
-            benchmark::RegisterBenchmark(name.c_str(), [life, kind](benchmark::State &state) {
-                clock_life(state, life, kind);
-            })->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
+            benchmark::RegisterBenchmark(name.c_str(),
+                                         [life, kind](benchmark::State &state) { clock_life(state, life, kind); })
+                ->Iterations(1)
+                ->UseManualTime()
+                ->Unit(benchmark::kMillisecond);
         }
     }
 }

@@ -41,19 +41,18 @@ namespace
 {
 using namespace ode_predictive_space::benchmarks;
 
-constexpr char help[] =
-    "Usage: predictive_bench [--brief] [--benchmark_filter=PATTERN] [...]\n"
-    "\n"
-    "Clocks worlds in the predictive space, in ODE's own and in others. Benchmarks:\n"
-    "  collide/WORLD/N/SPACE  what a world calls for its pairs\n"
-    "  tick/WORLD/N/SPACE     the whole tick, with motion, step and contacts\n"
-    "  contact/WORLD/N/SPACE  the pairs, and dCollide() for each of them\n"
-    "  query/WHAT/N/SPACE     dSpaceCollide2() of 20 spheres or 20 rays\n"
-    "  life/WORLD/N/SPACE     a space from its first geom to its last\n"
-    "--brief has them with few objects and ticks. The label is the hash of the\n"
-    "pairs. Exit status: 1 when a space reported other pairs than the simple one,\n"
-    "2 when nothing was measured.\n"
-    "\n";
+constexpr char help[] = "Usage: predictive_bench [--brief] [--benchmark_filter=PATTERN] [...]\n"
+                        "\n"
+                        "Clocks worlds in the predictive space, in ODE's own and in others. Benchmarks:\n"
+                        "  collide/WORLD/N/SPACE  what a world calls for its pairs\n"
+                        "  tick/WORLD/N/SPACE     the whole tick, with motion, step and contacts\n"
+                        "  contact/WORLD/N/SPACE  the pairs, and dCollide() for each of them\n"
+                        "  query/WHAT/N/SPACE     dSpaceCollide2() of 20 spheres or 20 rays\n"
+                        "  life/WORLD/N/SPACE     a space from its first geom to its last\n"
+                        "--brief has them with few objects and ticks. The label is the hash of the\n"
+                        "pairs. Exit status: 1 when a space reported other pairs than the simple one,\n"
+                        "2 when nothing was measured.\n"
+                        "\n";
 
 void print_help()
 {

@@ -18,8 +18,9 @@ struct Query
     std::string world;
     int objects;
     int ticks;
-    std::size_t first;  ///< of the world's queries
-    bool collides = true; ///< dSpaceCollide() comes before, and is not clocked; without it the first query pays for the motion
+    std::size_t first; ///< of the world's queries
+    bool collides =
+        true; ///< dSpaceCollide() comes before, and is not clocked; without it the first query pays for the motion
 };
 
 constexpr int warm_up_ticks = 100;
@@ -97,9 +98,11 @@ void register_query(const Query &query)
                                  SpaceKind::hash, SpaceKind::quadtree, SpaceKind::sweep_and_prune})
     {
         const std::string name = benchmark_name("query", query.name, query.objects, space_name(kind));
-        benchmark::RegisterBenchmark(name.c_str(), [query, kind](benchmark::State &state) {
-            clock_query(state, query, kind);
-        })->Iterations(query.ticks)->UseManualTime()->Unit(benchmark::kMicrosecond);
+        benchmark::RegisterBenchmark(name.c_str(),
+                                     [query, kind](benchmark::State &state) { clock_query(state, query, kind); })
+            ->Iterations(query.ticks)
+            ->UseManualTime()
+            ->Unit(benchmark::kMicrosecond);
     }
 }
 } // namespace

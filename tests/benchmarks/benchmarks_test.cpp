@@ -38,8 +38,8 @@ std::string filtered(const std::string &pattern)
 TEST(PredictiveBench, MeasuresEachKindInAllSpacesAndWritesWhatItFound)
 {
     const ResultFile file;
-    const Outcome outcome =
-        run(PREDICTIVE_BENCH, filtered("(gas|game_stepped|chain|spheres|rays|spot)/") + " --benchmark_out=" + file.path());
+    const Outcome outcome = run(PREDICTIVE_BENCH, filtered("(gas|game_stepped|chain|spheres|rays|spot)/") +
+                                                      " --benchmark_out=" + file.path());
     ASSERT_EQ(outcome.status, 0) << outcome.output;
     std::map<std::string, std::string> hashes;
     std::map<std::string, int> kinds;
@@ -50,7 +50,9 @@ TEST(PredictiveBench, MeasuresEachKindInAllSpacesAndWritesWhatItFound)
         for (const char *time : {"real_time", "p50", "p99", "p99.9", "max"})
             EXPECT_GE(record.value(time, 0.0), 0) << name;
         if (record.contains("label"))
+        {
             EXPECT_EQ(hashes.emplace(row, record.at("label")).first->second, record.at("label")) << name;
+        }
     }
     for (const char *kind : {"collide", "tick", "contact", "query", "life"})
         EXPECT_GE(kinds[kind], 3) << kind;
@@ -86,9 +88,8 @@ TEST(PredictiveBench, RefusesWhatItCannotDo)
 
 TEST(SmallPrograms, PrintAndWriteTheirFigures)
 {
-    const std::map<std::string, std::string> programs = {{BENCH_MEMORY, "--n 40 --ticks 300"},
-                                                         {BENCH_SERVO, "--n 40 --seconds 0.2"},
-                                                         {BENCH_TABLE1, "--ticks 64"}};
+    const std::map<std::string, std::string> programs = {
+        {BENCH_MEMORY, "--n 40 --ticks 300"}, {BENCH_SERVO, "--n 40 --seconds 0.2"}, {BENCH_TABLE1, "--ticks 64"}};
     for (const auto &[program, arguments] : programs)
     {
         const ResultFile file;
@@ -107,7 +108,8 @@ TEST(SmallPrograms, TableOneHasThreeBlocksOfTwentyCells)
     std::map<std::string, int> cells;
     for (const nlohmann::json &record : file.content())
         ++cells[record.at("block")];
-    EXPECT_EQ(cells, (std::map<std::string, int>{{"broad phase", 20}, {"broad and narrow phase", 20}, {"whole tick", 20}}));
+    EXPECT_EQ(cells,
+              (std::map<std::string, int>{{"broad phase", 20}, {"broad and narrow phase", 20}, {"whole tick", 20}}));
 }
 
 TEST(RecordWorlds, WritesWhatCanBeReplayed)
