@@ -189,12 +189,18 @@ void Stage::ask(const Record &record, void *data, dNearCallback *callback)
     for (const std::uint32_t id : reported_)
         geoms_[id].was_reported = false;
     reported_.clear();
-    if (kind_ == SpaceKind::none)
-        return;
+    // What is asked is looked up in any case: it is to cost the same in all spaces.
     if (record.kind == RecordKind::collide)
-        return dSpaceCollide(reinterpret_cast<dSpaceID>(geom(recording_.id(record))), data, callback);
+    {
+        const dGeomID space = geom(recording_.id(record));
+        if (kind_ != SpaceKind::none)
+            dSpaceCollide(reinterpret_cast<dSpaceID>(space), data, callback);
+        return;
+    }
     const auto asked = recording_.asked(record);
-    dSpaceCollide2(geom(asked[0]), geom(asked[1]), data, callback);
+    const dGeomID first = geom(asked[0]), second = geom(asked[1]);
+    if (kind_ != SpaceKind::none)
+        dSpaceCollide2(first, second, data, callback);
 }
 
 void Stage::add_mesh(const MeshContent &content)
