@@ -41,6 +41,9 @@ that they find the same pairs, and prints what they take.
                   --proximity of ode-predictive-run names (default: all)
   --times         measure times also where valgrind is installed, which
                   otherwise counts instructions
+  --reference KIND
+                  compare pairs with those of these spaces (default: simple,
+                  which takes long among many thousands of geoms)
   --from N, --to N, --every N
                   count the instructions of the events N, N + 1, ... and before
                   N, and of each Nth of these (default: of all)
@@ -54,8 +57,7 @@ that they find the same pairs, and prints what they take.
                   program would gain; DIR is made unless it exists
   --help, --version
 
-An event is a dSpaceCollide() or a dSpaceCollide2(). Pairs are compared with
-those of simple spaces. By sphere and by shape, pairs are left out; then
+An event is a dSpaceCollide() or a dSpaceCollide2(). By sphere and by shape, pairs are left out; then
 dCollide() must find no contact in any of them. ODE's own spaces may end by an
 assertion, which is said.
 
@@ -83,8 +85,9 @@ struct Options
 {
     std::vector<SpaceKind> kinds;
     bool times = false;
-    std::string report_folder;     // empty: there is no page to write
-    std::string json_file;         // empty: none
+    std::string report_folder; // empty: there is no page to write
+    std::string json_file;     // empty: none
+    SpaceKind reference = SpaceKind::simple;
     CountedEvents events;          // whose instructions count
     const char *counted = nullptr; // for the process under callgrind
     std::string file;
@@ -94,7 +97,7 @@ SpaceKind kind_of(const char *name)
 {
     const auto kind = kind_named(name);
     if (!kind)
-        fail("--space: '%s' is not own, simple, hash, quadtree, sap, box, sphere or shape", name);
+        fail("'%s' is not own, simple, hash, quadtree, sap, box, sphere or shape", name);
     return *kind;
 }
 
@@ -124,6 +127,9 @@ void take_option(int option, const char *option_text, Options &options)
 {
     switch (option)
     {
+    case 'p':
+        options.reference = kind_of(optarg);
+        return;
     case 'f':
         options.events.from = number_of(optarg, 0);
         return;
@@ -167,19 +173,14 @@ void take_option(int option, const char *option_text, Options &options)
 
 Options options_of(int argc, char **argv)
 {
-    const option known[] = {{"space", required_argument, nullptr, 's'},
-                            {"times", no_argument, nullptr, 't'},
-                            {"report", required_argument, nullptr, 'r'},
-                            {"from", required_argument, nullptr, 'f'},
-                            {"to", required_argument, nullptr, 'u'},
-                            {"every", required_argument, nullptr, 'e'},
-                            {"contacts", no_argument, nullptr, 'd'},
-                            {"whole-life", no_argument, nullptr, 'w'},
-                            {"json", required_argument, nullptr, 'j'},
-                            {"counted", required_argument, nullptr, 'c'},
-                            {"help", no_argument, nullptr, 'h'},
-                            {"version", no_argument, nullptr, 'v'},
-                            {}};
+    const option known[] = {
+        {"space", required_argument, nullptr, 's'},   {"times", no_argument, nullptr, 't'},
+        {"report", required_argument, nullptr, 'r'},  {"reference", required_argument, nullptr, 'p'},
+        {"from", required_argument, nullptr, 'f'},    {"to", required_argument, nullptr, 'u'},
+        {"every", required_argument, nullptr, 'e'},   {"contacts", no_argument, nullptr, 'd'},
+        {"whole-life", no_argument, nullptr, 'w'},    {"json", required_argument, nullptr, 'j'},
+        {"counted", required_argument, nullptr, 'c'}, {"help", no_argument, nullptr, 'h'},
+        {"version", no_argument, nullptr, 'v'},       {}};
     Options options;
     opterr = 0;
     for (;;)
@@ -340,15 +341,15 @@ bool replay_all(const Options &options, const history::Recording &recording)
     if (!instructions && options.events.count_of(recording.events().size()) < recording.events().size())
         fail("--from, --to and --every choose events whose instructions are counted; times are measured of all");
     describe(options, recording);
-    const Pairs simple = find_pairs(recording, SpaceKind::simple);
+    const Pairs reference = find_pairs(recording, options.reference);
     const CostsOfSpaces costs(options, recording, instructions);
     std::printf("\n%-26s %12s  %s\n", "spaces", instructions ? "1000 instr." : "microseconds", "pairs");
     bool all_agree = true;
     Figures figures(options.events);
     for (const SpaceKind kind : options.kinds)
     {
-        const Pairs pairs = kind == SpaceKind::simple ? simple : find_pairs(recording, kind);
-        const Verdict verdict = compare(recording, kind, pairs, simple);
+        const Pairs pairs = kind == options.reference ? reference : find_pairs(recording, kind);
+        const Verdict verdict = compare(recording, kind, pairs, reference, options.reference);
         const std::string name = kind == SpaceKind::own ? "own (" + name_of_own_space(recording) + ")" : name_of(kind);
         const std::optional<double> cost = costs.events() > 0 ? costs.of(kind) : std::nullopt;
         std::printf("%-26s %12s  %s\n", name.c_str(), costs.text(cost).c_str(), verdict.text.c_str());
@@ -359,8 +360,9 @@ bool replay_all(const Options &options, const history::Recording &recording)
         figures.write(options.json_file, instructions ? "instructions" : "microseconds", costs.events(),
                       recording.events().size());
     std::printf(
-        "\n%s are means per event, with the notices before it. Pairs are compared with those of simple spaces.\n%s\n",
-        instructions ? "Instructions" : "Times", compared_with_program(recording, simple).c_str());
+        "\n%s are means per event, with the notices before it. Pairs are compared with those of %s spaces.\n%s\n",
+        instructions ? "Instructions" : "Times", name_of(options.reference),
+        compared_with_program(recording, reference, options.reference).c_str());
     return all_agree;
 }
 } // namespace

@@ -54,7 +54,7 @@ def window_of(row, first_events):
 
 
 def count(build, row, chosen, contacts):
-    """A record for each space; raises when a space does not report the pairs of the simple one."""
+    """A record for each space; raises when a predictive one reports other pairs than a simple space."""
     with tempfile.TemporaryDirectory() as folder:
         recording, result = pathlib.Path(folder) / "world.odehist", pathlib.Path(folder) / "result.json"
         printed = output_of(build / "tests/benchmarks/record_worlds", row["scene"], row["n"], "--ticks", row["to_make"],
@@ -62,6 +62,8 @@ def count(build, row, chosen, contacts):
         first, end, every = window_of(row, json.loads(printed)["first_events"])
         spaces = spaces_for(row, chosen)
         kinds = [word for space in spaces for word in ("--space", SPACES[space])]
+        if row["n"] >= 5000:  # a simple space would take minutes for the pairs
+            kinds += ["--reference", "box"]
         if contacts:
             kinds.append("--contacts")
         if row["scene"] == "many":  # which are made and destroyed all the time
@@ -79,8 +81,11 @@ def count(build, row, chosen, contacts):
         if figures["cost_per_event"] is None:
             print(f"{row['scene']} {row['n']}: no count in {space}", file=sys.stderr)
             continue
-        if not figures["agrees"] and space != "sap":  # which rounds, and so reports some pairs more
-            raise RuntimeError(f"{row['scene']} {row['n']}: {space} did not report the pairs of a simple space\n{done.stdout}")
+        if not figures["agrees"]:
+            message = f"{row['scene']} {row['n']}: {space} reported other pairs\n{done.stdout}"
+            if space not in ODE:
+                raise RuntimeError(message)
+            print(message, file=sys.stderr)  # hash omits pairs, sap rounds
         records.append({"scene": row["scene"], "n": row["n"], "space": space, "warm_up_ticks": row["first"],
                         "ticks": row["ticks"], "every": row["every"], "pairs": figures["pairs"],
                         "sum": figures["cost_per_event"] * counted["counted_events"] / row["ticks"]})

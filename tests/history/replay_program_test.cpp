@@ -62,8 +62,8 @@ TEST(ReplayProgram, WritesItsFiguresAsJson)
     const Outcome outcome = run(REPLAYER, "--times --space box --space sap --json " + figures.path() + " " + nested);
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     const std::string json = bytes_of(figures.path());
-    for (const char *part : {R"("unit": "microseconds")", R"({"space": "box", "cost_per_event": )", R"({"space": "sap", )",
-                             R"("agrees": true)"})
+    for (const char *part : {R"("unit": "microseconds")", R"({"space": "box", "cost_per_event": )",
+                             R"({"space": "sap", )", R"("agrees": true)"})
         EXPECT_TRUE(contains(json, part)) << json;
     EXPECT_EQ(run(REPLAYER, "--times --space box --json /no/such/folder/x " + nested).status, 2);
 }
