@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Draws the pictures of docs/performance.md from what predictive_bench wrote with --json.
+"""Draws the pictures of docs/performance.md from what the benchmarks wrote.
 
     plots.py [--output FOLDER] FILE...
 
-cost.svg    cost per tick against the number of objects, all contenders (subcommands scale, all)
-tail.svg    how often ticks take how long (tail, all)
-table1.svg  the gains of the paper's Table 1, the paper's and those measured here (table1, all)
+cost.svg    cost per tick against the number of objects, all contenders (predictive_bench --benchmark_out=FILE, of collide/gas, collide/game)
+table1.svg  the gains of the paper's Table 1, the paper's and those measured here (bench_table1 --json FILE)
 
 A picture is drawn when the files have what it shows. The same files give the same pictures, byte by byte.
 """
@@ -60,12 +59,21 @@ STYLE = {
 }
 
 
+def records_of(benchmarks):
+    """Of Google Benchmark's results, the times of dSpaceCollide(): of repetitions, the median."""
+    for one in benchmarks:
+        kind, scene, objects, space = (one["name"].split("/") + [""] * 4)[:4]
+        if kind == "collide" and one.get("aggregate_name", "median") == "median":
+            yield {"scene": scene, "n": int(objects), "space": space, "mean_us": one["real_time"], "ticks": one["iterations"]}
+
+
 def read_records(files):
     """All records of these files in one list."""
     records = []
     for name in files:
         with open(name, encoding="utf-8") as file:
-            records += json.load(file)
+            content = json.load(file)
+        records += records_of(content["benchmarks"]) if isinstance(content, dict) else content
     return records
 
 
@@ -100,23 +108,17 @@ def label_in_full(axis):
 # --- cost.svg ---------------------------------------------------------------------------------------------------------
 
 
-def is_timing(record):
-    """A record of dSpaceCollide() in one scene and space, as all subcommands that compare contenders write it."""
-    return "space" in record and "mean_us" in record and "in_batches" in record
-
-
-def cost_curves(records, scene, moving):
+def cost_curves(records, scene):
     """{contender: {objects: mean microseconds}}; of several measurements of the same the longest counts."""
     best = {}
     for record in records:
-        if is_timing(record) and record["scene"] == scene and record.get("moving") == moving:
+        if record.get("scene") == scene and record.get("mean_us", 0) > 0 and "ticks" in record:
             key = (record["space"], record["n"])
-            if key not in best or record["measured_ticks"] > best[key]["measured_ticks"]:
+            if key not in best or record["ticks"] > best[key]["ticks"]:
                 best[key] = record
     curves = {}
     for (space, objects), record in best.items():
-        if record["mean_us"] > 0:
-            curves.setdefault(space, {})[objects] = record["mean_us"]
+        curves.setdefault(space, {})[objects] = record["mean_us"]
     return {space: dict(sorted(points.items())) for space, points in curves.items() if len(points) > 1}
 
 
@@ -140,9 +142,8 @@ def draw_curves(axes, curves):
 
 def draw_cost(records, folder):
     panels = [
-        ("gas, half of the objects moving", cost_curves(records, "gas", None)),
-        ("gas, 10 % moving", cost_curves(records, "gas", 0.1)),
-        ("game, all moving fast", cost_curves(records, "game", None)),
+        ("gas, half of the objects moving", cost_curves(records, "gas")),
+        ("game, all moving fast", cost_curves(records, "game")),
     ]
     panels = [(title, curves) for title, curves in panels if curves]
     if not panels:
@@ -163,74 +164,6 @@ def draw_cost(records, folder):
     order = [contender[0] for contender in CONTENDERS.values()]
     legend_of_all(figure, order, loc="center left", bbox_to_anchor=(1.01, 0.5), labelspacing=0.9)
     save(figure, folder, "cost.svg")
-
-
-# --- tail.svg ---------------------------------------------------------------------------------------------------------
-
-
-def timing_of(records, histogram):
-    """The timing record with the most ticks that belongs to a histogram, or None."""
-    same = [
-        record
-        for record in records
-        if is_timing(record)
-        and all(record[key] == histogram[key] for key in ("scene", "n", "space", "seed"))
-        and record["measured_ticks"] == sum(histogram["counts"])
-    ]
-    return same[0] if same else None
-
-
-def mark_time(axes, time, text, height):
-    axes.axvline(time, color=BLACK, linewidth=1, linestyle=":")
-    axes.annotate(
-        f"{text}\n{plain_number(round(time))} µs",
-        (time, height),
-        xycoords=("data", "axes fraction"),
-        xytext=(4, 0),
-        textcoords="offset points",
-        va="top",
-        fontsize=10,
-    )
-
-
-def draw_histogram(axes, histogram, records):
-    label, colour, _, _ = CONTENDERS.get(histogram["space"], (histogram["space"], GREY, "", "-"))
-    edges, counts = histogram["edges_us"], histogram["counts"]
-    # As bars: a bin with one tick has to be seen beside one with thousands.
-    widths = [right - left for left, right in zip(edges, edges[1:])]
-    axes.bar(edges[:-1], counts, widths, align="edge", color=colour, edgecolor="white", linewidth=0.8)
-    axes.set(xscale="log", yscale="log", ylabel="ticks")
-    axes.set_ylim(0.5, 8 * max(counts))
-    axes.set_title(
-        f"{label} in {histogram['scene']}, {histogram['n']:,} objects, {sum(counts):,} ticks", loc="left"
-    )
-    label_in_full(axes.yaxis)
-    timing = timing_of(records, histogram)
-    if timing is not None:
-        mark_time(axes, timing["median_us"], "median", 0.99)
-        mark_time(axes, timing["p999_us"], "p99.9", 0.99)
-        mark_time(axes, timing["max_us"], "maximum", 0.84)
-
-
-def draw_tail(records, folder):
-    histograms = [record for record in records if record.get("histogram") == "tail"]
-    if not histograms:
-        return
-    figure, all_axes = plt.subplots(
-        len(histograms), 1, figsize=(9, 3.6 * len(histograms)), sharex=True, squeeze=False
-    )
-    figure.subplots_adjust(left=0, right=1, bottom=0, top=1, hspace=0.2)
-    for row, histogram in zip(all_axes, histograms):
-        draw_histogram(row[0], histogram, records)
-    last = all_axes[-1][0]
-    last.set_xlabel("time in dSpaceCollide() in one tick (µs)")
-    low = min(record["edges_us"][0] for record in histograms)
-    high = max(record["edges_us"][-1] for record in histograms)
-    last.set_xlim(low / 1.1, high * 1.6)
-    ticks = [base * 10**power for power in range(-2, 8) for base in (1, 2, 5)]
-    last.set_xticks([tick for tick in ticks if low / 1.1 <= tick <= high * 1.6])
-    label_in_full(last.xaxis)
-    save(figure, folder, "tail.svg")
 
 
 # --- table1.svg -------------------------------------------------------------------------------------------------------
@@ -315,7 +248,7 @@ def draw_table1(records, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("files", nargs="+", metavar="FILE", help="JSON written by predictive_bench --json")
+    parser.add_argument("files", nargs="+", metavar="FILE", help="JSON written by predictive_bench or bench_table1")
     parser.add_argument(
         "--output",
         type=pathlib.Path,
@@ -330,7 +263,7 @@ def main():
         sys.exit(f"plots: {error}")
     arguments.output.mkdir(parents=True, exist_ok=True)
     with plt.rc_context(STYLE):
-        for draw in (draw_cost, draw_tail, draw_table1):
+        for draw in (draw_cost, draw_table1):
             draw(records, arguments.output)
 
 

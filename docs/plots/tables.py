@@ -1,17 +1,13 @@
 #!/usr/bin/env python3
-"""Prints tables in Markdown, as docs/performance.md has them, from what `predictive_bench` wrote with `--json FILE`.
+"""Prints tables in Markdown, as docs/performance.md has them, from files of docs/results.
 
-    tables.py FILE             of `all`, `stepped`, `contact` or `instructions --whole`
-    tables.py FILE BEFORE      of `instructions`, beside the counts of another version
+    tables.py stepped.json | contact.json
 """
 
 import json
 import sys
 
-SPACES = ["predictive-box", "predictive-sphere", "simple", "hash", "quadtree", "sap", "bullet-dbvt", "bullet-sap", "sweep",
-          "floor-boxes", "floor"]
 ODE = ["simple", "hash", "quadtree", "sap"]
-PAPER = {"brute": "brute force", "sap": "sweep & prune", "quadtree": "quadtree", "hash": "uniform grid"}
 
 
 def number(value):
@@ -50,63 +46,6 @@ def print_rows(rows):
     """Rows as the functions without `print` in their names return them: {column: value}, all with the same columns."""
     if rows:
         print_table(list(rows[0]), [list(map(text, cells.values())) for cells in rows])
-
-
-def print_requirements(records):
-    rows = []
-    for record in records:
-        if "limit" not in record:
-            continue
-        unit = " " + record["unit"]
-        rows.append([record["line"], record["what"], number(record["value"]) + unit,
-                     record["bound"].replace("<=", "≤").replace(">=", "≥") + " " + number(record["limit"]) + unit,
-                     "met" if record["met"] else "**not met**"])
-    print_table(["line", "what", "measured", "asked", ""], rows)
-
-
-def scenes_of(records):
-    """Timings by scene, number of objects and share of moving ones; of several runs the first, which compares all spaces."""
-    scenes = {}
-    for record in records:
-        if not all(key in record for key in ("scene", "space", "mean_us", "best_ode_ratio", "measured_ticks")):
-            continue
-        key = (record["scene"], record["n"], record.get("moving"))
-        scenes.setdefault(key, {}).setdefault(record["space"], record)
-    return scenes
-
-
-def print_means(scenes):
-    rows = []
-    for (scene, n, moving), spaces in sorted(scenes.items(), key=lambda item: (item[0][0], item[0][1], item[0][2] or 0)):
-        name = scene + (f", {moving:.0%} moving" if moving is not None else "")
-        rows.append([name, f"{n:,}"] + [number(spaces[space]["mean_us"]) if space in spaces else "–" for space in SPACES])
-    print_table(["scene", "n"] + SPACES, rows)
-
-
-def print_distributions(scenes):
-    rows = []
-    for (scene, n, moving), spaces in sorted(scenes.items(), key=lambda item: (item[0][0], item[0][1], item[0][2] or 0)):
-        ours = spaces.get("predictive-box")
-        if ours is None:
-            continue
-        name = scene + (f", {moving:.0%} moving" if moving is not None else "")
-        rows.append([name, f"{n:,}"] +
-                    [number(ours[key]) for key in ("mean_us", "median_us", "p99_us", "p999_us", "max_us")] +
-                    [f"{ours['pairs']:,}", ours["pair_hash"], number(ours["bytes_per_geom"])])
-    print_table(["scene", "n", "mean", "median", "p99", "p99.9", "max", "pairs", "pair hash", "bytes per geom"], rows)
-
-
-def print_table1(records):
-    blocks = {}
-    for record in records:
-        if record.get("table") == "table1":
-            blocks.setdefault(record["block"], {}).setdefault(record["n"], {})[record["other"]] = record
-    for block, lines in blocks.items():
-        print(f"**{block}**\n")
-        rows = []
-        for n, others in sorted(lines.items()):
-            rows.append([str(n)] + [f"{others[o]['gain_percent']:.1f} / {others[o]['paper_gain_percent']:.1f}" for o in PAPER])
-        print_table(["objects"] + list(PAPER.values()), rows)
 
 
 def stepped(records):
@@ -161,23 +100,6 @@ def contact(records):
     return rows
 
 
-def print_whole_ticks(records):
-    if not any(record.get("count") == "whole ticks" for record in records):
-        return
-    scenes = {}
-    for record in records:
-        if record.get("count") == "whole ticks":
-            scenes.setdefault((record["scene"], record["n"], record["ticks"]), {})[record["space"]] = record
-    rows = []
-    for (scene, n, ticks), spaces in scenes.items():
-        boxes, shapes = spaces["predictive-box"], spaces["predictive-shape"]
-        rows.append([scene, f"{n:,}", f"{ticks:,}"] +
-                    [f"{one[part]:,.0f}" for part in ("both", "whole") for one in (boxes, shapes)] +
-                    [f"{shapes[part] / boxes[part]:.3f}" for part in ("both", "whole")])
-    print_table(["scene", "objects", "ticks", "collide + dCollide by box", "by shape", "whole tick by box", "by shape",
-                 "shape / box, collide + dCollide", "shape / box, whole tick"], rows)
-
-
 def instructions(records, before):
     key = lambda record: (record["scene"], record["n"], record["space"])
     earlier = {key(record): record for record in before}
@@ -192,38 +114,10 @@ def instructions(records, before):
     return rows
 
 
-def read(name):
-    with open(name, encoding="utf-8") as file:
-        return json.load(file)
-
-
 def main():
-    records = read(sys.argv[1])
-    if len(sys.argv) > 2:
-        print_rows(instructions(records, read(sys.argv[2])))
-        return
-    if records[0].get("table") == "stepped":
-        print_rows(stepped(records))
-        return
-    if records[0].get("table") == "contact":
-        print_requirements(records)
-        print_rows(contact(records))
-        print_whole_ticks(records)
-        print_table1(records)
-        return
-    if records[0].get("count") == "whole ticks":
-        print_requirements(records)
-        print_whole_ticks(records)
-        return
-    print("<!-- requirements -->\n")
-    print_requirements(records)
-    print("<!-- table 1 -->\n")
-    print_table1(records)
-    print("<!-- means -->\n")
-    scenes = scenes_of(records)
-    print_means(scenes)
-    print("<!-- distributions -->\n")
-    print_distributions(scenes)
+    with open(sys.argv[1], encoding="utf-8") as file:
+        records = json.load(file)
+    print_rows((contact if records[0].get("table") == "contact" else stepped)(records))
 
 
 if __name__ == "__main__":

@@ -45,8 +45,7 @@ Statistics that FILE does not take go to standard error.)";
 
 constexpr char about_replay[] =
     R"(
-An event is a dSpaceCollide() or a dSpaceCollide2(). Pairs are compared with those of simple spaces. By sphere and by shape,
-pairs are left out; then dCollide() must find no contact in any of them. ODE's own spaces may end by an assertion, which is
+An event is a dSpaceCollide() or a dSpaceCollide2(). By sphere and by shape, pairs are left out; then dCollide() must find no contact in any of them. ODE's own spaces may end by an assertion, which is
 said. A recording that is cut, as when the program was killed, is replayed up to its last whole record, and a line says where
 that is.
 
@@ -125,6 +124,26 @@ void add_replay(CLI::App &tool, recording::ReplayOptions &options)
         ->check(CLI::IsMember(kinds));
     replay->add_flag("--times", options.times,
                      "Measure times also where valgrind is installed, which otherwise counts instructions");
+    replay
+        ->add_option("--reference", options.reference,
+                     "Compare pairs with those of these spaces (default: simple, which takes long among many thousands "
+                     "of geoms)")
+        ->check(CLI::IsMember(kinds));
+    replay
+        ->add_option("--from", options.events.from,
+                     "The first event whose instructions count, and before it those of its changes")
+        ->check(CLI::NonNegativeNumber);
+    replay->add_option("--to", options.events.to, "The first event after them")->check(CLI::PositiveNumber);
+    replay->add_option("--every", options.events.every, "Count each Nth of these")->check(CLI::PositiveNumber);
+    replay->add_flag("--contacts", options.events.contacts, "Count also a dCollide() for each callback");
+    replay->add_flag("--whole-life", options.events.whole_life,
+                     "Count also what is before the first event, the making of all geoms, and their end");
+    replay
+        ->add_option("--json", options.json_file,
+                     "Write the figures to FILE, too: for each kind of spaces the cost per event, the pairs of these "
+                     "events, and "
+                     "whether all pairs agree")
+        ->type_name("FILE");
     replay->add_option("--counted", options.counted)->group(""); // for the process under callgrind
     replay->add_option("FILE", options.file)->required();
     replay->footer(about_replay);

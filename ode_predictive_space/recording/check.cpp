@@ -9,13 +9,13 @@ namespace ode_predictive_space::recording
 
 namespace
 {
-std::string described(const DifferentPairs &pairs, const char *kind)
+std::string described(const DifferentPairs &pairs, const char *kind, const char *reference)
 {
     std::string text;
     constexpr std::size_t most = 3;
     for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i)
         text += formatted("%s%u and %u only in %s", i ? ", " : ": geoms ", pairs[i].first.first, pairs[i].first.second,
-                          pairs[i].second ? kind : "simple");
+                          pairs[i].second ? kind : reference);
     return text + (pairs.size() > most ? ", \xe2\x80\xa6" : "");
 }
 
@@ -47,21 +47,22 @@ std::string completeness_of(const Recording &recording)
         recording.events().size(), recording.whole_bytes(), recording.bytes());
 }
 
-Verdict compare(const Recording &recording, SpaceKind kind, const Pairs &pairs, const Pairs &simple)
+Verdict compare(const Recording &recording, SpaceKind kind, const Pairs &pairs, const Pairs &expected,
+                SpaceKind reference)
 {
     if (!pairs.failure.empty())
         return {false, formatted("ends at event %zu: %s", pairs.events.size(), pairs.failure.c_str())};
     if (leaves_out_pairs(kind))
-        return compare_left_out(pairs, simple);
-    const std::size_t events = std::min(pairs.events.size(), simple.events.size());
+        return compare_left_out(pairs, expected);
+    const std::size_t events = std::min(pairs.events.size(), expected.events.size());
     const bool may_have_more = kind == SpaceKind::own || kind == SpaceKind::quadtree || kind == SpaceKind::sap;
     std::size_t differing = 0, first = 0, with_unbounded = 0;
     for (std::size_t i = events; i-- > 0;)
     {
-        if (pairs.events[i] == simple.events[i])
+        if (pairs.events[i] == expected.events[i])
             continue;
         ++with_unbounded;
-        if (may_have_more && pairs.events[i].same_but_more_unbounded(simple.events[i]))
+        if (may_have_more && pairs.events[i].same_but_more_unbounded(expected.events[i]))
             continue;
         ++differing;
         first = i;
@@ -70,18 +71,19 @@ Verdict compare(const Recording &recording, SpaceKind kind, const Pairs &pairs, 
         return {true, with_unbounded == 0
                           ? "the same"
                           : "the same, but more with geoms that have no bounds (planes, nested spaces)"};
-    return {false, formatted("other pairs in %zu events, first in event %zu", differing, first) +
-                       described(differing_pairs(recording, kind, SpaceKind::simple, first), name_of(kind))};
+    return {false,
+            formatted("other pairs in %zu events, first in event %zu", differing, first) +
+                described(differing_pairs(recording, kind, reference, first), name_of(kind), name_of(reference))};
 }
 
-std::string compared_with_program(const Recording &recording, const Pairs &simple)
+std::string compared_with_program(const Recording &recording, const Pairs &expected, SpaceKind reference)
 {
     std::size_t known = 0, differing = 0, first = 0;
-    for (std::size_t i = std::min(recording.events().size(), simple.events.size()); i-- > 0;)
+    for (std::size_t i = std::min(recording.events().size(), expected.events.size()); i-- > 0;)
     {
         const EventSummary &event = recording.events()[i];
         known += event.has_pairs;
-        if (event.has_pairs && !(simple.events[i] == EventPairs{event.pairs, event.hash, 0, 0}))
+        if (event.has_pairs && !(expected.events[i] == EventPairs{event.pairs, event.hash, 0, 0}))
         {
             ++differing;
             first = i;
@@ -90,11 +92,11 @@ std::string compared_with_program(const Recording &recording, const Pairs &simpl
     if (known == 0)
         return "";
     if (differing == 0)
-        return formatted("The program got the pairs of simple spaces in all of its %zu events.", known);
+        return formatted("The program got the pairs of %s spaces in all of its %zu events.", name_of(reference), known);
     return formatted(
-        "The program got other pairs than simple spaces give here in %zu of %zu events, first in event %zu "
+        "The program got other pairs than %s spaces give here in %zu of %zu events, first in event %zu "
         "(%u instead of %u pairs): its callbacks move or remove geoms, it leaves pairs out, its spaces are of "
         "a kind that reports more with what has no bounds, or they are wrong.",
-        differing, known, first, recording.events()[first].pairs, simple.events[first].count);
+        name_of(reference), differing, known, first, recording.events()[first].pairs, expected.events[first].count);
 }
 } // namespace ode_predictive_space::recording

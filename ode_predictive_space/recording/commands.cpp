@@ -1,6 +1,8 @@
 #include "ode_predictive_space/recording/commands.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -57,72 +59,129 @@ std::string own_path()
     return std::filesystem::read_symlink("/proc/self/exe", none).string();
 }
 
-// The instructions or the time that spaces of one kind take per event.
+// What spaces of one kind take per event: instructions or microseconds.
 class CostsOfSpaces
 {
 public:
-    CostsOfSpaces(const std::string &file, const Recording &recording, bool instructions)
-        : file_(file), recording_(recording), instructions_(instructions)
+    CostsOfSpaces(const ReplayOptions &options, const Recording &recording, bool instructions)
+        : options_(options), recording_(recording), instructions_(instructions),
+          events_(instructions ? options.events.count_of(recording.events().size()) : recording.events().size())
     {
-        if (recording.events().empty())
+        if (events_ == 0)
             return;
         if (instructions)
-            counted_without_ = count_instructions(own_path(), file_, SpaceKind::none);
+            counted_without_ = counted(SpaceKind::none);
         else
             measured_without_ = measured(SpaceKind::none);
     }
 
-    std::string of(SpaceKind kind) const
+    std::size_t events() const { return events_; }
+
+    // None when the spaces end the program.
+    std::optional<double> of(SpaceKind kind) const
     {
-        if (recording_.events().empty())
-            return "";
-        const double events = static_cast<double>(recording_.events().size());
+        const double events = static_cast<double>(events_);
         if (instructions_)
         {
-            const auto count = count_instructions(own_path(), file_, kind);
+            const auto count = counted(kind);
             if (!count || !counted_without_)
-                return "-";
-            return formatted("%.4g",
-                             1e-3 * (static_cast<double>(*count) - static_cast<double>(*counted_without_)) / events);
+                return std::nullopt;
+            return (static_cast<double>(*count) - static_cast<double>(*counted_without_)) / events;
         }
         const Cost cost = without(measured_without_, measured(kind));
         if (!cost.failure.empty())
-            return "-";
-        return formatted("%.4g", 1e6 * (cost.collides + cost.notices) / events);
+            return std::nullopt;
+        return 1e6 * (cost.collides + cost.notices) / events;
+    }
+
+    std::string text(const std::optional<double> &cost) const
+    {
+        if (events_ == 0)
+            return "";
+        return cost ? formatted("%.4g", instructions_ ? 1e-3 * *cost : *cost) : "-";
     }
 
 private:
+    std::optional<std::uint64_t> counted(SpaceKind kind) const
+    {
+        return count_instructions(own_path(), options_.file, kind, options_.events);
+    }
+
     Cost measured(SpaceKind kind) const
     {
         return measure_repeatedly(recording_, kind, recording_.events().size(), 1e9);
     }
 
-    const std::string &file_;
+    const ReplayOptions &options_;
     const Recording &recording_;
     bool instructions_;
+    std::size_t events_; // that are counted or measured
     std::optional<std::uint64_t> counted_without_;
     Cost measured_without_;
 };
 
+// The figures of --json.
+class Figures
+{
+public:
+    explicit Figures(const CountedEvents &events) : events_(events) {}
+
+    void add(const char *space, const std::optional<double> &cost, const Pairs &pairs, bool agrees)
+    {
+        std::uint64_t count = 0;
+        for (std::size_t event = 0; event < pairs.events.size(); ++event)
+            count += events_.has(event) ? pairs.events[event].count : 0;
+        spaces_ += formatted("%s\n  {\"space\": \"%s\", \"cost_per_event\": %s, \"pairs\": %llu, \"agrees\": %s}",
+                             spaces_.empty() ? "" : ",", space, cost ? formatted("%.17g", *cost).c_str() : "null",
+                             static_cast<unsigned long long>(count), agrees ? "true" : "false");
+    }
+
+    void write(const std::string &path, const char *unit, std::size_t counted, std::size_t events) const
+    {
+        std::FILE *const file = std::fopen(path.c_str(), "w");
+        const std::string text = formatted("{\"unit\": \"%s\", \"counted_events\": %zu, \"events\": %zu, \"spaces\": [",
+                                           unit, counted, events) +
+                                 spaces_ + "]}\n";
+        const bool written = file && std::fputs(text.c_str(), file) >= 0;
+        if (!file || std::fclose(file) != 0 || !written)
+            throw std::runtime_error("--json: " + path + " cannot be written: " + std::strerror(errno));
+    }
+
+private:
+    const CountedEvents &events_;
+    std::string spaces_;
+};
+
 bool replay_all(const ReplayOptions &options, const Recording &recording)
 {
+    const SpaceKind reference_kind = kind_named(options.reference).value();
     const bool instructions = !options.times && has_valgrind();
+    if (!instructions && options.events.count_of(recording.events().size()) < recording.events().size())
+        throw std::runtime_error(
+            "--from, --to and --every choose events whose instructions are counted; times are measured of all");
     describe(options.file, recording);
-    const Pairs simple = find_pairs(recording, SpaceKind::simple);
-    const CostsOfSpaces costs(options.file, recording, instructions);
+    const Pairs reference = find_pairs(recording, reference_kind);
+    const CostsOfSpaces costs(options, recording, instructions);
     std::printf("\n%-26s %12s  %s\n", "spaces", instructions ? "1000 instr." : "microseconds", "pairs");
     bool all_agree = true;
+    Figures figures(options.events);
     for (const SpaceKind kind : kinds_of(options))
     {
-        const Pairs pairs = kind == SpaceKind::simple ? simple : find_pairs(recording, kind);
-        const Verdict verdict = compare(recording, kind, pairs, simple);
+        const Pairs pairs = kind == reference_kind ? reference : find_pairs(recording, kind);
+        const Verdict verdict = compare(recording, kind, pairs, reference, reference_kind);
         const std::string name = kind == SpaceKind::own ? "own (" + name_of_own_space(recording) + ")" : name_of(kind);
-        std::printf("%-26s %12s  %s\n", name.c_str(), costs.of(kind).c_str(), verdict.text.c_str());
+        const std::optional<double> cost = costs.events() > 0 ? costs.of(kind) : std::nullopt;
+        std::printf("%-26s %12s  %s\n", name.c_str(), costs.text(cost).c_str(), verdict.text.c_str());
+        figures.add(name_of(kind), cost, pairs, verdict.agrees);
         all_agree &= verdict.agrees;
     }
+    if (!options.json_file.empty())
+        figures.write(options.json_file, instructions ? "instructions" : "microseconds", costs.events(),
+                      recording.events().size());
     std::printf(
-        "\n%s are means per event, with the notices before it. Pairs are compared with those of simple spaces.\n%s\n",
-        instructions ? "Instructions" : "Times", compared_with_program(recording, simple).c_str());
+        "\n%s are means per event, with the notices before it. Pairs are compared with those of %s spaces.\n%s\n",
+        instructions ? "Instructions" : "Times", name_of(reference_kind),
+        compared_with_program(recording, reference, reference_kind).c_str());
     return all_agree;
 }
 } // namespace
@@ -135,7 +194,7 @@ int replay(const ReplayOptions &options)
     dInitODE2(0);
     int status = 0;
     if (!options.counted.empty())
-        replay_to_be_counted(recording, kind_named(options.counted).value_or(SpaceKind::none));
+        replay_to_be_counted(recording, kind_named(options.counted).value_or(SpaceKind::none), options.events);
     else
         status = replay_all(options, recording) ? 0 : 1;
     dCloseODE();

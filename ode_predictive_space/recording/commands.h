@@ -6,15 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "ode_predictive_space/recording/space_kind.h"
+#include "ode_predictive_space/recording/replay.h"
 
 namespace ode_predictive_space::recording
 {
 struct ReplayOptions
 {
-    std::vector<std::string> spaces; ///< names of kinds; empty: all
-    bool times = false;              ///< also where valgrind is installed, which otherwise counts instructions
-    std::string counted;             ///< the process is under callgrind, which counts in spaces of this kind
+    std::vector<std::string> spaces;  ///< names of kinds; empty: all
+    bool times = false;               ///< also where valgrind is installed, which otherwise counts instructions
+    std::string reference = "simple"; ///< the kind of spaces with whose pairs all are compared
+    CountedEvents events;             ///< whose instructions count
+    std::string json_file;            ///< empty: none
+    std::string counted;              ///< the process is under callgrind, which counts in spaces of this kind
     std::string file;
 };
 

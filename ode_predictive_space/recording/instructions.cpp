@@ -49,16 +49,29 @@ std::optional<std::uint64_t> collected(const std::string &output)
 
 std::optional<std::uint64_t> instructions_of(const std::vector<std::string> &program)
 {
-    std::string command = "exec valgrind --tool=callgrind --callgrind-out-file=/dev/null "
-                          "--toggle-collect=counted_changes --toggle-collect=counted_collide";
+    // All functions are bound at the start, not when they are first called.
+    std::string command = "LD_BIND_NOW=1 exec valgrind --tool=callgrind --callgrind-out-file=/dev/null "
+                          "--toggle-collect=counted_changes --toggle-collect=counted_collide "
+                          "--toggle-collect=counted_end";
     for (const std::string &word : program)
         command += " " + quoted(word);
     const auto output = messages_of(command);
     return output ? collected(*output) : std::nullopt;
 }
 
-std::optional<std::uint64_t> count_instructions(const std::string &tool, const std::string &path, SpaceKind kind)
+std::optional<std::uint64_t> count_instructions(const std::string &tool, const std::string &path, SpaceKind kind,
+                                                const CountedEvents &events)
 {
-    return instructions_of({tool, "replay", "--counted", name_of(kind), path});
+    std::vector<std::string> program = {tool,        "replay",
+                                        "--counted", name_of(kind),
+                                        "--from",    std::to_string(events.from),
+                                        "--to",      std::to_string(events.to),
+                                        "--every",   std::to_string(events.every)};
+    if (events.contacts)
+        program.emplace_back("--contacts");
+    if (events.whole_life)
+        program.emplace_back("--whole-life");
+    program.push_back(path);
+    return instructions_of(program);
 }
 } // namespace ode_predictive_space::recording

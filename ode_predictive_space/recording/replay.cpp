@@ -27,6 +27,11 @@ __attribute__((noinline, visibility("default"))) void counted_collide(Stage &sta
 {
     stage.ask(record, data, callback);
 }
+
+__attribute__((noinline, visibility("default"))) void counted_end(std::unique_ptr<Stage> &stage)
+{
+    stage.reset();
+}
 }
 
 namespace
@@ -47,6 +52,15 @@ void add_pair(void *pairs, dGeomID first, dGeomID second)
 void count_pair(void *count, dGeomID /*first*/, dGeomID /*second*/)
 {
     ++*static_cast<std::uint32_t *>(count);
+}
+
+constexpr int most_contacts = 8; // of a dCollide()
+
+void find_contacts(void * /*data*/, dGeomID first, dGeomID second)
+{
+    dContactGeom contacts[most_contacts];
+    if (!dGeomIsSpace(first) && !dGeomIsSpace(second))
+        dCollide(first, second, most_contacts, contacts, sizeof contacts[0]);
 }
 
 double now()
@@ -110,9 +124,8 @@ bool can_be_collided(const Stage &stage, const IdPair &pair)
 
 bool touch(const Stage &stage, const IdPair &pair)
 {
-    constexpr int most = 8;
-    dContactGeom contacts[most];
-    return dCollide(stage.geom(pair.first), stage.geom(pair.second), most, contacts, sizeof contacts[0]) > 0;
+    dContactGeom contacts[most_contacts];
+    return dCollide(stage.geom(pair.first), stage.geom(pair.second), most_contacts, contacts, sizeof contacts[0]) > 0;
 }
 
 struct ByPairs
@@ -366,17 +379,42 @@ Callbacks judge_callbacks(const Recording &recording, std::size_t most_events, d
     return callbacks;
 }
 
-void replay_to_be_counted(const Recording &recording, SpaceKind kind)
+// The first life in a process also pays for what is made once.
+void live_once(const Recording &recording, SpaceKind kind)
 {
     Stage stage(recording, kind);
-    bool is_first = true;
     walk(
-        recording, [&](const Record &record) { is_first ? stage.apply(record) : counted_changes(stage, record); },
+        recording, [&](const Record &record) { stage.apply(record); },
         [&](const Record &record, std::size_t) {
             std::uint32_t callbacks = 0;
-            counted_collide(stage, record, &callbacks, count_pair);
-            is_first = false;
+            stage.ask(record, &callbacks, count_pair);
             return true;
         });
+}
+
+void replay_to_be_counted(const Recording &recording, SpaceKind kind, const CountedEvents &events)
+{
+    if (events.whole_life)
+        live_once(recording, kind);
+    // What the whole life costs without a space is known from geoms in none.
+    auto stage = std::make_unique<Stage>(recording, kind, kind != SpaceKind::none || !events.whole_life);
+    std::size_t next = 0; // event
+    walk(
+        recording,
+        [&](const Record &record) {
+            const bool counts = events.has(next) && (next > 0 || events.whole_life);
+            counts ? counted_changes(*stage, record) : stage->apply(record);
+        },
+        [&](const Record &record, std::size_t number) {
+            std::uint32_t callbacks = 0;
+            if (events.has(number))
+                counted_collide(*stage, record, &callbacks, events.contacts ? find_contacts : count_pair);
+            else
+                stage->ask(record, &callbacks, count_pair);
+            next = number + 1;
+            return true;
+        });
+    if (events.whole_life)
+        counted_end(stage);
 }
 } // namespace ode_predictive_space::recording

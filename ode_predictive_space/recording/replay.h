@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_REPLAY_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_REPLAY_H
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -86,9 +87,27 @@ struct Callbacks
 };
 Callbacks judge_callbacks(const Recording &recording, std::size_t most_events, double most_seconds);
 
+/// The events of a recording whose instructions count, and what else does.
+struct CountedEvents
+{
+    std::size_t from = 0;      ///< the first one
+    std::size_t to = SIZE_MAX; ///< the first one after them
+    std::size_t every = 1;     ///< from one to the next
+    bool contacts = false;     ///< dCollide() for each callback counts, too
+    bool whole_life = false;   ///< the making of all geoms before the first event counts, and so does their end
+    bool has(std::size_t event) const { return event >= from && event < to && (event - from) % every == 0; }
+
+    /// How many of a recording with so many events.
+    std::size_t count_of(std::size_t events) const
+    {
+        return from < std::min(to, events) ? (std::min(to, events) - from - 1) / every + 1 : 0;
+    }
+};
+
 /// Replays in this process and counts nothing: for callgrind, which gets the names of the two functions whose instructions
-/// count, counted_changes and counted_collide. What is before the first event, the making of all geoms, does not count.
-void replay_to_be_counted(const Recording &recording, SpaceKind kind);
+/// count, counted_changes, counted_collide and counted_end. What is before the first event, the making of all geoms, does not count
+/// unless their whole life does.
+void replay_to_be_counted(const Recording &recording, SpaceKind kind, const CountedEvents &events = {});
 } // namespace ode_predictive_space::recording
 
 #endif

@@ -1,6 +1,7 @@
 #include "ode_predictive_space/recording/stage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include <ode/ode.h>
@@ -21,9 +22,16 @@ template <typename Value> std::vector<Value> copied(const char *bytes, std::size
     return values;
 }
 
+// About one geom per leaf, which was the fastest of the depths tried.
+int quadtree_depth(std::uint32_t geoms)
+{
+    return std::clamp(static_cast<int>(std::lround(std::log2(std::max(geoms, 1u)) / 2)), 1, 8);
+}
 } // namespace
 
-Stage::Stage(const Recording &recording, SpaceKind kind) : recording_(recording), kind_(kind), world_(dWorldCreate()) {}
+Stage::Stage(const Recording &recording, SpaceKind kind, bool in_spaces)
+    : recording_(recording), kind_(kind), in_spaces_(in_spaces), world_(dWorldCreate())
+{}
 
 Stage::~Stage()
 {
@@ -72,12 +80,18 @@ void Stage::ask(const Record &record, void *data, dNearCallback *callback)
     for (const std::uint32_t id : reported_)
         geoms_[id].was_reported = false;
     reported_.clear();
-    if (kind_ == SpaceKind::none)
-        return;
+    // What is asked is looked up in any case: it is to cost the same in all spaces.
     if (record.kind == RecordKind::collide)
-        return dSpaceCollide(reinterpret_cast<dSpaceID>(geom(recording_.id(record))), data, callback);
+    {
+        const dGeomID space = geom(recording_.id(record));
+        if (kind_ != SpaceKind::none)
+            dSpaceCollide(reinterpret_cast<dSpaceID>(space), data, callback);
+        return;
+    }
     const auto asked = recording_.asked(record);
-    dSpaceCollide2(geom(asked[0]), geom(asked[1]), data, callback);
+    const dGeomID first = geom(asked[0]), second = geom(asked[1]);
+    if (kind_ != SpaceKind::none)
+        dSpaceCollide2(first, second, data, callback);
 }
 
 void Stage::add_mesh(const MeshContent &content)
@@ -165,7 +179,7 @@ dSpaceID Stage::make_space_of_kind(SpaceKind kind) const
             centre[axis] = static_cast<dReal>((extent[2 * axis] + extent[2 * axis + 1]) / 2);
             half[axis] = static_cast<dReal>((extent[2 * axis + 1] - extent[2 * axis]) / 2 + 1);
         }
-        return dQuadTreeSpaceCreate(nullptr, centre, half, recording_.geom_count() > 1000 ? 6 : 4);
+        return dQuadTreeSpaceCreate(nullptr, centre, half, quadtree_depth(recording_.geom_count()));
     case SpaceKind::hash:
         return dHashSpaceCreate(nullptr);
     default:
@@ -389,7 +403,7 @@ void Stage::place_in_space(const Geom &geom) const
     if (const dSpaceID before = dGeomGetSpace(geom.geom))
         dSpaceRemove(before, geom.geom);
     const std::uint32_t parent = geom.state.parent;
-    if (parent != 0 && geoms_[parent - 1].geom)
+    if (in_spaces_ && parent != 0 && geoms_[parent - 1].geom)
         dSpaceAdd(reinterpret_cast<dSpaceID>(geoms_[parent - 1].geom), geom.geom);
 }
 

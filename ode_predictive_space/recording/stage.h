@@ -20,7 +20,8 @@ class Stage
 {
 public:
     /// @param recording outlives the stage.
-    Stage(const Recording &recording, SpaceKind kind);
+    /// @param in_spaces false: geoms are put in no space, and nothing can be asked.
+    Stage(const Recording &recording, SpaceKind kind, bool in_spaces = true);
     ~Stage();
     Stage(const Stage &) = delete;
     Stage &operator=(const Stage &) = delete;
@@ -92,6 +93,7 @@ private:
 
     const Recording &recording_;
     SpaceKind kind_;
+    bool in_spaces_;
     dWorldID world_;
     std::vector<dBodyID> bodies_;
     std::deque<Geom> geoms_;

@@ -1,7 +1,6 @@
 // Whatever takes part finds the same pairs, in every scene.
 
 #include "demos/runs/world_run.h"
-#include "tests/benchmarks/comparison.h"
 #include "tests/benchmarks/contenders/contenders.h"
 
 #include <algorithm>
@@ -29,7 +28,8 @@ WorldRuns runs_of_all(const WorldSpec &spec)
     WorldRuns runs;
     for (const std::string &name : contender_names())
     {
-        if (why_not(name, spec).empty())
+        // The floors must know the pairs beforehand, and in churn geoms come and go.
+        if (spec.name != "churn" || name.rfind("floor", 0) != 0)
         {
             runs.push_back(std::make_unique<WorldRun>(benchmarks::make_contender(name, factory), factory));
         }
@@ -62,7 +62,7 @@ TEST_F(Contenders, TheFloorKnowsThePairsOfAScene)
 {
     for (const char *scene : {"gas", "pile"})
     {
-        const WorldRuns runs = runs_of_all({scene, objects_for_single_ticks, 1});
+        const WorldRuns runs = runs_of_all({scene, 300, 1});
         run_by_turns(runs, 60);
         EXPECT_EQ(first_difference(runs), -1) << scene;
         const std::vector<std::string> names = {runs[runs.size() - 2]->name(), runs.back()->name()};
@@ -89,13 +89,6 @@ TEST_F(Contenders, AnUnknownOneIsRefused)
     const WorldFactory factory({"gas", 10, 1});
     EXPECT_THROW(benchmarks::make_contender("octree", factory), std::invalid_argument);
     EXPECT_EQ(benchmarks::make_contender("predictive", factory)->name(), "predictive-box");
-}
-
-TEST_F(Contenders, BulletTakesPartWhereItIsInstalled)
-{
-    const auto &names = contender_names();
-    EXPECT_EQ(std::count(names.begin(), names.end(), "bullet-dbvt"), have_bullet ? 1 : 0);
-    EXPECT_EQ(std::count(names.begin(), names.end(), "bullet-sap"), have_bullet ? 1 : 0);
 }
 
 /// Reports nothing.

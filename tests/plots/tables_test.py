@@ -1,4 +1,4 @@
-"""The tables of docs/plots/tables.py, from what predictive_bench writes."""
+"""The tables of docs/plots/tables.py, from docs/results."""
 
 import json
 import pathlib
@@ -28,13 +28,6 @@ def contact(scene, space, sum_us, calls):
     }
 
 
-def whole_ticks(space, both, whole):
-    return {"count": "whole ticks", "scene": "mix", "n": 1000, "ticks": 200, "space": space, "both": both, "whole": whole}
-
-
-REQUIREMENT = {"line": "P20", "what": "calls", "value": 2, "bound": "<=", "limit": 3, "unit": "calls", "met": True}
-
-
 def tables_of(records):
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "results.json"
@@ -50,18 +43,9 @@ class Tables(unittest.TestCase):
             contact("mix", "predictive-shape", 50, 4),
             contact("mix", "sap", 400, 190),
             contact("mix", "quadtree", 500, 190),
-            whole_ticks("predictive-box", 700000, 2000000),
-            whole_ticks("predictive-shape", 175000, 1500000),
-            REQUIREMENT,
         ])
-        self.assertIn("| mix | 1,000 | 200 | 700,000 |", text)
         self.assertIn("| mix | 1,000 | 400 (sap) | 25.0 + 75.0 = 100 | 12.5 + 37.5 = 50.0 | 4.00 | 8.00 | 2.00 | 1.50 | 190 | "
                       "4.00 | 2.00 | 2.00 |", text)
-        self.assertIn("| P20 | calls | 2.00 calls | ≤ 3.00 calls | met |", text)
-
-    def test_whole_ticks_are_beside_boxes(self):
-        text = tables_of([whole_ticks("predictive-box", 700000, 2000000), whole_ticks("predictive-shape", 175000, 1500000)])
-        self.assertIn("| mix | 1,000 | 200 | 700,000 | 175,000 | 2,000,000 | 1,500,000 | 0.250 | 0.750 |", text)
 
 
 if __name__ == "__main__":

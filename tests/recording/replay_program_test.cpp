@@ -30,7 +30,7 @@ TEST(ReplayProgram, ExplainsItself)
 {
     const Outcome outcome = run(REPLAYER, "--help");
     EXPECT_EQ(outcome.status, 0);
-    for (const char *word : {"--space", "--times", "Exit status"})
+    for (const char *word : {"--space", "--times", "--from", "--json", "Exit status"})
         EXPECT_TRUE(contains(outcome.output, word)) << word;
     EXPECT_EQ(run(TOOL, "replay --help").output, outcome.output) << "a link is a call of the command";
     EXPECT_EQ(run(REPLAYER, "--version").status, 0);
@@ -50,6 +50,24 @@ std::string bytes_of(const std::string &path)
 {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(ReplayProgram, WritesItsFiguresAsJson)
+{
+    const ScratchRecording figures;
+    const Outcome outcome = run(REPLAYER, "--times --space box --space sap --json " + figures.path() + " " + nested);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    const std::string json = bytes_of(figures.path());
+    for (const char *part : {R"("unit": "microseconds")", R"({"space": "box", "cost_per_event": )",
+                             R"({"space": "sap", )", R"("agrees": true)"})
+        EXPECT_TRUE(contains(json, part)) << json;
+    EXPECT_EQ(run(REPLAYER, "--times --space box --json /no/such/folder/x " + nested).status, 2);
+}
+
+TEST(ReplayProgram, RefusesEventsThatItCannotChoose)
+{
+    for (const char *options : {"--from x", "--from -1", "--to 0", "--every 0", "--every 3.5", "--times --from 1"})
+        EXPECT_EQ(run(REPLAYER, std::string(options) + " " + nested).status, 2) << options;
 }
 
 std::string page_about(const std::string &recording)

@@ -206,5 +206,19 @@ TEST_F(Replay, SaysWhyAChildDidNotGetToItsEnd)
     EXPECT_EQ(do_in_child([] { _exit(3); }), "the process ended");
     EXPECT_EQ(do_in_child([] { dMessage(0, "a message ends nothing"); }), "");
 }
+
+TEST(CountedEvents, AreThoseThatWereChosen)
+{
+    const CountedEvents all, some{2, 9, 3};
+    EXPECT_TRUE(all.has(0));
+    EXPECT_EQ(all.count_of(5), 5u);
+    for (const std::size_t event : {2, 5, 8})
+        EXPECT_TRUE(some.has(event)) << event;
+    for (const std::size_t event : {0, 1, 3, 4, 9, 11})
+        EXPECT_FALSE(some.has(event)) << event;
+    EXPECT_EQ(some.count_of(100), 3u);
+    EXPECT_EQ(some.count_of(8), 2u);
+    EXPECT_EQ(some.count_of(2), 0u);
+}
 } // namespace
 } // namespace ode_predictive_space::recording

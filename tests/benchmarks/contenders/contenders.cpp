@@ -78,22 +78,9 @@ std::unique_ptr<Contender> make_contender(const std::string &name, const WorldFa
     throw std::invalid_argument("there is no contender named \"" + name + "\"");
 }
 
-bool is_bullet(const std::string &name)
+bool is_space(const std::string &name)
 {
-    return name == "bullet-dbvt" || name == "bullet-sap";
-}
-
-bool is_floor(const std::string &name)
-{
-    return name == "floor" || name == "floor-boxes";
-}
-
-std::string why_not(const std::string &name, const worlds::WorldSpec &spec)
-{
-    if (is_floor(name) && spec.name == "churn")
-    {
-        return "it must know the pairs of a scene beforehand, and here geoms come and go";
-    }
-    return {};
+    return name.rfind("predictive", 0) == 0 || name == "simple" || name == "hash" || name == "quadtree" ||
+           name == "sap";
 }
 } // namespace ode_predictive_space::benchmarks

@@ -1,0 +1,45 @@
+// Whether all spaces found the same.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_AGREEMENT_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_AGREEMENT_H
+
+#include "demos/runs/table.h"
+
+#include <benchmark/benchmark.h>
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace ode_predictive_space::benchmarks
+{
+/// The hashes of a process. The simple space is registered first; what comes later must have the hash of the first.
+class Agreement
+{
+public:
+    static Agreement &all()
+    {
+        static Agreement agreement;
+        return agreement;
+    }
+
+    /// Show the hash as the label of a benchmark, and let it fail when an earlier one found something else.
+    ///
+    /// @param what the spaces must agree on: a row.
+    void check(benchmark::State &state, const std::string &what, std::uint64_t hash)
+    {
+        state.SetLabel(worlds::hexadecimal(hash));
+        if (first_.emplace(what, hash).first->second == hash)
+            return;
+        holds_ = false;
+        state.SkipWithError("THE SPACES DISAGREE: an earlier one reported other pairs");
+    }
+
+    bool holds() const { return holds_; }
+
+private:
+    std::map<std::string, std::uint64_t> first_;
+    bool holds_ = true;
+};
+} // namespace ode_predictive_space::benchmarks
+
+#endif

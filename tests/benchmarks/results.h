@@ -1,0 +1,77 @@
+// What the small programs of this folder have in common: options, a table, a file with the same figures.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_RESULTS_H
+#define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_RESULTS_H
+
+#include "demos/runs/command_line.h"
+#include "demos/runs/result_records.h"
+#include "demos/runs/spaces.h"
+#include "demos/runs/table.h"
+#include "tests/benchmarks/which_ode.h"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace ode_predictive_space::benchmarks
+{
+/// Records, all with the same members, as a table: a column for each member.
+inline void print_records(const nlohmann::json &records)
+{
+    worlds::Table::Row head;
+    for (const auto &[name, value] : records.at(0).items())
+        head.push_back(name);
+    worlds::Table table(head);
+    for (const nlohmann::json &record : records)
+    {
+        worlds::Table::Row row;
+        for (const std::string &name : head)
+        {
+            const nlohmann::json &value = record.at(name);
+            row.push_back(value.is_string()         ? value.get<std::string>()
+                          : value.is_number_float() ? worlds::fixed(value, 2)
+                                                    : value.dump());
+        }
+        table.add(row);
+    }
+    table.print(std::cout);
+    std::cout << '\n' << std::flush;
+}
+
+/// The main() of a program that measures and prints. It has the option --json FILE and those that `add_options` adds.
+///
+/// @param measure prints, and returns records for the file.
+/// @return the exit status: 0, or 2 when something failed or the command line is wrong.
+template <typename AddOptions, typename Measure>
+int run_program(int argc, char **argv, const char *text, AddOptions add_options, Measure measure)
+{
+    CLI::App app(text);
+    std::string file;
+    app.add_option("--json", file, "Write the results to this file, too")->type_name("FILE");
+    add_options(app);
+    try
+    {
+        app.parse(argc, argv);
+        const worlds::OdeSession ode;
+        std::cout << which_ode() << "\n\n" << std::flush;
+        const nlohmann::json records = measure();
+        if (!file.empty())
+            worlds::write_json(file, records);
+        return std::cout.flush() ? 0 : 2;
+    }
+    catch (const CLI::ParseError &end)
+    {
+        return worlds::end_of_parsing(app, end);
+    }
+    catch (const std::exception &failure)
+    {
+        std::cerr << argv[0] << ": " << failure.what() << '\n';
+        return 2;
+    }
+}
+} // namespace ode_predictive_space::benchmarks
+
+#endif
