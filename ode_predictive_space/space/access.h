@@ -1,4 +1,4 @@
-// Which thread may use a predictive space: one ticks, and several may ask meanwhile what only has to be read.
+// Access of threads to a predictive space: one of them ticks, and several may ask it at once while questions only read.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_ACCESS_H
 #define ODE_PREDICTIVE_SPACE_SPACE_ACCESS_H

@@ -16,7 +16,7 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom
     return time_of_proximity(pair, broadphase_.forecast(now, pair.first, ticks_), now, apart_until);
 }
 
-// By the shape test, answers are about shapes.
+// Answers of the shape test are about shapes.
 void dxPredictiveSpace::follow_shapes(const std::vector<ProxyId> &ids, GeomScene &now)
 {
     if (!by_shape())

@@ -1,4 +1,4 @@
-// By the sphere and shape tests a ray is followed along its line. Some geoms can be touched where the ray does not meet their box.
+// The geoms that a ray can touch where it does not meet their box. The sphere and shape tests follow a ray along its line.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_OFF_LINE_GEOMS_H
 #define ODE_PREDICTIVE_SPACE_SPACE_OFF_LINE_GEOMS_H

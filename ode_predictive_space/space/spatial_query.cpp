@@ -56,7 +56,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
 {
     dAASSERT(geom && callback);
     const Lock lock(this);
-    // By the shape test, data that were changed in place have to be noticed first.
+    // The shape test has to notice first which data were changed in place.
     if (static_cast<std::size_t>(count) <= tuning::few_to_ask && !looks_at_shapes())
         return ask_each(data, geom, callback);
     if (!is_caught_up() && !catch_up("dSpaceCollide2"))
@@ -87,7 +87,7 @@ void dxPredictiveSpace::ask_each(void *data, dxGeom *geom, dNearCallback *callba
         answer(other, question, false, data, callback);
 }
 
-// By the sphere and shape tests, a ray is followed along its line.
+// The sphere and shape tests follow a ray along its line.
 dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
 {
     if (flags_beside_others(geom) & GEOM_AABB_BAD)
@@ -137,7 +137,7 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
     return question.geom->type == dRayClass || shapes_may_meet(geom, question.geom);
 }
 
-// By the shape test. A look costs as much as ODE takes to find the contacts of two primitives: it is for what is made of data.
+// Serves the shape test. A look costs as much as ODE takes to find the contacts of two primitives, so it is made at geoms with data only.
 bool dxPredictiveSpace::shapes_may_meet(dxGeom *geom, dxGeom *probe)
 {
     const bool probe_is_member = probe->parent_space == this;

@@ -19,7 +19,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-using namespace history;
+using namespace recording;
 
 void expect(bool holds, const char *what)
 {
