@@ -57,9 +57,9 @@ that they find the same pairs, and prints what they take.
                   program would gain; DIR is made unless it exists
   --help, --version
 
-An event is a dSpaceCollide() or a dSpaceCollide2(). By sphere and by shape, pairs are left out; then
-dCollide() must find no contact in any of them. ODE's own spaces may end by an
-assertion, which is said.
+An event is a dSpaceCollide() or a dSpaceCollide2(). By sphere and by shape,
+pairs are left out; then dCollide() must find no contact in any of them. ODE's
+own spaces may end by an assertion, which is said.
 
 A recording that is cut, as when the program was killed, is replayed up to its
 last whole record, and a line says where that is.
