@@ -50,6 +50,7 @@ COLUMNS = {
         "pairs with contacts": "touching",
     },
     "worlds_instructions.json": {"ours": "predictive-box", "now": "predictive-box", "best ODE / ours": "ratio"},
+    "worlds_instructions_former.json": {"now": "predictive-box", "best ODE / ours": "ratio"},
     "worlds_instructions_before.json": {"before": "predictive-box"},
     "worlds_times.csv": {"dSpaceCollide": "ratio", "whole tick": "ratio of whole ticks"},
     "scenes_instructions.json": {"ours": "predictive-box", "now": "predictive-box", "best ODE / ours": "ratio"},
@@ -122,7 +123,7 @@ class Data:
                         "bytes": record["bytes_per_object"],
                     }
             return
-        if re.fullmatch(r"(worlds|scenes)_instructions(_before)?\.json", name):
+        if re.fullmatch(r"(worlds|scenes)_instructions(_before|_former)?\.json", name):
             yield from worlds(records)
             return
         if name == "stepped.json":
