@@ -98,5 +98,35 @@ TEST_F(ContactManifoldTest, WhatAPushMovesYieldsToWhatIsOpposite)
         EXPECT_LT(touch.carry.share, 20 * 1e-5);
     }
 }
+
+// A body that moves with the next step of the scene alone gave way as if it moved within the tick: too stiff while an object rose beside it.
+TEST_F(ContactManifoldTest, ABodyThatAnswersLateYieldsByTheTimeThatItTakes)
+{
+    Touch left = touch_of(1, 1e-5), right = touch_of(2, 1e-5);
+    left.normal = Vector3(std::cos(0.02), 0, std::sin(0.02));
+    right.normal = Vector3(-std::cos(0.02), 0, std::sin(0.02));
+    for (Touch *touch : {&left, &right})
+    {
+        touch->mobility = 200;
+        touch->material = Material();
+    }
+    const double soon = tick({left, right})[0].carry.share;
+    for (Touch *touch : {&left, &right})
+        touch->response_time = 5 * dt;
+    const double late = tick({left, right})[0].carry.share;
+    EXPECT_LT(late, soon / 3);
+    EXPECT_GT(late, 0);
+}
+
+// After a release of the clutch the next tile was felt at once, with all its force.
+TEST_F(ContactManifoldTest, AfterAReleaseWhatTheToolGoesOnToRisesOn)
+{
+    tick({touch_of(1, 1e-5)});
+    tick({touch_of(1, 0.01)});
+    manifold_.release();
+    EXPECT_EQ(tick({touch_of(1, 0.01)})[0].part, 0);
+    EXPECT_LT(tick({touch_of(2, 0.01)})[0].part, 0.01);
+    EXPECT_LT(tick({touch_of(3, 0.01)})[0].part, 0.02);
+}
 } // namespace
 } // namespace ode_predictive_space::haptics

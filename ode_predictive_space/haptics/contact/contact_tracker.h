@@ -120,13 +120,16 @@ private:
     void insert(NearbyGeom geom, double distance);
     bool is_gone(const TouchOfGeom &told) const;
     double longest_way() const;
+    double way_of_force() const;
+    double way_of_bodies() const;
     SphereSlide::Task task() const;
     void settle();
     Vector3 lag_at(const Vector3 &place) const;
+    Vector3 remaining_lift() const;
     void tell_together(TouchView view);
-    double tell_planes(TouchView view, const Vector3 &lag);
+    double tell_planes(const Vector3 &lag);
     double yield_at(const SlidePlane &plane) const;
-    void share_out(TouchView view);
+    bool share_out(TouchView view);
     void tell_each_object();
     bool ends_in(const TouchOfGeom &told, const Vector3 &normal) const;
     void count_flush_touches_once();

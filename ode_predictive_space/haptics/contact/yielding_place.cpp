@@ -19,6 +19,11 @@ constexpr double least_descent = 0.1;          // of what the slope says that a 
 /// any arrangement of touches.
 constexpr double yielding = 2.25;
 
+/// A share is at most the depth of the deepest plane, or so much of it divided by the yield. Where touches oppose each other, it would be up to three times
+/// that, and a body that bounces off within few ticks would leave with up to half as much energy again: what it gains or loses depends on the
+/// moment between two ticks at which it comes and goes, and grows with the stiffness.
+constexpr double hardest = 0.8;
+
 using Planes = std::vector<ConstraintPlane>;
 
 /// m; how far a place is behind a plane that gives way to all but the share that it has.
@@ -27,11 +32,20 @@ double remaining_depth(const ConstraintPlane &plane, const Vector3 &place)
     return std::max(0.0, plane.depth + plane.yield * plane.share - plane.normal.dot(place));
 }
 
-double cost(const Planes &planes, const Vector3 &place)
+/// m; how far a place counts as behind a plane at most. @param deepest m; of all planes.
+double most_behind(const ConstraintPlane &plane, double deepest)
+{
+    return deepest * std::max(plane.yield, hardest);
+}
+
+double cost(const Planes &planes, double deepest, const Vector3 &place)
 {
     double sum = place.squaredNorm();
     for (const ConstraintPlane &plane : planes)
-        sum += remaining_depth(plane, place) * remaining_depth(plane, place) / plane.yield;
+    {
+        const double behind = remaining_depth(plane, place), most = std::min(behind, most_behind(plane, deepest));
+        sum += most * (2 * behind - most) / plane.yield;
+    }
     return sum / 2;
 }
 
@@ -58,17 +72,20 @@ private:
             const double behind = remaining_depth(plane, place_);
             if (behind == 0)
                 continue;
-            gradient -= behind / plane.yield * plane.normal;
-            curvature += plane.normal * plane.normal.transpose() / plane.yield;
+            const double most = most_behind(plane, deepest_);
+            gradient -= std::min(behind, most) / plane.yield * plane.normal;
+            if (behind < most)
+                curvature += plane.normal * plane.normal.transpose() / plane.yield;
         }
         const Vector3 step = -curvature.ldlt().solve(gradient);
         if (step.norm() <= shortest_newton_step * deepest_)
             return false;
         const double slope = gradient.dot(step);
-        const double before = cost(planes_, place_);
+        const double before = cost(planes_, deepest_, place_);
         double part = 1;
         for (int i = 0;
-             i < most_halvings && cost(planes_, place_ + part * step) > before + least_descent * part * slope; ++i)
+             i < most_halvings && cost(planes_, deepest_, place_ + part * step) > before + least_descent * part * slope;
+             ++i)
             part /= 2;
         place_ += part * step;
         return part * step.norm() > shortest_newton_step * deepest_;
@@ -97,7 +114,7 @@ void find_yielding_place(Planes &planes)
     {
         const Vector3 place = Search(planes, deepest).place();
         for (ConstraintPlane &plane : planes)
-            plane.share = remaining_depth(plane, place) / plane.yield;
+            plane.share = std::min(remaining_depth(plane, place), most_behind(plane, deepest)) / plane.yield;
     }
 }
 } // namespace ode_predictive_space::haptics
