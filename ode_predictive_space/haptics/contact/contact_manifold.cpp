@@ -101,6 +101,16 @@ double ContactManifold::handed_over(const Touch &touch) const
     return most;
 }
 
+/// m/s; of what held the tool in the tick before, beside the tool.
+double ContactManifold::fastest_before(const ToolState &tool) const
+{
+    double fastest = 0;
+    for (const Touch &known : before_)
+        if (known.carry.carries())
+            fastest = std::max(fastest, (known.surface_velocity - tool.linear_velocity).norm());
+    return fastest;
+}
+
 /// The smallest part of a touch that carried the tool in the tick before; 0 when there was none.
 double ContactManifold::least_part_before() const
 {
@@ -140,18 +150,19 @@ void ContactManifold::note_lift(const std::vector<Touch> &touches)
 }
 
 /// An object rises as a whole: its touches have the same part. What a touch takes over from others lifts the proxy by little, however
-/// deep it is. If all touches together hold the tool where the former ones held it, new touches have taken over from the former.
+/// deep it is. If all touches together hold the tool where the former ones held it, but for their motion, new touches have taken over from the
+/// former.
 double ContactManifold::part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const
 {
     if (released_)
         return 0;
     if (const Touch *known = find_in(before_, [&](const Touch &other) { return other.object == touch.object; }))
         return risen(known->part, dt);
-    const double moved = gap.value_or(0) * (touch.surface_velocity - tool.linear_velocity).norm();
+    const double speed = (touch.surface_velocity - tool.linear_velocity).norm();
+    const auto usual = [&](double fastest) { return unnoticed + of_the_motion * gap.value_or(0) * fastest; };
     const double lifts = std::min(touch.depth, carry_of(touch).share);
-    const double usual = unnoticed + of_the_motion * moved;
-    if (gap && !(lifts <= usual + handed_over(touch)))
-        return jump_ <= usual ? risen(least_part_before(), dt) : 0;
+    if (gap && !(lifts <= usual(speed) + handed_over(touch)))
+        return jump_ <= usual(std::max(speed, fastest_before(tool))) ? risen(least_part_before(), dt) : 0;
     const Touch *carrier = taken_over_by(touch);
     return carrier != nullptr ? risen(carrier->part, dt) : 1;
 }

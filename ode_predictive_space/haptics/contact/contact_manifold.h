@@ -61,6 +61,7 @@ private:
     const Touch *taken_over_by(const Touch &touch) const;
     void recognise(const Vector3 &tool, TouchView view, double dt, Touch &touch);
     double handed_over(const Touch &touch) const;
+    double fastest_before(const ToolState &tool) const;
     double least_part_before() const;
     double part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const;
     void note_lift(const std::vector<Touch> &touches);

@@ -188,13 +188,20 @@ SphereSlide::Task ContactTracker::task() const
     task.longest = longest_way();
     task.margin = margin_;
     const auto carries = [](const TouchOfGeom &told) { return told.touch.carry.carries(); };
-    if (find_in(told_.before(), carries) != nullptr && !released_ &&
-        !near_.adopts()) // a force is rendered, which is not to jump
+    if (find_in(told_.before(), carries) != nullptr && !held_by_body() && !released_ &&
+        !near_.adopts()) // a force is rendered, which is not to jump, and goes by the proxy
     {
         task.reach_centre = course_.start + course_.travel;
         task.reach = way_of_force();
     }
     return task;
+}
+
+/// Whether a body that a push moves held the tool in the tick before.
+bool ContactTracker::held_by_body() const
+{
+    const auto holds = [](const TouchOfGeom &told) { return told.touch.carry.carries() && told.touch.mobility > 0; };
+    return find_in(told_.before(), holds) != nullptr;
 }
 
 /// Whether the near callback should have told the geom: the place that was touched is within the region. One that the proxy has left
@@ -280,8 +287,9 @@ Vector3 ContactTracker::lag_at(const Vector3 &place) const
     return lag.norm() <= in_contact * radius_ ? Vector3(Vector3::Zero()) : lag;
 }
 
-/// Bodies that a push moves come and go faster than the proxy may follow, and give way to it. So not the place of the proxy counts, but the
-/// place at which the touches of the tick before held the tool: from there the lift changes no faster than tool and bodies explain.
+/// Bodies that a push moves come and go faster than a proxy whose place is the force could follow: one that lags would see each body from
+/// another place, and push it aside. So the proxy goes where it can, and the force goes by where the touches of the tick before held the tool:
+/// from there the lift changes no faster than tool and bodies explain.
 ///
 /// @return m; what is left of the former lift.
 Vector3 ContactTracker::remaining_lift() const
@@ -296,10 +304,7 @@ Vector3 ContactTracker::remaining_lift() const
 
 void ContactTracker::tell_together(TouchView view)
 {
-    const auto held_by_body = [](const TouchOfGeom &told) {
-        return told.touch.carry.carries() && told.touch.mobility > 0;
-    };
-    const bool yields = share_out(view) || find_in(told_.before(), held_by_body) != nullptr;
+    const bool yields = share_out(view) || held_by_body();
     Vector3 lag = yields ? remaining_lift() : common_ ? lag_at(course_.proxy) : Vector3(Vector3::Zero());
     released_ = released_ && !lag.isZero(0);
     if (released_)

@@ -123,6 +123,7 @@ private:
     double way_of_force() const;
     double way_of_bodies() const;
     SphereSlide::Task task() const;
+    bool held_by_body() const;
     void settle();
     Vector3 lag_at(const Vector3 &place) const;
     Vector3 remaining_lift() const;
