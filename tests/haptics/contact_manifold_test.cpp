@@ -60,6 +60,22 @@ TEST_F(ContactManifoldTest, WhatTheToolGoesOnToFromWhatRisesRisesOn)
     EXPECT_LT(after.part, 0.01);
 }
 
+// A ball that slid in for faster ones counted as one that had appeared: its force was gone for half a second.
+TEST_F(ContactManifoldTest, WhatTakesOverFromFasterOnesIsThereAtOnce)
+{
+    const auto moving = [](std::uintptr_t object, double share, double speed) {
+        Touch touch = touch_of(object, share);
+        touch.carry.share = share;
+        touch.is_solved = true;
+        touch.surface_velocity.z() = speed;
+        return touch;
+    };
+    tick({moving(1, 1e-5, -0.3)});
+    tick({moving(1, 0.002, -0.3)});
+    EXPECT_EQ(tick({moving(2, 0.0029, 0)})[0].part, 1) << "no more than three times the way of the former";
+    EXPECT_EQ(tick({moving(3, 0.004, 0)})[0].part, 0) << "the former did not move, and it is deeper";
+}
+
 // Where bodies yield, the shares of what the proxy slides on to are large at once: it counted as something that had appeared, and the force fell.
 TEST_F(ContactManifoldTest, WhatTakesOverFromSeveralOthersIsThereAtOnce)
 {
