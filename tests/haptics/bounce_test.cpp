@@ -109,17 +109,18 @@ TEST(Bounce, LightBodiesLeaveInTwoThreadsAsInOne)
     }
 }
 
-// Where balls come from all sides, the proxy's law gave them up to 49 % more energy, and two of 1 g up to 125 %.
+// Where balls come from all sides, the proxy's law gave them up to 49 % more energy, and two of 1 g up to 125 %. With shares that were bounded by
+// the deepest touch, four of 20 g gained 100 %.
 TEST(Bounce, LightBodiesFromAllSidesGainLittle)
 {
-    for (const double kilograms : {0.001, 0.005})
+    for (const double kilograms : {0.001, 0.002, 0.005, 0.02})
     {
         for (const int balls : {2, 4, 5, 9})
         {
             const Bounce bounce = {balls, kilograms, 1, 0};
             const std::vector<double> kept = energies_kept(bounce);
-            EXPECT_LE(*std::max_element(kept.begin(), kept.end()), 1.2) << bounce;
-            EXPECT_LE(mean_of(kept), 1.08) << bounce;
+            EXPECT_LE(*std::max_element(kept.begin(), kept.end()), 1.13) << bounce;
+            EXPECT_LE(mean_of(kept), 1.05) << bounce;
             EXPECT_GE(mean_of(kept), 0.9) << bounce;
         }
     }

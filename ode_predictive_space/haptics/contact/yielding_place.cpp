@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ode_predictive_space::haptics
 {
@@ -19,10 +20,12 @@ constexpr double least_descent = 0.1;          // of what the slope says that a 
 /// any arrangement of touches.
 constexpr double yielding = 2.25;
 
-/// A share is at most the depth of the deepest plane, or so much of it divided by the yield. Where touches oppose each other, it would be up to three times
-/// that, and a body that bounces off within few ticks would leave with up to half as much energy again: what it gains or loses depends on the
-/// moment between two ticks at which it comes and goes, and grows with the stiffness.
+/// A share is at most the depth of the deepest plane, or so much of the plane's own depth, or of what remains of it where each plane gives way
+/// once, divided by the yield. Where touches oppose each other, it would be up to three times that, and a body that bounces off within few ticks
+/// would leave with up to half as much energy again: what it gains or loses depends on the moment between two ticks at which it comes and
+/// goes, and grows with the stiffness. A bound by the depth of others would be no spring: it gave bodies of 20 g up to twice their energy.
 constexpr double hardest = 0.8;
+constexpr double hardest_of_rest = 0.7;
 
 using Planes = std::vector<ConstraintPlane>;
 
@@ -32,19 +35,20 @@ double remaining_depth(const ConstraintPlane &plane, const Vector3 &place)
     return std::max(0.0, plane.depth + plane.yield * plane.share - plane.normal.dot(place));
 }
 
-/// m; how far a place counts as behind a plane at most. @param deepest m; of all planes.
-double most_behind(const ConstraintPlane &plane, double deepest)
+/// @param place where each plane gives way once. @param deepest m; of all planes.
+double most_behind(const ConstraintPlane &plane, const Vector3 &place, double deepest)
 {
-    return deepest * std::max(plane.yield, hardest);
+    const double own = std::max(hardest * plane.depth, hardest_of_rest * remaining_depth(plane, place));
+    return std::max(plane.yield * deepest, own);
 }
 
-double cost(const Planes &planes, double deepest, const Vector3 &place)
+double cost(const Planes &planes, const Vector3 &place)
 {
     double sum = place.squaredNorm();
     for (const ConstraintPlane &plane : planes)
     {
-        const double behind = remaining_depth(plane, place), most = std::min(behind, most_behind(plane, deepest));
-        sum += most * (2 * behind - most) / plane.yield;
+        const double behind = remaining_depth(plane, place), counted = std::min(behind, plane.most);
+        sum += counted * (2 * behind - counted) / plane.yield;
     }
     return sum / 2;
 }
@@ -72,20 +76,18 @@ private:
             const double behind = remaining_depth(plane, place_);
             if (behind == 0)
                 continue;
-            const double most = most_behind(plane, deepest_);
-            gradient -= std::min(behind, most) / plane.yield * plane.normal;
-            if (behind < most)
+            gradient -= std::min(behind, plane.most) / plane.yield * plane.normal;
+            if (behind < plane.most)
                 curvature += plane.normal * plane.normal.transpose() / plane.yield;
         }
         const Vector3 step = -curvature.ldlt().solve(gradient);
         if (step.norm() <= shortest_newton_step * deepest_)
             return false;
         const double slope = gradient.dot(step);
-        const double before = cost(planes_, deepest_, place_);
+        const double before = cost(planes_, place_);
         double part = 1;
         for (int i = 0;
-             i < most_halvings && cost(planes_, deepest_, place_ + part * step) > before + least_descent * part * slope;
-             ++i)
+             i < most_halvings && cost(planes_, place_ + part * step) > before + least_descent * part * slope; ++i)
             part /= 2;
         place_ += part * step;
         return part * step.norm() > shortest_newton_step * deepest_;
@@ -106,7 +108,10 @@ void find_yielding_place(Planes &planes)
 {
     const bool finite = are_finite(planes);
     for (ConstraintPlane &plane : planes)
+    {
         plane.share = finite ? 0 : plane.depth;
+        plane.most = std::numeric_limits<double>::infinity();
+    }
     if (!finite)
         return;
     const double deepest = deepest_of(planes);
@@ -114,7 +119,10 @@ void find_yielding_place(Planes &planes)
     {
         const Vector3 place = Search(planes, deepest).place();
         for (ConstraintPlane &plane : planes)
-            plane.share = std::min(remaining_depth(plane, place), most_behind(plane, deepest)) / plane.yield;
+        {
+            plane.most = pass == 0 ? most_behind(plane, place, deepest) : plane.most;
+            plane.share = std::min(remaining_depth(plane, place), plane.most) / plane.yield;
+        }
     }
 }
 } // namespace ode_predictive_space::haptics
