@@ -113,7 +113,7 @@ TEST(Bounce, LightBodiesLeaveInTwoThreadsAsInOne)
 // the deepest touch, four of 20 g gained 100 %.
 TEST(Bounce, LightBodiesFromAllSidesGainLittle)
 {
-    for (const double kilograms : {0.001, 0.002, 0.005, 0.02})
+    for (const double kilograms : {0.001, 0.002, 0.005, 0.02, 0.05})
     {
         for (const int balls : {2, 4, 5, 9})
         {
