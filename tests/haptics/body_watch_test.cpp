@@ -37,7 +37,7 @@ TEST_F(BodyWatchTest, PushesWhatItKeepsWhereItIsTold)
     dBodyDisable(body);
     watch_.keep(body);
     EXPECT_EQ(dBodyIsEnabled(body), 0) << "to be watched is not to be pushed";
-    EXPECT_TRUE(watch_.push(name(body), push_force, {1, 0, 0.5}));
+    EXPECT_TRUE(watch_.push(name(body), push_force, {0, 0, 0.5}));
     EXPECT_EQ(force_on(body), push_force);
     const dReal *torque = dBodyGetTorque(body);
     EXPECT_EQ(Vector3(torque[0], torque[1], torque[2]), Vector3(0, 0, 0.5).cross(push_force));

@@ -124,5 +124,34 @@ TEST_F(ClutchTest, ACouplingComesBackGradually)
     }
     EXPECT_NEAR(before, 500 * 0.004, 0.2);
 }
+
+// While both rose, each of them pushed as if the other were not there: twice the force, which fell by half at the end.
+TEST_F(ClutchTest, TwoFlushTilesRiseAsOneFloor)
+{
+    ProbeWorld world;
+    world.add_box({0.1, 0.2, 0.1}, {-0.05, 0, -0.05});
+    world.add_box({0.1, 0.2, 0.1}, {0.05, 0, -0.05});
+    constexpr double depth = 0.003; // m
+    ScriptedDevice device([](double seconds) -> Vector3 {
+        return {0.0005, 0, 0.005 - depth + 0.01 * (1 - smooth(seconds))};
+    });
+    RenderSettings settings = with_stiffness(500);
+    settings.clutch_button = 0;
+    HapticProbe probe(device, world.space, 0.005, settings);
+    world.run(probe, 1500);
+    EXPECT_NEAR(probe.last_tick().wished.z(), 500 * depth, 0.01);
+    device.buttons = 1;
+    world.run(probe, 100);
+    device.buttons = 0;
+    double before = 0;
+    for (int tick = 0; tick < 800; ++tick)
+    {
+        world.run(probe, 1);
+        const double wished = probe.last_tick().wished.z();
+        ASSERT_NEAR(wished, before, 500 * depth * 0.001 / 0.5 + 1e-9) << tick;
+        before = wished;
+    }
+    EXPECT_NEAR(before, 500 * depth, 0.01);
+}
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -60,6 +60,22 @@ TEST_F(ContactManifoldTest, WhatTheToolGoesOnToFromWhatRisesRisesOn)
     EXPECT_LT(after.part, 0.01);
 }
 
+// A ball that slid in for faster ones counted as one that had appeared: its force was gone for half a second.
+TEST_F(ContactManifoldTest, WhatTakesOverFromFasterOnesIsThereAtOnce)
+{
+    const auto moving = [](std::uintptr_t object, double share, double speed) {
+        Touch touch = touch_of(object, share);
+        touch.carry.share = share;
+        touch.is_solved = true;
+        touch.surface_velocity.z() = speed;
+        return touch;
+    };
+    tick({moving(1, 1e-5, -0.3)});
+    tick({moving(1, 0.002, -0.3)});
+    EXPECT_EQ(tick({moving(2, 0.0029, 0)})[0].part, 1) << "no more than three times the way of the former";
+    EXPECT_EQ(tick({moving(3, 0.004, 0)})[0].part, 0) << "the former did not move, and it is deeper";
+}
+
 // Where bodies yield, the shares of what the proxy slides on to are large at once: it counted as something that had appeared, and the force fell.
 TEST_F(ContactManifoldTest, WhatTakesOverFromSeveralOthersIsThereAtOnce)
 {
@@ -97,6 +113,36 @@ TEST_F(ContactManifoldTest, WhatAPushMovesYieldsToWhatIsOpposite)
         EXPECT_GT(touch.carry.share, 0);
         EXPECT_LT(touch.carry.share, 20 * 1e-5);
     }
+}
+
+// A body that moves with the next step of the scene alone gave way as if it moved within the tick: too stiff while an object rose beside it.
+TEST_F(ContactManifoldTest, ABodyThatAnswersLateYieldsByTheTimeThatItTakes)
+{
+    Touch left = touch_of(1, 1e-5), right = touch_of(2, 1e-5);
+    left.normal = Vector3(std::cos(0.02), 0, std::sin(0.02));
+    right.normal = Vector3(-std::cos(0.02), 0, std::sin(0.02));
+    for (Touch *touch : {&left, &right})
+    {
+        touch->mobility = 200;
+        touch->material = Material();
+    }
+    const double soon = tick({left, right})[0].carry.share;
+    for (Touch *touch : {&left, &right})
+        touch->response_time = 5 * dt;
+    const double late = tick({left, right})[0].carry.share;
+    EXPECT_LT(late, soon / 3);
+    EXPECT_GT(late, 0);
+}
+
+// After a release of the clutch the next tile was felt at once, with all its force.
+TEST_F(ContactManifoldTest, AfterAReleaseWhatTheToolGoesOnToRisesOn)
+{
+    tick({touch_of(1, 1e-5)});
+    tick({touch_of(1, 0.01)});
+    manifold_.release();
+    EXPECT_EQ(tick({touch_of(1, 0.01)})[0].part, 0);
+    EXPECT_LT(tick({touch_of(2, 0.01)})[0].part, 0.01);
+    EXPECT_LT(tick({touch_of(3, 0.01)})[0].part, 0.02);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -190,6 +190,7 @@ private:
         const dGeomID sphere = dBodyGetFirstGeom(body), transform = dCreateGeomTransform(scene_.space);
         dSpaceRemove(scene_.space, sphere);
         dGeomSetBody(sphere, nullptr);
+        dGeomSetPosition(sphere, 0, 0, 0); // in the transform's frame
         dGeomTransformSetGeom(transform, sphere);
         dGeomTransformSetCleanup(transform, 1);
         dGeomSetBody(transform, body);

@@ -53,7 +53,7 @@ TEST_F(MotionForecastTest, ABodyGoesWhereItWasRolledOutTo)
 
 TEST_F(MotionForecastTest, WhatTheHandGotMovesItTheOtherWay)
 {
-    const Impulse impulse = {1, Vector3(0.1, 0, 0), Vector3(-4, 0, 0), 1 + 0.5 * node, 1};
+    const Impulse impulse = {1, Vector3::Zero(), Vector3(-4, 0, 0), 1 + 0.5 * node, 1};
     const Shift without = shift_at(1 + node);
     const Shift with = shift_at(1 + node, {impulse});
     EXPECT_LE((with.moved - without.moved - Vector3(0.5 * node * 2, 0, 0)).norm(), 1e-12);
@@ -62,8 +62,8 @@ TEST_F(MotionForecastTest, WhatTheHandGotMovesItTheOtherWay)
 
 TEST_F(MotionForecastTest, ImpulsesThatTheSceneHasGotAndThoseOfOthersAreLeftOut)
 {
-    const Impulse old = {1, Vector3(0.1, 0, 0), Vector3(-4, 0, 0), 1, 7};
-    const Impulse other = {2, Vector3(0.1, 0, 0), Vector3(-4, 0, 0), 1, 8};
+    const Impulse old = {1, Vector3::Zero(), Vector3(-4, 0, 0), 1, 7};
+    const Impulse other = {2, Vector3::Zero(), Vector3(-4, 0, 0), 1, 8};
     forecast_->last_included = 7;
     EXPECT_LE((shift_at(1 + node, {old, other}).moved - shift_at(1 + node).moved).norm(), 1e-15);
 }

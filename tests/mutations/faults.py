@@ -947,7 +947,14 @@ def haptic_faults():
         (("haptics", "*ManyTouches*"),))
     yield Fault(
         "what_takes_over_counts_as_appeared", "haptics", SOURCES + "haptics/contact/contact_manifold.cpp",
-        "return jump_ <= usual ? risen(least_part_before(), dt) : 0;", "return 0;", (("haptics", "ContactManifoldTest.*"),))
+        "return jump_ <= usual(std::max(speed, fastest_before(tool))) ? risen(least_part_before(), dt) : 0;", "return 0;",
+        (("haptics", "ContactManifoldTest.*"),))
+    yield Fault(
+        "proxy_that_bodies_hold_lags", "haptics", SOURCES + "haptics/contact/contact_tracker.cpp",
+        "nullptr && !held_by_body() && !released_", "nullptr && !released_", (("haptics", "ManyBodies.*"),))
+    yield Fault(
+        "share_of_opposed_bodies_has_no_bound", "haptics", SOURCES + "haptics/contact/yielding_place.cpp",
+        "if (plane.yield <= rigid_yield)", "if (plane.yield > 0)", (("haptics", "Bounce.*"),))
 
 
 FAULTS = tuple(

@@ -45,7 +45,10 @@ struct Touch
     /// 1/kg; how fast the surface moves along the normal after a push of 1 N s, if nothing else holds its body: the touches of bodies that
     /// are pushed from several sides at once give way to each other by that. 0 for what no push moves.
     double mobility = 0;
-    std::uintptr_t object = 0; ///< which object: the same from tick to tick, different for different ones
+    /// s; how long the body takes to answer a push, where that is more than a tick: it moves with the next step of the scene.
+    double response_time = 0;
+    Vector3 arm = Vector3::Zero(); ///< m; from the body's centre of mass to the point
+    std::uintptr_t object = 0;     ///< which object: the same from tick to tick, different for different ones
     unsigned feature = 0; ///< which plane of the object: the same from tick to tick, different for those of one object
     bool from_entry_side = false; ///< the normal is that of the side by which the probe came, however deep it is by now
     bool is_solved = false;       ///< whether the next one is known: laws get it with each touch
@@ -92,6 +95,7 @@ struct ForceShare
     Vector3 point = Vector3::Zero();    ///< m, the scene's frame; where it was touched last
     Vector3 force = Vector3::Zero();    ///< N, the scene's frame; on the hand
     unsigned feature = 0;               ///< Touch::feature; in free space, which of the entries, from 0 on
+    Vector3 arm = Vector3::Zero();      ///< Touch::arm; from where the body is by now, the force acts there
 };
 
 /// The heights of a heightfield, as it was built of them by dGeomHeightfieldDataBuildDouble() or the like. Its frame's y

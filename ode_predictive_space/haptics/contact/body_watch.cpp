@@ -1,5 +1,6 @@
 #include "ode_predictive_space/haptics/contact/body_watch.h"
 
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
 #include "ode_predictive_space/haptics/contact/short_list.h"
 
 namespace ode_predictive_space::haptics
@@ -37,11 +38,12 @@ void BodyWatch::keep(dBodyID body)
     watched_.push_back(std::move(watched));
 }
 
-bool BodyWatch::push(std::uintptr_t object, const Vector3 &force, const Vector3 &point)
+bool BodyWatch::push(std::uintptr_t object, const Vector3 &force, const Vector3 &arm)
 {
     const dBodyID body = find(object);
     if (body == nullptr)
         return false;
+    const Vector3 point = from_ode(dBodyGetPosition(body)) + arm;
     dBodyEnable(body);
     dBodyAddForceAtPos(body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),
                        static_cast<dReal>(force.z()), static_cast<dReal>(point.x()), static_cast<dReal>(point.y()),

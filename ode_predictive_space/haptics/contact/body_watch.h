@@ -28,10 +28,11 @@ public:
     /// @return 0 when there is no such body: it is gone, or was never one.
     dBodyID find(std::uintptr_t object) const;
 
-    /// Add a force at a point, both in the world's frame. A disabled body is enabled by it.
+    /// Add a force. A disabled body is enabled by it.
     ///
+    /// @param arm m; from the body's centre of mass to where the force acts. The world's frame, as the force's.
     /// @return false when find() finds nothing.
-    bool push(std::uintptr_t object, const Vector3 &force, const Vector3 &point);
+    bool push(std::uintptr_t object, const Vector3 &force, const Vector3 &arm);
 
 private:
     struct DestroyGroup

@@ -19,6 +19,7 @@ struct ConstraintPlane
     double depth = 0;                  ///< m; how far the tool is behind it
     double yield = rigid_yield;        ///< > 0; how far it gives way per share: see find_yielding_place()
     double share = 0;                  ///< m, >= 0; how far it lifts the proxy off the tool, along its normal
+    double most = 0;                   ///< m; the yield times the largest share: find_yielding_place() sets it
 };
 
 bool are_finite(const std::vector<ConstraintPlane> &planes);

@@ -57,28 +57,22 @@ public:
     }
 
 private:
-    /// A touch of the tick before.
-    struct Known
-    {
-        Touch touch;  ///< as it was felt
-        double depth; ///< m; all of it
-    };
-
-    const Known *carrier_before(const Touch &touch, TouchView view) const;
-    const Known *taken_over_by(const Touch &touch) const;
+    const Touch *carrier_before(const Touch &touch, TouchView view) const;
+    const Touch *taken_over_by(const Touch &touch) const;
     void recognise(const Vector3 &tool, TouchView view, double dt, Touch &touch);
     double handed_over(const Touch &touch) const;
+    double fastest_before(const ToolState &tool) const;
     double least_part_before() const;
     double part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const;
     void note_lift(const std::vector<Touch> &touches);
-    void let_rise(const ToolState &tool, double dt, std::optional<double> gap, std::vector<Touch> &touches);
+    void let_rise(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
+                  std::vector<Touch> &touches);
     void solve(TouchView view, double dt, std::vector<Touch> &touches);
 
-    std::vector<Known> before_;
+    std::vector<Touch> before_;             ///< of the tick before, as they were felt
     Vector3 tool_before_ = Vector3::Zero(); ///< m
     Vector3 lift_ = Vector3::Zero();        ///< m; from the tool to where the touches of this tick hold it, in full
     double jump_ = 0;                       ///< m; from the lift of the tick before
-    std::vector<double> depths_;            ///< m; of the touches of this tick, before they were made less
     std::vector<ConstraintPlane> planes_;
     std::uint32_t last_id_ = 0;
     bool released_ = false; ///< in this tick

@@ -25,7 +25,7 @@ constexpr double allowed_rise =
 
 bool is_finite(const Touch &touch)
 {
-    return touch.point.allFinite() && touch.normal.allFinite() && std::isfinite(touch.depth) &&
+    return touch.point.allFinite() && touch.arm.allFinite() && touch.normal.allFinite() && std::isfinite(touch.depth) &&
            std::isfinite(touch.mobility) && touch.surface_velocity.allFinite() && std::isfinite(touch.carry.share) &&
            touch.carry.lag.allFinite();
 }
@@ -149,6 +149,35 @@ void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
     geoms.time = time;
 }
 
+/// m; how far the place to which the force draws the tool may go in this tick.
+double ContactTracker::way_of_force() const
+{
+    double drift = 0;
+    for (const HeldGeom &held : near_.list())
+        drift = std::max(drift, held.place.drift);
+    return course_.travel.norm() + drift + catch_up_;
+}
+
+/// m; the same where bodies give way. A body that bounces off a spring changes the force by more than the spring times its own travel.
+double ContactTracker::way_of_bodies() const
+{
+    double farthest = 0;
+    const auto note = [&](const Vector3 &velocity, double mobility, double step) {
+        const double seconds = std::max(tick_length_, step);
+        const double swing = mobility > 0 ? 1 / (std::sqrt(2 * stiffness_ * mobility) * seconds) : 0;
+        farthest = std::max(farthest, std::max(1.0, swing) * tick_length_ * velocity.norm());
+    };
+    for (const SlidePlane &plane : slide_.planes())
+    {
+        const NearbyGeom &geom = *places_[plane.place].geom;
+        note(geom.velocity_at(plane.feature.point), geom.mobility_at(plane.feature.point, plane.feature.normal),
+             geom.step());
+    }
+    for (const TouchOfGeom &told : told_.before())
+        note(told.touch.surface_velocity, told.touch.mobility, told.touch.response_time);
+    return course_.travel.norm() + farthest + catch_up_;
+}
+
 SphereSlide::Task ContactTracker::task() const
 {
     SphereSlide::Task task;
@@ -159,16 +188,20 @@ SphereSlide::Task ContactTracker::task() const
     task.longest = longest_way();
     task.margin = margin_;
     const auto carries = [](const TouchOfGeom &told) { return told.touch.carry.carries(); };
-    if (find_in(told_.before(), carries) != nullptr && !released_ &&
-        !near_.adopts()) // a force is rendered, which is not to jump
+    if (find_in(told_.before(), carries) != nullptr && !held_by_body() && !released_ &&
+        !near_.adopts()) // a force is rendered, which is not to jump, and goes by the proxy
     {
-        double drift = 0;
-        for (const HeldGeom &held : near_.list())
-            drift = std::max(drift, held.place.drift);
         task.reach_centre = course_.start + course_.travel;
-        task.reach = course_.travel.norm() + drift + catch_up_;
+        task.reach = way_of_force();
     }
     return task;
+}
+
+/// Whether a body that a push moves held the tool in the tick before.
+bool ContactTracker::held_by_body() const
+{
+    const auto holds = [](const TouchOfGeom &told) { return told.touch.carry.carries() && told.touch.mobility > 0; };
+    return find_in(told_.before(), holds) != nullptr;
 }
 
 /// Whether the near callback should have told the geom: the place that was touched is within the region. One that the proxy has left
@@ -254,13 +287,29 @@ Vector3 ContactTracker::lag_at(const Vector3 &place) const
     return lag.norm() <= in_contact * radius_ ? Vector3(Vector3::Zero()) : lag;
 }
 
+/// Bodies that a push moves come and go faster than a proxy whose place is the force could follow: one that lags would see each body from
+/// another place, and push it aside. So the proxy goes where it can, and the force goes by where the touches of the tick before held the tool:
+/// from there the lift changes no faster than tool and bodies explain.
+///
+/// @return m; what is left of the former lift.
+Vector3 ContactTracker::remaining_lift() const
+{
+    Vector3 before = -course_.travel;
+    for (const TouchOfGeom &told : told_.before())
+        before += told.touch.carry.share * told.touch.normal + told.touch.carry.lag;
+    const Vector3 fading = before - lift_of(yielding_);
+    const double length = fading.norm(), way = way_of_bodies();
+    return length > way ? Vector3((1 - way / length) * fading) : Vector3(Vector3::Zero());
+}
+
 void ContactTracker::tell_together(TouchView view)
 {
-    Vector3 lag = common_ ? lag_at(course_.proxy) : Vector3(Vector3::Zero());
+    const bool yields = share_out(view) || held_by_body();
+    Vector3 lag = yields ? remaining_lift() : common_ ? lag_at(course_.proxy) : Vector3(Vector3::Zero());
     released_ = released_ && !lag.isZero(0);
     if (released_)
         lag.setZero();
-    carries_on_ = tell_planes(view, lag) == 0 && !lag.isZero(0);
+    carries_on_ = tell_planes(lag) == 0 && !lag.isZero(0);
     if (carries_on_)
         told_.add_carriers_of_before(lag);
 }
@@ -277,7 +326,7 @@ double ContactTracker::yield_at(const SlidePlane &plane) const
 /// The shares of what the last slide found. Where all objects hold the proxy together, and a push moves one of them, all give way: shares of
 /// the exact solution grow without bounds where normals are nearly dependent, and would throw light bodies about. A body that answers
 /// only with the next step of the scene gives way in each case.
-void ContactTracker::share_out(TouchView view)
+bool ContactTracker::share_out(TouchView view)
 {
     bool yields = false;
     yielding_.clear();
@@ -289,12 +338,12 @@ void ContactTracker::share_out(TouchView view)
     }
     if (yields)
         find_yielding_place(yielding_);
+    return yields;
 }
 
 /// What the last slide found. @return m; what the planes carry together.
-double ContactTracker::tell_planes(TouchView view, const Vector3 &lag)
+double ContactTracker::tell_planes(const Vector3 &lag)
 {
-    share_out(view);
     double carried = 0;
     for (const ConstraintPlane &plane : yielding_)
         carried += plane.share;
@@ -313,6 +362,8 @@ double ContactTracker::tell_planes(TouchView view, const Vector3 &lag)
         touch.depth = touched ? std::max(0.0, plane.depth) : plane.depth;
         touch.surface_velocity = geom.velocity_at(touch.point);
         touch.mobility = geom.mobility_at(touch.point, touch.normal);
+        touch.response_time = geom.step();
+        touch.arm = geom.arm_of(touch.point);
         touch.object = geom.object();
         touch.from_entry_side = true;
         touch.carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
@@ -342,7 +393,8 @@ void ContactTracker::tell_each_object()
         alone.triangles = std::max<std::size_t>(1, alone.triangles / near_.list().size());
         const bool common = slide_.run(alone, places_);
         visited_ += alone.triangles - slide_.left();
-        tell_planes(TouchView::each_object_alone, common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
+        share_out(TouchView::each_object_alone);
+        tell_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
     }
     count_flush_touches_once();
 }

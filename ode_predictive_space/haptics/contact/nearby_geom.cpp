@@ -19,6 +19,8 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
     nearby.id_ = geom;
     nearby.object_ = object_of(geom);
     nearby.pose_ = pose_of(geom);
+    if (nearby.solid_.is_ball())
+        nearby.pose_.rotation.setIdentity();
     nearby.motion_ = body_motion_of(geom, nearby.pose_);
     nearby.mobility_ = Mobility::of(dGeomGetBody(geom));
     if (!nearby.is_solid() && nearby.is_finite())
@@ -59,7 +61,8 @@ void NearbyGeom::shift(const Vector3 &moved, const Vector3 &turned, const Vector
     if (angle != 0)
     {
         const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, turned / angle).toRotationMatrix();
-        pose_.rotation = turn * pose_.rotation;
+        if (!solid_.is_ball())
+            pose_.rotation = turn * pose_.rotation;
         pose_.position = motion_.centre + turn * (pose_.position - motion_.centre);
     }
     motion_.linear += velocity;
@@ -74,11 +77,10 @@ void NearbyGeom::note_contacts()
         in_contact_ = in_contact_ || dJointGetType(dBodyGetJoint(body, i)) == dJointTypeContact;
 }
 
-void NearbyGeom::push(const Vector3 &impulse, const Vector3 &point, double since)
+void NearbyGeom::push(const Vector3 &impulse, const Vector3 &arm, double since)
 {
-    const Vector3 centre = motion_.centre - since * motion_.linear; // by then
     const Vector3 velocity = mobility_.inverse_mass * impulse;
-    const Vector3 spin = mobility_.inverse_inertia * (point - centre).cross(impulse);
+    const Vector3 spin = mobility_.inverse_inertia * arm.cross(impulse);
     shift(since * velocity, since * spin, velocity, spin);
 }
 

@@ -49,8 +49,6 @@ public:
 
     GeomIdentity identity() const { return {id_, object_, mesh_.get()}; }
 
-    const Pose &pose() const { return pose_; }
-
     /// About the centre of its body, if it has one.
     void set_motion(const Motion &motion) { motion_ = motion; }
 
@@ -75,17 +73,22 @@ public:
     void note_contacts();
     bool is_in_contact() const { return in_contact_; }
 
-    /// The body got an impulse (N s) at a place (m) some time ago (s), and has moved by it since, as if nothing held it.
-    void push(const Vector3 &impulse, const Vector3 &point, double since);
+    /// The body got an impulse (N s) at the end of an arm (m) some time ago (s), and has moved by it since, as if nothing held it.
+    void push(const Vector3 &impulse, const Vector3 &arm, double since);
 
     /// Whether a push moves it.
     bool is_movable() const { return !mobility_.is_zero(); }
 
+    double inverse_mass() const { return mobility_.inverse_mass; } ///< 1/kg
+
     /// 1/kg; how fast a place of the surface moves along a direction of length 1 after a push of 1 N s, if nothing else holds the body.
     double mobility_at(const Vector3 &point, const Vector3 &direction) const
     {
-        return mobility_.along(point - motion_.centre, direction);
+        return mobility_.along(arm_of(point), direction);
     }
+
+    /// m; from the centre of its body.
+    Vector3 arm_of(const Vector3 &point) const { return point - motion_.centre; }
 
     /// m/s, of the surface.
     Vector3 velocity_at(const Vector3 &point) const { return motion_.velocity_at(point); }
@@ -118,7 +121,7 @@ private:
 
     dGeomID id_ = nullptr;
     std::uintptr_t object_ = 0;
-    Pose pose_;
+    Pose pose_; ///< a ball's frame does not turn: a light one that spins would carry the proxy around itself
     Motion motion_;
     Mobility mobility_;
     double step_ = 0;

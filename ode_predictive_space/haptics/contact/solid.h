@@ -33,6 +33,9 @@ public:
 
     bool is_known() const { return class_ != unknown; }
 
+    /// Whether it looks the same however it is turned.
+    bool is_ball() const { return class_ == dSphereClass; }
+
     /// The place of its surface that is nearest. A point inside has a negative distance, and the normal is the way out.
     SurfaceFeature nearest(const Vector3 &point) const;
 

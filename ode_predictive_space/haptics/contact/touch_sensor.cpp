@@ -50,7 +50,7 @@ public:
             nonsense = true;
             return true;
         }
-        nearby->set_motion(poses.motion_of(other, nearby->pose(), place.centre, place.tick));
+        nearby->set_motion(poses.motion_of(other, pose_of(other), place.centre, place.tick));
         if (excluded.excludes(*nearby, place))
             return true;
         if (const dBodyID body = dGeomGetBody(other))
@@ -112,9 +112,12 @@ public:
         touch.object = object_of(other);
         touch.material = material_of(other);
         touch.surface_velocity = motion.velocity_at(touch.point);
-        touch.mobility = Mobility::of(dGeomGetBody(other)).along(touch.point - motion.centre, touch.normal);
         if (const dBodyID body = dGeomGetBody(other))
+        {
+            touch.arm = touch.point - motion.centre;
+            touch.mobility = Mobility::of(body).along(touch.arm, touch.normal);
             bodies.keep(body);
+        }
         if (!is_finite(touch))
         {
             nonsense = true;
@@ -359,7 +362,7 @@ void TouchSensor::push(const std::vector<ForceShare> &shares)
 {
     for (const ForceShare &share : shares)
         if (!share.force.isZero(0))
-            parts_->bodies.push(share.object, -share.force, share.point);
+            parts_->bodies.push(share.object, -share.force, share.arm);
 }
 
 dBodyID TouchSensor::body_of(std::uintptr_t object) const

@@ -79,7 +79,9 @@ public:
                 continue;
             touch.surface_velocity += shift.velocity_at(touch.point);
             // The contact goes with the tool along the surface, and with the surface along the normal.
-            touch.point += moved - touch.normal * touch.normal.dot(moved - carried);
+            const Vector3 went = moved - touch.normal * touch.normal.dot(moved - carried);
+            touch.point += went;
+            touch.arm += went - carried;
             touches.push_back(touch);
         }
     }

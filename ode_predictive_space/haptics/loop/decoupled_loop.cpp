@@ -62,7 +62,7 @@ public:
     void push_rest()
     {
         receive();
-        motion_.push_all(parts_.clock.now(), dt_);
+        motion_.push_all(dt_);
     }
 
 private:
@@ -149,7 +149,7 @@ private:
         sensor_.tracker()->hand_over(surroundings.geoms, due);
         for (NearbyGeom &geom : surroundings.geoms.geoms)
             if (!geom.is_in_contact() && !surroundings.forecast.foresees(geom.object()))
-                motion_.push_rest(geom, due);
+                motion_.push_rest(geom);
     }
 
     /// Per period. Steps shorter than the servo's ticks would get the impulse of a tick as a pulse, which gives energy to bodies in contact.

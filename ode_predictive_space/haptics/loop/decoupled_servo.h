@@ -56,7 +56,7 @@ public:
         const double longer = due - due_ - tick_;
         if (longer > rounding)
             for (const ForceShare &share : held_)
-                given_.push_back({share.object, share.point, longer * share.force, due_ + tick_, unnumbered});
+                given_.push_back({share.object, share.arm, longer * share.force, due_ + tick_, unnumbered});
         const Shifts shifts = forecast.shifts(given_, due);
         given_.resize(known);
         return shifts;
@@ -67,7 +67,7 @@ public:
     {
         for (const Impulse &impulse : given_)
             if (impulse.object == geom.object())
-                geom.push(-impulse.impulse, impulse.point, due - impulse.time);
+                geom.push(-impulse.impulse, impulse.arm, due - impulse.time);
     }
 
     /// After each write.
@@ -111,7 +111,7 @@ private:
             return;
         for (const ForceShare &share : held_)
         {
-            const Impulse impulse = {share.object, share.point, seconds * share.force, time, ++numbered_};
+            const Impulse impulse = {share.object, share.arm, seconds * share.force, time, ++numbered_};
             if (!share.force.isZero(0) && queue_.give(impulse) && given_.size() + held_.size() < given_.capacity())
                 given_.push_back(impulse);
         }

@@ -193,11 +193,12 @@ void IslandRollOut::run(std::size_t steps, double dt, const std::vector<BodyImpu
     {
         if (known_.count(push.body) == 0)
             continue;
-        const Vector3 force = push.impulse / dt;
+        const Vector3 force = push.impulse / dt, moment = push.arm.cross(force);
         dBodyEnable(push.body);
-        dBodyAddForceAtPos(push.body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),
-                           static_cast<dReal>(force.z()), static_cast<dReal>(push.point.x()),
-                           static_cast<dReal>(push.point.y()), static_cast<dReal>(push.point.z()));
+        dBodyAddForce(push.body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),
+                      static_cast<dReal>(force.z()));
+        dBodyAddTorque(push.body, static_cast<dReal>(moment.x()), static_cast<dReal>(moment.y()),
+                       static_cast<dReal>(moment.z()));
     }
     for (std::size_t step = 1; step <= steps; ++step)
     {

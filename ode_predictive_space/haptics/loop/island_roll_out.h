@@ -13,11 +13,11 @@
 
 namespace ode_predictive_space::haptics
 {
-/// An impulse on a body, at a point: N s and m, the world's frame.
+/// An impulse on a body, at the end of an arm from its centre of mass: m and N s, the world's frame.
 struct BodyImpulse
 {
     dBodyID body;
-    Vector3 point;
+    Vector3 arm;
     Vector3 impulse;
 };
 

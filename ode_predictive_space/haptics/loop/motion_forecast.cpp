@@ -31,10 +31,10 @@ std::size_t pushed_by(const Impulse &impulse, const MotionForecast &forecast)
 }
 
 /// In the frame of the body's motion: from an impulse on the hand.
-ImpulseWrench wrench_of(const Impulse &impulse, const Vector3 &centre)
+ImpulseWrench wrench_of(const Impulse &impulse)
 {
     ImpulseWrench wrench;
-    wrench << -impulse.impulse, (centre - impulse.point).cross(impulse.impulse);
+    wrench << -impulse.impulse, -impulse.arm.cross(impulse.impulse);
     return wrench;
 }
 } // namespace
@@ -63,9 +63,7 @@ Shifts MotionForecast::shifts(const std::vector<Impulse> &impulses, double now) 
         const std::size_t pushed = pushed_by(impulse, *this);
         if (impulse.number <= last_included || pushed == count)
             continue;
-        const Place &place = places[pushed];
-        const Vector3 centre = place.centre + (impulse.time - time) * place.velocity.head<3>();
-        const Eigen::Matrix<double, tried_pushes, 1> pushes = place.combination * wrench_of(impulse, centre);
+        const Eigen::Matrix<double, tried_pushes, 1> pushes = places[pushed].combination * wrench_of(impulse);
         const Moment since(now - impulse.time, node_length);
         for (std::size_t i = 0; i < count; ++i)
         {

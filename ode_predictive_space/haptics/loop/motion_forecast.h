@@ -13,7 +13,7 @@ namespace ode_predictive_space::haptics
 struct Impulse
 {
     std::uintptr_t object;
-    Vector3 point;            ///< m
+    Vector3 arm;              ///< m; from the body's centre of mass, in the tick
     Vector3 impulse;          ///< N s
     double time = 0;          ///< s; when the tick began
     std::uint64_t number = 0; ///< goes up from impulse to impulse

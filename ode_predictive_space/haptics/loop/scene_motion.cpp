@@ -53,29 +53,21 @@ void SceneMotion::push(double a, double h)
         received_ = impulse->number;
     }
     waiting_.erase(waiting_.begin(), first_later);
-    push_now(last_, a, h);
+    push_now(last_, h);
 }
 
-void SceneMotion::push_now(const std::vector<Impulse> &impulses, double a, double h)
+void SceneMotion::push_now(const std::vector<Impulse> &impulses, double h)
 {
     shares_.clear();
     for (const Impulse &impulse : impulses)
-        shares_.push_back({impulse.object, point_at(impulse, a), impulse.impulse / h});
+        shares_.push_back({impulse.object, Vector3::Zero(), impulse.impulse / h, 0, impulse.arm});
     sensor_.push(shares_);
 }
 
-/// m; where the body has the place that was pushed, while it is where it is at a time a: a point of the scene would have another arm.
-Vector3 SceneMotion::point_at(const Impulse &impulse, double a) const
+void SceneMotion::push_all(double h)
 {
-    const dBodyID body = sensor_.body_of(impulse.object);
-    return body != nullptr ? Vector3(impulse.point + (a - impulse.time) * from_ode(dBodyGetLinearVel(body)))
-                           : impulse.point;
-}
-
-void SceneMotion::push_all(double a, double h)
-{
-    push_now(rest_, a, h);
-    push_now(waiting_, a, h);
+    push_now(rest_, h);
+    push_now(waiting_, h);
     rest_.clear();
     waiting_.clear();
 }
@@ -98,7 +90,7 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
     const double h = period / steps_per_period_;
     foreseen_step_ = h;
     forecast.node_length = h;
-    const std::vector<BodyImpulse> rest = rest_at(time);
+    const std::vector<BodyImpulse> rest = rest_of_impulses();
     const Courses free = try_out(island, rest, h);
     for (std::size_t i = 0; i < touched_.size(); ++i)
     {
@@ -197,20 +189,20 @@ double SceneMotion::fastest_spring() const
 }
 
 /// What the bodies will get in the next step for what the hand got already.
-std::vector<BodyImpulse> SceneMotion::rest_at(double time) const
+std::vector<BodyImpulse> SceneMotion::rest_of_impulses() const
 {
     std::vector<BodyImpulse> impulses;
     for (const Impulse &impulse : rest_)
         if (const dBodyID body = sensor_.body_of(impulse.object))
-            impulses.push_back({body, point_at(impulse, time), -impulse.impulse});
+            impulses.push_back({body, impulse.arm, -impulse.impulse});
     return impulses;
 }
 
-void SceneMotion::push_rest(NearbyGeom &geom, double time) const
+void SceneMotion::push_rest(NearbyGeom &geom) const
 {
     for (const Impulse &impulse : rest_)
         if (impulse.object == geom.object())
-            geom.push(-impulse.impulse, point_at(impulse, time), 0);
+            geom.push(-impulse.impulse, impulse.arm, 0);
 }
 
 SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
@@ -234,7 +226,7 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     touched.pushes = pushes_on(touched);
     int column = 0;
     for (const BodyImpulse &push : touched.pushes)
-        touched.wrenches.col(column++) << push.impulse, (push.point - touched.centre).cross(push.impulse);
+        touched.wrenches.col(column++) << push.impulse, push.arm.cross(push.impulse);
     return touched;
 }
 
@@ -242,16 +234,12 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
 SceneMotion::Pushes SceneMotion::pushes_on(const Touched &touched)
 {
     const dBodyID body = touched.body;
-    const Vector3 &point = touched.touch.point;
-    const Vector3 &centre = touched.centre;
+    const Vector3 &arm = touched.touch.arm, centre = Vector3::Zero();
     const Vector3 along = -touched.touch.normal;
     const Vector3 aside = along.unitOrthogonal();
     const Vector3 across = along.cross(aside);
-    return {{{body, point, along},
-             {body, point, aside},
-             {body, point, across},
-             {body, centre, aside},
-             {body, centre, across}}};
+    return {
+        {{body, arm, along}, {body, arm, aside}, {body, arm, across}, {body, centre, aside}, {body, centre, across}}};
 }
 
 /// Since the scene was looked at.
@@ -287,9 +275,9 @@ void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, const
     for (std::size_t i = 0; i < pushes.size(); ++i)
     {
         std::vector<BodyImpulse> impulses = rest;
-        impulses.push_back({touched.body, pushes[0].point, size * pushes[0].impulse});
+        impulses.push_back({touched.body, pushes[0].arm, size * pushes[0].impulse});
         if (i > 0)
-            impulses.push_back({touched.body, pushes[i].point, size * pushes[i].impulse});
+            impulses.push_back({touched.body, pushes[i].arm, size * pushes[i].impulse});
         const Courses found = try_out(island, impulses, h);
         const auto column = static_cast<int>(i);
         const BodyMotion unhindered = touched.inverse_inertia * touched.wrenches.col(column);

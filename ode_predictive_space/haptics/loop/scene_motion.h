@@ -36,8 +36,8 @@ public:
     /// they have.
     bool repeats() const { return surprises_ < most_surprises; }
 
-    /// All that is left, for a step of a length h that begins at a.
-    void push_all(double a, double h);
+    /// All that is left, for a step of a length h.
+    void push_all(double h);
 
     /// Tries out what the touched surfaces will do. After the program's collide(), before its advance().
     ///
@@ -45,9 +45,7 @@ public:
     void foresee(const ContactModel &planes, double time, double period, int affordable, MotionForecast &forecast);
 
     /// A body that is not in the forecast goes by what it will get in the next step for what the hand got already.
-    ///
-    /// @param time s; of the look.
-    void push_rest(NearbyGeom &geom, double time) const;
+    void push_rest(NearbyGeom &geom) const;
 
     /// How often the scene has to be stepped, and looked at, in a period of the program's rate. Never less than before.
     int steps_per_period() const { return steps_per_period_; }
@@ -74,14 +72,13 @@ private:
 
     static constexpr int most_surprises = 5; ///< one after the other
 
-    void push_now(const std::vector<Impulse> &impulses, double a, double h);
-    Vector3 point_at(const Impulse &impulse, double a) const;
+    void push_now(const std::vector<Impulse> &impulses, double h);
     void find_touched(const ContactModel &planes, MotionForecast &forecast);
     static Touched touched_of(dBodyID body, const Touch &touch);
     static Pushes pushes_on(const Touched &touched);
     static BodyMotion motion_of(const Touched &touched);
     bool moved_otherwise(const Touched &touched) const;
-    std::vector<BodyImpulse> rest_at(double time) const;
+    std::vector<BodyImpulse> rest_of_impulses() const;
     void choose_steps(IslandRollOut &island, double period, int affordable);
     double fastest_spring() const;
     Courses try_out(IslandRollOut &island, const std::vector<BodyImpulse> &impulses, double h) const;
