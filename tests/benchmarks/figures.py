@@ -73,9 +73,10 @@ def stepped(build):
     for (kind, world, n), spaces in found.items():
         if kind == "collide":
             scene, begin, end = part_of(world)
-            for space in spaces:
+            ticks = found["tick", world, n]
+            for space in ticks:  # some contenders are no spaces that a program can have
                 yield {"table": "stepped", "scene": scene.replace("_stepped", ""), "n": n, "begin_s": begin, "end_s": end,
-                       **timing(spaces, found["tick", world, n], space)}
+                       **timing(spaces, ticks, space)}
     for (_, world, n), spaces in clocked(build, "query", ["ask"], 5).items():
         for space in spaces:
             yield {"table": "stepped", "scene": world, "n": n, "begin_s": None, "end_s": None, **timing(spaces, spaces, space)}

@@ -117,8 +117,8 @@ def print_table(records):
         best = min((spaces[space] for space in ODE if space in spaces), default=None)
         ratio = best / ours if best and ours else None
         ratios += [ratio] if ratio else []
-        print(f"| {scene} | {n:,} | " + " | ".join(thousands(spaces.get(space)) for space in ["predictive-box", *ODE]) +
-              f" | {ratio:.2f} |" if ratio else " | – |")
+        counts = " | ".join(thousands(spaces.get(space)) for space in ["predictive-box", *ODE])
+        print(f"| {scene} | {n:,} | {counts} | {f'{ratio:.2f}' if ratio else '–'} |")
     if ratios:
         print(f"\nGeometric mean of the last column: {math.prod(ratios) ** (1 / len(ratios)):.2f}")
 

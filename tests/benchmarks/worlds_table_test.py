@@ -42,7 +42,8 @@ class Counts(unittest.TestCase):
             sums = []
             for more in ([], ["--contacts"]):
                 file = pathlib.Path(folder) / "counts.json"
-                run("--build", self.build, "--worlds", "chain", "--spaces", "predictive-box", "--json", file, *more)
+                table = run("--build", self.build, "--worlds", "chain", "--spaces", "predictive-box", "--json", file, *more)
+                self.assertRegex(table, r"\| chain \| 1 \| \d+\.\d \| – \| – \| – \| – \| – \|")
                 sums.append(json.loads(file.read_text())[0]["sum"])
             self.assertGreater(sums[1], sums[0])
 

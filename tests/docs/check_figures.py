@@ -54,6 +54,7 @@ COLUMNS = {
     "worlds_instructions_before.json": {"before": "predictive-box"},
     "worlds_times.csv": {"dSpaceCollide": "ratio", "whole tick": "ratio of whole ticks"},
     "scenes_instructions.json": {"ours": "predictive-box", "now": "predictive-box", "best ODE / ours": "ratio"},
+    "scenes_instructions_former.json": {"now": "predictive-box", "best ODE / ours": "ratio"},
     "scenes_instructions_before.json": {"before": "predictive-box"},
     "instructions_without_hardening.json": {
         "without": "sum before",
