@@ -92,7 +92,23 @@ void replay_in_turns(const Recording &recording, std::size_t events, double most
         replays.least = without(none, replays.least);
 }
 
-// Of the events that were replayed, as the program had them.
+// The machine may have been slow in all of a replay: the costliest of each kind is made once more.
+void replay_costliest_again(const Recording &recording, std::size_t events, double most_seconds,
+                            std::vector<Replays> &spaces)
+{
+    const Cost none = quicker_of_two(recording, SpaceKind::none, events, most_seconds);
+    for (Replays &replays : spaces)
+    {
+        if (replays.costs.empty())
+            continue;
+        const Cost again = quicker_of_two(recording, replays.replayed_as, events, most_seconds);
+        double &costliest = *std::max_element(replays.costs.begin(), replays.costs.end());
+        if (again.failure.empty())
+            costliest = std::min(costliest, 1e6 * per_event(without(none, again).processor_time, again));
+    }
+}
+
+// The tick of the program, as the mean of the events that were replayed.
 std::optional<RecordedTick> recorded_tick(const Recording &recording, const Costs &costs)
 {
     RecordedTick tick;
@@ -148,7 +164,9 @@ std::vector<std::string> row_of(const Findings &findings, const Replays &replays
     return {name_on_page(replays), readable(1e6 * per_event(cost.collides, cost)),
             readable(1e6 * per_event(cost.notices, cost)),
             readable(per_event(static_cast<double>(cost.callbacks), cost)),
-            gain ? formatted("%+.1f %%", -100 * gain->share) : std::string("not known")};
+            replays.replayed_as == SpaceKind::own ? "\xe2\x80\x93"
+            : gain                                ? formatted("%+.1f %%", -100 * gain->share)
+                                                  : std::string("not known")};
 }
 
 Curve times_of(const std::string &name, const Cost &cost)
@@ -210,6 +228,7 @@ Answer answer_for(const Recording &recording)
     // One that ends itself is no measure for the others.
     const std::size_t most = own_ends ? recording.events().size() : first.events;
     replay_in_turns(recording, most, own_ends ? seconds : 1e9, costs.spaces);
+    replay_costliest_again(recording, most, own_ends ? seconds : 1e9, costs.spaces);
     costs.callbacks = judge_callbacks(recording, most, own_ends ? seconds : 1e9);
     const Findings findings = findings_of(recording, costs);
     Answer answer;

@@ -54,7 +54,7 @@ std::string html_of(const Answer &answer)
         text += "<p>" + escaped(note) + "</p>\n";
     for (const Plot &plot : answer.plots)
         text += svg(plot);
-    return text + "<h2>What the program did</h2>\n";
+    return text + "<h2>How it was recorded</h2>\n";
 }
 } // namespace
 
