@@ -212,7 +212,9 @@ std::string write_report(const std::string &folder, const std::string &file, con
         page.answer = answer_for(recording);
         dCloseODE();
         page.text = printable(recording.note());
-        page.answer.notes.push_back("Measured from the recording " + printable(file) +
+        // From where the page is, so that the folder can be moved.
+        const std::string place = std::filesystem::path(file).lexically_proximate(folder);
+        page.answer.notes.push_back("Measured from the recording " + printable(place) +
                                     "; ode-predictive replay, given this file, checks and counts more.");
     }
     else
