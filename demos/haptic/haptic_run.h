@@ -24,8 +24,8 @@ using haptics::Vector3;
 /// What a run was like from beginning to end.
 struct RunSeries
 {
-    double step_seconds = 0;         ///< simulated, of a value in collide and advance
-    double servo_seconds = 0;        ///< of a value in force and period
+    double step_seconds = 0;            ///< simulated, of a value in collide and advance
+    double servo_seconds = 0;           ///< of a value in force and period
     recording::BoundedSeries collide{}; ///< s; in dSpaceCollide()
     recording::BoundedSeries advance{}; ///< s; contacts, forces and the step of the world
     recording::BoundedSeries force{};   ///< N

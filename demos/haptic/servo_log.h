@@ -66,7 +66,7 @@ public:
 
     /// After the end.
     const ServoTotals &totals() const { return totals_; }
-    const std::vector<haptics::Vector3> &forces() const { return forces_; }       ///< N
+    const std::vector<haptics::Vector3> &forces() const { return forces_; }          ///< N
     const recording::BoundedSeries &force_series() const { return force_series_; }   ///< N
     const recording::BoundedSeries &period_series() const { return period_series_; } ///< s; from the second tick on
     std::size_t lost_in_recording() const { return recorder_ ? recorder_->lost() : 0; }

@@ -112,7 +112,8 @@ using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 void add(void *pairs, dGeomID first, dGeomID second)
 {
-    static_cast<Pairs *>(pairs)->push_back(std::minmax(recording::Stage::id_of(first), recording::Stage::id_of(second)));
+    static_cast<Pairs *>(pairs)->push_back(
+        std::minmax(recording::Stage::id_of(first), recording::Stage::id_of(second)));
 }
 
 Pairs pairs_of(recording::Stage &stage, const Record &record)
