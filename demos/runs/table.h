@@ -20,8 +20,8 @@ std::string fixed(double number, int decimals);
 std::string hexadecimal(std::uint64_t hash);
 
 /// Columns as wide as their widest cell, the first aligned on the left, the others on the right. A table that is wider than
-/// output_width is printed in several parts, each with the first column. A first cell has a
-/// line of its own when it leaves no room for the others.
+/// output_width is printed in several parts, each with the first column. A first cell that is too wide for
+/// others beside it is printed on a line of its own.
 class Table
 {
 public:

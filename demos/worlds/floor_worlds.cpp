@@ -73,7 +73,7 @@ public:
     }
 };
 
-/// Small worlds that follow one another. Each has a space of its own and lives for a few ticks.
+/// A sequence of small worlds. Each has its own space and is destroyed after a few ticks.
 class ManyWorlds : public World
 {
 public:

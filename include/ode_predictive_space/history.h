@@ -17,8 +17,8 @@ extern "C" {
  * @defgroup predictive_space_history A recorded history
  * @ingroup predictive_space
  *
- * For programs that are linked with the library; others run under `ode-predictive run --record FILE`. The program
- * ode-predictive replay reads the file: docs/recording.md.
+ * For programs that are linked with the library; others run under `ode-predictive run --record FILE`.
+ * `ode-predictive replay FILE` reads the file: docs/recording.md.
  *
  * @{
  */

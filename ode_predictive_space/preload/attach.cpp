@@ -7,7 +7,6 @@
 #include <pthread.h>
 
 #include "ode_predictive_space/predictive_space.h"
-#include "ode_predictive_space/preload/notes_to_launcher.h"
 #include "ode_predictive_space/preload/say.h"
 #include "ode_predictive_space/preload/settings.h"
 #include "ode_predictive_space/preload/substitute.h"
@@ -71,7 +70,6 @@ void keep_ledger_whole_in_children()
         [] {
             watch->ledger().begin_in_child();
             watch->begin_recording_in_child();
-            leave_note(Note::began);
         });
 }
 
@@ -105,7 +103,6 @@ extern "C" __attribute__((visibility("default"))) const Hooks *ode_predictive_sp
     if (settings->watches())
     {
         watch = new Watch(*settings, *calls);
-        leave_note(Note::began);
         keep_ledger_whole_in_children();
         hooks = {create, made, collide, collide2};
     }

@@ -1,4 +1,4 @@
-// What is counted of a space.
+// The counts of a space.
 
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_COUNTS_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_COUNTS_H

@@ -1,5 +1,7 @@
 #include "ode_predictive_space/preload/ledger.h"
 
+#include "ode_predictive_space/preload/notes_to_launcher.h"
+
 namespace ode_predictive_space::preload
 {
 void Ledger::made(dSpaceID space, bool is_substitute)
@@ -35,6 +37,8 @@ SpaceCounts *Ledger::begin_counts(dSpaceID space, int number)
 {
     if (number > last_space_with_line && !counts_.empty() && counts_.back().number >= last_space_with_line)
         return &counts_.back();
+    if (counts_.empty())
+        leave_note(Note::began);
     SpaceCounts &counts = counts_.emplace_back();
     counts.number = number;
     counts.space_class = dSpaceGetClass(space);

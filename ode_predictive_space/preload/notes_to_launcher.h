@@ -10,8 +10,8 @@ namespace ode_predictive_space::preload
 {
 enum class Note : char
 {
-    began = 'b',    ///< a process has called ODE
-    finished = 'f', ///< it has written all that was asked for
+    began = 'b',    ///< a process has a space; one that was forked, when it uses it
+    finished = 'f', ///< that process has written all that was asked for
     lost = 'l'      ///< some output could not be written
 };
 

@@ -329,8 +329,10 @@ void Watch::trace(Call &call)
 void Watch::report()
 {
     end_recording();
-    if (!write_report(settings_, report_text(settings_, program_invocation_short_name, getpid(), ledger_.all())))
+    const std::deque<SpaceCounts> spaces = ledger_.all();
+    if (!write_report(settings_, report_text(settings_, program_invocation_short_name, getpid(), spaces)))
         leave_note(Note::lost);
-    leave_note(Note::finished);
+    if (!spaces.empty())
+        leave_note(Note::finished);
 }
 } // namespace ode_predictive_space::preload

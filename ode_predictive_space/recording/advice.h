@@ -1,4 +1,4 @@
-// What a program would gain, in one sentence.
+// The advice to a program: one sentence about its gain.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_ADVICE_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_ADVICE_H
@@ -38,7 +38,7 @@ struct Findings
     std::optional<RecordedTick> tick; ///< not known of a recording that was not made by the launcher
 };
 
-/// By how much a tick would be shorter, as a share of the tick with the program's own spaces. In the program all spaces are slower
+/// The time that a tick would be shorter, as a share of the tick with the program's own spaces. In the program all spaces are slower
 /// than in a replay, whose data stay in the processor's caches; they are taken to be slower by the same time, which is
 /// cautious: a space that reads more loses more.
 struct Gain

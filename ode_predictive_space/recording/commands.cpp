@@ -219,6 +219,6 @@ std::string write_report(const std::string &folder, const std::string &file, con
     }
     else
         page.answer.sentence = "What the program would gain is not known: it collided no space that could be recorded.";
-    return recording::write_page(folder, page);
+    return write_page(folder, page);
 }
 } // namespace ode_predictive_space::recording

@@ -104,7 +104,7 @@ struct CountedEvents
     }
 };
 
-/// Replays in this process and counts nothing: for callgrind, which gets the names of the two functions whose instructions
+/// Replays in this process and counts nothing: for callgrind, which gets the names of the functions whose instructions
 /// count, counted_changes, counted_collide and counted_end. What is before the first event, the making of all geoms, does not count
 /// unless their whole life does.
 void replay_to_be_counted(const Recording &recording, SpaceKind kind, const CountedEvents &events = {});

@@ -197,6 +197,11 @@ TEST(EndOfAChild, ThatOutlivesTheLauncherIsNotForgotten)
     EXPECT_EQ(count_of(" of 2 processes with ODE wrote no statistics: ", said), 1) << said;
 }
 
+TEST(EndOfAChild, ThatCollidesNothingIsNotMissed)
+{
+    EXPECT_EQ(launch("--stats=/dev/null " ENDING " idle_child").output, "");
+}
+
 TEST(EndOfAChild, ThatItsScriptWaitsForIsNotMissed)
 {
     EXPECT_EQ(launch("--stats=/dev/null sh -c '" ENDING " & wait'").output, "");

@@ -22,8 +22,8 @@ double yield_of(double stiffness, double mobility, double seconds);
 ///     minimise   1/2 |x|^2 + sum of max(0, depth - normal . x)^2 / (2 yield),      share = max(0, depth - normal . x) / yield.
 ///
 /// The method of multipliers takes back what the planes have given way, in two more passes. A plane alone gets its depth as its share,
-/// but for a part of (yield / (1 + yield))^3. Shares that act against each other alone stay below 0.8 depth / yield, or below the
-/// depth of the deepest plane where that is more.
+/// but for a part of (yield / (1 + yield))^3. Shares that act against each other alone stay below 0.8 depth / yield (1.2 for
+/// yields below 0.04), or below the depth of the deepest plane where that is more. The share of a surface that no push moves has no bound.
 ///
 /// The shares are the depths when something is not finite, so that checks for it still find it.
 void find_yielding_place(std::vector<ConstraintPlane> &planes);
