@@ -63,13 +63,13 @@ public:
     /// Take over a geom without a body (a wall, a probe).
     dGeomID add_geom(dGeomID geom);
 
-    /// The same for one that does not collide with others of its kind: ground, shelves, trees.
+    /// Take over a geom that does not collide with others of its kind: ground, shelves, trees.
     dGeomID add_scenery(dGeomID geom);
 
     /// Make an object of the usual size that never moves: no body.
     dGeomID add_still(Shape shape, const Vector3 &position, const Quaternion &orientation);
 
-    /// Make an object of the usual size with a body of its own.
+    /// Make an object of the usual size with a body.
     ///
     /// @param density kg/m^3
     dBodyID add_moving(Shape shape, const BodyState &state, double density);

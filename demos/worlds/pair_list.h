@@ -34,11 +34,11 @@ inline std::uint32_t geom_index(dGeomID geom)
 /// Two geoms by their numbers, the smaller first.
 using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// What a world calls back for each of its pairs.
+/// The callbacks of a world for its pairs.
 struct NearCallbacks
 {
     dNearCallback *geoms;
-    dNearCallback *nested; ///< the same, also for two of which one is a space: then for the pairs of their geoms
+    dNearCallback *nested; ///< when one of the two may be a space: calls back for the pairs of its geoms
 };
 
 template <dNearCallback *callback> void near_nested(void *data, dGeomID first, dGeomID second)

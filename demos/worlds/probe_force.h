@@ -15,7 +15,7 @@ namespace ode_predictive_space::worlds
 class ProbeForce
 {
 public:
-    // Of a PHANToM Desktop, with half of the stiffness that it can render.
+    // The values of a PHANToM Desktop, with half of the stiffness that it can render.
     static constexpr double stiffness = 500; ///< k, N/m
     static constexpr double max_force = 7.9; ///< N
 
@@ -30,7 +30,7 @@ public:
 private:
     struct Push
     {
-        dBodyID body; ///< 0 when the object has none
+        dBodyID body; ///< 0: an object without a body
         Vector3 point;
         Vector3 force; ///< on the probe, N
     };

@@ -1,4 +1,4 @@
-// What the worlds with real contacts share: steps, and contact joints in an order that does not depend on the space.
+// Worlds with real contacts: steps, and contact joints in an order that does not depend on the space.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_STEPPED_WORLD_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_STEPPED_WORLD_H
@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space::worlds
 {
-/// Of the walls around a room, metres.
+/// The walls around a room, in metres.
 constexpr double wall_thickness = 0.5;
 
 constexpr double standard_gravity = 9.81; // m/s^2
@@ -46,7 +46,7 @@ protected:
     /// Without gravity, and everything bounces.
     void let_bounce(double mu, double bounce, double slowest);
 
-    /// What stands on the ground.
+    /// With gravity, and nothing bounces.
     void let_fall(double mu);
 
     dSurfaceParameters surface_{};

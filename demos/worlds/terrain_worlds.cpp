@@ -112,7 +112,7 @@ std::vector<HugeBox> huge_boxes(double half_side)
     };
 }
 
-/// What both worlds have: the ground, the huge boxes, and objects of which half roll and the other half fly.
+/// The ground, the huge boxes, and objects of which half roll and the other half fly.
 class OnTerrain : private TerrainGround, public SteppedWorld
 {
 protected:
@@ -233,7 +233,7 @@ private:
 };
 
 /// Half of the objects lie on the ground, the other half fly, without gravity; forces drive all of them at up to 5 m/s, each in
-/// a direction of its own, and back at the edge of the square.
+/// another direction, and back at the edge of the square.
 class DrivenWorld : public OnTerrain
 {
 public:

@@ -51,12 +51,12 @@ inline void add_force(dBodyID body, const Vector3 &f)
     dBodyAddForce(body, f.x(), f.y(), f.z());
 }
 
-/// What leaves a room turns back.
+/// Turns the velocity of an object back that leaves a room.
 ///
 /// @return whether the velocity was changed.
 bool turn_back(const Eigen::AlignedBox3d &room, const Vector3 &position, Vector3 &velocity);
 
-/// The same for a body.
+/// Turns a body back that leaves a room.
 void turn_back(const Eigen::AlignedBox3d &room, dBodyID body);
 
 /// A room around the origin.

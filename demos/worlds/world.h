@@ -30,10 +30,10 @@
 
 namespace ode_predictive_space::worlds
 {
-/// How many contacts are asked for of one pair.
+/// Number of contacts that dCollide() may return for a pair.
 constexpr int max_contacts = 8;
 
-/// Which world.
+/// Names a world and its size.
 struct WorldSpec
 {
     std::string name;       ///< one of world_names()
@@ -96,7 +96,7 @@ public:
     /// Make one tick of motion.
     virtual void advance() = 0;
 
-    /// What a program calls in a tick for its pairs: dSpaceCollide(), unless the world says otherwise.
+    /// Calls the space for the pairs of a tick: dSpaceCollide(), unless the world overrides it.
     virtual void collide(dSpaceID space, void *data, const NearCallbacks &near);
 
     /// Process the pairs that collide() reported after advance(), as PairList::sorted() gives them. Worlds with contacts need
@@ -125,11 +125,11 @@ protected:
     std::size_t contacts_ = 0;
 };
 
-/// What a world is for.
+/// The purpose of a world.
 enum class Group
 {
     scene,   ///< one thing at a time; what the demos show
-    stepped, ///< the same, moved by steps of a world and contacts
+    stepped, ///< one thing at a time, moved by dWorldStep() with contacts
     program, ///< as programs have them
     limit    ///< very many, very large, very near, very far
 };

@@ -19,11 +19,11 @@ namespace ode_predictive_space::preload
 {
 namespace
 {
-// Never deleted: a program may still make spaces and collide when the process ends.
+// Never deleted: a program may make spaces and collide until the process ends.
 const Settings *settings;
 Watch *watch;
 
-// To the program, it is a space of the class that it asked for.
+// The space has the class that the program asked for.
 dSpaceID create(int space_class, dSpaceID parent)
 {
     if (settings->replaced.count(space_class) == 0)
@@ -56,7 +56,7 @@ void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback
 
 void keep_ledger_whole_in_children()
 {
-    // So that the lock of the library's listeners is taken after those below, as it is when a recording ends.
+    // Registers the library's own handlers first, so that its lock is taken after those below, as at the end of a recording.
     ode_predictive_space_stop_listening(nullptr);
     pthread_atfork(
         [] {
@@ -73,18 +73,19 @@ void keep_ledger_whole_in_children()
         });
 }
 
-// Both checks of ODE, ours and the plugin's, ask the dynamic linker for the objects of the process. Here it holds its lock
-// anyway; a thread that asked it later, with a lock of ours, could wait for one that has the linker's and waits for ours.
+// Both checks of ODE, this library's and the plugin's, list the objects of the process, which takes the lock of the dynamic linker.
+// During loading this thread has that lock. A later check under a lock of ours could wait for a thread that has the linker's lock
+// and waits for ours.
 __attribute__((constructor)) void check_ode()
 {
     if (!ode_mismatch())
         dSpaceDestroy(dPredictiveSpaceCreate(nullptr));
 }
 
-__attribute__((destructor)) void report()
+__attribute__((destructor)) void finish()
 {
     if (watch)
-        watch->report();
+        watch->finish();
 }
 } // namespace
 

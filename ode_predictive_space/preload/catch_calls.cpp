@@ -1,7 +1,7 @@
-// The half that is loaded into every process: functions that have the names of ODE's and come before them.
+// The half that is loaded into every process: functions with the names of ODE's, which the dynamic linker finds first.
 //
-// A process that has no ODE never gets here, but for one look at its program file at the start. Compiled without exceptions
-// and linked with the C library alone, so that /bin/sh loads nothing else either.
+// In a process without ODE only the program file is read, once at the start. Compiled without exceptions and linked with the C
+// library alone, so that /bin/sh loads nothing else either.
 
 #include <cerrno>
 #include <climits>
@@ -23,7 +23,7 @@ using namespace ode_predictive_space::preload;
 
 namespace
 {
-/// An ODE that was called, and the library that serves it.
+/// An ODE that was called, and the hooks that serve it.
 struct Ode
 {
     Object object;
@@ -31,33 +31,32 @@ struct Ode
     const Hooks *hooks; // 0: the program keeps its own spaces
 };
 
-/// An object of the process, and the ODE that its calls go to. Once it is unloaded, another may have its map.
+/// An object of the process, and the ODE that its calls go to. After it is unloaded, another object may have its map.
 struct Caller
 {
     const link_map *map;
     const char *name;
-    const Ode *ode; // 0: it sees none, and calls that seem to be its own are others', by a jump
+    const Ode *ode; // 0: it sees none. A call that seems to be its own came by a jump from another object
     const Caller *next;
 };
 
-// Callers are added under the lock, in front, and never taken out: they are read without it. A program that loads thousands
-// of libraries which all call ODE is not to be expected.
+// Callers are added at the front, under the lock, and never removed, so that they can be read without it.
 //
-// While a thread holds the lock, it asks nothing of the dynamic linker. That has a lock of its own, which threads hold that
-// run the constructors of a library; and these may call ODE.
+// A thread that holds the lock must not call the dynamic linker: a thread that holds the lock of the linker may run the constructors
+// of a library, which may call ODE.
 pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 const Caller *callers;
 constexpr int most_odes = 16;
 const Ode *odes[most_odes];
 int ode_count;
 
-// The ODE that is served: the only one whose functions answer a program's dlsym() as caught ones.
+// The ODE that is served. Only its functions are caught when a program looks them up by dlsym().
 const Ode *served_ode;
 
-// The substitute is at work: what it calls is meant for this ODE.
+// Not 0 while the substitute works: its calls are meant for this ODE.
 __thread const Ode *inside;
 
-// The library that the substitute has its code from lies beside this one.
+// The library of the substitute lies beside this one.
 template <std::size_t size> bool path_of_substitute(char (&path)[size])
 {
     const link_map *self = object_at(reinterpret_cast<const void *>(&path_of_substitute<size>));
@@ -67,14 +66,14 @@ template <std::size_t size> bool path_of_substitute(char (&path)[size])
     return std::snprintf(path, size, "%.*s%s", length, name, SUBSTITUTE_FILE) < static_cast<int>(size);
 }
 
-// Loading the substitute loads the ODE that it was built with. Therefore the program's must be that one, or a second copy
-// would come into the process.
+// Loading the substitute also loads the ODE that it was built with. If the program's ODE were another one, the process would have
+// two.
 bool is_expected_library(const Ode &ode)
 {
     return find_loaded(ODE_SONAME).map == ode.object.map;
 }
 
-// The substitute cannot even be loaded then: the names of the functions that it is linked with contain the precision.
+// The substitute cannot be loaded into such a process: the names of the functions that it is linked with contain the precision.
 bool has_other_precision(const Ode &ode)
 {
     using Check = int (*)(const char *);
@@ -96,7 +95,7 @@ Match match_of(const Ode &ode)
     return is_expected_library(ode) ? Match::served : Match::other_library;
 }
 
-// 0 when it cannot be loaded; dlerror() then tells why.
+// Returns 0 when it cannot be loaded; dlerror() then has the reason.
 Attach load_substitute(const Ode &ode)
 {
     char path[PATH_MAX];
@@ -131,7 +130,7 @@ const char *file_of(const Ode &ode)
     return ode.object.map->l_name[0] ? ode.object.map->l_name : program_invocation_name;
 }
 
-// Has it served, if that can be; under the lock.
+// Lets the substitute serve it, if that is possible. The caller holds the lock.
 const Ode *introduce(Ode *ode, Match match, Attach attach)
 {
     if (ode_count == most_odes)
@@ -166,7 +165,7 @@ const Caller *known_caller(const link_map *map)
     return nullptr;
 }
 
-// Under the lock.
+// The caller holds the lock.
 const Caller *remember(const link_map *map, const Ode *ode)
 {
     auto *caller = static_cast<Caller *>(std::calloc(1, sizeof(Caller)));
@@ -178,7 +177,6 @@ const Caller *remember(const link_map *map, const Ode *ode)
     return caller;
 }
 
-// The ODE in this object.
 const Ode *meet_ode(const Object &object)
 {
     Ode *met = new_ode(object);
@@ -211,14 +209,15 @@ const Ode *ode_seen_by(const char *function, const link_map *map)
     return (caller ? caller : meet_caller(function, map))->ode;
 }
 
-// As the dynamic linker ends a program when a function that it calls is nowhere.
+// The dynamic linker, too, ends a program that calls a function which no library defines.
 [[noreturn]] void end_for_lack_of(const char *function)
 {
     say("%s() was called, but the process has no ODE, or several, and it is unclear which is meant", function);
     std::exit(127);
 }
 
-// A call by a jump. Which library has the functions of a geom tells whose geom it is; otherwise there must be one ODE only.
+// Finds the ODE for a call that came by a jump: the one whose library has the virtual functions of the geom, or else the only one
+// in the process.
 const Ode *ode_by_jump(const char *function, const void *geom)
 {
     const link_map *maker = geom ? object_at(*static_cast<const void *const *>(geom)) : nullptr;
@@ -231,7 +230,7 @@ const Ode *ode_by_jump(const char *function, const void *geom)
     return meet_ode(object);
 }
 
-// The library of the predictive space makes spaces of ODE's, to look at their layout.
+// The library of the predictive space makes spaces of ODE to check their layout.
 bool is_from_own_library(const void *return_address)
 {
     const link_map *map = object_at(return_address);
@@ -239,8 +238,8 @@ bool is_from_own_library(const void *return_address)
     return slash && std::strncmp(slash + 1, "libode_predictive_space.so", 26) == 0;
 }
 
-// A program may be linked with that library, too, which then looks at ODE for it. To load the substitute now, which asks the
-// same library to look at ODE, would be a circle.
+// A program may be linked with that library, too. When the library checks ODE at the program's start, the substitute must not be
+// loaded, because it would wait for the same check.
 const Ode *ode_of_own_library(const char *function, const void *return_address)
 {
     static const Ode *seen;
@@ -317,7 +316,7 @@ void collide2(const Ode &ode, dGeomID first, dGeomID second, void *data, dNearCa
 
 #define RETURN_ADDRESS __builtin_return_address(0)
 
-// What a program gets from dlsym(), with the types of ODE's functions. There is one ODE that they can be meant for.
+// The functions that dlsym() returns to programs. They have the types of ODE's functions and are meant for the ODE that is served.
 const Ode &looked_up_ode()
 {
     return *__atomic_load_n(&served_ode, __ATOMIC_ACQUIRE);
@@ -390,11 +389,10 @@ __attribute__((constructor)) void look_at_program()
         say("%s has ODE built in, where its calls cannot be caught; it keeps its own spaces", program_invocation_name);
 }
 
-// A question for statistics gets the reason why there are none.
+// Gives the reason when statistics are wanted and there are none.
 __attribute__((destructor)) void tell_when_nothing_was_caught()
 {
-    if (ode_count == 0 && (is_asked_for("ODE_PREDICTIVE_STATS") || is_asked_for("ODE_PREDICTIVE_COMPARE")) &&
-        find_loaded(ODE_SONAME).map)
+    if (ode_count == 0 && is_asked_for("ODE_PREDICTIVE_STATS") && find_loaded(ODE_SONAME).map)
         say("%s has %s, but made no space that can be seen", program_invocation_short_name, ODE_SONAME);
 }
 } // namespace
@@ -436,7 +434,7 @@ bool ode_predictive_space::preload::sees_ode_itself()
     return inside;
 }
 
-// A function that is our own already was found in everything that all can see.
+// `found` is one of ours already when the lookup began in the global scope.
 void *ode_predictive_space::preload::answer_to_lookup(CaughtFunction function, void *found)
 {
     const link_map *map = object_at(found);

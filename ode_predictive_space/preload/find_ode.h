@@ -1,4 +1,4 @@
-// Which ODE a call was meant for. Part of the half that is loaded into every process: nothing but the C library here.
+// Finds the ODE that a call was meant for. Belongs to the half that is loaded into every process: it uses the C library alone.
 
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_FIND_ODE_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_FIND_ODE_H
@@ -23,13 +23,13 @@ link_map *object_at(const void *address);
 /// first the program and the libraries that all can see, in their order; then the caller's own libraries, which are not in
 /// there when it was loaded with RTLD_LOCAL (as Python does).
 ///
-/// @return an object with map 0 when the caller sees none: then the call came by a jump from somebody else, as the last thing
-/// that he does.
+/// @return an object with map 0 when the caller sees none: then the call came by a jump, as a compiler makes of the last call of a
+/// function, and the caller seems to be the function that called that one.
 Object find_definition(const char *function, const link_map *caller);
 
 /// The only object that defines a function, besides us.
 ///
-/// @return an object with map 0 when there is none, or several.
+/// @return an object with map 0 when none defines it, or several do.
 Object find_only_definition(const char *function);
 
 /// The functions of an ODE, looked up in its object.

@@ -3,51 +3,76 @@
 
 #include <deque>
 #include <mutex>
+#include <string>
 #include <unordered_map>
 
-#include "ode_predictive_space/preload/counts.h"
+#include "ode_predictive_space/predictive_space.h"
 
 namespace ode_predictive_space::preload
 {
-/// A space that the program made.
-struct KnownSpace
+/// Calls of one function. Times in seconds.
+struct CallTimes
 {
-    int number;                   ///< in the order in which they were made, from 1
-    bool is_substitute;           ///< a predictive space in the place of the one of ODE's that the program asked for
-    SpaceCounts *counts;          ///< of this process; 0: none yet
-    dPredictiveSpaceStats latest; ///< its own, of a predictive one, when it was last collided
-    dPredictiveSpaceStats before_fork; ///< what of them belongs to the process that this one was forked from
+    unsigned long calls = 0;
+    double total = 0; ///< in the space, without the program's callbacks
+    double largest = 0;
+    double in_callbacks = 0;
+
+    void add(double seconds, double callback_seconds);
 };
 
-/// All spaces of the process. What is counted of a space remains when it is destroyed. Calls from several threads are safe.
+/// The counts of a space in this process.
+struct SpaceCounts
+{
+    int number;                              ///< in the order in which the program made its spaces, from 1
+    int space_class;                         ///< as the program sees it
+    bool predictive;                         ///< false: ODE's own
+    int proximity = dPredictiveProximityBox; ///< at the last collide
+    int most_geoms = 0;
+    unsigned long reported = 0; ///< callbacks
+    CallTimes collide = {}, collide2 = {};
+    dPredictiveSpaceStats stats = {}; ///< of a predictive one at its last collide
+};
+
+/// All spaces of the process. The counts of a space remain when it is destroyed. Calls from several threads are safe.
 class Ledger
 {
 public:
-    /// A space was made, perhaps where one was that is gone.
+    /// A space was made, perhaps at the address of one that is gone.
     void made(dSpaceID space, bool is_substitute);
 
+    /// Is it a predictive space in the place of one of ODE's that the program asked for?
     bool is_substitute(dSpaceID space) const;
 
-    /// Changes what is known of a space, which has counts then.
-    ///
-    /// @return what `change` returns.
-    template <typename Change> auto with(dSpaceID space, Change change)
+    /// The number of a space, as in its counts.
+    int number_of(dSpaceID space);
+
+    /// Changes the counts of a space.
+    template <typename Change> void with_counts(dSpaceID space, Change change)
     {
         const std::lock_guard<std::mutex> guard(mutex_);
-        return change(known(space));
+        change(*known(space).counts);
     }
 
     /// Keeps all other threads out: a process that forks takes the lock with it, and of its threads only the one that forks.
     void lock() { mutex_.lock(); }
     void unlock() { mutex_.unlock(); }
 
-    /// This process was forked, with the lock: it begins to count, and leaves to its parent what was counted before.
+    /// This process was forked, with the lock: its calls are counted from now on.
     void begin_in_child();
 
-    /// The counts of this process's spaces, in the order in which they began.
-    std::deque<SpaceCounts> all() const;
+    /// For each space a line with its calls and times, and for a predictive one a second line with its counters. Empty when the
+    /// process had no space.
+    std::string statistics() const;
 
 private:
+    struct KnownSpace
+    {
+        int number;
+        bool is_substitute;
+        SpaceCounts *counts; // 0: none in this process yet
+    };
+
     KnownSpace &known(dSpaceID space);
     KnownSpace &enter(dSpaceID space, bool is_substitute);
     SpaceCounts *begin_counts(dSpaceID space, int number);
@@ -57,9 +82,6 @@ private:
     std::unordered_map<dSpaceID, KnownSpace> current_;
     int made_ = 0;
 };
-
-/// The work of a space since an earlier reading of its statistics.
-dPredictiveSpaceStats since(const dPredictiveSpaceStats &before, dPredictiveSpaceStats now);
 } // namespace ode_predictive_space::preload
 
 #endif

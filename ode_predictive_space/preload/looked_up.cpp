@@ -1,11 +1,11 @@
 // dlsym(), caught: it comes before that of the C library.
 //
-// What dlsym() finds by RTLD_NEXT and RTLD_DEFAULT depends on who calls it, which it tells from the address that it returns to.
-// Every other question than one for a caught function of ODE is therefore passed on by a jump, which leaves that address as it
-// is. This needs a few lines for each processor. On other processors than these, dlsym() is not caught.
+// With RTLD_NEXT and RTLD_DEFAULT, the result of dlsym() depends on its caller, which it derives from its return address. A lookup of
+// any other function than a caught one of ODE is therefore passed on by a jump, which keeps that address. This takes a few lines
+// of assembler for each processor. On other processors dlsym() is not caught.
 //
-// It may be called before any constructor has run, as sanitizers do: nothing in this file is instrumented, and it must not be
-// optimised together with other files, because the compiler does not see the calls between the lines of assembler and the rest.
+// Sanitizers call dlsym() before any constructor has run, so nothing in this file is instrumented. It must not be optimised together
+// with other files: the compiler does not see the calls between the assembler and the rest.
 
 #include "ode_predictive_space/preload/looked_up.h"
 
@@ -28,7 +28,7 @@ constexpr const char *first_version = "GLIBC_2.17";
 #endif
 
 #ifdef ODE_PREDICTIVE_SPACE_CATCHES_DLSYM
-// Two threads may both ask for it: they find the same.
+// Two threads may both look it up, with the same result.
 Lookup next_lookup()
 {
     static Lookup next;
@@ -46,7 +46,7 @@ CaughtFunction caught_function(const char *name)
     static const char *const names[] = {"dSimpleSpaceCreate",        "dHashSpaceCreate", "dQuadTreeSpaceCreate",
                                         "dSweepAndPruneSpaceCreate", "dSpaceCollide",    "dSpaceCollide2"};
     int number = 0;
-    // Most names are others, and at the start of a process strcmp() may be a sanitizer's that is not ready yet.
+    // At the start of a process strcmp() may be a sanitizer's that is not ready yet.
     if (!name || name[0] != 'd')
         return caught_function_count;
     while (number < caught_function_count && std::strcmp(name, names[number]) != 0)
@@ -60,7 +60,7 @@ void *look_up_for_program(void *handle, const char *name)
     if (!found)
         return nullptr;
     void *answer = answer_to_lookup(caught_function(name), found);
-    dlerror(); // the program's question had no error
+    dlerror(); // clears errors of our own lookups
     return answer;
 }
 #endif
@@ -80,11 +80,11 @@ void *find_symbol(void *handle, const char *name)
 } // namespace ode_predictive_space::preload
 
 #ifdef ODE_PREDICTIVE_SPACE_CATCHES_DLSYM
-/// The function that is to answer a call of dlsym(). Called by the lines below, which jump there.
+/// Returns the function that the assembler below jumps to for a call of dlsym().
 extern "C" __attribute__((visibility("hidden"), used)) void *ode_predictive_lookup(void *handle, const char *name)
 {
     using namespace ode_predictive_space::preload;
-    // Everything that all can see has our functions first.
+    // In the global scope our functions come first.
     const bool is_one_library = handle != RTLD_NEXT && handle != RTLD_DEFAULT;
     const bool is_ours = is_one_library && caught_function(name) != caught_function_count && !sees_ode_itself();
     return reinterpret_cast<void *>(is_ours ? &look_up_for_program : next_lookup());

@@ -1,13 +1,12 @@
-// Functions of ODE that a program looks up by dlsym(). Part of the half that is loaded into every process: nothing but the C
-// library here.
+// Functions of ODE that a program looks up by dlsym(). Belongs to the half that is loaded into every process: it uses the C library
+// alone.
 
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_LOOKED_UP_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_LOOKED_UP_H
 
 namespace ode_predictive_space::preload
 {
-/// dlsym() of the C library, or of the next library that has one in its place. In a library that catches dlsym(), as this one
-/// does, the name alone is the catcher's.
+/// dlsym() of the C library, or of the next library that replaces it. Inside this library the plain name is our own function.
 void *find_symbol(void *handle, const char *name);
 
 /// Functions of ODE whose calls are caught, also when a program has looked them up by dlsym().
@@ -22,12 +21,12 @@ enum CaughtFunction
     caught_function_count // none of them
 };
 
-/// What a program gets that looks up one of these functions. Defined where calls are caught.
+/// The result of a program's lookup of one of these functions. Defined in catch_calls.cpp.
 ///
-/// @param found the function that it would get without us; not 0.
+/// @param found the result without us; not 0.
 void *answer_to_lookup(CaughtFunction function, void *found);
 
-/// Whether the calling thread is to get functions of ODE as they are. Defined where calls are caught.
+/// Is the calling thread to get ODE's own functions? Defined in catch_calls.cpp.
 bool sees_ode_itself();
 } // namespace ode_predictive_space::preload
 

@@ -27,25 +27,26 @@ callback gets the pairs that dSimpleSpace would report, in another order.
 
 Each option but --report sets an environment variable, which the programs that PROGRAM starts inherit, and which can be set
 without this tool: ODE_PREDICTIVE_SPACE=LIST, ODE_PREDICTIVE_PROXIMITY=KIND, ODE_PREDICTIVE_STATS=1 or FILE,
-ODE_PREDICTIVE_COMPARE=1, ODE_PREDICTIVE_TRACE=FILE, ODE_PREDICTIVE_RECORD=FILE, ODE_PREDICTIVE_RECORD_LIMIT=N; and
-LD_PRELOAD, the path of libode_predictive_space_preload.so.
+ODE_PREDICTIVE_TRACE=FILE, ODE_PREDICTIVE_RECORD=FILE, ODE_PREDICTIVE_RECORD_LIMIT=N; and LD_PRELOAD, the path of
+libode_predictive_space_preload.so.
 
-Each process writes its statistics when it exits. One that a signal or _exit() ends writes none, which a line says; its
-recording is kept. With --stats, --compare, --trace, --record or --report the tool stays until PROGRAM has ended and passes
-signals on to it. Without these options, PROGRAM takes the tool's place.
+PROGRAM takes the tool's place. With --report the tool stays until PROGRAM has ended, and passes signals on to it. Each process
+writes its statistics when it exits; one that has no shared library of ODE, or that a signal or _exit() ends, writes none. Its
+recording is kept.
 
 The program must use the shared library of ODE that this was built for. Others keep their own spaces, and a line on standard
 error says why: an ODE of another precision or layout, a second copy in the process, an ODE built into the program. An ODE
 inside a program without symbols is not seen and not replaced. LD_PRELOAD has no effect on set-user-ID programs and on
 statically linked ones.
 
-Exit status: the program's, also when a signal ended it; 2 for a wrong option, and instead of 0 when some output of these
-options could not be written, which a line on standard error says; 126 or 127 when the program cannot be started.
-Statistics that FILE does not take go to standard error.)";
+Exit status: the program's, also when a signal ended it; 2 for a wrong option, and instead of 0 when the page of --report could
+not be written; 126 or 127 when the program cannot be started. Output that cannot be written is reported by a line on standard
+error; statistics that FILE does not take go there.)";
 
 constexpr char about_replay[] =
     R"(
-An event is a dSpaceCollide() or a dSpaceCollide2(). By sphere and by shape, pairs are left out; then dCollide() must find no contact in any of them. ODE's own spaces may end by an assertion, which is
+An event is a dSpaceCollide() or a dSpaceCollide2(). Instructions are counted by valgrind where it is installed. By sphere and by
+shape, pairs are left out; then dCollide() must find no contact in any of them. ODE's own spaces may end by an assertion, which is
 said. A recording that is cut, as when the program was killed, is replayed up to its last whole record, and a line says where
 that is.
 
@@ -96,8 +97,6 @@ void add_run(CLI::App &tool, preload::RunOptions &options)
     run->add_option("--record-limit", options.record_limit,
                     "Bytes of a recording, as 100M; there it ends, at the end of a collide (default: 256M)")
         ->type_name("N");
-    run->add_flag("--compare", options.compare,
-                  "Check each collide against all pairs, and report differences on standard error; slow");
     run->add_option(
            "--trace", options.trace_file,
            "Add a line to FILE for each collide: how many pairs, and a hash of them. To make runs comparable, the "
@@ -111,7 +110,8 @@ void add_run(CLI::App &tool, preload::RunOptions &options)
 void add_replay(CLI::App &tool, recording::ReplayOptions &options)
 {
     CLI::App *replay = tool.add_subcommand(
-        "replay", "Replay a recording in spaces of every kind: do they find the same pairs, what do they take?");
+        "replay",
+        "Replay a recording in spaces of every kind: do they find the same pairs, how many instructions do they take?");
     std::vector<std::string> kinds;
     for (const recording::SpaceKind kind : recording::all_kinds)
         kinds.emplace_back(name_of(kind));
@@ -122,8 +122,7 @@ void add_replay(CLI::App &tool, recording::ReplayOptions &options)
             "simple, hash, quadtree, sap: ODE's; box, sphere, shape: predictive (default: all)")
         ->allow_extra_args(false)
         ->check(CLI::IsMember(kinds));
-    replay->add_flag("--times", options.times,
-                     "Measure times also where valgrind is installed, which otherwise counts instructions");
+    replay->add_flag("--pairs", options.pairs_alone, "Compare pairs alone, and count no instructions");
     replay
         ->add_option("--reference", options.reference,
                      "Compare pairs with those of these spaces (default: simple, which takes long among many thousands "
@@ -140,9 +139,8 @@ void add_replay(CLI::App &tool, recording::ReplayOptions &options)
                      "Count also what is before the first event, the making of all geoms, and their end");
     replay
         ->add_option("--json", options.json_file,
-                     "Write the figures to FILE, too: for each kind of spaces the cost per event, the pairs of these "
-                     "events, and "
-                     "whether all pairs agree")
+                     "Write the figures to FILE, too: for each kind of spaces the instructions per event, the pairs "
+                     "of these events, and whether all pairs agree")
         ->type_name("FILE");
     replay->add_option("--counted", options.counted)->group(""); // for the process under callgrind
     replay->add_option("FILE", options.file)->required();

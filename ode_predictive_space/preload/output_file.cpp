@@ -19,7 +19,8 @@ OutputFile::OutputFile(const std::string &path)
 
 OutputFile::~OutputFile()
 {
-    close();
+    if (file_ >= 0 && close(file_) != 0)
+        fail();
 }
 
 bool OutputFile::write(const std::string &text)
@@ -33,15 +34,6 @@ bool OutputFile::write(const std::string &text)
         else if (errno != EINTR)
             fail();
     }
-    return !failed_;
-}
-
-bool OutputFile::close()
-{
-    const int file = file_;
-    file_ = -1;
-    if (file >= 0 && ::close(file) != 0)
-        fail();
     return !failed_;
 }
 

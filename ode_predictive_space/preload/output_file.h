@@ -1,5 +1,3 @@
-// Files that the programs and the launcher append to. Nothing that cannot be written is lost without a message.
-
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_OUTPUT_FILE_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_OUTPUT_FILE_H
 
@@ -12,8 +10,8 @@ namespace ode_predictive_space::preload
 {
 using recording::NoSignalOfWriting;
 
-/// A file to append to. Without a buffer: a text is written at once and in one piece, also when other processes write to the same
-/// file, and when this one forks there is nothing left that its child would write again. Any number of threads may write.
+/// A file to append to, without a buffer: a text is written at once and in one piece, also when other processes write to the same
+/// file, and a forked child has nothing left to write again. Any number of threads may write.
 class OutputFile
 {
 public:
@@ -22,12 +20,9 @@ public:
     OutputFile(const OutputFile &) = delete;
     OutputFile &operator=(const OutputFile &) = delete;
 
-    /// @return whether all of it is written. After the first failure, of opening also, there is one line on standard error, and
-    /// nothing more is written.
+    /// @return whether all of it is written. The first failure, also of opening, writes a line to standard error; nothing more is
+    /// written then.
     bool write(const std::string &text);
-
-    /// @return whether all that was written is in the file; a line on standard error otherwise.
-    bool close();
 
 private:
     void fail();

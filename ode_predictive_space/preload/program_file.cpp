@@ -1,7 +1,6 @@
 #include "ode_predictive_space/preload/program_file.h"
 
 #include <cstddef>
-#include <cstdio>
 #include <cstring>
 
 #include <fcntl.h>
@@ -58,23 +57,6 @@ bool equals(const char *names, std::size_t size, std::size_t offset, const char 
     return offset <= size && length <= size - offset && std::memcmp(names + offset, name, length) == 0;
 }
 
-// Calls `visit` for each section that has names in another one, with both, until it returns true.
-//
-// @return whether it did.
-template <typename Visit> bool any_section_with_names(const MappedFile &file, Visit visit)
-{
-    const auto *header = file.array<ElfW(Ehdr)>(0, 1);
-    if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0)
-        return false;
-    const auto *sections = file.array<ElfW(Shdr)>(header->e_shoff, header->e_shnum);
-    if (!sections)
-        return false;
-    for (std::size_t i = 0; i < header->e_shnum; ++i)
-        if (sections[i].sh_link < header->e_shnum && visit(sections[i], sections[sections[i].sh_link]))
-            return true;
-    return false;
-}
-
 // Defined, not only called: a call leaves a symbol without a section.
 bool defines_function(const MappedFile &file, const ElfW(Shdr) & symbols, const ElfW(Shdr) & strings, const char *name)
 {
@@ -89,49 +71,23 @@ bool defines_function(const MappedFile &file, const ElfW(Shdr) & symbols, const 
             return true;
     return false;
 }
-
-// The name of the first such library; 0 when there is none, or a name that does not end within the section.
-const char *needed_library(const MappedFile &file, const ElfW(Shdr) & dynamic, const ElfW(Shdr) & strings,
-                           const char *beginning)
-{
-    const std::size_t count = dynamic.sh_size / sizeof(ElfW(Dyn));
-    const auto *entry = file.array<ElfW(Dyn)>(dynamic.sh_offset, count);
-    const char *names = file.array<char>(strings.sh_offset, strings.sh_size);
-    for (std::size_t i = 0; entry && names && i < count; ++i)
-    {
-        const std::size_t offset = entry[i].d_un.d_val;
-        if (entry[i].d_tag == DT_NEEDED && offset < strings.sh_size &&
-            std::memchr(names + offset, 0, strings.sh_size - offset) &&
-            std::strncmp(names + offset, beginning, std::strlen(beginning)) == 0)
-            return names + offset;
-    }
-    return nullptr;
-}
 } // namespace
 
 bool has_ode_built_in(const char *program_file)
 {
     const MappedFile file(program_file);
-    return any_section_with_names(file, [&](const ElfW(Shdr) & section, const ElfW(Shdr) & strings) {
-        return (section.sh_type == SHT_SYMTAB || section.sh_type == SHT_DYNSYM) &&
-               defines_function(file, section, strings, "dSpaceCollide");
-    });
-}
-
-void find_needed_library(const char *program_file, const char *beginning, char *name, std::size_t size)
-{
-    const MappedFile file(program_file);
-    name[0] = 0;
-    any_section_with_names(file, [&](const ElfW(Shdr) & section, const ElfW(Shdr) & strings) {
-        const char *found =
-            section.sh_type == SHT_DYNAMIC ? needed_library(file, section, strings, beginning) : nullptr;
-        if (found)
-        {
-            const std::size_t length = strnlen(found, size - 1);
-            std::memcpy(name, found, length);
-            name[length] = 0;
-        }
-        return found != nullptr;
-    });
+    const auto *header = file.array<ElfW(Ehdr)>(0, 1);
+    if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0)
+        return false;
+    const auto *sections = file.array<ElfW(Shdr)>(header->e_shoff, header->e_shnum);
+    for (std::size_t i = 0; sections && i < header->e_shnum; ++i)
+    {
+        const ElfW(Shdr) &section = sections[i];
+        const bool has_symbols = section.sh_type == SHT_SYMTAB || section.sh_type == SHT_DYNSYM;
+        if (has_symbols && section.sh_link < header->e_shnum &&
+            defines_function(file, section, sections[section.sh_link], "dSpaceCollide"))
+            return true;
+    }
+    return false;
 }
 } // namespace ode_predictive_space::preload

@@ -1,21 +1,13 @@
-// What the file of a program says of it. Nothing but the C library here, as in the half that is loaded into every process.
+// Reads the file of a program. Belongs to the half that is loaded into every process: it uses the C library alone.
 
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_PROGRAM_FILE_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_PROGRAM_FILE_H
 
-#include <cstddef>
-
 namespace ode_predictive_space::preload
 {
-/// Does this program file define ODE's functions itself? Then it was linked with a static ODE, whose calls never leave it.
-/// Seen in its symbol tables; a program from which all symbols were stripped does not tell.
+/// Does this program define ODE's functions itself? Then it was linked with a static ODE, whose calls cannot be caught. The answer is
+/// in its symbol tables: a program without symbols seems to define none.
 bool has_ode_built_in(const char *program_file);
-
-/// Finds a library that a program is linked with.
-///
-/// @param beginning of its name.
-/// @param name gets the whole name; empty: the program is linked with none.
-void find_needed_library(const char *program_file, const char *beginning, char *name, std::size_t size);
 } // namespace ode_predictive_space::preload
 
 #endif

@@ -7,18 +7,15 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
-#include "ode_predictive_space/preload/notes_to_launcher.h"
-#include "ode_predictive_space/preload/program_file.h"
 #include "ode_predictive_space/preload/say.h"
 #include "ode_predictive_space/preload/settings.h"
-#include "ode_predictive_space/preload/supervise.h"
 #include "ode_predictive_space/recording/commands.h"
 #include "ode_predictive_space/recording/history_file.h"
 #include "ode_predictive_space/recording/page.h"
@@ -43,7 +40,7 @@ void set(const char *name, const std::string &value)
 
 // --- The libraries to load ---
 
-// Beside the tool in a build; where an installation has its libraries.
+// The library lies beside the tool in a build, and in the folder of libraries of an installation.
 std::string path_of_preload()
 {
     std::error_code none; // the path is empty then, and the library missing
@@ -58,47 +55,17 @@ std::string path_of_preload()
     return path;
 }
 
-// As execvp() finds it; empty: nowhere.
-std::string path_of_program(const std::string &program)
-{
-    if (program.find('/') != std::string::npos)
-        return program;
-    std::istringstream folders(in_environment("PATH"));
-    for (std::string folder; std::getline(folders, folder, ':');)
-        if (const std::string path = folder + "/" + program; access(path.c_str(), X_OK) == 0)
-            return path;
-    return "";
-}
-
-// GCC's shared runtime, and Clang's, ends a program in which it is not the first library, before any of ours runs.
-void refuse_sanitizer_behind_us(const std::string &program, const std::string &others)
-{
-    const std::string first = std::filesystem::path(others.substr(0, others.find_first_of(": "))).filename();
-    const std::string options = in_environment("ASAN_OPTIONS");
-    for (const std::string runtime : {"libasan.so", "libclang_rt.asan"})
-    {
-        char library[256];
-        find_needed_library(path_of_program(program).c_str(), runtime.c_str(), library, sizeof library);
-        if (*library && first.rfind(runtime, 0) != 0 && options.find("verify_asan_link_order=0") == std::string::npos)
-            throw Refusal(program +
-                          " is built with AddressSanitizer, whose library has to be loaded before any other: put "
-                          "LD_PRELOAD=" +
-                          library + " before the command");
-    }
-}
-
-// Libraries that are preloaded already stay in front: some have to be the first.
-void preload(const std::string &program)
+// Libraries that are preloaded already stay in front, because some must be the first.
+void preload()
 {
     const std::string others = in_environment("LD_PRELOAD");
-    refuse_sanitizer_behind_us(program, others);
     set("LD_PRELOAD", (others.empty() ? "" : others + ":") + path_of_preload());
 }
 
 // --- The files to write ---
 
-// Absolute, because another process may have another working directory. That the file cannot be written is noticed before the
-// program runs, which alone makes it. Opening a pipe could be noticed by its reader.
+// Returns the absolute path, because processes may have different working directories, and refuses a file that cannot be written.
+// The file is left to the program to make. A pipe is not opened, because its reader would notice.
 std::string writable(const std::string &file, const std::string &option)
 {
     const std::string path = std::filesystem::absolute(file);
@@ -113,7 +80,7 @@ std::string writable(const std::string &file, const std::string &option)
     return path;
 }
 
-// The file of an earlier run goes: a program takes an existing one for that of another process.
+// Removes the file of an earlier run: a program takes an existing file for that of another process.
 std::string recording_file(const std::string &file)
 {
     const std::string path = writable(file, "--record");
@@ -128,7 +95,7 @@ std::string recording_file(const std::string &file)
     return path;
 }
 
-// A page is not worth more than 64 MB: its replay takes as long as the recorded part did, several times.
+// For a page, 64 MB are enough: they are replayed many times.
 void prepare_report(RunOptions &options)
 {
     if (options.report_folder.empty())
@@ -151,7 +118,6 @@ void set_variables(RunOptions &options)
         set("ODE_PREDICTIVE_STATS", "1");
     else if (!options.stats.empty())
         set("ODE_PREDICTIVE_STATS", writable(options.stats, "--stats"));
-    set("ODE_PREDICTIVE_COMPARE", options.compare ? "1" : "");
     if (!options.trace_file.empty())
         set("ODE_PREDICTIVE_TRACE", writable(options.trace_file, "--trace"));
     if (!options.record_file.empty())
@@ -161,45 +127,78 @@ void set_variables(RunOptions &options)
     set("ODE_PREDICTIVE_RECORD_LIMIT", options.record_limit);
 }
 
-Settings settings_of_program()
+// --- The program ---
+
+[[noreturn]] void become(char **command)
 {
-    std::vector<std::string> complaints; // the program makes them
-    return read_settings([](const char *name) { return std::getenv(name); }, complaints);
+    execvp(command[0], command);
+    const int reason = errno;
+    std::fprintf(stderr, "ode-predictive: %s: %s\n", printable(command[0]).c_str(), std::strerror(reason));
+    _exit(reason == ENOENT ? 127 : 126);
 }
 
-// --- After the program's end ---
+pid_t program;
 
-// Otherwise a question about a program without ODE, or about one that was killed, would get no answer.
-void tell_what_is_missing(const NotesToLauncher &notes, const Settings &settings)
+// Signals of the terminal reach the program without our help.
+void pass_on(int signal, siginfo_t *from, void * /*context*/)
 {
-    const long processes = notes.count(Note::began);
-    if (processes == 0)
-        say("no process with a space of ODE was seen");
-    const long silent = processes - notes.count(Note::finished);
-    if (silent > 0 && (settings.stats || settings.compare))
-        say("%ld of %ld processes with ODE wrote no statistics: a signal or _exit() ended them, or they still run; "
-            "with --record FILE what they did is kept",
-            silent, processes);
+    const bool is_sent_by_a_process = from->si_code <= 0;
+    if (is_sent_by_a_process)
+        kill(program, signal);
 }
 
-std::string title_of(const RunOptions &options)
+// Runs the program and passes signals on to it. Standard input and output are the program's alone.
+// @return its status, as from waitpid().
+int run_and_wait(char **command)
+{
+    sigset_t all, before;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &before);
+    const auto on_child_end = std::signal(SIGCHLD, SIG_DFL); // it may be ignored, which is inherited
+    program = fork();
+    if (program < 0)
+        throw Refusal(std::string("no process: ") + std::strerror(errno));
+    if (program == 0)
+    {
+        std::signal(SIGCHLD, on_child_end);
+        sigprocmask(SIG_SETMASK, &before, nullptr);
+        become(command);
+    }
+    struct sigaction action = {};
+    action.sa_sigaction = pass_on;
+    action.sa_flags = SA_SIGINFO | SA_RESTART;
+    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2})
+        sigaction(signal, &action, nullptr);
+    sigprocmask(SIG_SETMASK, &before, nullptr);
+    close(STDIN_FILENO);
+    close(STDOUT_FILENO);
+    int status = 0;
+    while (waitpid(program, &status, 0) < 0 && errno == EINTR)
+    {}
+    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2})
+        std::signal(signal, SIG_DFL);
+    return status;
+}
+
+// Ends this process as the program ended: with its exit status, or by its signal, but without a second core file.
+[[noreturn]] void end_like(int status, bool has_report)
+{
+    if (WIFSIGNALED(status))
+    {
+        prctl(PR_SET_DUMPABLE, 0);
+        std::signal(WTERMSIG(status), SIG_DFL);
+        raise(WTERMSIG(status));
+    }
+    std::exit(WEXITSTATUS(status) == 0 && !has_report ? 2 : WEXITSTATUS(status));
+}
+
+bool write_report(const RunOptions &options)
+try
 {
     std::string title = "ode-predictive run";
     for (const std::string &word : options.command)
         title += " " + word;
-    return title;
-}
-
-// Signals were blocked while the program ran; a user may interrupt replays.
-bool write_report(const RunOptions &options)
-try
-{
-    if (options.report_folder.empty())
-        return true;
-    sigset_t none;
-    sigemptyset(&none);
-    sigprocmask(SIG_SETMASK, &none, nullptr);
-    say("report: %s", recording::write_report(options.report_folder, options.record_file, title_of(options)).c_str());
+    say("report: %s", recording::write_report(options.report_folder, options.record_file, title).c_str());
     return true;
 }
 catch (const std::exception &failure)
@@ -216,16 +215,10 @@ void run(RunOptions options)
         command.push_back(word.data());
     command.push_back(nullptr);
     set_variables(options);
-    preload(options.command.front());
-    const Settings settings = settings_of_program();
-    if (!settings.watches())
+    preload();
+    if (options.report_folder.empty())
         become(command.data());
-    const std::unique_ptr<NotesToLauncher> notes = NotesToLauncher::create();
-    if (!notes)
-        throw Refusal(std::string("no memory: ") + std::strerror(errno));
-    const int status = run_and_wait(command.data(), notes->file());
-    tell_what_is_missing(*notes, settings);
-    const bool all_written = write_report(options) && notes->count(Note::lost) == 0 && !std::ferror(stderr);
-    end_like(status, all_written);
+    const int status = run_and_wait(command.data());
+    end_like(status, write_report(options));
 }
 } // namespace ode_predictive_space::preload

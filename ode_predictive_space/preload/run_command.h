@@ -12,14 +12,14 @@ struct RunOptions
     std::string spaces;    ///< hash, quadtree, sap, simple, all, none; several separated by commas
     std::string proximity; ///< box, sphere, shape
     std::string stats;     ///< a file, or `to_standard_error`
-    bool compare = false;
     std::string trace_file, record_file, record_limit, report_folder;
     std::vector<std::string> command; ///< the program and its arguments
 
     static constexpr const char *to_standard_error = "true"; ///< of statistics
 };
 
-/// Runs the program with the preload, and ends this process as the program ended.
+/// Runs the program with the preload in place of this one; with a report, waits for its end, writes the page and ends as the program
+/// ended.
 ///
 /// @throws std::runtime_error for options that cannot be carried out, before the program runs.
 [[noreturn]] void run(RunOptions options);

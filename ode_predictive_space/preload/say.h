@@ -9,7 +9,7 @@
 
 namespace ode_predictive_space::preload
 {
-/// One line on standard error, printable and in one piece, so that the lines of several processes do not mix.
+/// Writes one line to standard error, printable and in one piece, so that the lines of several processes do not mix.
 __attribute__((format(printf, 1, 2))) inline void say(const char *format, ...)
 {
     char line[1024], shown[4 * sizeof line];

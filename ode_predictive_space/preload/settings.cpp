@@ -10,7 +10,7 @@ namespace ode_predictive_space::preload
 {
 namespace
 {
-// Plain data: the names are still wanted when objects have been destroyed, at exit.
+// Plain data, because the names are used at exit, when objects have been destroyed.
 struct NamedClass
 {
     const char *name;
@@ -89,14 +89,6 @@ public:
         return bytes ? bytes : otherwise;
     }
 
-    bool yes(const char *name)
-    {
-        const std::string text = value(name);
-        if (!text.empty() && text != "0" && text != "1")
-            complain(name, text, "0 or 1", "0");
-        return text == "1";
-    }
-
 private:
     void complain(const char *name, const std::string &word, const char *known, const char *instead)
     {
@@ -130,7 +122,6 @@ Settings read_settings(const std::function<const char *(const char *)> &variable
     const std::string stats = reader.value("ODE_PREDICTIVE_STATS");
     settings.stats = !stats.empty() && stats != "0";
     settings.stats_file = settings.stats && stats != "1" ? stats : "";
-    settings.compare = reader.yes("ODE_PREDICTIVE_COMPARE");
     settings.trace_file = reader.value("ODE_PREDICTIVE_TRACE");
     settings.record_file = reader.value("ODE_PREDICTIVE_RECORD");
     settings.record_limit = reader.bytes("ODE_PREDICTIVE_RECORD_LIMIT", default_record_limit);

@@ -16,26 +16,25 @@ struct Settings
     int proximity;                  ///< a dPredictiveProximity constant
     bool stats = false;             ///< at exit, say what each space did
     std::string stats_file;         ///< where; empty: on standard error
-    bool compare = false;           ///< check every collide against all pairs
     std::string trace_file;         ///< a line for every collide; empty: none
-    std::string record_file;        ///< what the program tells its spaces; empty: it is not recorded
+    std::string record_file;        ///< the recording; empty: none
     std::uint64_t record_limit = 0; ///< bytes
-    bool watches() const { return stats || compare || !trace_file.empty() || !record_file.empty(); }
+    bool watches() const { return stats || !trace_file.empty() || !record_file.empty(); }
 };
 
-/// Bytes of a recording unless ODE_PREDICTIVE_RECORD_LIMIT says something else.
+/// Bytes of a recording unless ODE_PREDICTIVE_RECORD_LIMIT is set.
 constexpr std::uint64_t default_record_limit = std::uint64_t{256} << 20;
 
-/// A number of bytes, perhaps with K, M or G for 2^10, 2^20 or 2^30 of them; 0 when it is none or no more than 2^60.
+/// A number of bytes, at most 2^60, with or without K, M or G for 2^10, 2^20 or 2^30 of them; 0 for any other text.
 std::uint64_t bytes_named(const std::string &text);
 
-/// Reads the variables ODE_PREDICTIVE_SPACE, _PROXIMITY, _STATS, _COMPARE, _TRACE, _RECORD and _RECORD_LIMIT.
+/// Reads the variables ODE_PREDICTIVE_SPACE, _PROXIMITY, _STATS, _TRACE, _RECORD and _RECORD_LIMIT.
 ///
 /// @param variable gives a variable's value, or 0.
 /// @param complaints gets a sentence for each value that is not known, for which the default is taken.
 Settings read_settings(const std::function<const char *(const char *)> &variable, std::vector<std::string> &complaints);
 
-/// Is it hash, quadtree, sap, simple, all or none?
+/// Is the word hash, quadtree, sap, simple, all or none?
 bool is_name_of_spaces(const std::string &word);
 
 /// "hash" for dHashSpaceClass, and so on.

@@ -1,8 +1,7 @@
-// What the two halves of the preload say to each other.
+// The interface between the two halves of the preload.
 //
-// The first, libode_predictive_space_preload.so, is loaded into every process, needs nothing but the C library, and catches
-// calls. When the first call is caught, it loads the second, libode_predictive_space_substitute.so, which brings ODE's and the
-// C++ library's code with it, but only into a process that has ODE.
+// libode_predictive_space_preload.so is loaded into every process, needs the C library alone, and catches calls. When it catches the
+// first call, it loads libode_predictive_space_substitute.so, which needs ODE and the C++ library.
 
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_SUBSTITUTE_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_SUBSTITUTE_H
@@ -23,21 +22,21 @@ struct OdeCalls
     void (*collide2)(dGeomID, dGeomID, void *, dNearCallback *);
 };
 
-/// What the substitute wants to be asked. The last three are 0 unless the program is watched.
+/// The functions of the substitute. The last three are 0 unless the program is watched.
 struct Hooks
 {
-    /// A space in place of one of this class; 0 when the program is to have its own.
+    /// Makes a space in place of one of this class. Returns 0 when the program is to have its own.
     dSpaceID (*create)(int space_class, dSpaceID parent);
 
-    /// The program got a space of its own.
+    /// Is called when the program got one of ODE's spaces.
     void (*made)(dSpaceID);
 
     void (*collide)(dSpaceID, void *, dNearCallback *);
     void (*collide2)(dGeomID, dGeomID, void *, dNearCallback *);
 };
 
-/// The substitute's only symbol. To be called once. It asks nothing of the dynamic linker: that is done when the substitute is
-/// loaded.
+/// The only exported function of the substitute, to be called once. It does not call the dynamic linker: all lookups are made when
+/// the substitute is loaded.
 ///
 /// @param calls stays valid.
 /// @return 0, after a line on standard error, when this ODE cannot be served. Otherwise the hooks, valid to the end.

@@ -1,7 +1,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_WATCH_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_WATCH_H
 
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -14,7 +13,7 @@
 
 namespace ode_predictive_space::preload
 {
-/// Measures, compares and traces the collides of a process, as the settings ask. Lives until the process ends.
+/// Measures, traces and records the collides of a process, as the settings ask. Lives until the process ends.
 class Watch
 {
 public:
@@ -24,35 +23,35 @@ public:
     void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback);
     Ledger &ledger() { return ledger_; }
 
-    /// Before this process forks, and afterwards in the parent: no other thread records meanwhile.
+    /// To be called before this process forks and afterwards in the parent: no other thread records in between.
     void hold_recording() { recording_.lock(); }
     void resume_recording() { recording_.unlock(); }
 
-    /// Afterwards in the child, which has a recording of its own.
+    /// To be called afterwards in the child, which begins another recording.
     void begin_recording_in_child();
 
-    /// Writes what has been learnt to where it is wanted.
-    void report();
+    /// Ends the recording, and writes the statistics to where they are wanted.
+    void finish();
 
 private:
     struct Call;
     recording::Recorder *recorder();
     void end_recording();
-    void run(Call &call, void *data, dNearCallback *callback);
+    void write_statistics() const;
+    template <typename Native, typename Record> void run(Call &call, Native native, Record record);
+    void count(const Call &call);
     static void end_event(Call &call);
-    void judge(Call &call);
     void trace(Call &call);
     static void on_pair(void *call, dGeomID first, dGeomID second);
 
     Settings settings_;
     OdeCalls ode_;
     Ledger ledger_;
-    std::unique_ptr<OutputFile> trace_file_;        // 0: there is no trace
-    std::mutex recording_;                          // of the next three
-    std::unique_ptr<recording::Recorder> recorder_; // 0: nothing has been recorded yet
+    std::unique_ptr<OutputFile> trace_file_; // 0: there is no trace
+    std::mutex recording_;                   // guards the next three
+    std::unique_ptr<recording::Recorder> recorder_;
     std::string recorded_file_;
-    bool records_ = false; // unless it could not
-    unsigned long complaints_ = 0;
+    bool records_ = false; // wanted, and the file could be written
 };
 } // namespace ode_predictive_space::preload
 

@@ -8,7 +8,7 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// Fewer collides are mostly the first ones, in which a predictive space has yet to make its envelopes.
+// In fewer collides the first ones dominate, in which a predictive space makes its envelopes.
 constexpr std::size_t fewest_events = 50;
 constexpr double least_gain = 0.02; // of a tick
 
@@ -36,12 +36,7 @@ bool is_worth(const std::optional<Gain> &gain)
     return gain && gain->share >= least_gain && is_clear(*gain);
 }
 
-bool is_predictive(SpaceKind kind)
-{
-    return kind == SpaceKind::box || kind == SpaceKind::sphere || kind == SpaceKind::shape;
-}
-
-// The best of ODE's spaces but for the program's own; none when all end the program.
+// The best of ODE's other spaces; none when all end the program.
 std::optional<SpaceKind> best_of_ode(const Findings &findings)
 {
     std::optional<SpaceKind> best;

@@ -39,8 +39,8 @@ struct Findings
 };
 
 /// The time that a tick would be shorter, as a share of the tick with the program's own spaces. In the program all spaces are slower
-/// than in a replay, whose data stay in the processor's caches; they are taken to be slower by the same time, which is
-/// cautious: a space that reads more loses more.
+/// than in a replay, whose data stay in the processor's caches. All are taken to be slower by the same time. That is cautious: a
+/// space that reads more memory loses more.
 struct Gain
 {
     double share;  ///< median of the replays
@@ -58,7 +58,7 @@ enum class Advice
     use_by_shape
 };
 
-/// A gain below 2 % of a tick is none; one below twice the spread is not known.
+/// A gain below 2 % of a tick is none. A gain below twice the spread is not known.
 Advice advice_for(const Findings &findings);
 
 /// The sentences, with the figures that they rest on and the line to change.

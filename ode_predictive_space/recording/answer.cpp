@@ -10,32 +10,47 @@
 #include "ode_predictive_space/recording/check.h"
 #include "ode_predictive_space/recording/curves.h"
 #include "ode_predictive_space/recording/formatted.h"
-#include "ode_predictive_space/recording/own_space.h"
 #include "ode_predictive_space/recording/replay.h"
 
 namespace ode_predictive_space::recording
 {
-
 namespace
 {
-double per_event(double value, const Cost &cost)
+// Means per event.
+struct Means
 {
-    return cost.events > 0 ? value / static_cast<double>(cost.events) : 0;
+    double collide = 0, notices = 0, callbacks = 0;
+};
+
+Means means_of(const Cost &cost)
+{
+    Means means;
+    for (const MeasuredEvent &event : cost.events)
+    {
+        means.collide += static_cast<double>(event.collide);
+        means.notices += static_cast<double>(event.notices);
+        means.callbacks += event.callbacks;
+    }
+    for (double *sum : {&means.collide, &means.notices, &means.callbacks})
+        *sum /= static_cast<double>(std::max<std::size_t>(cost.events.size(), 1));
+    return means;
 }
 
-// One kind of spaces: what each replay took, and of each event the least time.
+// The replays in one kind of spaces: the least time of each event, and the cost of each replay.
 struct Replays
 {
-    SpaceKind kind; ///< that stands on the page; the program's own spaces are replayed as SpaceKind::own
+    SpaceKind kind; // on the page; the program's own spaces are replayed as SpaceKind::own
     SpaceKind replayed_as;
     Cost least;
-    std::vector<double> costs = {}; // of each replay: processor time, in microseconds per event
+    std::vector<double> costs = {}; // processor time of each replay, in microseconds per event
 };
 
 struct Costs
 {
-    std::vector<Replays> spaces; // the program's own first
+    std::vector<Replays> spaces;        // the program's own first
+    double notices_without_a_space = 0; // seconds per event that the changes take without a space
     Callbacks callbacks;
+    std::string failure_of_callbacks;
 };
 
 const Replays *of_kind(const Costs &costs, SpaceKind kind)
@@ -56,7 +71,7 @@ std::vector<Replays> spaces_to_replay(SpaceKind own)
     return spaces;
 }
 
-// The quicker of two replays: a virtual machine may stand still meanwhile, which counts as processor time.
+// The quicker of two replays: a virtual machine that is stopped meanwhile counts that as processor time.
 Cost quicker_of_two(const Recording &recording, SpaceKind kind, std::size_t events, double most_seconds)
 {
     Cost one = measure(recording, kind, events, most_seconds);
@@ -66,16 +81,23 @@ Cost quicker_of_two(const Recording &recording, SpaceKind kind, std::size_t even
     return other.failure.empty() && other.processor_time < one.processor_time ? other : one;
 }
 
-// One replay of each kind after another, so that a change of the machine's speed is in all of them.
-void replay_in_turns(const Recording &recording, std::size_t events, double most_seconds, std::vector<Replays> &spaces)
+// Microseconds per event: the difference of a replay in spaces and one without.
+double cost_in_spaces(const Cost &without, const Cost &cost)
+{
+    const double events = static_cast<double>(std::max<std::size_t>(cost.events.size(), 1));
+    return 1e6 * (cost.processor_time - without.processor_time) / events;
+}
+
+// Replays the kinds in turns, so that a change of the machine's speed affects all of them.
+void replay_in_turns(const Recording &recording, std::size_t events, double most_seconds, Costs &costs)
 {
     constexpr int times = 5;
-    Cost none = measure(recording, SpaceKind::none, events, most_seconds);
+    Cost least_without = measure(recording, SpaceKind::none, events, most_seconds);
     for (int i = 0; i < times; ++i)
     {
-        const Cost none_now = quicker_of_two(recording, SpaceKind::none, events, most_seconds);
-        take_least(none_now, none);
-        for (Replays &replays : spaces)
+        const Cost without = quicker_of_two(recording, SpaceKind::none, events, most_seconds);
+        take_least(without, least_without);
+        for (Replays &replays : costs.spaces)
         {
             if (i > 0 && !replays.least.failure.empty())
                 continue;
@@ -85,18 +107,17 @@ void replay_in_turns(const Recording &recording, std::size_t events, double most
             else
                 take_least(cost, replays.least);
             if (cost.failure.empty())
-                replays.costs.push_back(1e6 * per_event(without(none_now, cost).processor_time, cost));
+                replays.costs.push_back(cost_in_spaces(without, cost));
         }
     }
-    for (Replays &replays : spaces)
-        replays.least = without(none, replays.least);
+    costs.notices_without_a_space = means_of(least_without).notices;
 }
 
-// The machine may have been slow in all of a replay: the costliest of each kind is made once more.
+// Repeats the costliest replay of each kind: the machine may have been slow during all of it.
 void replay_costliest_again(const Recording &recording, std::size_t events, double most_seconds,
                             std::vector<Replays> &spaces)
 {
-    const Cost none = quicker_of_two(recording, SpaceKind::none, events, most_seconds);
+    const Cost without = quicker_of_two(recording, SpaceKind::none, events, most_seconds);
     for (Replays &replays : spaces)
     {
         if (replays.costs.empty())
@@ -104,20 +125,20 @@ void replay_costliest_again(const Recording &recording, std::size_t events, doub
         const Cost again = quicker_of_two(recording, replays.replayed_as, events, most_seconds);
         double &costliest = *std::max_element(replays.costs.begin(), replays.costs.end());
         if (again.failure.empty())
-            costliest = std::min(costliest, 1e6 * per_event(without(none, again).processor_time, again));
+            costliest = std::min(costliest, cost_in_spaces(without, again));
     }
 }
 
-// The tick of the program, as the mean of the events that were replayed.
+// The mean tick of the program, over the events that were replayed.
 std::optional<RecordedTick> recorded_tick(const Recording &recording, const Costs &costs)
 {
     RecordedTick tick;
-    tick.kind = kind_of_recorded_space(recording);
+    tick.kind = recorded_kind(recording.state_of_first_space());
     const Replays *replays = of_kind(costs, tick.kind);
     if (!replays)
         return std::nullopt;
     std::size_t known = 0;
-    for (std::size_t i = 0; i < std::min(replays->least.events, recording.events().size()); ++i)
+    for (std::size_t i = 0; i < std::min(replays->least.events.size(), recording.events().size()); ++i)
     {
         const EventSummary &event = recording.events()[i];
         if (!event.has_times || !(event.times.tick > 0))
@@ -137,9 +158,10 @@ std::optional<RecordedTick> recorded_tick(const Recording &recording, const Cost
 Findings findings_of(const Recording &recording, const Costs &costs)
 {
     Findings findings;
-    findings.events = costs.spaces.front().least.events;
+    findings.events = costs.spaces.front().least.events.size();
     findings.own = costs.spaces.front().kind;
-    const double spared = 1e6 * per_event(costs.callbacks.seconds_spared, costs.spaces.front().least);
+    const double spared =
+        1e6 * costs.callbacks.seconds_spared / static_cast<double>(std::max<std::size_t>(findings.events, 1));
     for (const Replays &replays : costs.spaces)
         findings.spaces.push_back({replays.kind, replays.costs, replays.kind == SpaceKind::shape ? spared : 0});
     findings.tick = recorded_tick(recording, costs);
@@ -148,22 +170,17 @@ Findings findings_of(const Recording &recording, const Costs &costs)
 
 std::string name_on_page(const Replays &replays)
 {
-    const bool is_predictive =
-        replays.kind == SpaceKind::box || replays.kind == SpaceKind::sphere || replays.kind == SpaceKind::shape;
-    const std::string name =
-        is_predictive ? std::string("predictive, by ") + name_of(replays.kind) : name_of(replays.kind);
-    return replays.replayed_as == SpaceKind::own ? "the program's own: " + name : name;
+    return (replays.replayed_as == SpaceKind::own ? "the program's own: " : "") + full_name_of(replays.kind);
 }
 
-std::vector<std::string> row_of(const Findings &findings, const Replays &replays)
+std::vector<std::string> row_of(const Findings &findings, const Costs &costs, const Replays &replays)
 {
-    const Cost &cost = replays.least;
-    if (!cost.failure.empty())
-        return {name_on_page(replays), "ends: " + cost.failure};
+    if (!replays.least.failure.empty())
+        return {name_on_page(replays), "ends: " + replays.least.failure};
+    const Means means = means_of(replays.least);
     const auto gain = gain_of(findings, replays.kind);
-    return {name_on_page(replays), readable(1e6 * per_event(cost.collides, cost)),
-            readable(1e6 * per_event(cost.notices, cost)),
-            readable(per_event(static_cast<double>(cost.callbacks), cost)),
+    return {name_on_page(replays), readable(1e6 * means.collide),
+            readable(1e6 * std::max(0.0, means.notices - costs.notices_without_a_space)), readable(means.callbacks),
             replays.replayed_as == SpaceKind::own ? "\xe2\x80\x93"
             : gain                                ? formatted("%+.1f %%", -100 * gain->share)
                                                   : std::string("not known")};
@@ -172,12 +189,12 @@ std::vector<std::string> row_of(const Findings &findings, const Replays &replays
 Curve times_of(const std::string &name, const Cost &cost)
 {
     BoundedSeries series{};
-    for (const float seconds : cost.seconds)
-        series.add(static_cast<double>(seconds));
+    for (const MeasuredEvent &event : cost.events)
+        series.add(static_cast<double>(event.collide));
     return means(name, series, 1, 1e6);
 }
 
-// Where the program had times, of the events that were replayed.
+// The recorded times of the events that were replayed.
 Curve times_in_program(const Recording &recording, std::size_t events)
 {
     BoundedSeries series{};
@@ -187,25 +204,36 @@ Curve times_in_program(const Recording &recording, std::size_t events)
     return means("in the program, as it was recorded", series, 1, 1e6);
 }
 
-Curve callbacks_of(const std::string &name, const Cost &cost)
+Plot plot_of(const Recording &recording, const Costs &costs)
 {
-    BoundedSeries series{};
-    for (const std::uint32_t callbacks : cost.callbacks_of)
-        series.add(callbacks);
-    return means(name, series, 1, 1);
+    Plot plot = {"Time per collide", "number of the collide or question", "microseconds", {}, true};
+    for (const Replays &replays : costs.spaces)
+        if (replays.replayed_as == SpaceKind::own || replays.kind == SpaceKind::box || replays.kind == SpaceKind::shape)
+            plot.curves.push_back(times_of(name_on_page(replays) + ", replayed", replays.least));
+    plot.curves.push_back(times_in_program(recording, costs.spaces.front().least.events.size()));
+    return plot;
 }
 
-std::vector<std::string> notes_of(const Recording &recording, const Costs &costs)
+std::string sentence_of(const Recording &recording, const Findings &findings, const std::string &own_failure)
+{
+    if (recording.events().empty())
+        return "Not known: no collide was recorded.";
+    if (!own_failure.empty())
+        return "Use it: the program's own spaces (" + full_name_of(findings.own) + ") end the program: " + own_failure;
+    return sentence_for(findings);
+}
+
+std::vector<std::string> notes_of(const Recording &recording, const Findings &findings, const Costs &costs)
 {
     const Callbacks &callbacks = costs.callbacks;
     std::vector<std::string> notes;
     notes.push_back(completeness_of(recording));
-    notes.push_back(formatted(
-        "Replayed: %zu of %zu recorded collides and questions, %u geoms, %u bodies. The callbacks of "
-        "the program, its contacts and its step are not part of these times.",
-        costs.spaces.front().least.events, recording.events().size(), recording.geom_count(), recording.body_count()));
-    if (!callbacks.failure.empty())
-        notes.push_back("What the callbacks find is not known: " + callbacks.failure);
+    notes.push_back(
+        formatted("Replayed: %zu of %zu recorded collides and questions, %u geoms, %u bodies. The callbacks of "
+                  "the program, its contacts and its step are not part of these times.",
+                  findings.events, recording.events().size(), recording.geom_count(), recording.body_count()));
+    if (!costs.failure_of_callbacks.empty())
+        notes.push_back("What the callbacks find is not known: " + costs.failure_of_callbacks);
     else if (callbacks.all > 0)
         notes.push_back(formatted("Of the callbacks by boxes, %.3g %% find nothing: dCollide gives no contact.%s",
                                   100 * static_cast<double>(callbacks.nothing) / static_cast<double>(callbacks.all),
@@ -214,54 +242,39 @@ std::vector<std::string> notes_of(const Recording &recording, const Costs &costs
                                                         : ""));
     if (const std::string unknown = unknown_notices(recording); !unknown.empty())
         notes.push_back(unknown);
+    if (findings.tick)
+        notes.push_back(
+            formatted("In the program a collide took %s \xc2\xb5s, replayed %s: a replay does nothing else, so that "
+                      "its data stay "
+                      "in the processor's caches. All spaces are taken to be slower in the program by the same time.",
+                      readable(findings.tick->collide).c_str(),
+                      readable(1e6 * means_of(of_kind(costs, findings.tick->kind)->least).collide).c_str()));
     return notes;
 }
 } // namespace
 
 Answer answer_for(const Recording &recording)
 {
-    constexpr double seconds = 2; // of each replay
-    Costs costs;
-    costs.spaces = spaces_to_replay(kind_of_own_space(recording));
-    const Cost first = measure(recording, SpaceKind::own, recording.events().size(), seconds);
+    const Cost first = measure(recording, SpaceKind::own, recording.events().size(), 2);
     const bool own_ends = !first.failure.empty();
-    // One that ends itself is no measure for the others.
-    const std::size_t most = own_ends ? recording.events().size() : first.events;
-    replay_in_turns(recording, most, own_ends ? seconds : 1e9, costs.spaces);
-    replay_costliest_again(recording, most, own_ends ? seconds : 1e9, costs.spaces);
-    costs.callbacks = judge_callbacks(recording, most, own_ends ? seconds : 1e9);
+    // Spaces that end the program by an assertion give no number of events.
+    const std::size_t events = own_ends ? recording.events().size() : first.events.size();
+    const double seconds = own_ends ? 2 : 1e9; // of each replay
+    Costs costs;
+    costs.spaces = spaces_to_replay(own_kind(recording.state_of_first_space()));
+    replay_in_turns(recording, events, seconds, costs);
+    replay_costliest_again(recording, events, seconds, costs.spaces);
+    costs.failure_of_callbacks = judge_callbacks(recording, events, seconds, costs.callbacks);
+
     const Findings findings = findings_of(recording, costs);
     Answer answer;
-    if (recording.events().empty())
-        answer.sentence = "Not known: no collide was recorded.";
-    else if (own_ends)
-        answer.sentence =
-            "Use it: the program's own spaces (" + name_of_own_space(recording) + ") end the program: " + first.failure;
-    else
-        answer.sentence = sentence_for(findings);
+    answer.sentence = sentence_of(recording, findings, first.failure);
     answer.table = {{"spaces", "\xc2\xb5s per collide", "\xc2\xb5s for notices before it", "callbacks per collide",
                      "a tick, beside the program's own"}};
-    answer.plots = {{"Time per collide", "number of the collide or question", "microseconds", {}, true},
-                    {"Callbacks per collide", "number of the collide or question", "callbacks", {}, false}};
     for (const Replays &replays : costs.spaces)
-    {
-        answer.table.push_back(row_of(findings, replays));
-        if (&replays != &costs.spaces.front() && replays.kind != SpaceKind::box && replays.kind != SpaceKind::shape)
-            continue;
-        answer.plots[0].curves.push_back(times_of(name_on_page(replays) + ", replayed", replays.least));
-        answer.plots[1].curves.push_back(callbacks_of(name_on_page(replays) + ", replayed", replays.least));
-    }
-    answer.plots[0].curves.push_back(times_in_program(recording, costs.spaces.front().least.events));
-    answer.notes = notes_of(recording, costs);
-    if (findings.tick)
-        answer.notes.push_back(
-            formatted("In the program a collide took %s \xc2\xb5s, replayed %s: a replay does nothing else, so that "
-                      "its data stay in "
-                      "the processor's caches. All spaces are taken to be slower in the program by the same time.",
-                      readable(findings.tick->collide).c_str(),
-                      readable(1e6 * per_event(of_kind(costs, findings.tick->kind)->least.collides,
-                                               of_kind(costs, findings.tick->kind)->least))
-                          .c_str()));
+        answer.table.push_back(row_of(findings, costs, replays));
+    answer.plots = {plot_of(recording, costs)};
+    answer.notes = notes_of(recording, findings, costs);
     return answer;
 }
 } // namespace ode_predictive_space::recording

@@ -8,8 +8,8 @@
 
 namespace ode_predictive_space::recording
 {
-/// Mean and largest of equally many successive values in each column. When all columns are full, neighbours are merged, and each
-/// stands for twice as many values from then on. Plain data, also in memory that programs share; all zeros: empty.
+/// Mean and largest of equally many successive values in each column. When all columns are full, neighbours are merged, so that each
+/// column has twice as many values. Plain data; all zeros: empty.
 class BoundedSeries
 {
 public:
@@ -20,7 +20,7 @@ public:
     /// 0 … most_columns, whatever the memory holds.
     std::size_t columns() const;
 
-    /// Of values in a column; fewer in the last one.
+    /// Number of values in each column but the last, which may have fewer.
     std::uint64_t values_per_column() const { return std::uint64_t{1} << (doublings_ & 63); }
 
     double mean(std::size_t column) const;

@@ -6,19 +6,8 @@
 
 namespace ode_predictive_space::recording
 {
-
 namespace
 {
-std::string described(const DifferentPairs &pairs, const char *kind, const char *reference)
-{
-    std::string text;
-    constexpr std::size_t most = 3;
-    for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i)
-        text += formatted("%s%u and %u only in %s", i ? ", " : ": geoms ", pairs[i].first.first, pairs[i].first.second,
-                          pairs[i].second ? kind : reference);
-    return text + (pairs.size() > most ? ", \xe2\x80\xa6" : "");
-}
-
 Verdict compare_left_out(const Pairs &pairs, const Pairs &simple)
 {
     if (pairs.lost_contacts > 0 || pairs.strange > 0)
@@ -47,6 +36,16 @@ std::string completeness_of(const Recording &recording)
         recording.events().size(), recording.whole_bytes(), recording.bytes());
 }
 
+std::string unknown_notices(const Recording &recording)
+{
+    if (recording.state_of_first_space().service.predictive)
+        return "";
+    const char *const why =
+        recording.version() == 1 ? "The recording has the first format" : "Spaces of ODE were recorded";
+    return std::string(why) +
+           ", which does not say how often poses were set: one notice is replayed for each geom that has moved.";
+}
+
 Verdict compare(const Recording &recording, SpaceKind kind, const Pairs &pairs, const Pairs &expected,
                 SpaceKind reference)
 {
@@ -71,9 +70,8 @@ Verdict compare(const Recording &recording, SpaceKind kind, const Pairs &pairs, 
         return {true, with_unbounded == 0
                           ? "the same"
                           : "the same, but more with geoms that have no bounds (planes, nested spaces)"};
-    return {false,
-            formatted("other pairs in %zu events, first in event %zu", differing, first) +
-                described(differing_pairs(recording, kind, reference, first), name_of(kind), name_of(reference))};
+    return {false, formatted("other pairs in %zu events, first in event %zu", differing, first) +
+                       differing_pairs(recording, kind, reference, first)};
 }
 
 std::string compared_with_program(const Recording &recording, const Pairs &expected, SpaceKind reference)

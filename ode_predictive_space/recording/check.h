@@ -8,10 +8,13 @@
 
 namespace ode_predictive_space::recording
 {
-/// A sentence: the recording is whole, cut at an event, or nothing.
+/// A sentence that says whether the recording is whole, and where it is cut.
 std::string completeness_of(const Recording &recording);
 
-/// How the pairs of one kind of spaces agree with those of another one.
+/// A sentence for a recording without the notices of its first space; empty when it has them.
+std::string unknown_notices(const Recording &recording);
+
+/// Whether the pairs of one kind of spaces agree with those of another.
 struct Verdict
 {
     bool agrees;
@@ -20,7 +23,7 @@ struct Verdict
 Verdict compare(const Recording &recording, SpaceKind kind, const Pairs &pairs, const Pairs &expected,
                 SpaceKind reference = SpaceKind::simple);
 
-/// How those of the other one agree with what the program got; empty when there is nothing to compare.
+/// A sentence that compares the pairs of the reference with the recorded pairs of the program; empty without any.
 std::string compared_with_program(const Recording &recording, const Pairs &expected,
                                   SpaceKind reference = SpaceKind::simple);
 } // namespace ode_predictive_space::recording

@@ -5,9 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,7 +31,7 @@ void keep(const char *format, va_list arguments)
     _exit(1);
 }
 
-// A message does not end a collide, but its pairs may be wrong then; the last one is kept.
+// A message does not end a collide. The last one is kept, as it may explain what follows.
 void keep_message(int /*number*/, const char *format, va_list arguments)
 {
     keep(format, arguments);
@@ -57,22 +55,10 @@ void keep_message(int /*number*/, const char *format, va_list arguments)
 }
 } // namespace
 
-SharedMemory::SharedMemory(std::size_t size)
-    : begin_(mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)), size_(size)
-{
-    if (begin_ == MAP_FAILED)
-        throw std::bad_alloc();
-}
-
-SharedMemory::~SharedMemory()
-{
-    munmap(begin_, size_);
-}
-
 std::string do_in_child(const std::function<void()> &work)
 {
-    const SharedMemory message(longest_message);
-    message_of_child = static_cast<char *>(message.begin());
+    const SharedArray<char> message(longest_message);
+    message_of_child = &message[0];
     std::fflush(nullptr); // or the child would write it, too
     const pid_t child = fork();
     if (child < 0)

@@ -3,42 +3,41 @@
 
 #include <cstddef>
 #include <functional>
+#include <new>
 #include <string>
 #include <type_traits>
 
+#include <sys/mman.h>
+
 namespace ode_predictive_space::recording
 {
-/// Memory that this process and its children share. All zeros at first.
-class SharedMemory
-{
-public:
-    /// @throws std::bad_alloc
-    explicit SharedMemory(std::size_t size);
-    ~SharedMemory();
-    SharedMemory(const SharedMemory &) = delete;
-    SharedMemory &operator=(const SharedMemory &) = delete;
-    void *begin() const { return begin_; }
-
-private:
-    void *begin_;
-    std::size_t size_;
-};
-
+/// Values in memory that this process shares with its children. All zeros at first.
 template <typename Value> class SharedArray
 {
     static_assert(std::is_trivially_copyable_v<Value>);
 
 public:
-    explicit SharedArray(std::size_t count) : memory_(count * sizeof(Value) + 1) {}
-    Value &operator[](std::size_t index) const { return static_cast<Value *>(memory_.begin())[index]; }
+    /// @throws std::bad_alloc
+    explicit SharedArray(std::size_t count)
+        : size_(count * sizeof(Value) + 1),
+          begin_(mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0))
+    {
+        if (begin_ == MAP_FAILED)
+            throw std::bad_alloc();
+    }
+    ~SharedArray() { munmap(begin_, size_); }
+    SharedArray(const SharedArray &) = delete;
+    SharedArray &operator=(const SharedArray &) = delete;
+    Value &operator[](std::size_t index) const { return static_cast<Value *>(begin_)[index]; }
 
 private:
-    SharedMemory memory_;
+    std::size_t size_;
+    void *begin_;
 };
 
-/// Does some work in a process of its own, for ODE's assertions end a process.
+/// Does some work in a child process, because ODE's assertions end a process.
 ///
-/// @return why it did not get to its end: ODE's message, or the name of a signal. Empty: it did.
+/// @return why the work did not get to its end: ODE's message, or the name of a signal. Empty: it did.
 std::string do_in_child(const std::function<void()> &work);
 } // namespace ode_predictive_space::recording
 

@@ -13,7 +13,6 @@
 #include "ode_predictive_space/recording/check.h"
 #include "ode_predictive_space/recording/formatted.h"
 #include "ode_predictive_space/recording/instructions.h"
-#include "ode_predictive_space/recording/own_space.h"
 #include "ode_predictive_space/recording/page.h"
 #include "ode_predictive_space/recording/printable.h"
 #include "ode_predictive_space/recording/replay.h"
@@ -53,71 +52,40 @@ void describe(const std::string &file, const Recording &recording)
         std::printf("%s\n", unknown.c_str());
 }
 
-std::string own_path()
-{
-    std::error_code none;
-    return std::filesystem::read_symlink("/proc/self/exe", none).string();
-}
-
-// What spaces of one kind take per event: instructions or microseconds.
-class CostsOfSpaces
+// Instructions per event in spaces of one kind after another.
+class Counter
 {
 public:
-    CostsOfSpaces(const ReplayOptions &options, const Recording &recording, bool instructions)
-        : options_(options), recording_(recording), instructions_(instructions),
-          events_(instructions ? options.events.count_of(recording.events().size()) : recording.events().size())
+    Counter(const ReplayOptions &options, std::size_t events)
+        : options_(options), events_(options.pairs_alone || !has_valgrind() ? 0 : options.events.count_of(events))
     {
-        if (events_ == 0)
-            return;
-        if (instructions)
-            counted_without_ = counted(SpaceKind::none);
-        else
-            measured_without_ = measured(SpaceKind::none);
+        if (events_ > 0)
+            without_space_ = count(SpaceKind::none);
     }
 
+    // Number of events whose instructions are counted.
     std::size_t events() const { return events_; }
 
-    // None when the spaces end the program.
-    std::optional<double> of(SpaceKind kind) const
+    /// None when the spaces end the program, or nothing is counted.
+    std::optional<double> per_event(SpaceKind kind) const
     {
-        const double events = static_cast<double>(events_);
-        if (instructions_)
-        {
-            const auto count = counted(kind);
-            if (!count || !counted_without_)
-                return std::nullopt;
-            return (static_cast<double>(*count) - static_cast<double>(*counted_without_)) / events;
-        }
-        const Cost cost = without(measured_without_, measured(kind));
-        if (!cost.failure.empty())
+        const auto all = events_ > 0 ? count(kind) : std::nullopt;
+        if (!all || !without_space_)
             return std::nullopt;
-        return 1e6 * (cost.collides + cost.notices) / events;
-    }
-
-    std::string text(const std::optional<double> &cost) const
-    {
-        if (events_ == 0)
-            return "";
-        return cost ? formatted("%.4g", instructions_ ? 1e-3 * *cost : *cost) : "-";
+        return (static_cast<double>(*all) - static_cast<double>(*without_space_)) / static_cast<double>(events_);
     }
 
 private:
-    std::optional<std::uint64_t> counted(SpaceKind kind) const
+    std::optional<std::uint64_t> count(SpaceKind kind) const
     {
-        return count_instructions(own_path(), options_.file, kind, options_.events);
-    }
-
-    Cost measured(SpaceKind kind) const
-    {
-        return measure_repeatedly(recording_, kind, recording_.events().size(), 1e9);
+        std::error_code none;
+        const std::string own_path = std::filesystem::read_symlink("/proc/self/exe", none).string();
+        return count_instructions(own_path, options_.file, kind, options_.events);
     }
 
     const ReplayOptions &options_;
-    const Recording &recording_;
-    bool instructions_;
-    std::size_t events_; // that are counted or measured
-    std::optional<std::uint64_t> counted_without_;
-    Cost measured_without_;
+    std::size_t events_;
+    std::optional<std::uint64_t> without_space_;
 };
 
 // The figures of --json.
@@ -131,17 +99,17 @@ public:
         std::uint64_t count = 0;
         for (std::size_t event = 0; event < pairs.events.size(); ++event)
             count += events_.has(event) ? pairs.events[event].count : 0;
-        spaces_ += formatted("%s\n  {\"space\": \"%s\", \"cost_per_event\": %s, \"pairs\": %llu, \"agrees\": %s}",
-                             spaces_.empty() ? "" : ",", space, cost ? formatted("%.17g", *cost).c_str() : "null",
-                             static_cast<unsigned long long>(count), agrees ? "true" : "false");
+        spaces_ +=
+            formatted("%s\n  {\"space\": \"%s\", \"instructions_per_event\": %s, \"pairs\": %llu, \"agrees\": %s}",
+                      spaces_.empty() ? "" : ",", space, cost ? formatted("%.17g", *cost).c_str() : "null",
+                      static_cast<unsigned long long>(count), agrees ? "true" : "false");
     }
 
-    void write(const std::string &path, const char *unit, std::size_t counted, std::size_t events) const
+    void write(const std::string &path, std::size_t counted, std::size_t events) const
     {
         std::FILE *const file = std::fopen(path.c_str(), "w");
-        const std::string text = formatted("{\"unit\": \"%s\", \"counted_events\": %zu, \"events\": %zu, \"spaces\": [",
-                                           unit, counted, events) +
-                                 spaces_ + "]}\n";
+        const std::string text =
+            formatted("{\"counted_events\": %zu, \"events\": %zu, \"spaces\": [", counted, events) + spaces_ + "]}\n";
         const bool written = file && std::fputs(text.c_str(), file) >= 0;
         if (!file || std::fclose(file) != 0 || !written)
             throw std::runtime_error("--json: " + path + " cannot be written: " + std::strerror(errno));
@@ -155,33 +123,35 @@ private:
 bool replay_all(const ReplayOptions &options, const Recording &recording)
 {
     const SpaceKind reference_kind = kind_named(options.reference).value();
-    const bool instructions = !options.times && has_valgrind();
-    if (!instructions && options.events.count_of(recording.events().size()) < recording.events().size())
-        throw std::runtime_error(
-            "--from, --to and --every choose events whose instructions are counted; times are measured of all");
     describe(options.file, recording);
+    if (!options.pairs_alone && !has_valgrind())
+        std::printf("No instructions are counted: valgrind is not installed.\n");
     const Pairs reference = find_pairs(recording, reference_kind);
-    const CostsOfSpaces costs(options, recording, instructions);
-    std::printf("\n%-26s %12s  %s\n", "spaces", instructions ? "1000 instr." : "microseconds", "pairs");
+    const Counter counter(options, recording.events().size());
+    std::printf("\n%-26s %12s  pairs\n", "spaces", counter.events() > 0 ? "1000 instr." : "");
     bool all_agree = true;
     Figures figures(options.events);
     for (const SpaceKind kind : kinds_of(options))
     {
         const Pairs pairs = kind == reference_kind ? reference : find_pairs(recording, kind);
         const Verdict verdict = compare(recording, kind, pairs, reference, reference_kind);
-        const std::string name = kind == SpaceKind::own ? "own (" + name_of_own_space(recording) + ")" : name_of(kind);
-        const std::optional<double> cost = costs.events() > 0 ? costs.of(kind) : std::nullopt;
-        std::printf("%-26s %12s  %s\n", name.c_str(), costs.text(cost).c_str(), verdict.text.c_str());
+        const std::string name = kind != SpaceKind::own
+                                     ? name_of(kind)
+                                     : "own (" + full_name_of(own_kind(recording.state_of_first_space())) + ")";
+        const std::optional<double> cost = counter.per_event(kind);
+        std::printf("%-26s %12s  %s\n", name.c_str(),
+                    cost                   ? formatted("%.4g", 1e-3 * *cost).c_str()
+                    : counter.events() > 0 ? "-"
+                                           : "",
+                    verdict.text.c_str());
         figures.add(name_of(kind), cost, pairs, verdict.agrees);
         all_agree &= verdict.agrees;
     }
     if (!options.json_file.empty())
-        figures.write(options.json_file, instructions ? "instructions" : "microseconds", costs.events(),
-                      recording.events().size());
-    std::printf(
-        "\n%s are means per event, with the notices before it. Pairs are compared with those of %s spaces.\n%s\n",
-        instructions ? "Instructions" : "Times", name_of(reference_kind),
-        compared_with_program(recording, reference, reference_kind).c_str());
+        figures.write(options.json_file, counter.events(), recording.events().size());
+    std::printf("\n%sPairs are compared with those of %s spaces.\n%s\n",
+                counter.events() > 0 ? "Instructions are means per event, with the notices before it. " : "",
+                name_of(reference_kind), compared_with_program(recording, reference, reference_kind).c_str());
     return all_agree;
 }
 } // namespace
@@ -212,7 +182,7 @@ std::string write_report(const std::string &folder, const std::string &file, con
         page.answer = answer_for(recording);
         dCloseODE();
         page.text = printable(recording.note());
-        // From where the page is, so that the folder can be moved.
+        // The path is relative to the page, so that the folder can be moved.
         const std::string place = std::filesystem::path(file).lexically_proximate(folder);
         page.answer.notes.push_back("Measured from the recording " + printable(place) +
                                     "; ode-predictive replay, given this file, checks and counts more.");

@@ -13,11 +13,11 @@ namespace ode_predictive_space::recording
 struct ReplayOptions
 {
     std::vector<std::string> spaces;  ///< names of kinds; empty: all
-    bool times = false;               ///< also where valgrind is installed, which otherwise counts instructions
+    bool pairs_alone = false;         ///< count no instructions
     std::string reference = "simple"; ///< the kind of spaces with whose pairs all are compared
     CountedEvents events;             ///< whose instructions count
     std::string json_file;            ///< empty: none
-    std::string counted;              ///< the process is under callgrind, which counts in spaces of this kind
+    std::string counted;              ///< not empty: this process is under callgrind and replays in spaces of this kind
     std::string file;
 };
 
@@ -27,7 +27,8 @@ struct ReplayOptions
 /// @throws std::runtime_error for a file that cannot be replayed.
 int replay(const ReplayOptions &options);
 
-/// Writes into an existing folder the page that says what the recorded program would gain. Without a recording the page says that it is not known.
+/// Writes the page that says what the recorded program would gain into an existing folder. Without a recording the page says that
+/// this is not known.
 ///
 /// @return the path of the page.
 /// @throws std::runtime_error when the page cannot be written, or the file is no recording.

@@ -6,12 +6,12 @@
 
 namespace ode_predictive_space::recording
 {
-/// A point for each column, in its middle: the mean of its values.
+/// Has a point in the middle of each column: the mean of its values.
 ///
 /// @param x_per_value from one value to the next on the x axis. @param scale from the unit of the values to that of the plot.
 Curve means(std::string name, const BoundedSeries &series, double x_per_value, double scale);
 
-/// The same with the largest value of each column.
+/// Has the largest value of each column instead.
 Curve largest(std::string name, const BoundedSeries &series, double x_per_value, double scale);
 } // namespace ode_predictive_space::recording
 

@@ -179,7 +179,7 @@ std::string svg(const Plot &plot)
     for (std::size_t i = 0; i < curves.size(); ++i)
     {
         const char *colour = colours[i % std::size(colours)];
-        // Those below are wider: of curves that coincide, each can be seen.
+        // The first curves are wider, so that each can be seen where curves coincide.
         marks += drawn(curves[i], colour, 1.2 + 1.4 * static_cast<double>(curves.size() - 1 - i), x, y);
         legend +=
             "<span style=\"color: " + std::string(colour) + "\">&#9632;</span> " + escaped(curves[i].name) + " &nbsp; ";

@@ -8,7 +8,7 @@ namespace ode_predictive_space::recording
 /// Text that HTML shows as it is.
 std::string escaped(const std::string &text);
 
-/// A heading, the plot and its legend; empty for a plot without points.
+/// The heading, the plot and its legend as HTML; empty for a plot without points.
 std::string svg(const Plot &plot);
 } // namespace ode_predictive_space::recording
 

@@ -1,7 +1,5 @@
-// The file of a recorded history: what a program told its spaces, and what it asked them. docs/recording.md describes it.
-//
-// Little-endian. A header; then records, each with the number of bytes in it. Whatever has an id gets the next one of its kind
-// when it first appears.
+// The format of a recording: the changes of a program's geoms, bodies and spaces, and its collides. Little-endian. A header is
+// followed by records. Ids are given in order, from 0, when something first appears.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_FORMAT_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_FORMAT_H
@@ -22,29 +20,29 @@ constexpr std::uint32_t oldest_version = 1;
 /// Magic, version (4 bytes), sizeof(dReal) (4 bytes).
 constexpr std::size_t header_size = sizeof magic + 8;
 
-/// Of each record, before its content: number of bytes in the content (4 bytes), kind (1 byte).
+/// Before the content of each record: its number of bytes (4 bytes), kind (1 byte).
 constexpr std::size_t record_header_size = 5;
 
 enum class RecordKind : std::uint8_t
 {
-    note = 1, ///< text: where the recording comes from
+    note = 1, ///< text: the recorded program
     mesh,     ///< id, single, vertex count, triangle count; vertices, indices
     convex,   ///< id, plane count, point count, number of polygon entries; planes, points, polygons as ODE has them
     body,     ///< id, mask of body_field; the fields that differ from before, in this order
     geom,     ///< id, class (1 byte; a class of ODE's, or stand_in), mask of geom_field; likewise
-    gone,     ///< id of a geom that is in none of its spaces any more; the id is not used again
+    gone,     ///< id of a geom that has left its space; the id is not used again
     collide,  ///< id of a space: dSpaceCollide()
     collide2, ///< ids of two geoms: dSpaceCollide2()
     pairs,    ///< number of the event (collide or collide2, from 0), number of pairs, hash of them
     end,      ///< EndReason (1 byte); nothing follows. A program that crashed leaves none.
     heights, ///< id, columns, rows, repeats (1 byte); width, depth, scale, offset, thickness, lowest, highest; samples (8 bytes each)
-    notices, ///< (id of a geom, number of its notices) for each geom for which it is not 1 where the geom has another pose of its own
-             ///< or from its body, or another box, and 0 where it has none of these or is new
-    times,   ///< number of the event, EventTimes; of one that was not asked by the callback of another
+    notices, ///< (id of a geom, number of its notices) for each geom with another number than expected: 1 when its pose, its body's
+        ///< pose or its box has changed, else, and when it is new, 0
+    times, ///< number of the event, EventTimes; only of outermost events
     last = times
 };
 
-/// What an event took in the program, in seconds, without the recording of it.
+/// Times of an event in the program, in seconds, without recording.
 struct EventTimes
 {
     float space;     ///< in the space, without callbacks
@@ -88,10 +86,10 @@ constexpr std::uint16_t all_of_version_1 = 1023;
 
 constexpr std::uint8_t geom_enabled = 1, ray_first_contact = 2, ray_backface_cull = 4, ray_closest_hit = 8;
 
-/// The class of a geom of which only the bounding box is recorded: user classes, and what has no data that can be read.
+/// The class of a geom of which only the bounding box is recorded: a user class, or a geom whose data cannot be read.
 constexpr std::uint8_t stand_in = 255;
 
-/// The class of a heightfield that has no pose: dCreateHeightfield() was told that it is not placeable.
+/// The class of a heightfield that is not placeable.
 constexpr std::uint8_t fixed_heightfield = 254;
 
 /// Reals in geom_field::size; of a stand-in, its bounding box.
@@ -107,16 +105,16 @@ bool has_data(int geom_class);
 /// Has a position and a rotation.
 bool is_placeable_class(int geom_class);
 
-/// Notices of one geom that a reader takes.
+/// A reader refuses more notices of a geom.
 constexpr std::uint32_t most_notices = 1000;
 
-/// An order of two geoms has no meaning, and none that pairs are found in.
+/// Does not depend on the order of the two; the sum of several does not depend on the order of pairs.
 std::uint64_t hash_of_pair(std::uint32_t first, std::uint32_t second);
 
-/// What a reader demands of a convex, and a recorder records: ODE compares each of its edges with all others.
+/// A larger convex is not recorded, and refused by a reader: ODE compares each of its edges with all others.
 constexpr std::uint32_t most_polygon_entries = 10000;
 
-/// Vertices and triangles of a mesh, and samples of a heightfield, that a reader takes.
+/// A reader refuses more vertices or triangles of a mesh, or samples of a heightfield.
 constexpr std::uint32_t most_of_mesh = 100000000;
 
 /// Spaces in spaces.

@@ -1,4 +1,4 @@
-// Geoms that are made, and changed, as a recording says: what concerns one geom alone.
+// Makes and changes single geoms as a recording says.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_GEOM_OF_STATE_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_GEOM_OF_STATE_H
@@ -9,8 +9,8 @@
 
 namespace ode_predictive_space::recording
 {
-/// Makes a geom of a class without data: a primitive, or one that stands for a geom of which only the box is known. Its class data
-/// is the address of that box, six numbers; 0 until it is set.
+/// Makes a geom of a class without data: a primitive or a stand-in. The class data of a stand-in is the address of its box, six
+/// numbers; 0 until it is set.
 dGeomID make_simple_shape(const GeomState &state);
 
 void set_size(dGeomID geom, const GeomState &state);

@@ -21,8 +21,8 @@ HistoryFile::HistoryFile(const std::string &path, bool only_new)
         ::close(std::exchange(file_, -1));
 }
 
-// Locks the file and only then removes its content. A device and a file on a system without locks are taken as they are.
-// @return 0, or the errno of what failed.
+// Locks the file and then removes its content. A device, and a file on a system without locks, are used without a lock.
+// @return 0, or errno.
 int HistoryFile::take()
 {
     struct stat status;
@@ -58,7 +58,7 @@ bool HistoryFile::write(const std::string &records)
     return error_ == 0;
 }
 
-// The disk may be full: the part of a record that is written is taken back.
+// The disk may be full: removes the part of a record that was written.
 void HistoryFile::fail()
 {
     error_ = errno;
@@ -72,7 +72,7 @@ void HistoryFile::give_up(int error)
         error_ = error;
 }
 
-// A process that was forked may have the file open, and with it the lock.
+// A forked process may have the file open, and with it the lock: the lock is released explicitly.
 bool HistoryFile::close()
 {
     const int file = std::exchange(file_, -1);

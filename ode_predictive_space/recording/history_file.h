@@ -6,8 +6,8 @@
 
 namespace ode_predictive_space::recording
 {
-/// The file that a recorder writes. It ends with a whole record after each write, also after one that failed. As long as it is
-/// open, it is locked, so that no other recording can empty it.
+/// The file that a recorder writes. It ends with a whole record after each write, also after one that failed. While it is open, it
+/// is locked against other recordings.
 class HistoryFile
 {
 public:
@@ -28,13 +28,13 @@ public:
     /// @return whether all of it is written. After a failure nothing more is.
     bool write(const std::string &records);
 
-    /// Nothing more is written, because of an error outside of the file.
+    /// Ends writing because of an error outside of the file.
     void give_up(int error);
 
     /// @return whether everything is written.
     bool close();
 
-    /// Closes it and takes it for another process's.
+    /// Closes it in a forked process; the file remains the parent's.
     void abandon();
 
 private:

@@ -16,7 +16,7 @@ std::string quoted(const std::string &word)
     return text + "'";
 }
 
-// What a command writes to standard error; none when it fails.
+// The text that a command writes to standard error; none when it fails.
 std::optional<std::string> messages_of(const std::string &command)
 {
     FILE *const pipe = popen((command + " 2>&1 >/dev/null").c_str(), "r");
@@ -49,7 +49,7 @@ std::optional<std::uint64_t> collected(const std::string &output)
 
 std::optional<std::uint64_t> instructions_of(const std::vector<std::string> &program)
 {
-    // All functions are bound at the start, not when they are first called.
+    // LD_BIND_NOW: functions are bound at the start and not while instructions are counted.
     std::string command = "LD_BIND_NOW=1 exec valgrind --tool=callgrind --callgrind-out-file=/dev/null "
                           "--toggle-collect=counted_changes --toggle-collect=counted_collide "
                           "--toggle-collect=counted_end";

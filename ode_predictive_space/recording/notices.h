@@ -1,4 +1,4 @@
-// The notices of predictive spaces: what is recorded of them, and where it comes from.
+// Counts the notices that predictive spaces get.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_NOTICES_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_NOTICES_H
@@ -50,13 +50,14 @@ private:
 
 } // namespace ode_predictive_space::recording
 
-// Between the library and the launcher, which come from one build; not for programs.
+// For the launcher, which comes from the same build as the library; not for programs.
 extern "C" {
-/// The listener gets the notices of a predictive space until one of the two is gone. Nothing happens when it gets them already.
+/// The listener gets the notices of a predictive space until it stops listening or the space is destroyed. Has no effect when it
+/// gets them already.
 ODE_PREDICTIVE_API void ode_predictive_space_listen(dSpaceID space,
                                                     ode_predictive_space::recording::NoticeListener *listener);
 
-/// The listener gets no more notices, of no space.
+/// The listener gets no more notices from any space.
 ODE_PREDICTIVE_API void ode_predictive_space_stop_listening(ode_predictive_space::recording::NoticeListener *listener);
 }
 

@@ -1,4 +1,4 @@
-// One HTML page with plots of a run. It needs no network and no script: the plots are drawn in it as SVG.
+// An HTML page with plots of a run. It needs no network and no script: the plots are SVG.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_PAGE_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_PAGE_H
@@ -6,10 +6,37 @@
 #include <string>
 #include <vector>
 
-#include "ode_predictive_space/recording/plot.h"
-
 namespace ode_predictive_space::recording
 {
+struct Point
+{
+    double x;
+    double y;
+};
+
+/// A point that is not finite is left out, and with a logarithmic axis also one that is not above 0.
+struct Curve
+{
+    enum class Style
+    {
+        line,
+        dots
+    };
+
+    std::string name;
+    std::vector<Point> points;
+    Style style = Style::line;
+};
+
+struct Plot
+{
+    std::string title;
+    std::string x_label; ///< with the unit
+    std::string y_label; ///< with the unit
+    std::vector<Curve> curves;
+    bool logarithmic = false; ///< the y axis
+};
+
 /// The part of a page that comes first and answers a question.
 struct Answer
 {

@@ -1,7 +1,6 @@
-// Text that files and programs supply, such as names, notes and messages, may hold anything. It is printed so that it cannot
-// control a terminal.
+// Text from files and other programs is printed so that it cannot control a terminal.
 
-#ifndef ODE_PREDICTIVE_SPACE_PROCESS_PRINTABLE_H
+#ifndef ODE_PREDICTIVE_SPACE_RECORDING_PRINTABLE_H
 #define ODE_PREDICTIVE_SPACE_PROCESS_PRINTABLE_H
 
 #include <cstddef>
@@ -9,7 +8,7 @@
 
 namespace ode_predictive_space
 {
-/// Bytes of the character of UTF-8 that a text begins with; 0 when there is none, or one that controls a terminal.
+/// Number of bytes of the UTF-8 character that a text begins with; 0 for anything else, and for a control character.
 ///
 /// @param text ends with a 0.
 inline std::size_t printable_character(const char *text)
@@ -27,8 +26,8 @@ inline std::size_t printable_character(const char *text)
     return is_control || has_shorter_form ? 0 : size;
 }
 
-/// Gives `put` the bytes of a text, with \x1b in place of a byte that is not part of a printable character. Uses the C library
-/// alone.
+/// Calls `put` for each byte of a text; for a byte that is not part of a printable character, with its escape, as \x1b. Uses the C
+/// library alone.
 ///
 /// @param end where the text has a 0; it may have others before.
 template <typename Put> void put_printable(const char *text, const char *end, Put put)

@@ -36,10 +36,16 @@ public:
         return value;
     }
 
-    void take_reals(dReal *values, int count)
+    /// Takes the next `size` bytes, to an address.
+    void take_to(void *place, std::size_t size) { std::memcpy(place, take_bytes(size), size); }
+
+    /// Takes a number of values; memory is allocated only when the record has them.
+    template <typename Value> void take_all(std::vector<Value> &values, std::uint64_t count)
     {
-        const std::size_t size = sizeof(dReal) * static_cast<std::size_t>(count);
-        std::memcpy(values, take_bytes(size), size);
+        const char *const bytes = take_bytes(count * sizeof(Value));
+        values.resize(static_cast<std::size_t>(count));
+        if (count > 0)
+            std::memcpy(values.data(), bytes, values.size() * sizeof(Value));
     }
 
     const char *take_bytes(std::uint64_t size)

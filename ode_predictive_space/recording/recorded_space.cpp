@@ -1,5 +1,5 @@
-// dPredictiveSpaceRecord(), and who listens to notices: a space that is recorded has other virtual functions than one that is not,
-// which costs nothing.
+// dPredictiveSpaceRecord(), and listeners to notices. A recorded space gets other virtual functions, so that one that is not recorded
+// costs nothing more.
 
 #include <algorithm>
 #include <cerrno>
@@ -23,14 +23,14 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// What a recorded space serves beside its program.
+// The recorder and the listeners of a recorded space.
 struct Recorded
 {
-    std::unique_ptr<Recorder> recorder; // of dPredictiveSpaceRecord(); 0: none
+    std::unique_ptr<Recorder> recorder; // made by dPredictiveSpaceRecord(); 0: none
     std::vector<NoticeListener *> listeners;
 };
 
-// By space. Never destroyed: a program may end with its spaces.
+// Never destroyed: a program may end without destroying its spaces.
 struct RecordedSpaces
 {
     std::mutex mutex;
@@ -39,8 +39,8 @@ struct RecordedSpaces
 
 RecordedSpaces &recorded_spaces();
 
-// A process that forks takes the lock with it, and its child has no thread that could release it. Recordings and listeners are the
-// parent's; that of dPredictiveSpaceRecord() goes on in both, in one file.
+// The lock is held during a fork, because the child has no other thread that could release it. The child has no listeners. A recording
+// of dPredictiveSpaceRecord() goes on in both processes, in one file.
 void keep_usable_in_children()
 {
     pthread_atfork([] { recorded_spaces().mutex.lock(); }, [] { recorded_spaces().mutex.unlock(); },
@@ -73,7 +73,7 @@ Recorder *recorder_of(dxPredictiveSpace *space)
     return recorded_spaces().all.at(space).recorder.get();
 }
 
-// What a collide is recorded with, and the callback of the program.
+// A recorded collide, and the callback of the program.
 struct Call
 {
     Recorder::Event event;
@@ -90,14 +90,14 @@ void note_and_call_back(void *data, dGeomID first, dGeomID second)
 
 void forget(dxPredictiveSpace *space)
 {
-    Recorded recorded; // destroyed after the lock is released: the recorder stops listening
+    Recorded recorded; // destroyed after the lock is released, because the recorder then stops listening
     const std::lock_guard<std::mutex> guard(recorded_spaces().mutex);
     const auto place = recorded_spaces().all.find(space);
     recorded = std::move(place->second);
     recorded_spaces().all.erase(place);
 }
 
-/// A predictive space is made one of this class, and made what it was again, by its table of virtual functions alone.
+/// A predictive space becomes a RecordedSpace, and a dxPredictiveSpace again, by a change of its table of virtual functions.
 class RecordedSpace final : public dxPredictiveSpace
 {
 public:
@@ -121,8 +121,8 @@ public:
         call.event.end();
     }
 
-    // When two spaces are asked about each other, ODE calls this for each geom of one of them. A call for a space is not recorded: a
-    // replay would ask about its geoms one by one.
+    // For two spaces ODE calls this for each geom of one of them. A call for a whole space is not recorded, because a replay would make
+    // one call for each of its geoms.
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override
     {
         Recorder *const recorder = recorder_of(this);

@@ -10,7 +10,7 @@
 
 #include <ode/odeconfig.h>
 
-#include "ode_predictive_space/recording/format.h"
+#include "ode_predictive_space/recording/fields.h"
 #include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space::recording
@@ -37,7 +37,7 @@ constexpr std::size_t pairs_size = record_header_size + 2 * sizeof(std::uint32_t
 constexpr std::size_t times_size = record_header_size + sizeof(std::uint32_t) + sizeof(EventTimes);
 } // namespace
 
-// Appends one record to the buffer; its length is known at the end.
+// Appends one record to the buffer. The destructor writes its size.
 class Recorder::Record
 {
 public:
@@ -57,13 +57,10 @@ public:
     template <typename Value> Record &add(const Value &value)
     {
         static_assert(std::is_trivially_copyable_v<Value>);
-        buffer_.append(reinterpret_cast<const char *>(&value), sizeof value);
+        add_bytes(&value, sizeof value);
         return *this;
     }
-    void add_reals(const dReal *values, int count)
-    {
-        buffer_.append(reinterpret_cast<const char *>(values), sizeof(dReal) * static_cast<std::size_t>(count));
-    }
+    void add_bytes(const void *bytes, std::size_t size) { buffer_.append(static_cast<const char *>(bytes), size); }
     void add_text(const std::string &text) { buffer_ += text; }
 
 private:
@@ -99,7 +96,7 @@ void Recorder::leave_to_parent()
     file_.abandon();
 }
 
-// Records are in the buffer as a whole or, when memory runs out, not at all.
+// Appends records as a whole or, when memory runs out, not at all.
 template <typename Make> bool Recorder::append(Make make)
 {
     const std::size_t before = buffer_.size();
@@ -116,7 +113,7 @@ template <typename Make> bool Recorder::append(Make make)
     }
 }
 
-// There is no end record: a recording with an end is whole.
+// Writes no end record, because a recording with one is whole.
 void Recorder::cut()
 {
     file_.write(buffer_);
@@ -150,7 +147,7 @@ Recorder::Event Recorder::begin_collide2(dGeomID first, dGeomID second)
     });
 }
 
-// Written before the collide, which may be the one that the program does not survive.
+// The event is written before the collide, because the program may not survive it.
 Recorder::Event Recorder::write_event(std::size_t before)
 {
     const std::size_t still_to_come = (unfinished_ + 1) * (pairs_size + times_size) + end_size;
@@ -196,7 +193,7 @@ void Recorder::Event::end(const EventTimes *times)
     });
 }
 
-// Of a geom in a space that is not known, the outermost space comes first.
+// For a geom in a space that is not known yet, the walk begins at its outermost space.
 void Recorder::look_at(dGeomID geom, bool is_collide)
 {
     ++walk_;
@@ -212,7 +209,7 @@ void Recorder::look_at(dGeomID geom, bool is_collide)
     forget_absent();
 }
 
-// At its address another geom may have been before.
+// Another geom may have been at this address before.
 bool Recorder::is_known(dGeomID geom) const
 {
     const auto known = geoms_.find(geom);
@@ -232,7 +229,8 @@ void Recorder::visit(dGeomID geom, bool is_collide)
     auto [place, is_new] = geoms_.try_emplace(geom, Known{next_geom_, 0, {}});
     Known &known = place->second;
     std::uint16_t fields = is_new ? geom_field::all : difference(known.state, state);
-    // Another geom where one was, or one that has moved to another space: ODE's own leave things in it that others stumble over.
+    // Another geom at this address, or one that has moved to another space, which counts as new: ODE's own spaces leave data in a
+    // geom that other spaces fail on.
     if (!is_new && (fields & (geom_field::is_new | geom_field::parent)))
     {
         Record(buffer_, RecordKind::gone).add(known.id);
@@ -241,7 +239,7 @@ void Recorder::visit(dGeomID geom, bool is_collide)
     }
     if (fields == geom_field::all)
         ++next_geom_;
-    // A new pose of the body has the geom's computed; it is to be the recorded one to the last bit.
+    // A new pose of the body changes the pose of a geom with an offset. It is recorded, so that a replay has it to the last bit.
     if (body_changed && has_own_pose(state))
         fields |= geom_field::pose;
     known.seen = walk_;
@@ -287,7 +285,7 @@ void Recorder::write_notices()
         record.add(each);
 }
 
-// A space puts new geoms in front: from the last to the first, a replay has them in the same order.
+// From the last geom to the first, because a space inserts new geoms at the front: a replay then has the same order.
 void Recorder::visit_members(dSpaceID space, bool is_collide)
 {
     std::vector<dGeomID> members;
@@ -343,45 +341,17 @@ void Recorder::write_body(const KnownBody &known, std::uint16_t fields)
 {
     Record record(buffer_, RecordKind::body);
     record.add(known.id).add(fields);
-    if (fields & body_field::flags)
-        record.add(known.state.flags);
-    if (fields & body_field::pose)
-        record.add_reals(known.state.pose.data(), 12);
-    if (fields & body_field::velocity)
-        record.add_reals(known.state.velocity.data(), 6);
+    visit_body_fields(known.state, fields, [&](const void *field, std::size_t size) { record.add_bytes(field, size); });
 }
 
 void Recorder::write_geom(const Known &known, std::uint16_t fields)
 {
-    const GeomState &state = known.state;
     Record record(buffer_, RecordKind::geom);
-    record.add(known.id).add(state.geom_class).add(fields);
-    if (fields & geom_field::space)
-        record.add(state.space);
-    if (fields & geom_field::parent)
-        record.add(state.parent);
-    if (fields & geom_field::bits)
-        record.add(state.bits);
-    if (fields & geom_field::flags)
-        record.add(state.flags);
-    if (fields & geom_field::size)
-        record.add_reals(state.size.data(), size_count(state.geom_class));
-    if (fields & geom_field::data)
-        record.add(state.data);
-    if (fields & geom_field::body)
-        record.add(state.body);
-    if (fields & geom_field::offset)
-    {
-        record.add(state.has_offset);
-        record.add_reals(state.offset.data(), 12);
-    }
-    if (fields & geom_field::pose)
-        record.add_reals(state.pose.data(), 12);
-    if (fields & geom_field::service)
-        record.add(state.service);
+    record.add(known.id).add(known.state.geom_class).add(fields);
+    visit_geom_fields(known.state, fields, [&](const void *field, std::size_t size) { record.add_bytes(field, size); });
 }
 
-// A geom that has left a space is in another one, which is not looked at now, in none, or destroyed. If it comes back, it is new.
+// Forgets geoms that have left the spaces of this walk. One that comes back is new.
 void Recorder::forget_absent()
 {
     if (!has_absent_)

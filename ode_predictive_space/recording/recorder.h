@@ -1,7 +1,5 @@
-// Writes a history while it happens: before each collide and question, what has changed since the one before.
-//
-// It reads the geoms through ODE, like any program. Of predictive spaces it counts the notices; a space that is not recorded costs
-// nothing more.
+// Writes a recording: before each collide, the changes of geoms and bodies since the one before. They are found by reading all
+// geoms; notices of predictive spaces are counted.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_RECORDER_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_RECORDER_H
@@ -26,14 +24,14 @@
 
 namespace ode_predictive_space::recording
 {
-/// Any number of spaces, of any kind. Calls from several threads are safe; what they change meanwhile may be recorded in part.
-/// When memory runs out, the recording is cut after its last whole record, and the program goes on without it.
+/// Records any number of spaces of any kind. Calls from several threads are safe; changes that another thread makes meanwhile may be
+/// recorded in part. When memory runs out, the recording ends after its last whole record, and the program goes on.
 class Recorder
 {
 public:
     /// @param file an empty one, taken over.
     /// @param limit bytes; where the next collide would exceed it, the recording ends.
-    /// @param note where the recording comes from.
+    /// @param note names the program.
     /// @param is_substitute whether a predictive space stands in the place of one of ODE's that the program made.
     Recorder(
         HistoryFile file, std::uint64_t limit, const std::string &note,
@@ -42,16 +40,16 @@ public:
     Recorder(const Recorder &) = delete;
     Recorder &operator=(const Recorder &) = delete;
 
-    /// A collide or question from before its first callback to after its last one.
+    /// A dSpaceCollide() or dSpaceCollide2(), from before its first callback to after its last one.
     class Event
     {
     public:
-        /// The callback is called for a pair.
+        /// To be called for each callback.
         void note(dGeomID first, dGeomID second);
 
-        /// No further pair.
+        /// To be called after the last callback.
         ///
-        /// @param times of the program; 0: they are not known.
+        /// @param times in the program; 0: not known.
         void end(const EventTimes *times = nullptr);
 
     private:
@@ -63,19 +61,19 @@ public:
         std::uint64_t hash_ = 0;
     };
 
-    /// dSpaceCollide(space) is about to begin.
+    /// To be called before dSpaceCollide(space).
     Event begin_collide(dSpaceID space);
 
-    /// dSpaceCollide2(first, second), likewise.
+    /// To be called before dSpaceCollide2(first, second).
     Event begin_collide2(dGeomID first, dGeomID second);
 
-    /// Nothing more is written: the limit is reached, the file could not be written, memory has run out, or it is closed.
+    /// Is nothing more written, because it is closed, the limit is reached, the file cannot be written, or memory has run out?
     bool is_over() const { return over_; }
 
     /// Ends the recording. @return whether all of it is in the file.
     bool close();
 
-    /// In a process that was forked: the recording is its parent's.
+    /// Ends the recording in a forked process; the file remains the parent's.
     void leave_to_parent();
 
 private:

@@ -7,7 +7,10 @@
 #include <fstream>
 #include <utility>
 
-#include "ode_predictive_space/recording/recording_check.h"
+#include <ode/collision.h>
+
+#include "ode_predictive_space/recording/fields.h"
+#include "ode_predictive_space/recording/record_cursor.h"
 
 namespace ode_predictive_space::recording
 {
@@ -28,17 +31,71 @@ Recording Recording::read(const std::string &path)
     return Recording(std::move(bytes));
 }
 
-Recording::Recording(std::vector<char> bytes) : bytes_(std::move(bytes))
-{
-    Check check(*this);
-    if (check.take_header())
-        check.take_records();
-}
-
 std::size_t Recording::whole_bytes() const
 {
     if (records_.empty())
         return std::min(bytes_.size(), header_size);
     return records_.back().content + records_.back().size;
+}
+
+GeomState Recording::state_of_first_space() const
+{
+    for (const Record &record : records_)
+        if (record.kind == RecordKind::geom && id(record) == first_space_)
+            return geom(record).state;
+    GeomState none;
+    none.geom_class = dHashSpaceClass;
+    return none;
+}
+
+std::uint32_t Recording::id(const Record &record) const
+{
+    return RecordCursor(bytes_, record).take<std::uint32_t>();
+}
+
+std::array<std::uint32_t, 2> Recording::asked(const Record &record) const
+{
+    return RecordCursor(bytes_, record).take<std::array<std::uint32_t, 2>>();
+}
+
+BodyChange Recording::body(const Record &record) const
+{
+    RecordCursor cursor(bytes_, record);
+    BodyChange change{};
+    cursor.take(change.id);
+    cursor.take(change.fields);
+    if (change.fields == 0 || (change.fields & ~body_field::all) != 0)
+        cursor.refuse("a body has no such fields");
+    visit_body_fields(change.state, change.fields, [&](void *field, std::size_t size) { cursor.take_to(field, size); });
+    cursor.expect_end();
+    return change;
+}
+
+GeomChange Recording::geom(const Record &record) const
+{
+    RecordCursor cursor(bytes_, record);
+    GeomChange change{};
+    const std::uint8_t &geom_class = change.state.geom_class;
+    cursor.take(change.id);
+    cursor.take(change.state.geom_class);
+    cursor.take(change.fields);
+    if (change.fields == 0 || (change.fields & ~geom_field::all) != 0)
+        cursor.refuse("a geom has no such fields");
+    if (geom_class > dLastSpaceClass && geom_class != stand_in && geom_class != fixed_heightfield)
+        cursor.refuse("there is no such class");
+    if (geom_class == dGeomTransformClass)
+        cursor.refuse("a transform is recorded as what it holds");
+    visit_geom_fields(change.state, change.fields, [&](void *field, std::size_t size) { cursor.take_to(field, size); });
+    cursor.expect_end();
+    return change;
+}
+
+std::vector<NoticeCount> Recording::notices(const Record &record) const
+{
+    RecordCursor cursor(bytes_, record);
+    std::vector<NoticeCount> counts;
+    cursor.take_all(counts, record.size / sizeof(NoticeCount));
+    cursor.expect_end();
+    return counts;
 }
 } // namespace ode_predictive_space::recording

@@ -1,5 +1,5 @@
-// Reads and validates a recorded history. An accepted history can be replayed without further checks, even from a hostile file.
-// A file that is cut, as when the program was killed, is accepted up to its last whole record.
+// Reads and validates a recording. One that is accepted can be replayed without further checks, even from a hostile file. A file that
+// is cut, as when the program was killed, is accepted up to its last whole record.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_RECORDING_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_RECORDING_H
@@ -7,8 +7,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "ode_predictive_space/recording/format.h"
@@ -50,37 +52,38 @@ struct GeomChange
 
 struct MeshContent
 {
-    bool single;
-    std::uint32_t vertex_count, triangle_count;
-    const char *vertices;  ///< of 3 floats or doubles each, not aligned
-    const char *triangles; ///< of 3 indices (4 bytes) each, not aligned
+    bool single = false;
+    std::vector<char> vertices;           ///< of 3 floats or doubles each
+    std::vector<std::uint32_t> triangles; ///< 3 indices each
 };
 
 struct ConvexContent
 {
-    std::uint32_t plane_count, point_count, entry_count;
-    const char *planes, *points, *polygons; ///< not aligned
+    std::vector<dReal> planes, points;
+    std::vector<std::uint32_t> polygons;
 };
 
 struct HeightsContent
 {
-    std::uint32_t columns, rows;
-    bool repeats;
-    dReal width, depth, scale, offset, thickness, lowest, highest;
-    const char *samples; ///< doubles, row by row, not aligned
+    std::uint32_t columns = 0, rows = 0;
+    bool repeats = false;
+    dReal width = 0, depth = 0, scale = 0, offset = 0, thickness = 0, lowest = 0, highest = 0;
+    std::vector<double> samples; ///< row by row
 };
 
-/// How often a geom was moved, or set to where it was, before an event.
+using DataContent = std::variant<MeshContent, ConvexContent, HeightsContent>;
+
+/// The number of notices for a geom before an event: how often its pose was set, also to the same pose.
 struct NoticeCount
 {
     std::uint32_t id, number;
 };
 
-/// A collide or a question, with what the program got for it.
+/// A collide with its results in the program.
 struct EventSummary
 {
     std::size_t record;
-    bool has_pairs = false; ///< false: the program did not get to the end of it
+    bool has_pairs = false; ///< the program got to its end
     std::uint32_t pairs = 0;
     std::uint64_t hash = 0; ///< sum of hash_of_pair()
     bool has_times = false;
@@ -104,33 +107,35 @@ public:
     std::uint32_t version() const { return version_; }
     std::size_t bytes() const { return bytes_.size(); }
 
-    /// Bytes of the header and of the whole records, where a recording that is cut ends. Less than bytes() when the last record
-    /// or the header is cut.
+    /// Bytes of the header and of the whole records: less than bytes() when the recording is cut.
     std::size_t whole_bytes() const;
     const std::string &note() const { return note_; }
 
-    /// It ends as its recorder wanted. Otherwise it is cut: by the program's crash, or because its recorder had no disk or memory.
+    /// False for a recording that is cut: by the program's crash, or for lack of disk or memory.
     bool has_end() const { return has_end_; }
     bool reached_limit() const { return reached_limit_; }
 
-    /// A space that is in none. The first that is collided; the first that is asked when none is; 0 without events.
+    /// The id of the space that is collided first; of the one that is asked first when none is collided; 0 without events.
     std::uint32_t first_space() const { return first_space_; }
 
-    /// Of all finite positions of bodies and geoms: least and greatest x, y, z. All 0 when there are none.
+    /// Its state when it was new; that of a hash space of ODE without events.
+    GeomState state_of_first_space() const;
+
+    /// Least and greatest x, y and z of all finite positions of bodies and geoms. All 0 when there are none.
     const std::array<double, 6> &extent() const { return extent_; }
 
-    // Of a record of that kind.
+    // The content of a record of this kind.
     BodyChange body(const Record &record) const;
     GeomChange geom(const Record &record) const;
-    MeshContent mesh(const Record &record) const;
-    ConvexContent convex(const Record &record) const;
-    HeightsContent heights(const Record &record) const;
     std::vector<NoticeCount> notices(const Record &record) const;
+
+    /// A mesh, convex or heightfield, by its id.
+    const DataContent &data(std::uint32_t id) const { return data_[id]; }
 
     /// The first number of the content: an id.
     std::uint32_t id(const Record &record) const;
 
-    /// Of a collide2.
+    /// The two ids of a collide2.
     std::array<std::uint32_t, 2> asked(const Record &record) const;
 
 private:
@@ -139,6 +144,7 @@ private:
     std::vector<char> bytes_;
     std::vector<Record> records_;
     std::vector<EventSummary> events_;
+    std::deque<DataContent> data_;
     std::uint32_t geom_count_ = 0, body_count_ = 0, stand_ins_ = 0;
     std::uint32_t first_space_ = 0;
     std::uint32_t version_ = format_version;

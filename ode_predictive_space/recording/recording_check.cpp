@@ -1,4 +1,4 @@
-#include "ode_predictive_space/recording/recording_check.h"
+// Validates a recording: goes through the records in their order and knows, as a replay would, what there is.
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,63 @@
 #include <ode/collision.h>
 
 #include "ode_predictive_space/predictive_space.h"
+#include "ode_predictive_space/recording/record_cursor.h"
+#include "ode_predictive_space/recording/recording.h"
 
 namespace ode_predictive_space::recording
 {
+class Recording::Check
+{
+public:
+    explicit Check(Recording &recording) : recording_(recording) {}
+
+    // @return whether it is whole.
+    bool take_header();
+    void take_records();
+
+private:
+    struct Geom
+    {
+        int geom_class;
+        bool gone = false;
+        bool has_body = false;
+        std::uint32_t depth = 0; // of the spaces around it
+    };
+
+    bool next_record(Record &record) const;
+    void take(const Record &record);
+    RecordCursor cursor_of_data(const Record &record) const;
+    void take_mesh(const Record &record);
+    void take_convex(const Record &record);
+    void take_heights(const Record &record);
+    void take_notices(const Record &record);
+    void take_times(const Record &record);
+    void take_body(const Record &record);
+    void take_geom(const Record &record);
+    std::uint32_t depth_in(const RecordCursor &cursor, std::uint32_t parent) const;
+    void check_data(const RecordCursor &cursor, const GeomState &state) const;
+    void check_version(const RecordCursor &cursor, const GeomChange &change) const;
+    void add_geom(const RecordCursor &cursor, const GeomChange &change);
+    void take_body_of(const RecordCursor &cursor, Geom &geom, const GeomChange &change) const;
+    void take_gone(const Record &record);
+    void take_event(const Record &record);
+    void take_pairs(const Record &record);
+    void take_end(const Record &record);
+    std::uint32_t take_live(RecordCursor &cursor) const;
+    void extend(const Pose &pose);
+
+    Recording &recording_;
+    std::vector<Geom> geoms_;
+    bool has_collide_ = false, has_question_ = false;
+};
+
+Recording::Recording(std::vector<char> bytes) : bytes_(std::move(bytes))
+{
+    Check check(*this);
+    if (check.take_header())
+        check.take_records();
+}
+
 bool Recording::Check::take_header()
 {
     const std::vector<char> &bytes = recording_.bytes_;
@@ -43,7 +97,7 @@ void Recording::Check::take_records()
 
 namespace
 {
-// Only notes, notices and the data of geoms are longer. A longer size is none that a recorder has written, also where the file is cut.
+// Only notes, notices and the data of geoms are longer. No recorder has written another record with a larger size, even if it is cut.
 constexpr std::uint32_t most_of_other_kinds = 1000;
 
 bool can_be_cut(const Record &record)
@@ -62,7 +116,7 @@ bool can_be_cut(const Record &record)
 }
 } // namespace
 
-// @return whether there is a further record, which is whole. A program that was killed leaves the beginning of one.
+// @return whether there is a further whole record. A program that was killed may leave the beginning of one.
 bool Recording::Check::next_record(Record &record) const
 {
     const std::vector<char> &bytes = recording_.bytes_;
@@ -113,94 +167,105 @@ void Recording::Check::take(const Record &record)
     throw BadRecording(record.begin(), "there is no such kind of record");
 }
 
-void Recording::Check::take_data_id(RecordCursor &cursor, Shape shape)
+RecordCursor Recording::Check::cursor_of_data(const Record &record) const
 {
-    if (cursor.take<std::uint32_t>() != data_.size())
+    RecordCursor cursor(recording_.bytes_, record);
+    if (cursor.take<std::uint32_t>() != recording_.data_.size())
         cursor.refuse("the id is not the next one");
-    data_.push_back(shape);
+    return cursor;
 }
 
 namespace
 {
-template <typename Real> bool all_finite(const char *values, std::uint64_t count)
+template <typename Real> bool all_finite(const std::vector<char> &values)
 {
-    for (std::uint64_t i = 0; i < count; ++i)
+    for (std::size_t at = 0; at < values.size(); at += sizeof(Real))
     {
         Real value;
-        std::memcpy(&value, values + i * sizeof value, sizeof value);
+        std::memcpy(&value, &values[at], sizeof value);
         if (!std::isfinite(value))
             return false;
     }
     return true;
 }
-
-std::uint32_t number_at(const char *numbers, std::uint64_t index)
-{
-    std::uint32_t number;
-    std::memcpy(&number, numbers + index * sizeof number, sizeof number);
-    return number;
-}
 } // namespace
 
 void Recording::Check::take_mesh(const Record &record)
 {
-    RecordCursor cursor(recording_.bytes_, record);
-    take_data_id(cursor, Shape::mesh);
-    if (cursor.take<std::uint8_t>() > 1)
+    RecordCursor cursor = cursor_of_data(record);
+    const auto precision = cursor.take<std::uint8_t>();
+    const auto vertices = cursor.take<std::uint32_t>(), triangles = cursor.take<std::uint32_t>();
+    if (precision > 1)
         cursor.refuse("a mesh has vertices of no known precision");
-    const MeshContent mesh = recording_.mesh(record); // not before the byte of the precision is known
-    if (mesh.triangle_count == 0 || mesh.triangle_count > most_of_mesh || mesh.vertex_count > most_of_mesh)
+    MeshContent mesh;
+    mesh.single = precision == 1;
+    cursor.take_all(mesh.vertices, std::uint64_t{3} * vertices * (mesh.single ? sizeof(float) : sizeof(double)));
+    cursor.take_all(mesh.triangles, std::uint64_t{3} * triangles);
+    cursor.expect_end();
+    if (triangles == 0 || triangles > most_of_mesh || vertices > most_of_mesh)
         cursor.refuse("a mesh has no triangle, or too many");
-    const std::uint64_t reals = std::uint64_t{3} * mesh.vertex_count;
-    if (!(mesh.single ? all_finite<float>(mesh.vertices, reals) : all_finite<double>(mesh.vertices, reals)))
+    if (!(mesh.single ? all_finite<float>(mesh.vertices) : all_finite<double>(mesh.vertices)))
         cursor.refuse("a vertex is not finite");
-    for (std::uint64_t i = 0; i < std::uint64_t{3} * mesh.triangle_count; ++i)
-        if (number_at(mesh.triangles, i) >= mesh.vertex_count)
-            cursor.refuse("a triangle has a corner that is no vertex");
+    if (*std::max_element(mesh.triangles.begin(), mesh.triangles.end()) >= vertices)
+        cursor.refuse("a triangle has a corner that is no vertex");
+    recording_.data_.emplace_back(std::move(mesh));
 }
 
 void Recording::Check::take_convex(const Record &record)
 {
-    RecordCursor cursor(recording_.bytes_, record);
-    take_data_id(cursor, Shape::convex);
-    const ConvexContent convex = recording_.convex(record);
-    if (convex.point_count == 0 || convex.plane_count == 0 || convex.entry_count > most_polygon_entries ||
-        convex.point_count > most_polygon_entries)
+    RecordCursor cursor = cursor_of_data(record);
+    const auto planes = cursor.take<std::uint32_t>(), points = cursor.take<std::uint32_t>(),
+               entries = cursor.take<std::uint32_t>();
+    ConvexContent convex;
+    cursor.take_all(convex.planes, std::uint64_t{4} * planes);
+    cursor.take_all(convex.points, std::uint64_t{3} * points);
+    cursor.take_all(convex.polygons, entries);
+    cursor.expect_end();
+    if (points == 0 || planes == 0 || entries > most_polygon_entries || points > most_polygon_entries)
         cursor.refuse("a convex has no point, no plane, or too many");
     std::uint32_t at = 0;
-    for (std::uint32_t plane = 0; plane < convex.plane_count; ++plane)
+    for (std::uint32_t plane = 0; plane < planes; ++plane)
     {
-        const std::uint32_t corners = at < convex.entry_count ? number_at(convex.polygons, at) : 0;
-        if (corners < 3 || corners >= convex.entry_count - at)
+        const std::uint32_t corners = at < entries ? convex.polygons[at] : 0;
+        if (corners < 3 || corners >= entries - at)
             cursor.refuse("a polygon has too few or too many corners");
         for (std::uint32_t corner = 1; corner <= corners; ++corner)
-            if (number_at(convex.polygons, at + corner) >= convex.point_count)
+            if (convex.polygons[at + corner] >= points)
                 cursor.refuse("a polygon has a corner that is no point");
         at += corners + 1;
     }
-    if (at != convex.entry_count)
+    if (at != entries)
         cursor.refuse("there are more polygons than planes");
+    recording_.data_.emplace_back(std::move(convex));
 }
 
 void Recording::Check::take_heights(const Record &record)
 {
-    RecordCursor cursor(recording_.bytes_, record);
-    take_data_id(cursor, Shape::heightfield);
-    const auto columns = cursor.take<std::uint32_t>(), rows = cursor.take<std::uint32_t>();
-    if (columns < 2 || rows < 2 || columns > most_of_mesh || rows > most_of_mesh / columns)
+    RecordCursor cursor = cursor_of_data(record);
+    HeightsContent field;
+    cursor.take(field.columns);
+    cursor.take(field.rows);
+    if (field.columns < 2 || field.rows < 2 || field.columns > most_of_mesh ||
+        field.rows > most_of_mesh / field.columns)
         cursor.refuse("a heightfield has too few or too many samples");
-    if (cursor.take<std::uint8_t>() > 1)
+    const auto repeats = cursor.take<std::uint8_t>();
+    if (repeats > 1)
         cursor.refuse("a heightfield neither repeats nor ends");
-    const HeightsContent field = recording_.heights(record);
-    for (const dReal number : {field.width, field.depth, field.scale, field.offset, field.thickness})
-        if (!std::isfinite(number))
+    field.repeats = repeats == 1;
+    for (dReal *number : {&field.width, &field.depth, &field.scale, &field.offset, &field.thickness})
+        if (cursor.take(*number); !std::isfinite(*number))
             cursor.refuse("a number of a heightfield is not finite");
+    cursor.take(field.lowest);
+    cursor.take(field.highest);
+    cursor.take_all(field.samples, std::uint64_t{field.columns} * field.rows);
+    cursor.expect_end();
     if (!(field.width > 0) || !(field.depth > 0))
         cursor.refuse("a heightfield has no width or no depth");
     if (std::isnan(field.lowest) || std::isnan(field.highest))
         cursor.refuse("a bound of a heightfield is not a number");
-    if (!all_finite<double>(field.samples, std::uint64_t{columns} * rows))
+    if (!std::all_of(field.samples.begin(), field.samples.end(), [](double sample) { return std::isfinite(sample); }))
         cursor.refuse("a sample is not finite");
+    recording_.data_.emplace_back(std::move(field));
 }
 
 void Recording::Check::take_notices(const Record &record)
@@ -217,7 +282,7 @@ void Recording::Check::take_notices(const Record &record)
 
 void Recording::Check::extend(const Pose &pose)
 {
-    constexpr double most = 1e9; // an object that was lost is no part of the scene
+    constexpr double most = 1e9; // objects farther away are ignored
     std::array<double, 6> &extent = recording_.extent_;
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (const double value = pose[axis]; std::abs(value) < most)
@@ -243,8 +308,10 @@ void Recording::Check::take_body(const Record &record)
         extend(change.state.pose);
 }
 
-// Not what ODE would stop at.
-void Recording::Check::check_size(const RecordCursor &cursor, const GeomState &state)
+namespace
+{
+// Refuses sizes that end ODE by an assertion.
+void check_size(const RecordCursor &cursor, const GeomState &state)
 {
     const int geom_class = state.geom_class;
     if (geom_class == dPlaneClass || geom_class == dRayClass || geom_class == stand_in)
@@ -254,20 +321,20 @@ void Recording::Check::check_size(const RecordCursor &cursor, const GeomState &s
             cursor.refuse("a size is negative or not a number");
 }
 
-void Recording::Check::check_levels(const RecordCursor &cursor, const SpaceState &state)
+void check_levels(const RecordCursor &cursor, const SpaceState &state)
 {
     constexpr std::int32_t most = 1100; // as a logarithm of a number
     if (state.min_level < -most || state.min_level > state.max_level || state.max_level > most)
         cursor.refuse("a hash space has no such levels");
 }
 
-void Recording::Check::check_service(const RecordCursor &cursor, const SpaceService &service)
+void check_service(const RecordCursor &cursor, const SpaceService &service)
 {
     if (service.predictive > 1 + dPredictiveProximityShape || service.is_substitute > (service.predictive != 0))
         cursor.refuse("there is no such kind of predictive space");
 }
+} // namespace
 
-// What a recorder of the first version did not know.
 void Recording::Check::check_version(const RecordCursor &cursor, const GeomChange &change) const
 {
     if (recording_.version_ == 1 && ((change.fields & geom_field::service) || is_heightfield(change.state.geom_class)))
@@ -298,7 +365,12 @@ void Recording::Check::take_geom(const Record &record)
     if (is_new)
         add_geom(cursor, change);
     Geom &geom = geoms_[id];
-    check_identity(cursor, geom, change, is_new);
+    if (geom.gone)
+        cursor.refuse("the geom is gone");
+    if (geom.geom_class != change.state.geom_class || is_new != bool(change.fields & geom_field::is_new))
+        cursor.refuse("the geom has another class than before");
+    if ((change.fields & geom_field::parent) && !is_new)
+        cursor.refuse("a geom has moved to another space");
     if (change.fields & geom_field::size)
         check_size(cursor, change.state);
     if ((change.fields & geom_field::space) && geom.geom_class == dHashSpaceClass)
@@ -322,25 +394,17 @@ void Recording::Check::add_geom(const RecordCursor &cursor, const GeomChange &ch
     recording_.geom_count_ = static_cast<std::uint32_t>(geoms_.size());
 }
 
-void Recording::Check::check_identity(const RecordCursor &cursor, const Geom &geom, const GeomChange &change,
-                                      bool is_new)
-{
-    if (geom.gone)
-        cursor.refuse("the geom is gone");
-    if (geom.geom_class != change.state.geom_class || is_new != bool(change.fields & geom_field::is_new))
-        cursor.refuse("the geom has another class than before");
-    if ((change.fields & geom_field::parent) && !is_new)
-        cursor.refuse("a geom has moved to another space");
-}
-
 void Recording::Check::check_data(const RecordCursor &cursor, const GeomState &state) const
 {
     if (!has_data(state.geom_class))
         return;
-    const Shape shape = state.geom_class == dConvexClass    ? Shape::convex
-                        : state.geom_class == dTriMeshClass ? Shape::mesh
-                                                            : Shape::heightfield;
-    if (state.data >= data_.size() || data_[state.data] != shape)
+    const std::deque<DataContent> &data = recording_.data_;
+    const bool has_them =
+        state.data < data.size() &&
+        (state.geom_class == dTriMeshClass  ? std::holds_alternative<MeshContent>(data[state.data])
+         : state.geom_class == dConvexClass ? std::holds_alternative<ConvexContent>(data[state.data])
+                                            : std::holds_alternative<HeightsContent>(data[state.data]));
+    if (!has_them)
         cursor.refuse("there are no such data of a mesh, convex or heightfield");
 }
 

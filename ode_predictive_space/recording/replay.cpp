@@ -11,11 +11,12 @@
 #include <ode/ode.h>
 
 #include "ode_predictive_space/recording/child.h"
+#include "ode_predictive_space/recording/formatted.h"
 #include "ode_predictive_space/recording/stage.h"
 
 namespace ode_predictive_space::recording
 {
-// By their names callgrind knows what to count; as they are exported, also in a program without symbols.
+// Callgrind counts in functions of these names. They are exported, so that it finds them in a program without symbols.
 extern "C" {
 __attribute__((noinline, visibility("default"))) void counted_changes(Stage &stage, const Record &record)
 {
@@ -75,7 +76,8 @@ double processor_time()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Goes through the records: `change` for each that is no event, `event` with its number for each that is one, until it says no.
+// Goes through the records: calls `change` for each that is no event, and `event` with its number for each that is one, until that
+// returns false.
 template <typename Change, typename Event> void walk(const Recording &recording, Change change, Event event)
 {
     std::size_t number = 0;
@@ -133,7 +135,7 @@ struct ByPairs
     std::uint64_t events, lost_contacts, strange;
 };
 
-// Beside the spaces that leave out pairs, spaces by boxes tell which ones.
+// @param expected the pairs of spaces by box.
 void find_left_out(const Stage &boxes, const IdPairs &expected, const IdPairs &found, ByPairs &result)
 {
     IdPairs left_out, strange;
@@ -180,17 +182,26 @@ Pairs find_pairs(const Recording &recording, SpaceKind kind)
     return pairs;
 }
 
-DifferentPairs differing_pairs(const Recording &recording, SpaceKind first, SpaceKind second, std::size_t event)
+std::string differing_pairs(const Recording &recording, SpaceKind kind, SpaceKind reference, std::size_t event)
 {
-    struct Shared
-    {
-        std::uint64_t count;
-        std::uint32_t pairs[16][2];
-        bool first_has[16];
-    };
-    const SharedArray<Shared> shared(1);
+    constexpr std::size_t most_bytes = 500, most_pairs = 3;
+    const SharedArray<char> text(most_bytes);
     do_in_child([&] {
-        Stage one(recording, first), other(recording, second);
+        Stage one(recording, kind), other(recording, reference);
+        const auto describe = [&](const IdPairs &in_one, const IdPairs &in_other) {
+            IdPairs differing;
+            std::set_symmetric_difference(in_one.begin(), in_one.end(), in_other.begin(), in_other.end(),
+                                          std::back_inserter(differing));
+            std::string list;
+            for (std::size_t i = 0; i < std::min(most_pairs, differing.size()); ++i)
+            {
+                const bool has_one = std::binary_search(in_one.begin(), in_one.end(), differing[i]);
+                list += formatted("%s%u and %u only in %s", i ? ", " : ": geoms ", differing[i].first,
+                                  differing[i].second, name_of(has_one ? kind : reference));
+            }
+            list += differing.size() > most_pairs ? ", \xe2\x80\xa6" : "";
+            list.copy(&text[0], most_bytes - 1);
+        };
         walk(
             recording,
             [&](const Record &record) {
@@ -198,70 +209,29 @@ DifferentPairs differing_pairs(const Recording &recording, SpaceKind first, Spac
                 other.apply(record);
             },
             [&](const Record &record, std::size_t number) {
-                const IdPairs in_first = pairs_of(one, record), in_second = pairs_of(other, record);
-                if (number != event)
-                    return true;
-                IdPairs differing;
-                std::set_symmetric_difference(in_first.begin(), in_first.end(), in_second.begin(), in_second.end(),
-                                              std::back_inserter(differing));
-                for (const IdPair &pair : differing)
-                    if (Shared &result = shared[0]; result.count < 16)
-                    {
-                        result.first_has[result.count] = std::binary_search(in_first.begin(), in_first.end(), pair);
-                        result.pairs[result.count][0] = pair.first;
-                        result.pairs[result.count++][1] = pair.second;
-                    }
-                return false;
+                const IdPairs in_one = pairs_of(one, record), in_other = pairs_of(other, record);
+                if (number == event)
+                    describe(in_one, in_other);
+                return number != event;
             });
     });
-    DifferentPairs differing;
-    for (std::uint64_t i = 0; i < shared[0].count; ++i)
-        differing.push_back({{shared[0].pairs[i][0], shared[0].pairs[i][1]}, shared[0].first_has[i]});
-    return differing;
+    return &text[0];
 }
 
 namespace
 {
-struct ByClock
+struct Measured
 {
     std::uint64_t events;
     double processor_time;
 };
 
-struct ByClockOfEvent
-{
-    float seconds, notices;
-    std::uint32_t callbacks;
-};
-
-void add_up(Cost &cost)
-{
-    cost.collides = cost.notices = 0;
-    cost.callbacks = 0;
-    for (std::size_t i = 0; i < cost.events; ++i)
-    {
-        cost.collides += static_cast<double>(cost.seconds[i]);
-        cost.notices += static_cast<double>(cost.seconds_of_notices[i]);
-        cost.callbacks += cost.callbacks_of[i];
-    }
-}
-} // namespace
-
-Cost without(const Cost &none, Cost cost)
-{
-    cost.notices = std::max(0.0, cost.notices - none.notices);
-    cost.processor_time -= none.processor_time;
-    return cost;
-}
-
-namespace
-{
 void measure_here(const Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds,
-                  const SharedArray<ByClockOfEvent> &events, ByClock &result)
+                  const SharedArray<MeasuredEvent> &events, Measured &result)
 {
     Stage stage(recording, kind);
     const double begin = now();
-    double told = begin; // since when there are notices
+    double changes_begin = begin;
     double processor_begin = 0;
     walk(
         recording, [&](const Record &record) { stage.apply(record); },
@@ -274,11 +244,11 @@ void measure_here(const Recording &recording, SpaceKind kind, std::size_t most_e
                 processor_begin = processor_time();
             stage.ask(record, &callbacks, count_pair);
             const double end = now();
-            // What is before the first is the making of all geoms.
-            const double notices = number > 0 ? start - told : 0;
+            // Before the first event, all geoms are made.
+            const double notices = number > 0 ? start - changes_begin : 0;
             result.events = number + 1;
             events[number] = {static_cast<float>(end - start), static_cast<float>(notices), callbacks};
-            told = now();
+            changes_begin = now();
             return true;
         });
     result.processor_time = result.events > 0 ? processor_time() - processor_begin : 0;
@@ -287,51 +257,29 @@ void measure_here(const Recording &recording, SpaceKind kind, std::size_t most_e
 
 Cost measure(const Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds)
 {
-    const SharedArray<ByClockOfEvent> events(recording.events().size());
-    const SharedArray<ByClock> result(1);
+    const SharedArray<MeasuredEvent> events(recording.events().size());
+    const SharedArray<Measured> result(1);
     Cost cost;
     cost.failure = do_in_child([&] { measure_here(recording, kind, most_events, most_seconds, events, result[0]); });
-    cost.events = result[0].events;
     cost.processor_time = result[0].processor_time;
-    for (std::size_t i = 0; i < cost.events; ++i)
-    {
-        cost.seconds.push_back(events[i].seconds);
-        cost.seconds_of_notices.push_back(events[i].notices);
-        cost.callbacks_of.push_back(events[i].callbacks);
-    }
-    add_up(cost);
+    for (std::size_t i = 0; i < result[0].events; ++i)
+        cost.events.push_back(events[i]);
     return cost;
 }
 
 void take_least(const Cost &again, Cost &cost)
 {
-    for (std::size_t event = 0; event < std::min(again.events, cost.events); ++event)
+    for (std::size_t i = 0; i < std::min(again.events.size(), cost.events.size()); ++i)
     {
-        cost.seconds[event] = std::min(cost.seconds[event], again.seconds[event]);
-        cost.seconds_of_notices[event] = std::min(cost.seconds_of_notices[event], again.seconds_of_notices[event]);
+        cost.events[i].collide = std::min(cost.events[i].collide, again.events[i].collide);
+        cost.events[i].notices = std::min(cost.events[i].notices, again.events[i].notices);
     }
-    add_up(cost);
-}
-
-Cost measure_repeatedly(const Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds)
-{
-    constexpr int more_times = 2;
-    Cost least = measure(recording, kind, most_events, most_seconds);
-    for (int i = 0; i < more_times && least.failure.empty(); ++i)
-        take_least(measure(recording, kind, least.events, 1e9), least);
-    return least;
 }
 
 namespace
 {
-struct Judgement
-{
-    std::uint64_t all, nothing, unknown;
-    double seconds;
-};
-
-// @param by_shape those pairs that spaces by shape have; in order, as the others.
-void judge_pairs(const Stage &stage, const IdPairs &pairs, const IdPairs &by_shape, Judgement &result)
+// @param pairs those of spaces by box, sorted. @param by_shape those of spaces by shape, sorted.
+void judge_pairs(const Stage &stage, const IdPairs &pairs, const IdPairs &by_shape, Callbacks &result)
 {
     result.all += pairs.size();
     for (const IdPair &pair : pairs)
@@ -347,16 +295,16 @@ void judge_pairs(const Stage &stage, const IdPairs &pairs, const IdPairs &by_sha
         const double end = now();
         ++result.nothing;
         if (!std::binary_search(by_shape.begin(), by_shape.end(), pair))
-            result.seconds += end - start;
+            result.seconds_spared += end - start;
     }
 }
 } // namespace
 
-Callbacks judge_callbacks(const Recording &recording, std::size_t most_events, double most_seconds)
+std::string judge_callbacks(const Recording &recording, std::size_t most_events, double most_seconds,
+                            Callbacks &callbacks)
 {
-    const SharedArray<Judgement> result(1);
-    Callbacks callbacks;
-    callbacks.failure = do_in_child([&] {
+    const SharedArray<Callbacks> result(1);
+    const std::string failure = do_in_child([&] {
         Stage boxes(recording, SpaceKind::box), shapes(recording, SpaceKind::shape);
         const double begin = now();
         walk(
@@ -372,14 +320,11 @@ Callbacks judge_callbacks(const Recording &recording, std::size_t most_events, d
                 return true;
             });
     });
-    callbacks.all = result[0].all;
-    callbacks.nothing = result[0].nothing;
-    callbacks.unknown = result[0].unknown;
-    callbacks.seconds_spared = result[0].seconds;
-    return callbacks;
+    callbacks = result[0];
+    return failure;
 }
 
-// The first life in a process also pays for what is made once.
+// The first replay in a process also allocates what is kept for later ones.
 void live_once(const Recording &recording, SpaceKind kind)
 {
     Stage stage(recording, kind);
@@ -396,7 +341,7 @@ void replay_to_be_counted(const Recording &recording, SpaceKind kind, const Coun
 {
     if (events.whole_life)
         live_once(recording, kind);
-    // What the whole life costs without a space is known from geoms in none.
+    // To count a whole life without a space, geoms are put into none.
     auto stage = std::make_unique<Stage>(recording, kind, kind != SpaceKind::none || !events.whole_life);
     std::size_t next = 0; // event
     walk(

@@ -1,4 +1,4 @@
-// A recording in spaces of one kind after another: the pairs that they find, and what it takes them.
+// Replays a recording in spaces of one kind: the pairs that they find, and their cost.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_REPLAY_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_REPLAY_H
@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "ode_predictive_space/recording/recording.h"
@@ -14,16 +13,16 @@
 
 namespace ode_predictive_space::recording
 {
-/// What one event gave.
+/// The pairs of one event.
 struct EventPairs
 {
     std::uint32_t count;
     std::uint64_t hash;      ///< sum of hash_of_pair()
-    std::uint32_t unbounded; ///< of the pairs, those with a space or with a geom whose box has no end on some side
+    std::uint32_t unbounded; ///< pairs with a space, or with a geom whose box is infinite
     std::uint64_t hash_of_unbounded;
     bool operator==(const EventPairs &other) const { return count == other.count && hash == other.hash; }
 
-    /// ODE's sweep-and-prune spaces report what has no bounds with everything, and have no bounds within others, as quadtrees.
+    /// ODE's sweep-and-prune spaces report unbounded geoms with everything; they and quadtrees are unbounded inside other spaces.
     bool same_but_more_unbounded(const EventPairs &other) const
     {
         return count - unbounded == other.count - other.unbounded &&
@@ -35,78 +34,72 @@ struct Pairs
 {
     std::string failure; ///< why the replay ended early; empty: it did not
     std::vector<EventPairs> events;
-    std::uint64_t lost_contacts = 0; ///< of a kind that leaves out pairs: those with a contact
-    std::uint64_t strange = 0;       ///< and pairs that it has in addition, or twice
+    // Only of a kind that leaves out pairs:
+    std::uint64_t lost_contacts = 0; ///< pairs with a contact that are left out
+    std::uint64_t strange = 0;       ///< pairs that the spaces by box do not have, or that are reported twice
 };
 
 /// Replays without a clock.
 Pairs find_pairs(const Recording &recording, SpaceKind kind);
 
-/// Pairs of ids of one event that only one of two kinds of spaces has: (pair, the first has it).
-using DifferentPairs = std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, bool>>;
-DifferentPairs differing_pairs(const Recording &recording, SpaceKind first, SpaceKind second, std::size_t event);
+/// The first pairs of one event that only one of two kinds of spaces finds: ": geoms 3 and 7 only in hash, ...". Empty: there are none.
+std::string differing_pairs(const Recording &recording, SpaceKind kind, SpaceKind reference, std::size_t event);
 
-/// What one kind of spaces takes. Times in seconds.
+/// Times in seconds.
+struct MeasuredEvent
+{
+    float collide; ///< with a callback that only counts
+    float
+        notices; ///< for the changes before it: moves, sizes, bits, new geoms. They take some time without a space, too
+    std::uint32_t callbacks;
+};
+
 struct Cost
 {
     std::string failure;
-    std::size_t events = 0; ///< that were replayed
-    double collides = 0;    ///< of all events, with a callback that only counts
-    double notices = 0;     ///< of the changes between them: moves, sizes, bits, new geoms; see without()
-    std::uint64_t callbacks = 0;
-    double processor_time = 0;  ///< of the process, from the first event on: with all that a replay does besides
-    std::vector<float> seconds; ///< of each event
-    std::vector<float> seconds_of_notices;   ///< before it
-    std::vector<std::uint32_t> callbacks_of; ///< likewise
+    std::vector<MeasuredEvent> events; ///< that were replayed
+    double processor_time = 0;         ///< of the whole process from the first event on, in seconds
 };
 
-/// What the spaces take of it: the changes cost something without a space, too, and so does the replay.
+/// Measures a replay.
 ///
-/// @param none of SpaceKind::none, for the same events.
-Cost without(const Cost &none, Cost cost);
-
-/// Replays by the clock.
-///
-/// @param most_events no more than these. @param most_seconds no event begins later.
+/// @param most_events no more are replayed. @param most_seconds no event begins later.
 Cost measure(const Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds);
 
-/// Of each event the lesser time of two replays, for the machine does other things in between.
+/// Keeps the lesser time of two replays for each event, because the machine may be interrupted.
 void take_least(const Cost &again, Cost &cost);
 
-/// The same, several times, and of each event the least time.
-Cost measure_repeatedly(const Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds);
-
-/// What the callbacks of spaces by boxes are good for. dCollide() is asked for 8 contacts.
+/// Callbacks of predictive spaces by box, and the contacts that dCollide() finds for them.
 struct Callbacks
 {
-    std::string failure;
     std::uint64_t all = 0;
     std::uint64_t nothing = 0; ///< dCollide() finds no contact
     std::uint64_t unknown = 0; ///< with a space, or with a geom of which only the box is recorded
-    double seconds_spared = 0; ///< in those calls of dCollide() that spaces by shape spare
+    double seconds_spared = 0; ///< in calls of dCollide() for pairs that spaces by shape leave out
 };
-Callbacks judge_callbacks(const Recording &recording, std::size_t most_events, double most_seconds);
 
-/// The events of a recording whose instructions count, and what else does.
+/// @return why the replay ended early; empty: it did not.
+std::string judge_callbacks(const Recording &recording, std::size_t most_events, double most_seconds,
+                            Callbacks &callbacks);
+
+/// The part of a replay whose instructions are counted.
 struct CountedEvents
 {
-    std::size_t from = 0;      ///< the first one
-    std::size_t to = SIZE_MAX; ///< the first one after them
-    std::size_t every = 1;     ///< from one to the next
-    bool contacts = false;     ///< dCollide() for each callback counts, too
-    bool whole_life = false;   ///< the making of all geoms before the first event counts, and so does their end
+    std::size_t from = 0;      ///< first event
+    std::size_t to = SIZE_MAX; ///< end of the range
+    std::size_t every = 1;     ///< each nth event of the range
+    bool contacts = false;     ///< also a dCollide() for each callback
+    bool whole_life = false;   ///< also the making of all geoms, and their end
     bool has(std::size_t event) const { return event >= from && event < to && (event - from) % every == 0; }
 
-    /// How many of a recording with so many events.
+    /// How many are counted of a recording with this number of events.
     std::size_t count_of(std::size_t events) const
     {
         return from < std::min(to, events) ? (std::min(to, events) - from - 1) / every + 1 : 0;
     }
 };
 
-/// Replays in this process and counts nothing: for callgrind, which gets the names of the functions whose instructions
-/// count, counted_changes, counted_collide and counted_end. What is before the first event, the making of all geoms, does not count
-/// unless their whole life does.
+/// Replays in this process, for callgrind, which counts in the functions counted_changes, counted_collide and counted_end.
 void replay_to_be_counted(const Recording &recording, SpaceKind kind, const CountedEvents &events = {});
 } // namespace ode_predictive_space::recording
 

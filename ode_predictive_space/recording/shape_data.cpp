@@ -82,7 +82,7 @@ bool read_convex(const dxConvex &convex, std::string &content)
     return true;
 }
 
-// A height is a sample times the scale, and the offset: ODE computes it from these numbers, to the bit.
+// ODE computes a height as sample times scale plus offset. These numbers are recorded, so that a replay has the same heights.
 bool read_heights(const HeightSamples &field, std::string &content)
 {
     const std::int64_t count = std::int64_t{field.columns} * field.rows;

@@ -1,4 +1,4 @@
-// The arrays that meshes, convexes and heightfields are made of, as bytes, each recorded once.
+// The arrays of meshes, convexes and heightfields, each recorded once.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_SHAPE_DATA_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_SHAPE_DATA_H
@@ -22,17 +22,17 @@ public:
         bool is_new; ///< its content has no record yet
     };
 
-    /// The arrays of a mesh, convex or heightfield as they are now, into `content`, as a record has them, but for the id.
+    /// Reads the arrays of a mesh, convex or heightfield as a record has them, without the id.
     ///
-    /// @return false when they cannot be read, or when no reader would take them.
+    /// @return false when they cannot be read, or when a reader would refuse them.
     static bool read(dGeomID geom, std::string &content);
 
-    /// The entry of a geom's arrays.
+    /// Finds or makes the entry of a geom's arrays.
     ///
-    /// @param collide a number of the collide that begins: arrays whose address and size are known are read once in it, for
-    /// their content may have changed. 0: they are not read. A heightfield with a callback is sampled once and never again.
+    /// @param collide a number of the collide that begins. Arrays at a known address are read again once in it, because their content
+    /// may have changed; 0: they are not read again. A heightfield with a callback is sampled once.
     /// @param content receives the content of a new entry.
-    /// @return false as read() does.
+    /// @return as read() does.
     bool find(dGeomID geom, std::uint64_t collide, Entry &entry, std::string &content);
 
 private:

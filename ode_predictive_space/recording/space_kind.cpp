@@ -42,6 +42,21 @@ SpaceKind own_kind(const GeomState &space)
     }
 }
 
+SpaceKind recorded_kind(const GeomState &space)
+{
+    return space.service.predictive ? predictive_kind(space.service.predictive - 1) : own_kind(space);
+}
+
+bool is_predictive(SpaceKind kind)
+{
+    return kind == SpaceKind::box || leaves_out_pairs(kind);
+}
+
+std::string full_name_of(SpaceKind kind)
+{
+    return is_predictive(kind) ? std::string("predictive, by ") + name_of(kind) : name_of(kind);
+}
+
 std::optional<SpaceKind> kind_named(const std::string &name)
 {
     for (const SpaceKind kind : all_kinds)

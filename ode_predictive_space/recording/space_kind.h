@@ -9,7 +9,7 @@
 
 namespace ode_predictive_space::recording
 {
-/// In which spaces a history is replayed. Spaces that were simple ones within others remain so, as with the launcher.
+/// The spaces of a replay. Simple spaces inside other spaces remain simple, as with the launcher.
 enum class SpaceKind
 {
     own, ///< of the class that each had in the program
@@ -20,7 +20,7 @@ enum class SpaceKind
     box, ///< predictive, by boxes
     sphere,
     shape,
-    none ///< simple ones that are never asked: what remains is what the changes cost without a space
+    none ///< simple ones that are never collided: the cost of the changes alone
 };
 
 constexpr std::array<SpaceKind, 8> all_kinds = {SpaceKind::own,      SpaceKind::simple, SpaceKind::hash,
@@ -35,9 +35,17 @@ SpaceKind predictive_kind(int proximity);
 /// The kind of a recorded space, as the program made it.
 SpaceKind own_kind(const GeomState &space);
 
+/// The kind that it had while it was recorded: predictive also where it stood in the place of one of ODE's.
+SpaceKind recorded_kind(const GeomState &space);
+
+bool is_predictive(SpaceKind kind);
+
+/// "hash", or "predictive, by box".
+std::string full_name_of(SpaceKind kind);
+
 std::optional<SpaceKind> kind_named(const std::string &name);
 
-/// Calls the callback for fewer pairs than the others.
+/// Does it report only a part of the pairs whose boxes overlap?
 bool leaves_out_pairs(SpaceKind kind);
 } // namespace ode_predictive_space::recording
 

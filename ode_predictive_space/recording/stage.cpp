@@ -6,6 +6,7 @@
 
 #include <ode/ode.h>
 
+#include "ode_predictive_space/recording/fields.h"
 #include "ode_predictive_space/recording/geom_of_state.h"
 #include "ode_predictive_space/space/height_data.h"
 #include "ode_predictive_space/space/ode_internals.h"
@@ -14,15 +15,7 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-template <typename Value> std::vector<Value> copied(const char *bytes, std::size_t count)
-{
-    std::vector<Value> values(count);
-    if (count > 0)
-        std::memcpy(values.data(), bytes, count * sizeof(Value));
-    return values;
-}
-
-// About one geom per leaf, which was the fastest of the depths tried.
+// About one geom per leaf, the fastest of the depths that were measured.
 int quadtree_depth(std::uint32_t geoms)
 {
     return std::clamp(static_cast<int>(std::lround(std::log2(std::max(geoms, 1u)) / 2)), 1, 8);
@@ -37,13 +30,10 @@ Stage::~Stage()
 {
     for (std::size_t id = 0; id < geoms_.size(); ++id)
         destroy(static_cast<std::uint32_t>(id));
-    for (const Shape &shape : shapes_)
-    {
-        if (shape.mesh && shape.mesh->data)
-            dGeomTriMeshDataDestroy(shape.mesh->data);
-        if (shape.heights)
-            dGeomHeightfieldDataDestroy(shape.heights->data);
-    }
+    for (const auto &mesh : meshes_)
+        dGeomTriMeshDataDestroy(mesh.second);
+    for (const auto &heights : heights_)
+        dGeomHeightfieldDataDestroy(heights.second);
     dWorldDestroy(world_);
 }
 
@@ -56,16 +46,10 @@ void Stage::apply(const Record &record)
 {
     switch (record.kind)
     {
-    case RecordKind::mesh:
-        return add_mesh(recording_.mesh(record));
-    case RecordKind::convex:
-        return add_convex(recording_.convex(record));
     case RecordKind::body:
         return change_body(recording_.body(record));
     case RecordKind::geom:
         return change_geom(recording_.geom(record));
-    case RecordKind::heights:
-        return add_heights(recording_.heights(record));
     case RecordKind::notices:
         return repeat_notices(recording_.notices(record));
     case RecordKind::gone:
@@ -80,7 +64,7 @@ void Stage::ask(const Record &record, void *data, dNearCallback *callback)
     for (const std::uint32_t id : reported_)
         geoms_[id].was_reported = false;
     reported_.clear();
-    // What is asked is looked up in any case: it is to cost the same in all spaces.
+    // The ids are looked up in any case, so that this costs the same with all spaces.
     if (record.kind == RecordKind::collide)
     {
         const dGeomID space = geom(recording_.id(record));
@@ -94,42 +78,7 @@ void Stage::ask(const Record &record, void *data, dNearCallback *callback)
         dSpaceCollide2(first, second, data, callback);
 }
 
-void Stage::add_mesh(const MeshContent &content)
-{
-    auto mesh = std::make_unique<Mesh>();
-    const std::size_t size_of_real = content.single ? sizeof(float) : sizeof(double);
-    mesh->single = content.single;
-    mesh->vertices = copied<char>(content.vertices, 3 * size_of_real * content.vertex_count);
-    mesh->triangles = copied<std::uint32_t>(content.triangles, std::size_t{3} * content.triangle_count);
-    shapes_.push_back({std::move(mesh), nullptr, nullptr});
-}
-
-void Stage::add_convex(const ConvexContent &content)
-{
-    auto convex = std::make_unique<Convex>();
-    convex->planes = copied<dReal>(content.planes, std::size_t{4} * content.plane_count);
-    convex->points = copied<dReal>(content.points, std::size_t{3} * content.point_count);
-    convex->polygons = copied<unsigned>(content.polygons, content.entry_count);
-    shapes_.push_back({nullptr, std::move(convex), nullptr});
-}
-
-void Stage::add_heights(const HeightsContent &content)
-{
-    auto heights = std::make_unique<Heights>();
-    heights->samples = copied<double>(content.samples, std::size_t{content.columns} * content.rows);
-    heights->data = dGeomHeightfieldDataCreate();
-    dGeomHeightfieldDataBuildDouble(heights->data, heights->samples.data(), 0, content.width, content.depth,
-                                    static_cast<int>(content.columns), static_cast<int>(content.rows), content.scale,
-                                    content.offset, content.thickness, content.repeats);
-    if (HeightSamples *known = writable_height_data(heights->data))
-    {
-        known->lowest = content.lowest;
-        known->highest = content.highest;
-    }
-    shapes_.push_back({nullptr, nullptr, std::move(heights)});
-}
-
-// As a step of ODE moves a body: the matrix keeps its bits, and then ODE reports each of its geoms.
+// Moves a body as a step of ODE does: the matrix is set to the bit, and then each geom of the body is reported as moved.
 void Stage::change_body(const BodyChange &change)
 {
     if (change.id == bodies_.size())
@@ -202,30 +151,45 @@ dSpaceID Stage::make_space(const GeomState &state) const
     return space;
 }
 
-dGeomID Stage::make_mesh(std::uint32_t data)
+dGeomID Stage::make_mesh(std::uint32_t id)
 {
-    Mesh &mesh = *shapes_[data].mesh;
-    if (!mesh.data)
+    dTriMeshDataID &data = meshes_[id];
+    if (!data)
     {
-        mesh.data = dGeomTriMeshDataCreate();
+        const auto &mesh = std::get<MeshContent>(recording_.data(id));
         const std::size_t stride = 3 * (mesh.single ? sizeof(float) : sizeof(double));
+        data = dGeomTriMeshDataCreate();
         (mesh.single ? dGeomTriMeshDataBuildSingle : dGeomTriMeshDataBuildDouble)(
-            mesh.data, mesh.vertices.data(), static_cast<int>(stride), static_cast<int>(mesh.vertices.size() / stride),
+            data, mesh.vertices.data(), static_cast<int>(stride), static_cast<int>(mesh.vertices.size() / stride),
             mesh.triangles.data(), static_cast<int>(mesh.triangles.size()), 3 * sizeof(dTriIndex));
     }
-    return dCreateTriMesh(nullptr, mesh.data, nullptr, nullptr, nullptr);
+    return dCreateTriMesh(nullptr, data, nullptr, nullptr, nullptr);
 }
 
-dGeomID Stage::make_convex(std::uint32_t data)
+dGeomID Stage::make_convex(std::uint32_t id)
 {
-    const Convex &convex = *shapes_[data].convex;
+    const auto &convex = std::get<ConvexContent>(recording_.data(id));
     return dCreateConvex(nullptr, convex.planes.data(), static_cast<unsigned>(convex.planes.size() / 4),
                          convex.points.data(), static_cast<unsigned>(convex.points.size() / 3), convex.polygons.data());
 }
 
 dGeomID Stage::make_heightfield(const GeomState &state)
 {
-    return dCreateHeightfield(nullptr, shapes_[state.data].heights->data, state.geom_class == dHeightfieldClass);
+    dHeightfieldDataID &data = heights_[state.data];
+    if (!data)
+    {
+        const auto &field = std::get<HeightsContent>(recording_.data(state.data));
+        data = dGeomHeightfieldDataCreate();
+        dGeomHeightfieldDataBuildDouble(data, field.samples.data(), 0, field.width, field.depth,
+                                        static_cast<int>(field.columns), static_cast<int>(field.rows), field.scale,
+                                        field.offset, field.thickness, field.repeats);
+        if (HeightSamples *known = writable_height_data(data))
+        {
+            known->lowest = field.lowest;
+            known->highest = field.highest;
+        }
+    }
+    return dCreateHeightfield(nullptr, data, state.geom_class == dHeightfieldClass);
 }
 
 void Stage::make(Geom &geom, std::uint32_t id)
@@ -252,30 +216,19 @@ void Stage::make(Geom &geom, std::uint32_t id)
 
 namespace
 {
-// What a record tells of the fields that it has.
+// Takes over the fields that a record has.
 void update(GeomState &state, const GeomChange &change)
 {
     const GeomState &now = change.state;
     state.geom_class = now.geom_class;
-    const auto take = [&](std::uint16_t field, auto member) {
-        if (change.fields & field)
-            state.*member = now.*member;
-    };
-    take(geom_field::space, &GeomState::space);
-    take(geom_field::parent, &GeomState::parent);
-    take(geom_field::bits, &GeomState::bits);
-    take(geom_field::flags, &GeomState::flags);
-    take(geom_field::size, &GeomState::size);
-    take(geom_field::data, &GeomState::data);
-    take(geom_field::body, &GeomState::body);
-    take(geom_field::offset, &GeomState::has_offset);
-    take(geom_field::offset, &GeomState::offset);
-    take(geom_field::pose, &GeomState::pose);
-    take(geom_field::service, &GeomState::service);
+    visit_geom_fields(now, change.fields, [&](const void *field, std::size_t size) {
+        const auto offset = static_cast<const char *>(field) - reinterpret_cast<const char *>(&now);
+        std::memcpy(reinterpret_cast<char *>(&state) + offset, field, size);
+    });
 }
 } // namespace
 
-// A geom with other data is made again: ODE is not told of all that depends on them.
+// A geom with other data is made again, because ODE has no function that replaces all that depends on them.
 void Stage::change_geom(const GeomChange &change)
 {
     std::uint16_t fields = change.fields;
@@ -318,7 +271,8 @@ void Stage::place(std::uint32_t id, std::uint16_t fields)
     if (fields & geom_field::body)
     {
         if (dGeomIsOffset(geom.geom))
-            dGeomClearOffset(geom.geom); // ODE takes it away, too, but not the mark that the pose follows from it
+            dGeomClearOffset(
+                geom.geom); // dGeomSetBody() also removes it, but leaves the flag that the pose has to be computed
         dGeomSetBody(geom.geom, state.body ? bodies_[state.body - 1] : nullptr);
         fields |= geom_field::offset | geom_field::pose;
     }
@@ -363,13 +317,13 @@ bool is_at(const dxPosR &place, const Pose &pose)
 }
 } // namespace
 
-// A geom with an offset is left to be computed by ODE from the pose of its body when it is needed, as in the program, where that
-// gives the recorded pose.
+// The pose of a geom with an offset is left to ODE, which computes it from the pose of the body when it is needed, unless that gives
+// another pose than the recorded one.
 void Stage::take_pose(const Geom &geom)
 {
     dxGeom &self = *geom.geom;
     if (self.offset_posr)
-        self.computePosr(); // in any case: it is to cost the same in all spaces
+        self.computePosr(); // in any case, so that this costs the same with all spaces
     if (is_at(*self.final_posr, geom.state.pose))
         return;
     copy_rotation(geom.state.pose, self.final_posr->R);
@@ -377,7 +331,8 @@ void Stage::take_pose(const Geom &geom)
     self.gflags &= ~GEOM_POSR_BAD;
 }
 
-// At once: what is set next may be reported as well, and a space takes a second notice from the same place for a change of the shape.
+// Is called at once for each change, as in the program: a predictive space takes a second notice at the same pose for a change of the
+// shape.
 void Stage::report_move(std::uint32_t id)
 {
     dGeomMoved(geoms_[id].geom);

@@ -1,4 +1,4 @@
-// The spaces, geoms and bodies of a recording, made again.
+// The spaces, geoms and bodies of a replay.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_STAGE_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_STAGE_H
@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include <ode/collision.h>
@@ -15,21 +16,21 @@
 
 namespace ode_predictive_space::recording
 {
-/// ODE must be up. Any number of stages may stand beside each other.
+/// ODE must be initialised. There may be any number of stages.
 class Stage
 {
 public:
     /// @param recording outlives the stage.
-    /// @param in_spaces false: geoms are put in no space, and nothing can be asked.
+    /// @param in_spaces false: geoms are put in no space, and nothing can be collided.
     Stage(const Recording &recording, SpaceKind kind, bool in_spaces = true);
     ~Stage();
     Stage(const Stage &) = delete;
     Stage &operator=(const Stage &) = delete;
 
-    /// Of all records but events and what tells of them, in their order: what they change.
+    /// Makes the changes of a record that is no event. To be called for all of them, in their order.
     void apply(const Record &record);
 
-    /// Of an event: dSpaceCollide() or dSpaceCollide2(). Nothing with SpaceKind::none.
+    /// Calls dSpaceCollide() or dSpaceCollide2() for an event; nothing with SpaceKind::none.
     void ask(const Record &record, void *data, dNearCallback *callback);
 
     /// The number of a geom in the recording.
@@ -37,44 +38,18 @@ public:
 
     dGeomID geom(std::uint32_t id) const { return geoms_[id].geom; }
 
-    /// Of it only the box is known.
+    /// Is only its box recorded?
     bool is_stand_in(std::uint32_t id) const { return geoms_[id].state.geom_class == stand_in; }
 
 private:
-    struct Mesh
-    {
-        std::vector<char> vertices;
-        std::vector<std::uint32_t> triangles;
-        dTriMeshDataID data = nullptr; // made when a geom first has it
-        bool single = false;
-    };
-    struct Convex
-    {
-        std::vector<dReal> planes, points;
-        std::vector<unsigned> polygons;
-    };
-    struct Heights
-    {
-        std::vector<double> samples;
-        dHeightfieldDataID data;
-    };
-    struct Shape // one of these
-    {
-        std::unique_ptr<Mesh> mesh;
-        std::unique_ptr<Convex> convex;
-        std::unique_ptr<Heights> heights;
-    };
     struct Geom
     {
         dGeomID geom = nullptr;
         GeomState state;
         std::unique_ptr<dReal[]> box; // of a stand-in
-        bool was_reported = false;    // since the last event, that it has moved
+        bool was_reported = false;    // as moved, since the last event
     };
 
-    void add_mesh(const MeshContent &content);
-    void add_convex(const ConvexContent &content);
-    void add_heights(const HeightsContent &content);
     void change_body(const BodyChange &change);
     void change_geom(const GeomChange &change);
     void make(Geom &geom, std::uint32_t id);
@@ -97,8 +72,9 @@ private:
     dWorldID world_;
     std::vector<dBodyID> bodies_;
     std::deque<Geom> geoms_;
-    std::vector<Shape> shapes_;
-    std::vector<std::uint32_t> reported_; // those that were reported since the last event
+    std::unordered_map<std::uint32_t, dTriMeshDataID> meshes_; // by the id of their data, when a geom first has them
+    std::unordered_map<std::uint32_t, dHeightfieldDataID> heights_; // likewise
+    std::vector<std::uint32_t> reported_;                           // those that were reported since the last event
 };
 } // namespace ode_predictive_space::recording
 

@@ -73,7 +73,7 @@ std::uint8_t class_of(dGeomID shape)
     return static_cast<std::uint8_t>(shape->type);
 }
 
-// As ODE computes the pose of what a transform holds, to the bit.
+// Computes the pose of the geom inside a transform as ODE does, to the bit.
 dxPosR held_at(const dReal *position, const dReal *rotation, dGeomID held)
 {
     dxPosR place{};
@@ -139,7 +139,7 @@ BodyState state_of(dBodyID body)
 dGeomID shape_of(dGeomID geom)
 {
     const dGeomID held = geom->type == dGeomTransformClass ? dGeomTransformGetGeom(geom) : nullptr;
-    // ODE collides a transform also when what it holds has no size.
+    // ODE collides a transform also when the geom inside has no size.
     const bool can_be_recorded = held && held->type <= dTriMeshClass && held->type != dGeomTransformClass &&
                                  (held->gflags & (GEOM_PLACEABLE | GEOM_ZERO_SIZED)) == GEOM_PLACEABLE;
     return can_be_recorded ? held : geom;
@@ -184,7 +184,7 @@ std::uint16_t difference(const BodyState &before, const BodyState &now)
 std::uint16_t difference(const GeomState &before, const GeomState &now)
 {
     const bool other_offset = before.has_offset != now.has_offset || differ(before.offset, now.offset);
-    // A geom that leaves its body, or gets an offset from it, has a pose of its own from now on.
+    // The pose of a geom that leaves its body, or gets an offset from it, is new.
     const bool other_pose = has_own_pose(now) && (!has_own_pose(before) || differ(before.pose, now.pose));
     return static_cast<std::uint16_t>(
         when(before.geom_class != now.geom_class, geom_field::is_new) |

@@ -1,4 +1,4 @@
-// What a recording keeps of a geom and of a body, read as any program could read it.
+// The recorded state of geoms and bodies.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_STATE_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_STATE_H
@@ -26,10 +26,11 @@ struct SpaceState
     std::int32_t min_level = 0, max_level = 0; ///< of a hash space
 };
 
-/// How a space served the program.
+/// The role of a space in the program.
 struct SpaceService
 {
-    std::uint8_t predictive = 0; ///< 1 + its proximity (dPredictiveProximityBox, ...); 0: of ODE, with unknown notices
+    std::uint8_t predictive =
+        0; ///< 1 + its proximity (dPredictiveProximityBox, ...); 0: a space of ODE, with unknown notices
     std::uint8_t is_substitute = 0; ///< 1: predictive, in the place of a space of ODE that the program made
 
     bool is_predictive_in_program() const { return predictive && !is_substitute; }
@@ -50,18 +51,18 @@ struct GeomState
     Pose offset{}, pose{};
 };
 
-/// A geom that is where its body is has no pose of its own.
+/// A geom on a body, without an offset from it, has the pose of the body.
 bool has_own_pose(const GeomState &state);
 
 BodyState state_of(dBodyID body);
 
-/// Parent, data, body and service remain 0. A geom with data keeps its class; if these cannot be recorded, it is to become a stand-in.
+/// Parent, data, body and service remain 0. A geom whose data cannot be recorded has to be made a stand-in afterwards.
 GeomState state_of(dGeomID geom);
 
-/// The geom that is collided: what a transform holds, if it is of a class that can be recorded, or the geom itself.
+/// The geom that is recorded: the geom inside a transform, if its class can be recorded, or the geom itself.
 dGeomID shape_of(dGeomID geom);
 
-/// Of the geom only its bounding box.
+/// Keeps only the bounding box of the geom.
 void make_stand_in(dGeomID geom, GeomState &state);
 
 /// The fields in which two states differ, bit by bit: a mask of body_field or geom_field.

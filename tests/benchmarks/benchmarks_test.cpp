@@ -122,7 +122,7 @@ TEST(RecordWorlds, WritesWhatCanBeReplayed)
     const nlohmann::json first_events = nlohmann::json::parse(recorded.output).at("first_events");
     EXPECT_EQ(first_events.size(), 6u);
     EXPECT_GE(first_events[5], 5);
-    const Outcome replayed = run(TOOL, "replay --times --space box --space sap " + file.path());
+    const Outcome replayed = run(TOOL, "replay --pairs --space box --space sap " + file.path());
     EXPECT_EQ(replayed.status, 0) << replayed.output;
     for (const char *arguments : {"", "soup 4 --output x", "gas 0 --output x", "gas 4", "gas 4 --output /no/such/x"})
         EXPECT_EQ(run(RECORD_WORLDS, arguments).status, 2) << arguments;

@@ -77,11 +77,11 @@ def count(build, row, chosen, contacts):
         if done.returncode == 2 or not result.exists():
             raise RuntimeError(done.stderr)
         counted = json.loads(result.read_text())
-    if counted["unit"] != "instructions":
+    if not counted["counted_events"]:
         raise RuntimeError("valgrind was not found; Debian's package is named valgrind")
     records = []
     for space, figures in zip(spaces, counted["spaces"]):
-        if figures["cost_per_event"] is None:
+        if figures["instructions_per_event"] is None:
             print(f"{row['scene']} {row['n']}: no count in {space}", file=sys.stderr)
             continue
         if not figures["agrees"]:
@@ -91,7 +91,7 @@ def count(build, row, chosen, contacts):
             print(message, file=sys.stderr)  # hash omits pairs, sap rounds
         records.append({"scene": row["scene"], "n": row["n"], "space": space, "warm_up_ticks": row["first"],
                         "ticks": row["ticks"], "every": row["every"], "pairs": figures["pairs"],
-                        "sum": figures["cost_per_event"] * counted["counted_events"] / row["ticks"]})
+                        "sum": figures["instructions_per_event"] * counted["counted_events"] / row["ticks"]})
     return records
 
 

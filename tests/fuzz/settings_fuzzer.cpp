@@ -13,8 +13,8 @@ using namespace ode_predictive_space::preload;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
-    constexpr std::array<const char *, 5> names{"ODE_PREDICTIVE_SPACE", "ODE_PREDICTIVE_PROXIMITY",
-                                                "ODE_PREDICTIVE_STATS", "ODE_PREDICTIVE_COMPARE",
+    constexpr std::array<const char *, 4> names{"ODE_PREDICTIVE_SPACE", "ODE_PREDICTIVE_PROXIMITY",
+                                                "ODE_PREDICTIVE_STATS",
                                                 "ODE_PREDICTIVE_TRACE"};
     std::array<std::string, names.size()> values;
     for (std::size_t i = 0, value = 0; i < size && value < values.size(); ++i)

@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_TESTS_PRELOAD_PRELOAD_PROGRAMS_H
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -50,6 +51,25 @@ public:
         text << std::ifstream(path_).rdbuf();
         return text.str();
     }
+
+private:
+    std::string path_;
+};
+
+/// A folder that is gone afterwards, with all that is in it.
+class ScratchFolder
+{
+public:
+    ScratchFolder() : path_(testing::TempDir() + "preload_test.XXXXXX")
+    {
+        if (!mkdtemp(path_.data()))
+            path_.clear();
+    }
+    ~ScratchFolder() { std::filesystem::remove_all(path_); }
+    ScratchFolder(const ScratchFolder &) = delete;
+    ScratchFolder &operator=(const ScratchFolder &) = delete;
+
+    const std::string &path() const { return path_; }
 
 private:
     std::string path_;

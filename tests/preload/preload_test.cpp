@@ -56,9 +56,8 @@ TEST(Preload, ReplacesWhatIsAskedFor)
 
 TEST(Preload, MeasuresBySpheresWhenAskedTo)
 {
-    const Outcome outcome = launch("--proximity sphere --stats --compare " LINKED);
+    const Outcome outcome = launch("--proximity sphere --stats " LINKED);
     EXPECT_EQ(count_of("hash, predictive by spheres", outcome.output), 5) << outcome.output;
-    EXPECT_TRUE(contains(outcome.output, " 0 differences")) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "\nlevels -3 10, then -1 5\n")) << outcome.output;
 }
 
@@ -89,24 +88,6 @@ TEST(Preload, HabitsOfProgramsMakeNoDifference)
     EXPECT_GT(count_of("\npairs: 1", native), 50) << native;
     for (const char *options : {"", "--space simple", "--space all", "--space hash --stats=/dev/null"})
         EXPECT_TRUE(launch(options + std::string(" " HABITS)).output == native) << options;
-    const Outcome compared = launch("--space all --compare " HABITS);
-    EXPECT_TRUE(contains(compared.output, " 0 differences")) << compared.output.substr(compared.output.size() - 100);
-}
-
-TEST(Preload, ComparisonFindsNoDifference)
-{
-    const Outcome outcome = launch("--space all --compare " LINKED);
-    EXPECT_TRUE(contains(outcome.output, " 0 differences")) << outcome.output;
-    EXPECT_FALSE(contains(outcome.output, " 0 collides")) << outcome.output;
-}
-
-TEST(Preload, ComparisonFindsAPlantedDifference)
-{
-    const Outcome outcome = launch("--compare " FICKLE);
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_TRUE(contains(outcome.output, "user's geom")) << outcome.output;
-    EXPECT_TRUE(contains(outcome.output, "20 collides, ")) << outcome.output;
-    EXPECT_FALSE(contains(outcome.output, " 0 differences")) << outcome.output;
 }
 
 // The other two have an infinite box when they are inside another space, so that their own groups are met more often.
@@ -143,13 +124,6 @@ TEST(Preload, ReachesFunctionsThatAreLookedUp)
     EXPECT_EQ(count_of("dSpaceCollide2 1 calls", said), 4) << said;
 }
 
-TEST(Preload, ComparesCollidesThatAreLookedUp)
-{
-    const Outcome outcome = launch("--space all --compare " LOOKED_UP " " ODE_LIBRARY);
-    EXPECT_TRUE(contains(outcome.output, " 0 differences")) << outcome.output;
-    EXPECT_FALSE(contains(outcome.output, " 0 collides")) << outcome.output;
-}
-
 TEST(Preload, LeavesFunctionsAloneThatAreLookedUpInAForeignOde)
 {
     EXPECT_TRUE(contains(one_line_refusal(LOOKED_UP, OTHER_ODE), OTHER_ODE));
@@ -167,9 +141,9 @@ TEST(Preload, LookingUpTheNextFunctionWorksAsWithoutIt)
 // It ended by an exception: to load the second half meant to initialise what was being initialised.
 TEST(Preload, AProgramMayMakeThePredictiveSpaceItself)
 {
-    for (const char *options : {"--compare ", "--space none --compare ", ""})
+    for (const char *options : {"--stats ", "--space none --stats ", ""})
         EXPECT_EQ(launch(options + std::string(SWAPPED)).status, 0) << options;
-    EXPECT_TRUE(contains(launch("--compare " SWAPPED).output, " 1 collides, 0 differences"));
+    EXPECT_TRUE(contains(launch("--stats " SWAPPED).output, "predictive by boxes"));
 }
 
 TEST(Preload, RefusesAStaticOde)
@@ -244,9 +218,8 @@ TEST(Preload, ThreadsMayMeetOdeAllAtOnce)
     for (int i = 0; i < 10; ++i)
     {
         const ScratchFile trace;
-        const std::string said = statistics_of("--compare --trace " + trace.path(), THREADS);
+        const std::string said = statistics_of("--trace " + trace.path(), THREADS);
         EXPECT_EQ(count_of("dSpaceCollide 50 calls", said), 4) << said;
-        EXPECT_TRUE(contains(said, "200 collides, 0 differences")) << said;
         EXPECT_EQ(count_of("\n", trace.text()), 200);
     }
 }
@@ -276,8 +249,8 @@ TEST(Preload, OdeRefusesWhatItRefusesWithout)
 
 TEST(Preload, IsNotNoticedWithoutOde)
 {
-    const Outcome outcome = launch("--stats --compare sh -c 'echo hello; exit 5'");
-    EXPECT_EQ(outcome.output, "hello\node_predictive_space: no process with a space of ODE was seen\n");
+    const Outcome outcome = launch("--stats sh -c 'echo hello; exit 5'");
+    EXPECT_EQ(outcome.output, "hello\n");
     EXPECT_EQ(outcome.status, 5);
 }
 

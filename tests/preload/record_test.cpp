@@ -15,24 +15,11 @@ namespace ode_predictive_space::preload
 {
 namespace
 {
-// A folder that is gone afterwards, with all that is in it.
-class RecordingFolder
+// A folder for the file of a recording.
+struct RecordingFolder : ScratchFolder
 {
-public:
-    RecordingFolder() : path_(testing::TempDir() + "record_test.XXXXXX")
-    {
-        if (!mkdtemp(path_.data()))
-            path_.clear();
-    }
-    ~RecordingFolder() { std::filesystem::remove_all(path_); }
-    RecordingFolder(const RecordingFolder &) = delete;
-    RecordingFolder &operator=(const RecordingFolder &) = delete;
-
-    std::string file() const { return path_ + "/file"; }
-    long files() const { return std::distance(std::filesystem::directory_iterator(path_), {}); }
-
-private:
-    std::string path_;
+    std::string file() const { return path() + "/file"; }
+    long files() const { return std::distance(std::filesystem::directory_iterator(path()), {}); }
 };
 
 TEST(Record, AProgramGoesTheSameWayAndItsRecordingHasItsPairs)
@@ -44,7 +31,7 @@ TEST(Record, AProgramGoesTheSameWayAndItsRecordingHasItsPairs)
         const Outcome recorded = launch(std::string(options) + "--record " + folder.file() + " " LINKED);
         EXPECT_EQ(recorded.status, plain.status);
         EXPECT_EQ(folder.files(), 1) << "the one of an earlier run is gone";
-        const Outcome replayed = run(REPLAYER, "--times " + folder.file());
+        const Outcome replayed = run(REPLAYER, "--pairs " + folder.file());
         EXPECT_EQ(replayed.status, 0) << replayed.output;
         // ODE's own sweep-and-prune and quadtree spaces within others report these with everything. All geoms are primitives, which by
         // shape are told apart by box.
@@ -66,7 +53,7 @@ TEST(Record, SaysWhichSpacesTheProgramMadeAndWhetherNoticesAreKnown)
           Case{"--space none ", SWAPPED, "own (predictive, by box)", true}})
     {
         launch(std::string(each.options) + "--record " + folder.file() + " " + each.program);
-        const Outcome replayed = run(REPLAYER, "--times --space own " + folder.file());
+        const Outcome replayed = run(REPLAYER, "--pairs --space own " + folder.file());
         EXPECT_TRUE(contains(replayed.output, each.own)) << replayed.output;
         EXPECT_EQ(contains(replayed.output, "Spaces of ODE were recorded"), !each.notices_are_known) << replayed.output;
     }
@@ -86,7 +73,7 @@ TEST(Record, HasThePairsOfAProgramThatIsTracedToo)
 {
     const RecordingFolder folder, traced;
     EXPECT_EQ(launch("--trace " + traced.file() + " --record " + folder.file() + " " LINKED).status, 0);
-    const Outcome replayed = run(REPLAYER, "--times " + folder.file());
+    const Outcome replayed = run(REPLAYER, "--pairs " + folder.file());
     EXPECT_TRUE(contains(replayed.output, "in all of its")) << replayed.output;
 }
 
@@ -95,7 +82,7 @@ TEST(Record, EndsAtItsLimit)
     const RecordingFolder folder;
     EXPECT_EQ(launch("--record-limit 20K --record " + folder.file() + " " LINKED).status, 0);
     EXPECT_LE(std::filesystem::file_size(folder.file()), 20u << 10);
-    const Outcome replayed = run(REPLAYER, "--times --space box " + folder.file());
+    const Outcome replayed = run(REPLAYER, "--pairs --space box " + folder.file());
     EXPECT_EQ(replayed.status, 0) << replayed.output;
     EXPECT_TRUE(contains(replayed.output, "as many bytes as it was to have")) << replayed.output;
 }
@@ -119,7 +106,7 @@ TEST(Record, AChildThatIsForkedLeavesTheRecordingToItsParent)
     const RecordingFolder folder;
     launch("--record " + folder.file() + " " FORKING " 2");
     EXPECT_GT(folder.files(), 1);
-    const Outcome replayed = run(REPLAYER, "--times --space box " + folder.file());
+    const Outcome replayed = run(REPLAYER, "--pairs --space box " + folder.file());
     EXPECT_EQ(replayed.status, 0) << replayed.output;
 }
 

@@ -34,7 +34,6 @@ TEST(Settings, DefaultsAreTakenForWhatIsUnsetOrEmpty)
     for (const Environment &environment : {Environment{}, Environment{{"ODE_PREDICTIVE_SPACE", ""},
                                                                       {"ODE_PREDICTIVE_PROXIMITY", ""},
                                                                       {"ODE_PREDICTIVE_STATS", ""},
-                                                                      {"ODE_PREDICTIVE_COMPARE", ""},
                                                                       {"ODE_PREDICTIVE_TRACE", ""}}})
     {
         const Settings settings = read(environment);
@@ -71,8 +70,6 @@ TEST(Settings, TheOthers)
     EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "sphere"}}).proximity, dPredictiveProximitySphere);
     EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "shape"}}).proximity, dPredictiveProximityShape);
     EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "ball"}}, 1).proximity, dPredictiveProximityBox);
-    EXPECT_TRUE(read({{"ODE_PREDICTIVE_COMPARE", "1"}}).compare);
-    EXPECT_FALSE(read({{"ODE_PREDICTIVE_COMPARE", "on"}}, 1).compare);
     EXPECT_TRUE(read({{"ODE_PREDICTIVE_TRACE", "file"}}).watches());
     EXPECT_TRUE(read({{"ODE_PREDICTIVE_RECORD", "file"}}).watches());
     EXPECT_EQ(read({{"ODE_PREDICTIVE_RECORD", "file"}}).record_limit, default_record_limit);

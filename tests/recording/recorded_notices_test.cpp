@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "ode_predictive_space/history.h"
-#include "ode_predictive_space/recording/own_space.h"
 #include "ode_predictive_space/recording/recorder.h"
+#include "ode_predictive_space/recording/space_kind.h"
 #include "tests/recording/recorded.h"
 #include "tests/recording/recorder_fixture.h"
 
@@ -164,7 +164,7 @@ TEST_F(RecorderTest, ASubstituteIsRecordedAsTheSpaceThatTheProgramMade)
         Recorder recorder(HistoryFile(file.path(), false), 1 << 24, "a test", [=](dSpaceID) { return is_substitute; });
         recorder.begin_collide(space).end();
         recorder.close();
-        EXPECT_EQ(recording::name_of_own_space(Recording::read(file.path())),
+        EXPECT_EQ(full_name_of(own_kind(Recording::read(file.path()).state_of_first_space())),
                   is_substitute ? "hash" : "predictive, by box");
     }
     dSpaceDestroy(space);

@@ -30,7 +30,7 @@ TEST(ReplayProgram, ExplainsItself)
 {
     const Outcome outcome = run(REPLAYER, "--help");
     EXPECT_EQ(outcome.status, 0);
-    for (const char *word : {"--space", "--times", "--from", "--json", "Exit status"})
+    for (const char *word : {"--space", "--pairs", "--from", "--json", "Exit status"})
         EXPECT_TRUE(contains(outcome.output, word)) << word;
     EXPECT_EQ(run(TOOL, "replay --help").output, outcome.output) << "a link is a call of the command";
     EXPECT_EQ(run(REPLAYER, "--version").status, 0);
@@ -55,18 +55,18 @@ std::string bytes_of(const std::string &path)
 TEST(ReplayProgram, WritesItsFiguresAsJson)
 {
     const ScratchRecording figures;
-    const Outcome outcome = run(REPLAYER, "--times --space box --space sap --json " + figures.path() + " " + nested);
+    const Outcome outcome = run(REPLAYER, "--pairs --space box --space sap --json " + figures.path() + " " + nested);
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     const std::string json = bytes_of(figures.path());
-    for (const char *part : {R"("unit": "microseconds")", R"({"space": "box", "cost_per_event": )",
+    for (const char *part : {R"("counted_events": 0)", R"({"space": "box", "instructions_per_event": null)",
                              R"({"space": "sap", )", R"("agrees": true)"})
         EXPECT_TRUE(contains(json, part)) << json;
-    EXPECT_EQ(run(REPLAYER, "--times --space box --json /no/such/folder/x " + nested).status, 2);
+    EXPECT_EQ(run(REPLAYER, "--pairs --space box --json /no/such/folder/x " + nested).status, 2);
 }
 
 TEST(ReplayProgram, RefusesEventsThatItCannotChoose)
 {
-    for (const char *options : {"--from x", "--from -1", "--to 0", "--every 0", "--every 3.5", "--times --from 1"})
+    for (const char *options : {"--from x", "--from -1", "--to 0", "--every 0", "--every 3.5"})
         EXPECT_EQ(run(REPLAYER, std::string(options) + " " + nested).status, 2) << options;
 }
 
@@ -118,11 +118,11 @@ TEST(ReplayProgram, ReplaysARecordingThatIsCutAndSaysWhere)
     if (sizeof(dReal) == sizeof(float))
         return;
     const std::string bytes = bytes_of(nested);
-    const Outcome whole = run(REPLAYER, "--times --space box " + nested);
+    const Outcome whole = run(REPLAYER, "--pairs --space box " + nested);
     EXPECT_TRUE(contains(whole.output, "The recording is whole.")) << whole.output;
     const ScratchRecording cut;
     std::ofstream(cut.path(), std::ios::binary) << bytes.substr(0, bytes.size() / 2);
-    const Outcome outcome = run(REPLAYER, "--times --space box " + cut.path());
+    const Outcome outcome = run(REPLAYER, "--pairs --space box " + cut.path());
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     const std::string events = outcome.output.substr(outcome.output.find(": ") + 2);
     EXPECT_TRUE(
@@ -143,7 +143,7 @@ TEST(ReplayProgram, PrintsWhatAFileSuppliesWithoutControlCharacters)
     const ScratchRecording file;
     std::ofstream(file.path(), std::ios::binary)
         << bytes.substr(0, header_size) + record + bytes.substr(second_record(bytes));
-    const Outcome outcome = run(REPLAYER, "--times --space box " + file.path());
+    const Outcome outcome = run(REPLAYER, "--pairs --space box " + file.path());
     EXPECT_TRUE(contains(outcome.output, "\\x1b[31mred\\x1b[0m\\x0aof another line \xc2\xb5\n")) << outcome.output;
     const Outcome missing = run(REPLAYER, "$(printf '/nonexistent/\\033[31m')");
     EXPECT_EQ(missing.status, 2);
@@ -154,7 +154,7 @@ TEST(ReplayProgram, ComparesTheSpacesThatAreNamed)
 {
     if (sizeof(dReal) == sizeof(float))
         return;
-    const Outcome outcome = run(REPLAYER, "--times --space box --space hash " + nested);
+    const Outcome outcome = run(REPLAYER, "--pairs --space box --space hash " + nested);
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "\nbox ")) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "\nhash ")) << outcome.output;

@@ -2,8 +2,8 @@
 """Swaps the space in each of ODE's demos, by a line, and runs it beside the original: 500 steps without a window.
 
 In a copy of a demo, each creation of a hash, simple, quadtree or sweep-and-prune space becomes dPredictiveSpaceCreate(), and one
-header is included. Nothing else changes. Original and copy run under the launcher, which replaces nothing and compares each
-collide with a test of the boxes of all pairs.
+header is included. Nothing else changes. Original and copy are recorded under the launcher, which replaces nothing, and the pairs
+that they got are compared with those that simple spaces find in a replay.
 
 Prints a Markdown table. Exit status: 0; 1 when a swapped demo ends as its original does not, has a wrong pair, or does not compile.
 """
@@ -19,6 +19,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "support"))
+from replayed import compared  # noqa: E402
+
 CREATION = re.compile(r"\bd(Hash|Simple|QuadTree|SweepAndPrune)SpaceCreate\s*\(")
 LONGEST_RUN = 900  # seconds
 HEADER = "#include <ode_predictive_space/predictive_space.h>\n"
@@ -28,7 +31,7 @@ HEADER = "#include <ode_predictive_space/predictive_space.h>\n"
 class Run:
     ending: str
     collides: int = 0
-    differences: int = 0
+    differences: int = 0  # collides in which it did not get all pairs
 
 
 def arguments_from(text, begin):
@@ -71,7 +74,7 @@ class Demos:
         self.headers = options.ode_headers
         self.only = options.only
         self.environment = dict(os.environ, LD_LIBRARY_PATH=str(self.library.parent))
-        self.launcher = self.build / "ode_predictive_space/preload/ode-predictive-run"
+        self.tool = self.build / "ode_predictive_space/preload/ode-predictive"
         self.space_folder = self.build / "ode_predictive_space"
 
     def names(self):
@@ -102,7 +105,8 @@ class Demos:
 
     def run(self, kind, file):
         """A demo that crashes or aborts ends by a signal, and so does the launcher."""
-        command = [self.launcher, "--space", "none", "--compare", self.work / kind / file.stem]
+        recording = self.work / kind / (file.stem + ".odehist")
+        command = [self.tool, "run", "--space", "none", "--record", recording, self.work / kind / file.stem]
         try:
             ended = subprocess.run(command, cwd=self.work, env=self.environment, timeout=LONGEST_RUN, stdin=subprocess.DEVNULL,
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -112,10 +116,9 @@ class Demos:
         (self.work / kind / (file.stem + ".output")).write_text(output)
         status = ended.returncode
         ending = "goes on" if status == 0 else f"ends with {status}" if status > 0 else f"ends by {signal.Signals(-status).name}"
-        compared = re.findall(r"compared with all pairs: (\d+) collides, (\d+) differences", output)
         assertion = re.search(r'assertion "([^"]*)" failed', output, re.IGNORECASE)
-        return Run(ending + (f" (`{assertion[1]}`)" if assertion else ""), sum(int(calls) for calls, _ in compared),
-                   sum(int(differences) for _, differences in compared))
+        collides, differing = compared(self.tool, recording)[:2] if recording.exists() else (0, 0)
+        return Run(ending + (f" (`{assertion[1]}`)" if assertion else ""), collides, differing)
 
     def judge(self, file):
         try:
@@ -127,8 +130,8 @@ class Demos:
             return f"| {file.stem} | 0 | {self.run('original', file).ending} | – | – | – |", True
         original, ours = self.run("original", file), self.run("swapped", file)
         is_well = ours.differences == 0 and (ours.ending == "goes on" or ours.ending == original.ending)
-        return (f"| {file.stem} | {count} | {original.ending} | {ours.ending} | {original.differences:,} in "
-                f"{original.collides:,} | {ours.differences:,} in {ours.collides:,} |"), is_well
+        return (f"| {file.stem} | {count} | {original.ending} | {ours.ending} | {original.differences:,} of "
+                f"{original.collides:,} | {ours.differences:,} of {ours.collides:,} |"), is_well
 
 
 def main():
@@ -141,7 +144,7 @@ def main():
     parser.add_argument("only", nargs="*", help="names of demos; all of them unless named")
     demos = Demos(parser.parse_args())
     demos.prepare()
-    print("| demo | creations | original, 500 steps | swapped | original: differences from all pairs | swapped: differences |")
+    print("| demo | creations | original, 500 steps | swapped | original: collides with other pairs | swapped |")
     print("|---|---:|---|---|---:|---:|")
     all_well = True
     with ThreadPoolExecutor(max_workers=2) as workers:

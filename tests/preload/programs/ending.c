@@ -1,9 +1,8 @@
 /* A program that collides three times and ends in the way it is told to.
  * Usage: ending WAY: return, exit, _exit, abort, crash, a signal's number; many: after it has made 1099 spaces more; or wait: it says its process id, then waits for
- * signals. SIGINT and SIGUSR1 are counted, SIGCONT is said, and SIGTERM ends it with their number as status. After two minutes it
+ * signals. SIGINT and SIGUSR1 are counted, and SIGTERM ends it with their number as status. After two minutes it
  * says so and ends.
- * Usage: ending child WAY: a child process collides once and ends so; its parent ends by return.
- * Usage: ending orphan FILE: a child process collides once; when its parent has ended, it reads FILE and ends by exit. */
+ * Usage: ending child WAY: a child process collides once and ends so; its parent ends by return. */
 
 #define _GNU_SOURCE
 
@@ -34,16 +33,14 @@ static void on_signal(int number)
         say("late\n");
         _exit(101);
     }
-    if (number != SIGCONT)
-        ++counted;
-    say(number == SIGCONT ? "continued\n" : "counted\n");
+    ++counted;
+    say("counted\n");
 }
 
 static void wait_for_signals(void)
 {
     signal(SIGINT, &on_signal);
     signal(SIGUSR1, &on_signal);
-    signal(SIGCONT, &on_signal);
     signal(SIGTERM, &on_signal);
     signal(SIGALRM, &on_signal);
     alarm(120);
@@ -80,8 +77,6 @@ static void end(const char *way)
         abort();
     if (strcmp(way, "crash") == 0)
         *nowhere = 0;
-    if (strcmp(way, "idle_child") == 0 && fork() == 0)
-        _exit(0); /* as a child does that becomes another program */
     if (strcmp(way, "many") == 0)
         make_spaces(1099);
     if (strcmp(way, "wait") == 0)
@@ -102,26 +97,6 @@ static void run_child(dSpaceID space, const char *way)
     waitpid(child, 0, 0);
 }
 
-static void run_orphan(dSpaceID space, const char *file)
-{
-    int ready[2];
-    char letter;
-    if (pipe(ready) != 0)
-        _exit(102);
-    if (fork() == 0)
-    {
-        dSpaceCollide(space, 0, &ignore);
-        alarm(120);
-        close(ready[1]);
-        close(ready[0]);
-        fclose(fopen(file, "r")); /* waits for a writer */
-        exit(0);
-    }
-    close(ready[1]);
-    if (read(ready[0], &letter, 1) != 0)
-        _exit(103);
-}
-
 int main(int argc, char **argv)
 {
     dSpaceID space;
@@ -132,9 +107,7 @@ int main(int argc, char **argv)
     dCreateSphere(space, 1);
     for (i = 0; i < 3; ++i)
         dSpaceCollide(space, 0, &ignore);
-    if (argc > 2 && strcmp(argv[1], "orphan") == 0)
-        run_orphan(space, argv[2]);
-    else if (argc > 2)
+    if (argc > 2)
         run_child(space, argv[2]);
     else if (argc > 1)
         end(argv[1]);
