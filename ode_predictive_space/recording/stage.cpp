@@ -270,9 +270,9 @@ void Stage::place(std::uint32_t id, std::uint16_t fields)
         return;
     if (fields & geom_field::body)
     {
+        // dGeomSetBody() also removes an offset, but leaves the flag that the pose has to be computed.
         if (dGeomIsOffset(geom.geom))
-            dGeomClearOffset(
-                geom.geom); // dGeomSetBody() also removes it, but leaves the flag that the pose has to be computed
+            dGeomClearOffset(geom.geom);
         dGeomSetBody(geom.geom, state.body ? bodies_[state.body - 1] : nullptr);
         fields |= geom_field::offset | geom_field::pose;
     }

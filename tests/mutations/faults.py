@@ -801,8 +801,8 @@ def history_faults():
         "any_length_taken_for_a_cut", "history", check, "record.kind <= RecordKind::last && record.size <= most_of_other_kinds",
         "record.kind <= RecordKind::last", read)
     yield Fault(
-        "corner_behind_the_last_vertex", "history", check, "if (number_at(mesh.triangles, i) >= mesh.vertex_count)",
-        "if (number_at(mesh.triangles, i) > mesh.vertex_count)", read)
+        "corner_behind_the_last_vertex", "history", check, "mesh.triangles.end()) >= vertices)",
+        "mesh.triangles.end()) > vertices)", read)
     yield Fault(
         "any_levels", "history", check,
         "state.min_level < -most || state.min_level > state.max_level || state.max_level > most",
@@ -830,7 +830,7 @@ def history_faults():
     yield Fault(
         "a_callback_sampled_at_every_collide", "history", data, "height_data_of(geom)->source == HeightSamples::callback", "false", recorded)
     yield Fault(
-        "bounds_of_a_heightfield_not_recorded", "history", SOURCES + "recording/stage.cpp", "        known->lowest = content.lowest;\n", "", recorded)
+        "bounds_of_a_heightfield_not_recorded", "history", SOURCES + "recording/stage.cpp", "            known->lowest = field.lowest;\n", "", recorded)
     yield Fault(
         "a_sizeless_geom_in_a_transform_recorded", "history", state, "(GEOM_PLACEABLE | GEOM_ZERO_SIZED)) == GEOM_PLACEABLE", "GEOM_PLACEABLE) != 0",
         (("recordings", "*RecordedHistories*"),))
@@ -864,7 +864,7 @@ def replay_faults():
         "offset_kept_with_another_body", "replay", stage, "fields |= geom_field::offset | geom_field::pose;", "fields |= geom_field::pose;",
         (("recordings", "Recorded*"),))
     yield Fault(
-        "mark_of_the_offset_left", "replay", stage, "            dGeomClearOffset(geom.geom); // ODE", "            ; // ODE",
+        "mark_of_the_offset_left", "replay", stage, "if (dGeomIsOffset(geom.geom))\n            dGeomClearOffset(geom.geom);\n        dGeomSetBody", "dGeomSetBody",
         (("recordings", "*Recorded*"),))
     yield Fault(
         "plane_scaled_again", "replay", geom,
