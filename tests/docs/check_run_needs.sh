@@ -31,9 +31,10 @@ games='mokomaze|mu-cade|stormbaancoureur|libompl|dartpy|pyode'
 
 calls_of hello
 has 'apt-get install .*libode-dev'
-has 'cmake -S . -B build/demo .*BUILD_TESTS=OFF'
-has 'cmake --build build/demo --target beside_ode'
-lacks 'libcli11|libgtest|dpkg-dev|libgl'
+has 'cmake -S . -B build/hello .*BUILD_TESTS=OFF'
+has 'cmake --build build/hello --target ode_predictive_space'
+has 'apt-get install .*libcli11-dev' # the tutorial goes on to the tool
+lacks 'libgtest|dpkg-dev|libgl'
 lacks 'apt-get .*source'
 
 calls_of demo --objects 30
