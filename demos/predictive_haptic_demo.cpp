@@ -6,7 +6,6 @@
 #include "demos/haptic/run_page.h"
 #include "demos/haptic/run_summary.h"
 #include "demos/runs/check_writable.h"
-#include "demos/runs/narrow_output.h"
 #include "demos/runs/result_records.h"
 #include "ode_predictive_space/haptics/drivers.h"
 #include "ode_predictive_space/haptics/safety.h"
@@ -112,11 +111,10 @@ ExitStatus run_demo(const Options &options)
 
 int run_as_asked(int argc, char **argv)
 {
-    worlds::NarrowOutput results(std::cout);
     Options options;
     const std::optional<int> parsed = demo::parse_command_line(argc, argv, options);
     const int status = parsed ? *parsed : run_demo(options);
-    if (!results.finish())
+    if (!std::cout.flush())
         throw std::runtime_error("standard output cannot be written");
     return status;
 }
@@ -124,7 +122,6 @@ int run_as_asked(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    const worlds::NarrowOutput messages(std::cerr);
     try
     {
         return run_as_asked(argc, argv);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Tries the packages as a stranger would, in a new Debian: installs them, builds programs with them, runs the launcher; removes the
-# packages and looks for what they left.
+# Has lintian judge the packages, and tries them as a stranger would, in a new Debian: installs them, builds programs with them, runs
+# the launcher; removes the packages and looks for what they left.
 # Usage: check_in_chroot.sh <folder of the packages> <folder of the sources> <scratch folder>
 
 set -euo pipefail
@@ -51,6 +51,7 @@ run_launcher() {
     grep 'hash, predictive by boxes' "$chroot/tmp/launcher"
 }
 
+lintian --fail-on error,warning "$packages"/*.changes
 make_chroot "$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")"
 copy_sources "$sources"
 mkdir -p "$chroot/tmp/packages"

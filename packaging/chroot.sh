@@ -3,6 +3,11 @@
 # Usage, in a script: chroot=FOLDER; . chroot.sh; make_chroot SUITE; copy_sources FOLDER; install_in_chroot PACKAGE...; inside COMMAND
 # shellcheck shell=bash disable=SC2154 # chroot is the caller's
 
+((EUID == 0)) || {
+    echo "A new Debian in a folder needs root" >&2
+    exit 2
+}
+
 say() { printf '==> %s\n' "$*"; }
 
 # The system's own sources of Debian's packages, for another release than the running one its main archive alone.

@@ -1,8 +1,10 @@
-// A force law whose stiffness can be changed while it runs.
+// The force law of the demo, whose stiffness can be changed while it runs.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ADJUSTABLE_LAW_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ADJUSTABLE_LAW_H
 
+#include "demos/haptic/demo_device.h"
+#include "demos/haptic/options.h"
 #include "ode_predictive_space/haptics/force_law.h"
 
 #include <atomic>
@@ -10,14 +12,24 @@
 
 namespace ode_predictive_space::demo
 {
-/// Another law, and a stiffness that any thread may set.
+/// The name of the law that the options ask for; in a replay, unless they name one, that of the recording.
+std::string law_name(const Options &options, DemoDevice &device);
+
+/// Another law, and a stiffness that any thread may set. A newton in the scene is one at the hand, but the probe moves farther than
+/// the hand, by the scale of the workspace: so a stiffness at the hand is the scale times that in the scene.
 class AdjustableLaw : public haptics::ForceLaw
 {
 public:
-    explicit AdjustableLaw(std::unique_ptr<ForceLaw> law) : law_(std::move(law)), wish_(law_->material().stiffness) {}
+    /// The law of that name. @param scale metres of the scene per metre of the hand. @param rate Hz; of the servo.
+    AdjustableLaw(const std::string &name, const Options &options, double scale, const haptics::Capabilities &device,
+                  double rate);
 
-    /// Takes effect from the next tick on. From any thread. @param stiffness N/m in the scene, >= 0 and finite.
-    void wish_stiffness(double stiffness) { wish_.store(stiffness, std::memory_order_relaxed); }
+    /// Takes effect from the next tick on. From any thread. @param stiffness N/m at the hand, >= 0 and finite.
+    void wish_stiffness(double stiffness) { wish_.store(stiffness / scale_, std::memory_order_relaxed); }
+
+    double scale() const { return scale_; }
+    double at_hand(double stiffness) const { return stiffness * scale_; } ///< N/m; of a stiffness in the scene
+    double stiffest() const { return stiffest_; } ///< N/m, at the hand: what the device can render
 
     void forces(const haptics::ToolState &tool, const std::vector<haptics::Touch> &touches, double dt,
                 haptics::TouchForces &forces) override
@@ -37,6 +49,8 @@ public:
     }
 
 private:
+    double scale_;
+    double stiffest_;
     std::unique_ptr<ForceLaw> law_;
     std::atomic<double> wish_;
 };

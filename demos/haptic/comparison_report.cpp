@@ -145,7 +145,7 @@ void print_false_pairs(std::ostream &out, const WorldRun &run)
 {
     if (run.false_pairs() > 0)
         out << "(The " << long_name(run) << " space also reported " << grouped(run.false_pairs())
-            << " pairs whose boxes are apart, as it rounds one axis to\nsingle precision. They are not counted.)\n";
+            << " pairs whose boxes are apart, as it rounds one axis to single precision. They are not counted.)\n";
 }
 
 std::vector<const WorldRun *> exact_runs(const WorldRuns &runs)

@@ -31,7 +31,13 @@ public:
     void open() override { device_->open(); }
     void close() noexcept override { device_->close(); }
     const haptics::Capabilities &capabilities() const override { return device_->capabilities(); }
-    haptics::DeviceState read(double time) override;
+    haptics::DeviceState read(double time) override
+    {
+        haptics::DeviceState state = device_->read(time);
+        if (clutch_held())
+            state.buttons |= 1u << clutch_button;
+        return state;
+    }
     void write(const haptics::Wrench &wrench) override { device_->write(wrench); }
     haptics::DeviceStatus status() const override { return device_->status(); }
 

@@ -4,15 +4,11 @@
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_HAPTIC_RUN_H
 
 #include "demos/haptic/adjustable_law.h"
-#include "demos/haptic/demo_device.h"
-#include "demos/haptic/encounter_log.h"
-#include "demos/haptic/options.h"
+#include "demos/haptic/probe_contacts.h"
+#include "demos/haptic/probe_scenes.h"
 #include "demos/haptic/servo_log.h"
-#include "demos/runs/contender.h"
-#include "demos/runs/spaces.h"
-#include "demos/worlds/world.h"
+#include "demos/haptic/step_log.h"
 #include "ode_predictive_space/haptics/loop.h"
-#include "ode_predictive_space/haptics/loop/time_histogram.h"
 
 #include <ode_predictive_space/predictive_space.h>
 #include <optional>
@@ -82,69 +78,44 @@ public:
     haptics::LoopReport report() const { return loop_->report(); } ///< from any thread
     ServoLog &servo_log() { return *servo_log_; }
 
-    double time() const { return time_; } ///< s; simulated
-    const worlds::World &scene() const { return *scene_; }
+    double time() const { return scene_.time(); } ///< s; simulated
+    const worlds::World &scene() const { return scene_.world(); }
     const Vector3 &start() const { return start_; } ///< m; where the probe begins: in free space
     dGeomID probe_geom() const { return probe_->geom(); }
     const haptics::RenderedTick &rendered() const { return loop_->latest(); }
-    const worlds::PairList &pairs() const { return pairs_; }         ///< of the last step, without the probe's
-    const std::vector<dGeomID> &near_probe() const { return near_; } ///< in the last step
-    const std::vector<dGeomID> &touched() const { return touched_; } ///< in the last step
-    const std::vector<haptics::Encounter> &meetings() const { return meetings_; }
-    const Eigen::AlignedBox3d &room() const { return room_; }             ///< m; inside the walls
+    const worlds::PairList &pairs() const { return scene_.pairs(); }          ///< of the last step, without the probe's
+    const std::vector<dGeomID> &near_probe() const { return contacts_.near(); } ///< in the last step
+    const std::vector<dGeomID> &touched() const { return contacts_.touched(); } ///< in the last step
+    const std::vector<haptics::Encounter> &meetings() const { return contacts_.encounters(); }
+    const Eigen::AlignedBox3d &room() const { return scene_.room(); }     ///< m; inside the walls
     double max_force() const { return device_.capabilities().max_force; } ///< N
-    double max_stiffness() const { return max_stiffness_; }               ///< N/m, at the hand
-    double servo_rate() const { return servo_rate_; }                     ///< Hz
-    bool decoupled() const { return decoupled_; }
+    double max_stiffness() const { return law_->stiffest(); }             ///< N/m, at the hand
+    double servo_rate() const;                                            ///< Hz
+    bool decoupled() const;
 
 private:
-    haptics::NoticeSink counted(const haptics::NoticeSink &notice);
     void make_probe(const haptics::NoticeSink &notice);
     void make_loop(const haptics::NoticeSink &notice);
-    haptics::WorkspacePlacement placement();
+    haptics::WorkspacePlacement place_hand();
     Vector3 free_start(const Vector3 &wish, const Eigen::AlignedBox3d &room) const;
-    std::string law_name() const;
-    std::shared_ptr<AdjustableLaw> make_law() const;
-    double stiffest() const;
     void collide();
     void advance();
-    void find_touched();
-    void look_ahead();
-    void hold_still();
-    void adjust_stiffness();
     void compare_with_recording(RunResult &result);
     static void near_callback(void *run, dGeomID first, dGeomID second);
 
     const Options &options_;
     DemoDevice &device_;
     RunControl &control_;
-    bool stands_still_ = false; ///< in this step
-    double tick_seconds_;
-    bool decoupled_;
-    double servo_rate_;
-    double max_stiffness_ = 0;
-    double scale_ = 1;                             ///< metres of the scene per metre of the device
-    std::atomic<std::uint64_t> safety_notices_{0}; ///< added to by the guard's thread and the servo's
-    worlds::OwnedSpace space_;
-    std::unique_ptr<worlds::World> scene_;
-    Eigen::AlignedBox3d room_;
+    ProbeScene scene_;
     Vector3 start_ = Vector3::Zero(); ///< m
+    ProbeContacts contacts_;
+    StepLog step_log_;
     std::shared_ptr<AdjustableLaw> law_;
     std::optional<ServoLog> servo_log_;
+    std::atomic<std::uint64_t> safety_notices_{0}; ///< added to by the guard's thread and the servo's
     haptics::SimulatedClock simulated_clock_;
     std::unique_ptr<haptics::HapticProbe> probe_;
     std::unique_ptr<haptics::HapticLoop> loop_;
-    double time_ = 0; ///< s
-    std::uint64_t steps_ = 0;
-    worlds::PairList pairs_;
-    std::uint64_t pair_count_ = 0;
-    std::vector<dGeomID> near_;
-    std::vector<dGeomID> touched_;
-    std::vector<haptics::Encounter> meetings_;
-    EncounterLog encounter_log_;
-    haptics::TimeHistogram collide_times_;
-    recording::BoundedSeries collide_series_{};
-    recording::BoundedSeries advance_series_{};
 };
 } // namespace ode_predictive_space::demo
 

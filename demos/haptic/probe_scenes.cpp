@@ -1,6 +1,7 @@
 #include "demos/haptic/probe_scenes.h"
 
-#include "demos/worlds/world.h"
+#include "demos/haptic/room.h"
+#include "demos/runs/spaces.h"
 
 namespace ode_predictive_space::demo
 {
@@ -16,5 +17,32 @@ worlds::WorldFactory factory_for_probe(worlds::WorldSpec spec)
 {
     spec.own_probe = false;
     return worlds::WorldFactory(spec);
+}
+
+ProbeScene::ProbeScene(const std::string &space, const worlds::WorldFactory &factory)
+    : step_seconds_(factory.tick_seconds()), space_(worlds::make_space(worlds::space_named(space), factory)),
+      world_(factory.make(space_.get())), room_(worlds::room_inside_walls(*world_, factory.bounds()))
+{}
+
+void ProbeScene::respond(bool stands_still)
+{
+    stands_still_ = stands_still;
+    if (!stands_still)
+        world_->respond(pairs_.sorted()); // a loop of two threads foresees motion by the contacts that there are
+}
+
+void ProbeScene::advance(const std::vector<dGeomID> &pushed)
+{
+    ++steps_;
+    if (!stands_still_)
+        return world_->advance();
+    for (const dGeomID geom : pushed) // otherwise the next step of the world would use these forces
+    {
+        if (const dBodyID body = dGeomGetBody(geom); body != nullptr)
+        {
+            dBodySetForce(body, 0, 0, 0);
+            dBodySetTorque(body, 0, 0, 0);
+        }
+    }
 }
 } // namespace ode_predictive_space::demo

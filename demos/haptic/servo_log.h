@@ -1,4 +1,4 @@
-// The servo, tick by tick: for the recording, the comparison with an earlier one, and the chart.
+// The servo, tick by tick: for the recording, the comparison with an earlier one, and the chart. The scene, step by step.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_SERVO_LOG_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_SERVO_LOG_H

@@ -19,9 +19,7 @@ std::string fixed(double number, int decimals);
 /// A 64-bit hash as 16 hexadecimal digits.
 std::string hexadecimal(std::uint64_t hash);
 
-/// Columns as wide as their widest cell, the first aligned on the left, the others on the right. A table that is wider than
-/// output_width is printed in several parts, each with the first column. A first cell that is too wide for
-/// others beside it is printed on a line of its own.
+/// Columns as wide as their widest cell, the first aligned on the left, the others on the right.
 class Table
 {
 public:
@@ -35,10 +33,6 @@ public:
     void print(std::ostream &out) const;
 
 private:
-    std::vector<std::size_t> column_widths() const;
-    void print_columns(std::ostream &out, const std::vector<std::size_t> &widths, std::size_t begin,
-                       std::size_t end) const;
-
     std::vector<Row> rows_;
 };
 } // namespace ode_predictive_space::worlds

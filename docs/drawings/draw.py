@@ -10,12 +10,14 @@ gap.svg        the gap between two shapes along an axis (docs/shapes.md)
 tick.svg       the stages of a tick (docs/tick.md)
 servo.svg      the two threads of the servo (docs/haptics/method.md)
 rooms.svg      the rooms of the haptics library (docs/haptics/method.md)
+includes.svg   the rooms of the project and what they include: the table of CONTRIBUTING.md
 
 The same matplotlib makes the same pictures, byte by byte.
 """
 
 import argparse
 import pathlib
+import sys
 
 import matplotlib
 
@@ -23,6 +25,10 @@ matplotlib.use("svg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Circle, FancyBboxPatch, Polygon, Rectangle
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(TOP / "tests" / "docs"))
+import check_rooms
 
 # The colours of docs/plots: predictive is blue, what really happens is orange.
 BLACK, ORANGE, BLUE, RED, GREY = "#000000", "#E69F00", "#0072B2", "#D55E00", "#777777"
@@ -370,6 +376,44 @@ def draw_rooms(folder):
     save(figure, folder, "rooms.svg")
 
 
+# --- includes.svg -----------------------------------------------------------------------------------------------------
+
+# Where the middle of a room is. The arrows are those of the table.
+ROOMS = {
+    "preload": (110, 362),
+    "demos/haptic": (380, 362),
+    "recording": (110, 294),
+    "demos/window": (585, 294),
+    "demos/runs": (380, 294),
+    "space": (110, 226),
+    "demos/worlds": (380, 226),
+    "demos/ode": (585, 226),
+    "broadphase": (110, 158),
+    "haptics": (380, 158),
+    "surface": (110, 90),
+    "include": (380, 90),
+    "prediction": (110, 22),
+}
+
+
+def draw_includes(folder):
+    figure, axes = sheet(700, 390)
+    half_width, half_height = 75, 16
+    rooms = check_rooms.table((TOP / check_rooms.PAGE).read_text(encoding="utf-8"))
+    for room in rooms:
+        x, y = ROOMS[room]
+        is_ours = not room.startswith("demos")
+        colours = (PALE_BLUE, BLUE) if is_ours else (PALE_GREY, GREY)
+        box(axes, x - half_width, y - half_height, 2 * half_width, 2 * half_height, room, "", *colours)
+    for room, uses in rooms.items():
+        for used in uses:
+            (x, y), (to_x, to_y) = ROOMS[room], ROOMS[used]
+            aside = 0 if x == to_x else 45 if to_x > x else -45
+            arrow(axes, (x + aside, y - half_height), (to_x - aside, to_y + half_height))
+    note(axes, 690, 40, "An arrow leads to what a room includes;\nrooms further along the arrows are included, too.", ha="right")
+    save(figure, folder, "includes.svg")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument(
@@ -382,7 +426,7 @@ def main():
     folder = parser.parse_args().output
     folder.mkdir(parents=True, exist_ok=True)
     with plt.rc_context(STYLE):
-        for draw in (draw_path, draw_proximity, draw_chord, draw_gap, draw_tick, draw_servo, draw_rooms):
+        for draw in (draw_path, draw_proximity, draw_chord, draw_gap, draw_tick, draw_servo, draw_rooms, draw_includes):
             draw(folder)
 
 

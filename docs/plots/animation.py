@@ -33,7 +33,7 @@ def parse(arguments):
     if options.frames < 2:
         parser.error("--frames must be at least 2")
     if not os.access(options.demo, os.X_OK):
-        parser.error(f"there is no demo at {options.demo}: ./run demo builds it")
+        parser.error(f"there is no demo at {options.demo}: ./run build builds it")
     return options
 
 

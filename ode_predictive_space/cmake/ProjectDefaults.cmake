@@ -91,6 +91,14 @@ function(ode_predictive_space_harden)
     endforeach()
 endfunction()
 
+# ode_predictive_space_look_for(<package> <Debian's name> <what is left out without it>): a package that the libraries do not need.
+macro(ode_predictive_space_look_for package debian_name left_out)
+    find_package(${package} QUIET)
+    if(NOT ${package}_FOUND)
+        message(STATUS "${package} (Debian's ${debian_name}) is missing: ${left_out} left out")
+    endif()
+endmacro()
+
 # Another project decides by itself how its compilers are called.
 if(PROJECT_IS_TOP_LEVEL)
     find_program(CCACHE_PROGRAM ccache)

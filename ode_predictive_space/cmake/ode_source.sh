@@ -60,39 +60,26 @@ fetch_ode_source() {
     trap - EXIT
 }
 
-# Sets ode_source to the folder that has the source of the installed ODE, or that would have it.
-place_ode_source() {
-    if [[ -n ${ODE_SOURCE_DIR:-} ]]; then
-        ode_source=$(cd "$ODE_SOURCE_DIR" 2>/dev/null && pwd) || fail "ODE_SOURCE_DIR ($ODE_SOURCE_DIR) is not a folder"
-    else
-        ode_source="$top/build/ode-source/ode-$(ode_version)"
-    fi
-}
-
 # Sets ode_source to the folder that has the source of the installed ODE.
 find_ode_source() {
-    place_ode_source
+    if [[ -n ${ODE_SOURCE_DIR:-} ]]; then
+        ode_source=$(cd "$ODE_SOURCE_DIR" 2>/dev/null && pwd) || fail "ODE_SOURCE_DIR ($ODE_SOURCE_DIR) is not a folder"
+        return
+    fi
+    ode_source="$top/build/ode-source/ode-$(ode_version)"
     if [[ ! -d $ode_source ]]; then
-        is_debian || fail "unpack the source of ODE $(ode_version) and point ODE_SOURCE_DIR to it"
+        has apt-get || fail "unpack the source of ODE $(ode_version) and point ODE_SOURCE_DIR to it"
         fetch_ode_source "$ode_source"
     fi
 }
 
-# The same where ODE's source is wanted, but not needed: ode_source is empty when it cannot be fetched.
+# As find_ode_source, where the source is not needed: ode_source is empty when it cannot be fetched.
 want_ode_source() {
     if [[ -n ${ODE_SOURCE_DIR:-} ]] || (find_ode_source); then
         find_ode_source
     else
         ode_source=
         say "Going on without ODE's source: no window for the demo, and no tests that need the source"
-    fi
-}
-
-# The same without fetching it.
-take_ode_source_if_there() {
-    place_ode_source
-    if [[ ! -d $ode_source ]]; then
-        ode_source=
     fi
 }
 
@@ -104,7 +91,7 @@ build_ode() {
     if [[ -f $prefix/lib/pkgconfig/ode.pc ]]; then
         return
     fi
-    need "${ode_build_packages[@]}"
+    need library
     find_ode_source
     log="$prefix/build.log"
     say "Building ODE with $*; what the build says is in $log"
@@ -126,7 +113,7 @@ build_ode_release() { build_ode "$1" -DCMAKE_BUILD_TYPE=Release -DODE_DOUBLE_PRE
 # Builds a target of the project into build/release-ode, against the ODE in the prefix $1.
 build_with_ode() {
     # The space compiles ODE's assertion macros of its own: they go, too.
-    cmake -S . -B build/release-ode -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$1" \
-        -DCMAKE_CXX_FLAGS=-DdNODEBUG -DODE_SOURCE_DIR= >/dev/null
+    configure -S . -B build/release-ode -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$1" \
+        -DCMAKE_CXX_FLAGS=-DdNODEBUG -DODE_SOURCE_DIR=
     cmake --build build/release-ode --target "$2"
 }

@@ -2,6 +2,7 @@
 
 #include "demos/haptic/haptic_run.h"
 #include "demos/haptic/probe_scenes.h"
+#include "demos/runs/spaces.h"
 #include "ode_predictive_space/haptics/drivers.h"
 
 #include <gtest/gtest.h>

@@ -9,21 +9,21 @@ run_without_doing() {
     trap 'rm -rf "$work"' EXIT
     copy=$work/copy
     calls=$work/calls
-    mkdir -p "$copy/demos/haptic" "$copy/ode_predictive_space/cmake" "$copy/tests" "$work/tools"
-    cp "$source/run" "$copy/"
+    mkdir -p "$copy/ode_predictive_space/cmake" "$copy/tests" "$work/tools"
+    cp -r "$source"/{run,dev} "$copy/"
     cp "$source/ode_predictive_space/cmake/ode_source.sh" "$copy/ode_predictive_space/cmake/"
     cp -r "$source"/tests/{benchmarks,clients,mutations,patched_ode,variants} "$copy/tests/"
-    cp "$source"/demos/haptic/{check_arguments.awk,help.txt} "$copy/demos/haptic/"
     mkdir "$copy/packaging"
     printf '#!/bin/sh\necho "$0 $*" >>"%s"\n' "$calls" >"$copy/packaging/make_debian_packages.sh"
     chmod +x "$copy/packaging/make_debian_packages.sh"
-    for tool in apt-get cmake ctest sudo c++ ninja dpkg-query pkg-config; do
+    for tool in apt-get apt-cache cmake ctest sudo c++ ninja dpkg-query pkg-config; do
         cat >"$work/tools/$tool" <<TOOL
 #!/bin/sh
 case $tool in
 sudo) exec "\$@" ;;
 dpkg-query) [ "\$2" = '--showformat=\${source:Package}=\${source:Version}' ]; exit ;;
 pkg-config) echo 0.16.2; exit ;;
+apt-cache) exit ;;
 esac
 echo "$tool \$*" >>"$calls"
 echo "$tool is at work"

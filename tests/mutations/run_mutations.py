@@ -169,7 +169,7 @@ def chosen_faults(names, stages):
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(prog="run mutations", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(prog="./run dev mutations", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", action="append", default=[], metavar="NAME", help="this fault; may be given again")
     parser.add_argument("--stage", action="append", default=[], choices=table.STAGES, help="the faults of this stage; likewise")
     parser.add_argument("--suites", nargs="*", default=list(SUITES), choices=SUITES, metavar="SUITE",

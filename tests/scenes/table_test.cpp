@@ -37,30 +37,5 @@ TEST(Table, ColumnsAreAlignedAlsoWhereACharacterTakesTwoBytes)
                          "a         1.0\n"
                          "longer  200.0\n");
 }
-
-TEST(Table, TooManyColumnsGoInParts)
-{
-    const std::string wide(30, 'w');
-    Table table({"space", wide, wide, wide});
-    table.add({"a", "1", "2", "3"});
-    std::ostringstream out;
-    table.print(out);
-    const std::string blanks(29, ' ');
-    EXPECT_EQ(out.str(), "space  " + wide + "  " + wide + "\n" + std::string(69, '-') + "\na      " + blanks + "1  " +
-                             blanks + "2\n\nspace  " + wide + "\n" + std::string(37, '-') + "\na      " + blanks +
-                             "3\n");
-}
-
-TEST(Table, AFirstCellWithoutRoomHasALineOfItsOwn)
-{
-    const std::string name(60, 'n'), wide(30, 'w');
-    Table table({"what", wide});
-    table.add({name, "1"});
-    table.add({"short", "2"});
-    std::ostringstream out;
-    table.print(out);
-    EXPECT_EQ(out.str(), "what" + std::string(46, ' ') + wide + "\n" + std::string(80, '-') + "\n" + name + "\n" +
-                             std::string(79, ' ') + "1\nshort" + std::string(74, ' ') + "2\n");
-}
 } // namespace
 } // namespace ode_predictive_space::worlds

@@ -1,4 +1,4 @@
-# For `./run variants`, which includes this file: builds of the project by other compilers, for other processors and with other
+# For `./run dev variants`, which includes this file: builds of the project by other compilers, for other processors and with other
 # builds of ODE, each of which runs the tests of the contract and of random histories.
 
 all_variants=(clang clang-v3 scalar ode-release ode-single arm64)
@@ -19,7 +19,7 @@ test_variant() {
 promised="contract_tests differential_tests"
 
 test_with_clang() {
-    need "${clang_packages[@]}"
+    need clang
     test_variant "$1" "$promised" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ "${@:2}"
 }
 
@@ -51,7 +51,7 @@ fetch_arm64_root() {
 
 test_on_arm64() {
     local arm64_root
-    need "${arm64_packages[@]}"
+    need arm64
     fetch_arm64_root
     test_variant arm64 contract_tests -DCMAKE_TOOLCHAIN_FILE="$top/tests/variants/arm64.cmake" \
         -DARM64_ROOT="$arm64_root"
@@ -81,7 +81,7 @@ test_variants() {
         [[ " ${all_variants[*]} " == *" $name "* ]] || misused "there is no variant '$name'; there are ${all_variants[*]}"
     done
     (($# > 0)) || set -- "${all_variants[@]}"
-    need "${test_packages[@]}"
+    need library demo tests
     for name in "$@"; do
         run_variant "$name"
     done
