@@ -9,44 +9,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr FloatBox all_of_space = {{-float_infinity, -float_infinity, -float_infinity},
-                                   {float_infinity, float_infinity, float_infinity}};
-
-TEST(FourBoxes, HoldTheBoxesThatAreSetAndTheBoxAroundThem)
-{
-    Random random(1);
-    for (int i = 0; i < 1000; ++i)
-    {
-        FourBoxes boxes;
-        FloatBox merged{};
-        const std::size_t count = 1 + random.index(FourBoxes::most);
-        for (std::size_t place = 0; place < count; ++place)
-        {
-            const FloatBox box = random.box(1, 1);
-            boxes.set(place, box);
-            ASSERT_TRUE(boxes[place] == box);
-            merged = place == 0 ? box : merged.merged(box);
-        }
-        ASSERT_TRUE(boxes.merged() == merged) << count;
-        const FloatBox more = random.box(2, 1), enlarged = boxes[0].merged(more);
-        boxes.enlarge(0, more);
-        ASSERT_TRUE(boxes[0] == enlarged);
-    }
-}
-
-TEST(FourBoxes, APlaceWithoutABoxOverlapsNothingThatIsBounded)
-{
-    const float far = 0.999e15f;
-    const FloatBox most_of_space = {{-far, -far, -far}, {far, far, far}};
-    ASSERT_TRUE(most_of_space.bounded());
-    FourBoxes boxes;
-    EXPECT_EQ(BoxProbe(most_of_space).overlaps(boxes), 0u);
-    boxes.set(2, all_of_space);
-    EXPECT_EQ(BoxProbe(most_of_space).overlaps(boxes), 4u);
-    boxes.clear(2);
-    EXPECT_EQ(BoxProbe(most_of_space).overlaps(boxes), 0u);
-}
-
 TEST(BoxProbe, AnswersForEachAsTheBoxDoesAtInfinityAndInTouch)
 {
     const float sides[] = {-float_infinity, -largest_float, -1, -0.0f, 0, 1, largest_float, float_infinity};

@@ -167,22 +167,6 @@ TEST_P(ReportOfAMove, AMoveThatSinglePrecisionDoesNotTellIsSeenByThePairs)
     }
 }
 
-TEST_P(ReportOfAMove, CountsAlwaysWithoutAFormula)
-{
-    const ProxyId id = add(block({0, 0, 0}, {0.1, 0.1, 0.1}, {0, 0, 0}, false));
-    for (int i = 0; i < 5; ++i)
-        EXPECT_TRUE(counts_in_tick(id));
-}
-
-TEST_P(ReportOfAMove, CountsAlwaysWithoutAPose)
-{
-    Object object = ball({0, 0, 0}, 0.1, {0, 0, 0});
-    object.has_pose = false;
-    const ProxyId id = add(object);
-    for (int i = 0; i < 5; ++i)
-        EXPECT_TRUE(counts_in_tick(id));
-}
-
 // A box that turns about its centre, in an envelope that holds it however it turns.
 TEST_P(ReportOfAMove, WhatTurnsMeetsWhatItTurnsTo)
 {

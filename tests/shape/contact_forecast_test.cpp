@@ -55,15 +55,6 @@ TEST(ContactForecast, OfBallsIsExact)
     EXPECT_FALSE(time_of_contact(still, comes, 0, for_long)) << "it turns back before";
 }
 
-TEST(ContactForecast, DeviationsCountFromBothSidesOfThePath)
-{
-    const ConvexShape left = ball({0, 0, 0}), right = ball({12, 0, 0});
-    const PredictedShape still{left, going(left, Vector3::Zero()), true, true};
-    PredictedShape comes{right, going(right, {-0.5, 0, 0}), false, true};
-    comes.envelope.deviation = {1, 0.3, 0};
-    EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 10, 1e-6);
-}
-
 // The deviation was taken as if it lay along an axis of the scene. Two objects then touched at the next tick although the forecast
 // said that they stay apart.
 TEST(ContactForecast, DeviationsAreThoseOfEachCoordinateAlongADiagonal)

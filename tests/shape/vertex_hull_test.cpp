@@ -40,23 +40,5 @@ TEST(VertexHull, ReachesAsFarAsItsFarthestPoint)
     }
 }
 
-TEST(VertexHull, KnowsItsBox)
-{
-    const VertexHull hull({{0, 0, 0}, {2, 0, 0}, {2, 6, 0}, {1, 1, -4}});
-    EXPECT_EQ(hull.centre(), Vector3(1, 3, -2));
-    EXPECT_EQ(hull.half_sides(), Vector3(1, 3, 2));
-    EXPECT_EQ(hull.farthest({0, 1, 0}), Vector3(1, 3, 2));
-}
-
-TEST(VertexHull, KeepsEqualPointsOnce)
-{
-    ShapeMaker maker(1);
-    std::vector<Vector3> points = random_points(maker, 100);
-    const std::size_t bytes = VertexHull(points).bytes();
-    const std::vector<Vector3> once = points;
-    for (int i = 0; i < 5; ++i)
-        points.insert(points.end(), once.begin(), once.end());
-    EXPECT_EQ(VertexHull(points).bytes(), bytes);
-}
 } // namespace
 } // namespace ode_predictive_space
