@@ -9,14 +9,6 @@ namespace
 {
 const std::string words_of_70 = std::string(34, 'a') + ' ' + std::string(35, 'b');
 
-TEST(NarrowOutput, LeavesWhatFits)
-{
-    EXPECT_EQ(folded(""), "");
-    EXPECT_EQ(folded(std::string(80, 'x')), std::string(80, 'x'));
-    EXPECT_EQ(folded(words_of_70 + " 1234 \u00b5\u00b5\u00b5\u00b5"), words_of_70 + " 1234 \u00b5\u00b5\u00b5\u00b5")
-        << "80 characters in 84 bytes";
-}
-
 TEST(NarrowOutput, BreaksAtTheLastBlankThatFits)
 {
     EXPECT_EQ(folded(words_of_70 + " 123456789 c"), words_of_70 + " 123456789\nc");
@@ -29,12 +21,6 @@ TEST(NarrowOutput, FurtherLinesBeginBesideTheLabel)
     EXPECT_EQ(folded("Label     " + words_of_70 + " c"), "Label     " + words_of_70 + "\n          c");
     EXPECT_EQ(folded("  --option TEXT:{" + std::string(60, 'x') + "," + std::string(20, 'y') + "}"),
               "  --option TEXT:{" + std::string(60, 'x') + ",\n  " + std::string(20, 'y') + "}");
-}
-
-TEST(NarrowOutput, LeavesWhatCannotBeBroken)
-{
-    EXPECT_EQ(folded(std::string(100, 'x')), std::string(100, 'x'));
-    EXPECT_EQ(folded("    " + std::string(100, 'x')), "    " + std::string(100, 'x'));
 }
 
 TEST(NarrowOutput, FoldsAStreamUntilItGoes)
