@@ -2,8 +2,6 @@
 
 #include "ode_predictive_space/broadphase/predict/predictor.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "tests/broadphase/support/numbers.h"

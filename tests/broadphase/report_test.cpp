@@ -1,7 +1,5 @@
 // What the report of a move tells, and when it is none.
 
-#include <limits>
-
 #include <gtest/gtest.h>
 
 #include "tests/broadphase/support/numbers.h"

@@ -1,8 +1,5 @@
 #include "ode_predictive_space/broadphase/index/sort_and_sweep.h"
 
-#include <limits>
-#include <map>
-
 #include <gtest/gtest.h>
 
 #include "tests/broadphase/support/numbers.h"
@@ -225,6 +222,5 @@ TEST(SortAndSweep, InfiniteBoxesMeetAllThatIsInTheirReach)
         expect_all_pairs(sweep, items);
     }
 }
-
 } // namespace
 } // namespace ode_predictive_space

@@ -1,7 +1,6 @@
 // The forecast of a contact is never late, however the objects move and turn within their predictions.
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 

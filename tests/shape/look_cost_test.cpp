@@ -1,7 +1,6 @@
 // Looks at shapes that spare nothing are few, whatever the reason.
 
 #include <cmath>
-#include <vector>
 
 #include <ode_predictive_space/predictive_space.h>
 

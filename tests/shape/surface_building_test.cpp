@@ -1,7 +1,6 @@
 // When the surface of a mesh is built: as a whole where nobody waits for it, else in slices, or by dPredictiveSpacePrepare().
 
 #include <memory>
-#include <vector>
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -162,6 +161,5 @@ TEST_F(SurfaceBuilding, EndsWithTheGeomAndItsData)
     }
     EXPECT_EQ(pairs(ball), 0u);
 }
-
 } // namespace
 } // namespace ode_predictive_space
