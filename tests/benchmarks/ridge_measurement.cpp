@@ -2,8 +2,8 @@
 
 #include "demos/runs/contender.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
-#include "tests/haptics/ridges.h"
-#include "tests/haptics/scripted_device.h"
+#include "tests/haptics/support/ridges.h"
+#include "tests/haptics/support/scripted_device.h"
 
 #include <algorithm>
 #include <ode_predictive_space/predictive_space.h>

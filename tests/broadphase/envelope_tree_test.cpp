@@ -137,54 +137,6 @@ INSTANTIATE_TEST_SUITE_P(EnvelopeTree, AnyTree,
                                          Shape{"points", 1, 0, 200}, Shape{"all_in_one_point", 0, 0, 200}),
                          [](const auto &info) { return info.param.name; });
 
-TEST(EnvelopeTree, IsEmptyAtFirst)
-{
-    CheckedTree checked;
-    EXPECT_TRUE(checked.tree().empty());
-    checked.expect_all_found();
-    checked.rebuild();
-    EXPECT_TRUE(checked.tree().empty());
-}
-
-TEST(EnvelopeTree, MayBeASingleLeafAndNothingAgain)
-{
-    CheckedTree checked;
-    for (ProxyId proxy : {0u, 1000u, 5u})
-    {
-        checked.insert(proxy, {{0, 0, 0}, {1, 1, 1}});
-        ASSERT_NO_FATAL_FAILURE(checked.expect_all_found());
-        checked.remove(proxy);
-        ASSERT_NO_FATAL_FAILURE(checked.expect_all_found());
-    }
-}
-
-TEST(EnvelopeTree, IsEmptiedInAnyOrder)
-{
-    for (int order = 0; order < 3; ++order)
-    {
-        Random random(static_cast<std::uint64_t>(order));
-        CheckedTree checked;
-        std::vector<ProxyId> proxies;
-        for (ProxyId proxy = 0; proxy < 200; ++proxy)
-        {
-            checked.insert(proxy, random.box(1, 0.2));
-            proxies.push_back(proxy);
-        }
-        if (order == 1)
-            std::reverse(proxies.begin(), proxies.end());
-        if (order == 2)
-            for (std::size_t i = proxies.size(); i > 1; --i)
-                std::swap(proxies[i - 1], proxies[random.index(i)]);
-        for (ProxyId proxy : proxies)
-        {
-            checked.remove(proxy);
-            ASSERT_NO_FATAL_FAILURE(checked.expect_consistent());
-            ASSERT_NO_FATAL_FAILURE(checked.expect_found({{-1, -1, -1}, {1, 1, 1}}));
-        }
-        EXPECT_TRUE(checked.tree().empty());
-    }
-}
-
 TEST(EnvelopeTree, HoldsAnyNumberOfIdenticalBoxes)
 {
     CheckedTree checked;
@@ -200,21 +152,6 @@ TEST(EnvelopeTree, HoldsAnyNumberOfIdenticalBoxes)
         checked.remove(proxy);
     checked.expect_consistent();
     checked.expect_found(box);
-}
-
-TEST(EnvelopeTree, BuildForgetsWhatWasThere)
-{
-    CheckedTree checked;
-    checked.insert(7, {{0, 0, 0}, {1, 1, 1}});
-    EnvelopeTree tree = checked.tree();
-    std::vector<SweptProxy> leaves = {{3, {{0, 0, 0}, {1, 1, 1}}}, {900, {{5, 5, 5}, {6, 6, 6}}}};
-    tree.build(leaves);
-    std::vector<ProxyId> found;
-    tree.walk(BoxProbe({{-9, -9, -9}, {9, 9, 9}}), [&](ProxyId proxy) { found.push_back(proxy); });
-    std::sort(found.begin(), found.end());
-    EXPECT_EQ(found, (std::vector<ProxyId>{3, 900}));
-    tree.insert(7, {{0, 0, 0}, {1, 1, 1}});
-    EXPECT_TRUE(tree.consistent());
 }
 
 TEST(EnvelopeTree, TellsWhenItHasBecomeMuchWorseByRefitting)
@@ -237,19 +174,6 @@ TEST(EnvelopeTree, TellsWhenItHasBecomeMuchWorseByRefitting)
     EXPECT_TRUE(CheckedTree().refit([](const FloatBox &box) { return box; })) << "empty as before";
 }
 
-TEST(EnvelopeTree, TouchingBoxesAreFound)
-{
-    CheckedTree checked;
-    for (ProxyId proxy = 0; proxy < 100; ++proxy)
-    {
-        const float x = static_cast<float>(proxy);
-        checked.insert(proxy, {{x, 0, 0}, {x + 1, 1, 1}});
-    }
-    std::size_t found = 0;
-    checked.tree().walk(BoxProbe({{10, 1, 1}, {20, 2, 2}}), [&](ProxyId) { ++found; });
-    EXPECT_EQ(found, 12u) << "those from 9 to 10 and from 20 to 21 touch";
-}
-
 // Depth of a tree whose nodes are full.
 int ideal_depth(std::size_t leaves)
 {
@@ -257,74 +181,6 @@ int ideal_depth(std::size_t leaves)
     for (std::size_t room = FourBoxes::most; room < leaves; room *= FourBoxes::most)
         ++depth;
     return depth;
-}
-
-TEST(EnvelopeTree, StaysShallowWhenFilledInOrder)
-{
-    for (std::size_t count : {100, 1000, 10000})
-        for (int axes = 1; axes <= 3; ++axes)
-        {
-            EnvelopeTree tree;
-            for (std::size_t i = 0; i < count; ++i)
-            {
-                FloatBox box = {{0, 0, 0}, {1, 1, 1}};
-                for (int axis = 0; axis < axes; ++axis)
-                {
-                    box.low[axis] = 1.5f * static_cast<float>(i);
-                    box.high[axis] = box.low[axis] + 1;
-                }
-                tree.insert(static_cast<ProxyId>(i), box);
-            }
-            EXPECT_LE(tree.depth(), 2 * ideal_depth(count))
-                << "at least two in each node; " << count << " boxes along a line";
-        }
-}
-
-TEST(EnvelopeTree, IsShallowWhenBuiltAtOnce)
-{
-    Random random(3);
-    for (std::size_t count : {1, 2, 3, 1000, 1024, 1025, 20000})
-    {
-        std::vector<SweptProxy> leaves;
-        for (std::size_t i = 0; i < count; ++i)
-            leaves.push_back({static_cast<ProxyId>(i), i % 3 == 0 ? FloatBox{} : random.box(1, 0.1)});
-        EnvelopeTree tree;
-        tree.build(leaves);
-        EXPECT_TRUE(tree.consistent());
-        EXPECT_EQ(tree.depth(), ideal_depth(count)) << count;
-    }
-}
-
-// Cut in the middle of what is left, each would be cut off alone.
-TEST(EnvelopeTree, IsShallowWhenBuiltOverDistancesThatDouble)
-{
-    std::vector<SweptProxy> leaves;
-    for (int i = 0; i < 120; ++i)
-    {
-        const float place = std::ldexp(1.0f, i);
-        leaves.push_back({static_cast<ProxyId>(i), {{place, 0, 0}, {place, 1, 1}}});
-    }
-    EnvelopeTree tree;
-    tree.build(leaves);
-    EXPECT_TRUE(tree.consistent());
-    EXPECT_EQ(tree.depth(), ideal_depth(leaves.size()));
-}
-
-// Some that are in it, some that are not, some that are unknown to it, in trees of any size.
-TEST(EnvelopeTree, UsesTheMemoryOfRemovedLeavesAgain)
-{
-    Random random(2);
-    CheckedTree checked;
-    for (ProxyId proxy = 0; proxy < 500; ++proxy)
-        checked.insert(proxy, random.box(1, 0.1));
-    const std::size_t before = checked.tree().bytes();
-    for (int step = 0; step < 20000; ++step)
-    {
-        const ProxyId proxy = static_cast<ProxyId>(random.index(500));
-        checked.remove(proxy);
-        checked.insert(proxy, random.box(1, 0.1));
-    }
-    EXPECT_LE(checked.tree().bytes(), 2 * before) << "nodes may be half empty";
 }
 
 // A probe that counts how many nodes it is asked about.

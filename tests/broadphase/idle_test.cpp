@@ -136,28 +136,6 @@ TEST_P(Idle, ObjectsThatMoveAreVerifiedAndFormNoPairs)
     EXPECT_LT(world.broadphase.bytes(), std::size_t{1024} * crowd);
 }
 
-TEST_P(Idle, ObjectsHaveTheirPairsAtTheTickAtWhichTheyAreEnabled)
-{
-    set_enabled(60, 80, true);
-    tick();
-    EXPECT_EQ(world.overlapping().size(), 190u);
-    EXPECT_EQ(world.violated_invariant(), "");
-    set_enabled(80, 85, true);
-    set_enabled(60, 65, false);
-    tick();
-    EXPECT_EQ(world.violated_invariant(), "");
-}
-
-// ODE's worlds that sleep: nothing moves, and no time passes.
-TEST_P(Idle, ObjectsHaveTheirPairsWhenTheyAreEnabledWhileNothingMoves)
-{
-    set_enabled(60, 80, true);
-    ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
-    set_enabled(70, 80, false);
-    ASSERT_EQ(sorted_pairs(world.tick()), world.overlapping());
-    EXPECT_EQ(world.overlapping().size(), 45u);
-}
-
 TEST_P(Idle, DisablingDropsThePairs)
 {
     set_enabled(0, 30, true);
@@ -177,46 +155,6 @@ TEST_P(Idle, DisablingDropsThePairs)
     for (int ticks = 0; ticks < 3; ++ticks)
         tick();
     expect_no_pairs();
-}
-
-TEST_P(Idle, ObjectsThatAreDisabledWhileTheyMoveLoseTheirPairs)
-{
-    constexpr ProxyId moving = 20;
-    for (ProxyId id = 0; id < moving; ++id)
-    {
-        world.object(id) = ball(world.object(id).centre, 0.1, {0.0005, 0, 0});
-        world.object(id).enabled = false;
-    }
-    set_enabled(0, moving, true);
-    for (int ticks = 0; ticks < 5; ++ticks)
-        tick();
-    set_enabled(0, moving, false);
-    for (int ticks = 0; ticks < 40; ++ticks)
-    {
-        tick();
-        ASSERT_EQ(world.violated_invariant(), "");
-    }
-    expect_no_pairs();
-}
-
-TEST_P(Idle, QueriesFindThem)
-{
-    std::size_t found = 0;
-    world.broadphase.catch_up(world);
-    world.broadphase.walk(BoxProbe({{0, 1, 2}, {2, 3, 4}}), [&](ProxyId) { ++found; });
-    EXPECT_EQ(found, crowd);
-}
-
-TEST_P(Idle, ARemovedObjectIsNotIdleAnyMore)
-{
-    for (int i = 0; i < 10; ++i)
-        world.remove(static_cast<ProxyId>(i));
-    tick();
-    for (int i = 0; i < 10; ++i)
-        EXPECT_LT(world.add(ball({1, 2, 3}, 0.1, {0, 0, 0})), 10u);
-    tick();
-    EXPECT_EQ(world.overlapping().size(), 45u);
-    EXPECT_EQ(world.violated_invariant(), "");
 }
 
 // Dense heaps in which objects are disabled, enabled, moved, removed and added at random.

@@ -72,21 +72,6 @@ TEST_F(LookBudgets, InVainCostATwentiethOfTheContactsAtMost)
     }
 }
 
-TEST_F(LookBudgets, AllowEachPairItsFirstLook)
-{
-    for (int i = 0; i < pairs; ++i)
-    {
-        EXPECT_TRUE(budget.allows_look(mesh)) << i;
-        budget.note_look(mesh, 10000);
-    }
-}
-
-TEST_F(LookBudgets, AreTriedAgain)
-{
-    look_in_vain(500, 2000);
-    EXPECT_GT(look_in_vain(500, 2000), 0);
-}
-
 TEST_F(LookBudgets, GoOnWhereTheySpareReports)
 {
     look_in_vain(500, 2000);
@@ -101,18 +86,6 @@ TEST_F(LookBudgets, OfLongAgoAreForgotten)
     EXPECT_LT(look_in_vain(500, 2000), 0.05f * contacts(500) + 2000);
 }
 
-TEST_F(LookBudgets, DoNotGrowWithPairsThatComeAndGo)
-{
-    look_in_vain(500, 2000);
-    const float before = look_in_vain(500, 2000);
-    for (int report = 0; report < 500; ++report)
-    {
-        budget.begin_report();
-        budget.note_new_pair(mesh);
-    }
-    EXPECT_LT(look_in_vain(500, 2000), 1.1f * before + 4000);
-}
-
 TEST_F(LookBudgets, PayForDataThatChangeAgainAndAgain)
 {
     budget.note_hull(mesh, 1, 1e6f);
@@ -123,12 +96,5 @@ TEST_F(LookBudgets, PayForDataThatChangeAgainAndAgain)
     EXPECT_FALSE(budget.allows_look(mesh));
 }
 
-TEST_F(LookBudgets, EndWithTheObject)
-{
-    budget.note_look(mesh, 1e6f);
-    budget.close(mesh);
-    budget.note_new_pair(mesh);
-    EXPECT_TRUE(budget.allows_look(mesh));
-}
 } // namespace
 } // namespace ode_predictive_space

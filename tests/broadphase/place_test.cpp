@@ -254,44 +254,6 @@ TEST(Place, IsNotSureOfBoxesThatAreFartherAwayThanSinglePrecisionReaches)
     }
 }
 
-TEST(Place, IsSureOfAlmostAllBoxes)
-{
-    Random random(5);
-    int unsure = 0;
-    constexpr int pairs = 20000;
-    for (int i = 0; i < pairs; ++i)
-    {
-        const Object one = ball(random.vector(1), 0.5, {0, 0, 0}), other = ball(random.vector(1), 0.5, {0, 0, 0});
-        const Place first = placed(one), second = placed(other);
-        unsure += !surely_apart(first, second) && !surely_overlap(first, second, origin.doubt());
-    }
-    EXPECT_LT(unsure, pairs / 1000);
-}
-
-TEST(Place, HoldsAnObjectOnlyIfAllOfItIsInTheEnvelope)
-{
-    const auto place_in = [](const TightBox &envelope) {
-        Place place = placed(ball({1, 2, 3}, 1, {0, 0, 0}));
-        place.set_envelope(envelope);
-        return place;
-    };
-    EXPECT_TRUE(place_in({Float4::all(-10), Float4::all(10)}).holds());
-    for (int axis = 0; axis < 3; ++axis)
-        for (float bad : {2.5f, float_nan})
-        {
-            float low[4] = {-10, -10, -10, 0}, high[4] = {10, 10, 10, 0};
-            low[axis] = bad;
-            EXPECT_FALSE(place_in({Float4::load(low), Float4::all(10)}).holds());
-            high[axis] = bad == bad ? 1.5f : bad;
-            EXPECT_FALSE(place_in({Float4::all(-10), Float4::load(high)}).holds());
-        }
-    EXPECT_FALSE(Place().holds());
-    EXPECT_FALSE(Place().has_envelope());
-    Place lost;
-    lost.set_envelope({Float4::all(-float_infinity), Float4::all(float_infinity)});
-    EXPECT_TRUE(lost.holds()) << "nothing is known of the object, and it may be anywhere";
-}
-
 // An envelope around a sphere, and centres near the borders of where they are allowed.
 TEST(Place, TheWatchOfTheCentreLetsNoObjectPassThatLeavesItsEnvelope)
 {
@@ -326,70 +288,6 @@ TEST(Place, TheWatchOfTheCentreLetsNoObjectPassThatLeavesItsEnvelope)
     EXPECT_GT(left, 10000);
 }
 
-TEST(Place, TheWatchOfTheCentreLetsPassWhatIsWellInside)
-{
-    Place place;
-    place.set_envelope({Float4::all(-2), Float4::all(2)});
-    const float start[] = {0, 0, 0};
-    place.watch_centre(start, 1, origin.doubt());
-    EXPECT_EQ(place.watched_radius(), 1);
-    Object object;
-    for (double x : {0.5, -0.5, 0.9999, -0.9999})
-    {
-        object.centre = {x, x / 2, 0};
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::moved);
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::same);
-    }
-    for (double bad : {1.0001, -1.0001, nan, infinity})
-    {
-        object.centre = {0, 0, bad};
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::left);
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::left) << "still";
-    }
-}
-
-TEST(Place, ANoticeWithoutAChangeOfThePoseIsTold)
-{
-    Random random(7);
-    for (int i = 0; i < 1000; ++i)
-    {
-        const Object object = any_solid(random);
-        Place place = placed(object);
-        place.set_envelope({Float4::all(-float_infinity), Float4::all(float_infinity)});
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::same)
-            << "its size may be another one";
-        Object moved = object;
-        moved.centre += Vector3(2 * object.half.maxCoeff() + object.centre.norm(), 0, 0);
-        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data(), origin), Followed::moved);
-        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data(), origin), Followed::same);
-        place.set_envelope(placed(object).tight_lanes());
-        EXPECT_EQ(place.follow(moved.centre.data(), moved.rotation.data(), origin), Followed::left);
-        EXPECT_EQ(place.follow(object.centre.data(), object.rotation.data(), origin), Followed::moved);
-    }
-}
-
-TEST(Place, UpdatesAreCountedAcrossTheirWrap)
-{
-    EXPECT_EQ(updates_between(5, 8), 3);
-    EXPECT_EQ(updates_between(8, 5), -3);
-    EXPECT_EQ(updates_between(Place::last_update, 1), 2);
-    EXPECT_EQ(updates_between(1, Place::last_update), -2);
-}
-
-TEST(Place, AMoveIsNotedOncePerUpdate)
-{
-    Place place;
-    place.watch_solid({Watch::box, 1, 2, 3});
-    for (UpdateNumber update : {UpdateNumber{1}, UpdateNumber{2}, Place::last_update, UpdateNumber{0}})
-    {
-        EXPECT_TRUE(place.note_move(update));
-        EXPECT_FALSE(place.note_move(update));
-        EXPECT_EQ(place.moved(), update);
-        EXPECT_EQ(place.watch(), Watch::box);
-        EXPECT_TRUE(place.solid() == (Solid{Watch::box, 1, 2, 3}));
-    }
-}
-
 // Of an object that was predicted by its sphere and has met others.
 TEST(Place, ATightenedEnvelopeHoldsTheObjectAndIsNoLargerThanBefore)
 {
@@ -412,18 +310,6 @@ TEST(Place, ATightenedEnvelopeHoldsTheObjectAndIsNoLargerThanBefore)
         ASSERT_TRUE(place.holds() || !has_slack) << i;
         ASSERT_TRUE(before.contains(place.envelope())) << i;
     }
-}
-
-TEST(Place, ATightenedEnvelopeHasLostWhatTheSphereAdded)
-{
-    Place place = placed(box({1, 2, 3}, {0.5, 0.1, 0.1}, {0, 0, 0}, true));
-    place.set_envelope({Float4(0, 1, 2, 0), Float4(3, 3, 4, 0)});
-    place.tighten(1);
-    const FloatBox envelope = place.envelope();
-    EXPECT_NEAR(envelope.low[0], 0.5, 1e-4);
-    EXPECT_NEAR(envelope.high[0], 2.5, 1e-4);
-    EXPECT_NEAR(envelope.low[1], 1.9, 1e-4);
-    EXPECT_NEAR(envelope.high[1], 2.1, 1e-4);
 }
 
 // All that is asked about two places, in vectors whose fourth lanes hold other things.

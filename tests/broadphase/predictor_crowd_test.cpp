@@ -2,8 +2,6 @@
 
 #include "ode_predictive_space/broadphase/predict/predictor.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "tests/broadphase/support/numbers.h"
@@ -15,55 +13,6 @@ namespace ode_predictive_space
 namespace
 {
 constexpr double ball_radius = 0.1;
-
-// A lattice of balls that fly all in the same direction, so near to each other that envelopes of the first reach overlap.
-class Lattice
-{
-public:
-    Lattice()
-    {
-        for (int i = 0; i < 64; ++i)
-            world.add(ball(0.25 * Vector3(i % 4, i / 4 % 4, i / 16), ball_radius, {0.001, 0, 0}));
-    }
-
-    void fly(int ticks)
-    {
-        for (int i = 0; i < ticks; ++i)
-        {
-            world.advance();
-            ASSERT_TRUE(world.tick().empty());
-        }
-    }
-
-    void spread_out()
-    {
-        for (ProxyId id : world.members())
-            world.place(id, 50 * world.object(id).centre);
-    }
-
-    double mean_reach() const
-    {
-        double sum = 0;
-        for (const ProxyRecord &record : world.broadphase.proxies().records)
-            sum += record.reach;
-        return sum / 64;
-    }
-
-    World world;
-};
-
-TEST(Predictor, TheReachShrinksWhereNeighboursAreTestedInVainAndGrowsWhereThereAreNone)
-{
-    Lattice lattice;
-    lattice.fly(1);
-    EXPECT_NEAR(lattice.mean_reach(), tuning::first_reach, 0.1);
-    lattice.fly(1000);
-    const double among_neighbours = lattice.mean_reach();
-    EXPECT_LT(among_neighbours, 0.5 * tuning::first_reach);
-    lattice.spread_out();
-    lattice.fly(1000);
-    EXPECT_GT(lattice.mean_reach(), tuning::first_reach);
-}
 
 // Objects that fly or fall, with steps of any length.
 class Flock
@@ -172,24 +121,6 @@ TEST(Predictor, ASceneThatGetsAnotherOriginGoesOnAsBefore)
         cloud.world.place(id, cloud.world.object(id).centre + Vector3(1000, 0, 0));
     EXPECT_GE(cloud.predictions_in(1), Cloud::objects);
     EXPECT_LE(cloud.predictions_in(5), usual + Cloud::objects / 10);
-}
-
-TEST(Predictor, AnObjectThatLeapsForOnceIsPredictedForAsLongAsBefore)
-{
-    Cloud cloud;
-    cloud.fly(300);
-    const float reach = cloud.world.broadphase.proxies().records[0].reach;
-    cloud.world.place(0, {0, 100, 0});
-    cloud.fly(1);
-    EXPECT_EQ(cloud.world.broadphase.proxies().records[0].reach, reach);
-    EXPECT_LE(cloud.predictions_in(1), Cloud::objects / 20);
-    for (int leap = 0; leap < 3; ++leap)
-    {
-        cloud.world.place(0, {0, -100.0 * leap, 0});
-        cloud.fly(1);
-    }
-    const FloatBox envelope = cloud.world.broadphase.proxies().places[0].envelope();
-    EXPECT_LT(envelope.high[0] - envelope.low[0], 2.2 * ball_radius) << "it leaps and leaps";
 }
 
 // A step of seconds would explain a leap along the velocity.

@@ -1,7 +1,5 @@
 // What the report of a move tells, and when it is none.
 
-#include <limits>
-
 #include <gtest/gtest.h>
 
 #include "tests/broadphase/support/numbers.h"
@@ -165,22 +163,6 @@ TEST_P(ReportOfAMove, AMoveThatSinglePrecisionDoesNotTellIsSeenByThePairs)
         for (int pause = i % 10 == 0 ? 100 : 0; pause > 0; --pause)
             EXPECT_EQ(touches(), i % 2 == 0);
     }
-}
-
-TEST_P(ReportOfAMove, CountsAlwaysWithoutAFormula)
-{
-    const ProxyId id = add(block({0, 0, 0}, {0.1, 0.1, 0.1}, {0, 0, 0}, false));
-    for (int i = 0; i < 5; ++i)
-        EXPECT_TRUE(counts_in_tick(id));
-}
-
-TEST_P(ReportOfAMove, CountsAlwaysWithoutAPose)
-{
-    Object object = ball({0, 0, 0}, 0.1, {0, 0, 0});
-    object.has_pose = false;
-    const ProxyId id = add(object);
-    for (int i = 0; i < 5; ++i)
-        EXPECT_TRUE(counts_in_tick(id));
 }
 
 // A box that turns about its centre, in an envelope that holds it however it turns.

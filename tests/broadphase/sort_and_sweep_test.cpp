@@ -1,8 +1,5 @@
 #include "ode_predictive_space/broadphase/index/sort_and_sweep.h"
 
-#include <limits>
-#include <map>
-
 #include <gtest/gtest.h>
 
 #include "tests/broadphase/support/numbers.h"
@@ -47,24 +44,6 @@ TEST(SortAndSweep, FindsTheOverlappingPairsOfAnyNumberOfBoxes)
     for (std::size_t count = 0; count < 60; ++count)
         for (int repetition = 0; repetition < 20; ++repetition)
             expect_all_pairs(sweep, random_items(random, count, 1, 1));
-}
-
-TEST(SortAndSweep, FindsThemWhicheverAxisIsWidest)
-{
-    Random random(2);
-    SortAndSweep sweep;
-    for (int axis = 0; axis < 3; ++axis)
-        for (std::size_t count : {50, 400})
-        {
-            Items items = random_items(random, count, 1, 0.5);
-            for (SweptProxy &item : items)
-            {
-                const float shift = static_cast<float>(random.uniform(-20, 20));
-                item.box.low[axis] += shift;
-                item.box.high[axis] += shift;
-            }
-            expect_all_pairs(sweep, items);
-        }
 }
 
 // As many as are cut into slabs, of all widths: many lie in one slab, some in a few, some in all. Where all meet along the
@@ -212,25 +191,6 @@ TEST(SortAndSweep, TheOrderOfAGridCostsFewComparisons)
     EXPECT_TRUE(none.empty());
 }
 
-TEST(SortAndSweep, NegativeAndPositiveZeroTouch)
-{
-    SortAndSweep sweep;
-    expect_all_pairs(sweep, {{0, {{-1, -1, -1}, {-0.0f, -0.0f, -0.0f}}}, {1, {{0, 0, 0}, {1, 1, 1}}}});
-    expect_all_pairs(sweep, {{0, {{0, 0, 0}, {0, 0, 0}}}, {1, {{-0.0f, -0.0f, -0.0f}, {-0.0f, -0.0f, -0.0f}}}});
-}
-
-TEST(SortAndSweep, IdenticalBoxesAllOverlap)
-{
-    SortAndSweep sweep;
-    for (std::size_t count : {5, 300})
-    {
-        Items items;
-        for (std::size_t i = 0; i < count; ++i)
-            items.push_back({static_cast<ProxyId>(i), {{0.1f, 0.2f, 0.3f}, {0.4f, 0.5f, 0.6f}}});
-        expect_all_pairs(sweep, items);
-    }
-}
-
 TEST(SortAndSweep, InfiniteBoxesMeetAllThatIsInTheirReach)
 {
     Random random(3);
@@ -261,14 +221,6 @@ TEST(SortAndSweep, InfiniteBoxesMeetAllThatIsInTheirReach)
                           {-float_infinity, -float_infinity, -float_infinity}}});
         expect_all_pairs(sweep, items);
     }
-}
-
-TEST(SortAndSweep, AppendsToWhatIsThere)
-{
-    SortAndSweep sweep;
-    std::vector<CandidatePair> pairs = {{7, 8}};
-    sweep.find_pairs({{1, {{0, 0, 0}, {1, 1, 1}}}, {2, {{0, 0, 0}, {1, 1, 1}}}}, pairs);
-    EXPECT_EQ(sorted_pairs(pairs), (Pairs{{1, 2}, {7, 8}}));
 }
 } // namespace
 } // namespace ode_predictive_space

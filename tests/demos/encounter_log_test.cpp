@@ -1,7 +1,7 @@
 #include "demos/haptic/encounter_log.h"
 
 #include "ode_predictive_space/haptics/hand_path.h"
-#include "tests/haptics/probe_world.h"
+#include "tests/haptics/support/probe_world.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -47,22 +47,6 @@ TEST_F(EncounterLogTest, ComparesTheForecastWithTheContact)
     EXPECT_EQ(summary.missed, 0U);
     EXPECT_EQ(summary.mean_early, 1);
     EXPECT_NE(summary.text().find("Of 1 first contacts, 1 were predicted"), std::string::npos) << summary.text();
-}
-
-TEST_F(EncounterLogTest, SaysNothingOfWhatDidNotHappen)
-{
-    EXPECT_EQ(log_.summary().text(), "No contact began.");
-    log_.add(1.0, {}, touching());
-    EXPECT_EQ(log_.summary().text(), "Of 1 first contacts, 0 were predicted; 1 were missed.");
-}
-
-TEST_F(EncounterLogTest, AGapBeginsANewWarning)
-{
-    log_.add(1.0, {{geom_, 1.0}}, {});
-    log_.add(2.0, {}, {});
-    log_.add(3.0, {{geom_, 1.0}}, {});
-    log_.add(4.0, {{geom_, 0.0}}, touching());
-    EXPECT_EQ(log_.contacts()[0].warning, 1);
 }
 
 TEST_F(EncounterLogTest, AContactBeforeItsForecastIsLate)

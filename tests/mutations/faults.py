@@ -269,7 +269,7 @@ def index_faults():
     yield Fault(
         "touching_boxes_apart", "index", BROADPHASE + "base/four_boxes.h",
         "(low_[axis] <= boxes.highs(axis))", "(low_[axis] < boxes.highs(axis))",
-        (("contract", "Contract.01_*:Contract.09_*"), ("broadphase", "BoxProbe.*:EnvelopeTree.*")))
+        (("contract", "Contract.01_*:Contract.09_*"), ("broadphase", "EnvelopeTree.*")))
 
 
 def proximity_faults():
@@ -306,7 +306,7 @@ def near_faults():
     near = BROADPHASE + "near/near_set.cpp"
     tick = BROADPHASE + "broadphase.cpp"
     place = BROADPHASE + "objects/place.h"
-    sets = (("broadphase", "NearSetTest.*:Resting*:*AnyWorld*"),)
+    sets = (("broadphase", "Resting*:*AnyWorld*"),)
     yield Fault(
         "lost_retire", "near", tick, "near_.retire(id);\n        batch_.add(id);", "batch_.add(id);",
         (("broadphase", "Broadphase.*:Tick.*:*AnyWorld*"),))

@@ -1,16 +1,10 @@
-"""The table of faults fits the sources, and what the script reads out of GoogleTest's output is right."""
+"""The table of faults fits the sources."""
 
 import collections
-import pathlib
-import tempfile
 import unittest
 
 import faults as table
 import run_mutations
-
-
-def fault_with(find, replace="", equivalent=""):
-    return table.Fault("name", "near", "file", find, replace, equivalent=equivalent)
 
 
 class TableTest(unittest.TestCase):
@@ -34,45 +28,6 @@ class TableTest(unittest.TestCase):
         for fault in table.FAULTS:
             for suite, _ in fault.first:
                 self.assertIn(suite, run_mutations.SUITES, fault.name)
-
-
-class ScriptTest(unittest.TestCase):
-    def test_a_text_that_is_missing_or_there_twice_is_refused(self):
-        for text in ("b", "a a"):
-            with self.assertRaises(run_mutations.Failure):
-                run_mutations.planted(text, fault_with("a"))
-        self.assertEqual(run_mutations.planted("x a y", fault_with("a", "b")), "x b y")
-
-    def test_the_first_test_that_failed_is_named(self):
-        output = "[ RUN      ] A.b\n[       OK ] A.b (0 ms)\n[ RUN      ] C.d/1\n[  FAILED  ] C.d/1, where ... (1 ms)\n"
-        self.assertEqual(run_mutations.first_failure(output), "C.d/1")
-
-    def test_a_test_that_crashed_is_named(self):
-        self.assertEqual(run_mutations.first_failure("[ RUN      ] A.b\n[       OK ] A.b (0 ms)\n[ RUN      ] C.d\n"), "C.d")
-        self.assertEqual(run_mutations.first_failure(""), "the start of the program")
-
-    def test_a_fault_is_as_expected_when_it_is_noticed_or_equivalent(self):
-        for test, reason, expected in (("A.b", "", True), ("", "", False), ("", "why", True), ("A.b", "why", False)):
-            result = run_mutations.Result(fault_with("a", equivalent=reason), test, 0)
-            self.assertEqual(result.as_expected, expected, (test, reason))
-
-    def test_an_unknown_name_is_refused(self):
-        with self.assertRaises(run_mutations.Failure):
-            run_mutations.chosen_faults(["no_such_fault"], [])
-
-    def test_a_copy_is_brought_up_to_date_and_keeps_the_times_of_the_rest(self):
-        with tempfile.TemporaryDirectory() as folder:
-            tree = run_mutations.Tree(pathlib.Path(folder), [])
-            tree.update()
-            copy = pathlib.Path(folder) / "CMakeLists.txt"
-            before = copy.stat().st_mtime_ns
-            tree.update()
-            self.assertEqual(copy.stat().st_mtime_ns, before)
-            copy.write_text("planted")
-            (pathlib.Path(folder) / "removed.cpp").touch()
-            tree.update()
-            self.assertFalse((pathlib.Path(folder) / "removed.cpp").exists())
-            self.assertEqual(copy.read_bytes(), (run_mutations.TOP / "CMakeLists.txt").read_bytes())
 
 
 if __name__ == "__main__":

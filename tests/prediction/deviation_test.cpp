@@ -12,11 +12,6 @@ TEST(Deviation, grows_from_a)
     EXPECT_EQ(deviation.growth(2), 16);
 }
 
-TEST(Deviation, is_nothing_by_default)
-{
-    EXPECT_EQ(Deviation().at(1000), 0);
-}
-
 TEST(Deviation, advanced_is_the_same_function)
 {
     const Deviation deviation = {1, 2, 3};

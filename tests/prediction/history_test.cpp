@@ -25,11 +25,6 @@ void expect_same(const Path &path, const Path &expected)
 }
 } // namespace
 
-TEST(History, fits_with_time_0_at_the_newest_sample)
-{
-    expect_same(remembered(100, 5, 90).fit().path, known.advanced(14));
-}
-
 TEST(History, remembers_the_last_samples_only)
 {
     // What is older than its capacity lies elsewhere, and must have no part in the fit.

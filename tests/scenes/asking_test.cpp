@@ -1,6 +1,6 @@
 // The scene that asks.
 
-#include "tests/scenes/motion.h"
+#include "demos/runs/world_run.h"
 
 #include <gtest/gtest.h>
 
@@ -38,13 +38,6 @@ TEST(Query, ProbesAndRaysAskInNoSpaceAndFindTheSameInEverySpace)
         hashes.push_back(hash.value());
         EXPECT_EQ(hashes.back(), hashes.front()) << space_name(kind);
     }
-}
-
-TEST(Query, OtherScenesAskNothing)
-{
-    const OdeSession ode;
-    const OwnedSpace space(dSimpleSpaceCreate(nullptr));
-    EXPECT_TRUE(WorldFactory({"gas", 10, 1}).make(space.get())->queries().empty());
 }
 } // namespace
 } // namespace ode_predictive_space::worlds

@@ -29,20 +29,6 @@ TEST_F(WorldRunTest, FindsTheFirstTickInWhichRunsDiffer)
     EXPECT_EQ(first_difference(different), 0);
 }
 
-TEST_F(WorldRunTest, TurnsAddUpAlsoWhenTheyDoNotDivideTheTicks)
-{
-    const WorldRuns runs = make_runs({SpaceKind::simple, SpaceKind::hash}, factory_);
-    std::vector<int> done;
-    run_by_turns(runs, 250, [&](int ticks) { done.push_back(ticks); });
-    EXPECT_EQ(done, (std::vector<int>{100, 200, 250}));
-    for (const auto &run : runs)
-    {
-        EXPECT_EQ(run->ticks(), 250u);
-        EXPECT_EQ(run->collide_times().size(), 250u);
-        EXPECT_EQ(run->tick_times().size(), 250u);
-    }
-}
-
 WorldRuns contact_runs(const std::vector<SpaceKind> &kinds, const WorldFactory &factory)
 {
     WorldRuns runs = make_runs(kinds, factory);
@@ -84,34 +70,6 @@ TEST_F(WorldRunTest, FindsTheFirstTickInWhichContactsDiffer)
     runs.back()->measure_contacts();
     run_by_turns(runs, 400);
     EXPECT_GE(first_difference_of_contacts(runs), 0);
-}
-
-TEST_F(WorldRunTest, ContactsAreNotLookedForUnlessTheyAreMeasured)
-{
-    WorldRun run(SpaceKind::simple, factory_);
-    run.tick();
-    EXPECT_TRUE(run.contact_times().empty());
-    EXPECT_EQ(run.calls(), 0u);
-}
-
-TEST_F(WorldRunTest, WarmUpLeavesThePairsAndNoTimes)
-{
-    WorldRun run(SpaceKind::simple, factory_);
-    for (int tick = 0; tick < 10; ++tick)
-        run.tick();
-    run.start_measuring();
-    EXPECT_TRUE(run.collide_times().empty());
-    EXPECT_EQ(run.ticks(), 10u);
-    run.tick();
-    EXPECT_EQ(run.measured_ticks(), 1u);
-    EXPECT_EQ(run.ticks(), 11u);
-}
-
-TEST_F(WorldRunTest, ATurnEndsWhenItsTimeIsUsedUp)
-{
-    WorldRun run(SpaceKind::simple, factory_);
-    EXPECT_GT(run.turn(1000, 1e-9), 1e-9);
-    EXPECT_EQ(run.ticks(), 1u);
 }
 
 TEST_F(WorldRunTest, RunsThatHaveUsedUpTheirTimeRestAndAreComparedInTheTicksTheyHave)

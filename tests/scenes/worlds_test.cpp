@@ -1,6 +1,6 @@
 // All worlds: the same motion in every space, the pairs that brute force finds, and what they promise in common.
 
-#include "tests/scenes/motion.h"
+#include "demos/runs/world_run.h"
 
 #include <gtest/gtest.h>
 #include <map>
@@ -210,25 +210,6 @@ TEST_P(AnyWorld, LeavesNothingInTheSpace)
     EXPECT_EQ(dSpaceGetNumGeoms(space.get()), 0);
 }
 
-TEST_P(AnyWorld, SaysWhatHappensInIt)
-{
-    const WorldEntry &world = world_named(GetParam());
-    EXPECT_FALSE(world.text.empty());
-    EXPECT_GT(world.objects, 0);
-    EXPECT_GT(world.step, 0);
-}
-
-TEST_P(Scenes, SameSeedSameRunAndAnotherSeedAnotherRun)
-{
-    WorldRun first(SpaceKind::hash, WorldFactory({GetParam(), 100, 1}));
-    WorldRun again(SpaceKind::hash, WorldFactory({GetParam(), 100, 1}));
-    WorldRun other(SpaceKind::hash, WorldFactory({GetParam(), 100, 2}));
-    for (WorldRun *run : {&first, &again, &other})
-        run->turn(200);
-    EXPECT_EQ(first.pair_hash(), again.pair_hash());
-    EXPECT_NE(first.pair_hash(), other.pair_hash());
-}
-
 TEST_P(Scenes, StayWithinTheirBounds)
 {
     const WorldFactory factory = factory_of(GetParam());
@@ -239,28 +220,13 @@ TEST_P(Scenes, StayWithinTheirBounds)
         run.make();
         for (const dGeomID geom : run.world().geoms())
         {
-            if (geom == nullptr || !has_place(geom))
+            if (geom == nullptr || dGeomGetClass(geom) == dPlaneClass)
                 continue;
             const Vector3 position = from_ode(dGeomGetPosition(geom));
             ASSERT_TRUE(((position - bounds.centre).cwiseAbs() - bounds.half_extent).maxCoeff() < 0.01)
                 << "tick " << tick << ": " << position.transpose();
         }
     }
-}
-
-TEST_P(Scenes, ListTheirGeoms)
-{
-    const OwnedSpace space(dSimpleSpaceCreate(nullptr));
-    const std::unique_ptr<World> world = factory_of(GetParam()).make(space.get());
-    for (int tick = 0; tick < 20; ++tick)
-        world->advance();
-    int alive = 0;
-    for (const dGeomID geom : world->geoms())
-    {
-        alive += geom != nullptr ? 1 : 0;
-        EXPECT_TRUE(geom == nullptr || dSpaceQuery(space.get(), geom) != 0);
-    }
-    EXPECT_EQ(alive, dSpaceGetNumGeoms(space.get()));
 }
 
 TEST_P(Limits, HaveThePairsOfASimpleSpaceWithOneObject)
@@ -271,129 +237,12 @@ TEST_P(Limits, HaveThePairsOfASimpleSpaceWithOneObject)
     EXPECT_EQ(first_difference(runs), -1);
 }
 
-TEST(World, HasTheGeomsThatItSays)
-{
-    const OdeSession ode;
-    const auto geoms = [](const std::string &name, int objects) {
-        const WorldFactory factory({name, objects, 1});
-        const OwnedSpace space(make_space(SpaceKind::simple, factory));
-        return factory.make(space.get())->geoms().size();
-    };
-    EXPECT_EQ(geoms("floor", 20), 21u) << "and the plane";
-    EXPECT_EQ(geoms("ragdolls", 2), 2u * 12 + 12 + 1) << "and the stairs and the plane";
-    EXPECT_EQ(geoms("chain", 2), 2u * 17 + 1);
-    EXPECT_EQ(geoms("shelves", 100), 100u + 50 * 7 + 1);
-    EXPECT_EQ(geoms("shelves_mesh", 100), 100u + 50 * 7 + 1);
-    EXPECT_EQ(geoms("heap", 30), 35u) << "and the pit";
-    EXPECT_EQ(geoms("drones", 30), 31u) << "and the room";
-    EXPECT_EQ(geoms("city", 4), 4u * 5 + 4 * 5 + 1) << "and the trees and the hills";
-    EXPECT_EQ(geoms("many", 17), 17u);
-    EXPECT_EQ(geoms("nested", 3), 3u * 7 + 1);
-    EXPECT_EQ(geoms("lidar", 50), 50u + 3600);
-    EXPECT_EQ(geoms("moon", 5), 6u);
-    EXPECT_EQ(geoms("reset", 3), 3u * 7);
-    EXPECT_EQ(geoms("conveyor", 20), 20u + 10) << "and the boxes on the belt";
-}
-
-std::vector<Vector3> places_in(const World &world)
-{
-    std::vector<Vector3> places;
-    for (const dGeomID geom : world.geoms())
-        places.push_back(from_ode(dGeomGetPosition(geom)));
-    return places;
-}
-
-TEST(World, RobotsAreSetBackOnceInAPeriod)
-{
-    const OdeSession ode;
-    Ticks run(SpaceKind::simple, factory_of("reset"));
-    run.make();
-    const std::vector<Vector3> first = places_in(run.world());
-    for (int tick = 1; tick <= ticks_between_events; ++tick)
-    {
-        run.make();
-        ASSERT_EQ(places_in(run.world()) == first, tick == ticks_between_events) << tick;
-    }
-}
-
-TEST(World, AllBoxesOrATenthOfTheBeltLeapAtOnce)
-{
-    const OdeSession ode;
-    for (const bool belt : {false, true})
-    {
-        Ticks run(SpaceKind::simple, factory_of(belt ? "conveyor" : "recentre"));
-        for (int tick = 0; tick <= ticks_between_events; ++tick)
-        {
-            const std::vector<Vector3> before = places_in(run.world());
-            run.make();
-            int leaps = 0;
-            for (std::size_t i = 0; i < before.size(); ++i)
-                leaps += (places_in(run.world())[i] - before[i]).norm() > 1 ? 1 : 0;
-            ASSERT_EQ(leaps, belt ? 60 / 10 : tick % ticks_between_events == 0 ? 60 : 0) << tick;
-        }
-    }
-}
-
-TEST(World, AFifthOfTheRainFallsForEver)
-{
-    const OdeSession ode;
-    Ticks run(SpaceKind::simple, factory_of("rain"));
-    for (int tick = 0; tick < ticks_of("rain"); ++tick)
-        run.make();
-    int fallen = 0;
-    for (const dGeomID geom : run.world().geoms())
-        fallen += dGeomGetPosition(geom)[2] < -100 ? 1 : 0;
-    EXPECT_EQ(fallen, 60 / 5);
-}
-
-TEST(World, StepsVaryAsTheNameSays)
-{
-    const OdeSession ode;
-    for (const char *name : {"frames_0", "frames_set_0", "frames_50", "frames_set_50"})
-    {
-        Ticks run(SpaceKind::simple, factory_of(name));
-        const dGeomID geom = run.world().geoms().front();
-        double shortest = 1e9, longest = 0;
-        Vector3 last = from_ode(dGeomGetPosition(geom));
-        for (int tick = 0; tick < 40; ++tick)
-        {
-            run.make();
-            const Vector3 now = from_ode(dGeomGetPosition(geom));
-            if (tick > 0) // the setters place it before the first one
-            {
-                shortest = std::min(shortest, (now - last).norm());
-                longest = std::max(longest, (now - last).norm());
-            }
-            last = now;
-        }
-        const bool varies = std::string(name).find("50") != std::string::npos;
-        EXPECT_EQ(longest > 1.2 * shortest, varies) << name << ": " << shortest << " to " << longest;
-    }
-}
-
-TEST(World, ManyBeginsAnewAfterALife)
-{
-    const OdeSession ode;
-    Ticks run(SpaceKind::simple, factory_of("many"));
-    std::vector<std::vector<IndexPair>> pairs;
-    for (int tick = 0; tick < 2 * ticks_of_life; ++tick)
-        pairs.push_back(run.make());
-    EXPECT_TRUE(std::equal(pairs.begin(), pairs.begin() + ticks_of_life, pairs.begin() + ticks_of_life));
-}
-
 TEST(World, UnknownNamesAndNoObjectsAreRefused)
 {
     const OdeSession ode;
     EXPECT_THROW(WorldFactory({"soup", 5, 1}), std::invalid_argument);
     EXPECT_THROW(WorldFactory({"floor", 0, 1}), std::invalid_argument);
     EXPECT_THROW(space_named("octree"), std::invalid_argument);
-}
-
-TEST(World, NamesAreUnique)
-{
-    std::map<std::string, int> times;
-    for (const WorldEntry &world : all_worlds())
-        EXPECT_EQ(++times[world.name], 1) << world.name;
 }
 } // namespace
 } // namespace ode_predictive_space::worlds

@@ -1,7 +1,6 @@
 // The forecast of a contact is never late, however the objects move and turn within their predictions.
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -53,15 +52,6 @@ TEST(ContactForecast, OfBallsIsExact)
     comes.envelope.path.velocity = {-0.9, 0, 0};
     comes.envelope.path.acceleration = {0.05, 0, 0};
     EXPECT_FALSE(time_of_contact(still, comes, 0, for_long)) << "it turns back before";
-}
-
-TEST(ContactForecast, DeviationsCountFromBothSidesOfThePath)
-{
-    const ConvexShape left = ball({0, 0, 0}), right = ball({12, 0, 0});
-    const PredictedShape still{left, going(left, Vector3::Zero()), true, true};
-    PredictedShape comes{right, going(right, {-0.5, 0, 0}), false, true};
-    comes.envelope.deviation = {1, 0.3, 0};
-    EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 10, 1e-6);
 }
 
 // The deviation was taken as if it lay along an axis of the scene. Two objects then touched at the next tick although the forecast

@@ -108,23 +108,6 @@ TEST(Gap, IsFoundIfItIsLargerThanTheLeast)
     });
 }
 
-// Also against directions that differ from an axis by rounding alone.
-TEST(Gap, FarthestPointsAreAsFarAsTheShapeReaches)
-{
-    ShapeMaker maker(1);
-    for (int i = 0; i < 20000; ++i)
-    {
-        const SolidKind solid = solids[static_cast<std::size_t>(maker.between(0, 4.999))];
-        const ConvexShape shape = moved(maker.shape(solid), maker.rotation(), maker.vector());
-        const Vector3 off_axis = std::pow(10, maker.between(-20, 0)) * maker.direction();
-        const Vector3 direction =
-            (shape.axes[static_cast<std::size_t>(maker.between(0, 2.999))] + off_axis).normalized();
-        ASSERT_NEAR(direction.dot(shape.farthest_of_core(direction)) + shape.core_distance(), shape.reach(direction),
-                    1e-14)
-            << "class " << static_cast<int>(solid) << ", pose " << i;
-    }
-}
-
 TEST(Gap, IsNoneForShapesThatAreNotJudgedTogether)
 {
     ShapeMaker maker(1);
@@ -135,12 +118,5 @@ TEST(Gap, IsNoneForShapesThatAreNotJudgedTogether)
     EXPECT_LT(find_gap(ConvexShape{}, one, Vector3::Zero(), 0).length, 0);
 }
 
-TEST(Gap, IsNoneAtTheSamePlace)
-{
-    ShapeMaker maker(2);
-    for_each_pair_of_classes([&](SolidKind one, SolidKind other) {
-        EXPECT_LE(find_gap(maker.shape(one), maker.shape(other), Vector3::Zero(), 0).length, 0);
-    });
-}
 } // namespace
 } // namespace ode_predictive_space

@@ -82,66 +82,6 @@ protected:
     const Polyhedron octahedron = Polyhedron::octahedron(), cube = Polyhedron::cube().changed(0.9 * same, here);
 };
 
-TEST_F(HullData, LeavesOutAMeshThatIsApart)
-{
-    for (bool single : {false, true})
-    {
-        MeshArrays arrays(octahedron, single);
-        const dGeomID mesh = create_mesh(arrays);
-        EXPECT_EQ(pairs(), 0u);
-        dGeomSetPosition(mesh, REAL(0.2), REAL(0.2), 0);
-        EXPECT_EQ(pairs(), 1u);
-        dGeomDestroy(mesh);
-    }
-}
-
-TEST_F(HullData, LeavesOutAConvexThatIsAbovePlane)
-{
-    const ConvexArrays arrays(octahedron);
-    const dGeomID convex = arrays.create(space);
-    dCreatePlane(space, 0, REAL(0.6), REAL(0.8), REAL(-0.9));
-    dGeomSetPosition(ball, 5, 5, 5);
-    EXPECT_EQ(collide(space).size(), 0u);
-    dGeomSetPosition(convex, 0, REAL(-0.2), 0);
-    EXPECT_EQ(collide(space).size(), 1u);
-}
-
-// Bytes that a space takes for 20 meshes in a row.
-unsigned long bytes_with(const std::vector<std::unique_ptr<MeshArrays>> &data)
-{
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
-    for (std::size_t i = 0; i < 20; ++i)
-        dCreateTriMesh(space, data[i % data.size()]->id(), nullptr, nullptr, nullptr);
-    dPredictiveEncounter none;
-    dPredictiveSpaceGetEncounters(space, dSpaceGetGeom(space, 0), &none, 1);
-    collide(space);
-    dPredictiveSpaceStats stats;
-    dPredictiveSpaceGetStats(space, &stats);
-    dSpaceDestroy(space);
-    return stats.bytes;
-}
-
-TEST_F(HullData, IsMadeOnceForAllGeomsOfTheSameData)
-{
-    std::vector<std::unique_ptr<MeshArrays>> one, many;
-    one.push_back(std::make_unique<MeshArrays>(octahedron));
-    for (int i = 0; i < 20; ++i)
-        many.push_back(std::make_unique<MeshArrays>(octahedron));
-    EXPECT_GT(bytes_with(many), bytes_with(one) + 19 * 200);
-}
-
-TEST_F(HullData, IsThatOfTheMeshDataThatWereSet)
-{
-    MeshArrays small(octahedron), large(cube);
-    const dGeomID mesh = create_mesh(small);
-    EXPECT_EQ(pairs(), 0u);
-    dGeomTriMeshSetData(mesh, large.id());
-    EXPECT_EQ(pairs(), 1u);
-    dGeomTriMeshSetData(mesh, small.id());
-    EXPECT_EQ(pairs_later(), 0u);
-}
-
 TEST_F(HullData, IsThatOfTheMeshDataThatWereSetAtRest)
 {
     MeshArrays small(octahedron), large(cube);
@@ -149,15 +89,6 @@ TEST_F(HullData, IsThatOfTheMeshDataThatWereSetAtRest)
     EXPECT_EQ(pairs_at_rest(), 0u);
     dGeomTriMeshSetData(mesh, large.id());
     EXPECT_EQ(collide(space).size(), 1u);
-}
-
-TEST_F(HullData, IsThatOfMeshDataThatWereBuiltAnew)
-{
-    MeshArrays arrays(octahedron);
-    create_mesh(arrays);
-    EXPECT_EQ(pairs(), 0u);
-    arrays.rebuild(cube);
-    EXPECT_EQ(pairs(), 1u);
 }
 
 TEST_F(HullData, IsThatOfMeshDataThatWereBuiltAnewAtRest)
@@ -207,33 +138,6 @@ TEST_F(HullData, ChangedWhileUnusedIsReadAgainAlsoAfterAQuestion)
     arrays.move_corners({0.4, 0.4, 0});
     create_mesh(arrays);
     EXPECT_EQ(pairs(), 1u);
-}
-
-TEST_F(HullData, OfAConvexIsThatOfThePointsThatWereSet)
-{
-    const ConvexArrays small(octahedron), large(cube);
-    const dGeomID convex = small.create(space), plane = dCreatePlane(space, REAL(0.6), 0, REAL(0.8), REAL(-0.85));
-    dGeomSetPosition(ball, 5, 5, 5);
-    EXPECT_EQ(collide(space).size(), 0u);
-    large.give_to(convex);
-    EXPECT_EQ(collide(space).size(), 1u);
-    EXPECT_EQ(pairs_at_rest(), 1u);
-    small.give_to(convex);
-    EXPECT_EQ(pairs_at_rest(), 0u);
-    dGeomDestroy(plane);
-}
-
-TEST_F(HullData, IsReadAgainWhenTheProgramSaysThatItChanged)
-{
-    MeshArrays arrays(octahedron);
-    const dGeomID mesh = create_mesh(arrays);
-    EXPECT_EQ(pairs_at_rest(), 0u);
-    arrays.move_corners({0.4, 0.4, 0});
-    dPredictiveSpaceGeomChanged(space, mesh);
-    EXPECT_EQ(collide(space).size(), 1u);
-    arrays.move_corners({-0.4, -0.4, 0});
-    dPredictiveSpaceGeomChanged(space, mesh);
-    EXPECT_EQ(pairs_later(), 0u);
 }
 
 // One call serves for all geoms with these data.

@@ -1,7 +1,6 @@
 // Looks at shapes that spare nothing are few, whatever the reason.
 
 #include <cmath>
-#include <vector>
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -73,26 +72,6 @@ TEST_F(LookCost, PairsOfWhichTheProgramIsNotToldAreNotLookedAt)
     }
     EXPECT_GT(looks(), 0u) << "bits change without notice";
     EXPECT_LT(reported, 50u) << "the shapes are apart";
-}
-
-TEST_F(LookCost, TwoMeshesOfOneBodyAreNotLookedAt)
-{
-    const MeshArrays cube(Polyhedron::cube());
-    const dWorldID world = dWorldCreate();
-    const dBodyID body = dBodyCreate(world);
-    for (int i = 0; i < 2; ++i)
-    {
-        const dGeomID mesh = create_mesh(cube);
-        dGeomSetBody(mesh, body);
-        dGeomSetOffsetPosition(mesh, i, 0, 0);
-    }
-    for (int tick = 0; tick < 100; ++tick)
-    {
-        dBodySetPosition(body, REAL(0.01) * tick, 0, 0);
-        EXPECT_EQ(collide(space).size(), 0u);
-    }
-    EXPECT_EQ(looks(), 0u);
-    dWorldDestroy(world);
 }
 
 // Two octahedra whose boxes overlap. What collides with a landscape is what moves.

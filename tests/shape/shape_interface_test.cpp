@@ -293,20 +293,6 @@ TEST_F(ShapeProximity, GivesTheMemoryOfShapesBack)
     EXPECT_LT(bytes(), before / 20);
 }
 
-TEST_F(ShapeProximity, NoticesThatAGeomGrows)
-{
-    ball(0, 0);
-    const dGeomID other = ball(apart, apart);
-    EXPECT_EQ(pairs(), 0u);
-    dGeomSphereSetRadius(other, REAL(1.4));
-    EXPECT_EQ(pairs(), 1u);
-    dGeomSphereSetRadius(other, 1);
-    let_rest();
-    EXPECT_EQ(pairs(), 0u);
-    dGeomSphereSetRadius(other, REAL(1.4));
-    EXPECT_EQ(pairs(), 1u);
-}
-
 TEST_F(ShapeProximity, NoticesThatAGeomGrowsWithinItsEnvelope)
 {
     // So that neither object is predicted anew, and the pair stays the same.
@@ -344,15 +330,6 @@ TEST_F(ShapeProximity, IsValidWhenAGeomHasGrownSinceTheLastReport)
     }
 }
 
-TEST_F(ShapeProximity, NoticesThatAPlaneMoves)
-{
-    ball(0, 0);
-    const dGeomID plane = dCreatePlane(space, REAL(0.6), 0, REAL(0.8), REAL(-1.1));
-    EXPECT_EQ(pairs(), 0u);
-    dGeomPlaneSetParams(plane, REAL(0.6), 0, REAL(0.8), REAL(-0.9));
-    EXPECT_EQ(pairs(), 1u);
-}
-
 TEST_F(ShapeProximity, NoticesThatAPlaneTurnsFarAway)
 {
     const dGeomID plane = dCreatePlane(space, REAL(0.0001), 0, 1, 0);
@@ -361,23 +338,6 @@ TEST_F(ShapeProximity, NoticesThatAPlaneTurnsFarAway)
     EXPECT_EQ(counters().postponed, 1u);
     dGeomPlaneSetParams(plane, REAL(-0.0003), 0, 1, 0);
     EXPECT_EQ(pairs(), 1u);
-}
-
-TEST_F(ShapeProximity, ReportsPairsWithinTheMargin)
-{
-    ball(0, 0);
-    ball(apart, apart);
-    EXPECT_EQ(dPredictiveSpaceGetShapeMargin(space), 0);
-    dPredictiveSpaceSetShapeMargin(space, REAL(0.2));
-    EXPECT_EQ(dPredictiveSpaceGetShapeMargin(space), REAL(0.2));
-    EXPECT_EQ(pairs(), 0u);
-    dPredictiveSpaceSetShapeMargin(space, REAL(0.3));
-    EXPECT_EQ(pairs(), 1u);
-    dPredictiveSpaceSetShapeMargin(space, 0);
-    let_rest();
-    EXPECT_EQ(pairs(), 0u);
-    dPredictiveSpaceSetShapeMargin(space, REAL(0.3));
-    EXPECT_EQ(pairs(), 1u) << "the pair was at rest";
 }
 
 TEST_F(ShapeProximity, ReportsPairsWithinAThousandthOfTheirSize)
@@ -393,21 +353,6 @@ TEST_F(ShapeProximity, ReportsPairsWithinAThousandthOfTheirSize)
     for (int i = 0; i < 20; ++i)
         pairs();
     EXPECT_EQ(pairs(), 0u);
-}
-
-TEST_F(ShapeProximity, OfAPairAtRestIsWhatItWasBefore)
-{
-    ball(0, 0);
-    const dGeomID other = ball(apart, apart);
-    let_rest();
-    EXPECT_EQ(pairs(), 0u);
-    const unsigned long looks = counters().looks;
-    EXPECT_EQ(pairs(), 0u);
-    EXPECT_EQ(counters().looks, looks);
-    dGeomSetPosition(other, 1, 1, 0);
-    EXPECT_EQ(pairs(), 1u);
-    let_rest();
-    EXPECT_EQ(pairs(), 1u);
 }
 
 TEST_F(ShapeProximity, CanBeChangedAtAnyTime)
@@ -529,49 +474,5 @@ TEST_F(ShapeProximity, RefusesMarginsThatAreNoLengths)
     EXPECT_NE(ode_complaint([&] { dPredictiveSpaceSetProximity(space, 3); }), "");
 }
 
-TEST_F(ShapeProximity, CanBeSetByTheWrapper)
-{
-    dPredictiveSpace wrapped;
-    wrapped.setProximity(dPredictiveProximityShape);
-    wrapped.setShapeMargin(REAL(0.25));
-    EXPECT_EQ(wrapped.getProximity(), dPredictiveProximityShape);
-    EXPECT_EQ(wrapped.getShapeMargin(), REAL(0.25));
-    EXPECT_EQ(wrapped.getCounters().looks, 0u);
-}
-
-// After the balls have been near to each other, and then farther away for some time.
-unsigned long bytes_of_a_thousand_balls(int proximity, dReal farther)
-{
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    dPredictiveSpaceSetProximity(space, proximity);
-    std::vector<dGeomID> balls(1000);
-    for (dGeomID &ball : balls)
-    {
-        ball = dCreateSphere(space, 1);
-        dPredictiveSpaceSetGeomRole(space, ball, dPredictiveRoleInteractive);
-    }
-    for (const dReal between : {REAL(1.6), farther})
-        for (int tick = 0; tick < 300; ++tick)
-        {
-            for (std::size_t i = 0; i < balls.size(); ++i)
-                dGeomSetPosition(balls[i], between * static_cast<dReal>(i % 32), between * static_cast<dReal>(i / 32),
-                                 REAL(1e-4) * static_cast<dReal>(tick));
-            collide(space);
-        }
-    dPredictiveSpaceStats stats;
-    dPredictiveSpaceGetStats(space, &stats);
-    dSpaceDestroy(space);
-    return stats.bytes;
-}
-
-TEST_F(ShapeProximity, HoldsTheShapesOfNearObjectsAlone)
-{
-    constexpr dReal far_apart = 10;
-    const unsigned long by_boxes = bytes_of_a_thousand_balls(dPredictiveProximityBox, far_apart),
-                        by_shapes = bytes_of_a_thousand_balls(dPredictiveProximityShape, far_apart);
-    EXPECT_LE(by_shapes, by_boxes + 250 * 1000);
-    EXPECT_GT(bytes_of_a_thousand_balls(dPredictiveProximityShape, apart),
-              bytes_of_a_thousand_balls(dPredictiveProximityBox, apart) + 200 * 1000);
-}
 } // namespace
 } // namespace ode_predictive_space

@@ -127,14 +127,6 @@ TEST_F(ShapeQuery, AMeshOfAnotherSpaceAsksByItsBox)
     EXPECT_EQ(answers(octahedron), 1u);
 }
 
-// A look costs as much as finding their contacts.
-TEST_F(ShapeQuery, PrimitivesAskEachOtherByBoxes)
-{
-    dCreateSphere(space, 1);
-    const Probe ball(dCreateSphere(nullptr, 1));
-    EXPECT_EQ(answers_at(ball, REAL(1.5), REAL(1.5), 0), 1u);
-}
-
 TEST_F(ShapeQuery, ARayIsFollowedAlongItsLine)
 {
     for (int i = 0; i < 40; ++i) // more than are asked one by one
@@ -255,15 +247,6 @@ TEST_F(ShapeQuery, NoticesOtherDataOfAnyMesh)
     EXPECT_EQ(answers(ray), 1u);
     EXPECT_EQ(answers_at(ball, 1, 1, 1), 1u);
     dGeomDestroy(changed);
-}
-
-TEST_F(ShapeQuery, AMarginCounts)
-{
-    mesh(space, Polyhedron::cube().changed(Eigen::Vector3d::Constant(5), {0, 0, 0}));
-    const Probe ball(dCreateSphere(nullptr, 1));
-    EXPECT_EQ(answers_at(ball, 0, REAL(3.5), 0), 0u);
-    dPredictiveSpaceSetShapeMargin(space, REAL(0.6));
-    EXPECT_EQ(answers_at(ball, 0, REAL(3.5), 0), 1u);
 }
 
 // While the room is being read, it is told of.

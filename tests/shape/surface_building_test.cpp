@@ -1,7 +1,6 @@
 // When the surface of a mesh is built: as a whole where nobody waits for it, else in slices, or by dPredictiveSpacePrepare().
 
 #include <memory>
-#include <vector>
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -137,20 +136,6 @@ TEST_F(SurfaceBuilding, CanBePreparedWithinSpaces)
     dSpaceDestroy(top);
 }
 
-TEST_F(SurfaceBuilding, OfASpaceByBoxIsNotNeeded)
-{
-    dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
-    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
-    const dGeomID ball = ball_above();
-    pairs(ball);
-    dPredictiveSpaceStats before, after;
-    dPredictiveSpaceGetStats(space, &before);
-    dPredictiveSpacePrepare(space);
-    dPredictiveSpaceGetStats(space, &after);
-    EXPECT_EQ(after.bytes, before.bytes);
-    EXPECT_EQ(pairs(ball), 1u);
-}
-
 // Questions, too, wait for slices beside a hand alone.
 TEST_F(SurfaceBuilding, IsDoneForTheFirstQuestionWhereNobodyWaits)
 {
@@ -175,18 +160,6 @@ TEST_F(SurfaceBuilding, EndsWithTheGeomAndItsData)
         dGeomDestroy(geom);
     }
     EXPECT_EQ(pairs(ball), 0u);
-}
-
-// Their data are in the same arrays, and have been changed while no geom had them.
-TEST_F(SurfaceBuilding, OfAGeomThatIsGoneIsNotThatOfTheNextOne)
-{
-    const dGeomID ball = ball_above();
-    const dGeomID geom = dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
-    EXPECT_EQ(pairs(ball), 0u);
-    dGeomDestroy(geom);
-    mesh.move_corners(Eigen::Vector3d(0, 0, 0.45));
-    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
-    EXPECT_EQ(pairs(ball), 1u);
 }
 } // namespace
 } // namespace ode_predictive_space

@@ -155,13 +155,5 @@ TEST(SurfaceGap, IsNoneWithoutASurfaceAndBeforeItsTreeIsReady)
     EXPECT_EQ(surface_of(mesh, sphere), nullptr) << "judged by box";
 }
 
-TEST(SurfaceGap, IsToTheMeshOfMoreTriangles)
-{
-    ShapeMaker maker(5);
-    const Ground small(maker, 2), large(maker, 3);
-    const ConvexShape one = small.shape(), other = large.shape();
-    EXPECT_EQ(surface_of(one, other), &other);
-    EXPECT_EQ(surface_of(other, one), &other);
-}
 } // namespace
 } // namespace ode_predictive_space

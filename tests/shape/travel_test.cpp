@@ -118,15 +118,6 @@ TEST(Travel, OfACapsuleBesideMeshesIsThatOfTheCylinderAroundIt)
     }
 }
 
-TEST(Travel, OfATurningSphereIsNone)
-{
-    ShapeMaker maker(1);
-    const ConvexShape sphere = maker.shape(SolidKind::sphere), capsule = maker.shape(SolidKind::capsule);
-    EXPECT_EQ(moved(sphere, maker.rotation(), Vector3::Zero()).moved_from(sphere), 0);
-    const Eigen::Matrix3d about_its_axis = Eigen::AngleAxisd(1, Vector3::UnitZ()).toRotationMatrix();
-    EXPECT_LT(moved(capsule, about_its_axis, Vector3::Zero()).moved_from(capsule), 1e-12);
-}
-
 TEST(Travel, OfAPlaneSaysNothing)
 {
     ShapeMaker maker(1);

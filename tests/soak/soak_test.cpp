@@ -271,15 +271,5 @@ constexpr Case cases[] = {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Soak, ::testing::ValuesIn(cases), name_of);
 
-TEST(SoakCases, AreOfEveryScene)
-{
-    std::set<std::string> soaked;
-    for (const Case &one : cases)
-    {
-        soaked.insert(one.scene);
-    }
-    const std::vector<std::string> names = worlds::world_names(worlds::Group::scene);
-    EXPECT_EQ(soaked, std::set<std::string>(names.begin(), names.end()));
-}
 } // namespace
 } // namespace ode_predictive_space::soak

@@ -60,6 +60,10 @@ TEST_F(Wrapper, PassesEverythingOn)
     EXPECT_EQ(space.getDeviation(dPredictiveRoleInteractive, &a, &b, &c), 1);
     EXPECT_EQ(a * 100 + b * 10 + c, 123);
 
+    space.setShapeMargin(0.25);
+    EXPECT_EQ(dPredictiveSpaceGetShapeMargin(space.id()), 0.25);
+    EXPECT_EQ(space.getShapeMargin(), 0.25);
+
     space.prepare();
     space.setHorizon(4, 44);
     int min_ticks = 0, max_ticks = 0;

@@ -1,6 +1,6 @@
 // Ensembles of hands that take long.
 
-#include "tests/haptics/coupling_run.h"
+#include "tests/haptics/forecast/coupling_run.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // Piles of light bodies in two threads, which take long.
 
-#include "tests/haptics/crowd_run.h"
+#include "tests/haptics/forecast/crowd_run.h"
 
 namespace ode_predictive_space::haptics
 {

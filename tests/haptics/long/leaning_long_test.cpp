@@ -1,4 +1,4 @@
-#include "tests/haptics/leaning.h"
+#include "tests/haptics/forecast/leaning.h"
 
 namespace ode_predictive_space::haptics
 {

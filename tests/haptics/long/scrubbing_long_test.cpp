@@ -1,7 +1,7 @@
 // Ten minutes of scrubbing over each of three meshes as rough as scans.
 
-#include "tests/haptics/contact_fixture.h"
-#include "tests/haptics/scrubbing.h"
+#include "tests/haptics/contact/contact_fixture.h"
+#include "tests/haptics/contact/scrubbing.h"
 
 namespace ode_predictive_space::haptics
 {

@@ -1,0 +1,215 @@
+// How a contact that holds comes to an end, and several planes of one object.
+
+#include "tests/haptics/contact/contact_fixture.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+class ContactEndTest : public ContactTest
+{
+protected:
+    static constexpr double middle = 1; // s
+
+    /// The hand presses 4 radii deep into a sheet at z = 0; in the middle something happens to it. Then nothing is felt.
+    void expect_end_by(const std::function<void()> &event)
+    {
+        bool happened = false;
+        const auto samples = run(
+            [](double t) {
+                return between({0.01, 0.02, 0.03}, {0.01, 0.02, -3 * radius}, 0.1, 0.5, t);
+            },
+            2,
+            [&](double) {
+                if (clock_.now() >= middle && !happened)
+                {
+                    happened = true;
+                    event();
+                }
+            });
+        for (const Sample &sample : samples)
+        {
+            if (sample.time > 0.7 && sample.time < middle - 0.001)
+            {
+                ASSERT_NEAR(sample.wished.z(), 4 * radius * k, 1e-9) << sample.time;
+            }
+            if (sample.time > middle + 0.0035)
+            {
+                ASSERT_TRUE(sample.wished.isZero(0)) << sample.time << ": " << sample.wished.transpose();
+            }
+        }
+    }
+
+    const OdeMesh mesh_{sheet_mesh(0.4, 8)};
+    dGeomID geom_ = mesh_.add_to(world_.space);
+};
+
+TEST_P(ContactEndTest, DestroyedGeomsAreLetGo)
+{
+    expect_end_by([&] { dGeomDestroy(geom_); });
+}
+
+TEST_P(ContactEndTest, DisabledGeomsAreLetGo)
+{
+    expect_end_by([&] { dGeomDisable(geom_); });
+}
+
+TEST_P(ContactEndTest, GeomsThatAreFilteredOutAreLetGo)
+{
+    expect_end_by([&] {
+        dGeomSetCategoryBits(geom_, 0);
+        dGeomSetCollideBits(geom_, 0);
+    });
+}
+
+TEST_P(ContactEndTest, GeomsThatAreTakenOutOfTheSpaceAreLetGo)
+{
+    expect_end_by([&] { dSpaceRemove(world_.space, geom_); });
+    dGeomDestroy(geom_);
+}
+
+TEST_P(ContactEndTest, GeomsThatArePutFarAwayAreLetGo)
+{
+    expect_end_by([&] { dGeomSetPosition(geom_, 0, 0, 5); });
+}
+
+TEST_P(ContactEndTest, AMeshWithOtherDataIsLetGo)
+{
+    MeshShape shape = sheet_mesh(0.4, 8);
+    for (Vector3 &vertex : shape.vertices)
+        vertex.z() -= 0.08;
+    const OdeMesh other(shape);
+    expect_end_by([&] { dGeomTriMeshSetData(geom_, other.data()); });
+    dGeomDestroy(geom_);
+}
+
+TEST_P(ContactEndTest, AMeshWhoseDataIsBuiltAnewIsLetGo)
+{
+    MeshShape shape = sheet_mesh(0.4, 8);
+    for (Vector3 &vertex : shape.vertices)
+        vertex.z() -= 0.08;
+    OdeMesh mesh(sheet_mesh(0.4, 8));
+    dGeomDestroy(geom_);
+    geom_ = mesh.add_to(world_.space);
+    expect_end_by([&] {
+        mesh.set(shape);
+        dGeomTriMeshSetData(geom_, mesh.data());
+    });
+    dGeomDestroy(geom_);
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, ContactEndTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
+
+class SeveralPlanesTest : public ContactTest
+{
+protected:
+    using Samples = std::vector<Sample>;
+
+    void expect_equal(const Samples &one, const Samples &other, double tolerance) const
+    {
+        const std::size_t count = std::min(one.size(), other.size());
+        ASSERT_NEAR(static_cast<double>(one.size()), static_cast<double>(other.size()), 1) << "where they end";
+        double most = 0;
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            most = std::max(most, one[i].wished.norm());
+            ASSERT_LE((one[i].wished - other[i].wished).norm(), tolerance)
+                << one[i].time << " at " << one[i].tool.transpose() << ": " << one[i].wished.transpose() << " and "
+                << other[i].wished.transpose();
+        }
+        EXPECT_GT(most, 1);
+    }
+};
+
+/// The inner corner at the origin: a floor and a wall, as one mesh.
+MeshShape corner_mesh()
+{
+    MeshShape shape;
+    shape.add_quad({0, -0.2, 0}, {0.4, -0.2, 0}, {0.4, 0.2, 0}, {0, 0.2, 0});
+    shape.add_quad({0, -0.2, 0}, {0, 0.2, 0}, {0, 0.2, 0.4}, {0, -0.2, 0.4});
+    return shape;
+}
+
+/// Down to 4 mm in the floor, then to 4.1 mm in the wall and along it.
+Vector3 into_the_corner(double t)
+{
+    const Vector3 above(0.03, 0, 0.03), floor(0.03, 0, radius - 0.004), corner(radius - 0.0041, 0, radius - 0.004);
+    const Vector3 along = corner + Vector3(0, 0.05, 0);
+    return t < 0.4 ? between(above, floor, 0.1, 0.2, t)
+                   : (t < 0.8 ? between(floor, corner, 0.4, 0.3, t) : between(corner, along, 0.8, 0.3, t));
+}
+
+TEST_P(SeveralPlanesTest, AMeshCornerFeelsLikeTwoBoxes)
+{
+    Samples of_mesh;
+    {
+        const OdeMesh mesh(corner_mesh());
+        const dGeomID geom = mesh.add_to(world_.space);
+        of_mesh = run(&into_the_corner, 1.2);
+        dGeomDestroy(geom);
+    }
+    world_.add_box({0.4, 0.4, 0.2}, {0.2, 0, -0.1});
+    world_.add_box({0.2, 0.4, 0.4}, {-0.1, 0, 0.2});
+    clock_.advance(1);
+    const Samples of_boxes = run(&into_the_corner, 1.2);
+    expect_equal(of_mesh, of_boxes, 1e-6);
+    EXPECT_LE((of_mesh.back().wished - Vector3(2.05, 0, 2)).norm(), 1e-6) << of_mesh.back().wished.transpose();
+}
+
+TEST_P(SeveralPlanesTest, AUChannelOfOneBodyFeelsLikeThreeBoxes)
+{
+    const Vector3 sides[] = {{0.4, 0.4, 0.2}, {0.2, 0.4, 0.4}, {0.2, 0.4, 0.4}};
+    const Vector3 places[] = {{0, 0, -0.1}, {-0.109, 0, 0.2}, {0.109, 0, 0.2}}; // the gap is 18 mm, less than the probe
+    const auto path = [](double t) {
+        return t < 0.5 ? between({0, 0, 0.45}, {0, 0, radius - 0.003}, 0.1, 0.3, t)
+                       : between({0, 0, radius - 0.003}, {0.002, 0.03, radius - 0.004}, 0.5, 0.3, t);
+    };
+    std::vector<dGeomID> geoms;
+    const auto add_boxes = [&] {
+        geoms.clear();
+        for (int i = 0; i < 3; ++i)
+            geoms.push_back(
+                world_.add_box(sides[i], places[i] + Vector3(i == 1 ? -0.002 : (i == 2 ? 0.002 : 0), 0, 0)));
+    };
+    add_boxes();
+    const Samples of_boxes = run(path, 1);
+    const dBodyID body = world_.add_body({0, 0, 0}, 1e9);
+    dBodySetKinematic(body);
+    for (const dGeomID geom : geoms)
+    {
+        const dReal *place = dGeomGetPosition(geom);
+        const Vector3 offset(place[0], place[1], place[2]);
+        dGeomSetBody(geom, body);
+        dGeomSetOffsetPosition(geom, offset.x(), offset.y(), offset.z());
+    }
+    clock_.advance(1);
+    const Samples of_body = run(path, 1);
+    expect_equal(of_boxes, of_body, 1e-6);
+}
+
+TEST_P(SeveralPlanesTest, AWallOfOneBodyDoesNotTakeTheFloorAway)
+{
+    const dBodyID body = world_.add_body({0, 0, 0}, 1e9);
+    dBodySetKinematic(body);
+    const dGeomID floor = world_.add_box({0.4, 0.4, 0.2}, {0, 0, 0});
+    const dGeomID wall = world_.add_box({0.2, 0.4, 0.4}, {0, 0, 0});
+    dGeomSetBody(floor, body);
+    dGeomSetOffsetPosition(floor, 0.2, 0, -0.1);
+    dGeomSetBody(wall, body);
+    dGeomSetOffsetPosition(wall, -0.1, 0, 0.2);
+    const Samples samples = run(&into_the_corner, 1.2);
+    EXPECT_LE((samples.back().wished - Vector3(2.05, 0, 2)).norm(), 1e-6) << samples.back().wished.transpose();
+    Vector3 before = Vector3::Zero();
+    for (const Sample &sample : samples)
+    {
+        ASSERT_LE((sample.wished - before).norm(), 0.2) << sample.time;
+        before = sample.wished;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, SeveralPlanesTest, testing::Combine(testing::Bool(), testing::Bool()),
+                         contact_test_name);
+} // namespace
+} // namespace ode_predictive_space::haptics

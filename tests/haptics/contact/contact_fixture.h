@@ -1,0 +1,112 @@
+// A hand that goes along a path through a scene, and what the law wished at each tick: both laws, both kinds of loops.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_CONTACT_FIXTURE_H
+#define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_CONTACT_FIXTURE_H
+
+#include "ode_predictive_space/haptics/loop.h"
+#include "ode_predictive_space/haptics/penalty_law.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
+#include "tests/haptics/support/allocation_count.h"
+#include "tests/haptics/support/constants.h"
+#include "tests/haptics/support/mesh_maker.h"
+#include "tests/haptics/support/probe_world.h"
+#include "tests/haptics/support/scripted_device.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <memory>
+#include <string>
+#include <tuple>
+
+namespace ode_predictive_space::haptics
+{
+constexpr double k = 500; // N/m; the stiffness of both laws
+
+/// The parameters: whether the law is the proxy's, and whether the loop has two threads.
+class ContactTest : public testing::TestWithParam<std::tuple<bool, bool>>
+{
+protected:
+    struct Sample
+    {
+        double time;
+        Vector3 tool;
+        Vector3 wished;            ///< N; what the law gave
+        Vector3 proxy;             ///< m; of the proxy's law alone
+        std::uint64_t allocations; ///< from the device's read() to its write()
+    };
+
+    bool proxy_law() const { return std::get<0>(GetParam()); }
+    bool decoupled() const { return std::get<1>(GetParam()); }
+
+    /// @param advanced called after each step of the scene, with the length of the step; may be empty.
+    std::vector<Sample> run(const ScriptedDevice::Path &path, double duration,
+                            std::function<void(double)> advanced = {})
+    {
+        SurfaceProperties properties;
+        properties.stiffness = k;
+        properties.friction = friction_;
+        const auto penalty = std::make_shared<PenaltyLaw>(properties);
+        const auto proxy = std::make_shared<ProxyLaw>(properties);
+        RenderSettings rendering;
+        rendering.law = penalty;
+        if (proxy_law())
+            rendering.law = proxy;
+        ScriptedDevice device(path);
+        HapticProbe probe(device, world_.space, radius, rendering);
+        probe_ = &probe;
+        if (prepare_)
+            prepare_(probe);
+        std::vector<Sample> samples;
+        std::uint64_t allocated = 0;
+        device.before_read = [&] {
+            allocated = allocation_count();
+            if (clock_.now() > silent_from_ && clock_.now() < silent_until_)
+                throw DeviceError(DeviceFault::failed, "it cannot be read");
+        };
+        probe.set_recorder([&](const RenderedTick &tick) {
+            allocated = allocation_count() - allocated;
+            samples.push_back({tick.time, tick.tool.position, tick.wished, proxy->proxy(), allocated});
+        });
+        LoopSettings settings;
+        settings.decoupled = decoupled();
+        settings.rate = decoupled() ? 4000 : 1000;
+        settings.physics_rate = physics_rate_;
+        settings.duration = duration;
+        settings.ask_for_priority = false;
+        settings.clock = &clock_;
+        HapticLoop loop(probe, settings);
+        loop.run({[&] { world_.collide(probe); },
+                  [&](double dt) {
+                      world_.step(dt);
+                      if (advanced)
+                          advanced(dt);
+                  }});
+        probe_ = nullptr;
+        return samples;
+    }
+
+    const OdeUse ode_;
+    ProbeWorld world_;
+    SimulatedClock clock_;
+    double friction_ = 0;
+    double physics_rate_ = 1000;                 ///< Hz; of the scene, in two threads
+    std::function<void(HapticProbe &)> prepare_; ///< before it runs; may be empty
+    double silent_from_ = 0;                     ///< s; from then on the device cannot be read
+    double silent_until_ = 0;                    ///< s
+    HapticProbe *probe_ = nullptr;               ///< while it runs
+};
+
+inline std::string contact_test_name(const testing::TestParamInfo<std::tuple<bool, bool>> &parameters)
+{
+    return std::string(std::get<0>(parameters.param) ? "Proxy" : "Penalty") +
+           (std::get<1>(parameters.param) ? "InTwoThreads" : "InOneThread");
+}
+
+/// From one point to another in a time, at constant speed; the path begins and ends there.
+inline Vector3 between(const Vector3 &from, const Vector3 &to, double start, double length, double seconds)
+{
+    return from + std::clamp((seconds - start) / length, 0.0, 1.0) * (to - from);
+}
+} // namespace ode_predictive_space::haptics
+
+#endif

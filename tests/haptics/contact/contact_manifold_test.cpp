@@ -1,0 +1,121 @@
+#include "ode_predictive_space/haptics/contact/contact_manifold.h"
+
+#include "tests/haptics/support/constants.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// Ticks of a tool that rests at the origin, deep in what is touched.
+class ContactManifoldTest : public testing::Test
+{
+protected:
+    static Touch touch_of(std::uintptr_t object, double depth)
+    {
+        Touch touch;
+        touch.object = object;
+        touch.feature = 1;
+        touch.depth = depth;
+        return touch;
+    }
+
+    std::vector<Touch> tick(std::vector<Touch> touches)
+    {
+        manifold_.follow(tool_, TouchView::all_together, dt, dt, touches);
+        return touches;
+    }
+
+    ToolState tool_;
+    ContactManifold manifold_;
+};
+
+// It was felt at once, so that the force jumped.
+TEST_F(ContactManifoldTest, WhatTheToolGoesOnToFromWhatRisesRisesOn)
+{
+    tick({touch_of(1, 0.01)});
+    const Touch before = tick({touch_of(1, 0.01)})[0];
+    const Touch after = tick({touch_of(2, 0.01)})[0];
+    EXPECT_EQ(after.takes_over, before.id);
+    EXPECT_GT(after.part, before.part);
+    EXPECT_LT(after.part, 0.01);
+}
+
+// A ball that slid in for faster ones counted as one that had appeared: its force was gone for half a second.
+TEST_F(ContactManifoldTest, WhatTakesOverFromFasterOnesIsThereAtOnce)
+{
+    const auto moving = [](std::uintptr_t object, double share, double speed) {
+        Touch touch = touch_of(object, share);
+        touch.carry.share = share;
+        touch.is_solved = true;
+        touch.surface_velocity.z() = speed;
+        return touch;
+    };
+    tick({moving(1, 1e-5, -0.3)});
+    tick({moving(1, 0.002, -0.3)});
+    EXPECT_EQ(tick({moving(2, 0.0029, 0)})[0].part, 1) << "no more than three times the way of the former";
+    EXPECT_EQ(tick({moving(3, 0.004, 0)})[0].part, 0) << "the former did not move, and it is deeper";
+}
+
+// Where bodies yield, the shares of what the proxy slides on to are large at once: it counted as something that had appeared, and the force fell.
+TEST_F(ContactManifoldTest, WhatTakesOverFromSeveralOthersIsThereAtOnce)
+{
+    const auto solved = [](std::uintptr_t object, double slant, double share) {
+        Touch touch = touch_of(object, share);
+        touch.normal = {std::sin(slant), 0, std::cos(slant)};
+        touch.carry.share = share;
+        touch.is_solved = true;
+        return touch;
+    };
+    tick({solved(1, 0, 1e-5)});
+    tick({solved(1, 0, 0.002)});
+    const double slant = 80 * M_PI / 180, share = 0.001 / std::cos(slant);
+    for (const Touch &touch : tick({solved(2, slant, share), solved(3, -slant, share)}))
+        EXPECT_EQ(touch.part, 1) << "the lift is the same";
+    for (const Touch &touch : tick({solved(4, slant / 2, share), solved(5, -slant / 2, share)}))
+        EXPECT_EQ(touch.part, 0) << "the lift is another";
+}
+// Two light bodies from nearly opposite sides: the exact shares are 1,250 times the depth.
+TEST_F(ContactManifoldTest, WhatAPushMovesYieldsToWhatIsOpposite)
+{
+    Touch left = touch_of(1, 1e-5), right = touch_of(2, 1e-5);
+    left.normal = Vector3(std::cos(0.02), 0, std::sin(0.02));
+    right.normal = Vector3(-std::cos(0.02), 0, std::sin(0.02));
+    const std::vector<Touch> heavy = tick({left, right});
+    EXPECT_GT(heavy[0].carry.share, 1000 * 1e-5);
+    for (Touch *touch : {&left, &right})
+    {
+        touch->mobility = 200;
+        touch->material = Material();
+    }
+    const std::vector<Touch> light = tick({left, right});
+    for (const Touch &touch : light)
+    {
+        EXPECT_GT(touch.carry.share, 0);
+        EXPECT_LT(touch.carry.share, 20 * 1e-5);
+    }
+}
+
+// A body that moves with the next step of the scene alone gave way as if it moved within the tick: too stiff while an object rose beside it.
+TEST_F(ContactManifoldTest, ABodyThatAnswersLateYieldsByTheTimeThatItTakes)
+{
+    Touch left = touch_of(1, 1e-5), right = touch_of(2, 1e-5);
+    left.normal = Vector3(std::cos(0.02), 0, std::sin(0.02));
+    right.normal = Vector3(-std::cos(0.02), 0, std::sin(0.02));
+    for (Touch *touch : {&left, &right})
+    {
+        touch->mobility = 200;
+        touch->material = Material();
+    }
+    const double soon = tick({left, right})[0].carry.share;
+    for (Touch *touch : {&left, &right})
+        touch->response_time = 5 * dt;
+    const double late = tick({left, right})[0].carry.share;
+    EXPECT_LT(late, soon / 3);
+    EXPECT_GT(late, 0);
+}
+
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,117 @@
+// Objects that go on in one plane: the penalty law counts them once.
+
+#include "tests/haptics/contact/contact_fixture.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double depth_on_tiles = 0.005; // m
+
+class FlushTest : public ContactTest
+{
+protected:
+    void add_tiles(double step, double gap)
+    {
+        world_.add_box({0.1, 0.2, 0.1}, {-0.05 - gap / 2, 0, -0.05});
+        world_.add_box({0.1, 0.2, 0.1}, {0.05 + gap / 2, 0, -0.05 - step});
+    }
+
+    /// Down beside the seam and across it.
+    std::vector<Sample> cross()
+    {
+        const double height = radius - depth_on_tiles;
+        const Vector3 above(-0.03, 0, 0.03), in(-0.03, 0, height), beyond(0.03, 0, height);
+        return run(
+            [=](double t) { return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, beyond, 0.5, 0.6, t); },
+            1.2);
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Laws, FlushTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
+
+TEST_P(FlushTest, TwoTilesAreOneFloor)
+{
+    add_tiles(0, 0);
+    for (const Sample &sample : cross())
+    {
+        if (sample.time > 0.45)
+        {
+            ASSERT_LE((sample.wished - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
+                << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+        }
+    }
+}
+
+TEST_P(FlushTest, OverTheSeamFrictionGoesOn)
+{
+    friction_ = 0.4;
+    add_tiles(0, 0);
+    for (const Sample &sample : cross())
+    {
+        if (sample.time > 0.6 && sample.time < 1.1)
+        {
+            ASSERT_NEAR(sample.wished.z(), k * depth_on_tiles, 0.01) << sample.time;
+            ASSERT_NEAR(sample.wished.x(), -0.4 * k * depth_on_tiles, 0.01) << sample.time;
+        }
+    }
+}
+
+TEST_P(FlushTest, ATableOfSixteenTilesIsOne)
+{
+    for (int x = 0; x < 4; ++x)
+        for (int y = 0; y < 4; ++y)
+            world_.add_box({0.02, 0.02, 0.05}, {0.02 * x - 0.03, 0.02 * y - 0.03, -0.025});
+    const double height = radius - depth_on_tiles;
+    const auto samples = run(
+        [=](double t) {
+            const double turn = 8 * (t - 0.5);
+            const Vector3 in(0.015, 0, height);
+            return t < 0.5 ? between(in + Vector3(0, 0, 0.02), in, 0.1, 0.3, t)
+                           : Vector3(0.015 * std::cos(turn), 0.015 * std::sin(turn), height);
+        },
+        1.3);
+    for (const Sample &sample : samples)
+    {
+        if (sample.time > 0.45)
+        {
+            ASSERT_LE((sample.wished - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
+                << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+        }
+    }
+}
+
+// It was not felt at all while the place was within 0.02 mm of the plane: in a pit of balls, the force went on and off by half a newton.
+TEST(Flush, ABallWhoseTouchedPlaceIsInAPlaneByChanceIsFeltBesideIt)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    constexpr double ball = 0.01; // m
+    dCreatePlane(world.space, 0, 0, 1, 0);
+    const Vector3 goal(0, 0, radius - depth_on_tiles), place(0.006, 0, 0), out = (goal - place).normalized();
+    const Vector3 centre = place - ball * out;
+    dGeomSetPosition(dCreateSphere(world.space, ball), centre.x(), centre.y(), centre.z());
+    ScriptedDevice device([&](double t) { return between({0, 0, 0.03}, goal, 0.1, 0.3, t); });
+    HapticProbe probe(device, world.space, radius, with_stiffness(k));
+    world.run(probe, 600);
+    const double depth = radius - (goal - place).norm();
+    EXPECT_LE((probe.last_tick().wished - k * (depth_on_tiles * Vector3::UnitZ() + depth * out)).norm(), 1e-9);
+}
+
+TEST(Flush, AWallOnAFloorIsNotOneWithIt)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    world.add_box({0.4, 0.4, 0.1}, {0, 0, -0.05});
+    world.add_box({0.1, 0.4, 0.2}, {0.05, 0, 0.1});
+    ScriptedDevice device([](double t) {
+        return between({-0.03, 0, 0.03}, {-radius + 0.003, 0, radius - depth_on_tiles}, 0.1, 0.3, t);
+    });
+    HapticProbe probe(device, world.space, radius, with_stiffness(k));
+    world.run(probe, 600);
+    EXPECT_LE((probe.last_tick().wished - Vector3(-k * 0.003, 0, k * depth_on_tiles)).norm(), 1e-9);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

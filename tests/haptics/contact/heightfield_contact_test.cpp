@@ -1,0 +1,257 @@
+// Contact with heightfields whose samples the program has handed over. Both laws, both loops.
+
+#include "tests/haptics/contact/contact_fixture.h"
+#include "tests/haptics/contact/ridge_forces.h"
+#include "tests/haptics/support/random_numbers.h"
+
+#include "ode_predictive_space/haptics/contact/mesh_store.h"
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// A heightfield in ODE, which points up along its frame's y, and its samples.
+class OdeField
+{
+public:
+    explicit OdeField(HeightfieldSamples samples) : samples_(std::move(samples)), data_(dGeomHeightfieldDataCreate())
+    {
+        dGeomHeightfieldDataBuildDouble(data_, samples_.heights.data(), 1, samples_.width, samples_.depth,
+                                        samples_.width_samples, samples_.depth_samples, samples_.scale, samples_.offset,
+                                        0, 0);
+    }
+    ~OdeField() { dGeomHeightfieldDataDestroy(data_); }
+    OdeField(const OdeField &) = delete;
+    OdeField &operator=(const OdeField &) = delete;
+
+    /// With its y axis along the scene's z, and its x axis along x.
+    dGeomID add_upright(dSpaceID space) const
+    {
+        const dGeomID geom = dCreateHeightfield(space, data_, 1);
+        dMatrix3 turned;
+        dRFromAxisAndAngle(turned, 1, 0, 0, std::acos(0.0));
+        dGeomSetRotation(geom, turned);
+        return geom;
+    }
+
+    dHeightfieldDataID data() const { return data_; }
+    const HeightfieldSamples &samples() const { return samples_; }
+
+private:
+    HeightfieldSamples samples_;
+    dHeightfieldDataID data_;
+};
+
+/// The height is a function of x; of the frame's z it is not.
+HeightfieldSamples profile(double cell, int cells, const std::function<double(double x)> &height)
+{
+    HeightfieldSamples samples;
+    samples.width = samples.depth = cell * cells;
+    samples.width_samples = samples.depth_samples = cells + 1;
+    samples.scale = 0.5; // what is written down is twice as much, less 1
+    samples.offset = 0.5;
+    for (int z = 0; z <= cells; ++z)
+        for (int x = 0; x <= cells; ++x)
+            samples.heights.push_back(2 * (height(cell * (x - cells / 2.0)) - 0.5));
+    return samples;
+}
+
+class HeightfieldContactTest : public ContactTest
+{
+protected:
+    void use(const OdeField &field)
+    {
+        field.add_upright(world_.space);
+        prepare_ = [&field](HapticProbe &probe) { probe.sensor()->set_samples(field.data(), field.samples()); };
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Laws, HeightfieldContactTest, testing::Combine(testing::Bool(), testing::Bool()),
+                         contact_test_name);
+
+TEST_P(HeightfieldContactTest, HoldsToFiveRadii)
+{
+    const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
+    use(field);
+    const Vector3 above(0.013, 0.021, 0.03), below(0.013, 0.021, radius - 5 * radius);
+    const auto samples = run(
+        [&](double t) { return t < 1 ? between(above, below, 0.1, 0.8, t) : between(below, above, 1.1, 0.8, t); }, 2);
+    double deepest = 0;
+    for (const Sample &sample : samples)
+    {
+        const double depth = std::max(0.0, radius - sample.tool.z());
+        deepest = std::max(deepest, depth);
+        ASSERT_LE((sample.wished - Vector3(0, 0, k * depth)).norm(), 1e-6 * k * depth + 1e-9)
+            << sample.time << ": " << sample.wished.transpose();
+    }
+    EXPECT_NEAR(deepest, 5 * radius, 1e-9);
+}
+
+TEST_P(HeightfieldContactTest, ARidgeOfNinetyDegreesPushesUpwards)
+{
+    const OdeField field(profile(0.02, 20, [](double x) { return -std::abs(x); }));
+    use(field);
+    const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, radius - 0.002}, 0.1, 0.8, t); }, 1);
+    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.01 * k * 0.002)
+        << samples.back().wished.transpose();
+}
+
+TEST_P(HeightfieldContactTest, RidgesAreCrossedWithoutAJump)
+{
+    const RidgeShape ridges;
+    const OdeField field(profile(ridges.cell, 100, [&](double x) { return ridges.height(x); }));
+    use(field);
+    physics_rate_ = 100;
+    const auto samples = run(
+        [](double t) {
+            const Vector3 above(-0.08, -0.02, 0.03), in(-0.08, -0.02, radius - 0.003), end(0.08, 0.02, radius - 0.003);
+            return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.5, 0.5, t);
+        },
+        1.1);
+    expect_forces_of_ridges(samples, ridges, 500);
+}
+
+TEST_P(HeightfieldContactTest, StopsWhatFliesAtTenMetresPerSecond)
+{
+    const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
+    use(field);
+    const auto samples = run(
+        [](double t) {
+            return between({0.003, 0.001, 0.034}, {0.003, 0.001, -0.036}, 0.1, 0.007, t);
+        },
+        0.15);
+    for (const Sample &sample : samples)
+    {
+        const double depth = std::max(0.0, radius - sample.tool.z());
+        ASSERT_LE((sample.wished - Vector3(0, 0, k * depth)).norm(), 1e-6 * k) << sample.time;
+    }
+    EXPECT_NEAR(samples.back().tool.z(), -0.036, 1e-12);
+}
+
+TEST_P(HeightfieldContactTest, OtherSamplesEndTheContact)
+{
+    const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
+    use(field);
+    bool happened = false;
+    const auto samples = run(
+        [](double t) {
+            return between({0, 0, 0.03}, {0, 0, -0.02}, 0.1, 0.3, t);
+        },
+        1,
+        [&](double) {
+            if (clock_.now() > 0.7 && !happened)
+            {
+                happened = true;
+                HeightfieldSamples lower = field.samples();
+                lower.offset -= 0.05;
+                probe_->sensor()->set_samples(field.data(), lower);
+            }
+        });
+    for (const Sample &sample : samples)
+    {
+        if (sample.time > 0.5 && sample.time < 0.699)
+        {
+            ASSERT_NEAR(sample.wished.z(), k * 0.03, 1e-9) << sample.time;
+        }
+        if (sample.time > 0.705)
+        {
+            ASSERT_TRUE(sample.wished.isZero(0)) << sample.time;
+        }
+    }
+}
+
+/// Without its samples, and again when they are forgotten.
+TEST(HeightfieldContact, WithoutSamplesItIsWhatOdeSays)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
+    field.add_upright(world.space);
+    ScriptedDevice device([](double seconds) { return Vector3(0.003, 0.001, seconds > 0 ? 0.006 : 0.011); });
+    HapticProbe probe(device, world.space, radius, RenderSettings());
+    world.run(probe, 1); // outside of it
+    const auto is_held = [&] {
+        world.run(probe, 1);
+        return !probe.touches().empty() && probe.touches().front().from_entry_side;
+    };
+    EXPECT_FALSE(is_held());
+    EXPECT_NEAR(probe.touches().at(0).depth, 0.004, 1e-6);
+    probe.sensor()->set_samples(field.data(), field.samples());
+    EXPECT_TRUE(is_held());
+    EXPECT_NEAR(probe.touches().at(0).depth, 0.004, 1e-12);
+    probe.sensor()->forget_samples(field.data());
+    EXPECT_FALSE(is_held());
+}
+
+TEST(HeightfieldContact, AFieldThatCannotBePlacedIsHeldWhereItIs)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
+    dCreateHeightfield(world.space, field.data(), 0);
+    ScriptedDevice device([](double t) { return between({0, 0.03, 0}, {0, -0.04, 0}, 0.1, 0.3, t); });
+    HapticProbe probe(device, world.space, radius, RenderSettings());
+    probe.sensor()->set_samples(field.data(), field.samples());
+    world.run(probe, 500);
+    EXPECT_NEAR(probe.last_tick().wished.y(), 0.05 * 500, 1e-9);
+}
+
+TEST(HeightfieldContact, SamplesThatMakeNoFieldAreRefused)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    TouchSensor sensor(world.space, radius);
+    const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
+    HeightfieldSamples samples = field.samples();
+    samples.heights.pop_back();
+    EXPECT_THROW(sensor.set_samples(field.data(), samples), std::invalid_argument);
+    samples = field.samples();
+    samples.width = 0;
+    EXPECT_THROW(sensor.set_samples(field.data(), samples), std::invalid_argument);
+    samples = field.samples();
+    samples.width_samples = 1;
+    samples.heights.resize(static_cast<std::size_t>(samples.depth_samples));
+    EXPECT_THROW(sensor.set_samples(field.data(), samples), std::invalid_argument);
+}
+
+/// Rays tell where ODE has the surface: rows, columns and diagonals of the cells.
+TEST(HeightfieldContact, TheSurfaceIsWhereOdeHasIt)
+{
+    const OdeUse ode;
+    RandomNumbers random(7);
+    HeightfieldSamples samples;
+    samples.width = 0.6;
+    samples.depth = 0.4;
+    samples.width_samples = 7;
+    samples.depth_samples = 9;
+    samples.scale = 0.3;
+    samples.offset = -0.1;
+    for (int i = 0; i < 7 * 9; ++i)
+        samples.heights.push_back(random.in_cube(0.2).x());
+    const OdeField field(samples);
+    const dGeomID geom = dCreateHeightfield(nullptr, field.data(), 1);
+    MeshStore store;
+    store.set_samples(field.data(), samples);
+    const auto tree = store.tree_of(geom, {});
+    ASSERT_TRUE(tree);
+    EXPECT_EQ(tree->count(), 2u * 6 * 8);
+    const dGeomID ray = dCreateRay(nullptr, 4);
+    int hits = 0;
+    for (int i = 0; i < 1000; ++i)
+    {
+        const Vector3 place = random.in_cube(0.5);
+        dGeomRaySet(ray, 0.58 * place.x(), 2, 0.38 * place.z(), 0, -1, 0);
+        dContactGeom contact;
+        if (dCollide(ray, geom, 1, &contact, sizeof contact) == 1)
+        {
+            ++hits;
+            SurfaceFeatures features;
+            EXPECT_LE(tree->collect({contact.pos[0], contact.pos[1], contact.pos[2]}, 1, features), 1e-6);
+        }
+    }
+    EXPECT_GT(hits, 900);
+    dGeomDestroy(ray);
+    dGeomDestroy(geom);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,394 @@
+// Contact that holds: a sphere that is pressed deep into thin, sharp, fast and moving things. Both laws, both loops.
+
+#include "ode_predictive_space/haptics/contact/mesh_tree.h"
+#include "tests/haptics/contact/contact_fixture.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+class HeldContactTest : public ContactTest
+{
+protected:
+    /// Pressed along -z to 5 radii at a place of a surface whose highest point is at z = 0, and drawn out again.
+    void expect_spring_to_five_radii(double x, double y, double tolerance)
+    {
+        const Vector3 above(x, y, 0.03), below(x, y, radius - 5 * radius);
+        const auto samples = run(
+            [&](double t) { return t < 1 ? between(above, below, 0.1, 0.8, t) : between(below, above, 1.1, 0.8, t); },
+            2);
+        double deepest = 0;
+        for (const Sample &sample : samples)
+        {
+            const double depth = std::max(0.0, radius - sample.tool.z());
+            deepest = std::max(deepest, depth);
+            ASSERT_LE((sample.wished - Vector3(0, 0, k * depth)).norm(), tolerance * k * depth + 1e-9)
+                << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+        }
+        EXPECT_NEAR(deepest, 5 * radius, 1e-9);
+    }
+
+    /// Flies at 10 m/s along x through something whose front is at x = 0, after a rest.
+    void expect_stopped_at_front()
+    {
+        const auto samples = run([](double t) { return between({-0.034, 0, 0}, {0.036, 0, 0}, 0.1, 0.007, t); }, 0.15);
+        for (const Sample &sample : samples)
+        {
+            const double depth = std::max(0.0, sample.tool.x() + radius);
+            ASSERT_LE((sample.wished - Vector3(-k * depth, 0, 0)).norm(), 1e-6 * k)
+                << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+            if (proxy_law())
+            {
+                ASSERT_LE(sample.proxy.x(), -radius + 1e-9) << sample.time;
+            }
+        }
+        EXPECT_NEAR(samples.back().tool.x(), 0.036, 1e-12);
+    }
+};
+
+TEST_P(HeldContactTest, ASheetHoldsToFiveRadii)
+{
+    const OdeMesh mesh(sheet_mesh(0.4, 8));
+    mesh.add_to(world_.space);
+    expect_spring_to_five_radii(0.013, 0.021, 1e-6);
+}
+
+TEST_P(HeldContactTest, ASlabOfFiveMillimetresDoesNotPullThrough)
+{
+    const OdeMesh mesh(box_mesh({-0.2, -0.2, -0.005}, {0.2, 0.2, 0}));
+    mesh.add_to(world_.space);
+    expect_spring_to_five_radii(0.013, 0.021, 1e-6);
+}
+
+TEST_P(HeldContactTest, ASphereMeshHoldsToFiveRadii)
+{
+    const OdeMesh mesh(sphere_mesh(0.3, 96));
+    dGeomSetPosition(mesh.add_to(world_.space), 0, 0, -0.3);
+    expect_spring_to_five_radii(0, 0, 0.01);
+}
+
+TEST_P(HeldContactTest, AThinBoxHoldsToFiveRadii)
+{
+    world_.add_box({0.4, 0.4, 0.001}, {0, 0, -0.0005});
+    expect_spring_to_five_radii(0.013, 0.021, 1e-6);
+}
+
+TEST_P(HeldContactTest, AThinLyingCylinderHoldsToFiveRadii)
+{
+    dGeomSetPosition(dCreateCylinder(world_.space, 0.2, 0.001), 0, 0, -0.0005);
+    expect_spring_to_five_radii(0.013, 0.021, 1e-6);
+}
+
+TEST_P(HeldContactTest, ASphereHoldsToFiveRadii)
+{
+    dGeomSetPosition(dCreateSphere(world_.space, 0.03), 0, 0, -0.03); // its centre is at 3 radii
+    const auto samples = run(
+        [](double t) {
+            return between({0, 0, 0.03}, {0, 0, radius - 3.9 * radius}, 0.1, 0.8, t);
+        },
+        1);
+    EXPECT_NEAR(samples.back().wished.z(), k * 3.9 * radius, 1e-6 * k);
+}
+
+TEST_P(HeldContactTest, ACapsuleHolds)
+{
+    const dGeomID capsule = dCreateCapsule(world_.space, 0.002, 0.3);
+    dMatrix3 lying;
+    dRFromAxisAndAngle(lying, 1, 0, 0, std::acos(0.0));
+    dGeomSetRotation(capsule, lying);
+    dGeomSetPosition(capsule, 0, 0, -0.002);
+    const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, -0.001}, 0.1, 0.8, t); }, 1);
+    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 1.1 * radius)).norm(), 1e-6 * k)
+        << samples.back().wished.transpose();
+}
+
+TEST_P(HeldContactTest, APlaneHoldsToFiveRadii)
+{
+    dCreatePlane(world_.space, 0, 0, 1, 0);
+    expect_spring_to_five_radii(0.013, 0.021, 1e-9);
+}
+
+TEST_P(HeldContactTest, ARidgeOfNinetyDegreesPushesUpwards)
+{
+    const OdeMesh mesh(roof_mesh(45));
+    mesh.add_to(world_.space);
+    const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, radius - 0.002}, 0.1, 0.8, t); }, 1);
+    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.01 * k * 0.002)
+        << samples.back().wished.transpose();
+}
+
+TEST_P(HeldContactTest, ARoofOfThirtyDegreesIsCrossedWithoutAJump)
+{
+    const OdeMesh mesh(roof_mesh(30));
+    mesh.add_to(world_.space);
+    const double height = 0.005; // the force is 2.5 N at the ridge
+    const auto samples = run(
+        [&](double t) {
+            return t < 0.5 ? between({-0.004, 0, 0.03}, {-0.004, 0, height}, 0.1, 0.3, t)
+                           : between({-0.004, 0, height}, {0.004, 0, height}, 0.5, 0.4, t);
+        },
+        1);
+    const Vector3 slope = Vector3(0.5, 0, std::sqrt(0.75));
+    Vector3 before = Vector3::Zero();
+    for (const Sample &sample : samples)
+    {
+        // Within 30 degrees of straight above the ridge, that is the nearest; else a slope.
+        Vector3 normal(0, 0, 1);
+        const Vector3 tool(sample.tool.x(), 0, sample.tool.z());
+        double distance = tool.norm();
+        normal = tool.normalized();
+        if (std::abs(tool.x()) > tool.z() * std::tan(std::acos(-1.0) / 6))
+        {
+            normal = slope.cwiseProduct(Vector3(tool.x() < 0 ? -1 : 1, 1, 1));
+            distance = normal.dot(tool);
+        }
+        const Vector3 truth = k * std::max(0.0, radius - distance) * normal;
+        ASSERT_LE((sample.wished - truth).norm(), 0.01 * 2.5) << sample.time << ": " << sample.wished.transpose();
+        ASSERT_LE((sample.wished - before).norm(), 0.06) << sample.time; // 0.1 mm of motion at most, 500 N/m
+        before = sample.wished;
+    }
+    EXPECT_NEAR(before.z(), 2.5, 1);
+}
+
+TEST_P(HeldContactTest, AThinBoxStopsWhatFliesAtTenMetresPerSecond)
+{
+    world_.add_box({0.001, 0.4, 0.4}, {0.0005, 0, 0});
+    expect_stopped_at_front();
+}
+
+TEST_P(HeldContactTest, AThinBoxThatIsTurnedStopsWhatFliesAtTenMetresPerSecond)
+{
+    const dGeomID box = world_.add_box({0.4, 0.4, 0.001}, {0.0005, 0, 0});
+    dMatrix3 standing;
+    dRFromAxisAndAngle(standing, 0, 1, 0, std::acos(0.0));
+    dGeomSetRotation(box, standing);
+    expect_stopped_at_front();
+}
+
+TEST_P(HeldContactTest, AThinDiscStopsWhatFliesAtTenMetresPerSecond)
+{
+    const dGeomID disc = dCreateCylinder(world_.space, 0.2, 0.001);
+    dMatrix3 standing;
+    dRFromAxisAndAngle(standing, 0, 1, 0, std::acos(0.0));
+    dGeomSetRotation(disc, standing);
+    dGeomSetPosition(disc, 0.0005, 0, 0);
+    expect_stopped_at_front();
+}
+
+TEST_P(HeldContactTest, AWireCannotBePassedAtTenMetresPerSecond)
+{
+    dGeomSetPosition(dCreateCapsule(world_.space, 0.0005, 0.4), 0.0005, 0, 0); // along z
+    expect_stopped_at_front();
+}
+
+TEST_P(HeldContactTest, AThinMeshStopsWhatFliesAtTenMetresPerSecond)
+{
+    const OdeMesh mesh(box_mesh({0, -0.2, -0.2}, {0.001, 0.2, 0.2}));
+    mesh.add_to(world_.space);
+    expect_stopped_at_front();
+}
+
+TEST_P(HeldContactTest, AMeshThatMovesAndTurnsHoldsOnItsWay)
+{
+    const OdeMesh mesh(box_mesh({-0.3, -0.3, -0.005}, {0.3, 0.3, 0}));
+    const dBodyID body = world_.add_body({0, 0, 0}, 1);
+    dBodySetKinematic(body);
+    const dGeomID geom = mesh.add_to(world_.space);
+    dGeomSetBody(geom, body);
+    dBodySetLinearVel(body, 0.02, -0.03, 0.04);
+    dBodySetAngularVel(body, 0.3, -0.2, 0.5);
+    const Vector3 place(0.03, 0.02, 0.02);
+    int compared = 0;
+    const auto body_pose = [&](double t) {
+        const dReal *q = dBodyGetQuaternion(body);
+        return std::make_tuple(
+            t, Quaternion(q[0], q[1], q[2], q[3]),
+            Vector3(dBodyGetPosition(body)[0], dBodyGetPosition(body)[1], dBodyGetPosition(body)[2]));
+    };
+    std::vector<std::tuple<double, Quaternion, Vector3>> poses = {body_pose(0)};
+    const auto samples =
+        run([&](double) { return place; }, 1, [&](double) { poses.push_back(body_pose(poses.size() * 0.001)); });
+    for (const Sample &sample : samples)
+    {
+        const auto &[time, turn, position] = poses.at(static_cast<std::size_t>(sample.time / 0.001 + 1e-6));
+        const double late = sample.time - time;
+        const Vector3 normal = turn * Vector3::UnitZ();
+        // How the plane moves within a step.
+        const Vector3 foot = sample.tool - normal * normal.dot(sample.tool - position);
+        const Vector3 velocity = Vector3(0.02, -0.03, 0.04) + Vector3(0.3, -0.2, 0.5).cross(foot - position);
+        const double depth = radius - normal.dot(sample.tool - position) + late * normal.dot(velocity);
+        const Vector3 truth = k * std::max(0.0, depth) * normal;
+        ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 0.02)
+            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
+        compared += depth > 2 * radius ? 1 : 0;
+    }
+    EXPECT_GT(compared, 100);
+}
+
+TEST(HeldContact, HoldsInAnySpaceAndInASpaceWithinIt)
+{
+    const OdeUse ode;
+    for (const SpaceChoice choice : all_space_choices)
+    {
+        for (const bool nested : {false, true})
+        {
+            ProbeWorld world(choice);
+            const OdeMesh mesh(sheet_mesh(0.4, 8));
+            mesh.add_to(nested ? make_space(choice, world.space) : world.space);
+            ScriptedDevice device([](double t) {
+                return between({0.01, 0.02, 0.03}, {0.01, 0.02, -4 * radius}, 0.1, 0.5, t);
+            });
+            HapticProbe probe(device, world.space, radius, RenderSettings());
+            world.run(probe, 700);
+            EXPECT_NEAR(probe.last_tick().wished.z(), 5 * radius * 500, 1e-9)
+                << static_cast<int>(choice) << ' ' << nested;
+        }
+    }
+}
+
+/// Triangles turned over, there twice, without area, in a sheet of cells of 1 cm.
+MeshShape untidy_sheet()
+{
+    MeshShape shape = sheet_mesh(0.2, 20);
+    const std::size_t count = shape.triangles.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        auto &triangle = shape.triangles[i];
+        if (i % 3 == 0)
+            std::swap(triangle[0], triangle[1]);
+        if (i % 5 == 0)
+        {
+            const auto twin = triangle;
+            shape.triangles.push_back(twin);
+        }
+        if (i % 7 == 0)
+        {
+            const auto corners = shape.triangles[i];
+            shape.triangles.push_back({corners[0], corners[0], corners[1]});
+            shape.triangles.push_back({corners[2], corners[2], corners[2]});
+        }
+    }
+    return shape;
+}
+
+TEST_P(HeldContactTest, AnUntidySheetIsAsFlatAsATidyOne)
+{
+    const OdeMesh mesh(untidy_sheet());
+    mesh.add_to(world_.space);
+    const auto samples = run(
+        [](double t) {
+            return t < 0.5 ? between({-0.05, -0.03, 0.03}, {-0.05, -0.03, -0.02}, 0.1, 0.3, t)
+                           : between({-0.05, -0.03, -0.02}, {0.05, 0.04, -0.02}, 0.5, 1, t);
+        },
+        1.6);
+    for (const Sample &sample : samples)
+    {
+        const double depth = std::max(0.0, radius - sample.tool.z());
+        ASSERT_LE((sample.wished - Vector3(0, 0, k * depth)).norm(), 1e-3 * k * depth + 1e-9)
+            << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+    }
+}
+
+MeshShape sheet_with_a_hole(int hole)
+{
+    MeshShape shape = sheet_mesh(0.2, 20), rest = shape;
+    rest.triangles.clear();
+    for (std::size_t i = 0; i < shape.triangles.size(); ++i)
+    {
+        const int x = static_cast<int>(i / 2 % 20), y = static_cast<int>(i / 40);
+        const int first = 10 - hole / 2;
+        if (x < first || x >= first + hole || y < first || y >= first + hole)
+            rest.triangles.push_back(shape.triangles[i]);
+    }
+    return rest;
+}
+
+TEST_P(HeldContactTest, AHoleThatIsLargeEnoughLetsTheProbeThrough)
+{
+    const OdeMesh mesh(sheet_with_a_hole(4));
+    mesh.add_to(world_.space);
+    const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, -0.05}, 0.1, 0.8, t); }, 1);
+    for (const Sample &sample : samples)
+        ASSERT_TRUE(sample.wished.isZero(0)) << sample.time;
+}
+
+TEST_P(HeldContactTest, AHoleThatIsTooSmallCarriesTheProbeByItsRim)
+{
+    const OdeMesh mesh(sheet_with_a_hole(1)); // from 0 to 1 cm in x and in y
+    mesh.add_to(world_.space);
+    const Vector3 middle(0.005, 0.005, 0);
+    const double resting = std::sqrt(radius * radius - 0.005 * 0.005); // the height at which it lies on the four edges
+    const auto samples = run(
+        [&](double t) { return between(middle + Vector3(0, 0, 0.03), middle - Vector3(0, 0, 0.02), 0.1, 0.8, t); }, 1);
+    if (proxy_law())
+    {
+        EXPECT_LE((samples.back().wished - Vector3(0, 0, k * (resting + 0.02))).norm(), 0.01 * k * (resting + 0.02))
+            << samples.back().wished.transpose();
+    }
+    EXPECT_GT(samples.back().wished.z(), 0.9 * k * (resting + 0.02)) << "it never falls through";
+}
+
+/// A sheet of waves, and its triangles.
+MeshShape waves(double height)
+{
+    MeshShape shape = sheet_mesh(0.5, 150);
+    for (Vector3 &vertex : shape.vertices)
+        vertex.z() = height * std::sin(150 * vertex.x()) * std::cos(120 * vertex.y());
+    return shape;
+}
+
+/// At 0.5 m/s, at a height.
+ScriptedDevice::Path over_the_waves(double height)
+{
+    return [height](double t) {
+        const double x = t < 0.5 ? -0.2 : -0.2 + 0.5 * (t - 0.5);
+        const double down = std::clamp((t - 0.1) / 0.3, 0.0, 1.0);
+        return Vector3(x, 0.013 + 0.05 * std::sin(20 * (x + 0.2)), 0.03 + down * (height - 0.03));
+    };
+}
+
+TEST_P(HeldContactTest, WavesAreFeltAsTheyAre)
+{
+    const MeshShape shape = waves(0.001);
+    const OdeMesh mesh(shape);
+    mesh.add_to(world_.space);
+    std::vector<TriangleCorners> triangles;
+    for (const auto &indices : shape.triangles)
+        triangles.push_back({shape.vertices[indices[0]], shape.vertices[indices[1]], shape.vertices[indices[2]]});
+    const MeshTree tree(triangles);
+    const auto samples = run(over_the_waves(0.005), 1.2);
+    for (const Sample &sample : samples)
+    {
+        SurfaceFeatures features;
+        if (sample.time < 0.45)
+            continue;
+        const double distance = tree.collect(sample.tool, radius, features); // no valley is as narrow as the probe
+        const auto nearest =
+            std::min_element(features.begin(), features.end(),
+                             [](const SurfaceFeature &a, const SurfaceFeature &b) { return a.distance < b.distance; });
+        ASSERT_NE(nearest, features.end());
+        const Vector3 truth = k * (radius - distance) * nearest->normal;
+        ASSERT_NEAR(sample.wished.norm(), truth.norm(), (decoupled() ? 0.02 : 0.01) * truth.norm()) << sample.time;
+        // Two faces that form a valley of up to 4 degrees push together; the nearest of them is one.
+        ASSERT_LE((sample.wished - truth).norm(), (decoupled() ? 0.1 : 0.07) * truth.norm())
+            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
+    }
+}
+
+TEST_P(HeldContactTest, DeepBelowWavesNothingIsLost)
+{
+    const OdeMesh mesh(waves(0.004));
+    mesh.add_to(world_.space);
+    const auto samples = run(over_the_waves(-0.04), 1.2);
+    for (const Sample &sample : samples)
+        if (sample.time > 0.45)
+        {
+            ASSERT_GT(sample.wished.z(), 0.7 * k * 0.05) << sample.time << ": " << sample.wished.transpose();
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, HeldContactTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
+} // namespace
+} // namespace ode_predictive_space::haptics

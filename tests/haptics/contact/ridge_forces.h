@@ -1,0 +1,31 @@
+// The forces of a slide over ridges, against the truth about them.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_RIDGE_FORCES_H
+#define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_RIDGE_FORCES_H
+
+#include "tests/haptics/contact/contact_fixture.h"
+#include "tests/haptics/support/ridges.h"
+
+namespace ode_predictive_space::haptics
+{
+/// Each force within 1 % of the truth.
+///
+/// @param samples of a run of a ContactTest.
+/// @param least_felt so many samples with more than 0.5 N are expected.
+template <typename Samples>
+void expect_forces_of_ridges(const Samples &samples, const RidgeShape &ridges, double least_felt)
+{
+    ProxyAboveRidges proxy(ridges, radius, samples.front().tool.x());
+    int felt = 0;
+    for (const auto &sample : samples)
+    {
+        const Vector3 truth = k * (proxy.follow(sample.tool) - sample.tool);
+        ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 1e-6)
+            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
+        felt += truth.norm() > 0.5 ? 1 : 0;
+    }
+    EXPECT_GT(felt, least_felt);
+}
+} // namespace ode_predictive_space::haptics
+
+#endif

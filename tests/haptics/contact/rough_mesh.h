@@ -1,0 +1,56 @@
+// A mesh as rough as a scan: waves of many lengths, and the noise of a scanner on each vertex.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_ROUGH_MESH_H
+#define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_ROUGH_MESH_H
+
+#include "tests/haptics/support/mesh_maker.h"
+#include "tests/haptics/support/random_numbers.h"
+
+namespace ode_predictive_space::haptics
+{
+/// A sheet about the origin, as high as its waves: each octave is half as long as the one before and two thirds as high, down to a few
+/// cells. So there are ridges of all sizes, and overhangs of none.
+///
+/// @param side m. @param cells along each side. @param height m; of the longest wave. @param noise m; of each vertex.
+inline MeshShape rough_sheet(double side, int cells, double height, double noise, unsigned seed)
+{
+    RandomNumbers random(seed);
+    MeshShape shape = sheet_mesh(side, cells);
+    for (double length = side / 4, high = height; length > 3 * side / cells; length /= 2, high *= 2.0 / 3)
+    {
+        for (int wave = 0; wave < 3; ++wave)
+        {
+            const double turn = random.between(0, 2 * M_PI);
+            const double phase = random.between(0, 2 * M_PI);
+            const Vector3 along = 2 * M_PI / length * Vector3(std::cos(turn), std::sin(turn), 0);
+            for (Vector3 &vertex : shape.vertices)
+                vertex.z() += high / 3 * std::sin(along.dot(vertex) + phase);
+        }
+    }
+    for (Vector3 &vertex : shape.vertices)
+        vertex += random.in_cube(noise);
+    return shape;
+}
+
+/// A closed ball of some 2 n^2 triangles about the origin, with ridges and hollows of all sizes.
+///
+/// @param mean m; its mean radius. @param rings n, between the poles. @param roughness of its radius. @param noise m; of each vertex.
+inline MeshShape rough_ball(double mean, int rings, double roughness, double noise, unsigned seed)
+{
+    RandomNumbers random(seed);
+    MeshShape shape = sphere_mesh(mean, 2 * rings);
+    std::vector<double> heights(shape.vertices.size(), 0);
+    for (double waves = 3, high = roughness; waves < rings / 4.0; waves *= 1.5, high *= 0.7)
+    {
+        const Vector3 along = waves / mean * random.direction();
+        const double phase = random.between(0, 2 * M_PI);
+        for (std::size_t i = 0; i < heights.size(); ++i)
+            heights[i] += high * std::sin(along.dot(shape.vertices[i]) + phase);
+    }
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        shape.vertices[i] += heights[i] * shape.vertices[i] + random.in_cube(noise);
+    return shape;
+}
+} // namespace ode_predictive_space::haptics
+
+#endif

@@ -1,0 +1,133 @@
+// The contact of a servo between two steps of a slow scene: the surface as it is, not a plane. Both laws.
+
+#include "tests/haptics/contact/contact_fixture.h"
+#include "tests/haptics/contact/ridge_forces.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+constexpr double servo_rate = 4000; // Hz
+
+class ServoContactTest : public ContactTest
+{
+protected:
+    ServoContactTest() { physics_rate_ = 100; }
+};
+
+INSTANTIATE_TEST_SUITE_P(Laws, ServoContactTest, testing::Combine(testing::Bool(), testing::Values(true)),
+                         contact_test_name);
+
+/// Down to 3 mm in the ridges, then over them at 0.5 m/s, at an angle.
+Vector3 over_the_ridges(double t)
+{
+    const Vector3 above(-0.2, -0.05, 0.03), in(-0.2, -0.05, radius - 0.003), end(0.2, 0.05, radius - 0.003);
+    return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.5, 0.8, t);
+}
+
+TEST_P(ServoContactTest, RidgesOfAHundredThousandTrianglesAreFeltBetweenTheStepsOfTheScene)
+{
+    const RidgeShape ridges;
+    const MeshShape shape = ridge_mesh(ridges, 250, 200);
+    ASSERT_EQ(shape.triangles.size(), 100000U);
+    const OdeMesh mesh(shape);
+    mesh.add_to(world_.space);
+    const auto samples = run(&over_the_ridges, 1.3);
+    expect_forces_of_ridges(samples, ridges, 0.8 * servo_rate);
+}
+
+TEST_P(ServoContactTest, TheServoAllocatesNothing)
+{
+    const OdeMesh mesh(ridge_mesh(RidgeShape(), 250, 200));
+    mesh.add_to(world_.space);
+    for (const Sample &sample : run(&over_the_ridges, 1.3))
+        if (sample.time > 0.6) // the law has seen a ridge and a valley
+        {
+            ASSERT_EQ(sample.allocations, 0U) << sample.time;
+        }
+}
+
+/// Two sheets, of which one lies 3 cm below the other, take turns as the data of a geom.
+TEST_P(ServoContactTest, AMeshThatGetsOtherDataIsFeltAsItIsFromTheNextStepOn)
+{
+    MeshShape shape = sheet_mesh(0.4, 8);
+    const OdeMesh upper(shape);
+    for (Vector3 &vertex : shape.vertices)
+        vertex.z() -= 0.03;
+    const OdeMesh lower(shape);
+    const dGeomID geom = upper.add_to(world_.space);
+    const double step = 1 / physics_rate_;
+    int steps = 0;
+    const double pressed = 5e-5; // m; so little that the contact may begin at once
+    const auto samples = run([&](double) { return Vector3(0.01, 0.02, radius - pressed); }, 1,
+                             [&](double) {
+                                 ++steps;
+                                 dGeomTriMeshSetData(geom, steps % 4 < 2 ? upper.data() : lower.data());
+                             });
+    int touching = 0;
+    for (const Sample &sample : samples)
+    {
+        const double since = std::fmod(sample.time + 1e-6, step);
+        if (since < 2e-6)
+            continue; // at the same time as a step
+        const bool is_upper = static_cast<int>(sample.time / step) % 4 < 2;
+        ASSERT_NEAR(sample.wished.z(), is_upper ? k * pressed : 0, 1e-9) << sample.time;
+        touching += is_upper ? 1 : 0;
+    }
+    EXPECT_GT(touching, 0.4 * servo_rate);
+}
+
+TEST_P(ServoContactTest, ADeviceThatComesBackElsewhereHasCrossedNothing)
+{
+    const OdeMesh mesh(sheet_mesh(0.4, 8));
+    mesh.add_to(world_.space);
+    silent_from_ = 0.4;
+    silent_until_ = 1.2;
+    const auto samples =
+        run([](double t) { return t < 0.8 ? Vector3(0.01, 0.02, 0.015) : Vector3(0.01, 0.02, -0.015); }, 1.5);
+    for (const Sample &sample : samples)
+        ASSERT_TRUE(sample.wished.isZero(0)) << sample.time << ": " << sample.wished.transpose();
+}
+
+TEST_P(ServoContactTest, AnEdgeThatIsPassedBetweenTwoStepsEndsTheFloor)
+{
+    world_.add_box({0.2, 0.4, 0.2}, {-0.1, 0, -0.1}); // its edge is at the origin
+    const auto path = [](double t) {
+        const Vector3 above(-0.05, 0, 0.03), in(-0.05, 0, radius - 0.003), end(0.05, 0, radius - 0.003);
+        return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.503, 0.2, t);
+    };
+    for (const Sample &sample : run(path, 0.8))
+    {
+        const Vector3 nearest(std::min(0.0, sample.tool.x()), 0, 0);
+        const double distance = (sample.tool - nearest).norm();
+        const Vector3 truth = k * std::max(0.0, radius - distance) * (sample.tool - nearest) / distance;
+        ASSERT_LE((sample.wished - truth).norm(), 1e-6) << sample.time << ": " << sample.wished.transpose();
+    }
+}
+
+TEST_P(ServoContactTest, APlateThatTurnsIsFeltWhereItIs)
+{
+    const dBodyID body = world_.add_body({0, 0, 0}, 1);
+    dBodySetKinematic(body);
+    dGeomSetBody(world_.add_box({0.6, 0.6, 0.001}, {0, 0, 0}), body);
+    dBodySetFiniteRotationMode(body, 1);
+    dBodySetAngularVel(body, 0, -1, 0); // what is at positive x rises
+    const Vector3 place(0.1, 0.02, 0.012);
+    const auto samples = run([&](double) { return place; }, 0.4);
+    int compared = 0;
+    for (const Sample &sample : samples)
+    {
+        const double angle = sample.time;
+        const Vector3 normal(-std::sin(angle), 0, std::cos(angle));
+        const double depth = radius - (normal.dot(place) - 0.0005);
+        const Vector3 truth = k * std::max(0.0, depth) * normal;
+        ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 1e-6)
+            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
+        compared += depth > radius ? 1 : 0;
+    }
+    EXPECT_GT(compared, 0.1 * servo_rate);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,97 @@
+// The cost of a tick is bounded by counts, however rough and dense a mesh is.
+
+#include "ode_predictive_space/haptics/contact/contact_tracker.h"
+#include "tests/haptics/contact/contact_fixture.h"
+#include "tests/haptics/contact/rough_mesh.h"
+#include "tests/haptics/contact/scrubbing.h"
+#include "tests/support/effort.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+class SlideBudgetTest : public testing::TestWithParam<double>
+{
+protected:
+    const OdeUse ode_;
+    ProbeWorld world_;
+};
+
+class ScrubbingTest : public testing::Test
+{
+protected:
+    const OdeUse ode_;
+    ProbeWorld world_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Radii, SlideBudgetTest, testing::Values(0.001, 0.003, 0.01),
+                         [](const auto &info) { return "Radius" + std::to_string(std::lround(1000 * info.param)); });
+
+TEST_P(SlideBudgetTest, IsKeptInEachTickOverARoughMesh)
+{
+    const OdeMesh mesh(rough_ball(scrubbed_ball, 160, 0.03, 0.0002, 1));
+    mesh.add_to(world_.space);
+    ScriptedDevice device{Scrub(GetParam())};
+    RenderSettings rendering;
+    rendering.law = std::make_shared<ProxyLaw>(Material{k});
+    HapticProbe probe(device, world_.space, GetParam(), rendering);
+    probe.sensor()->prepare_all();
+    std::size_t most = 0;
+    int felt = 0;
+    probe.set_recorder([&](const RenderedTick &tick) {
+        most = std::max(most, probe.sensor()->tracker()->visited());
+        felt += tick.wished.norm() > 0.5 ? 1 : 0;
+    });
+    constexpr int ticks = of_cases(16000);
+    world_.run(probe, ticks);
+    EXPECT_LE(most, SphereSlide::most_triangles);
+    EXPECT_GT(felt, ticks / 4);
+}
+
+/// As dense as scans are. The long test has 1.3 million triangles. Under a sanitizer, too, the hand has the time to arrive.
+TEST_F(ScrubbingTest, KeepsTheBudgetInEachTick)
+{
+    constexpr int ticks = 1500;
+    for (const int rings : {112, 250})
+    {
+        const OdeMesh mesh(scanned_ball(rings));
+        mesh.add_to(world_.space);
+        for (const double size : {0.001, 0.003, 0.01})
+        {
+            const ScrubbingResult result = scrub(world_.space, size, ticks);
+            EXPECT_LE(result.most_triangles, SphereSlide::most_triangles) << rings << " rings, " << size << " m";
+            EXPECT_GT(result.felt, ticks / 8) << rings << " rings, " << size << " m";
+        }
+        dGeomDestroy(dSpaceGetGeom(world_.space, 0));
+    }
+}
+
+/// Some 25,000 triangles are as near to the probe as its place of contact: more than one tick may visit.
+TEST_P(SlideBudgetTest, LetsTheProxyArriveOnADenseMesh)
+{
+    const double size = GetParam();
+    const OdeMesh mesh(sheet_mesh(2 * size, 300));
+    mesh.add_to(world_.space);
+    const Vector3 above(0.1 * size, 0.1 * size, 2 * size), in(0.1 * size, 0.1 * size, 0.5 * size),
+        along(0.6 * size, 0.3 * size, 0.5 * size);
+    ScriptedDevice device([=](double seconds) {
+        return seconds < 1 ? between(above, in, 0.1, 0.4, seconds) : between(in, along, 1, 0.4, seconds);
+    });
+    RenderSettings rendering;
+    rendering.law = std::make_shared<ProxyLaw>(Material{k});
+    HapticProbe probe(device, world_.space, size, rendering);
+    probe.sensor()->prepare_all();
+    std::size_t most = 0;
+    probe.set_recorder([&](const RenderedTick &) { most = std::max(most, probe.sensor()->tracker()->visited()); });
+    for (int part = 0; part < 2; ++part)
+    {
+        world_.run(probe, 1000);
+        EXPECT_LE((probe.last_tick().wished - Vector3(0, 0, 0.5 * size * k)).norm(), 1e-6) << part;
+    }
+    EXPECT_GT(most, SphereSlide::most_triangles / 8);
+    EXPECT_LE(most, SphereSlide::most_triangles);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

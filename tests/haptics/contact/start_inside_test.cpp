@@ -1,0 +1,302 @@
+// A probe that is in something through whose surface it never came: at the start, after a jump, and by what appears.
+
+#include "tests/haptics/contact/contact_fixture.h"
+
+#include <algorithm>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+const Vector3 far_away(0.02, 0.01, 1);
+
+/// A closed mesh with dents, about the origin, radius 0.1 m. Its highest place is flat enough to press on.
+MeshShape dented_mesh()
+{
+    MeshShape shape = sphere_mesh(0.1, 48);
+    for (Vector3 &vertex : shape.vertices)
+        vertex *= 1 - 0.15 * std::pow(std::sin(40 * vertex.x()) * std::sin(30 * vertex.y()), 2);
+    return shape;
+}
+
+/// With all triangles turned: a room.
+MeshShape turned(MeshShape shape)
+{
+    for (auto &triangle : shape.triangles)
+        std::swap(triangle[1], triangle[2]);
+    return shape;
+}
+
+class StartInsideTest : public ContactTest
+{
+protected:
+    using Samples = std::vector<Sample>;
+
+    /// Begins at a place, rests, goes away by 1 m until 1 s, comes back from above, and presses 2 mm into what lies below the
+    /// origin of z at 2 s.
+    static ScriptedDevice::Path out_and_back(const Vector3 &start)
+    {
+        const Vector3 above(0, 0, 0.05);
+        return [=](double t) {
+            return t < 1     ? between(start, far_away, 0.3, 0.5, t)
+                   : t < 1.5 ? between(far_away, above, 1, 0.4, t)
+                             : between(above, {0, 0, radius - 0.002}, 1.5, 0.5, t);
+        };
+    }
+
+    static void expect_nothing(const Samples &samples, double from, double to)
+    {
+        for (const Sample &sample : samples)
+        {
+            if (sample.time >= from && sample.time < to)
+            {
+                ASSERT_TRUE(sample.wished.isZero(0))
+                    << sample.time << " at " << sample.tool.transpose() << ": " << sample.wished.transpose();
+            }
+        }
+    }
+
+    void expect_felt_only_after_it_was_left(const Vector3 &start)
+    {
+        const Samples samples = run(out_and_back(start), 2.2);
+        expect_nothing(samples, 0, 1.5);
+        EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
+            << samples.back().wished.transpose();
+    }
+
+    /// Calls something once, at a time.
+    std::function<void(double)> once(double time, std::function<void()> event)
+    {
+        return [this, time, event = std::move(event), done = false](double) mutable {
+            if (!done && clock_.now() >= time)
+            {
+                done = true;
+                event();
+            }
+        };
+    }
+
+    dBodyID add_kinematic_box(const Vector3 &sides, const Vector3 &position, const Vector3 &velocity)
+    {
+        const dBodyID body = world_.add_moving_box(sides, position, 1);
+        dBodySetKinematic(body);
+        dBodySetLinearVel(body, velocity.x(), velocity.y(), velocity.z());
+        return body;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Laws, StartInsideTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
+
+// Before, the mesh held the probe from within, wherever the tool went: 450 N at 1 m.
+TEST_P(StartInsideTest, InAClosedMeshNothingOfItIsFeltUntilItWasLeft)
+{
+    const OdeMesh mesh(dented_mesh());
+    dGeomSetPosition(mesh.add_to(world_.space), 0, 0, -0.1);
+    expect_felt_only_after_it_was_left({0.01, 0.005, -0.1});
+}
+
+TEST_P(StartInsideTest, InTheSurfaceOfAClosedMeshNothingOfItIsFeltUntilItWasLeft)
+{
+    for (const double depth : {0.3 * radius, 1.5 * radius}) // of the sphere, whose middle is outside and inside
+    {
+        const OdeMesh mesh(dented_mesh());
+        const dGeomID geom = mesh.add_to(world_.space);
+        dGeomSetPosition(geom, 0, 0, -0.1);
+        expect_felt_only_after_it_was_left({0, 0, radius - depth});
+        dGeomDestroy(geom);
+    }
+}
+
+TEST_P(StartInsideTest, InAMeshWithAHoleNothingOfItIsFeltUntilItWasLeft)
+{
+    MeshShape shape = dented_mesh();
+    const auto is_low = [&](const std::array<int, 3> &triangle) { return shape.vertices[triangle[0]].z() < -0.09; };
+    shape.triangles.erase(std::remove_if(shape.triangles.begin(), shape.triangles.end(), is_low),
+                          shape.triangles.end());
+    const OdeMesh mesh(shape);
+    dGeomSetPosition(mesh.add_to(world_.space), 0, 0, -0.1);
+    expect_felt_only_after_it_was_left({0.01, 0.005, -0.1});
+}
+
+TEST_P(StartInsideTest, InASolidNothingOfItIsFeltUntilItWasLeft)
+{
+    for (const double z : {-0.05, -0.5 * radius, 0.5 * radius})
+    {
+        for (const bool is_box : {true, false})
+        {
+            const dGeomID solid =
+                is_box ? world_.add_box({0.2, 0.2, 0.1}, {0, 0, -0.05}) : dCreateSphere(world_.space, 0.1);
+            if (!is_box)
+                dGeomSetPosition(solid, 0, 0, -0.1);
+            expect_felt_only_after_it_was_left({0.01, 0.01, z});
+            dGeomDestroy(solid);
+        }
+    }
+}
+
+TEST_P(StartInsideTest, BelowAPlaneNothingOfItIsFeltUntilItWasLeft)
+{
+    dCreatePlane(world_.space, 0, 0, 1, 0);
+    expect_felt_only_after_it_was_left({0.01, 0.005, -0.3});
+}
+
+TEST_P(StartInsideTest, InWhatOnlyOdeKnowsNothingOfItIsFeltUntilItWasLeft)
+{
+    const std::vector<dReal> planes = {1, 0,  0, 0.1, -1, 0, 0, 0.1,  0, 1, 0,  0.1,
+                                       0, -1, 0, 0.1, 0,  0, 1, 0.05, 0, 0, -1, 0.05};
+    std::vector<dReal> points;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+        points.insert(points.end(), {(corner & 1) != 0 ? 0.1 : -0.1, (corner & 2) != 0 ? 0.1 : -0.1,
+                                     (corner & 4) != 0 ? 0.05 : -0.05});
+    }
+    const std::vector<unsigned> faces = {4, 1, 3, 7, 5, 4, 0, 4, 6, 2, 4, 2, 6, 7, 3,
+                                         4, 0, 1, 5, 4, 4, 4, 5, 7, 6, 4, 0, 2, 3, 1};
+    const dGeomID convex = dCreateConvex(world_.space, planes.data(), 6, points.data(), 8, faces.data());
+    dGeomSetPosition(convex, 0, 0, -0.05);
+    expect_felt_only_after_it_was_left({0.01, 0.005, -0.02});
+}
+
+TEST_P(StartInsideTest, BelowAHeightfieldNothingOfItIsFeltUntilItWasLeft)
+{
+    HeightfieldSamples samples;
+    samples.width = samples.depth = 1;
+    samples.width_samples = samples.depth_samples = 11;
+    samples.heights.assign(121, 0);
+    const dHeightfieldDataID data = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildDouble(data, samples.heights.data(), 0, 1, 1, 11, 11, 1, 0, 0.5, 0);
+    const dGeomID field = dCreateHeightfield(world_.space, data, 1);
+    dMatrix3 upright;
+    dRFromAxisAndAngle(upright, 1, 0, 0, std::acos(0.0));
+    dGeomSetRotation(field, upright);
+    prepare_ = [&](HapticProbe &probe) { probe.sensor()->set_samples(data, samples); };
+    expect_felt_only_after_it_was_left({0.01, 0.005, -0.1});
+    dGeomDestroy(field);
+    dGeomHeightfieldDataDestroy(data);
+}
+
+TEST_P(StartInsideTest, AllElseIsFelt)
+{
+    const OdeMesh mesh(dented_mesh());
+    mesh.add_to(world_.space);
+    world_.add_box({1, 1, 0.1}, {0, 0, -0.05}); // half of the mesh is in it
+    const Vector3 start(0, 0, 0.03), end(0, 0, radius - 0.002);
+    const Samples samples = run([&](double t) { return between(start, end, 0.2, 0.3, t); }, 0.7);
+    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 1e-6) << samples.back().wished.transpose();
+}
+
+TEST_P(StartInsideTest, WhatMovesOntoTheProbeLaterPushes)
+{
+    const OdeMesh mesh(dented_mesh());
+    mesh.add_to(world_.space);
+    // At 0.6 s, 2 mm of it are in the probe, which is in the mesh.
+    add_kinematic_box({0.1, 0.1, 0.1}, {0.05 + radius - 0.002 + 0.12, 0, 0}, {-0.2, 0, 0});
+    const Samples samples = run([](double) { return Vector3(0, 0, 0); }, 0.601);
+    EXPECT_LE((samples.back().wished - Vector3(-k * 0.002, 0, 0)).norm(), 0.1 * k * 0.002)
+        << samples.back().wished.transpose();
+}
+
+TEST_P(StartInsideTest, WhatMovesAwayAndBackPushes)
+{
+    const dBodyID box = add_kinematic_box({0.1, 0.1, 0.1}, {0, 0, 0}, {0, 0, -0.37});
+    const Samples samples =
+        run([](double) { return Vector3(0, 0, 0); }, 0.8, once(0.4, [&] { dBodySetLinearVel(box, 0, 0, 0.3); }));
+    expect_nothing(samples, 0, 0.6);
+    const double depth = radius + 0.05 + dBodyGetPosition(box)[2];
+    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * depth)).norm(), 0.1 * k * depth)
+        << samples.back().wished.transpose();
+}
+
+// At 50 m/s and 1 kHz its front goes from 20 mm before the probe to 30 mm behind it.
+TEST_P(StartInsideTest, WhatIsFasterThanTheProbeIsWidePushes)
+{
+    add_kinematic_box({0.4, 0.4, 0.4}, {0.2 + 0.03 + 0.5, 0, 0}, {-50, 0, 0});
+    const Samples samples = run([](double) { return Vector3(0, 0, 0); }, 0.0125);
+    EXPECT_LT(samples.back().wished.x(), -1);
+}
+
+TEST_P(StartInsideTest, AJumpIntoSomethingIsAStart)
+{
+    const OdeMesh mesh(dented_mesh());
+    dGeomSetPosition(mesh.add_to(world_.space), 0, 0, -0.1);
+    world_.add_box({0.2, 0.2, 0.1}, {0.2, 0, -0.05}); // where the tool comes from, and is in no more
+    silent_from_ = 0.15;
+    silent_until_ = 0.8;
+    const auto path = out_and_back({0.01, 0.005, -0.1});
+    const Samples samples =
+        run([&](double t) { return t < 0.3 ? Vector3(0.2, 0, 0.05) : path(std::max(0.3, t - 0.6)); }, 2.8);
+    expect_nothing(samples, 0, 2.1);
+    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
+        << samples.back().wished.transpose();
+}
+
+TEST_P(StartInsideTest, AMeshOrASolidThatIsMadeAroundTheProbeIsAStart)
+{
+    const OdeMesh mesh(dented_mesh());
+    for (const bool is_mesh : {true, false})
+    {
+        dGeomID geom = nullptr;
+        const Samples samples = run(out_and_back({0.01, 0.005, -0.1}), 2.2, once(0.2, [&] {
+                                        geom = is_mesh ? mesh.add_to(world_.space) : dCreateSphere(world_.space, 0.1);
+                                        dGeomSetPosition(geom, 0, 0, -0.1);
+                                    }));
+        expect_nothing(samples, 0, 1.5);
+        EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
+            << samples.back().wished.transpose();
+        dGeomDestroy(geom);
+    }
+}
+
+TEST_P(StartInsideTest, AMeshOrASolidThatIsPutOntoTheProbeIsAStart)
+{
+    const OdeMesh mesh(dented_mesh());
+    for (const bool is_mesh : {true, false})
+    {
+        const dGeomID geom = is_mesh ? mesh.add_to(world_.space) : dCreateSphere(world_.space, 0.1);
+        dGeomSetPosition(geom, 0, 0, -0.22); // touched from above, first
+        const auto path = out_and_back({0.01, 0.005, -0.1 - radius - 0.002});
+        const Samples samples = run(
+            [&](double t) {
+                return t < 0.3 ? between({0.01, 0.005, -0.06}, path(0), 0.05, 0.1, t) : path(t);
+            },
+            2.2, once(0.2, [&] { dGeomSetPosition(geom, 0, 0, -0.1); }));
+        expect_nothing(samples, 0.25, 1.5);
+        EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
+            << samples.back().wished.transpose();
+        dGeomDestroy(geom);
+    }
+}
+
+TEST_P(StartInsideTest, AProbeThatIsEnabledInsideIsAStart)
+{
+    const OdeMesh mesh(dented_mesh());
+    dGeomSetPosition(mesh.add_to(world_.space), 0, 0, -0.1);
+    const auto path = out_and_back({0.01, 0.005, -0.1});
+    prepare_ = [](HapticProbe &probe) { dGeomDisable(probe.geom()); };
+    const Samples samples = run([&](double t) { return t < 0.3 ? between(far_away, path(0), 0, 0.15, t) : path(t); },
+                                2.2, once(0.2, [&] { dGeomEnable(probe_->geom()); }));
+    expect_nothing(samples, 0, 1.5);
+    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
+        << samples.back().wished.transpose();
+}
+
+TEST_P(StartInsideTest, ARoomHoldsFromWithin)
+{
+    const OdeMesh room(turned(box_mesh({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1})));
+    room.add_to(world_.space);
+    const Samples samples = run([](double t) { return between({0, 0, 0}, {0, 0, -0.092}, 0.1, 0.3, t); }, 0.6);
+    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 1e-6) << samples.back().wished.transpose();
+}
+
+/// Of one layer of triangles that face outwards: nothing of it is near in its middle.
+TEST_P(StartInsideTest, AVesselThatIsEnteredThroughItsMouthHoldsFromWithin)
+{
+    MeshShape shape = box_mesh({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1});
+    shape.triangles.erase(shape.triangles.begin(), shape.triangles.begin() + 2); // its top
+    const OdeMesh vessel(shape);
+    vessel.add_to(world_.space);
+    const Samples samples = run([](double t) { return between({0, 0, 0.2}, {0, 0, -0.092}, 0.1, 0.3, t); }, 0.6);
+    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 1e-6) << samples.back().wished.transpose();
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,79 @@
+#include "ode_predictive_space/haptics/touch_sensor.h"
+
+#include "tests/haptics/support/constants.h"
+#include "tests/haptics/support/probe_world.h"
+
+#include <gtest/gtest.h>
+#include <optional>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+ToolState at(const Vector3 &position)
+{
+    ToolState tool;
+    tool.position = position;
+    return tool;
+}
+
+class TouchSensorTest : public testing::Test
+{
+protected:
+    /// One tick's look at the scene.
+    const std::vector<Touch> &look(TouchSensor &sensor, const Vector3 &position)
+    {
+        sensor.clear();
+        sensor.pose(at(position));
+        dSpaceCollide(world_.space, &sensor, [](void *data, dGeomID first, dGeomID second) {
+            static_cast<TouchSensor *>(data)->touch(first, second);
+        });
+        return sensor.touches();
+    }
+
+    const OdeUse ode_;
+    ProbeWorld world_;
+};
+
+TEST_F(TouchSensorTest, TheMarginShowsWhatIsNearWithoutChangingDepths)
+{
+    TouchSensor sensor(world_.space, radius);
+    world_.add_box({0.2, 0.2, 0.2}, {0, 0, -0.1});
+    sensor.set_margin(0.005);
+    ASSERT_EQ(look(sensor, {0, 0, 0.012}).size(), 1U);
+    EXPECT_NEAR(sensor.touches()[0].depth, -0.002, 1e-12);
+    EXPECT_NEAR(look(sensor, {0, 0, 0.008})[0].depth, 0.002, 1e-12);
+    EXPECT_TRUE(look(sensor, {0, 0, 0.0151}).empty());
+}
+
+TEST_F(TouchSensorTest, ClaimsItsPairsAndNoOthers)
+{
+    TouchSensor sensor(world_.space, radius);
+    const dGeomID one = world_.add_box({1, 1, 1}, {0, 0, 0});
+    const dGeomID two = world_.add_box({1, 1, 1}, {0, 0, 0});
+    const dSpaceID nested = dSimpleSpaceCreate(world_.space);
+    EXPECT_TRUE(sensor.touch(one, sensor.geom()));
+    EXPECT_TRUE(sensor.touch(sensor.geom(), two));
+    EXPECT_FALSE(sensor.touch(one, two));
+    EXPECT_FALSE(sensor.touch(sensor.geom(), reinterpret_cast<dGeomID>(nested))) << "the program is to descend into it";
+}
+
+TEST_F(TouchSensorTest, AGeomOfTheProgramStaysWhenTheSensorGoes)
+{
+    const dGeomID geom = dCreateBox(world_.space, 0.02, 0.02, 0.02);
+    std::optional<TouchSensor> sensor;
+    sensor.emplace(geom);
+    world_.add_box({0.2, 0.2, 0.2}, {0, 0, -0.1});
+    EXPECT_EQ(look(*sensor, {0, 0, 0.005}).size(), 1U);
+    sensor->set_margin(0.01);
+    EXPECT_NEAR(sensor->touches()[0].depth, 0.005, 1e-9) << "it cannot be larger than it is";
+    sensor.reset();
+    EXPECT_EQ(dSpaceQuery(world_.space, geom), 1);
+    EXPECT_EQ(dSpaceGetNumGeoms(world_.space), 2);
+    sensor.emplace(world_.space, radius);
+    EXPECT_EQ(dSpaceGetNumGeoms(world_.space), 3);
+    sensor.reset();
+    EXPECT_EQ(dSpaceGetNumGeoms(world_.space), 2) << "its own goes with it";
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

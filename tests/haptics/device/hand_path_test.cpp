@@ -1,0 +1,107 @@
+#include "ode_predictive_space/haptics/hand_path.h"
+
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+HandPathSettings steady_hand()
+{
+    HandPathSettings settings;
+    settings.tremor = 0;
+    return settings;
+}
+
+/// Start and end of the first reaches.
+std::vector<std::array<double, 2>> first_reaches(HandPath &hand, double until)
+{
+    std::vector<std::array<double, 2>> reaches;
+    for (double time = 0; time < until; time += 0.01)
+    {
+        const std::array<double, 2> reach = hand.reach_times(time);
+        if (reaches.empty() || reaches.back() != reach)
+            reaches.push_back(reach);
+    }
+    return reaches;
+}
+
+TEST(HandPath, ReachesAreAsLongAndAsQuickAsThoseOfPeople)
+{
+    HandPath hand(steady_hand(), 5);
+    const auto reaches = first_reaches(hand, 60);
+    EXPECT_GT(reaches.size(), 50u);
+    for (const auto &[start, end] : reaches)
+    {
+        const double length = (hand.intended_position(end - 1e-9) - hand.intended_position(start)).norm();
+        EXPECT_GE(length, 0.1 - 1e-6);
+        EXPECT_LE(length, 0.3 + 1e-6);
+        EXPECT_GE(end - start, 0.3 - 1e-6);
+        EXPECT_LE(end - start, 0.8 + 1e-6);
+    }
+}
+
+TEST(HandPath, StaysInItsWorkspace)
+{
+    HandPathSettings settings;
+    settings.centre = {1, 2, 3};
+    settings.scale = 12;
+    HandPath hand(settings, 6);
+    double farthest = 0;
+    for (double time = 0; time < 60; time += 0.001)
+    {
+        const double distance = (hand.position(time) - settings.centre).cwiseAbs().maxCoeff();
+        ASSERT_LE(distance, hand.half_extent()) << "at " << time << " s";
+        farthest = std::max(farthest, distance);
+    }
+    EXPECT_GT(farthest, 0.8 * hand.half_extent()) << "and uses it";
+}
+
+TEST(HandPath, VelocityIsTheDerivativeOfThePosition)
+{
+    HandPathSettings settings;
+    settings.scale = 3;
+    HandPath hand(settings, 11);
+    const double step = 1e-5;
+    for (double time = 0.1; time < 20; time += 0.0137)
+    {
+        const Vector3 difference = (hand.position(time + step) - hand.position(time - step)) / (2 * step);
+        ASSERT_LT((hand.velocity(time) - difference).norm(), 1e-5) << "at " << time << " s";
+    }
+}
+
+TEST(HandPath, TremblesWithEightToTwelveHertz)
+{
+    const HandPathSettings settings;
+    HandPath hand(settings, 8);
+    const double duration = 60;
+    int crossings = 0;
+    double largest = 0;
+    double last = 0;
+    for (double time = 0; time < duration; time += 0.0005)
+    {
+        const double tremor = (hand.position(time) - hand.intended_position(time)).x();
+        crossings += tremor * last < 0 ? 1 : 0;
+        largest = std::max(largest, std::abs(tremor));
+        last = tremor;
+    }
+    EXPECT_LE(largest, settings.tremor * (1 + 1e-9));
+    EXPECT_GT(largest, 0.5 * settings.tremor);
+    EXPECT_GE(crossings / (2 * duration), 7.9);
+    EXPECT_LE(crossings / (2 * duration), 12.1);
+}
+
+TEST(HandPath, SameSeedSamePathInWhateverOrderItIsAsked)
+{
+    HandPath forwards({}, 9);
+    HandPath backwards({}, 9);
+    HandPath other({}, 10);
+    std::vector<Vector3> positions;
+    for (int i = 0; i <= 1000; ++i)
+        positions.push_back(forwards.position(0.01 * i));
+    for (int i = 1000; i >= 0; --i)
+        ASSERT_EQ(backwards.position(0.01 * i), positions[static_cast<std::size_t>(i)]);
+    EXPECT_NE(other.position(5), positions[500]);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

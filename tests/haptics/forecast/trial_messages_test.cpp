@@ -1,0 +1,86 @@
+// A loop of two threads tries steps out: messages of ODE about them are not the program's.
+
+#include "ode_predictive_space/haptics/loop.h"
+#include "ode_predictive_space/haptics/loop/trial_messages.h"
+#include "ode_predictive_space/haptics/virtual_device.h"
+
+#include "tests/haptics/support/probe_fixture.h"
+
+#include <cstdarg>
+#include <ode/error.h>
+#include <thread>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+std::uint64_t messages_of_program = 0;
+
+class TrialMessagesTest : public testing::Test
+{
+protected:
+    TrialMessagesTest() : before_(dGetMessageHandler())
+    {
+        messages_of_program = 0;
+        dSetMessageHandler([](int, const char *, va_list) { ++messages_of_program; });
+    }
+
+    ~TrialMessagesTest() override { dSetMessageHandler(before_); }
+
+    const OdeUse ode_;
+    dMessageFunction *before_;
+};
+
+TEST_F(TrialMessagesTest, KeepBackThoseOfTheirThreadAloneAndLeaveTheHandlerAsItWas)
+{
+    dMessageFunction *const handler = dGetMessageHandler();
+    {
+        const TrialMessages messages;
+        dMessage(1, "tried");
+        std::thread([] { dMessage(1, "done"); }).join();
+        EXPECT_EQ(messages.count(), 1U);
+    }
+    EXPECT_EQ(messages_of_program, 1U);
+    EXPECT_EQ(dGetMessageHandler(), handler);
+    dMessage(1, "done");
+    EXPECT_EQ(messages_of_program, 2U);
+    const TrialMessages next;
+    EXPECT_EQ(next.count(), 0U);
+}
+
+/// A hand presses on a box on a floor, beside its middle: contacts of plane and box depend on each other, which dWorldStep() has messages about.
+TEST_F(TrialMessagesTest, AreCountedAndGivenOnceInALoopOfTwoThreads)
+{
+    ProbeWorld world;
+    dWorldSetGravity(world.world, 0, 0, -9.81);
+    dCreatePlane(world.space, 0, 0, 1, 0);
+    const dBodyID box = world.add_moving_box({0.2, 0.2, 0.1}, {0, 0, 0.05}, 1);
+    dMass mass;
+    dMassSetBoxTotal(&mass, 1, 0.2, 0.2, 0.1);
+    dBodySetMass(box, &mass);
+    VirtualDevice device({}, [](double seconds) -> Vector3 {
+        return {0.05, 0.05 - 0.1 * std::min(1.0, seconds / 0.4), 0};
+    });
+    RenderSettings settings;
+    settings.placement.rotation = WorkspacePlacement::z_up();
+    settings.placement.offset = {0, 0, 0.14};
+    HapticProbe probe(device, world.space, radius, settings);
+    NoticeList notices;
+    SimulatedClock clock;
+    LoopSettings loop_settings;
+    loop_settings.decoupled = true;
+    loop_settings.physics_rate = 200;
+    loop_settings.duration = 5;
+    loop_settings.clock = &clock;
+    loop_settings.notice = notices.sink();
+    HapticLoop loop(probe, loop_settings);
+    const LoopReport report = loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
+    EXPECT_EQ(messages_of_program, 0U);
+    ASSERT_GT(report.trial_messages, 1U) << "or the scene does not show it";
+    int given = 0;
+    for (const Notice &notice : notices.all())
+        given += notice.sentence().find("ODE has messages") != std::string::npos ? 1 : 0;
+    EXPECT_EQ(given, 1);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

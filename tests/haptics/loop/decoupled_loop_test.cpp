@@ -1,0 +1,314 @@
+// The loop of two threads, in simulated time, where both are one: the same in each run.
+
+#include "ode_predictive_space/haptics/loop.h"
+
+#include "ode_predictive_space/haptics/penalty_law.h"
+#include "tests/haptics/loop/loop_fixture.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+class DecoupledLoopTest : public testing::Test
+{
+protected:
+    LoopSettings settings(double rate, double physics_rate, double duration)
+    {
+        LoopSettings settings;
+        settings.decoupled = true;
+        settings.rate = rate;
+        settings.physics_rate = physics_rate;
+        settings.duration = duration;
+        settings.clock = &clock_;
+        settings.ask_for_priority = false;
+        settings.notice = notices_.sink();
+        return settings;
+    }
+
+    LoopReport run(Device &device, RenderSettings rendering, const LoopSettings &settings)
+    {
+        HapticProbe probe(device, world_.space, radius, std::move(rendering));
+        HapticLoop loop(probe, settings);
+        return loop.run({[&] { world_.collide(probe); }, [&](double dt) { world_.step(dt); }});
+    }
+
+    const OdeUse ode_;
+    SimulatedClock clock_;
+    ProbeWorld world_;
+    NoticeList notices_;
+};
+
+/// What the device rendered, newtons times seconds, up to the end of the clock's time.
+Vector3 impulse_of(const std::vector<LoggedWrite> &writes, double end)
+{
+    Vector3 impulse = Vector3::Zero();
+    for (std::size_t i = 0; i < writes.size(); ++i)
+    {
+        const double until = i + 1 < writes.size() ? writes[i + 1].time : end;
+        impulse += (until - writes[i].time) * writes[i].wrench.force;
+    }
+    return impulse;
+}
+
+TEST_F(DecoupledLoopTest, WhatTheHandGetsTheBodyLosesAtAnyRates)
+{
+    const struct
+    {
+        double servo;
+        double physics;
+        double stiffness;
+    } cases[] = {{1000, 1000, 300}, {4000, 1000, 300}, {4000, 500, 1000}, {3000, 700, 1000}};
+    for (const auto &rates : cases)
+    {
+        SCOPED_TRACE(std::to_string(rates.servo) + " Hz and " + std::to_string(rates.physics) + " Hz");
+        clock_.advance(1);
+        ProbeWorld world;
+        const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0.01, -0.05}, 20);
+        ScriptedDevice device([](double seconds) -> Vector3 {
+            // Rests, then strokes and knocks.
+            const double t = std::max(0.0, seconds - 1);
+            return {0.02 * std::sin(3 * t), 0, 0.03 - 0.035 * std::pow(std::sin(8 * t), 2)};
+        });
+        WriteLog log(device, clock_);
+        HapticProbe probe(log, world.space, radius, with_stiffness(rates.stiffness));
+        const LoopSettings settings = this->settings(rates.servo, rates.physics, 3);
+        HapticLoop loop(probe, settings);
+        loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
+        world.step(1 / rates.physics); // what the hand got last is waiting
+        const Vector3 impulse = impulse_of(log.writes(), clock_.now());
+        EXPECT_GT(impulse.norm(), 0.5);
+        EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
+    }
+}
+
+// Each impulse reaches the scene before the step that it belongs to. Those that came a tick late were made up for by pulses: steps of 1.25 ms got
+// 0.5 to 1.6 times the force.
+TEST_F(DecoupledLoopTest, ASteadyForceReachesABodyEvenly)
+{
+    for (const double physics : {300.0, 600.0, 800.0, 1000.0})
+    {
+        SCOPED_TRACE(std::to_string(physics) + " Hz");
+        ProbeWorld world;
+        const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1000);
+        ScriptedDevice device([](double seconds) -> Vector3 {
+            return {0, 0, 0.03 - 0.025 * std::clamp(seconds - 0.5, 0.0, 1.0)};
+        });
+        HapticProbe probe(device, world.space, radius, with_stiffness(300));
+        HapticLoop loop(probe, settings(1000, physics, 2));
+        int steps = 0;
+        loop.run({[&] { world.collide(probe); },
+                  [&](double dt) {
+                      const double force = -dBodyGetForce(body)[2], meant = loop.latest().force.z();
+                      if (loop.latest().time > 1.6)
+                      {
+                          ++steps;
+                          EXPECT_GT(meant, 1);
+                          EXPECT_GE(force, 0.9 * meant);
+                          EXPECT_LE(force, 1.15 * meant);
+                      }
+                      world.step(dt);
+                  }});
+        EXPECT_GT(steps, 100);
+    }
+}
+
+/// Takes long now and then, so that the servo misses deadlines.
+class SlowLaw : public ForceLaw
+{
+public:
+    explicit SlowLaw(SimulatedClock &clock) : clock_(clock) {}
+
+    void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override
+    {
+        law_.forces(tool, touches, dt, forces);
+        if (++ticks_ % 17 == 0)
+            clock_.advance(0.0006);
+    }
+
+    void reset() override { law_.reset(); }
+    Material material() const override { return law_.material(); }
+
+private:
+    SimulatedClock &clock_;
+    PenaltyLaw law_;
+    int ticks_ = 0;
+};
+
+TEST_F(DecoupledLoopTest, MomentumIsKeptWhenTheServoMissesDeadlines)
+{
+    const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 20);
+    ScriptedDevice device([](double seconds) -> Vector3 {
+        return {0, 0, 0.03 - 0.035 * std::pow(std::sin(8 * std::max(0.0, seconds - 1)), 2)};
+    });
+    WriteLog log(device, clock_);
+    RenderSettings rendering;
+    rendering.law = std::make_shared<SlowLaw>(clock_);
+    HapticProbe probe(log, world_.space, radius, std::move(rendering));
+    HapticLoop loop(probe, settings(4000, 1000, 3));
+    const LoopReport report = loop.run({[&] { world_.collide(probe); }, [&](double dt) { world_.step(dt); }});
+    world_.step(0.001);
+    EXPECT_GT(report.overruns, 100U);
+    const Vector3 impulse = impulse_of(log.writes(), clock_.now());
+    EXPECT_GT(impulse.norm(), 0.5);
+    EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
+}
+
+TEST_F(DecoupledLoopTest, MomentumIsKeptThroughAStallOfTheScene)
+{
+    const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
+    ScriptedDevice device([](double seconds) -> Vector3 {
+        return {0, 0, 0.03 - 0.025 * std::clamp(2 * (seconds - 1), 0.0, 1.0)};
+    });
+    WriteLog log(device, clock_);
+    HapticProbe probe(log, world_.space, radius, with_stiffness(300));
+    HapticLoop loop(probe, settings(4000, 1000, 3));
+    bool stalled = false;
+    loop.run({[&] { world_.collide(probe); },
+              [&](double dt) {
+                  world_.step(dt);
+                  if (clock_.now() > 2 && !stalled)
+                  {
+                      stalled = true;
+                      clock_.advance(0.1);
+                  }
+              }});
+    world_.step(0.001);
+    EXPECT_GE(notices_.count(NoticeKind::watchdog), 1);
+    const Vector3 impulse = impulse_of(log.writes(), clock_.now());
+    EXPECT_GT(impulse.norm(), 0.5);
+    EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
+}
+
+/// Hangs for 0.1 s once, as a law or as a recorder.
+class HangingServoTest : public DecoupledLoopTest
+{
+protected:
+    /// @return how much of the impulse on the hand the body does not get.
+    double lost_momentum(double law_hangs_at, double recorder_hangs_at)
+    {
+        const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
+        ScriptedDevice device([](double seconds) -> Vector3 {
+            return {0, 0, 0.03 - 0.025 * std::clamp(2 * (seconds - 1), 0.0, 1.0)};
+        });
+        WriteLog log(device, clock_);
+        RenderSettings rendering;
+        rendering.law = std::make_shared<TroubledLaw>([&] { hang_once(law_hangs_at); });
+        HapticProbe probe(log, world_.space, radius, std::move(rendering));
+        probe.set_recorder([&](const RenderedTick &) { hang_once(recorder_hangs_at); });
+        HapticLoop loop(probe, settings(4000, 1000, 3));
+        loop.run({[&] { world_.collide(probe); }, [&](double dt) { world_.step(dt); }});
+        world_.step(0.001);
+        EXPECT_TRUE(hung_);
+        EXPECT_EQ(notices_.count(NoticeKind::guard), 1);
+        const Vector3 impulse = impulse_of(log.writes(), clock_.now());
+        EXPECT_GT(impulse.norm(), 0.5);
+        return (impulse + momentum_of(body)).norm() / impulse.norm();
+    }
+
+private:
+    void hang_once(double from)
+    {
+        if (clock_.now() > from && !hung_)
+        {
+            hung_ = true;
+            clock_.advance(0.1);
+        }
+    }
+
+    bool hung_ = false;
+};
+
+constexpr double never = 1000; // s
+
+TEST_F(HangingServoTest, MomentumIsKeptWhenTheGuardTakesTheForceFromALawThatHangs)
+{
+    EXPECT_LE(lost_momentum(1.9, never), 1e-9);
+}
+
+// The force was written just before: whose it was for these 5 ms is not looked at so closely.
+TEST_F(HangingServoTest, LittleIsLostWhenItTakesItFromARecorderThatHangs)
+{
+    EXPECT_LE(lost_momentum(never, 1.9), 1e-3);
+}
+
+TEST_F(DecoupledLoopTest, TheServoFeelsAPlaneExactlyWhileTheSceneIsSlow)
+{
+    dCreatePlane(world_.space, 0, 0, 1, 0);
+    ScriptedDevice device([](double seconds) -> Vector3 {
+        return {0, 0, seconds < 1 ? 0.02 : 0.008 + 0.002 * std::cos(40 * (seconds - 1))};
+    });
+    HapticProbe probe(device, world_.space, radius, with_stiffness(500));
+    int compared = 0;
+    probe.set_recorder([&](const RenderedTick &tick) {
+        if (tick.time > 1.1 && tick.allowance == 1)
+        {
+            const double depth = std::max(0.0, radius - tick.state.position.z());
+            ASSERT_NEAR(tick.wished.z(), 500 * depth, 1e-9) << tick.time;
+            ++compared;
+        }
+    });
+    HapticLoop loop(probe, settings(4000, 100, 2));
+    const LoopReport report = loop.run({[&] { world_.collide(probe); }, [&](double dt) { world_.step(dt); }});
+    EXPECT_GT(compared, 3000);
+    EXPECT_NEAR(static_cast<double>(report.ticks), 8000, 42) << "less the last step";
+    EXPECT_NEAR(static_cast<double>(report.steps), 200, 1);
+}
+
+TEST_F(DecoupledLoopTest, ABodyMayBeDestroyedWhileItIsPushed)
+{
+    const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
+    ScriptedDevice device([](double seconds) -> Vector3 {
+        return {0, 0, std::clamp(0.03 - (seconds - 1), 0.007, 0.03)}; // no jump: what it jumps into is not felt
+    });
+    HapticProbe probe(device, world_.space, radius, with_stiffness(500));
+    HapticLoop loop(probe, settings(4000, 1000, 2));
+    bool destroyed = false;
+    double force_before = 0;
+    loop.run({[&] { world_.collide(probe); },
+              [&](double dt) {
+                  world_.step(dt);
+                  if (clock_.now() > 1.5 && !destroyed)
+                  {
+                      destroyed = true;
+                      force_before = loop.latest().force.z();
+                      dGeomDestroy(dBodyGetFirstGeom(body));
+                      dBodyDestroy(body);
+                  }
+              }});
+    EXPECT_GT(force_before, 0.1);
+    EXPECT_TRUE(probe.last_tick().force.isZero(0));
+}
+
+TEST_F(DecoupledLoopTest, TheMarginIsThereOnlyAsLongAsItRuns)
+{
+    ScriptedDevice device([](double) -> Vector3 { return {0, 0, 1}; });
+    HapticProbe probe(device, world_.space, radius);
+    LoopSettings settings = this->settings(1000, 1000, 0.1);
+    settings.margin = 0.03;
+    HapticLoop loop(probe, settings);
+    double during = 0;
+    loop.run({[&] { during = dGeomSphereGetRadius(probe.geom()); }, [](double) {}});
+    EXPECT_DOUBLE_EQ(during, radius + 0.03);
+    EXPECT_DOUBLE_EQ(dGeomSphereGetRadius(probe.geom()), radius);
+}
+
+TEST_F(DecoupledLoopTest, WhatCannotBeIsRefused)
+{
+    ScriptedDevice device([](double) -> Vector3 { return Vector3::Zero(); });
+    {
+        HapticProbe probe(device, world_.add_body(Vector3::Zero(), 1), CouplingProperties());
+        EXPECT_THROW(HapticLoop(probe, settings(1000, 1000, 1)), std::invalid_argument) << "a tool body";
+    }
+    HapticProbe probe(device, world_.space, radius);
+    EXPECT_THROW(HapticLoop(probe, settings(1000, 2000, 1)), std::invalid_argument) << "faster than the servo";
+    EXPECT_THROW(HapticLoop(probe, settings(0, 0, 1)), std::invalid_argument);
+    HapticLoop loop(probe, settings(1000, 1000, 0.01));
+    const SceneWork nothing = {[] {}, [](double) {}};
+    loop.run(nothing);
+    EXPECT_THROW(loop.run(nothing), std::logic_error) << "twice";
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,216 @@
+// Whatever breaks while a loop runs, there is zero force soon, and a notice.
+
+#include "tests/haptics/loop/loop_fixture.h"
+
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+using LoopFaultTest = HapticLoopTest;
+
+INSTANTIATE_TEST_SUITE_P(Kinds, LoopFaultTest, testing::Bool(),
+                         [](const auto &info) { return info.param ? "Decoupled" : "SingleThreaded"; });
+
+TEST_P(LoopFaultTest, AStalledStepEndsWithZeroForceAndANoticeWhileItLasts)
+{
+    make();
+    double stalled_at = 0;
+    int notices_during_stall = 0;
+    loop_->run(work([&](double time) {
+        if (time >= pressed_after && stalled_at == 0)
+        {
+            stalled_at = time;
+            clock_.advance(0.5);
+            notices_during_stall = notices_.count(NoticeKind::guard) + notices_.count(NoticeKind::watchdog);
+        }
+    }));
+    expect_zero_force_after(stalled_at, stalled_at + 0.5);
+    EXPECT_GE(notices_during_stall, 1);
+}
+
+TEST_P(LoopFaultTest, AStalledCollisionEndsWithZeroForceAndItsStaleForceIsNotRendered)
+{
+    make();
+    double stalled_at = 0;
+    const SceneWork ordinary = work();
+    loop_->run({[&] {
+                    ordinary.collide();
+                    if (clock_.now() >= pressed_after && stalled_at == 0)
+                    {
+                        stalled_at = clock_.now();
+                        clock_.advance(0.5);
+                    }
+                },
+                ordinary.advance});
+    expect_zero_force_after(stalled_at, stalled_at + 0.5);
+    EXPECT_GE(notices_.count(NoticeKind::guard) + notices_.count(NoticeKind::watchdog), 1);
+}
+
+TEST_P(LoopFaultTest, AStalledStepIsFoundSoonAfterTheNextOneWasDueAtLowRates)
+{
+    for (const double rate : {100.0, 200.0, 500.0})
+    {
+        SCOPED_TRACE(rate);
+        LoopSettings slow = settings();
+        slow.rate = GetParam() ? 1000 : rate;
+        slow.physics_rate = rate;
+        make(usual_rendering(), slow);
+        const double begin = clock_.now();
+        double stalled_at = 0;
+        loop_->run(work([&](double time) {
+            if (time >= begin + 2.5 && stalled_at == 0)
+            {
+                stalled_at = time;
+                clock_.advance(0.5);
+            }
+        }));
+        EXPECT_GT(log_.force_at(stalled_at).z(), 0.1);
+        EXPECT_TRUE(log_.was_quiet(stalled_at + 1 / rate + grace, stalled_at + 0.5));
+        loop_.reset();
+        probe_.reset();
+    }
+}
+
+// It is run by the program, in the loop's callbacks, hence in the thread that hangs.
+class SecondProbe : public testing::TestWithParam<bool>
+{};
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SecondProbe, testing::Bool(),
+                         [](const testing::TestParamInfo<bool> &kind) { return kind.param ? "Decoupled" : "Coupled"; });
+
+TEST_P(SecondProbe, IsGuardedByTheLoopOfTheFirst)
+{
+    const OdeUse ode;
+    NoticeList notices;
+    SimulatedClock clock;
+    ProbeWorld world;
+    dCreatePlane(world.space, 0, 0, 1, 0);
+    ScriptedDevice first_device(&press_down);
+    ScriptedDevice second_device(&press_down);
+    WriteLog second_log(second_device, clock);
+    HapticProbe first(first_device, world.space, radius, usual_rendering());
+    ProbeWorld other;
+    dCreatePlane(other.space, 0, 0, 1, 0);
+    HapticProbe second(second_log, other.space, radius, usual_rendering());
+    LoopSettings settings;
+    settings.clock = &clock;
+    settings.duration = 3;
+    settings.ask_for_priority = false;
+    settings.decoupled = GetParam();
+    settings.notice = notices.sink();
+    double stalled_at = 0;
+    HapticLoop(first, settings)
+        .run({[&] { world.collide(first); },
+              [&](double dt) {
+                  second.begin(clock.now(), clock.now());
+                  other.collide(second);
+                  second.render(dt);
+                  if (clock.now() > pressed_after && stalled_at == 0)
+                  {
+                      stalled_at = clock.now();
+                      clock.advance(0.06);
+                  }
+              }});
+    EXPECT_GT(second_log.force_at(stalled_at).z(), 3);
+    EXPECT_TRUE(second_log.was_quiet(stalled_at + grace, stalled_at + 0.06));
+    EXPECT_EQ(notices.count(NoticeKind::guard), 1);
+}
+
+TEST_P(LoopFaultTest, ALawThatHangsEndsWithZeroForceAndANotice)
+{
+    double stalled_at = 0;
+    RenderSettings rendering;
+    rendering.law = std::make_shared<TroubledLaw>([&] {
+        if (clock_.now() >= pressed_after && stalled_at == 0)
+        {
+            stalled_at = clock_.now();
+            clock_.advance(0.5);
+        }
+    });
+    make(std::move(rendering));
+    loop_->run(work());
+    expect_zero_force_after(stalled_at, stalled_at + 0.501);
+    EXPECT_EQ(notices_.count(NoticeKind::guard), 1);
+}
+
+TEST_P(LoopFaultTest, EveryWayForADeviceToBreakEndsWithZeroForceAndANotice)
+{
+    for (const Breakage breakage : {Breakage::lost, Breakage::unreadable, Breakage::unwritable, Breakage::not_a_number,
+                                    Breakage::endless_velocity, Breakage::stalled})
+    {
+        notices_ = NoticeList();
+        device_.break_now(Breakage::none);
+        make();
+        const double begin = clock_.now();
+        double broken_at = 0;
+        loop_->run(work([&](double time) {
+            if (time >= begin + pressed_after && broken_at == 0)
+            {
+                broken_at = time;
+                device_.break_now(breakage);
+            }
+        }));
+        SCOPED_TRACE(static_cast<int>(breakage));
+        expect_zero_force_after(broken_at, begin + 3);
+        EXPECT_EQ(notices_.count(NoticeKind::device), 1);
+        EXPECT_NEAR(clock_.now(), begin + 3, 0.002) << "the program goes on";
+        loop_.reset();
+        probe_.reset();
+    }
+}
+
+TEST_P(LoopFaultTest, AContactThatIsNotANumberEndsWithZeroForceAndANotice)
+{
+    make();
+    dGeomID broken = nullptr;
+    double broken_at = 0;
+    loop_->run(work([&](double time) {
+        if (time >= pressed_after && broken == nullptr)
+        {
+            broken = add_broken_geom(world_.space);
+            broken_at = time;
+        }
+    }));
+    expect_zero_force_after(broken_at, 3);
+    EXPECT_GE(notices_.count(NoticeKind::contact), 1);
+    dGeomDestroy(broken);
+}
+
+TEST_P(LoopFaultTest, ADeviceThatIsLostAfterItsDriverHungGetsItsZero)
+{
+    make();
+    double answered_at = 0;
+    scripted_.before_read = [&] {
+        if (clock_.now() >= pressed_after && answered_at == 0)
+        {
+            clock_.advance(0.0072); // the guard wants the device, and finds it taken
+            answered_at = clock_.now();
+            throw DeviceError(DeviceFault::lost, "the device is gone");
+        }
+    };
+    loop_->run(work());
+    expect_zero_force_after(answered_at - grace, answered_at + 0.1);
+}
+
+TEST_P(LoopFaultTest, ADriverThatHangsIsToldOf)
+{
+    make();
+    bool stalled = false;
+    scripted_.before_read = [&] {
+        if (clock_.now() >= pressed_after && !stalled)
+        {
+            stalled = true;
+            clock_.advance(0.5);
+        }
+    };
+    loop_->run(work());
+    EXPECT_TRUE(stalled);
+    EXPECT_NE(notices_.text(NoticeKind::guard).find("driver"), std::string::npos);
+    EXPECT_TRUE(log_.was_quiet(pressed_after + 0.51, pressed_after + 0.51 + grace))
+        << "and the force does not come at once";
+}
+
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,127 @@
+// What a loop tells: when, how often, and by which clock. Of both kinds.
+
+#include "tests/haptics/loop/loop_fixture.h"
+
+#include <cmath>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+class LoopNoticeTest : public HapticLoopTest
+{
+protected:
+    /// The notices of watchdog and guard.
+    std::vector<Notice> of_stalls() const
+    {
+        std::vector<Notice> stalls;
+        for (const Notice &notice : notices_.all())
+            if (notice.kind == NoticeKind::watchdog || notice.kind == NoticeKind::guard)
+                stalls.push_back(notice);
+        return stalls;
+    }
+
+    /// Hangs for 60 ms in a step at each of these times, seconds after the loop's beginning.
+    LoopReport run_with_stalls(std::vector<double> times)
+    {
+        make();
+        const double begin = clock_.now();
+        return loop_->run(work([&, begin, times = std::move(times)](double now) mutable {
+            if (!times.empty() && now - begin >= times.front())
+            {
+                times.erase(times.begin());
+                clock_.advance(0.06);
+            }
+        }));
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Kinds, LoopNoticeTest, testing::Bool(),
+                         [](const testing::TestParamInfo<bool> &kind) { return kind.param ? "Decoupled" : "Coupled"; });
+
+TEST_P(LoopNoticeTest, OneStallIsToldOfOnce)
+{
+    run_with_stalls({2});
+    ASSERT_EQ(of_stalls().size(), 1U) << of_stalls()[1].text.data();
+}
+
+TEST_P(LoopNoticeTest, AllNoticesHaveSimulatedTime)
+{
+    clock_.advance(1000); // the clock's time is another one
+    device_.break_at(2.5, Breakage::lost);
+    run_with_stalls({1, 2});
+    loop_->stop();
+    ASSERT_GE(notices_.all().size(), 3U);
+    for (const Notice &notice : notices_.all())
+    {
+        EXPECT_GE(notice.time, 0) << notice.text.data();
+        EXPECT_LE(notice.time, 3.1) << notice.text.data();
+    }
+    EXPECT_NEAR(of_stalls()[0].time, 1, 0.1);
+    EXPECT_NEAR(of_stalls()[1].time, 2, 0.1);
+}
+
+// Told once a second at most, each; but none is lost.
+TEST_P(LoopNoticeTest, WhatComesAgainSoonIsToldLaterWithItsNumber)
+{
+    RenderSettings rendering = usual_rendering();
+    rendering.safety = SafetyLimits::of(desktop_capabilities());
+    rendering.safety->max_force = 1;
+    rendering.safety->engage_force = 0.5;
+    path_ = [](double seconds) -> Vector3 { // taps, five times a second, from 1 s on
+        return {0, 0, radius + (seconds < 1 ? 0.01 : 0.003 * std::cos(10 * M_PI * seconds))};
+    };
+    make(std::move(rendering));
+    const LoopReport report = loop_->run(work());
+    int told = 0;
+    int counted = 0;
+    for (const Notice &notice : notices_.all())
+    {
+        const std::string text(notice.sentence());
+        const std::size_t number = text.find(" more times");
+        if (notice.kind == NoticeKind::safety && text.find("above the device's maximum") != std::string::npos)
+        {
+            told += number == std::string::npos ? 1 : 0;
+            counted += number == std::string::npos ? 0 : std::stoi(text.substr(text.rfind('(', number) + 1));
+        }
+    }
+    EXPECT_LE(told, 2);
+    EXPECT_EQ(told + counted, 10) << "each tap, of two seconds";
+    EXPECT_EQ(report.held_back, static_cast<std::uint64_t>(counted));
+}
+
+// Other causes than the one that is held back, of the same kind and of another one.
+TEST_P(LoopNoticeTest, ANewCauseIsToldAtOnceWhileAnotherIsHeldBack)
+{
+    RenderSettings rendering = usual_rendering();
+    rendering.safety = SafetyLimits::of(desktop_capabilities());
+    rendering.safety->max_force = 1;
+    rendering.safety->engage_force = 0.5;
+    path_ = [](double seconds) -> Vector3 { // taps, ten times a second; a fast move to the side at 2.25 s
+        const double aside = 0.05 * std::clamp((seconds - 2.25) / 0.01, 0.0, 1.0);
+        return {aside, 0, radius + (seconds < 1 ? 0.003 : 0.003 * std::cos(20 * M_PI * seconds))};
+    };
+    make(std::move(rendering));
+    probe_->set_materials([this](dGeomID) -> std::optional<Material> {
+        const bool broken = std::abs(clock_.now() - 2.65) < 0.02;
+        return broken ? std::optional<Material>(Material{-1}) : std::nullopt;
+    });
+    loop_->run(work());
+    const auto told_at = [&](const char *text) {
+        std::vector<double> times;
+        for (const Notice &notice : notices_.all())
+        {
+            const bool held_back = notice.sentence().find(" more times") != std::string_view::npos;
+            if (!held_back && notice.sentence().find(text) != std::string_view::npos)
+                times.push_back(notice.time);
+        }
+        return times;
+    };
+    EXPECT_LE(told_at("above the device's maximum").size(), 2U) << "others are held back";
+    ASSERT_EQ(told_at("faster than the limit").size(), 1U);
+    EXPECT_NEAR(told_at("faster than the limit").front(), 2.25, 0.02);
+    ASSERT_GE(told_at("is not a number").size(), 1U);
+    EXPECT_NEAR(told_at("is not a number").front(), 2.64, 0.04);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

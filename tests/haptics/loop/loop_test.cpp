@@ -1,0 +1,278 @@
+#include "ode_predictive_space/haptics/loop.h"
+
+#include "ode_predictive_space/haptics/safety.h"
+#include "tests/haptics/loop/loop_fixture.h"
+#include "tests/haptics/support/mesh_maker.h"
+#include "tests/haptics/support/signal_disposition.h"
+
+#include <csignal>
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+INSTANTIATE_TEST_SUITE_P(Kinds, HapticLoopTest, testing::Bool(),
+                         [](const auto &info) { return info.param ? "Decoupled" : "SingleThreaded"; });
+
+TEST_P(HapticLoopTest, RendersAtItsRateForItsDuration)
+{
+    make();
+    const LoopReport report = loop_->run(work());
+    EXPECT_NEAR(static_cast<double>(report.ticks), 3000, 1);
+    EXPECT_NEAR(static_cast<double>(report.steps), 3000, 1);
+    EXPECT_NEAR(report.rate, 1000, 1);
+    EXPECT_NEAR(report.real_time_factor, 1, 1e-3);
+    EXPECT_NEAR(report.period.p50, 0.001, 2e-5);
+    EXPECT_NEAR(report.period.max, 0.001, 1e-9);
+    EXPECT_EQ(report.overruns, 0U);
+    EXPECT_EQ(report.dropped_steps, 0U);
+    EXPECT_EQ(report.notices, 0U);
+    EXPECT_NEAR(log_.force_at(2.9).z(), spring * depth, 1e-9);
+    EXPECT_TRUE(log_.writes().back().wrench.force.isZero(0)) << "at the end";
+}
+
+// A space that tests shapes would read a mesh little by little beside the probe, and report its pairs meanwhile.
+TEST_P(HapticLoopTest, NoTickWaitsForTheMeshesOfTheSpace)
+{
+    dPredictiveSpaceSetProximity(world_.space, dPredictiveProximityShape);
+    const OdeMesh mesh(sheet_mesh(1, 96));
+    const dGeomID sheet = mesh.add_to(world_.space);
+    dGeomSetPosition(sheet, 5, 0, 2);
+    dMatrix3 slanting;
+    dRFromAxisAndAngle(slanting, 0, 1, 0, std::acos(-1.0) / 4);
+    dGeomSetRotation(sheet, slanting);
+    dGeomSetPosition(dCreateSphere(world_.space, 0.1), 5.2, 0, 2.2); // within its box
+    make();
+    int pairs = 0; // of the mesh
+    SceneWork work = this->work();
+    work.collide = [&] {
+        dSpaceCollide(world_.space, &pairs, [](void *count, dGeomID one, dGeomID other) {
+            for (const dGeomID geom : {one, other})
+                *static_cast<int *>(count) += dGeomGetClass(geom) == dTriMeshClass;
+        });
+    };
+    loop_->run(work);
+    EXPECT_EQ(pairs, 0);
+}
+
+TEST_P(HapticLoopTest, TheSameRunTwiceIsTheSame)
+{
+    std::vector<Vector3> forces[2];
+    for (auto &run : forces)
+    {
+        SimulatedClock clock;
+        ProbeWorld world;
+        world.add_moving_box({0.2, 0.2, 0.1}, {0.03, 0, -0.05}, 2);
+        ScriptedDevice device(&press_down);
+        HapticProbe probe(device, world.space, radius, usual_rendering());
+        probe.set_recorder([&](const RenderedTick &tick) { run.push_back(tick.wrench.force); });
+        LoopSettings settings = this->settings();
+        settings.clock = &clock;
+        HapticLoop loop(probe, settings);
+        loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
+    }
+    EXPECT_GT(forces[0].size(), 2900U);
+    EXPECT_TRUE(forces[0] == forces[1]);
+}
+
+TEST_P(HapticLoopTest, AnotherRunGoesOnInTheTimeOfTheDevice)
+{
+    const dGeomID broken = add_broken_geom(world_.space); // told of once a second
+    make();
+    double last = -1;
+    probe_->set_recorder([&](const RenderedTick &tick) {
+        ASSERT_GE(tick.time, last);
+        last = tick.time;
+    });
+    loop_->run(work());
+    EXPECT_NEAR(last, 3, 0.002);
+    const int told = notices_.count(NoticeKind::contact);
+    loop_ = std::make_unique<HapticLoop>(*probe_, settings());
+    const LoopReport report = loop_->run(work());
+    EXPECT_NEAR(last, 6, 0.003);
+    EXPECT_GE(notices_.count(NoticeKind::contact), 2 * told - 1);
+    EXPECT_NEAR(report.real_time_factor, 1, 1e-3);
+    dGeomDestroy(broken);
+}
+
+// --- Ends -----------------------------------------------------------------------------------------------------------------
+
+TEST_P(HapticLoopTest, EndsWhenItIsToldTo)
+{
+    make();
+    loop_->run(work([this](double time) {
+        if (time >= pressed_after)
+            loop_->stop();
+    }));
+    EXPECT_NEAR(clock_.now(), pressed_after, 0.002);
+    expect_zero_force_after(pressed_after, clock_.now() + 1);
+    EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
+}
+
+TEST_P(HapticLoopTest, ASignalEndsItWithZeroForceAndANotice)
+{
+    const SignalDisposition ending(SIGTERM);
+    const StopRequest request;
+    make();
+    loop_->run(work([](double time) {
+        if (time >= pressed_after && !StopRequest::requested())
+            std::raise(SIGTERM);
+    }));
+    EXPECT_NEAR(clock_.now(), pressed_after, 0.002);
+    expect_zero_force_after(pressed_after, clock_.now() + 1);
+    EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
+}
+
+TEST_P(HapticLoopTest, AnExceptionOfTheProgramComesOutAfterZeroForceAndANotice)
+{
+    for (const bool in_collide : {true, false})
+    {
+        notices_ = NoticeList();
+        make();
+        const double begin = clock_.now();
+        double thrown_at = 0;
+        const auto fail = [&] {
+            if (clock_.now() - begin >= pressed_after)
+            {
+                thrown_at = clock_.now();
+                throw std::runtime_error("the program has a bug");
+            }
+        };
+        const SceneWork ordinary = work();
+        EXPECT_THROW(loop_->run({[&] {
+                                     ordinary.collide();
+                                     if (in_collide)
+                                         fail();
+                                 },
+                                 [&](double dt) {
+                                     ordinary.advance(dt);
+                                     if (!in_collide)
+                                         fail();
+                                 }}),
+                     std::runtime_error);
+        expect_zero_force_after(thrown_at, clock_.now() + 1);
+        EXPECT_NE(notices_.text(NoticeKind::exception).find("the program has a bug"), std::string::npos);
+        loop_.reset();
+        probe_.reset();
+    }
+}
+
+TEST_P(HapticLoopTest, AnExceptionOfTheLawComesOutAfterZeroForceAndANotice)
+{
+    double thrown_at = 0;
+    RenderSettings rendering;
+    rendering.law = std::make_shared<TroubledLaw>([&] {
+        if (clock_.now() >= pressed_after)
+        {
+            thrown_at = clock_.now();
+            throw std::runtime_error("the law has a bug");
+        }
+    });
+    make(std::move(rendering));
+    EXPECT_THROW(loop_->run(work()), std::runtime_error);
+    expect_zero_force_after(thrown_at, clock_.now() + 1);
+    EXPECT_NE(notices_.text(NoticeKind::exception).find("the law has a bug"), std::string::npos);
+}
+
+TEST_P(HapticLoopTest, ALawThatCannotBeResetDoesNotKeepTheForce)
+{
+    const auto law = std::make_shared<TroubledLaw>([] {});
+    RenderSettings rendering;
+    rendering.law = law;
+    make(std::move(rendering));
+    loop_->run(work([&](double time) {
+        if (time >= pressed_after)
+        {
+            law->at_reset = [] { throw std::runtime_error("the law has a bug"); };
+            loop_->stop();
+        }
+    }));
+    expect_zero_force_after(pressed_after, clock_.now() + 1);
+    EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
+}
+
+TEST_P(HapticLoopTest, AStopTakesTheForceWhileTheLoopWaitsForItsNextTick)
+{
+    LoopSettings slow = settings();
+    slow.rate = 100;
+    slow.physics_rate = 100;
+    make(usual_rendering(), slow);
+    double stopped_at = 0;
+    const auto stopper = clock_.start({0.0025, {}, [&](double time) {
+                                           if (time >= 2.5 && stopped_at == 0)
+                                           {
+                                               stopped_at = time;
+                                               loop_->stop();
+                                           }
+                                       }});
+    loop_->run(work());
+    EXPECT_GT(log_.force_at(stopped_at - 0.001).z(), 0.1);
+    EXPECT_TRUE(log_.was_quiet(stopped_at + 0.0015, clock_.now() + 1));
+    EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
+}
+
+TEST_P(HapticLoopTest, ADriverThatHangsInTheLastTickLeavesNoForce)
+{
+    make();
+    bool stalled = false;
+    scripted_.before_read = [&] {
+        if (clock_.now() >= 2.9985 && !stalled)
+        {
+            stalled = true;
+            clock_.advance(0.0072); // the guard wants the device, and finds it taken
+        }
+    };
+    loop_->run(work());
+    EXPECT_TRUE(stalled);
+    EXPECT_GT(log_.force_at(2.99).z(), 1);
+    EXPECT_TRUE(log_.was_quiet(clock_.now(), clock_.now() + 1));
+}
+
+// --- Punctuality ----------------------------------------------------------------------------------------------------------
+
+TEST_P(HapticLoopTest, ALittleDelayIsMadeUpFor)
+{
+    make();
+    bool late = false;
+    const LoopReport report = loop_->run(work([&](double time) {
+        if (time >= 1 && !late)
+        {
+            late = true;
+            clock_.advance(0.0032);
+        }
+    }));
+    EXPECT_EQ(report.dropped_steps, 0U);
+    EXPECT_NEAR(static_cast<double>(report.steps), 3000, 1);
+    EXPECT_NEAR(clock_.now(), 3, 0.002);
+    EXPECT_NEAR(report.real_time_factor, 1, 1e-3);
+}
+
+TEST_P(HapticLoopTest, ALongDelayIsNot)
+{
+    make();
+    bool late = false;
+    const LoopReport report = loop_->run(work([&](double time) {
+        if (time >= 1 && !late)
+        {
+            late = true;
+            clock_.advance(1);
+        }
+    }));
+    EXPECT_GT(report.dropped_steps, 990U);
+    EXPECT_NEAR(static_cast<double>(report.steps), 3000, 1);
+    EXPECT_NEAR(clock_.now(), 4, 0.01);
+    EXPECT_NEAR(report.real_time_factor, 0.75, 0.01);
+}
+
+TEST_P(HapticLoopTest, ASceneThatIsTooSlowIsToldOf)
+{
+    make();
+    const LoopReport report = loop_->run(work([&](double) { clock_.advance(0.02); }));
+    EXPECT_LT(report.real_time_factor, 0.1);
+    EXPECT_GE(notices_.count(NoticeKind::watchdog) + notices_.count(NoticeKind::guard), 1);
+    for (const LoggedWrite &write : log_.writes())
+        ASSERT_LT(write.wrench.force.norm(), 0.1) << "it begins to come back with each step, and goes again";
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,62 @@
+// How often the scene is stepped, by how long its steps take: made-up durations, in simulated time.
+
+#include "ode_predictive_space/haptics/loop.h"
+#include "tests/haptics/forecast/coupling_scene.h"
+#include "tests/haptics/support/constants.h"
+#include "tests/haptics/support/scripted_device.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// How often a scene at 60 Hz is stepped in a period at most, when a step takes a part of it.
+int steps_per_period(const CouplingCase &scenario, double part)
+{
+    constexpr double rate = 60;
+    const OdeUse ode;
+    CouplingScene scene(Stepper::exact);
+    scenario.build(scene);
+    SimulatedClock clock;
+    NoticeList notices;
+    ScriptedDevice device([&](double seconds) { return scenario.hand.at(seconds); });
+    device.open();
+    RenderSettings rendering;
+    rendering.law = scenario.law();
+    HapticProbe probe(device, scene.space, radius, rendering);
+    LoopSettings settings;
+    settings.decoupled = true;
+    settings.physics_rate = rate;
+    settings.duration = 1;
+    settings.clock = &clock;
+    settings.ask_for_priority = false;
+    settings.notice = notices.sink();
+    HapticLoop loop(probe, settings);
+    double shortest = 1 / rate;
+    loop.run({[&] { scene.collide(probe); },
+              [&](double step) {
+                  shortest = std::min(shortest, step);
+                  scene.step(step);
+                  clock.advance(part / rate);
+              }});
+    return static_cast<int>(std::lround(1 / (rate * shortest)));
+}
+
+TEST(StepsPerPeriod, ContactsAreSteppedAsOftenAsThereIsTimeFor)
+{
+    EXPECT_GE(steps_per_period(stack(5), 0), 6);
+    EXPECT_EQ(steps_per_period(stack(5), 0.12), 4);
+    EXPECT_EQ(steps_per_period(stack(5), 0.2), 2);
+    EXPECT_EQ(steps_per_period(stack(5), 0.3), 1);
+    EXPECT_EQ(steps_per_period(stack(5), 0.8), 1);
+}
+
+TEST(StepsPerPeriod, WhatIsUnstableOtherwiseIsSteppedAsOftenAsItHasToBe)
+{
+    EXPECT_GT(steps_per_period(rope_of_twenty(), 0), 1);
+    EXPECT_GT(steps_per_period(rope_of_twenty(), 0.3), 1);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

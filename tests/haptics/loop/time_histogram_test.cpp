@@ -1,0 +1,35 @@
+#include "ode_predictive_space/haptics/loop/time_histogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+#include <vector>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+TEST(TimeHistogram, QuantilesAreNeverTooShortAndTooLongByLessThanTwoPercent)
+{
+    std::mt19937 random(1);
+    std::lognormal_distribution<double> times(std::log(1e-3), 2);
+    std::vector<double> all(10000);
+    TimeHistogram histogram;
+    for (double &time : all)
+    {
+        time = times(random);
+        histogram.add(time);
+    }
+    std::sort(all.begin(), all.end());
+    for (const double share : {0.001, 0.1, 0.5, 0.9, 0.99, 0.999, 1.0})
+    {
+        const double truth = all[static_cast<std::size_t>(std::ceil(share * 10000)) - 1];
+        EXPECT_GE(histogram.quantile(share), truth * (1 - 1e-12)) << share;
+        EXPECT_LE(histogram.quantile(share), truth * 1.02) << share;
+    }
+    EXPECT_EQ(histogram.summary().max, all.back());
+    EXPECT_EQ(histogram.summary().count, 10000U);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

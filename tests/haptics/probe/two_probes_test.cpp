@@ -1,0 +1,359 @@
+// Two probes in one scene: each touches the tool of the other, and both hands feel the same force.
+
+#include "ode_predictive_space/haptics/loop.h"
+#include "ode_predictive_space/haptics/probe.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
+#include "ode_predictive_space/haptics/virtual_device.h"
+
+#include "tests/haptics/support/probe_fixture.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// A program's near callback, as the guide has it.
+struct TwoProbeWorld
+{
+    ProbeWorld world;
+    HapticProbe *probes[2] = {};
+
+    void collide() { dSpaceCollide(world.space, this, &near); }
+
+    static void near(void *data, dGeomID first, dGeomID second)
+    {
+        for (HapticProbe *probe : static_cast<TwoProbeWorld *>(data)->probes)
+            if (probe->touch(first, second))
+                return;
+        ADD_FAILURE() << "no probe took the pair";
+    }
+};
+
+/// A hand that comes from one side (-1 or 1) within a second and presses its springs of 300 N/m by 1 cm: 3 N.
+VirtualDevice hand_from(double side, double stroke = 0.01)
+{
+    return VirtualDevice({}, [side, stroke](double seconds) -> Vector3 {
+        const double u = std::clamp(seconds - 1, 0.0, 1.0);
+        return {side * (0.05 - u * u * (3 - 2 * u) * (0.05 - radius + stroke)), 0, 0};
+    });
+}
+
+/// What both hands feel from the third second on.
+struct Balance
+{
+    double most_difference = 0; ///< N; between one force and the opposite of the other
+    double least = infinity;    ///< N
+    double most = 0;            ///< N
+
+    void add(const RenderedTick &one, const RenderedTick &other)
+    {
+        if (one.time < 3)
+            return;
+        most_difference = std::max(most_difference, (one.force + other.force).norm());
+        least = std::min({least, one.force.norm(), other.force.norm()});
+        most = std::max({most, one.force.norm(), other.force.norm()});
+    }
+
+    void expect_even(const std::string &what) const
+    {
+        EXPECT_LE(most_difference, 0.05) << what;
+        EXPECT_GT(least, 1) << what;
+        EXPECT_LT(most - least, 0.1) << what;
+    }
+};
+
+using TwoProbes = HapticProbeTest;
+
+TEST_F(TwoProbes, PressedOnEachOtherFeelTheSameForceInEitherOrder)
+{
+    for (const int order : {0, 1, 2, 3})
+    {
+        TwoProbeWorld scene;
+        VirtualDevice left = hand_from(-1);
+        VirtualDevice right = hand_from(1);
+        RenderSettings soft;
+        soft.law = std::make_shared<ProxyLaw>(Material{300});
+        HapticProbe first(left, scene.world.space, radius, order < 2 ? RenderSettings() : soft);
+        HapticProbe second(right, scene.world.space, radius);
+        scene.probes[order % 2] = &first;
+        scene.probes[1 - order % 2] = &second;
+        Balance balance;
+        for (int tick = 0; tick < 8000; ++tick)
+        {
+            for (HapticProbe *probe : scene.probes)
+                probe->begin(dt * tick);
+            scene.collide();
+            for (HapticProbe *probe : scene.probes)
+                probe->render(dt);
+            balance.add(first.last_tick(), second.last_tick());
+        }
+        balance.expect_even("order " + std::to_string(order));
+        EXPECT_LT(first.last_tick().force.x(), 0);
+    }
+}
+
+/// The first is run by a loop, of one thread or two; the program runs the second in its callbacks.
+TEST_F(TwoProbes, InALoopOfOneThreadAndOfTwo)
+{
+    for (const bool decoupled : {false, true})
+    {
+        TwoProbeWorld scene;
+        VirtualDevice left = hand_from(-1);
+        VirtualDevice right = hand_from(1);
+        HapticProbe first(left, scene.world.space, radius);
+        HapticProbe second(right, scene.world.space, radius);
+        scene.probes[0] = &first;
+        scene.probes[1] = &second;
+        SimulatedClock clock;
+        LoopSettings settings;
+        settings.decoupled = decoupled;
+        settings.duration = 8;
+        settings.clock = &clock;
+        Balance balance;
+        HapticLoop loop(first, settings);
+        SceneWork work;
+        work.collide = [&] {
+            second.begin(clock.now());
+            scene.collide();
+            second.render(dt);
+        };
+        work.advance = [&](double) { balance.add(loop.latest(), second.last_tick()); };
+        loop.run(work);
+        balance.expect_even(decoupled ? "two threads" : "one thread");
+    }
+}
+
+/// Two threads that take turns, each with its own clock: neither is ahead of the other by more than a step.
+class ClockInTurns : public SimulatedClock
+{
+public:
+    struct Turns
+    {
+        std::mutex mutex;
+        std::condition_variable changed;
+        double reached[2] = {-1, -1}; ///< s
+    };
+
+    ClockInTurns(Turns &turns, int number) : turns_(turns), number_(number) {}
+
+    /// The guard of a loop watches from a thread of its own whether a program's clock goes back.
+    double now() const override
+    {
+        return std::this_thread::get_id() == thread_ ? SimulatedClock::now() : shown_.load();
+    }
+
+    void sleep_until(double time) override
+    {
+        wait_for_turn(time);
+        SimulatedClock::sleep_until(time);
+        shown_ = SimulatedClock::now();
+    }
+
+    /// The loop of this clock has ended: the other one goes on alone.
+    void end()
+    {
+        const std::lock_guard<std::mutex> lock(turns_.mutex);
+        turns_.reached[number_] = infinity;
+        turns_.changed.notify_all();
+    }
+
+private:
+    void wait_for_turn(double time)
+    {
+        std::unique_lock<std::mutex> lock(turns_.mutex);
+        turns_.reached[number_] = time;
+        turns_.changed.notify_all();
+        turns_.changed.wait(lock, [&] {
+            const double other = turns_.reached[1 - number_];
+            return number_ == 0 ? other >= time : other > time;
+        });
+    }
+
+    Turns &turns_;
+    int number_;
+    const std::thread::id thread_ = std::this_thread::get_id(); ///< of the loop
+    std::atomic<double> shown_{0};                              ///< s; to other threads
+};
+
+/// Each of two threads runs a loop with one of two probes.
+class TwoLoops : public HapticProbeTest
+{
+protected:
+    /// @param advance of a loop, by its number.
+    void run(int number, LoopSettings settings, const std::function<void(HapticLoop &, int)> &advance)
+    {
+        settings.scene = &mutex_;
+        settings.ask_for_priority = false;
+        HapticLoop loop(*scene_.probes[number], settings);
+        loop.run({[&] { scene_.collide(); }, [&](double) { advance(loop, number); }});
+    }
+
+    /// @param run_loop in both threads, with the number of the loop.
+    static void in_two_threads(const std::function<void(int)> &run_loop)
+    {
+        std::thread other([&] {
+            dAllocateODEDataForThread(dAllocateMaskAll);
+            run_loop(1);
+            dCleanupODEAllDataForThread();
+        });
+        run_loop(0);
+        other.join();
+    }
+
+    TwoProbeWorld scene_;
+    std::mutex mutex_;
+};
+
+TEST_F(TwoLoops, InTwoThreadsFeelTheSameForce)
+{
+    for (const bool decoupled : {false, true})
+    {
+        VirtualDevice left = hand_from(-1);
+        VirtualDevice right = hand_from(1);
+        HapticProbe first(left, scene_.world.space, radius);
+        HapticProbe second(right, scene_.world.space, radius);
+        scene_.probes[0] = &first;
+        scene_.probes[1] = &second;
+        ClockInTurns::Turns turns;
+        Balance balance;
+        RenderedTick latest[2];
+        in_two_threads([&](int number) {
+            ClockInTurns clock(turns, number);
+            LoopSettings settings;
+            settings.decoupled = decoupled;
+            settings.duration = 8;
+            settings.clock = &clock;
+            run(number, settings, [&](const HapticLoop &loop, int which) {
+                latest[which] = loop.latest();
+                if (which == 1)
+                    balance.add(latest[0], latest[1]);
+            });
+            clock.end();
+        });
+        balance.expect_even(decoupled ? "decoupled" : "of one thread each");
+    }
+}
+
+// By the wall clock: for ThreadSanitizer, too.
+TEST_F(TwoLoops, InTwoThreadsByTheWallClockFeelEachOther)
+{
+    for (const bool decoupled : {false, true})
+    {
+        const auto from = [](double side) {
+            return [side](double seconds) -> Vector3 {
+                return {side * (0.02 - 0.012 * std::min(1.0, 2 * seconds)), 0, 0};
+            };
+        };
+        ScriptedDevice left(from(-1)), right(from(1));
+        HapticProbe first(left, scene_.world.space, radius);
+        HapticProbe second(right, scene_.world.space, radius);
+        scene_.probes[0] = &first;
+        scene_.probes[1] = &second;
+        std::atomic<double> wished[2] = {0, 0}; // N
+        std::atomic<bool> felt{false};
+        in_two_threads([&](int number) {
+            LoopSettings settings;
+            settings.decoupled = decoupled;
+            settings.duration = 60; // simulated; long before, both have felt each other
+            run(number, settings, [&](HapticLoop &loop, int which) {
+                wished[which] = loop.latest().wished.x();
+                felt = felt || (wished[0] < -0.1 && wished[1] > 0.1);
+                if (felt)
+                    loop.stop();
+            });
+        });
+        EXPECT_TRUE(felt) << wished[0] << " and " << wished[1];
+    }
+}
+
+/// Its search region grows far beyond the tool while that is pressed into a wall.
+TEST_F(TwoProbes, OneThatIsFarFromTheToolOfTheOtherFeelsNothingOfIt)
+{
+    TwoProbeWorld scene;
+    scene.world.add_box({0.1, 0.1, 0.1}, {0, 0, -0.05});
+    ScriptedDevice pressing(reach({0, 0, 0.03}, {0, 0, -0.02}));
+    ScriptedDevice beside([](double) -> Vector3 { return {0.022, 0, 0.011}; });
+    HapticProbe first(pressing, scene.world.space, radius);
+    HapticProbe second(beside, scene.world.space, radius);
+    scene.probes[0] = &first;
+    scene.probes[1] = &second;
+    for (int tick = 0; tick < 3000; ++tick)
+    {
+        first.begin(dt * tick);
+        second.begin(dt * tick);
+        scene.collide();
+        first.render(dt);
+        second.render(dt);
+        ASSERT_TRUE(second.last_tick().force.isZero(0)) << tick;
+        ASSERT_NEAR(first.last_tick().force.x(), 0, 1e-9) << tick;
+    }
+    EXPECT_GT(first.last_tick().force.z(), 5);
+}
+
+TEST_F(TwoProbes, FeelNothingOfEachOtherWhereTheirBitsOrSpacesSayNo)
+{
+    for (const bool by_bits : {true, false})
+    {
+        TwoProbeWorld scene;
+        ProbeWorld elsewhere;
+        VirtualDevice left = hand_from(-1);
+        VirtualDevice right = hand_from(1);
+        HapticProbe first(left, scene.world.space, radius);
+        HapticProbe second(right, by_bits ? scene.world.space : elsewhere.space, radius);
+        if (by_bits)
+        {
+            for (HapticProbe *probe : {&first, &second})
+            {
+                dGeomSetCategoryBits(probe->geom(), 1);
+                dGeomSetCollideBits(probe->geom(), ~1UL);
+            }
+        }
+        scene.probes[0] = &first;
+        scene.probes[1] = &second;
+        for (int tick = 0; tick < 3000; ++tick)
+        {
+            first.begin(dt * tick);
+            second.begin(dt * tick);
+            scene.collide();
+            first.render(dt);
+            second.render(dt);
+            ASSERT_TRUE(first.last_tick().force.isZero(0) && second.last_tick().force.isZero(0)) << tick;
+        }
+    }
+}
+
+TEST_F(TwoProbes, OneThatIsDestroyedIsFeltNoMore)
+{
+    TwoProbeWorld scene;
+    VirtualDevice left = hand_from(-1);
+    VirtualDevice right = hand_from(1);
+    HapticProbe first(left, scene.world.space, radius);
+    auto second = std::make_unique<HapticProbe>(right, scene.world.space, radius);
+    scene.probes[0] = &first;
+    scene.probes[1] = second.get();
+    int tick = 0;
+    for (; tick < 3000; ++tick)
+    {
+        first.begin(dt * tick);
+        second->begin(dt * tick);
+        scene.collide();
+        first.render(dt);
+        second->render(dt);
+    }
+    ASSERT_GT(first.last_tick().force.norm(), 1);
+    second.reset();
+    scene.probes[1] = &first;
+    for (; tick < 3200; ++tick)
+    {
+        first.begin(dt * tick);
+        scene.collide();
+        first.render(dt);
+    }
+    EXPECT_TRUE(first.last_tick().force.isZero(0));
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

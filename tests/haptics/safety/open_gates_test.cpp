@@ -1,0 +1,91 @@
+#include "ode_predictive_space/haptics/safety/open_gates.h"
+
+#include "tests/haptics/safety/program_end_fixture.h"
+
+#include <atomic>
+#include <exception>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// A gate that pushes, and is read in this thread.
+class PushingGate
+{
+public:
+    explicit PushingGate(SharedForce &force) : device(force), gate(device)
+    {
+        device.open();
+        open_gates::add(gate);
+        DeviceState state;
+        gate.read(0, state);
+        gate.write(push(1));
+    }
+
+    ~PushingGate() { open_gates::remove(gate); }
+    PushingGate(const PushingGate &) = delete;
+    PushingGate &operator=(const PushingGate &) = delete;
+
+    SharedDevice device;
+    DeviceGate gate;
+};
+
+class OpenGatesTest : public ProgramEnds
+{
+protected:
+    /// The driver does this when the guard writes zero.
+    ProgramEnd end_in_driver_of_guard(const std::function<void()> &end)
+    {
+        return end_of_pressing([&] {
+            static PushingGate pushing(force_); // exit() destroys it
+            pushing.device.after_write = end;
+            open_gates::close_unguarded(std::this_thread::get_id(), 0);
+        });
+    }
+};
+
+TEST_F(OpenGatesTest, ADriverMayTerminateTheProgramInTheGuardsCall)
+{
+    expect_abort(end_in_driver_of_guard([] { std::terminate(); }));
+    expect_zero();
+}
+
+TEST_F(OpenGatesTest, ADriverMayExitInTheGuardsCall)
+{
+    EXPECT_TRUE(end_in_driver_of_guard([] { std::exit(3); }).exited_with(3));
+    expect_zero();
+}
+
+TEST_F(OpenGatesTest, ASecondGateToADeviceIsRefusedUntilTheFirstIsRemoved)
+{
+    auto pushing = std::make_unique<PushingGate>(force_);
+    SharedDevice &device = pushing->device;
+    DeviceGate second(device);
+    EXPECT_THROW(open_gates::add(second), std::logic_error);
+    open_gates::remove(pushing->gate);
+    EXPECT_NO_THROW(open_gates::add(second));
+    open_gates::remove(second);
+}
+
+TEST_F(OpenGatesTest, AGateThatIsRemovedIsLeftAlone)
+{
+    std::atomic<bool> over{false};
+    std::thread guard([&, reader = std::this_thread::get_id()] {
+        while (!over)
+            open_gates::close_unguarded(reader, 0);
+    });
+    for (int i = 0; i < 2000; ++i)
+    {
+        // AddressSanitizer tells of a gate that is visited when it is gone.
+        const auto first = std::make_unique<PushingGate>(force_);
+        const auto second = std::make_unique<PushingGate>(second_force_);
+    }
+    over = true;
+    guard.join();
+    EXPECT_FALSE(open_gates::close_unguarded(std::this_thread::get_id(), 0)) << "none is left";
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,329 @@
+// Ends of a program that no destructor sees: there must be no force after them. Each is tried in a process of its own.
+
+#include "ode_predictive_space/haptics/loop.h"
+#include "ode_predictive_space/haptics/penalty_law.h"
+
+#include "tests/haptics/safety/program_end_fixture.h"
+#include "tests/haptics/support/probe_world.h"
+#include "tests/haptics/support/signal_disposition.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <gtest/gtest.h>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// How the probe is run.
+enum class RunKind
+{
+    by_hand,
+    one_thread,
+    two_threads
+};
+
+/// Where the program ends.
+enum class Place
+{
+    near,
+    advance,
+    notice,
+    law,
+    material,
+    recorder,
+    read,
+    write,
+    clock
+};
+
+/// How.
+enum class Way
+{
+    exit,
+    quick_exit,
+    terminate,
+    exception,
+    abort
+};
+
+constexpr RunKind all_runs[] = {RunKind::by_hand, RunKind::one_thread, RunKind::two_threads};
+constexpr Place all_places[] = {Place::near,     Place::advance, Place::notice, Place::law,  Place::material,
+                                Place::recorder, Place::read,    Place::write,  Place::clock};
+constexpr Way all_ways[] = {Way::exit, Way::quick_exit, Way::terminate, Way::exception, Way::abort};
+
+const char *name_of(RunKind run)
+{
+    constexpr const char *names[] = {"ByHand", "OneThread", "TwoThreads"};
+    return names[static_cast<std::size_t>(run)];
+}
+
+const char *name_of(Place place)
+{
+    constexpr const char *names[] = {"Near",     "Advance", "Notice", "Law",  "Material",
+                                     "Recorder", "Read",    "Write",  "Clock"};
+    return names[static_cast<std::size_t>(place)];
+}
+
+const char *name_of(Way way)
+{
+    constexpr const char *names[] = {"Exit", "QuickExit", "Terminate", "Exception", "Abort"};
+    return names[static_cast<std::size_t>(way)];
+}
+
+/// No exception of the standard library: what a device or a callback throws may be anything.
+struct Trouble
+{};
+
+void end_by(Way way)
+{
+    switch (way)
+    {
+    case Way::exit:
+        std::exit(3);
+    case Way::quick_exit:
+        std::quick_exit(3);
+    case Way::terminate:
+        std::terminate();
+    case Way::exception:
+        throw Trouble();
+    case Way::abort:
+        std::abort();
+    }
+}
+
+/// The machine's clock, with the program's own code in it.
+class OwnClock : public MonotonicClock
+{
+public:
+    explicit OwnClock(std::function<void()> at_now) : at_now_(std::move(at_now)) {}
+
+    double now() const override
+    {
+        at_now_();
+        return MonotonicClock::now();
+    }
+
+private:
+    std::function<void()> at_now_;
+};
+
+/// The usual law, with the program's own code in it, which says by how much too strong its forces are.
+class OwnLaw : public ForceLaw
+{
+public:
+    explicit OwnLaw(std::function<double()> factor) : factor_(std::move(factor)) {}
+
+    void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override
+    {
+        law_.forces(tool, touches, dt, forces);
+        const double factor = factor_();
+        for (Vector3 &force : forces)
+            force *= factor;
+    }
+
+    void reset() override { law_.reset(); }
+    Material material() const override { return law_.material(); }
+
+private:
+    PenaltyLaw law_;
+    std::function<double()> factor_;
+};
+
+/// A program that leans on a plane, and whose callbacks call back.
+class LeaningProgram
+{
+public:
+    using Callback = std::function<void(Place)>; ///< called in each place, from then on when the force is there
+
+    LeaningProgram(SharedForce &force, Callback callback)
+        : force_(force), callback_(std::move(callback)), device_(force), clock_([this] { at(Place::clock); })
+    {
+        dCreatePlane(world_.space, 0, 0, 1, 0);
+        world_.on_pair = [this](dGeomID, dGeomID) { at(Place::near); };
+        device_.before_read = [this] { at(Place::read); };
+        device_.after_write = [this] { at(Place::write); };
+    }
+
+    Device &device() { return device_; }
+    ProbeWorld &world() { return world_; }
+
+    /// Half a second, or 20 by the machine's clock: a busy machine takes its time.
+    void run(RunKind run)
+    {
+        HapticProbe probe(device_, world_.space, 0.01, rendering());
+        probe.set_materials([this](dGeomID) {
+            at(Place::material);
+            return std::nullopt;
+        });
+        probe.set_recorder([this](const RenderedTick &) { at(Place::recorder); });
+        run == RunKind::by_hand ? run_by_hand(probe) : run_loop(probe, run == RunKind::two_threads);
+    }
+
+private:
+    void at(Place place)
+    {
+        if (force_.now > felt)
+            callback_(place);
+    }
+
+    RenderSettings rendering()
+    {
+        RenderSettings settings;
+        settings.safety = SafetyLimits::of(desktop_capabilities());
+        settings.safety->ramp_time = 0;
+        settings.notice = [this](const Notice &) { at(Place::notice); };
+        settings.law = std::make_shared<OwnLaw>([this] {
+            at(Place::law);
+            return force_.now > felt ? 1e6 : 1; // more than the device can render: worth a notice
+        });
+        return settings;
+    }
+
+    void run_by_hand(HapticProbe &probe)
+    {
+        for (int tick = 0; tick < 500; ++tick)
+        {
+            world_.run(probe, 1);
+            at(Place::advance);
+        }
+    }
+
+    void run_loop(HapticProbe &probe, bool decoupled)
+    {
+        LoopSettings settings;
+        settings.decoupled = decoupled;
+        settings.ask_for_priority = false;
+        settings.duration = 20;
+        settings.clock = &clock_;
+        HapticLoop loop(probe, settings);
+        loop.run({[&] { world_.collide(probe); },
+                  [&](double dt) {
+                      world_.step(dt);
+                      at(Place::advance);
+                  }});
+    }
+
+    SharedForce &force_;
+    Callback callback_;
+    const OdeUse ode_;
+    ProbeWorld world_;
+    SharedDevice device_;
+    OwnClock clock_;
+};
+
+/// A program leans on a plane; with the force there, it ends in a place.
+class LeaningProgramEnds : public ProgramEnds
+{
+protected:
+    ProgramEnd end_in(RunKind run, Place place, const std::function<void()> &end)
+    {
+        return end_of_pressing([&] {
+            // The clock is asked by two threads. Only one of them may end the program: exit() in two at once has no defined outcome.
+            std::atomic<std::thread::id> ending{};
+            LeaningProgram program(force_, [&](Place here) {
+                std::thread::id first{};
+                const std::thread::id me = std::this_thread::get_id();
+                if (here == place && (ending.compare_exchange_strong(first, me) || first == me))
+                    end();
+            });
+            program.run(run);
+        });
+    }
+};
+
+using EndPlace = std::tuple<RunKind, Place>;
+
+class ProgramEndTest : public LeaningProgramEnds, public testing::WithParamInterface<EndPlace>
+{};
+
+TEST_P(ProgramEndTest, LeavesNoForceAndAMessage)
+{
+    const auto [run, place] = GetParam();
+    const bool in_device = place == Place::read || place == Place::write;
+    for (const Way way : all_ways)
+    {
+        if (in_device && way == Way::exception)
+            continue; // no end of a program: see WhatADeviceThrowsIsADevicesFaultWhateverItIs
+        SCOPED_TRACE(name_of(way));
+        const ProgramEnd end = end_in(run, place, [way] { end_by(way); });
+        if (way == Way::exit || way == Way::quick_exit)
+        {
+            EXPECT_TRUE(end.exited_with(3)) << end.status << (end.hung ? " hung" : "");
+        }
+        else
+            expect_abort(end);
+        expect_zero();
+    }
+}
+
+/// Without a loop there is no clock.
+std::vector<EndPlace> all_end_places()
+{
+    std::vector<EndPlace> places;
+    for (const RunKind run : all_runs)
+    {
+        for (const Place place : all_places)
+            if (run != RunKind::by_hand || place != Place::clock)
+                places.emplace_back(run, place);
+    }
+    return places;
+}
+
+INSTANTIATE_TEST_SUITE_P(Places, ProgramEndTest, testing::ValuesIn(all_end_places()), [](const auto &info) {
+    return std::string(name_of(std::get<0>(info.param))) + name_of(std::get<1>(info.param));
+});
+
+/// The parameter: how the probe is run.
+class ProgramEndRunTest : public LeaningProgramEnds, public testing::WithParamInterface<RunKind>
+{};
+
+INSTANTIATE_TEST_SUITE_P(Runs, ProgramEndRunTest, testing::ValuesIn(all_runs),
+                         [](const auto &info) { return name_of(info.param); });
+
+TEST_P(ProgramEndRunTest, ExitInAnotherThreadLeavesNoForce)
+{
+    const ProgramEnd end = end_in(GetParam(), Place::advance, [] { std::thread([] { std::exit(3); }).join(); });
+    EXPECT_TRUE(end.exited_with(3));
+    expect_zero();
+}
+
+TEST_P(ProgramEndRunTest, AnExceptionThatAThreadDoesNotCatchLeavesNoForce)
+{
+    const ProgramEnd end =
+        end_in(GetParam(), Place::advance, [] { std::thread([] { throw std::runtime_error("not caught"); }).join(); });
+    expect_abort(end);
+    EXPECT_TRUE(end.says("not caught"));
+    expect_zero();
+}
+
+TEST_F(LeaningProgramEnds, SigquitEndsALoopAndLeavesNoForce)
+{
+    const SignalDisposition ending(SIGQUIT);
+    for (const RunKind run : {RunKind::one_thread, RunKind::two_threads})
+    {
+        EXPECT_TRUE(end_in(run, Place::advance, [] { std::raise(SIGQUIT); }).exited_with(returned));
+        expect_zero();
+    }
+}
+
+TEST_P(ProgramEndRunTest, WhatADeviceThrowsIsADevicesFaultWhateverItIs)
+{
+    for (const Place place : {Place::read, Place::write})
+    {
+        const ProgramEnd end = end_in(GetParam(), place, [ended = false]() mutable {
+            if (!std::exchange(ended, true))
+                throw Trouble();
+            std::exit(3); // with the force there again
+        });
+        EXPECT_TRUE(end.exited_with(3)) << end.messages;
+        expect_zero();
+    }
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

@@ -1,0 +1,190 @@
+#include "ode_predictive_space/haptics/safety.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/haptics/safety/simulated_hand.h"
+#include "tests/haptics/support/constants.h"
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+Capabilities desktop()
+{
+    Capabilities capabilities;
+    capabilities.name = "PHANToM Desktop";
+    capabilities.max_force = 7.9;
+    capabilities.max_stiffness = 1000;
+    capabilities.max_damping = 5;
+    capabilities.rate = 1000;
+    return capabilities;
+}
+
+Rendering rendering_of(double stiffness, double rate = 1000)
+{
+    Rendering rendering;
+    rendering.stiffness = stiffness;
+    rendering.rate = rate;
+    return rendering;
+}
+
+TEST(Stability, WhatTheDeviceCanRenderIsFine)
+{
+    for (const double stiffness : {0.0, 500.0, 1000.0})
+    {
+        const StabilityVerdict verdict = check_stability(desktop(), rendering_of(stiffness));
+        EXPECT_EQ(verdict.outcome, StabilityOutcome::fine);
+        EXPECT_EQ(verdict.stiffness, stiffness);
+        EXPECT_EQ(verdict.reason, "");
+    }
+}
+
+TEST(Stability, AStifferWallIsClampedToTheDevice)
+{
+    const StabilityVerdict verdict = check_stability(desktop(), rendering_of(3000));
+    EXPECT_EQ(verdict.outcome, StabilityOutcome::clamped);
+    EXPECT_EQ(verdict.stiffness, 1000);
+    EXPECT_EQ(verdict.reason,
+              "A stiffness of 3000 N/m is above the 1000 N/m that PHANToM Desktop can render; 1000 N/m is used.");
+}
+
+TEST(Stability, ASlowerLoopRendersLessAFasterOneNotMore)
+{
+    EXPECT_EQ(check_stability(desktop(), rendering_of(3000, 500)).stiffness, 500);
+    EXPECT_EQ(
+        check_stability(desktop(), rendering_of(3000, 500)).reason,
+        "A stiffness of 3000 N/m is above the 500 N/m that PHANToM Desktop can render at 500 Hz; 500 N/m is used.");
+    EXPECT_EQ(check_stability(desktop(), rendering_of(3000, 4000)).stiffness, 1000);
+}
+
+TEST(Stability, OfADampingThatIsKnownTheStiffnessIsPassive)
+{
+    Rendering rendering = rendering_of(900);
+    rendering.device_damping = 0.4;
+    StabilityVerdict verdict = check_stability(desktop(), rendering);
+    EXPECT_EQ(verdict.outcome, StabilityOutcome::clamped);
+    EXPECT_DOUBLE_EQ(verdict.stiffness, 800); // 2 b / T
+    EXPECT_EQ(verdict.reason,
+              "A stiffness of 900 N/m is above the 800 N/m that are passive at 1000 Hz with 0.4 N s/m in the "
+              "device; 800 N/m is used.");
+
+    rendering.damping = 0.1; // takes its own from b
+    verdict = check_stability(desktop(), rendering);
+    EXPECT_NEAR(verdict.stiffness, 600, 1e-9);
+    EXPECT_EQ(verdict.damping, 0.1);
+
+    rendering.delay = 0.001; // a whole period: T / 2 becomes 3 T / 2
+    EXPECT_NEAR(check_stability(desktop(), rendering).stiffness, 200, 1e-9);
+
+    rendering = rendering_of(3000);
+    rendering.device_damping = 100; // then the device's own limit is the lower one
+    EXPECT_EQ(check_stability(desktop(), rendering).stiffness, 1000);
+}
+
+TEST(Stability, DampingIsClampedToo)
+{
+    Rendering rendering = rendering_of(3000);
+    rendering.damping = 12;
+    const StabilityVerdict verdict = check_stability(desktop(), rendering);
+    EXPECT_EQ(verdict.outcome, StabilityOutcome::clamped);
+    EXPECT_EQ(verdict.damping, 5);
+    EXPECT_EQ(verdict.stiffness, 1000);
+    EXPECT_EQ(verdict.reason,
+              "A damping of 12 N s/m is above the 5 N s/m that PHANToM Desktop can render; 5 N s/m is used. "
+              "A stiffness of 3000 N/m is above the 1000 N/m that PHANToM Desktop can render; 1000 N/m is used.");
+}
+
+TEST(Stability, LimitsThatAreNotKnownDoNotCount)
+{
+    Rendering rendering = rendering_of(1e6);
+    rendering.damping = 1e3;
+    const StabilityVerdict verdict = check_stability(Capabilities(), rendering);
+    EXPECT_EQ(verdict.outcome, StabilityOutcome::fine);
+    EXPECT_EQ(verdict.stiffness, 1e6);
+}
+
+TEST(Stability, ADeviceThatCannotPushRendersAnything)
+{
+    Capabilities mouse = desktop();
+    mouse.force_axes = 0;
+    EXPECT_EQ(check_stability(mouse, rendering_of(3000)).outcome, StabilityOutcome::fine);
+}
+
+TEST(Stability, NonsenseIsRefusedWithTheReason)
+{
+    const auto expect_refused = [](const Rendering &rendering, const char *word) {
+        const StabilityVerdict verdict = check_stability(desktop(), rendering);
+        EXPECT_EQ(verdict.outcome, StabilityOutcome::refused) << word;
+        EXPECT_EQ(verdict.stiffness, 0);
+        EXPECT_EQ(verdict.damping, 0);
+        EXPECT_NE(verdict.reason.find(word), std::string::npos) << verdict.reason;
+        EXPECT_EQ(verdict.reason.back(), '.');
+    };
+    for (const double bad : {-1.0, nan, infinity})
+    {
+        Rendering rendering = rendering_of(500);
+        rendering.stiffness = bad;
+        expect_refused(rendering, "stiffness");
+        rendering = rendering_of(500);
+        rendering.damping = bad;
+        expect_refused(rendering, "damping");
+        rendering = rendering_of(500);
+        rendering.rate = bad;
+        expect_refused(rendering, "rate");
+        rendering = rendering_of(500);
+        rendering.delay = bad;
+        expect_refused(rendering, "delay");
+        rendering = rendering_of(500);
+        rendering.device_damping = bad;
+        expect_refused(rendering, "device");
+    }
+    expect_refused(rendering_of(500, 0), "rate");
+}
+
+TEST(Stability, MoreDampingThanTheDeviceHasIsRefused)
+{
+    Rendering rendering = rendering_of(500);
+    rendering.device_damping = 0.4;
+    rendering.damping = 0.4;
+    EXPECT_EQ(check_stability(desktop(), rendering).outcome, StabilityOutcome::refused);
+    EXPECT_EQ(check_stability(desktop(), rendering).reason,
+              "Nothing is passive with a damping of 0.4 N s/m, as the device itself has 0.4 N s/m, which is not more.");
+    rendering.stiffness = 0;
+    rendering.damping = 0;
+    rendering.device_damping = 0;
+    EXPECT_EQ(check_stability(desktop(), rendering).outcome, StabilityOutcome::fine); // nothing at all is passive
+}
+
+/// How wide a hand swings that was pressed on a wall of that stiffness for a minute: in the last seconds.
+double swing_on_a_wall(double stiffness, double rate, int delay)
+{
+    SimulatedHand hand;
+    hand.push = -2;
+    hand.position = -2 / stiffness - 0.0001; // nearly at rest
+    SimulatedWall wall(stiffness, delay);
+    Swing swing;
+    const int ticks = static_cast<int>(60 * rate);
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+        hand.move(wall.force_at(hand.position), 1 / rate);
+        if (tick > ticks * 9 / 10)
+            swing.add(hand.position);
+    }
+    return swing.width();
+}
+
+TEST(Stability, UpToTheBoundAHandSettlesAndAboveItShakes)
+{
+    for (const double rate : {500.0, 1000.0, 4000.0})
+        for (const int delay : {0, 1, 3})
+        {
+            Rendering rendering = rendering_of(1e9, rate);
+            rendering.device_damping = SimulatedHand().damping;
+            rendering.delay = delay / rate;
+            const double bound = check_stability(Capabilities(), rendering).stiffness;
+            EXPECT_LT(swing_on_a_wall(0.8 * bound, rate, delay), 1e-6) << rate << " Hz, delay " << delay;
+            EXPECT_GT(swing_on_a_wall(1.3 * bound, rate, delay), 1e-3) << rate << " Hz, delay " << delay;
+        }
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

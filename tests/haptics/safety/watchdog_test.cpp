@@ -1,0 +1,289 @@
+#include "ode_predictive_space/haptics/safety/watchdog.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+#include "tests/haptics/support/constants.h"
+#include "tests/haptics/support/random_numbers.h"
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+/// A servo loop of 1 kHz with everything as it should be, unless told otherwise.
+struct Program
+{
+    explicit Program(const WatchdogLimits &limits = {}) : watchdog(limits) {}
+
+    void tick(double elapsed = dt)
+    {
+        time += elapsed;
+        if (physics_runs)
+            watchdog.physics_fresh(time);
+        watchdog.device_answered(device_answers);
+        watchdog.servo_ticked(time);
+        stale_ticks += watchdog.reason() == WatchdogReason::physics_stale ? 1 : 0;
+    }
+
+    void run(double seconds)
+    {
+        for (int i = 0; i < std::lround(seconds / dt); ++i)
+            tick();
+    }
+
+    /// Up to full force.
+    void settle()
+    {
+        run(1);
+        ASSERT_EQ(watchdog.factor(), 1);
+        ASSERT_EQ(watchdog.reason(), WatchdogReason::none);
+    }
+
+    Watchdog watchdog;
+    double time = 5;
+    bool physics_runs = true;
+    bool device_answers = true;
+    int stale_ticks = 0;
+};
+
+TEST(Watchdog, BeginsAtZeroAndRisesWhenAllIsWell)
+{
+    Program program;
+    EXPECT_EQ(program.watchdog.factor(), 0);
+    program.tick();
+    EXPECT_EQ(program.watchdog.factor(), 0);
+    double last = 0;
+    for (int i = 1; i < 250; ++i)
+    {
+        program.tick();
+        EXPECT_NEAR(program.watchdog.factor() - last, dt / 0.25, 1e-12);
+        last = program.watchdog.factor();
+    }
+    program.run(0.003);
+    EXPECT_EQ(program.watchdog.factor(), 1);
+}
+
+TEST(Watchdog, StaysAtZeroAsLongAsSomethingHasNotShownThatItLives)
+{
+    Program without_device;
+    without_device.device_answers = false;
+    without_device.run(0.5);
+    EXPECT_EQ(without_device.watchdog.factor(), 0);
+    EXPECT_EQ(without_device.watchdog.reason(), WatchdogReason::device_lost);
+    Program without_physics;
+    without_physics.physics_runs = false;
+    without_physics.run(0.5);
+    EXPECT_EQ(without_physics.watchdog.factor(), 0);
+    EXPECT_EQ(without_physics.watchdog.reason(), WatchdogReason::physics_stale);
+}
+
+/// How much time has really passed is unknown then.
+TEST(Watchdog, AClockThatGoesBackTakesTheForceAtOnce)
+{
+    Program program;
+    program.settle();
+    program.tick(-3);
+    EXPECT_EQ(program.watchdog.factor(), 0);
+    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::servo_late);
+    program.tick();
+    EXPECT_LT(program.watchdog.factor(), 0.01) << "it comes back slowly";
+    program.settle();
+}
+
+TEST(Watchdog, WithoutPhysicsTheForceIsGoneWithinTenMilliseconds)
+{
+    WatchdogLimits limits;
+    limits.stale_after = 0.0035; // between two ticks, so that rounding of times decides nothing
+    Program program(limits);
+    program.settle();
+    program.physics_runs = false;
+    program.run(0.003);
+    EXPECT_EQ(program.watchdog.factor(), 1); // not yet: a step may take so long
+    double last = 1.1;                       // the fault begins half a tick before the next one
+    for (int i = 0; i < 5; ++i)
+    {
+        program.tick();
+        EXPECT_NEAR(program.watchdog.factor(), last - 0.2, 1e-9);
+        EXPECT_EQ(program.watchdog.reason(), WatchdogReason::physics_stale);
+        last = program.watchdog.factor();
+    }
+    program.tick();
+    EXPECT_EQ(program.watchdog.factor(), 0); // 9 ms after the last step
+
+    program.physics_runs = true;
+    program.tick();
+    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::none);
+    EXPECT_NEAR(program.watchdog.factor(), dt / 0.25, 1e-12);
+    program.run(0.3);
+    EXPECT_EQ(program.watchdog.factor(), 1);
+    EXPECT_EQ(program.stale_ticks, 6);
+}
+
+TEST(Watchdog, SlowerPhysicsIsGivenItsTime)
+{
+    Program program(WatchdogLimits::of(1000, 100));
+    for (int i = 0; i < 1000; ++i)
+    {
+        program.physics_runs = i % 10 == 0;
+        program.tick();
+    }
+    EXPECT_EQ(program.watchdog.factor(), 1);
+    EXPECT_EQ(program.stale_ticks, 0);
+    program.physics_runs = false;
+    program.run(0.046); // four periods and the decay
+    EXPECT_EQ(program.watchdog.factor(), 0);
+}
+
+TEST(Watchdog, WithoutTheDeviceTheForceIsGoneWithinTenMilliseconds)
+{
+    Program program;
+    program.settle();
+    program.device_answers = false;
+    program.run(0.005);
+    EXPECT_NEAR(program.watchdog.factor(), 0, 1e-9);
+    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::device_lost);
+    program.device_answers = true;
+    program.tick();
+    EXPECT_LT(program.watchdog.factor(), 0.01);
+    program.settle();
+}
+
+TEST(Watchdog, ADeadlineMissedByLittleCostsLittleByMuchAll)
+{
+    Program program;
+    program.settle();
+    program.tick(0.0039);
+    EXPECT_EQ(program.watchdog.factor(), 1);
+    program.tick(0.005); // 1 ms beyond 4 ms
+    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::servo_late);
+    EXPECT_NEAR(program.watchdog.factor(), 0.8, 1e-9);
+    program.tick();
+    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::none);
+    program.settle();
+    program.tick(0.1);
+    EXPECT_EQ(program.watchdog.factor(), 0);
+    program.settle();
+}
+
+TEST(Watchdog, ManyMissedDeadlinesInARowAreTooMany)
+{
+    Program program;
+    program.settle();
+    for (int i = 0; i < 19; ++i)
+        program.tick(0.002);
+    EXPECT_EQ(program.watchdog.factor(), 1);
+    program.tick(); // in time: it counts anew
+    for (int i = 0; i < 19; ++i)
+        program.tick(0.002);
+    EXPECT_EQ(program.watchdog.factor(), 1);
+    for (int i = 0; i < 4; ++i)
+    {
+        program.tick(0.002);
+        EXPECT_EQ(program.watchdog.reason(), WatchdogReason::servo_late);
+    }
+    EXPECT_EQ(program.watchdog.factor(), 0);
+    program.settle();
+}
+
+TEST(Watchdog, ATimeThatIsNoNumberIsAFault)
+{
+    Program program;
+    program.settle();
+    program.watchdog.physics_fresh(std::numeric_limits<double>::quiet_NaN());
+    program.watchdog.servo_ticked(program.time + dt);
+    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::physics_stale);
+    EXPECT_EQ(program.watchdog.factor(), 0);
+    program.settle();
+    program.watchdog.servo_ticked(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(program.watchdog.factor(), 0);
+    program.settle();
+}
+
+TEST(Watchdog, TheFactorIsAFractionFallsWithinItsTimeAndRisesSlowly)
+{
+    RandomNumbers random(1);
+    for (int run = 0; run < 100; ++run)
+    {
+        Program program;
+        double bad_since = program.time;
+        for (int tick = 0; tick < 2000; ++tick)
+        {
+            if (random.one_in(100))
+                program.physics_runs = !program.physics_runs;
+            if (random.one_in(200))
+                program.device_answers = !program.device_answers;
+            const double elapsed = random.one_in(50) ? random.between(0, 0.02) : random.between(0.0005, 0.0014);
+            const double before = program.watchdog.factor();
+            program.tick(elapsed);
+            const double factor = program.watchdog.factor();
+            ASSERT_GE(factor, 0);
+            ASSERT_LE(factor, 1);
+            ASSERT_LE(factor, before + elapsed / 0.25 + 1e-12);
+            if (program.watchdog.reason() == WatchdogReason::none)
+                bad_since = program.time;
+            const bool long_bad = program.time - bad_since > 0.01; // the fault began after the last good tick
+            ASSERT_TRUE(!long_bad || factor < 1e-9);
+        }
+    }
+}
+
+TEST(Watchdog, LimitsFollowFromTheRates)
+{
+    const WatchdogLimits fast = WatchdogLimits::of(4000, 1000);
+    EXPECT_DOUBLE_EQ(fast.stale_after, 0.004);
+    EXPECT_DOUBLE_EQ(fast.late_after, 0.004);
+    EXPECT_DOUBLE_EQ(fast.late_period, 1.5 / 4000);
+    const WatchdogLimits slow = WatchdogLimits::of(100, 50);
+    EXPECT_DOUBLE_EQ(slow.stale_after, 0.023);
+    EXPECT_DOUBLE_EQ(slow.late_after, 0.013);
+    EXPECT_THROW(WatchdogLimits::of(0, 1), std::invalid_argument);
+    EXPECT_THROW(WatchdogLimits::of(1, -1), std::invalid_argument);
+}
+
+TEST(Watchdog, RefusesLimitsThatCannotBe)
+{
+    double WatchdogLimits::*const all[] = {&WatchdogLimits::stale_after, &WatchdogLimits::late_after,
+                                           &WatchdogLimits::late_period, &WatchdogLimits::decay_time,
+                                           &WatchdogLimits::ramp_time};
+    for (double WatchdogLimits::*const limit : all)
+        for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()})
+        {
+            WatchdogLimits limits;
+            limits.*limit = bad;
+            EXPECT_THROW(Watchdog{limits}, std::invalid_argument);
+        }
+    WatchdogLimits limits;
+    limits.decay_time = 0.011;
+    EXPECT_THROW(Watchdog{limits}, std::invalid_argument);
+    limits = {};
+    limits.late_in_a_row = 0;
+    EXPECT_THROW(Watchdog{limits}, std::invalid_argument);
+    limits = {};
+    limits.ramp_time = 0;
+    Program program(limits);
+    program.tick();
+    EXPECT_EQ(program.watchdog.factor(), 1);
+}
+
+TEST(Watchdog, PhysicsAndTheServoLoopMayBeDifferentThreads)
+{
+    Watchdog watchdog;
+    std::thread physics([&] {
+        for (int i = 0; i < 20000; ++i)
+            watchdog.physics_fresh(i * dt);
+    });
+    for (int i = 0; i < 20000; ++i)
+    {
+        watchdog.device_answered(true);
+        watchdog.servo_ticked(i * dt);
+        ASSERT_LE(watchdog.factor(), 1);
+    }
+    physics.join();
+    watchdog.servo_ticked(20000 * dt);
+    EXPECT_EQ(watchdog.reason(), WatchdogReason::none);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics

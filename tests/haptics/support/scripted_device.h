@@ -1,0 +1,124 @@
+// A device that goes where a test says, and remembers what was written to it and when.
+
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_SCRIPTED_DEVICE_H
+#define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_SCRIPTED_DEVICE_H
+
+#include "ode_predictive_space/haptics/device.h"
+#include "ode_predictive_space/haptics/loop.h"
+
+#include <functional>
+#include <vector>
+
+namespace ode_predictive_space::haptics
+{
+/// A PHANToM Desktop by its numbers.
+inline Capabilities desktop_capabilities()
+{
+    Capabilities capabilities;
+    capabilities.name = "scripted device";
+    capabilities.max_force = 7.9;
+    capabilities.max_stiffness = 1000;
+    capabilities.max_damping = 5;
+    return capabilities;
+}
+
+/// Along z.
+inline Wrench push(double newtons)
+{
+    Wrench wrench;
+    wrench.force.z() = newtons;
+    return wrench;
+}
+
+/// Nothing that the hand feels moves it.
+class ScriptedDevice : public SoftwareDevice
+{
+public:
+    using Path = std::function<Vector3(double seconds)>;
+
+    explicit ScriptedDevice(Path path, const Capabilities &capabilities = desktop_capabilities())
+        : SoftwareDevice(capabilities), path_(std::move(path))
+    {}
+
+    std::function<void()> before_read; ///< within the driver; may be empty
+    std::uint32_t buttons = 0;
+
+protected:
+    DeviceState move_to(double seconds) override
+    {
+        constexpr double step = 1e-4;
+        if (before_read)
+            before_read();
+        DeviceState state;
+        state.position = path_(seconds);
+        state.buttons = buttons;
+        state.linear_velocity = (path_(seconds + step) - state.position) / step;
+        return state;
+    }
+
+private:
+    Path path_;
+};
+
+/// One write() to a device.
+struct LoggedWrite
+{
+    double time; ///< s; of a clock
+    Wrench wrench;
+};
+
+/// Passes everything on, and keeps what was written. Writes may come from several threads, one at a time.
+class WriteLog : public Device
+{
+public:
+    WriteLog(Device &device, const LoopClock &clock) : device_(device), clock_(clock) {}
+
+    void open() override { device_.open(); }
+    void close() noexcept override
+    {
+        device_.close();
+        log(Wrench());
+    }
+    const Capabilities &capabilities() const override { return device_.capabilities(); }
+    DeviceState read(double time) override { return device_.read(time); }
+    DeviceStatus status() const override { return device_.status(); }
+
+    void write(const Wrench &wrench) override
+    {
+        device_.write(wrench);
+        log(wrench);
+    }
+
+    const std::vector<LoggedWrite> &writes() const { return writes_; }
+
+    /// The force that the device renders at this time.
+    Vector3 force_at(double time) const
+    {
+        Vector3 force = Vector3::Zero();
+        for (const LoggedWrite &write : writes_)
+            if (write.time <= time)
+                force = write.wrench.force;
+        return force;
+    }
+
+    /// Whether there was no force at all between the two times, both included.
+    bool was_quiet(double from, double to) const
+    {
+        if (!force_at(from).isZero(0))
+            return false;
+        for (const LoggedWrite &write : writes_)
+            if (write.time >= from && write.time <= to && !write.wrench.force.isZero(0))
+                return false;
+        return true;
+    }
+
+private:
+    void log(const Wrench &wrench) { writes_.push_back({clock_.now(), wrench}); }
+
+    Device &device_;
+    const LoopClock &clock_;
+    std::vector<LoggedWrite> writes_;
+};
+} // namespace ode_predictive_space::haptics
+
+#endif
