@@ -1,7 +1,7 @@
 // Text from files and other programs is printed so that it cannot control a terminal.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_PRINTABLE_H
-#define ODE_PREDICTIVE_SPACE_PROCESS_PRINTABLE_H
+#define ODE_PREDICTIVE_SPACE_RECORDING_PRINTABLE_H
 
 #include <cstddef>
 #include <string>
