@@ -102,18 +102,6 @@ TEST(SmallPrograms, PrintAndWriteTheirFigures)
     }
 }
 
-TEST(SmallPrograms, TableOneHasThreeBlocksOfTwentyCells)
-{
-    const ResultFile file;
-    ASSERT_EQ(run(BENCH_TABLE1, "--ticks 64 --json " + file.path()).status, 0);
-    std::map<std::string, int> cells;
-    const nlohmann::json content = file.content();
-    for (const nlohmann::json &record : content)
-        ++cells[record.at("block")];
-    EXPECT_EQ(cells,
-              (std::map<std::string, int>{{"broad phase", 20}, {"broad and narrow phase", 20}, {"whole tick", 20}}));
-}
-
 TEST(RecordWorlds, WritesWhatCanBeReplayed)
 {
     const ResultFile file;

@@ -324,8 +324,12 @@ TEST(Broadphase, NumbersAreUsedAgain)
     const ProxyId first = world.add(ball({0, 0, 0}, 1, {0, 0, 0}));
     const ProxyId second = world.add(ball({1, 0, 0}, 1, {0, 0, 0}));
     EXPECT_EQ(world.tick().size(), 1u);
+    world.broadphase.set_role(first, Role::fixed_interactive);
     world.remove(first);
     EXPECT_EQ(world.add(ball({50, 0, 0}, 1, {0, 0, 0})), first);
+    const ProxyRecord &record = world.broadphase.proxies().records[first];
+    EXPECT_EQ(record.role, Role::environment);
+    EXPECT_EQ(record.size, 0) << "nothing is known of the new object yet";
     EXPECT_TRUE(world.tick().empty()) << "the new object is not in the pair of the old one";
     world.place(second, {51, 0, 0});
     EXPECT_EQ(world.tick().size(), 1u);

@@ -96,5 +96,24 @@ TEST_F(LookBudgets, PayForDataThatChangeAgainAndAgain)
     EXPECT_FALSE(budget.allows_look(mesh));
 }
 
+TEST_F(LookBudgets, DoNotGrowWithPairsThatComeAndGo)
+{
+    look_in_vain(500, 2000);
+    const float before = look_in_vain(500, 2000);
+    for (int report = 0; report < 500; ++report)
+    {
+        budget.begin_report();
+        budget.note_new_pair(mesh);
+    }
+    EXPECT_LT(look_in_vain(500, 2000), 1.1f * before + 4000);
+}
+
+TEST_F(LookBudgets, EndWithTheObject)
+{
+    budget.note_look(mesh, 1e6f);
+    budget.close(mesh);
+    budget.note_new_pair(mesh);
+    EXPECT_TRUE(budget.allows_look(mesh));
+}
 } // namespace
 } // namespace ode_predictive_space

@@ -48,5 +48,13 @@ TEST(Memory, AnArrayThatShrinksGivesItsMemoryBack)
     EXPECT_EQ(numbers.back(), 7);
 }
 
+TEST(Memory, ScratchGivesBackWhatAOneOffSpikeTook)
+{
+    std::vector<int> scratch(1000000);
+    clear_scratch(scratch);
+    scratch.assign(10, 1);
+    clear_scratch(scratch);
+    EXPECT_LE(bytes_of(scratch), 100000u);
+}
 } // namespace
 } // namespace ode_predictive_space

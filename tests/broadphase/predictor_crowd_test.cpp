@@ -14,6 +14,30 @@ namespace
 {
 constexpr double ball_radius = 0.1;
 
+// A lattice of balls that fly all in the same direction, so near to each other that envelopes of the first reach overlap.
+TEST(Predictor, TheReachShrinksWhereNeighboursAreTestedInVainAndGrowsWhereThereAreNone)
+{
+    World world;
+    for (int i = 0; i < 64; ++i)
+        world.add(ball(0.25 * Vector3(i % 4, i / 4 % 4, i / 16), ball_radius, {0.001, 0, 0}));
+    const auto mean_reach_after = [&](int ticks) {
+        for (int i = 0; i < ticks; ++i)
+        {
+            world.advance();
+            EXPECT_TRUE(world.tick().empty());
+        }
+        double sum = 0;
+        for (const ProxyRecord &record : world.broadphase.proxies().records)
+            sum += record.reach;
+        return sum / 64;
+    };
+    const double at_first = mean_reach_after(1);
+    EXPECT_LT(mean_reach_after(1000), 0.5 * at_first);
+    for (ProxyId id : world.members())
+        world.place(id, 50 * world.object(id).centre);
+    EXPECT_GT(mean_reach_after(1000), at_first);
+}
+
 // Objects that fly or fall, with steps of any length.
 class Flock
 {

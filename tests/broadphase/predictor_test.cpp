@@ -278,6 +278,18 @@ TEST(Predictor, AFixedDeviationIsThatOfTheRole)
     }
 }
 
+TEST(Predictor, ObjectsThatWereAddedTogetherDoNotLeaveTheirEnvelopesTogether)
+{
+    World world;
+    for (int i = 0; i < 100; ++i)
+        world.add(ball({1.0 * i, 0, 0}, radius, {0, 0.001, 0}));
+    world.tick();
+    std::set<float> reaches;
+    for (const ProxyRecord &record : world.broadphase.proxies().records)
+        reaches.insert(record.reach);
+    EXPECT_GT(reaches.size(), 90u);
+}
+
 TEST(Predictor, NotANumberHarmsNoOtherObject)
 {
     World world;

@@ -71,12 +71,6 @@ TEST_F(ProbeRun, RunsInEverySceneThatItOffers)
     }
 }
 
-TEST_F(ProbeRun, RendersNoMoreThanTheDeviceCan)
-{
-    const nlohmann::json force = results("--objects 30 --seconds 0.1 --stiffness 100000").at("force");
-    EXPECT_LE(force.at("stiffness_n_per_m").get<double>(), 1000.001) << "the most that a PHANToM Desktop can";
-}
-
 TEST_F(ProbeRun, RefusesWhatContradictsItself)
 {
     for (const char *options :
@@ -132,14 +126,6 @@ TEST(Summary, TellsOfSafetyNotices)
     }
 }
 
-TEST_F(ProbeRun, SaysWhereTheReportIs)
-{
-    const Outcome outcome = run(
-        HAPTIC_DEMO, "--headless --device virtual --objects 1 --seconds 0.01 --fast --report '" + file("page") + "'");
-    EXPECT_EQ(outcome.status, 0) << outcome.output;
-    EXPECT_TRUE(contains(outcome.output, "report: " + file("page/index.html") + "\n")) << outcome.output;
-}
-
 TEST_F(ProbeRun, NoticesAnUnwritableFileBeforeTheRun)
 {
     for (const char *kind : {"--device virtual", "--compare"})
@@ -149,13 +135,6 @@ TEST_F(ProbeRun, NoticesAnUnwritableFileBeforeTheRun)
         EXPECT_EQ(outcome.status, 2) << kind;
         EXPECT_EQ(outcome.output, "predictive_haptic_demo: cannot write /no/such/folder/a.json\n");
     }
-}
-
-TEST_F(ProbeRun, NoticesAnUnwritableFolderBeforeTheRun)
-{
-    const Outcome outcome = run(HAPTIC_DEMO, "--headless --device virtual --report /proc/no_folder");
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.output, "predictive_haptic_demo: cannot write /proc/no_folder/index.html\n");
 }
 
 TEST_F(ProbeRun, ChecksFilesWithoutChangingThem)

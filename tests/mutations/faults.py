@@ -441,7 +441,7 @@ def shape_faults():
         "word(double{heights.scale})};", (("shape_contract", "HullOfHeights.*"),))
     yield Fault(
         "half_of_a_hull_not_searched", "shapes", BROADPHASE + "shape/vertex_hull.cpp",
-        "if (less > best.reach)\n        search(nearer, direction, absolute, best);", "", (("shapes", "VertexHull.*"),))
+        "if (less > best.reach)\n        search(nearer, direction, absolute, best);", "", (("shapes", "Gap.*"),))
     yield Fault(
         "travel_without_the_cylinder_around", "shapes", BROADPHASE + "shape/convex_shape.h",
         "if (kind == ShapeKind::cylinder || blunt_beside)\n        {\n            const double half",

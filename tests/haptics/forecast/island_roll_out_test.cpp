@@ -35,6 +35,26 @@ protected:
     dBodyID other_;
 };
 
+TEST_F(IslandRollOutTest, FindsWhatTheWorldDoes)
+{
+    const dBodyID ball = scene_.bodies[1];
+    const Vector3 impulse(1e-4, 0, 0);
+    std::vector<Vector3> foreseen;
+    {
+        IslandRollOut island({ball}, false);
+        island.run(3, 0.01, {{ball, Vector3::Zero(), impulse}},
+                   [&](std::size_t) { foreseen.push_back(place_of(ball)); });
+    }
+    const Vector3 at = place_of(ball);
+    dBodyAddForceAtPos(ball, impulse.x() / 0.01, 0, 0, at.x(), at.y(), at.z());
+    for (const Vector3 &place : foreseen)
+    {
+        scene_.step(0.01);
+        EXPECT_LE((place_of(ball) - place).norm(), 1e-12);
+    }
+    EXPECT_GT((place_of(ball) - at).norm(), 1e-4);
+}
+
 TEST_F(IslandRollOutTest, ABodyThatDoesNotTakePartIsNotPushed)
 {
     const Vector3 at = place_of(other_);

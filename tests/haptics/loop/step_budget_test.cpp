@@ -1,5 +1,7 @@
 // How often the scene is stepped, by how long its steps take: made-up durations, in simulated time.
 
+#include "ode_predictive_space/haptics/loop/loop_parts.h"
+
 #include "ode_predictive_space/haptics/loop.h"
 #include "tests/haptics/forecast/coupling_scene.h"
 #include "tests/haptics/support/constants.h"
@@ -12,6 +14,39 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
+class StepBudgetTest : public testing::Test
+{
+protected:
+    static constexpr double period = 0.01; // s
+    StepBudget budget_;
+};
+
+TEST_F(StepBudgetTest, OneStepIsAlwaysAfforded)
+{
+    for (const double took : {0.006, 0.01, 10.0})
+    {
+        budget_.note(took);
+        EXPECT_EQ(budget_.affordable(period), 1);
+    }
+}
+
+TEST_F(StepBudgetTest, ALongStepIsForgottenSlowly)
+{
+    budget_.note(0.004);
+    budget_.note(0.0005);
+    EXPECT_EQ(budget_.affordable(period), 1) << "one short step does not make up for it";
+    int before = 1;
+    for (int i = 0; i < 100; ++i)
+    {
+        budget_.note(0.0005);
+        EXPECT_GE(budget_.affordable(period), before);
+        before = budget_.affordable(period);
+    }
+    EXPECT_EQ(before, 10);
+    budget_.note(0.004);
+    EXPECT_EQ(budget_.affordable(period), 1) << "a long one counts at once";
+}
+
 /// How often a scene at 60 Hz is stepped in a period at most, when a step takes a part of it.
 int steps_per_period(const CouplingCase &scenario, double part)
 {

@@ -31,5 +31,13 @@ TEST(TimeHistogram, QuantilesAreNeverTooShortAndTooLongByLessThanTwoPercent)
     EXPECT_EQ(histogram.summary().max, all.back());
     EXPECT_EQ(histogram.summary().count, 10000U);
 }
+
+TEST(TimeHistogram, MeanIsExact)
+{
+    TimeHistogram histogram;
+    histogram.add(0.25);
+    histogram.add(0.75);
+    EXPECT_DOUBLE_EQ(histogram.summary().mean, 0.5);
+}
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -91,6 +91,15 @@ TEST_F(DeviceGateTest, ZeroIsWrittenWhenTheGuardFoundTheDeviceTaken)
     EXPECT_TRUE(gate.notice_closing()) << "and it is still closed to forces";
 }
 
+TEST_F(DeviceGateTest, TellsWhenTheGuardTookTheForce)
+{
+    DeviceGate gate(device_);
+    EXPECT_EQ(gate.zeros(), 0U);
+    gate.close_with_zero(3.5);
+    EXPECT_EQ(gate.last_zero(), 3.5);
+    EXPECT_EQ(gate.zeros(), 1U);
+}
+
 TEST_F(DeviceGateTest, ADeviceThatTakesNoZeroIsLetGoOf)
 {
     FaultyDevice device(device_);

@@ -168,6 +168,17 @@ TEST(Watchdog, ADeadlineMissedByLittleCostsLittleByMuchAll)
     program.settle();
 }
 
+TEST(Watchdog, OfTwoFaultsTheLongerOneCounts)
+{
+    Program program;
+    program.settle();
+    program.physics_runs = false;
+    program.watchdog.physics_fresh(program.time + 0.1 - 0.0045); // stale for half a millisecond
+    program.tick(0.1);                                           // but nobody was there for much longer
+    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::physics_stale);
+    EXPECT_EQ(program.watchdog.factor(), 0);
+}
+
 TEST(Watchdog, ManyMissedDeadlinesInARowAreTooMany)
 {
     Program program;
@@ -186,6 +197,18 @@ TEST(Watchdog, ManyMissedDeadlinesInARowAreTooMany)
     }
     EXPECT_EQ(program.watchdog.factor(), 0);
     program.settle();
+}
+
+TEST(Watchdog, TellsTheForemostOfSeveralReasons)
+{
+    Program program;
+    program.settle();
+    program.physics_runs = false;
+    program.tick(1);
+    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::physics_stale);
+    program.device_answers = false;
+    program.tick(1);
+    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::device_lost);
 }
 
 TEST(Watchdog, ATimeThatIsNoNumberIsAFault)

@@ -1,0 +1,47 @@
+#include "ode_predictive_space/haptics/law/force_shares.h"
+
+#include <gtest/gtest.h>
+
+namespace ode_predictive_space::haptics
+{
+namespace
+{
+Touch touch_of(std::uintptr_t object)
+{
+    Touch touch;
+    touch.object = object;
+    touch.point = Vector3(static_cast<double>(object), 0, 0);
+    return touch;
+}
+
+Vector3 share_of(const ForceSplit &split, std::uintptr_t object)
+{
+    for (const ForceShare &share : split.shares())
+        if (share.object == object)
+            return share.force;
+    return Vector3::Zero();
+}
+
+TEST(ForceSplit, AClampedForceIsSharedInProportion)
+{
+    ForceSplit split;
+    split.split({touch_of(1), touch_of(2)}, {{10, 0, 0}, {0, 20, 0}}, {1, 2, 0});
+    EXPECT_LE((share_of(split, 1) - Vector3(1, 0, 0)).norm(), 1e-15);
+    EXPECT_LE((share_of(split, 2) - Vector3(0, 2, 0)).norm(), 1e-15);
+}
+
+TEST(ForceSplit, AForceThatLagsBelongsToWhoMadeIt)
+{
+    ForceSplit split;
+    split.split({touch_of(1)}, {{4, 0, 0}}, {4, 0, 0});
+    // The first is left, the second pushes in another direction; the force is half way between.
+    split.split({touch_of(2)}, {{0, 6, 0}}, {2, 3, 0});
+    EXPECT_LE((share_of(split, 1) - Vector3(2, 0, 0)).norm(), 1e-14);
+    EXPECT_LE((share_of(split, 2) - Vector3(0, 3, 0)).norm(), 1e-14);
+    // And on, with nothing touched.
+    split.split({}, {}, {1, 1.5, 0});
+    EXPECT_LE((share_of(split, 1) - Vector3(1, 0, 0)).norm(), 1e-14);
+    EXPECT_EQ(split.shares().size(), 2U);
+}
+} // namespace
+} // namespace ode_predictive_space::haptics
