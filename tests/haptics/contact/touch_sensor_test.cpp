@@ -58,6 +58,22 @@ TEST_F(TouchSensorTest, ClaimsItsPairsAndNoOthers)
     EXPECT_FALSE(sensor.touch(sensor.geom(), reinterpret_cast<dGeomID>(nested))) << "the program is to descend into it";
 }
 
+// A probe of another shape than a sphere is collided by ODE alone.
+TEST_F(TouchSensorTest, OfAnObjectThatIsCollidedByOdeTheDeepestContactCounts)
+{
+    TouchSensor sensor(dCreateBox(world_.space, 0.02, 0.02, 0.02));
+    const dBodyID body = dBodyCreate(world_.world);
+    const double tops[] = {-0.003, 0, -0.002}; // the order in which a space reports them may differ
+    for (const double top : tops)
+    {
+        const dGeomID box = dCreateBox(world_.space, 0.2, 0.2, 0.2);
+        dGeomSetBody(box, body);
+        dGeomSetOffsetWorldPosition(box, 0, 0, top - 0.1);
+    }
+    ASSERT_EQ(look(sensor, {0, 0, 0.005}).size(), 1U);
+    EXPECT_NEAR(sensor.touches()[0].depth, 0.005, 1e-9);
+}
+
 TEST_F(TouchSensorTest, AGeomOfTheProgramStaysWhenTheSensorGoes)
 {
     const dGeomID geom = dCreateBox(world_.space, 0.02, 0.02, 0.02);

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -70,6 +71,34 @@ TEST_F(LoopGuardTest, ADeviceThatTakesNoZeroIsClosedAndToldOf)
     clock_.advance(0.1);
     EXPECT_FALSE(device_.status().open);
     EXPECT_NE(notices_.text(NoticeKind::guard).find("the plug has been pulled"), std::string::npos);
+}
+
+/// A driver that hangs once in a write.
+class HangingDriver : public FaultyDevice
+{
+public:
+    HangingDriver(Device &device, SimulatedClock &clock) : FaultyDevice(device), clock_(clock) {}
+
+    void write(const Wrench &wrench) override
+    {
+        clock_.advance(std::exchange(hang_, 0));
+        FaultyDevice::write(wrench);
+    }
+
+private:
+    SimulatedClock &clock_;
+    double hang_ = 0.5; // s
+};
+
+TEST_F(LoopGuardTest, ADriverThatHangsIsToldOfOnce)
+{
+    HangingDriver driver(device_, clock_);
+    DeviceGate gate(driver);
+    LoopGuard guard(clock_, gate, duties());
+    guard.beat(clock_.now());
+    gate.write(Wrench());
+    EXPECT_EQ(notices_.count(NoticeKind::guard), 1);
+    EXPECT_NE(notices_.text(NoticeKind::guard).find("stuck in the device's driver"), std::string::npos);
 }
 
 TEST_F(LoopGuardTest, ASinkThatWaitsDoesNotKeepItFromWatching)
