@@ -52,7 +52,7 @@ dev_command() {
     drawings) draw docs/drawings/draw.py ;;
     docs)
         need docs
-        exec docs/doxygen/make build/docs
+        docs/doxygen/make build/docs && say "Begin with build/docs/html/index.html"
         ;;
     tidy)
         build tidy all

@@ -84,8 +84,8 @@ void HapticRun::make_probe(const haptics::NoticeSink &notice)
     servo_log_.emplace(servo_rate(), options_.record_file, device_.capabilities(), law, !options_.replay_file.empty());
     haptics::RenderSettings settings;
     settings.placement = place_hand();
-    settings.law = law_ = std::make_shared<AdjustableLaw>(law, options_, settings.placement.scale,
-                                                          device_.capabilities(), servo_rate());
+    settings.law = law_ =
+        std::make_shared<AdjustableLaw>(law, options_, settings.placement.scale, device_.capabilities(), servo_rate());
     settings.rate = servo_rate();
     settings.physics_rate = 1 / scene_.step_seconds();
     settings.clutch_button = clutch_button;
@@ -157,12 +157,8 @@ RunResult HapticRun::run(const std::function<void()> &after_step)
     result.servo = servo_log_->totals();
     result.encounters = contacts_.log().summary();
     result.contacts = contacts_.log().contacts();
-    result.series = {scene_.step_seconds(),
-                     1 / servo_rate(),
-                     step_log_.collide_series(),
-                     step_log_.advance_series(),
-                     servo_log_->force_series(),
-                     servo_log_->period_series()};
+    result.series = {scene_.step_seconds(),      1 / servo_rate(),           step_log_.collide_series(),
+                     step_log_.advance_series(), servo_log_->force_series(), servo_log_->period_series()};
     result.pairs = step_log_.pairs();
     result.stiffness = law_->at_hand(probe_->renderer().rendered(law_->material()).stiffness);
     result.scale = law_->scale();

@@ -83,7 +83,7 @@ public:
     const Vector3 &start() const { return start_; } ///< m; where the probe begins: in free space
     dGeomID probe_geom() const { return probe_->geom(); }
     const haptics::RenderedTick &rendered() const { return loop_->latest(); }
-    const worlds::PairList &pairs() const { return scene_.pairs(); }          ///< of the last step, without the probe's
+    const worlds::PairList &pairs() const { return scene_.pairs(); } ///< of the last step, without the probe's
     const std::vector<dGeomID> &near_probe() const { return contacts_.near(); } ///< in the last step
     const std::vector<dGeomID> &touched() const { return contacts_.touched(); } ///< in the last step
     const std::vector<haptics::Encounter> &meetings() const { return contacts_.encounters(); }

@@ -23,7 +23,7 @@ public:
     /// @param seconds for contacts, forces and the step of the world.
     void advanced(double seconds) { advance_series_.add(seconds); }
 
-    haptics::TimeSummary collide() const { return collide_times_.summary(); }               ///< s
+    haptics::TimeSummary collide() const { return collide_times_.summary(); }          ///< s
     const recording::BoundedSeries &collide_series() const { return collide_series_; } ///< s
     const recording::BoundedSeries &advance_series() const { return advance_series_; } ///< s
     std::uint64_t pairs() const { return pairs_; }                                     ///< sum

@@ -83,8 +83,8 @@ TEST_F(ProbeRun, RefusesWhatContradictsItself)
 TEST_F(ProbeRun, RefusesWhatItDoesNotKnow)
 {
     for (const char *options :
-         {"everything", "--object 30", "--objects", "--objects many", "--objects 0", "--objects=100001", "--objects 2.5",
-          "--seed x", "--seconds 0.001", "--rate 99", "--law magnetism", "--scene", "--space octree",
+         {"everything", "--object 30", "--objects", "--objects many", "--objects 0", "--objects=100001",
+          "--objects 2.5", "--seed x", "--seconds 0.001", "--rate 99", "--law magnetism", "--scene", "--space octree",
           "--space predictive,octree", "--space hash sap octree", "--headless 7 --fast", "--headless=maybe",
           "--headless --device sponge"})
     {
