@@ -7,7 +7,6 @@ draw() {
     PATH=/usr/bin:$PATH exec python3 "$@"
 }
 
-# dev_command <command> [arguments]
 dev_command() {
     local ode_source
     case $1 in
@@ -56,7 +55,6 @@ dev_command() {
         ;;
     tidy)
         build tidy all
-        # Clang does not know what GCC is told about optimisation.
         exec run-clang-tidy -quiet -j "$(nproc)" -p build/tidy -extra-arg=-Wno-ignored-optimization-argument \
             "$top/(ode_predictive_space|tests|demos)/.*"
         ;;
