@@ -13,8 +13,8 @@ using namespace ode_predictive_space::preload;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
-    constexpr std::array<const char *, 4> names{"ODE_PREDICTIVE_SPACE", "ODE_PREDICTIVE_PROXIMITY",
-                                                "ODE_PREDICTIVE_STATS",
+    constexpr std::array<const char *, 5> names{"ODE_PREDICTIVE_SPACE", "ODE_PREDICTIVE_PROXIMITY",
+                                                "ODE_PREDICTIVE_STATS", "ODE_PREDICTIVE_RECORD_LIMIT",
                                                 "ODE_PREDICTIVE_TRACE"};
     std::array<std::string, names.size()> values;
     for (std::size_t i = 0, value = 0; i < size && value < values.size(); ++i)
@@ -33,8 +33,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
         complaints);
     // At most one sentence for each variable that has a list of words; only classes that have a name; files only as given.
     bool right = complaints.size() <= 3 && (settings.stats_file.empty() || settings.stats_file == values[2]) &&
-                 settings.trace_file == values[4] && settings.proximity >= dPredictiveProximityBox &&
-                 settings.proximity <= dPredictiveProximityShape;
+                 settings.trace_file == values[4] && settings.record_limit > 0 &&
+                 settings.proximity >= dPredictiveProximityBox && settings.proximity <= dPredictiveProximityShape;
     for (int space_class : settings.replaced)
         right = right && std::string(name_of_space_class(space_class)) != "unknown";
     if (!right)
