@@ -31,8 +31,8 @@ ODE_PREDICTIVE_TRACE=FILE, ODE_PREDICTIVE_RECORD=FILE, ODE_PREDICTIVE_RECORD_LIM
 libode_predictive_space_preload.so.
 
 PROGRAM takes the tool's place. With --report the tool stays until PROGRAM has ended, and passes signals on to it. Each process
-writes its statistics when it exits; one that has no shared library of ODE, or that a signal or _exit() ends, writes none. Its
-recording is kept.
+writes its statistics when it exits; one that has no shared library of ODE, or that a signal or _exit() ends, writes none. A
+recording is kept in any case.
 
 The program must use the shared library of ODE that this was built for. Others keep their own spaces, and a line on standard
 error says why: an ODE of another precision or layout, a second copy in the process, an ODE built into the program. An ODE

@@ -198,6 +198,8 @@ try
     std::string title = "ode-predictive run";
     for (const std::string &word : options.command)
         title += " " + word;
+    if (!std::filesystem::exists(options.record_file))
+        say("no process that collides a space of ODE was seen");
     say("report: %s", recording::write_report(options.report_folder, options.record_file, title).c_str());
     return true;
 }

@@ -52,6 +52,15 @@ TEST(Launcher, SaysWhereTheReportIs)
     EXPECT_TRUE(std::ifstream(folder.path() + "/recording.odehist")) << "what it rests on";
 }
 
+// The page alone said so.
+TEST(Launcher, SaysThatAReportHasNothingToReportOn)
+{
+    const ScratchFolder folder;
+    const Outcome outcome = launch("--report " + folder.path() + " true");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(count_of("no process that collides a space of ODE was seen\n", outcome.output), 1) << outcome.output;
+}
+
 TEST(Launcher, LeavesFilesToThePrograms)
 {
     const ScratchFile place;
