@@ -1,4 +1,4 @@
-// What the probe is near to, what it touches, and what it will meet.
+// The geoms that the probe is near to, touches, and will meet.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_PROBE_CONTACTS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_PROBE_CONTACTS_H
@@ -9,13 +9,15 @@
 
 namespace ode_predictive_space::demo
 {
-/// In the last step, and as a log of all steps.
+/// The geoms near the probe and the touched ones of the last step, and a log of all steps.
 class ProbeContacts
 {
 public:
     void clear() { near_.clear(); }
 
-    /// The space reported a pair: @return whether the probe is in it.
+    /// To be called for each pair that the space reports.
+    ///
+    /// @return whether the probe is one of the two.
     bool take(haptics::HapticProbe &probe, dGeomID first, dGeomID second)
     {
         const bool is_of_probe = probe.touch(first, second);
@@ -24,7 +26,7 @@ public:
         return is_of_probe;
     }
 
-    /// The forces of the step have been rendered.
+    /// To be called when the forces of the step have been rendered.
     void follow(double time, haptics::HapticProbe &probe)
     {
         const auto touched = [&touches = probe.touches()](dGeomID geom) {

@@ -10,12 +10,12 @@ namespace ode_predictive_space::demo
 {
 const std::vector<std::string> &scenes_for_probes();
 
-/// Without a probe of the scene's own.
+/// Makes the scene without the probe that it may have in other programs.
 ///
 /// @param spec its name is one of scenes_for_probes().
 worlds::WorldFactory factory_for_probe(worlds::WorldSpec spec);
 
-/// A scene in a space of its own, with its simulated time. The probe's pairs are not among its pairs.
+/// A scene with its space and its simulated time. Its pairs are those without the probe.
 class ProbeScene
 {
 public:

@@ -378,7 +378,7 @@ def draw_rooms(folder):
 
 # --- includes.svg -----------------------------------------------------------------------------------------------------
 
-# Where the middle of a room is. The arrows are those of the table.
+# The middle of each room. The arrows are those of the table in CONTRIBUTING.md.
 ROOMS = {
     "preload": (110, 362),
     "demos/haptic": (380, 362),

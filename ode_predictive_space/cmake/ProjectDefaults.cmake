@@ -91,7 +91,8 @@ function(ode_predictive_space_harden)
     endforeach()
 endfunction()
 
-# ode_predictive_space_look_for(<package> <Debian's name> <what is left out without it>): a package that the libraries do not need.
+# ode_predictive_space_look_for(<package> <Debian's name> <parts>): looks for a package that the libraries do not need, and says which
+# parts are left out without it.
 macro(ode_predictive_space_look_for package debian_name left_out)
     find_package(${package} QUIET)
     if(NOT ${package}_FOUND)

@@ -26,7 +26,7 @@ const link_map *ourselves()
     return object_at(reinterpret_cast<const void *>(&find_definition));
 }
 
-// The object whose definition of a function is found from another object; 0 when nobody but this library defines it.
+// Looks a function up, beginning at an object. Returns the object that defines it; 0 when none but this library does.
 link_map *defined_below(const Object &object, const char *function)
 {
     const void *symbol = object.handle ? find_symbol(object.handle, function) : nullptr;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 #include <system_error>
 
@@ -167,16 +168,17 @@ int run_and_wait(char **command)
     struct sigaction action = {};
     action.sa_sigaction = pass_on;
     action.sa_flags = SA_SIGINFO | SA_RESTART;
+    std::map<int, struct sigaction> former; // some may be ignored, as by nohup
     for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2})
-        sigaction(signal, &action, nullptr);
+        sigaction(signal, &action, &former[signal]);
     sigprocmask(SIG_SETMASK, &before, nullptr);
     close(STDIN_FILENO);
     close(STDOUT_FILENO);
     int status = 0;
     while (waitpid(program, &status, 0) < 0 && errno == EINTR)
     {}
-    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2})
-        std::signal(signal, SIG_DFL);
+    for (const auto &[signal, disposition] : former)
+        sigaction(signal, &disposition, nullptr);
     return status;
 }
 

@@ -23,7 +23,8 @@ template <typename State, typename Visit> void visit_body_fields(State &state, s
         visit(&state.velocity, sizeof state.velocity);
 }
 
-/// The same of a GeomState. Its class is known before: a size has as many numbers as the class needs.
+/// Calls visit(address, size) for the fields of a GeomState, whose class must be set: the class determines how many numbers its size
+/// has.
 template <typename State, typename Visit> void visit_geom_fields(State &state, std::uint16_t fields, Visit visit)
 {
     const auto visit_if = [&](std::uint16_t field, auto &value, std::size_t size) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What each command of `./run` installs and builds: no games for the tests, no tests for the demo, the promise tested first. What it says
-# and asks before.
+# Checks which packages each command of `./run` installs and what it builds: no games for the tests, no tests for the demo, the promise
+# tested first; and that it names the packages and asks before.
 # Usage: check_run_needs.sh SOURCE_DIR
 
 set -uo pipefail

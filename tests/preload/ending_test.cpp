@@ -218,6 +218,19 @@ TEST(LauncherThatWaits, LeavesTheSignalsOfItsParentToTheProgram)
     EXPECT_EQ(said.substr(0, native.size()), native) << said;
 }
 
+// After the program's end, a signal that is ignored, as by nohup, ended the launcher while it wrote the report.
+TEST(LauncherThatWaits, StillIgnoresAfterwardsWhatItsParentIgnored)
+{
+    allow_preload();
+    const ScratchFolder report;
+    const Outcome outcome =
+        run("sh", "-c 'trap \"\" HUP; exec " LAUNCHER " --report " + report.path() +
+                      " sh -c \"" ENDING
+                      " return; for i in 1 2 3 4 5 6 7 8 9 10; do kill -HUP \\$PPID; sleep 0.1; done &\"'");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(count_of("report: ", outcome.output), 1) << outcome.output;
+}
+
 TEST(Statistics, NameTheMeasureThatAProgramChose)
 {
     const Outcome outcome = launch("--stats " MEASURING);

@@ -61,8 +61,8 @@ TEST(ClosestPoint, IsFoundInACornerOfManyPlanesThroughOneEdge)
     }
 }
 
-// From a scan's edges. Either plane alone misses the other's depth by more than 1e-9 of it, and the corner of both cannot be told from
-// their numbers.
+// Two planes at an edge of a scanned mesh. The lift by either one leaves more than 1e-9 of the depth in the other, and their corner
+// cannot be computed from the rounded normals.
 TEST(ClosestPoint, IsFoundWhereRoundingHidesTheCornerOfTwoPlanes)
 {
     std::vector<ConstraintPlane> planes = {

@@ -1,4 +1,4 @@
-// A hand that goes along a path through a scene, and what the law wished at each tick: both laws, both kinds of loops.
+// Moves a hand along a path through a scene, by both laws and in both kinds of loops, and keeps the requested force of each tick.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_CONTACT_FIXTURE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_CONTACT_FIXTURE_H
