@@ -6,7 +6,6 @@
 #include <array>
 #include <fstream>
 #include <malloc.h>
-#include <set>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
@@ -216,8 +215,8 @@ constexpr Case cases[] = {
     {"classes", 100, 200000, 0, SpaceKind::predictive_by_shapes},
     {"pile", 100, 200000, 5000},
     {"stack", 100, 200000, 2000},
-    {"terrain", 100, 400000},
-    {"still", 100, 400000},
+    {"terrain", 100, 600000},
+    {"still", 100, 600000},
     {"mix", 100, 300000},
     {"churn", 100, 400000, 25000},
     {"explosion", 100, 400000, 2000},
@@ -229,8 +228,8 @@ constexpr Case cases[] = {
     {"classes", 1000, 200000, 0, SpaceKind::predictive_by_shapes},
     {"pile", 1000, 20000, 1000},
     {"stack", 1000, 40000, 2000},
-    {"terrain", 1000, 500000},
-    {"still", 1000, 500000},
+    {"terrain", 1000, 750000},
+    {"still", 1000, 750000},
     {"mix", 1000, 140000},
     {"churn", 1000, 500000, 25000},
     {"explosion", 1000, 500000, 2000},
