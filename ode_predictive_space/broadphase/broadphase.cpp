@@ -140,7 +140,7 @@ void Broadphase::make_tight(Scene &scene, const Batch &batch)
         for (ProxyId id : {pair.first, pair.second})
             if (Place &place = proxies_.places[id]; place.watches_centre())
             {
-                place.set_watch(Watch::look);
+                place.stop_watching();
                 looks_.current.add(id);
             }
     if (looks_.current.empty())
@@ -173,11 +173,13 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
     if (proximity_test_ == ProximityTest::shape)
     {
         ShapeTest of_shapes({scene, proxies_, shapes_}, test, shape_margin_, counters_.looks);
-        end = near_.report(of_shapes, proxies_.places.data(), last, room.data());
+        end = near_.report(of_shapes, last, room.data());
         shapes_.clear_renewed();
     }
     else
-        end = near_.report(test, proxies_.places.data(), last, room.data());
+        end = near_.report(test, last, room.data());
+    for (ProxyId id : near_.newly_resting())
+        proxies_.places[id].stop_watching();
     interrupted_ = false;
     return static_cast<std::size_t>(end - room.data());
 }

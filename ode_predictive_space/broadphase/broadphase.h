@@ -230,7 +230,7 @@ private:
     }
     void look_at(ProxyId id)
     {
-        proxies_.places[id].set_watch(Watch::look);
+        proxies_.places[id].stop_watching();
         looks_.listed.insert(id);
     }
     void request(ProxyId id)

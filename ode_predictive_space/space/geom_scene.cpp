@@ -245,14 +245,8 @@ static void measure_geom(dxGeom *geom, Place &place, const Origin &origin)
     if (geom->type <= dCylinderClass)
     {
         geom->recomputePosr();
-        place.watch_solid(solid_of(geom));
-    }
-    if (place.watches_solid())
-    {
-        const TightBox box = place.measured(geom->final_posr->pos, geom->final_posr->R, origin);
-        if (is_finite(box))
-            return place.set_tight(box);
-        place.set_watch(Watch::look);
+        if (place.measure(solid_of(geom), geom->final_posr->pos, geom->final_posr->R, origin))
+            return;
     }
     place.set_tight(origin.around(to_box(valid_aabb(geom))));
 }

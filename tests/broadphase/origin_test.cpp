@@ -49,8 +49,7 @@ TEST(Origin, ATightBoxHoldsTheBoundingBoxWhereverItIsCountedFrom)
         const Object object = near_object(random, place);
         const Box bounds = bounds_of(object);
         Place measured, given;
-        measured.watch_solid(solid_of(object));
-        measured.set_tight(measured.measured(object.centre.data(), object.rotation.data(), origin));
+        ASSERT_TRUE(measured.measure(solid_of(object), object.centre.data(), object.rotation.data(), origin));
         given.set_tight(origin.around(bounds));
         ASSERT_TRUE(holds_from(place, measured.tight(), bounds)) << i;
         ASSERT_TRUE(holds_from(place, given.tight(), bounds)) << i;
@@ -71,10 +70,7 @@ TEST(Origin, WhatSeemsToOverlapDoes)
         other.centre.x() += random.chance(0.5) ? touching : -touching;
         Place places[2];
         for (const auto &[object, at] : {std::pair(one, &places[0]), std::pair(other, &places[1])})
-        {
-            at->watch_solid(solid_of(object));
-            at->set_tight(at->measured(object.centre.data(), object.rotation.data(), origin));
-        }
+            ASSERT_TRUE(at->measure(solid_of(object), object.centre.data(), object.rotation.data(), origin));
         const bool surely = surely_overlap(places[0], places[1], origin.doubt());
         const bool overlap = bounds_of(one).intersects(bounds_of(other));
         ASSERT_FALSE(surely && !overlap) << i;

@@ -54,8 +54,7 @@ Object any_solid(Random &random)
 Place placed(const Object &object)
 {
     Place place;
-    place.watch_solid(solid_of(object));
-    place.set_tight(place.measured(object.centre.data(), object.rotation.data(), origin));
+    place.measure(solid_of(object), object.centre.data(), object.rotation.data(), origin);
     return place;
 }
 
@@ -123,8 +122,8 @@ TEST(Place, ATightBoxHoldsWhatIsComputedInSinglePrecision)
         for (std::size_t k = 0; k < 12; ++k)
             rotation[k] = static_cast<float>(object.rotation[k]);
         Place place;
-        place.watch_solid({object.formula, side[0] / 2, side[1] / 2, side[2] / 2});
-        place.set_tight(place.measured(position, rotation, origin));
+        ASSERT_TRUE(
+            place.measure({object.formula, side[0] / 2, side[1] / 2, side[2] / 2}, position, rotation, origin));
         Box computed;
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -151,12 +150,12 @@ TEST(Place, NoFormulaHoldsForWhatIsNotFinite)
                 Object object;
                 object.formula = formula;
                 object.centre[axis] = bad;
-                EXPECT_FALSE(is_finite(placed(object).tight_lanes())) << bad;
+                EXPECT_EQ(placed(object).watch(), Watch::nothing) << bad;
             }
     Object object;
     object.formula = Watch::box;
     object.rotation[5] = nan;
-    EXPECT_FALSE(is_finite(placed(object).tight_lanes()));
+    EXPECT_EQ(placed(object).watch(), Watch::nothing);
 }
 
 // Where it is not a number it may be anywhere.
@@ -330,9 +329,9 @@ TEST(Place, ATightenedEnvelopeHoldsTheObjectAndIsNoLargerThanBefore)
 // Programs may trap them.
 TEST(Place, NoUpdateNumberMakesAnOperationInvalid)
 {
-    const Object object = ball({1, 2, 3}, 0.5, {0, 0, 0});
+    Object object = ball({1, 2, 3}, 0.5, {0, 0, 0});
     const Box boxes[] = {bounds_of(object), Box(Vector3::Constant(-1), Vector3(1, 1, 1e200))}; // the second is in doubt
-    constexpr Watch watches[] = {Watch::look,    Watch::carried, Watch::centre,  Watch::sphere,
+    constexpr Watch watches[] = {Watch::nothing, Watch::carried, Watch::centre,  Watch::sphere,
                                  Watch::capsule, Watch::box,     Watch::cylinder};
     Random random(8);
     std::vector<UpdateNumber> numbers = {0, 1, 0x3c00001, Place::last_update - 1, Place::last_update};
@@ -345,7 +344,8 @@ TEST(Place, NoUpdateNumberMakesAnOperationInvalid)
             for (const Box &box : boxes)
                 for (bool counted : {false, true})
                 {
-                    Place place = placed(object), other = place;
+                    object.formula = watch > Watch::centre ? watch : Watch::nothing;
+                    Place place = placed(object), other = placed(ball({1, 2, 3}, 0.5, {0, 0, 0}));
                     place.set_envelope({Float4::all(-10), Float4::all(10)});
                     other.set_envelope({Float4::all(-10), Float4::all(10)});
                     place.set_tight(box);
@@ -354,7 +354,7 @@ TEST(Place, NoUpdateNumberMakesAnOperationInvalid)
                         place.watch_centre(centre, 0.5f, origin.doubt());
                     if (watch == Watch::carried)
                         place.watch_carried(centre, 0.5f, origin.doubt(), 1);
-                    place.set_watch(watch);
+                    ASSERT_EQ(place.watch(), watch);
                     if (counted)
                         place.note_move(number);
                     else

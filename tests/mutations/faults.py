@@ -314,7 +314,7 @@ def near_faults():
         "pairs_of_the_gone_kept", "near", tick, "near_.retire(id);\n    index_", "index_", (("broadphase", "Broadphase.*:*AnyWorld*"),))
     yield Fault("moves_of_resting_pairs_ignored", "near", tick, "return near_.disturb(id);", "return;", sets)
     yield Fault(
-        "rests_unwatched", "near", near, "places[id].set_watch(Watch::look);", "(void)places;", sets)
+        "rests_unwatched", "near", near, "newly_resting_.push_back(id);", "", sets)
     yield Fault("lost_when_disturbed", "near", near, "active.push_back(pair);\n        else", "(void)pair;\n        else", sets)
     numbers = (("broadphase", "UpdateNumber*:Resting*"),)
     yield Fault("rests_an_update_early", "near", tick, "(clock_.update - 1) & Place::last_update", "clock_.update & Place::last_update", numbers)
@@ -335,8 +335,8 @@ def near_faults():
         "rests_while_one_moves", "near", BROADPHASE + "near/near_set.h", "rests(pair.first) && rests(pair.second);",
         "rests(pair.first) || rests(pair.second);", sets)
     yield Fault(
-        "rests_as_it_was", "near", near, "rest(test(pair) ? by_box_.overlapping : by_box_.separated, pair, places);",
-        "rest(by_box_.separated, pair, places);", sets)
+        "rests_as_it_was", "near", near, "rest(test(pair) ? by_box_.overlapping : by_box_.separated, pair);",
+        "rest(by_box_.separated, pair);", sets)
     yield Fault(
         "resting_pairs_not_reported", "near", near,
         "return std::copy(by_box_.overlapping.begin(), by_box_.overlapping.end(), end);", "return end;", sets)

@@ -6,20 +6,22 @@
 
 namespace ode_predictive_space
 {
-CandidatePair *NearSet::report(const OverlapTest &test, Place *places, UpdateNumber update, CandidatePair *room)
+CandidatePair *NearSet::report(const OverlapTest &test, UpdateNumber update, CandidatePair *room)
 {
+    clear_scratch(newly_resting_);
     activate_disturbed();
     CandidatePair *end = report_by_box(test, room);
     if (is_time_to_rest())
     {
-        let_rest(test, places);
+        let_rest(test);
         rested_ = update;
     }
     return end;
 }
 
-CandidatePair *NearSet::report(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room)
+CandidatePair *NearSet::report(ShapeTest &test, UpdateNumber update, CandidatePair *room)
 {
+    clear_scratch(newly_resting_);
     activate_disturbed();
     const bool some_may_rest = is_time_to_rest();
     CandidatePair *end = report_by_box(test.boxes(), room);
@@ -27,8 +29,8 @@ CandidatePair *NearSet::report(ShapeTest &test, Place *places, UpdateNumber upda
         end = report_by_shape(test, some_may_rest, end);
     if (some_may_rest)
     {
-        let_rest(test.boxes(), places);
-        let_rest_by_shape(test.boxes(), places);
+        let_rest(test.boxes());
+        let_rest_by_shape(test.boxes());
         rested_ = update;
         wanted_.clear();
         want_all_by_shape();
@@ -203,13 +205,13 @@ std::size_t NearSet::activate_disturbed(std::vector<CandidatePair> &resting, std
 }
 
 // Lets those pairs rest whose objects have not moved since the last call; their states are known from now on.
-void NearSet::let_rest(const OverlapTest &test, Place *places)
+void NearSet::let_rest(const OverlapTest &test)
 {
     std::vector<CandidatePair> &active = by_box_.active;
     CandidatePair *left = active.data();
     for (const CandidatePair &pair : active)
-        if (may_rest(pair, places))
-            rest(test(pair) ? by_box_.overlapping : by_box_.separated, pair, places);
+        if (may_rest(pair, test.places))
+            rest(test(pair) ? by_box_.overlapping : by_box_.separated, pair);
         else
             *left++ = pair;
     active.resize(static_cast<std::size_t>(left - active.data()));
@@ -217,12 +219,12 @@ void NearSet::let_rest(const OverlapTest &test, Place *places)
 }
 
 // As they were reported. (The shapes of those that were not looked at are out of date.)
-void NearSet::let_rest_by_shape(const OverlapTest &test, Place *places)
+void NearSet::let_rest_by_shape(const OverlapTest &test)
 {
     keep_by_shape([&](const CandidatePair &pair, std::size_t i) {
-        const bool rests = may_rest(pair, places);
+        const bool rests = may_rest(pair, test.places);
         if (rests)
-            rest(looks_[i].due == 0 && test(pair) ? by_shape_.overlapping : by_shape_.separated, pair, places);
+            rest(looks_[i].due == 0 && test(pair) ? by_shape_.overlapping : by_shape_.separated, pair);
         return !rests;
     });
     give_back_spare(by_shape_.active);
@@ -232,13 +234,13 @@ void NearSet::let_rest_by_shape(const OverlapTest &test, Place *places)
             apart_.insert(id);
 }
 
-void NearSet::rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair, Place *places)
+void NearSet::rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair)
 {
     pairs.push_back(pair);
     for (ProxyId id : {pair.first, pair.second})
     {
         resting_.insert(id);
-        places[id].set_watch(Watch::look);
+        newly_resting_.push_back(id);
     }
 }
 
@@ -264,5 +266,6 @@ void NearSet::release()
     free_memory(looks_);
     free_memory(open_);
     free_memory(disturbed_);
+    free_memory(newly_resting_);
 }
 } // namespace ode_predictive_space

@@ -81,15 +81,18 @@ public:
     std::size_t most_pairs() const { return by_box_.size() + by_shape_.size(); }
 
     /// Writes the pairs that overlap to `room`, which has room for most_pairs(). Now and then, pairs whose objects have not moved
-    /// come to rest; their objects are to be looked at when they move.
+    /// come to rest.
     ///
     /// @param update the present one.
     /// @return the end of what was written.
-    CandidatePair *report(const OverlapTest &test, Place *places, UpdateNumber update, CandidatePair *room);
+    CandidatePair *report(const OverlapTest &test, UpdateNumber update, CandidatePair *room);
 
     /// Does the same, but writes pairs that were added by shape only when they overlap and their shapes may touch. Shapes are brought up
     /// to date where they are needed.
-    CandidatePair *report(ShapeTest &test, Place *places, UpdateNumber update, CandidatePair *room);
+    CandidatePair *report(ShapeTest &test, UpdateNumber update, CandidatePair *room);
+
+    /// The objects of the pairs that the last report let rest, some of them several times. Their next moves must be seen.
+    const std::vector<ProxyId> &newly_resting() const { return newly_resting_; }
 
     /// Drops all pairs.
     void clear();
@@ -127,7 +130,7 @@ public:
 
     std::size_t bytes() const
     {
-        return by_box_.bytes() + by_shape_.bytes() + bytes_of(looks_) + bytes_of(is_retired_) + bytes_of(disturbed_) +
+        return by_box_.bytes() + by_shape_.bytes() + bytes_of(looks_) + bytes_of(is_retired_) + bytes_of(disturbed_) + bytes_of(newly_resting_) +
                resting_.bytes() + apart_.bytes() + wanted_.bytes() + bytes_of(open_) + budget_.bytes();
     }
 
@@ -166,14 +169,14 @@ private:
         ++reports_;
         return reports_ == 2 || reports_ == 8 || reports_ % tuning::reports_per_rest == 0;
     }
-    void let_rest(const OverlapTest &test, Place *places);
-    void let_rest_by_shape(const OverlapTest &test, Place *places);
+    void let_rest(const OverlapTest &test);
+    void let_rest_by_shape(const OverlapTest &test);
     bool may_rest(const CandidatePair &pair, const Place *places) const
     {
         const auto rests = [&](ProxyId id) { return updates_between(rested_, places[id].moved()) <= 0; };
         return rests(pair.first) && rests(pair.second);
     }
-    void rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair, Place *places);
+    void rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair);
 
     bool is_retired(const CandidatePair &pair) const
     {
@@ -192,6 +195,7 @@ private:
     std::vector<Look> looks_;        // of the first so many of by_shape_.active; the others are new
     IdSet resting_;                  // objects with a pair at rest
     std::vector<ProxyId> disturbed_; // were among them
+    std::vector<ProxyId> newly_resting_;
     IdSet apart_;                    // objects with a pair by shape that rested apart when pairs were last let rest
     std::uint64_t woken_ = 0;
     unsigned reports_ = 0;                 // so far; decides when pairs are let rest

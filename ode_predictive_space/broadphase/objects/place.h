@@ -28,7 +28,7 @@ inline std::int32_t updates_between(UpdateNumber from, UpdateNumber to)
 /// The check that a notice of a move makes.
 enum class Watch : std::uint8_t
 {
-    look = 0,    ///< nothing: the object is looked at in the next update
+    nothing = 0, ///< the next update measures the object
     carried = 1, ///< as `centre`, for a centre that is computed from the pose of a body and an offset
     centre = 2,  ///< the centre with the box of allowed centres
     sphere = 4,  ///< the tight box of a sphere with the envelope
@@ -40,7 +40,7 @@ enum class Watch : std::uint8_t
 /// An object whose bounding box follows from its pose alone, by the formula of its kind.
 struct Solid
 {
-    Watch formula = Watch::look; ///< look: there is no formula
+    Watch formula = Watch::nothing; ///< nothing: there is no formula
     /// Half sizes. A sphere has its radius in x; a capsule and a cylinder have the radius in x and half the length in z.
     float x = 0, y = 0, z = 0;
 
@@ -124,12 +124,14 @@ public:
 
     // --- The tight box ---
 
+    /// The watch follows from what happened to the object last: measure(), watch_centre(), watch_carried() or stop_watching().
     Watch watch() const { return static_cast<Watch>(state_ >> watch_shift); }
     /// Does each notice compare the centre alone?
     bool watches_centre() const { return watch() == Watch::carried || watch() == Watch::centre; }
     /// Does each notice measure the tight box?
     bool watches_solid() const { return watch() > Watch::centre; }
-    void set_watch(Watch watch) { state_ = (state_ & ~watch_bits) | static_cast<std::uint32_t>(watch) << watch_shift; }
+    /// From now on notices check nothing, and the update after a notice measures the object.
+    void stop_watching() { set_watch(Watch::nothing); }
     static constexpr UpdateNumber last_update = ~UpdateNumber{0} >> 6;
     UpdateNumber moved() const { return state_ & last_update; }
 
@@ -148,14 +150,27 @@ public:
             state_ = update | (state_ & kept_bits);
     }
 
-    /// From now on the tight box is watched, by the formula of the solid.
-    void watch_solid(const Solid &solid)
+    /// Measures the tight box by the formula of the solid, as each notice does from now on.
+    ///
+    /// @return false when the solid has no formula, or its box is not finite: then nothing is watched, and the box is not set.
+    template <typename Real>
+    bool measure(const Solid &solid, const Real *position, const Real *rotation, const Origin &origin)
     {
         state_ &= ~doubt_bit;
         set_watch(solid.formula);
         half_x_ = solid.x;
         half_y_ = solid.y;
         half_z_ = solid.z;
+        if (!watches_solid())
+            return false;
+        const TightBox box = measured(position, rotation, origin);
+        if (!is_finite(box))
+        {
+            stop_watching();
+            return false;
+        }
+        set_tight(box);
+        return true;
     }
     Solid solid() const { return {watch(), half_x_, half_y_, half_z_}; }
 
@@ -176,11 +191,6 @@ public:
     }
     float allowed_offset() const { return half_z_; }
 
-    /// The box of a watched solid.
-    template <typename Real> TightBox measured(const Real *position, const Real *rotation, const Origin &origin) const
-    {
-        return TightBox::around(origin.nearest_of_stored(position), half_extents(rotation), origin.doubt());
-    }
     void set_tight(const TightBox &box)
     {
         box.low.store_three(tight_low_);
@@ -270,6 +280,8 @@ private:
     static constexpr std::uint32_t doubt_bit = 1u << 27, counted_bit = 1u << 28, watch_bits = 7u << watch_shift,
                                    kept_bits = watch_bits | doubt_bit;
 
+    void set_watch(Watch watch) { state_ = (state_ & ~watch_bits) | static_cast<std::uint32_t>(watch) << watch_shift; }
+
     Float4 low() const { return Float4::load_aligned(low_); }
     Float4 high() const { return Float4::load_aligned(high_); }
     Float4 tight_low() const { return Float4::load_aligned(tight_low_); }
@@ -283,6 +295,12 @@ private:
     bool holds(Float4 inner_low, Float4 inner_high) const
     {
         return (((inner_low >= low()) & (inner_high <= high())).bits() & three_lanes) == three_lanes;
+    }
+
+    // The box of a watched solid.
+    template <typename Real> TightBox measured(const Real *position, const Real *rotation, const Origin &origin) const
+    {
+        return TightBox::around(origin.nearest_of_stored(position), half_extents(rotation), origin.doubt());
     }
 
     template <typename Real> Float4 half_extents(const Real *rotation) const

@@ -38,7 +38,7 @@ class Scene
 public:
     virtual ~Scene() = default;
 
-    /// Writes the bounding box of each of the objects into places[id], and how it is watched from now on.
+    /// Writes the bounding box of each of the objects into places[id]: by Place::measure(), or another one.
     virtual void measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin) = 0;
 
     /// Writes what a prediction needs, in the order of `ids`.

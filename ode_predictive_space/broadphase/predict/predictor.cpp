@@ -345,7 +345,7 @@ void Predictor::predict(ProxyStore &proxies, const Origin &origin, ProxyId id, c
     centre.store_three(record.position);
     // An object with an infinite envelope is measured again after each move: it may have become finite.
     if (!place.has_end())
-        place.set_watch(Watch::look);
+        place.stop_watching();
     else if (by_radius)
         watch_centre(place, record, seen.carried, origin.doubt());
     if (record.has_body)

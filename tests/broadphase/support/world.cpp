@@ -66,7 +66,7 @@ Box bounds_of(const Object &object)
 
 Solid solid_of(const Object &object)
 {
-    if (object.formula == Watch::look || !object.has_pose)
+    if (object.formula == Watch::nothing || !object.has_pose)
         return {};
     return {object.formula, static_cast<float>(object.half.x()), static_cast<float>(object.half.y()),
             static_cast<float>(object.half.z())};
@@ -228,15 +228,8 @@ void World::measure(const ProxyId *ids, std::size_t count, Place *places, const 
     {
         const Object &object = seen(ids[i]);
         Place &place = places[ids[i]];
-        place.watch_solid(solid_of(object));
-        const TightBox box = place.measured(object.centre.data(), object.rotation.data(), origin);
-        if (place.watch() != Watch::look && is_finite(box))
-        {
-            place.set_tight(box);
-            continue;
-        }
-        place.set_watch(Watch::look);
-        place.set_tight(origin.around(bounds_of(object)));
+        if (!place.measure(solid_of(object), object.centre.data(), object.rotation.data(), origin))
+            place.set_tight(origin.around(bounds_of(object)));
     }
 }
 
@@ -304,7 +297,7 @@ Object capsule(const Vector3 &centre, double radius, double half_segment, const 
 
 Object block(const Vector3 &centre, const Vector3 &half, const Vector3 &displacement, bool with_body)
 {
-    Object result = {centre, half, infinity, Watch::look, std::nullopt, displacement};
+    Object result = {centre, half, infinity, Watch::nothing, std::nullopt, displacement};
     if (with_body)
     {
         result.radius = half.norm() * (1 + 1e-9);

@@ -20,7 +20,7 @@ struct Object
     /// Half sizes in its own axes. Of a sphere all are the radius; of a capsule the radius is in x and y, half the segment in z.
     Vector3 half = Vector3::Constant(0.1);
     double radius = 0.2;         ///< of its bounding sphere; infinite when it has none
-    Watch formula = Watch::look; ///< of its bounding box, which the broad phase may compute itself; look: there is none
+    Watch formula = Watch::nothing; ///< of its bounding box, which the broad phase may compute itself; nothing: there is none
     std::optional<Vector3> velocity;        ///< per second, of its body; none without a body
     Vector3 displacement = Vector3::Zero(); ///< per tick
     bool enabled = true;                    ///< only then is it in reported pairs; changed without notice
