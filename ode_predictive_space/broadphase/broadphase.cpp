@@ -67,10 +67,10 @@ void Broadphase::look(Scene &scene)
 {
     if (!looks_.listed.has_work())
         return;
-    looks_.current.clear();
+    clear_scratch(looks_.current);
     looks_.listed.for_each([this](ProxyId id) {
         if (!proxies_.places[id].watches_solid())
-            looks_.current.add(id);
+            looks_.current.push_back(id);
     });
     scene.measure(looks_.current.data(), looks_.current.size(), proxies_.places.data(), origin_);
     looks_.listed.for_each([this](ProxyId id) {
@@ -135,13 +135,13 @@ void Broadphase::find_pairs(Scene &scene, const Batch &batch)
 // Objects that may be near others are watched by their tight boxes. A new envelope around a sphere becomes one around that box.
 void Broadphase::make_tight(Scene &scene, const Batch &batch)
 {
-    looks_.current.clear();
+    clear_scratch(looks_.current);
     for (const CandidatePair &pair : pairing_.found)
         for (ProxyId id : {pair.first, pair.second})
             if (Place &place = proxies_.places[id]; place.watches_centre())
             {
                 place.stop_watching();
-                looks_.current.add(id);
+                looks_.current.push_back(id);
             }
     if (looks_.current.empty())
         return;
@@ -348,7 +348,6 @@ void Broadphase::resize_stages()
     batch_.resize(size);
     pairing_.batch.resize(size);
     pairing_.waiting.resize(size);
-    looks_.current.resize(size);
     looks_.listed.resize(size);
     looks_.requested.resize(size);
 }
@@ -363,10 +362,12 @@ void Broadphase::trim()
     interrupted_ = true;
     proxies_.trim();
     predictor_.release();
+    idle_.release();
     index_ = {};
     near_.release();
     batch_ = {};
     pairing_.batch = {};
+    free_memory(looks_.current);
     free_memory(pairing_.found);
     resize_stages();
 }
@@ -423,7 +424,7 @@ std::size_t Broadphase::postponed_pairs() const
 std::size_t Broadphase::bytes() const
 {
     return proxies_.bytes() + shapes_.bytes() + idle_.bytes() + predictor_.bytes() + index_.bytes() + near_.bytes() +
-           looks_.current.bytes() + batch_.bytes() + pairing_.batch.bytes() + pairing_.waiting.bytes() +
+           bytes_of(looks_.current) + batch_.bytes() + pairing_.batch.bytes() + pairing_.waiting.bytes() +
            looks_.listed.bytes() + looks_.requested.bytes() + bytes_of(pairing_.found);
 }
 } // namespace ode_predictive_space

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "ode_predictive_space/broadphase/base/batch.h"
-#include "ode_predictive_space/broadphase/base/id_list.h"
 #include "ode_predictive_space/broadphase/base/worklist.h"
 #include "ode_predictive_space/broadphase/index/envelope_index.h"
 #include "ode_predictive_space/broadphase/near/near_set.h"
@@ -272,7 +271,7 @@ private:
     {
         Worklist listed; // those whose solid is watched were measured by the last notice
         IdSet requested; // of these, those that get new envelopes in any case
-        IdList current;  // scratch
+        std::vector<ProxyId> current; // scratch
     };
 
     // From new envelopes to near pairs. Empty between updates, but for `waiting`.

@@ -1,5 +1,5 @@
 // Every operation of the vocabulary beside plain arithmetic, lane by lane and bit for bit. Both implementations of it are
-// tested by this file: the second time in broadphase_scalar_tests.
+// tested by this file: the second time in broadphase_without_sse2_tests.
 
 #include "ode_predictive_space/broadphase/base/simd.h"
 

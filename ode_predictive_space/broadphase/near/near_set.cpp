@@ -8,7 +8,7 @@ namespace ode_predictive_space
 {
 CandidatePair *NearSet::report(const OverlapTest &test, UpdateNumber update, CandidatePair *room)
 {
-    clear_scratch(newly_resting_);
+    free_memory(newly_resting_); // it is filled in few reports
     activate_disturbed();
     CandidatePair *end = report_by_box(test, room);
     if (is_time_to_rest())
@@ -21,7 +21,7 @@ CandidatePair *NearSet::report(const OverlapTest &test, UpdateNumber update, Can
 
 CandidatePair *NearSet::report(ShapeTest &test, UpdateNumber update, CandidatePair *room)
 {
-    clear_scratch(newly_resting_);
+    free_memory(newly_resting_); // it is filled in few reports
     activate_disturbed();
     const bool some_may_rest = is_time_to_rest();
     CandidatePair *end = report_by_box(test.boxes(), room);

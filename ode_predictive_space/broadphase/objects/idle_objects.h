@@ -8,7 +8,6 @@
 
 #include <vector>
 
-#include "ode_predictive_space/broadphase/base/id_list.h"
 #include "ode_predictive_space/broadphase/base/id_set.h"
 #include "ode_predictive_space/broadphase/objects/scene.h"
 
@@ -17,11 +16,7 @@ namespace ode_predictive_space
 class IdleObjects
 {
 public:
-    void resize(std::size_t count)
-    {
-        members_.resize(count);
-        polled_.resize(count);
-    }
+    void resize(std::size_t count) { members_.resize(count); }
 
     /// Notes those of the objects that are disabled now.
     void note(Scene &scene, const ProxyId *ids, std::size_t count)
@@ -51,9 +46,9 @@ public:
     {
         if (count_ == 0)
             return;
-        polled_.clear();
+        clear_scratch(polled_);
         disabled_.clear();
-        members_.for_each([this](ProxyId id) { polled_.add(id); });
+        members_.for_each([this](ProxyId id) { polled_.push_back(id); });
         scene.find_disabled(polled_.data(), polled_.size(), disabled_);
         auto disabled = disabled_.begin();
         for (ProxyId id : polled_)
@@ -72,16 +67,22 @@ public:
         members_.erase(id);
     }
 
+    /// Gives the memory of scratch back.
+    void release()
+    {
+        free_memory(polled_);
+        free_memory(disabled_);
+    }
+
     bool contains(ProxyId id) const { return members_.contains(id); }
     const IdSet &members() const { return members_; }
 
-    std::size_t bytes() const { return members_.bytes() + polled_.bytes() + bytes_of(disabled_); }
+    std::size_t bytes() const { return members_.bytes() + bytes_of(polled_) + bytes_of(disabled_); }
 
 private:
     IdSet members_;
     std::size_t count_ = 0;         // of members_
-    IdList polled_;                 // scratch
-    std::vector<ProxyId> disabled_; // scratch
+    std::vector<ProxyId> polled_, disabled_; // scratch
 };
 } // namespace ode_predictive_space
 

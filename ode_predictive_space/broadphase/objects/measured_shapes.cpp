@@ -33,7 +33,6 @@ void MeasuredShapes::resize(std::size_t count)
     resize_array(seen_, count);
     for (IdSet *set : {&renewed_, &awaited_})
         set->resize(count);
-    stale_.resize(count);
     free_memory(followed_);
     free_memory(moves_);
 }
@@ -63,14 +62,14 @@ void MeasuredShapes::keep_only(const IdSet &wanted)
 
 void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const ProxyStore &proxies)
 {
-    stale_.clear();
+    clear_scratch(stale_);
     for (std::size_t i = 0; i < wanted.words(); ++i)
         IdSet::visit_word(i, (wanted.word(i) | awaited_.word(i)) & proxies.members().word(i), [&](ProxyId id) {
             const UpdateNumber moved = proxies.places[id].moved();
             if (is_current(scene, id, moved))
                 return;
             seen_[id] = moved;
-            stale_.add(id);
+            stale_.push_back(id);
         });
     follow_stale(scene);
 }
@@ -136,6 +135,6 @@ void MeasuredShapes::clear_renewed()
 std::size_t MeasuredShapes::bytes() const
 {
     return bytes_of(shapes_) + bytes_of(owners_) + bytes_of(places_) + bytes_of(travels_) + bytes_of(followed_) +
-           bytes_of(moves_) + bytes_of(seen_) + renewed_.bytes() + awaited_.bytes() + stale_.bytes();
+           bytes_of(moves_) + bytes_of(seen_) + renewed_.bytes() + awaited_.bytes() + bytes_of(stale_);
 }
 } // namespace ode_predictive_space

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "ode_predictive_space/broadphase/base/id_list.h"
 #include "ode_predictive_space/broadphase/base/id_set.h"
 #include "ode_predictive_space/broadphase/objects/proxy_store.h"
 #include "ode_predictive_space/broadphase/objects/scene.h"
@@ -85,7 +84,7 @@ private:
     IdSet renewed_;
     IdSet awaited_; // objects whose hulls are being made
     bool any_renewed_ = false;
-    IdList stale_;                        // scratch
+    std::vector<ProxyId> stale_;          // scratch
     std::vector<ConvexShape *> followed_; // scratch: the shapes of these
     std::vector<double> moves_;           // scratch
 };
