@@ -112,7 +112,7 @@ def label_in_full(axis):
 
 # --- speed.svg --------------------------------------------------------------------------------------------------------
 
-# Of docs/results/worlds_times.csv, from top to bottom.
+# Worlds of docs/results/worlds_times.csv, from top to bottom.
 SPEED_WORLDS = {
     ("shelves", "10000"): "10,000 boxes on shelves, 50 robots",
     ("heap", "500"): "500 bodies that fall into a pit",
