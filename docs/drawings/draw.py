@@ -3,11 +3,11 @@
 
     draw.py [--output FOLDER]
 
-path.svg       a predicted path, its deviation and envelope, the place, and the true path (docs/method.md)
-proximity.svg  two envelopes and their time of proximity (docs/method.md)
-chord.svg      an encounter that the paper's error of a chord misses (docs/method.md)
-gap.svg        the gap between two shapes along an axis (docs/shapes.md)
-tick.svg       the stages of a tick (docs/tick.md)
+path.svg       a predicted path, its deviation and envelope, the place, and the true path (docs/how_it_works.md)
+proximity.svg  two envelopes and their time of proximity (docs/how_it_works.md)
+chord.svg      an encounter that the paper's error of a chord misses (docs/how_it_works.md)
+gap.svg        the gap between two shapes along an axis (docs/how_it_works.md)
+tick.svg       the stages of a tick (docs/the_tick.md)
 servo.svg      the two threads of the servo (docs/haptics/method.md)
 rooms.svg      the rooms of the haptics library (docs/haptics/method.md)
 includes.svg   the rooms of the project and what they include: the table of CONTRIBUTING.md

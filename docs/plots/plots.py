@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Draws the pictures of docs/performance.md from what the benchmarks wrote.
+"""Draws the pictures of README.md and docs/performance.md from what the benchmarks wrote.
 
     plots.py [--output FOLDER] FILE...
 
+speed.svg   five worlds, the predictive space beside the best of ODE's (docs/results/worlds_times.csv)
 cost.svg    cost per tick against the number of objects, all contenders (predictive_bench --benchmark_out=FILE, of collide/gas, collide/game)
 table1.svg  the gains of the paper's Table 1, the paper's and those measured here (bench_table1 --json FILE)
 
@@ -10,6 +11,7 @@ A picture is drawn when the files have what it shows. The same files give the sa
 """
 
 import argparse
+import csv
 import json
 import pathlib
 import sys
@@ -71,7 +73,10 @@ def read_records(files):
     """All records of these files in one list."""
     records = []
     for name in files:
-        with open(name, encoding="utf-8") as file:
+        with open(name, encoding="utf-8", newline="") as file:
+            if str(name).endswith(".csv"):
+                records += csv.DictReader(file)
+                continue
             content = json.load(file)
         records += records_of(content["benchmarks"]) if isinstance(content, dict) else content
     return records
@@ -103,6 +108,54 @@ def plain_number(value, _=None):
 def label_in_full(axis):
     axis.set_major_formatter(FuncFormatter(plain_number))
     axis.set_minor_formatter(NullFormatter())
+
+
+# --- speed.svg --------------------------------------------------------------------------------------------------------
+
+# Worlds of docs/results/worlds_times.csv, from top to bottom.
+SPEED_WORLDS = {
+    ("shelves", "10000"): "10,000 boxes on shelves, 50 robots",
+    ("heap", "500"): "500 bodies that fall into a pit",
+    ("floor", "500"): "500 bodies that roll on a floor",
+    ("city", "100"): "100 vehicles among trees on a heightfield",
+    ("drones", "1000"): "1,000 drones in a room that is one mesh",
+}
+
+
+def microseconds(value):
+    """Three digits, as the tables of the pages."""
+    return f"{value:,.0f} µs" if value >= 100 else f"{value:.1f} µs" if value >= 10 else f"{value:.2f} µs"
+
+
+def draw_bars(axes, places, shares, texts, **options):
+    axes.barh(places, shares, 0.38, **options)
+    for place, share, text in zip(places, shares, texts):
+        axes.annotate(text, (share, place), xytext=(5, 0), textcoords="offset points", va="center")
+
+
+def draw_speed(records, folder):
+    """Bars as parts of the time of the best ODE space, so that worlds of any size fit beside one another."""
+    rows = {(record["scene"], record["n"]): record for record in records if "best ODE" in record}
+    if not all(world in rows for world in SPEED_WORLDS):
+        return
+    best = [float(rows[world]["best ODE"]) for world in SPEED_WORLDS]
+    ours = [float(rows[world]["predictive"]) for world in SPEED_WORLDS]
+    places = range(len(SPEED_WORLDS))
+    figure, axes = plt.subplots(figsize=(7.2, 3.4))
+    figure.subplots_adjust(left=0, right=1, bottom=0, top=1)
+    texts = list(map(microseconds, best))
+    draw_bars(axes, [place - 0.2 for place in places], [100] * len(best), texts, color="#bbbbbb", label="the best of ODE's spaces")
+    shares = [100 * mine / theirs for mine, theirs in zip(ours, best)]
+    ratios = [float(rows[world]["ratio"]) for world in SPEED_WORLDS]  # medians of several runs, as the times are
+    texts = [f"{microseconds(mine)}: {ratio:.1f} times as fast" for mine, ratio in zip(ours, ratios)]
+    draw_bars(axes, [place + 0.2 for place in places], shares, texts, color=BLUE, label="predictive")
+    axes.set_yticks(list(places), list(SPEED_WORLDS.values()))
+    axes.invert_yaxis()
+    axes.set(xlim=(0, 112), xlabel="mean time in dSpaceCollide() per tick (% of the best ODE space)")
+    axes.grid(axis="y", visible=False)
+    axes.tick_params(axis="y", length=0)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
+    save(figure, folder, "speed.svg")
 
 
 # --- cost.svg ---------------------------------------------------------------------------------------------------------
@@ -248,7 +301,7 @@ def draw_table1(records, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("files", nargs="+", metavar="FILE", help="JSON written by predictive_bench or bench_table1")
+    parser.add_argument("files", nargs="+", metavar="FILE", help="JSON written by predictive_bench or bench_table1, or worlds_times.csv")
     parser.add_argument(
         "--output",
         type=pathlib.Path,
@@ -263,7 +316,7 @@ def main():
         sys.exit(f"plots: {error}")
     arguments.output.mkdir(parents=True, exist_ok=True)
     with plt.rc_context(STYLE):
-        for draw in (draw_cost, draw_table1):
+        for draw in (draw_speed, draw_cost, draw_table1):
             draw(records, arguments.output)
 
 

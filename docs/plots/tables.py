@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints tables in Markdown, as docs/performance.md has them, from files of docs/results.
+"""Prints tables in Markdown, as docs/log/results.md has them, from files of docs/results.
 
     tables.py stepped.json | contact.json
 """

@@ -71,7 +71,7 @@ enum
                 never a contact less, fewer useless calls */
     dPredictiveProximityShape =
         2 /**< when the shapes may touch, of convexes their convex hulls: of pairs with a convex, mesh or heightfield, or with a geom
-               whose role is dPredictiveRoleInteractive. Other pairs, a few pairs of classes (docs/shapes.md lists them), and pairs for
+               whose role is dPredictiveRoleInteractive. Other pairs, a few pairs of classes (docs/tuning.md lists them), and pairs for
                which the shape test would cost more than it saves, are reported when the boxes overlap. Never a contact less than dCollide()
                finds with ODE's own colliders, hardly a useless call. In dSpaceCollide2(), a ray is followed as by
                dPredictiveProximitySphere, and other probes are judged by shape beside convexes, meshes and heightfields; those

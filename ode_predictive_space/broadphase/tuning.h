@@ -1,6 +1,6 @@
 // The numbers that decide speed. No number here decides whether a pair is reported.
 //
-// Each has its unit, its reason, and the scene in which it was decided; docs/performance_log.md has the measurements.
+// Each has its unit, its reason, and the scene in which it was decided; docs/log/performance.md has the measurements.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_TUNING_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_TUNING_H

@@ -40,7 +40,7 @@ double sphere_chord_error(const Envelope &first, const Envelope &second, double 
 std::optional<double> sphere_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 
 /// The same of the boxes: equation 1 by slabs, per axis |distance| <= half extents + R(t), over the chords of equation 6 and lowered
-/// by the whole chord error (docs/method.md). A side that is infinite or not a number is near.
+/// by the whole chord error (docs/how_it_works.md). A side that is infinite or not a number is near.
 std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 
 /// One of the two above.

@@ -6,7 +6,7 @@ give the same counts, also on a busy machine.
 
     worlds_table.py --build build/release --json before.json              # count; then change the library and build it
     worlds_table.py --build build/release --against before.json           # count again, and the change in percent
-    worlds_table.py --table docs/results/worlds_instructions.json         # the table of docs/worlds.md
+    worlds_table.py --table docs/results/worlds_instructions.json         # as docs/log/results.md has them
 """
 
 import argparse

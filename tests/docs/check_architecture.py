@@ -1,4 +1,4 @@
-"""docs/tick.md names each file of some rooms once and none that does not exist, and no include goes against its order.
+"""docs/the_tick.md names each file of some rooms once and none that does not exist, and no include goes against its order.
 
 Usage: check_architecture.py FOLDER, the top folder of the project.
 """
@@ -49,7 +49,7 @@ def includes_against(order, sources):
 
 def mistakes(top):
     sources = top / "ode_predictive_space"
-    page = (top / "docs" / "tick.md").read_text()
+    page = (top / "docs" / "the_tick.md").read_text()
     text, section = page.split(HEADING)
     order = list(reading_order(section))
     elsewhere = [name for token in re.findall(r"`([^`\s]+/[^`\s]+)`", text) for name in files_named(token)]
@@ -66,5 +66,5 @@ def mistakes(top):
 if __name__ == "__main__":
     found = list(mistakes(pathlib.Path(sys.argv[1])))
     for mistake in found:
-        print("docs/tick.md:", mistake)
+        print("docs/the_tick.md:", mistake)
     sys.exit(1 if found else 0)

@@ -28,7 +28,8 @@ import sys
 
 from pages import pages_of
 
-TABLES_ARE_FROM_DATA = ("README.md", "docs/performance.md", "docs/limits.md", "docs/clients.md", "docs/tuning.md", "docs/worlds.md")
+TABLES_ARE_FROM_DATA = ("README.md", "docs/performance.md", "docs/faq.md", "docs/clients.md", "docs/tuning.md", "docs/reliability.md",
+                        "docs/demo.md", "docs/log/results.md")
 ALL_IS_FROM_DATA = ("docs/performance.md",)
 ODE = ("simple", "hash", "quadtree", "sap")
 
@@ -64,6 +65,7 @@ COLUMNS = {
 }
 # By which columns a row of a CSV file is named.
 KEYS = {
+    "clients.csv": ["program", "space"],
     "haptic_loop.csv": ["space"],
     "haptic_servo.csv": ["space", "objects"],
     "means.csv": ["scene", "n"],

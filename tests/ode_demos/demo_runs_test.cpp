@@ -110,7 +110,7 @@ void expect_the_same_kind_of_outcome(const DemoCase &demo, const Report &one, co
     else
     {
         // Two runs in one space have been seen to differ by half. Besides, the hash space overlooks some pairs: see
-        // docs/ode_demos.md.
+        // docs/log/ode.md.
         expect_similar(one, other, "pairs", 2.5);
         expect_similar(one, other, "contacts", 2.5);
     }

@@ -2,12 +2,14 @@
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
 
-SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "plots" / "plots.py"
+DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
+SCRIPT = DOCS / "plots" / "plots.py"
 
 
 def timing(scene, objects, space, mean, ticks=100, **more):
@@ -83,6 +85,13 @@ class Plots(unittest.TestCase):
         medians = [dict(one, aggregate_name="median") for one in scale()]
         slowest = [dict(one, aggregate_name="max", real_time=12345) for one in scale()]
         self.assertEqual(self.draw(scale(), [], "before"), self.draw(slowest + medians, [], "after"))
+
+    def test_the_picture_of_the_first_page_has_the_figures_of_the_results(self):
+        texts = lambda picture: re.findall("<!-- (.*?) -->", picture.read_text(encoding="utf-8"))
+        subprocess.run([sys.executable, SCRIPT, "--output", self.folder, DOCS / "results" / "worlds_times.csv"],
+                       check=True, stdout=subprocess.DEVNULL)
+        self.assertEqual(texts(self.folder / "speed.svg"), texts(DOCS / "plots" / "speed.svg"))
+        self.assertIn("17.4 µs: 46.8 times as fast", texts(self.folder / "speed.svg"))
 
     def test_a_file_that_is_not_json_is_an_error(self):
         broken = self.folder / "broken.json"

@@ -156,7 +156,7 @@ class LoopParts;
 /// reads the device, feels those geoms, moved on as they will move, and writes the force. Its cost depends on what
 /// is near the probe, not on the size of the scene. What it gave to the hand comes back to the scene as impulses, none lost
 /// and none twice. Between collide() and advance() the library steps what hangs together with the touched bodies on trial, and puts it
-/// back: docs/haptics/loop.md has what that asks of a program. Near light bodies on joints or in contact, collide() and advance() are
+/// back: docs/haptics/guide.md has what that asks of a program. Near light bodies on joints or in contact, collide() and advance() are
 /// called several times as often, with a shorter dt. The probe's tool must not be a body then.
 ///
 /// A body whose position, rotation, velocity, spin, force or torque is not finite ends the loop before the scene is collided or

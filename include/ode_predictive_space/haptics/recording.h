@@ -21,7 +21,7 @@ namespace ode_predictive_space::haptics
 ///
 /// In a file it is a line of numbers between blanks:
 ///     t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz
-/// s, m, quaternion, N, bits, m/s, rad/s, in the device's own frame; docs/haptics/recording.md has the rest of the format. Numbers are
+/// s, m, quaternion, N, bits, m/s, rad/s, in the device's own frame; docs/haptics/guide.md has the rest of the format. Numbers are
 /// printed so that reading gives back the same doubles.
 struct RecordedTick
 {

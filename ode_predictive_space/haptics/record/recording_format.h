@@ -1,4 +1,4 @@
-// What writing and reading a recording have in common. The lines are those of docs/haptics/recording.md.
+// What writing and reading a recording have in common. The lines are those of docs/haptics/guide.md.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RECORDING_FORMAT_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RECORDING_FORMAT_H
