@@ -131,9 +131,11 @@ constexpr unsigned reports_per_rest = 32;
 /// Reports between two looks at the gap of a pair that has had none for long.
 constexpr int longest_pause = 32;
 
-/// Instructions: of dCollide() for a pair whose contacts are costly to find, at least; to bring the shapes of a pair up to date; and of
-/// a look, beside the search for a gap. (hills 1,300, shelves and room 2,500, drones 5,000; meshes beside meshes 17,000)
-constexpr float cost_of_contacts = 2000, cost_of_following = 300, cost_of_look = 1200;
+/// Instructions that a report less saves: the least of dCollide() for a pair whose contacts are costly to find, without those that bring
+/// shapes up to date. (hills 1,300, shelves and room 2,500, drones 5,000; meshes beside meshes 17,000)
+constexpr float cost_of_contacts = 1700;
+/// Instructions of a look, beside the search for a gap; and of the search for each unit of Gap::work.
+constexpr float cost_of_look = 1200, cost_of_reach = 150;
 /// The part of that which reports pay in for looks; and reports whose whole cost an account begins with, for each pair. In the first
 /// 500 reports, the one is as much as the other. (drum, meshes in meshes)
 constexpr float part_for_looks = 1.0f / 64, allowed_reports = 8;

@@ -20,11 +20,12 @@ protected:
             budget.note_new_pair(mesh);
     }
 
-    // Reports of all pairs in which looks, wherever they are allowed, cost so much and find nothing.
+    // Reports of all pairs in which looks, wherever they are allowed, take about so many instructions and find nothing.
     //
     // @return what was spent on them.
     float look_in_vain(int reports, float cost)
     {
+        const float work = cost / tuning::cost_of_reach;
         float spent = 0;
         for (int report = 0; report < reports; ++report)
         {
@@ -32,7 +33,7 @@ protected:
             for (int i = 0; i < pairs; ++i)
                 if (budget.allows_look(mesh))
                 {
-                    budget.note_look(mesh, cost);
+                    budget.note_look(mesh, work);
                     spent += cost + tuning::cost_of_look;
                 }
                 else
@@ -88,11 +89,11 @@ TEST_F(LookBudgets, OfLongAgoAreForgotten)
 
 TEST_F(LookBudgets, PayForDataThatChangeAgainAndAgain)
 {
-    budget.note_hull(mesh, 1, 1e6f);
+    budget.note_hull(mesh, 1, 1000);
     EXPECT_TRUE(budget.allows_look(mesh)) << "all data are read once";
-    budget.note_hull(mesh, 1, 1e6f);
+    budget.note_hull(mesh, 1, 1000);
     EXPECT_TRUE(budget.allows_look(mesh)) << "the hull is the same";
-    budget.note_hull(mesh, 2, 1e6f);
+    budget.note_hull(mesh, 2, 1000);
     EXPECT_FALSE(budget.allows_look(mesh));
 }
 

@@ -507,12 +507,11 @@ def shape_faults():
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
         "looks_that_do_not_pay_go_on", "shapes", BROADPHASE + "near/look_budget.h",
-        "accounts_[id].balance -= cost + tuning::cost_of_look", "accounts_[id].balance -= cost / 4",
+        "accounts_[id].balance -= tuning::cost_of_look + tuning::cost_of_reach * work;", "accounts_[id].balance -= work / 4;",
         (("broadphase", "LookBudgets.*"),))
     yield Fault(
         "what_looks_have_spared_is_saved_for_good", "shapes", BROADPHASE + "near/look_budget.h",
-        "std::min(account.balance + tuning::cost_of_contacts - tuning::cost_of_following, account.most)",
-        "account.balance + tuning::cost_of_contacts - tuning::cost_of_following",
+        "std::min(account.balance + tuning::cost_of_contacts, account.most)", "account.balance + tuning::cost_of_contacts",
         (("broadphase", "LookBudgets.*"),))
     yield Fault(
         "landscapes_are_looked_at", "shapes", BROADPHASE + "objects/proxy_store.h",

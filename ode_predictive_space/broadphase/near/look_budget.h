@@ -49,27 +49,29 @@ public:
     void note_spared(ProxyId id)
     {
         Account &account = accounts_[id];
-        account.balance =
-            std::min(account.balance + tuning::cost_of_contacts - tuning::cost_of_following, account.most);
+        account.balance = std::min(account.balance + tuning::cost_of_contacts, account.most);
     }
 
     /// A pair was reported without a look.
     void note_reported(ProxyId id) { accounts_[id].balance += tuning::part_for_looks * tuning::cost_of_contacts; }
 
-    /// A look took so many instructions.
-    void note_look(ProxyId id, float cost) { accounts_[id].balance -= cost + tuning::cost_of_look; }
+    /// A look took so much work; see Gap::work.
+    void note_look(ProxyId id, float work)
+    {
+        accounts_[id].balance -= tuning::cost_of_look + tuning::cost_of_reach * work;
+    }
 
-    /// The object has a hull that was made of its data for so many instructions. The first one is free of charge. It need not have
-    /// had a pair.
+    /// The object has a hull that was made of its data. The first one is free of charge; each point or triangle of a later one costs
+    /// about as much as a look. It need not have had a pair.
     ///
     /// @param number of the hull.
-    void note_hull(ProxyId id, std::uint32_t number, float cost)
+    void note_hull(ProxyId id, std::uint32_t number, std::size_t elements)
     {
         if (id >= accounts_.size())
             return;
         Account &account = accounts_[id];
         if (account.hull != 0 && account.hull != number)
-            account.balance -= cost;
+            account.balance -= tuning::cost_of_look * static_cast<float>(elements);
         account.hull = number;
     }
 

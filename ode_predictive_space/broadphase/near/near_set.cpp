@@ -136,7 +136,7 @@ void NearSet::charge_for_shapes(const MeasuredShapes &shapes)
         if (!shapes.has_shape(id) || !shapes[id].hull)
             return;
         const VertexHull &hull = *shapes[id].hull;
-        budget_.note_hull(id, hull.number, hull.cost_of_making());
+        budget_.note_hull(id, hull.number, hull.elements());
     });
 }
 

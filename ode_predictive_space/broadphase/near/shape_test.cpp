@@ -98,7 +98,7 @@ bool ShapeTest::looks_near(const CandidatePair &pair, Look &look, LookBudget &bu
     ++looks_;
     const Gap gap = gap_between(pair, look, margin);
     if (const ProxyId *payer = look.payer_of(pair))
-        budget.note_look(*payer, gap.cost);
+        budget.note_look(*payer, gap.work);
     for (Eigen::Index i = 0; i < 3; ++i)
         look.axis[i] = static_cast<float>(gap.axis[i]);
     if (!(gap.length > margin))

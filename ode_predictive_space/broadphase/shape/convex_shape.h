@@ -87,12 +87,8 @@ struct ConvexShape : Pose
         return radius + half_sides.dot(along_axes(direction).cwiseAbs());
     }
 
-    /// Of reach() and farthest_of_core(): about so many instructions.
-    float cost_of_reach() const
-    {
-        constexpr float closed_form = 50;
-        return kind == ShapeKind::hull ? hull->cost_of_reach() : closed_form;
-    }
+    /// The work of reach() and of farthest_of_core(); see Gap::work.
+    float work_of_reach() const { return kind == ShapeKind::hull ? hull->work_of_reach() : 1; }
 
     /// The point of the shape's core that is farthest in a direction of any length, from the centre. The shape is the set of all
     /// points up to core_distance() away from its core. Not for half spaces and terrain.

@@ -11,11 +11,10 @@ namespace
 constexpr int steps = 9;               // of the search for the closest points
 constexpr double precise_enough = 0.9; // of the distance: a larger gap is not worth a step
 constexpr double worth_a_search = 0.5; // of what there can be: a smaller gap is worth a search
-constexpr float cost_of_step = 200;    // beside those of the reaches
 
-float cost_of_axis(const ConvexShape &first, const ConvexShape &second)
+float work_of_axis(const ConvexShape &first, const ConvexShape &second)
 {
-    return first.cost_of_reach() + second.cost_of_reach();
+    return first.work_of_reach() + second.work_of_reach();
 }
 
 // A point of the difference of two cores: where the second is, seen from the first.
@@ -30,7 +29,7 @@ Gap gap_to_half_space(const ConvexShape &half_space, const ConvexShape &other)
         return {};
     const Vector3 &out = half_space.axes[0];
     const double length = out.dot(other.centre - half_space.centre) - other.reach(-out);
-    return {length - rounding(half_space) - rounding(other), out, other.cost_of_reach()};
+    return {length - rounding(half_space) - rounding(other), out, other.work_of_reach()};
 }
 
 // No gap of these two can be larger.
@@ -54,8 +53,8 @@ void approach_closest(const ConvexShape &first, const ConvexShape &second, Vecto
         const Vector3 corner = nearest_along(towards, first, second);
         const double length = towards.norm();
         if (length > 0)
-            largest.improve({towards.dot(corner) / length - around - rounded, towards / length,
-                             cost_of_step + cost_of_axis(first, second)});
+            largest.improve(
+                {towards.dot(corner) / length - around - rounded, towards / length, work_of_axis(first, second)});
         if (!nearest)
             nearest.emplace(corner);
         else if (!nearest->add(corner))
@@ -82,11 +81,11 @@ Gap gap_along(const Vector3 &direction, const ConvexShape &first, const ConvexSh
     if (second.kind == ShapeKind::half_space)
     {
         const Gap gap = gap_to_half_space(second, first);
-        return {gap.length, -gap.axis, gap.cost};
+        return {gap.length, -gap.axis, gap.work};
     }
     const Vector3 axis = direction / direction.norm();
     const double length = axis.dot(second.centre - first.centre) - first.reach(axis) - second.reach(-axis);
-    return {length - rounding(first) - rounding(second), axis, cost_of_axis(first, second)};
+    return {length - rounding(first) - rounding(second), axis, work_of_axis(first, second)};
 }
 
 Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 &axis, double least)

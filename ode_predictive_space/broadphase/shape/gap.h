@@ -14,14 +14,16 @@ struct Gap
 {
     double length = -std::numeric_limits<double>::infinity();
     Vector3 axis = Vector3::Zero(); ///< from the first shape to the second; of length 1, or zero when none is known
-    float cost = 0;                 ///< of finding it, and all that was no larger: about so many instructions
+    /// The evaluations of ConvexShape::reach() that finding it has taken, and finding all that were no larger. A hull counts for each
+    /// block that is visited. A triangle's distance and a cell of a terrain count for one each, since they cost about as much.
+    float work = 0;
 
     void improve(const Gap &other)
     {
-        const float sum = cost + other.cost;
+        const float sum = work + other.work;
         if (other.length > length)
             *this = other;
-        cost = sum;
+        work = sum;
     }
 };
 

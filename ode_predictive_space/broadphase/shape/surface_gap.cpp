@@ -9,9 +9,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Instructions for a triangle, with its part of the walk: to find its distance; and beside the reaches along its axes.
-constexpr float cost_of_distance = 250, cost_of_triangle = 600, axes_per_triangle = 4;
-
 // A shape as the mesh sees it.
 class SeenFromMesh
 {
@@ -31,7 +28,8 @@ public:
         return length > 0 ? (way.dot(centre_) - farthest(way, corners)) / length : 0;
     }
 
-    float cost_of_gap() const { return cost_of_triangle + axes_per_triangle * shape_.cost_of_reach(); }
+    // The work of gap_to(), for all axes.
+    float work_of_gap() const { return 5 * shape_.work_of_reach(); }
 
     // The largest gap to a triangle that a few axes find: the way to its nearest point, its normal, and the axes of a box.
     double gap_to(const TriangleCorners &corners) const
@@ -85,11 +83,11 @@ private:
 };
 
 // Between the surface and the centre of the shape, but no more than `most`: what is nearly as near is not looked for.
-double distance_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, float &cost)
+double distance_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, float &work)
 {
     double distance = tuning::near_enough * most;
     tree.walk(shape.centre(), distance, [&](std::uint32_t triangle) {
-        cost += cost_of_distance;
+        ++work;
         distance = std::min(distance, tuning::near_enough * shape.distance_to(tree.corners(triangle)));
         return true;
     });
@@ -97,11 +95,11 @@ double distance_of(const TriangleTree &tree, const SeenFromMesh &shape, double m
 }
 
 // Between the surface and the shape, but no more than `most`.
-double gap_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, double least, float &cost)
+double gap_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, double least, float &work)
 {
     double gap = most, reach = gap + shape.radius();
     tree.walk(shape.centre(), reach, [&](std::uint32_t triangle) {
-        cost += shape.cost_of_gap();
+        work += shape.work_of_gap();
         gap = std::min(gap, shape.gap_to(tree.corners(triangle)));
         reach = gap + shape.radius();
         return gap > least;
@@ -114,12 +112,12 @@ Gap gap_to_triangles(const ConvexShape &mesh, const ConvexShape &other, double l
     const TriangleTree &tree = static_cast<const TriangleTree &>(*mesh.surface());
     const SeenFromMesh shape(other, mesh);
     const double radius = shape.radius(), far = tuning::surface_search * (radius + least);
-    float cost = cost_of_distance;
-    double gap = distance_of(tree, shape, far, cost) - radius;
+    float work = 1;
+    double gap = distance_of(tree, shape, far, work) - radius;
     if (!(gap > radius + least))
-        gap = gap_of(tree, shape, 2 * (radius + least), least, cost);
+        gap = gap_of(tree, shape, 2 * (radius + least), least, work);
     const double lost = skew_of_distances * (std::abs(gap) + 2 * radius) + rounding(mesh) + rounding(other);
-    return {gap - lost, Vector3::Zero(), cost};
+    return {gap - lost, Vector3::Zero(), work};
 }
 
 Gap gap_between(const ConvexShape &surface, const ConvexShape &other, double least)

@@ -13,8 +13,7 @@ namespace
 {
 using Box = Eigen::AlignedBox3d;
 
-constexpr double most_periods = 4;  // of a terrain that repeats: more are not searched
-constexpr float cost_of_cell = 250; // instructions, with its part of the walk
+constexpr double most_periods = 4; // of a terrain that repeats: more are not searched
 
 // A shape as the terrain sees it: in the frame of its grid.
 class SeenFromTerrain
@@ -103,14 +102,14 @@ Gap terrain_gap(const ConvexShape &terrain, const ConvexShape &other, double lea
     const Box box = shape.box();
     if (grid.size().repeats && (overflows_cell_numbers(grid, box) || repeats_too_often(grid, box, gap)))
         return {};
-    float cost = cost_of_cell;
+    float work = 1;
     grid.walk(box, gap, [&](const HeightGrid::Cell &cell) {
-        cost += cost_of_cell;
+        ++work;
         gap = std::min(gap, shape.gap_to(cell));
         return gap > least;
     });
     const double lost = skew_of_distances * (std::abs(gap) + 2 * radius) + rounding(terrain) + rounding(other) +
                         rounding_of_heights(grid);
-    return {gap - lost, Vector3::Zero(), cost};
+    return {gap - lost, Vector3::Zero(), work};
 }
 } // namespace ode_predictive_space

@@ -69,13 +69,6 @@ Vector3 VertexHull::farthest(const Vector3 &direction) const
     return block.row(row);
 }
 
-float VertexHull::cost_of_making() const
-{
-    constexpr float per_point = 1000, per_triangle = 1500;
-    const float points = static_cast<float>(block_size * blocks_.size());
-    return per_point * points + (surface ? per_triangle * static_cast<float>(surface->count()) : 0);
-}
-
 VertexHull::Farthest VertexHull::find(const Vector3 &direction) const
 {
     Farthest best{-std::numeric_limits<double>::infinity(), 0};

@@ -34,10 +34,10 @@ public:
 
     /// The largest scalar product of a direction, of any length, with a point.
     double reach(const Vector3 &direction) const { return find(direction).reach; }
-    /// Instructions, about: the blocks that are looked at grow as the root of all (of spheres and tori).
-    float cost_of_reach() const { return 120 * std::sqrt(static_cast<float>(blocks_.size())); }
-    /// To read the points, and the triangles of the surface.
-    float cost_of_making() const;
+    /// About the number of blocks that are visited. It grows as the root of all (measured with spheres and tori).
+    float work_of_reach() const { return std::sqrt(static_cast<float>(blocks_.size())); }
+    /// The number of points and of triangles, or about.
+    std::size_t elements() const { return block_size * blocks_.size() + (surface ? surface->count() : 0); }
     /// That point.
     Vector3 farthest(const Vector3 &direction) const;
 
