@@ -298,7 +298,7 @@ ProxyId Broadphase::add()
 {
     make_room(1);
     const ProxyId id = proxies_.add();
-    if (proxies_.count() >= tuning::least_trimmed)
+    if (proxies_.count() >= tuning::kept_elements)
         trim_below_ = std::max(trim_below_, proxies_.count() / 4);
     mark_moved(id);
     return id;

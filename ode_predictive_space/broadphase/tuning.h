@@ -22,11 +22,8 @@ constexpr std::size_t cached_filters = 2000;
 /// Turns of a loop over objects in which memory can be fetched. (gas 10,000)
 constexpr std::size_t turns_ahead = 8;
 
-/// Elements up to which an array that is filled anew in each tick keeps its memory whatever happens.
-constexpr std::size_t kept_scratch = 1024;
-
-/// Objects from which memory is given back when three quarters of them are gone.
-constexpr std::size_t least_trimmed = 1024;
+/// Elements up to which an array keeps its memory whatever happens, and objects up to which the space does.
+constexpr std::size_t kept_elements = 1024;
 
 /// Objects about which the scene is asked in one call: so many answers fit into the first-level cache.
 constexpr std::size_t objects_per_call = 32;
@@ -34,35 +31,25 @@ constexpr std::size_t objects_per_call = 32;
 // --- Predict ---
 
 /// How far envelopes reach ahead, in sizes of their objects: at first, varied by a quarter, at least, and at most. (heap 500, gas 1,000)
-constexpr float first_reach = 0.5f, least_reach = 0.02f, most_reach = 4;
+constexpr float first_reach = 0.5f, most_reach = 4;
 
-/// By what the reach is multiplied when it costs more than the predictions that it saves, and when it does not.
-constexpr float shrink = 0.8f, grow = 1.25f;
+/// The reach is divided by this when it costs more than the predictions that it saves, and multiplied when it does not.
+constexpr float reach_step = 1.25f;
 
-/// Instructions: to test a pair and find it apart; to compute a box in place of a look at the centre; to predict. (game 1,000)
-constexpr float cost_of_test = 20, cost_of_box = 50, cost_of_prediction = 2800;
+/// Instructions to test a pair and find it apart, and to predict. (game 1,000)
+constexpr float cost_of_test = 20, cost_of_prediction = 2800;
 
-/// An object that leaps so soon after its last prediction is expected to leap again. (teleport; conveyor)
-constexpr std::int32_t ticks_between_leaps = 4;
-/// Leaps, none farther than an envelope reaches, of which one is predicted: the object may be fast, or have another velocity by now.
-/// (teleport on bodies; rain)
-constexpr std::uint32_t leaps_per_prediction = 8;
-
-/// Objects up to which a space predicts nothing unless it has to: to compare all boxes costs less. (many 17, nested 22)
+/// Objects up to which to compare all boxes costs less than anything else: a space predicts nothing unless it has to, a query reads
+/// each geom, and a batch is not sorted. (many 17, nested 22)
 constexpr std::size_t few_objects = 16;
 
-/// A step may be so many times as long as expected. (frames 80 %)
-constexpr float longest_step = 2;
-
-/// Slack that every object gets that has moved or will, in sizes: for jitter, and for what turning does to a bounding box.
-/// (heap 500)
+/// Slack that every object gets that has moved or will, in sizes: for jitter, and for what turning does to a bounding box. An envelope
+/// reaches at least as far, and less travel does not show how closely an object keeps to its path. (heap 500)
 constexpr float slack = 0.01f;
 
 /// How far an object may be off its path, as a part of the way: in an envelope the most. A forecast is as close as the last
 /// predictions were. (heap 500: narrower envelopes break more often)
 constexpr float first_spread = 0.02f, least_spread = 0.002f, most_spread = 0.1f;
-/// The way, in sizes, from which that can be judged.
-constexpr float least_way = 0.05f;
 
 /// Ticks in which all objects are reviewed for the farthest one. (far: twice as many are a hundred at most)
 constexpr std::size_t ticks_per_review = 48;
@@ -105,13 +92,7 @@ constexpr int levels_nearby = 4;
 /// How much the half area of a box in a tree counts beside that by which it grows. (game 10,000, heap 2,000: 0 and 0.1 are worse)
 constexpr float weight_of_size = 0.001f;
 
-/// Geoms up to which a question looks at each. (nested 22)
-constexpr std::size_t few_to_ask = 32;
-
 // --- Sort and sweep ---
-
-/// Boxes up to which each is compared with each. (teleport 30)
-constexpr std::size_t few_boxes = 40;
 
 /// Boxes that tell where most lie. (teleport 1,000)
 constexpr std::size_t spread_samples = 24;
@@ -125,11 +106,9 @@ constexpr double least_widths_per_slab = 4, least_boxes_per_slab = 1000;
 
 // --- Near ---
 
-/// Reports between two looks for pairs that may rest. (gas 100,000, stack 1,000)
+/// Reports between two looks for pairs that may rest, and between two looks at the gap of a pair that has had none for long.
+/// (gas 100,000, stack 1,000)
 constexpr unsigned reports_per_rest = 32;
-
-/// Reports between two looks at the gap of a pair that has had none for long.
-constexpr int longest_pause = 32;
 
 /// Instructions that a report less saves: the least of dCollide() for a pair whose contacts are costly to find, without those that bring
 /// shapes up to date. (hills 1,300, shelves and room 2,500, drones 5,000; meshes beside meshes 17,000)

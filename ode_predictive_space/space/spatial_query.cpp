@@ -57,7 +57,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     dAASSERT(geom && callback);
     const Lock lock(this);
     // The shape test has to notice first which data were changed in place.
-    if (static_cast<std::size_t>(count) <= tuning::few_to_ask && !looks_at_shapes())
+    if (static_cast<std::size_t>(count) <= tuning::few_objects && !looks_at_shapes())
         return ask_each(data, geom, callback);
     if (!is_caught_up() && !catch_up("dSpaceCollide2"))
         return;

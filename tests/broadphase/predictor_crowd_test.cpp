@@ -19,7 +19,7 @@ TEST(Predictor, TheReachShrinksWhereNeighboursAreTestedInVainAndGrowsWhereThereA
 {
     World world;
     for (int i = 0; i < 64; ++i)
-        world.add(ball(0.25 * Vector3(i % 4, i / 4 % 4, i / 16), ball_radius, {0.001, 0, 0}));
+        world.add(ball(0.22 * Vector3(i % 4, i / 4 % 4, i / 16), ball_radius, {0.001, 0, 0}));
     const auto mean_reach_after = [&](int ticks) {
         for (int i = 0; i < ticks; ++i)
         {

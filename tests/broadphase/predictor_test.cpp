@@ -126,26 +126,6 @@ TEST(Predictor, WhatGoesFartherInATickThanAnEnvelopeReachesIsNotExtrapolated)
     }
 }
 
-TEST(Predictor, WhatIsOnlyFastIsPredicted)
-{
-    constexpr double size = 2 * radius;
-    for (const Object &object : {moving_ball({size / step, 0, 0}), alone({0, 0, 0})})
-    {
-        Lone lone(object);
-        const auto fly = [&] {
-            for (int tick = 0; tick < 60; ++tick)
-            {
-                lone.object().centre += Vector3(size, 0, 0);
-                lone.tick();
-            }
-        };
-        fly();
-        const std::uint64_t before = lone.predictions();
-        fly();
-        EXPECT_LE(lone.predictions() - before, 30u);
-    }
-}
-
 TEST(Predictor, AnObjectThatNeverMovedHasNoSlack)
 {
     Lone lone(alone({1, 2, 3}));

@@ -177,16 +177,10 @@ def predict_faults():
         "envelope_of_far_away_taken_along", "predict", predictor, "record.predicted || record.is_rounded ||", "record.predicted ||",
         (("broadphase", "Predictor.TheFarthest*"),))
     yield Fault(
-        "leap_extrapolated", "predict", predictor, "dot(displacement, displacement) <= farthest * farthest", "true",
-        (("broadphase", "Predictor.*"),))
-    yield Fault(
         "path_beyond_any_reach_extrapolated", "predict", predictor, "speed + bend < tuning::most_reach * record.size", "speed + bend < 1e15f",
         (("broadphase", "Predictor.*"),))
     yield Fault(
-        "what_is_fast_never_predicted", "predict", predictor, "tuning::leaps_per_prediction == 0 &&", "tuning::leaps_per_prediction > 8 &&",
-        (("broadphase", "Predictor.*"),))
-    yield Fault(
-        "reach_never_shrinks", "predict", predictor, "(too_long ? tuning::shrink : tuning::grow)", "tuning::grow",
+        "reach_never_shrinks", "predict", predictor, "too_long ? record.reach / tuning::reach_step : record.reach * tuning::reach_step", "record.reach * tuning::reach_step",
         (("broadphase", "Predictor.*"),))
     yield Fault(
         "all_leave_together", "predict", predictor, "(0.75f + 0.5f * scrambled(id))", "(1 + 0 * scrambled(id))",
@@ -480,7 +474,7 @@ def shape_faults():
         "rays_by_shape_meet_envelopes", "shapes", query, "if (question.line && ", "if (false && ",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
-        "data_not_noticed_by_questions", "shapes", query, "tuning::few_to_ask && !looks_at_shapes())", "tuning::few_to_ask)",
+        "data_not_noticed_by_questions", "shapes", query, "tuning::few_objects && !looks_at_shapes())", "tuning::few_objects)",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
         "rests_by_shapes_out_of_date", "shapes", BROADPHASE + "near/near_set.cpp",

@@ -32,7 +32,7 @@ template <typename T> void free_memory(std::vector<T> &elements)
 /// Gives the memory back that a one-off spike has left in an array.
 template <typename T> void give_back_spare(std::vector<T> &elements)
 {
-    if (elements.capacity() > tuning::kept_scratch && elements.size() < elements.capacity() / 8)
+    if (elements.capacity() > tuning::kept_elements && elements.size() < elements.capacity() / 8)
         elements.shrink_to_fit();
 }
 

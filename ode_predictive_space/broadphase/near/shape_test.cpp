@@ -43,7 +43,7 @@ bool is_within_hull(const Vector3 &point, const ConvexShape &mesh)
 
 void wait_longer(Look &look)
 {
-    look.last_pause = static_cast<std::uint8_t>(std::clamp(2 * look.last_pause, 2, tuning::longest_pause));
+    look.last_pause = static_cast<std::uint8_t>(std::clamp(2u * look.last_pause, 2u, tuning::reports_per_rest));
     look.pause = static_cast<std::uint8_t>(look.last_pause - 1);
 }
 

@@ -107,8 +107,8 @@ struct Predictor::Motion
     }
 };
 
-// Steps may vary: what counts is how far the object is from its path, not from where it should be at this tick. Only what no step
-// explains, backwards or many times as far, is no way along the path.
+// Steps may vary: what counts is how far the object is from its path, not from where it should be at this tick. Only a way backwards is
+// no way along the path.
 Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Tick now) const
 {
     Outcome outcome;
@@ -121,7 +121,7 @@ Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Ti
     const Float4 expected = bounded(motion.displacement(outcome.ticks));
     const float squared_way = dot(expected, expected);
     const float along = squared_way > 0 ? dot(outcome.displacement, expected) / squared_way : 0;
-    const float part = std::clamp(along, 0.0f, tuning::longest_step);
+    const float part = std::max(along, 0.0f);
     outcome.way = std::sqrt(squared_way);
     outcome.error = norm(outcome.displacement - Float4::all(part) * expected);
     return outcome;
@@ -132,16 +132,14 @@ namespace
 // Reach is a matter of costs: a longer envelope lasts longer, and has more pairs that are tested at each tick for nothing.
 void adapt_reach(ProxyRecord &record, float ticks)
 {
-    const bool watched_in_vain = record.tests > 0 && !record.had_overlap();
-    const float per_tick = tuning::cost_of_test * record.useless + (watched_in_vain ? tuning::cost_of_box : 0);
-    const bool too_long = per_tick * ticks > tuning::cost_of_prediction;
-    const float reach = record.reach * (too_long ? tuning::shrink : tuning::grow);
-    record.reach = std::clamp(reach, tuning::least_reach, tuning::most_reach);
+    const bool too_long = tuning::cost_of_test * record.useless * ticks > tuning::cost_of_prediction;
+    const float reach = too_long ? record.reach / tuning::reach_step : record.reach * tuning::reach_step;
+    record.reach = std::clamp(reach, tuning::slack, tuning::most_reach);
 }
 
 void adapt_spread(ProxyRecord &record, float way, float error)
 {
-    if (way > tuning::least_way * record.size)
+    if (way > tuning::slack * record.size)
         record.spread =
             std::clamp(std::max(0.5f * record.spread, 2 * error / way), tuning::least_spread, tuning::most_spread);
 }
@@ -359,8 +357,7 @@ void Predictor::predict(ProxyStore &proxies, const Origin &origin, ProxyId id, c
 }
 
 // An object whose centre is outside of its envelope has leapt. It probably goes on as before, so its envelope leaps with it: when the
-// scene is set back, or gets another origin, nearly nothing needs a new prediction. An object that leaps again soon gets its tight box with some slack. It may only be fast: now and then one that
-// goes no farther than an envelope reaches is predicted.
+// scene is set back, or gets another origin, nearly nothing needs a new prediction.
 bool Predictor::leaps(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
@@ -371,15 +368,7 @@ bool Predictor::leaps(ProxyStore &proxies, ProxyId id, Tick now)
     if (!record.predicted || record.is_rounded || !is_finite(tight) || !(outside.bits() & three_lanes) ||
         !place.has_envelope())
         return false;
-    const std::int32_t ticks = ticks_between(record.since, now);
-    const bool leaps_again = record.leapt && ticks < tuning::ticks_between_leaps;
-    const float farthest = tuning::most_reach * record.size * static_cast<float>(ticks);
-    if (leaps_again && (now + id) % tuning::leaps_per_prediction == 0 &&
-        dot(displacement, displacement) <= farthest * farthest)
-        return false;
-    const Float4 slack = Float4::all(tuning::slack * record.size);
-    place.set_envelope(leaps_again ? TightBox{tight.low - slack, tight.high + slack}
-                                   : TightBox{before.low + displacement, before.high + displacement});
+    place.set_envelope({before.low + displacement, before.high + displacement});
     if (!place.holds() || !place.has_end())
         return false;
     note_farthest(place.envelope_lanes());
