@@ -207,7 +207,7 @@ std::size_t SortAndSweep::find_pairs(const std::vector<SweptProxy> &items, std::
 {
     const bool all_bounded =
         std::all_of(items.begin(), items.end(), [](const SweptProxy &item) { return item.box.bounded(); });
-    if (items.size() <= tuning::few_objects || all_bounded)
+    if (items.size() <= tuning::few_boxes || all_bounded)
         return find_bounded_pairs(items, pairs);
     bounded_.clear();
     unbounded_.clear();
@@ -222,7 +222,7 @@ std::size_t SortAndSweep::find_pairs(const std::vector<SweptProxy> &items, std::
 // Few boxes may be unbounded, too.
 std::size_t SortAndSweep::find_bounded_pairs(const Items &items, Pairs &pairs)
 {
-    if (items.size() <= tuning::few_objects)
+    if (items.size() <= tuning::few_boxes)
         return items.empty() ? 0 : compare_each_with_each(items, pairs);
     const Layout layout = Layout::fit_for(items);
     sort_into_slabs(items, layout);
