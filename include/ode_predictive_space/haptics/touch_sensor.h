@@ -29,7 +29,8 @@ using MaterialOf = std::function<std::optional<Material>(dGeomID)>;
 /// The sphere that the sensor makes holds to boxes, spheres, capsules, cylinders, planes, triangle meshes and, with set_samples(),
 /// heightfields: it is touched from the side by which the tool came, until it comes back through there, however thin the
 /// object, fast the tool, or deep it is. What the near callback does not tell of any more is released, and so is a mesh with
-/// other triangles. All else is touched as dCollide() says at the moment, and so is all that a geom of the program touches.
+/// other triangles. It holds to all other geoms by a plane through the point that dCollide() finds nearest to the proxy. A geom of the
+/// program has no proxy: it touches what dCollide() says at the moment.
 ///
 /// What the sensor is in when it begins, or begins elsewhere, is not touched until the sensor has been outside of it once.
 /// The same holds for a solid that appears around the sphere and holds all of it, and for a mesh that holds its middle.

@@ -118,10 +118,18 @@ ContactTracker::Region ContactTracker::region() const
     return region;
 }
 
+Vector3 ContactTracker::start_beside(dGeomID geom) const
+{
+    const auto *place = near_.place_before(geom);
+    if (place == nullptr)
+        return course_.start;
+    const Vector3 carried = place->local + pose_of(geom).position;
+    return (carried - place->at).norm() <= farthest_carried * radius_ ? carried : course_.start;
+}
+
 TriangleList ContactTracker::touched_triangles(dGeomID geom) const
 {
-    const auto *place =
-        find_in(near_.places_before(), [&](const ContactMemory::Place &other) { return other.geom.id == geom; });
+    const auto *place = near_.place_before(geom);
     return place != nullptr ? place->triangles : TriangleList();
 }
 
@@ -154,7 +162,7 @@ double ContactTracker::way_of_force() const
 {
     double drift = 0;
     for (const HeldGeom &held : near_.list())
-        drift = std::max(drift, held.place.drift);
+        drift = std::max({drift, held.place.drift, tick_length_ * held.geom.speed_of_plane()});
     return course_.travel.norm() + drift + catch_up_;
 }
 

@@ -64,11 +64,16 @@ public:
 
     void aim(const Vector3 &tool) { course_.aim(tool); }
 
+    const Vector3 &tool() const { return course_.tool; } ///< m; in the scene's frame
+
     /// m; in the scene's frame: the proxy before it follows.
     const Vector3 &start() const { return course_.start; }
 
     /// Where to look for geoms.
     Region region() const;
+
+    /// m; the same where a geom has carried it since the tick before.
+    Vector3 start_beside(dGeomID geom) const;
 
     /// Triangles of a mesh that were touched in the tick before.
     TriangleList touched_triangles(dGeomID geom) const;

@@ -80,6 +80,9 @@ public:
     /// The places of the proxy in the last tick, one for each geom that was near then.
     const std::vector<ContactMemory::Place> &places_before() const { return before_; }
 
+    /// That of one geom; 0 for one that was not near.
+    const ContactMemory::Place *place_before(dGeomID geom) const;
+
     /// Whether there were more geoms in this tick than the capacity: the farthest ones were left out.
     bool exceeds_capacity() const { return exceeds_; }
 

@@ -32,11 +32,19 @@ struct GeomIdentity
 class NearbyGeom
 {
 public:
+    NearbyGeom() = default;
+
     /// It moves as its body does. Nothing for a geom whose surface is known to ODE alone (convex, heightfield without samples,
     /// transform, classes of the program, mesh that is being read).
     ///
     /// @param touched triangles of the mesh that were touched last: see MeshStore.
     static std::optional<NearbyGeom> read(dGeomID geom, MeshStore &meshes, const TriangleList &touched);
+
+    /// A geom whose surface ODE alone knows, as a half-space: behind the plane through the point of the surface that is nearest to the
+    /// proxy.
+    ///
+    /// @param point m; on the surface. @param normal of length 1, towards the proxy; both in the scene's frame.
+    static NearbyGeom behind_plane(dGeomID geom, const Vector3 &point, const Vector3 &normal);
 
     /// The tool of another probe.
     static NearbyGeom of(const ProbeTool &tool);
@@ -93,6 +101,9 @@ public:
     /// m/s, of the surface.
     Vector3 velocity_at(const Vector3 &point) const { return motion_.velocity_at(point); }
 
+    /// m/s; of the plane that stands for a surface that ODE alone knows, along its normal; 0 for other geoms.
+    double speed_of_plane() const;
+
     Vector3 to_local(const Vector3 &point) const { return pose_.rotation.transpose() * (point - pose_.position); }
     Vector3 to_scene(const Vector3 &point) const { return pose_.rotation * point + pose_.position; }
 
@@ -117,6 +128,9 @@ public:
     bool is_solid() const { return solid_.is_known(); }
 
 private:
+    /// Without its surface.
+    explicit NearbyGeom(dGeomID geom);
+
     void move_to_scene(SurfaceFeature &feature) const;
 
     dGeomID id_ = nullptr;
@@ -129,7 +143,9 @@ private:
     std::optional<Material> material_;
     Solid solid_;
     std::shared_ptr<const MeshTree> mesh_;
-    bool is_field_ = false; ///< the mesh is that of a heightfield
+    bool is_field_ = false;           ///< the mesh is that of a heightfield
+    bool by_plane_ = false;           ///< the solid is a half-space that stands for the geom
+    Vector3 point_ = Vector3::Zero(); ///< m; of the surface, in that plane
 };
 } // namespace ode_predictive_space::haptics
 

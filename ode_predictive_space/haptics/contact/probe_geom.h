@@ -5,8 +5,9 @@
 
 #include "ode_predictive_space/haptics/device.h"
 
-#include <ode/common.h>
+#include <ode/contact.h>
 #include <optional>
+#include <vector>
 
 namespace ode_predictive_space::haptics
 {
@@ -44,6 +45,10 @@ public:
     /// Of a sphere of its own.
     void set_margin(double margin);
 
+    /// The deepest contact of a geom with the tool, or with a sphere of its own that is elsewhere meanwhile; nothing when they do not touch.
+    std::optional<dContactGeom> contact_with(dGeomID other);
+    std::optional<dContactGeom> contact_with(dGeomID other, const Vector3 &centre, double radius);
+
     /// See TouchSensor.
     void abandon_locked_space();
 
@@ -66,6 +71,7 @@ private:
     double radius_ = 0;                     ///< m; without the margin
     double margin_ = 0;                     ///< m
     std::optional<Quaternion> orientation_; ///< as set last
+    std::vector<dContactGeom> contacts_;    ///< room for those of a pair
 };
 } // namespace ode_predictive_space::haptics
 

@@ -100,6 +100,15 @@ Solid Solid::sphere(double radius)
     return solid;
 }
 
+Solid Solid::half_space(const Vector3 &point, const Vector3 &normal)
+{
+    Solid solid;
+    solid.size_ = normal;
+    solid.height_ = normal.dot(point);
+    solid.class_ = dPlaneClass;
+    return solid;
+}
+
 SurfaceFeature Solid::nearest(const Vector3 &point) const
 {
     switch (class_)

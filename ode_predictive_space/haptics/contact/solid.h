@@ -31,6 +31,9 @@ public:
     /// @param radius m.
     static Solid sphere(double radius);
 
+    /// Everything behind a plane through a point.
+    static Solid half_space(const Vector3 &point, const Vector3 &normal);
+
     bool is_known() const { return class_ != unknown; }
 
     /// Whether it looks the same however it is turned.

@@ -18,13 +18,6 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr std::size_t steps_of_tick = 16000; // of reading meshes
-constexpr int most_contacts = 256;           // of one pair: a mesh gives many, of which one counts
-
-// NaN is deeper than anything, so that it is never overlooked.
-bool is_shallower(const dContactGeom &a, const dContactGeom &b)
-{
-    return !std::isnan(a.depth) && (std::isnan(b.depth) || a.depth < b.depth);
-}
 } // namespace
 
 class TouchSensor::Parts
@@ -35,29 +28,44 @@ public:
     {
         touches.reserve(touch_capacity);
         collided.reserve(touch_capacity);
-        contacts.resize(most_contacts);
         place.radius = geom.radius();
     }
 
-    /// @return false when only dCollide() knows its surface.
-    bool hold(dGeomID other)
+    void hold(dGeomID other)
     {
+        const Motion motion = poses.motion_of(other, pose_of(other), place.centre, place.tick);
         std::optional<NearbyGeom> nearby = NearbyGeom::read(other, meshes, tracker->touched_triangles(other));
-        if (!nearby)
-            return false;
-        if (!nearby->is_finite())
-        {
-            nonsense = true;
-            return true;
-        }
-        nearby->set_motion(poses.motion_of(other, pose_of(other), place.centre, place.tick));
-        if (excluded.excludes(*nearby, place))
-            return true;
+        const bool by_plane = !nearby;
+        if (by_plane)
+            nearby = behind_plane(other);
+        nonsense = nonsense || (nearby && !nearby->is_finite());
+        if (!nearby || !nearby->is_finite())
+            return;
+        nearby->set_motion(motion);
+        const double depth = place.radius - nearby->distance(place.centre, place.radius);
+        if (by_plane ? excluded.excludes(other, depth, place) : excluded.excludes(*nearby, place))
+            return;
         if (const dBodyID body = dGeomGetBody(other))
             bodies.keep(body);
         nearby->set_material(material_of(other));
         tracker->add_if_near(std::move(*nearby));
-        return true;
+    }
+
+    /// A geom whose surface dCollide() alone knows: by the contact of a sphere that covers the region of the search, about the proxy, or
+    /// about the tool where each object is felt alone.
+    std::optional<NearbyGeom> behind_plane(dGeomID other)
+    {
+        const bool alone = wanted.view == TouchView::each_object_alone;
+        const Vector3 centre = alone ? tracker->tool() : tracker->start_beside(other);
+        const ContactTracker::Region region = tracker->region();
+        const double radius = (region.centre - centre).norm() + region.radius;
+        const std::optional<dContactGeom> contact = geom.contact_with(other, centre, radius);
+        if (!contact)
+            return std::nullopt;
+        const Vector3 normal = from_ode(contact->normal);
+        const Vector3 point = centre - (radius - static_cast<double>(contact->depth)) * normal;
+        nonsense = nonsense || !point.allFinite();
+        return point.allFinite() ? std::optional(NearbyGeom::behind_plane(other, point, normal)) : std::nullopt;
     }
 
     /// The tools of other probes. Both feel the softer one's stiffness, so that both feel the same force.
@@ -95,9 +103,8 @@ public:
     void collide(dGeomID other)
     {
         const Motion motion = poses.motion_of(other, pose_of(other), place.centre, place.tick);
-        const int count = dCollide(geom.tool(), other, most_contacts, contacts.data(), sizeof(dContactGeom));
-        if (count > 0)
-            add(*std::max_element(contacts.begin(), contacts.begin() + count, is_shallower), other, motion);
+        if (const std::optional<dContactGeom> contact = geom.contact_with(other))
+            add(*contact, other, motion);
     }
 
     // ODE's normal is the way out for the first of the two geoms, which is the probe.
@@ -176,9 +183,8 @@ public:
     BodyWatch bodies;
     Wanted wanted;
     std::vector<Touch> touches;
-    std::vector<Touch> collided;        ///< by dCollide()
-    std::vector<dContactGeom> contacts; ///< most_contacts of them, for dCollide() to write to
-    ProbePlace place;                   ///< begins by forget_sides(), until touches are asked for
+    std::vector<Touch> collided; ///< by dCollide()
+    ProbePlace place;            ///< begins by forget_sides(), until touches are asked for
     bool nonsense = false;
     bool exceeds_capacity = false;
     bool resolved = true; ///< whether touches has all
@@ -334,7 +340,9 @@ bool TouchSensor::touch(dGeomID first, dGeomID second)
             parts_->collide(probe->sphere);
         return true; // a sphere finds it by itself
     }
-    if (!parts_->tracker || !parts_->hold(other))
+    if (parts_->tracker)
+        parts_->hold(other);
+    else
         parts_->collide(other);
     return true;
 }
