@@ -18,8 +18,8 @@ namespace ode_predictive_space::haptics
 /// and Armstrong, "A new computational model of friction applied to haptic rendering", 2000). It works on displacements, not
 /// on the sign of a measured velocity, hence it neither chatters nor creeps. The tool is a point to friction.
 ///
-/// Objects know nothing of each other: in a notch between two of them, each pushes as if it were alone. But touches of objects
-/// that go on in one plane count once: flush tiles are one floor. The proxy law is right in both.
+/// Objects know nothing of each other: in a notch between two of them, and at the seam of two tiles, each pushes as if it were alone. The
+/// proxy law is right in both.
 class PenaltyLaw final : public ForceLaw
 {
 public:

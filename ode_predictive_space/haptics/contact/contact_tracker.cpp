@@ -19,8 +19,6 @@ constexpr double around = 1.5;  // times the proxy's way: the ball that holds al
 constexpr double steps_ahead = 2;    // times the tool's way: how far it may go until geoms come from another thread
 constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the sphere more have passed each other
 constexpr double in_contact = 1e-6;  // of the radius
-constexpr double allowed_rise =
-    1e-3; // of a surface beyond the plane in which it goes on, in parts of the distance looked ahead
 } // namespace
 
 bool is_finite(const Touch &touch)
@@ -404,33 +402,6 @@ void ContactTracker::tell_each_object()
         share_out(TouchView::each_object_alone);
         tell_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
     }
-    count_flush_touches_once();
 }
 
-/// Whether the touched geom ends in a plane through its touched place: its face, or an edge of it, lies there, and nothing is beyond.
-bool ContactTracker::ends_in(const TouchOfGeom &told, const Vector3 &normal) const
-{
-    const double beyond = 0.1 * radius_;
-    const HeldGeom *held = find_in(near_.list(), [&](const HeldGeom &other) { return other.geom.id() == told.geom; });
-    const double distance = held->geom.distance(told.touch.point + beyond * normal, 2 * beyond);
-    return distance >= beyond * (1 - allowed_rise);
-}
-
-/// When touches of different objects lie in one plane (flush tiles, a ridge made of two boxes), the deepest counts alone. The edges of the
-/// others would push again.
-void ContactTracker::count_flush_touches_once()
-{
-    for (TouchOfGeom &told : told_.now())
-    {
-        Touch &touch = told.touch;
-        const auto goes_on_in_it = [&](const TouchOfGeom &other) {
-            const Touch &deeper = other.touch;
-            const bool is_deeper = deeper.depth > touch.depth || (deeper.depth == touch.depth && &other < &told);
-            return deeper.object != touch.object && is_deeper && deeper.carry.carries() &&
-                   is_flush(deeper.normal, deeper.point, touch.point) && ends_in(told, deeper.normal);
-        };
-        if (touch.carry.carries() && find_in(told_.now(), goes_on_in_it) != nullptr)
-            touch.carry = Carry{};
-    }
-}
 } // namespace ode_predictive_space::haptics

@@ -137,8 +137,6 @@ private:
     double yield_at(const SlidePlane &plane) const;
     bool share_out(TouchView view);
     void tell_each_object();
-    bool ends_in(const TouchOfGeom &told, const Vector3 &normal) const;
-    void count_flush_touches_once();
 
     double radius_;
     double margin_ = 0;

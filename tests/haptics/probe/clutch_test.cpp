@@ -1,6 +1,7 @@
 // A hand that reaches farther than its device, with the clutch, in a scene with walls.
 
 #include "ode_predictive_space/haptics/probe.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
 
 #include "tests/haptics/support/probe_fixture.h"
 
@@ -135,7 +136,8 @@ TEST_F(ClutchTest, TwoFlushTilesRiseAsOneFloor)
     ScriptedDevice device([](double seconds) -> Vector3 {
         return {0.0005, 0, 0.005 - depth + 0.01 * (1 - smooth(seconds))};
     });
-    RenderSettings settings = with_stiffness(500);
+    RenderSettings settings;
+    settings.law = std::make_shared<ProxyLaw>(Material{500});
     settings.clutch_button = 0;
     HapticProbe probe(device, world.space, 0.005, settings);
     world.run(probe, 1500);
