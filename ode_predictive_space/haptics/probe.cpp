@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/contact/body_watch.h"
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
 #include "ode_predictive_space/haptics/device/with_lock.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
@@ -27,20 +28,16 @@ void add_wrench(dBodyID body, const Wrench &wrench)
     if (wrench.force.isZero(0) && wrench.torque.isZero(0))
         return;
     dBodyEnable(body);
-    dBodyAddForce(body, static_cast<dReal>(wrench.force.x()), static_cast<dReal>(wrench.force.y()),
-                  static_cast<dReal>(wrench.force.z()));
-    dBodyAddTorque(body, static_cast<dReal>(wrench.torque.x()), static_cast<dReal>(wrench.torque.y()),
-                   static_cast<dReal>(wrench.torque.z()));
+    call_ode(&dBodyAddForce, body, wrench.force);
+    call_ode(&dBodyAddTorque, body, wrench.torque);
 }
 
 /// kg m^2; about the axis about which the body turns most easily.
 double smallest_inertia(const dMass &mass)
 {
-    Eigen::Matrix3d inertia;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            inertia(row, column) = static_cast<double>(mass.I[4 * row + column]);
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia_of(mass), Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .minCoeff();
 }
 
 bool is_same(const CouplingProperties &a, const CouplingProperties &b)

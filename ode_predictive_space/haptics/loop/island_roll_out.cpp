@@ -195,10 +195,8 @@ void IslandRollOut::run(std::size_t steps, double dt, const std::vector<BodyImpu
             continue;
         const Vector3 force = push.impulse / dt, moment = push.arm.cross(force);
         dBodyEnable(push.body);
-        dBodyAddForce(push.body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),
-                      static_cast<dReal>(force.z()));
-        dBodyAddTorque(push.body, static_cast<dReal>(moment.x()), static_cast<dReal>(moment.y()),
-                       static_cast<dReal>(moment.z()));
+        call_ode(&dBodyAddForce, push.body, force);
+        call_ode(&dBodyAddTorque, push.body, moment);
     }
     for (std::size_t step = 1; step <= steps; ++step)
     {
@@ -246,19 +244,15 @@ void IslandRollOut::restore() const
 {
     for (const State &state : states_)
     {
-        const auto set = [&](auto setter, const Vector3 &value) {
-            setter(state.body, static_cast<dReal>(value.x()), static_cast<dReal>(value.y()),
-                   static_cast<dReal>(value.z()));
-        };
         const Quaternion &turn = state.motion.orientation;
         const dQuaternion quaternion = {static_cast<dReal>(turn.w()), static_cast<dReal>(turn.x()),
                                         static_cast<dReal>(turn.y()), static_cast<dReal>(turn.z())};
-        set(&dBodySetPosition, state.motion.position);
+        call_ode(&dBodySetPosition, state.body, state.motion.position);
         dBodySetQuaternion(state.body, quaternion);
-        set(&dBodySetLinearVel, state.motion.linear_velocity);
-        set(&dBodySetAngularVel, state.motion.angular_velocity);
-        set(&dBodySetForce, state.force);
-        set(&dBodySetTorque, state.torque);
+        call_ode(&dBodySetLinearVel, state.body, state.motion.linear_velocity);
+        call_ode(&dBodySetAngularVel, state.body, state.motion.angular_velocity);
+        call_ode(&dBodySetForce, state.body, state.force);
+        call_ode(&dBodySetTorque, state.body, state.torque);
         if (state.awake != (dBodyIsEnabled(state.body) != 0))
             state.awake ? dBodyEnable(state.body) : dBodyDisable(state.body);
     }

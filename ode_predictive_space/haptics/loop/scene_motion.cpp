@@ -214,14 +214,10 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     touched.orientation = tool_state_of(body).orientation;
     dMass mass;
     dBodyGetMass(body, &mass);
-    Eigen::Matrix3d own;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            own(row, column) = mass.I[4 * row + column];
     const Eigen::Matrix3d turn = touched.orientation.toRotationMatrix();
     touched.inertia.setZero();
     touched.inertia.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
-    touched.inertia.bottomRightCorner<3, 3>() = turn * own * turn.transpose();
+    touched.inertia.bottomRightCorner<3, 3>() = turn * inertia_of(mass) * turn.transpose();
     touched.inverse_inertia = touched.inertia.inverse();
     touched.pushes = pushes_on(touched);
     int column = 0;
