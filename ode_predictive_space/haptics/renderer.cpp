@@ -94,7 +94,7 @@ public:
             throw std::invalid_argument("The delay of a device must be finite and not negative");
     }
 
-    double delay() const { return std::max(settings.delay.value_or(link.capabilities().delay), link.measured_delay()); }
+    double delay() const { return settings.delay.value_or(link.capabilities().delay); }
 
     void restart()
     {
@@ -125,16 +125,6 @@ public:
             ++tick.tool_jumps;
         workspace.move_clutch(is_held(settings.clutch_button, tick.state), tick.state);
         tick.tool = workspace.mapping.to_scene(tick.state);
-    }
-
-    /// What is rendered from now on is as soft as the delay wants it: rendered() goes by that. The law itself is not changed.
-    void tell_of_delay()
-    {
-        const Material material = law->material();
-        const StabilityVerdict verdict =
-            check_stability(link.capabilities(), rendering(material.stiffness, material.damping));
-        if (verdict.outcome != StabilityOutcome::fine)
-            notices.tell(NoticeKind::stability, verdict.reason);
     }
 
     void render(const std::vector<Touch> &touches, bool all_known, double dt)
@@ -184,7 +174,6 @@ public:
         watchdog->servo_ticked(clock_time);
         tick.wrench = link.answers() ? link.write(limited(requested, dt)) : Wrench();
         tell_of_watchdog();
-        notices.tell_held_back();
         if (passivity)
             passivity->written(tick.wrench.force);
         const WorkspacePlacement &placement = workspace.mapping.placement();
@@ -378,11 +367,6 @@ void Renderer::check(const CouplingProperties &coupling)
     parts_->check(coupling.stiffness, coupling.damping);
 }
 
-double Renderer::delay() const
-{
-    return parts_->delay();
-}
-
 Material Renderer::rendered(const Material &material) const
 {
     return parts_->rendered(material);
@@ -397,11 +381,8 @@ void Renderer::read(double time, double clock_time)
     parts_->clock_time = clock_time;
     if (parts_->link.notice_guard() || parts_->relaxed)
         parts_->restart();
-    const double delay_before = delay();
     const DeviceLink::News news =
         parts_->link.read(time, parts_->settings.rate, jump * parts_->safety.limits().max_speed);
-    if (delay() > delay_before)
-        parts_->tell_of_delay();
     if (parts_->link.answers())
         parts_->take_in(news);
 }
@@ -442,11 +423,6 @@ void Renderer::physics_fresh(double clock_time)
     parts_->watchdog->physics_fresh(clock_time);
 }
 
-void Renderer::tell_held_back()
-{
-    parts_->notices.tell_held_back(0);
-}
-
 const ToolState &Renderer::tool() const
 {
     return parts_->tick.tool;
@@ -460,16 +436,6 @@ const std::vector<ForceShare> &Renderer::shares() const
 const RenderedTick &Renderer::last_tick() const
 {
     return parts_->tick;
-}
-
-const SafetyReport &Renderer::safety_report() const
-{
-    return parts_->safety.report();
-}
-
-std::uint64_t Renderer::held_back() const
-{
-    return parts_->notices.held_back();
 }
 
 DeviceGate &Renderer::gate()

@@ -50,7 +50,7 @@ private:
 
 haptics::RenderSettings with_proxy()
 {
-    haptics::SurfaceProperties properties;
+    haptics::Material properties;
     properties.stiffness = stiffness;
     haptics::RenderSettings settings;
     settings.law = std::make_shared<haptics::ProxyLaw>(properties);

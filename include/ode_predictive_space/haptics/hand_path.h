@@ -40,14 +40,8 @@ public:
     /// the latest time that was asked for.
     Vector3 position(double time);
 
-    /// position() without tremor.
-    Vector3 intended_position(double time);
-
     /// The derivative of position(), in m/s.
     Vector3 velocity(double time);
-
-    /// Start and end of the reach, or the pause after it, that the hand makes at this time, in seconds.
-    std::array<double, 2> reach_times(double time);
 
     /// Draw the reaches of the first `seconds` now: until then, the other calls need no memory.
     void draw_ahead(double seconds = 600);

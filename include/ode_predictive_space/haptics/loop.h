@@ -141,9 +141,7 @@ struct LoopReport
     std::uint64_t trial_messages =
         0; ///< of ODE, about steps that were only tried (two threads): they do not reach its handler
     std::uint64_t notices = 0; ///< given to the sink
-    std::uint64_t held_back =
-        0; ///< notices that came again within a second of the same: told later as one, with their number
-    std::string scheduling; ///< which priority and memory the system granted or refused, in sentences
+    std::string scheduling;    ///< which priority and memory the system granted or refused, in sentences
 };
 
 class LoopParts;

@@ -116,10 +116,6 @@ public:
     /// @throws std::invalid_argument as the constructor does.
     void set_law(std::shared_ptr<ForceLaw> law);
 
-    /// s; from a position to the force that answers it, beyond the loop's own period: what the settings say, or else the device; or
-    /// more, if the time stamps of its states are older. What is stiff depends on it.
-    double delay() const;
-
     /// For virtual couplings, as set_law() for laws: says what render() makes softer.
     /// @throws std::invalid_argument when a property is negative or not finite, or the damping cannot be rendered.
     void check(const CouplingProperties &coupling);
@@ -150,15 +146,6 @@ public:
     void set_notice_sink(NoticeSink sink);
     /// The same.
     const NoticeSink &notice_sink() const;
-
-    /// What the safety stage did in the last tick and so far.
-    const SafetyReport &safety_report() const;
-
-    /// Tell now what was held back because it had just been told: at the end of a run.
-    void tell_held_back();
-
-    /// How many notices were held back, so far. Those of a second are told as one, with their number.
-    std::uint64_t held_back() const;
 
     /// For the guard of a loop.
     DeviceGate &gate();

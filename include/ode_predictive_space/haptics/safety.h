@@ -69,43 +69,6 @@ struct SafetyLimits
     static SafetyLimits of(const Capabilities &capabilities);
 };
 
-/// What the safety stage can do to a wrench.
-enum class SafetyAction
-{
-    not_finite,   ///< the wrench, the velocity, the time or the allowance is NaN or infinite: zero, at once
-    too_fast,     ///< the hand is faster than max_speed: zero, at once
-    waiting,      ///< has not been small since the start: zero
-    no_axes,      ///< the device cannot push, or its maximum of force is not told: zero
-    ramping,      ///< after the start or a fault: scaled down
-    clamped,      ///< was above the maximum: shortened, its direction kept
-    slew_limited, ///< would have changed too fast: on its way
-    held_back     ///< the allowance was below 1: scaled down
-};
-
-/// Of SafetyAction.
-constexpr int safety_action_count = 8;
-
-/// One sentence: what the stage does and why.
-const char *explanation_of(SafetyAction action);
-
-/// What the safety stage did.
-struct SafetyReport
-{
-    std::uint32_t now = 0;   ///< bit i: action i was taken in the last call
-    std::uint32_t begun = 0; ///< those of them that were not taken in the call before: worth a message
-    std::array<std::uint64_t, safety_action_count> calls{}; ///< in how many calls each was taken so far
-
-    /// Whether this action was taken in the last call.
-    bool did(SafetyAction action) const { return (now >> static_cast<int>(action)) & 1u; }
-    /// Whether it was, and not in the call before.
-    bool began(SafetyAction action) const { return (begun >> static_cast<int>(action)) & 1u; }
-    /// In how many calls it was taken so far.
-    std::uint64_t count(SafetyAction action) const { return calls[static_cast<std::size_t>(action)]; }
-
-    /// A line for each action ever taken, with its count; empty when there was none. Allocates: not for the servo loop.
-    std::string summary() const;
-};
-
 /// What is rendered, and how, as the device sees it (with a workspace mapping of scale s, a law's values times s).
 struct Rendering
 {

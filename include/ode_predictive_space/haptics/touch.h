@@ -21,9 +21,6 @@ struct Material
     double static_friction = 0; ///< the same until it begins to slide; less than friction counts as friction
 };
 
-/// The same, by its first name.
-using SurfaceProperties = Material;
-
 /// What a touch adds to the way from the tool to its proxy: share times its normal, and its lag. All touches make that way.
 struct Carry
 {

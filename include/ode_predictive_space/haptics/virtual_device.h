@@ -36,7 +36,6 @@ struct VirtualDeviceSettings
     double velocity_cutoff = 100;  ///< Hz, > 0; of the low-pass filter of first order over the differences of positions
     int position_delay = 0;        ///< ticks, >= 0; how late a position is told; a tick is one read()
     int force_delay = 0;           ///< ticks, >= 0; how late a force is rendered
-    bool tells_delay = true;       ///< in its capabilities, in ticks of its nominal rate
 };
 
 /// Where the person wants the handle to be, in metres, this many seconds after the first read().

@@ -62,39 +62,6 @@ private:
     Vector3 velocity_ = Vector3::Zero();
 };
 
-/// The delay by which a device tells its position, from the time stamps of its states. It is the largest mean over some
-/// hundred readings: a mean, so that a single late state does not change it; the largest, so that the rendered stiffness does not vary.
-class DelayMeter
-{
-public:
-    /// @param age s; from the time stamp of a state to when it was read. Out of reason (below 0, above 0.1): not counted.
-    /// @param period s; of the device or the loop, the longer one: a state may be that old without being late.
-    void note(double age, double period)
-    {
-        if (!(age >= 0 && age <= oldest))
-            return;
-        sum_ += age;
-        if (++count_ < readings)
-            return;
-        const double mean = std::max(0.0, sum_ / readings - period);
-        if (mean > grown * delay_)
-            delay_ = mean;
-        sum_ = 0;
-        count_ = 0;
-    }
-
-    /// s; 0 before there is a mean.
-    double delay() const { return delay_; }
-
-private:
-    static constexpr int readings = 200;  ///< of which a delay is the mean
-    static constexpr double oldest = 0.1; ///< s
-    static constexpr double grown = 1.1;  ///< times the delay so far: less is the noise of the mean
-
-    double sum_ = 0; ///< s
-    int count_ = 0;
-    double delay_ = 0; ///< s
-};
 } // namespace ode_predictive_space::haptics
 
 #endif

@@ -94,7 +94,7 @@ VirtualDevice::VirtualDevice(const VirtualDeviceSettings &settings, TargetPath t
     if (!target_)
         throw std::invalid_argument("virtual device: the hand has no target");
     capabilities_.name = "virtual " + capabilities_.name;
-    if (settings.tells_delay && capabilities_.rate > 0)
+    if (capabilities_.rate > 0)
     {
         capabilities_.delay =
             std::max(capabilities_.delay, (settings.position_delay + settings.force_delay) / capabilities_.rate);

@@ -54,7 +54,6 @@ public:
         parts_.time.end = parts_.clock.now();
         if (parts_.probe.sensor() != nullptr)
             parts_.probe.sensor()->set_margin(0);
-        parts_.probe.renderer().tell_held_back();
         if (parts_.scheduling.refused())
             parts_.tell(NoticeKind::scheduling, parts_.scheduling.text());
         parts_.guard->end();
@@ -184,7 +183,6 @@ LoopReport HapticLoop::report() const
     report.saturated = parts.counts.saturated;
     report.trial_messages = parts.counts.trial_messages;
     report.notices = parts.counts.notices;
-    report.held_back = parts.counts.held_back;
     report.scheduling = parts.scheduling.text();
     return report;
 }

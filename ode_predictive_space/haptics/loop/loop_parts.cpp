@@ -93,7 +93,6 @@ void LoopParts::note_rendered(const RenderedTick &tick)
     rendered.draft() = tick;
     rendered.publish();
     counts.saturated += tick.saturated ? 1 : 0;
-    counts.held_back = probe.renderer().held_back();
 }
 
 /// By which the scene is found. @return may be 0.

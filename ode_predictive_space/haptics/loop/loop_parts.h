@@ -98,7 +98,6 @@ struct LoopCounts
     std::atomic<std::uint64_t> saturated{0};
     std::atomic<std::uint64_t> trial_messages{0};
     std::atomic<std::uint64_t> notices{0};
-    std::atomic<std::uint64_t> held_back{0};
 };
 
 /// What a run of a loop of either kind needs. It belongs to the caller's thread, but for what says otherwise.

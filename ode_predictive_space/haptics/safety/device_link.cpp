@@ -110,13 +110,11 @@ bool DeviceLink::follow(const DeviceState &state, double rate)
         doubt(nonsense);
         return false;
     }
-    const double slower_rate = std::min(capabilities().rate, rate);
-    if (is_silent(state, slower_rate))
+    if (is_silent(state, std::min(capabilities().rate, rate)))
     {
         fail("The device has told nothing new for too long.");
         return false;
     }
-    delay_meter_.note(time_ - state.time, slower_rate > 0 ? 1 / slower_rate : 0);
     state_ = state;
     motion_.follow(state_);
     return true;

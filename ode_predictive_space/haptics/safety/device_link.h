@@ -58,9 +58,6 @@ public:
     double speed() const { return motion_.speed(); }
     void forget_motion() { motion_.forget(); }
 
-    /// s; by the time stamps of the states.
-    double measured_delay() const { return delay_meter_.delay(); }
-
     const Capabilities &capabilities() const { return gate_.device().capabilities(); }
     DeviceGate &gate() { return gate_; }
 
@@ -77,7 +74,6 @@ private:
     AtEnd opening_; ///< closes the device if it was opened here
     const NoticeDesk &notices_;
     DeviceMotion motion_;
-    DelayMeter delay_meter_;
     DeviceState state_;
     double time_ = 0; ///< s, simulated; of the last read()
     bool answers_ = false;

@@ -10,7 +10,7 @@ namespace ode_predictive_space::haptics
 /// In a catch block: the sentence, which has no end yet, with what the exception says, if that is a std::exception.
 std::string with_reason(const std::string &sentence);
 
-/// Of one topic, one notice a second: those in between are held back, and told later as one, with their number.
+/// One notice a second on each topic.
 class NoticeDesk
 {
 public:
@@ -29,27 +29,12 @@ public:
     /// @param topic below most_topics.
     void tell_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence);
 
-    /// What was held back of the topics that have been quiet for so long, in s. At the end of a run: for no time.
-    void tell_held_back(double quiet_for = tell_again_after);
-
-    /// How many notices were held back, so far.
-    std::uint64_t held_back() const { return held_back_; }
-
 private:
     static constexpr double tell_again_after = 1; ///< s
 
-    /// What was told of a topic, and what was not.
-    struct Told
-    {
-        double last;   ///< s, simulated; when it was told
-        int times = 0; ///< held back since
-        Notice notice; ///< the last of those
-    };
-
     NoticeSink sink_;
-    double time_ = 0; ///< s, simulated
-    std::array<Told, most_topics> told_;
-    std::uint64_t held_back_ = 0;
+    double time_ = 0;                      ///< s, simulated
+    std::array<double, most_topics> last_; ///< s, simulated; when each topic was reported
 };
 } // namespace ode_predictive_space::haptics
 

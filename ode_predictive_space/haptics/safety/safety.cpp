@@ -81,16 +81,6 @@ const char *explanation_of(SafetyAction action)
     return explanations[static_cast<int>(action)];
 }
 
-std::string SafetyReport::summary() const
-{
-    std::string lines;
-    for (int action = 0; action < safety_action_count; ++action)
-        if (calls[action] > 0)
-            lines +=
-                std::to_string(calls[action]) + " times: " + explanation_of(static_cast<SafetyAction>(action)) + "\n";
-    return lines;
-}
-
 SafetyStage::SafetyStage(const SafetyLimits &limits) : limits_(limits)
 {
     check_not_negative(limits.max_force, "maximum of force");
@@ -194,8 +184,6 @@ Wrench SafetyStage::bound(const Wrench &wrench, double allowed) const
 void SafetyStage::close_report(std::uint32_t before)
 {
     report_.begun = report_.now & ~before;
-    for (int action = 0; action < safety_action_count; ++action)
-        report_.calls[action] += (report_.now >> action) & 1u;
 }
 
 void SafetyStage::restart_ramp()

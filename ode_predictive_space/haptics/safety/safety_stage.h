@@ -7,6 +7,35 @@
 
 namespace ode_predictive_space::haptics
 {
+/// What the safety stage can do to a wrench.
+enum class SafetyAction
+{
+    not_finite,   ///< the wrench, the velocity, the time or the allowance is NaN or infinite: zero, at once
+    too_fast,     ///< the hand is faster than max_speed: zero, at once
+    waiting,      ///< has not been small since the start: zero
+    no_axes,      ///< the device cannot push, or its maximum of force is not told: zero
+    ramping,      ///< after the start or a fault: scaled down
+    clamped,      ///< was above the maximum: shortened, its direction kept
+    slew_limited, ///< would have changed too fast: on its way
+    held_back     ///< the allowance was below 1: scaled down
+};
+
+/// Of SafetyAction.
+constexpr int safety_action_count = 8;
+
+/// One sentence: what the stage does and why.
+const char *explanation_of(SafetyAction action);
+
+/// What the safety stage did in its last call.
+struct SafetyReport
+{
+    std::uint32_t now = 0;   ///< bit i: action i was taken
+    std::uint32_t begun = 0; ///< those of them that were not taken in the call before
+
+    bool did(SafetyAction action) const { return (now >> static_cast<int>(action)) & 1u; }
+    bool began(SafetyAction action) const { return (begun >> static_cast<int>(action)) & 1u; }
+};
+
 /// Makes any wrench safe. One stage belongs to one device and is used from its servo loop. Neither allocates nor locks.
 ///
 /// Whatever the requested wrench, the one that is returned
@@ -34,7 +63,7 @@ public:
     /// @return what may be written to the device. Write this and nothing else.
     Wrench limit(const Wrench &requested, const Vector3 &velocity, double time, double allowance = 1);
 
-    /// As at the start: the next wrench is zero, and the stage waits for a small one. Counts go on.
+    /// As at the start: the next wrench is zero, and the stage waits for a small one.
     void reset();
 
     /// The force was taken away behind the stage, and nothing else has changed: the next wrench is zero, and it comes back by the ramp.
@@ -43,7 +72,6 @@ public:
     /// Whether the requested wrench was small once since the start.
     bool engaged() const { return engaged_; }
 
-    /// What was done in the last call and so far.
     const SafetyReport &report() const { return report_; }
     /// As they were given.
     const SafetyLimits &limits() const { return limits_; }

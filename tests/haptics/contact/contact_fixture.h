@@ -42,7 +42,7 @@ protected:
     std::vector<Sample> run(const ScriptedDevice::Path &path, double duration,
                             std::function<void(double)> advanced = {})
     {
-        SurfaceProperties properties;
+        Material properties;
         properties.stiffness = k;
         properties.friction = friction_;
         const auto penalty = std::make_shared<PenaltyLaw>(properties);

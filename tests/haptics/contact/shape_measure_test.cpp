@@ -201,7 +201,7 @@ protected:
     {
         Things things(measure);
         scene.build(things);
-        SurfaceProperties properties;
+        Material properties;
         properties.stiffness = stiffness_;
         const auto proxy = std::make_shared<ProxyLaw>(properties);
         RenderSettings rendering;
