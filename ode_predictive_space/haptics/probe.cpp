@@ -32,7 +32,7 @@ void add_wrench(dBodyID body, const Wrench &wrench)
     call_ode(&dBodyAddTorque, body, wrench.torque);
 }
 
-/// kg m^2; about the axis about which the body turns most easily.
+/// kg m^2; smallest principal moment of inertia.
 double smallest_inertia(const dMass &mass)
 {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia_of(mass), Eigen::EigenvaluesOnly)
@@ -64,7 +64,7 @@ public:
         renderer.render({}, true, dt);
     }
 
-    /// The coupling with which the body can be stepped.
+    /// The coupling, limited by the mass of the body.
     CouplingProperties coupling_of(dBodyID body, double dt)
     {
         if (dBodyIsKinematic(body) != 0)
@@ -82,7 +82,7 @@ public:
         return possible;
     }
 
-    /// The body as the handle holds it: turned as the handle where it was so at the start, or after a jump.
+    /// The body relative to its grip: its orientation at the start, or after a jump, counts as that of the handle.
     ToolState as_held(ToolState body)
     {
         if (!grip || tool_jumps != renderer.last_tick().tool_jumps)
@@ -117,17 +117,17 @@ public:
             sink(Notice(NoticeKind::contact, renderer.last_tick().time, sentence));
     }
 
-    std::mutex run_mutex; ///< of the one below
+    std::mutex run_mutex; ///< guards run
     std::shared_ptr<ActiveRun> run;
     Renderer renderer;
     std::unique_ptr<TouchSensor> sensor;
-    std::uintptr_t tool = 0; ///< its body, in the watch as long as it is there
+    std::uintptr_t tool = 0; ///< its body, kept in tool_watch
     BodyWatch tool_watch;
     CouplingProperties coupling;
     std::optional<Quaternion> grip; ///< the body's orientation in the handle's frame
     bool told_of_light_tool = false;
     double tick_length = 0; ///< s
-    int tool_jumps = 0;     ///< as RenderedTick has it
+    int tool_jumps = 0;     ///< of RenderedTick
     bool told_of_loss = false;
     bool told_of_reading = false;
     bool told_of_capacity = false;
@@ -169,7 +169,7 @@ HapticProbe::~HapticProbe()
     }
     catch (...)
     {
-        // a notice is not worth the program's end
+        // a destructor must not throw
     }
 }
 
@@ -255,7 +255,7 @@ const std::vector<Encounter> &HapticProbe::encounters()
     const dSpaceID space = geom() != nullptr ? dGeomGetSpace(geom()) : nullptr;
     if (space == nullptr || dSpaceIsPredictive(space) == 0)
         return encounters;
-    const int most = dSpaceGetNumGeoms(space); // in a dense crowd, hundreds are near at once
+    const int most = dSpaceGetNumGeoms(space); // hundreds may be near at once
     std::vector<dPredictiveEncounter> found(static_cast<std::size_t>(most));
     const int count = dPredictiveSpaceGetEncounters(space, geom(), found.data(), most);
     encounters.reserve(static_cast<std::size_t>(count));

@@ -1,4 +1,4 @@
-// From the device to the tool, and from touches to the device: read, law, safety, write, and what there is to tell.
+// Stages of a tick: read, law, safety, write, and notices.
 
 #include "ode_predictive_space/haptics/renderer.h"
 
@@ -24,12 +24,13 @@ namespace
 {
 constexpr double usual_stiffness = 500; // N/m
 
-/// N s/m; all damping of device and hand in a light grip (some 80 g and 60 N/m). Devices do not report theirs.
+/// N s/m; damping of device and hand in a light grip (some 80 g and 60 N/m). Devices do not report theirs.
 constexpr double light_grip = 0.8;
-/// What encoders take of the passive stiffness: at three quarters, a grip like that swings by two steps of the encoder.
+/// Factor for encoders: at 0.75 of the passive stiffness, such a grip oscillates by two encoder steps.
 constexpr double margin_of_encoders = 0.6;
 
-/// As stiff in the hand, whatever the scale, but no stiffer than a light grip is stable with, where the damping is unknown.
+/// The stiffness in the hand does not depend on the scale. Where the damping is unknown, it is limited to the stable
+/// stiffness of a light grip.
 std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const WorkspaceMapping &mapping,
                                     const RenderSettings &settings)
 {
@@ -44,7 +45,7 @@ std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const Work
     return std::make_shared<ProxyLaw>(material);
 }
 
-// With a device that cannot push, one can still push what is in the scene, as hard as with any other.
+// A device without force output still pushes the scene, with the limits of a common device.
 SafetyLimits usual_limits(const Capabilities &capabilities)
 {
     if (capabilities.force_axes > 0)
@@ -55,16 +56,16 @@ SafetyLimits usual_limits(const Capabilities &capabilities)
     return SafetyLimits::of(desktop);
 }
 
-constexpr double jump = 10; // times the maximum of speed
+constexpr double jump = 10; // of the maximum speed
 
-/// Topics of notices: there is at most one notice a second on each.
+/// Topics of notices, with at most one notice a second on each.
 enum Topic : std::size_t
 {
     topic_contact,
     topic_material,
     topic_jump,
-    topic_safety,                                        ///< and one for each of its actions
-    topic_watchdog = topic_safety + safety_action_count, ///< and one for each of its reasons
+    topic_safety,                                        ///< one for each action
+    topic_watchdog = topic_safety + safety_action_count, ///< one for each reason
     topic_count = topic_watchdog + watchdog_reason_count
 };
 static_assert(topic_count <= NoticeDesk::most_topics);
@@ -74,7 +75,7 @@ bool is_held(const std::optional<unsigned> &button, const DeviceState &state)
     return button && *button < 32 && ((state.buttons >> *button) & 1U) != 0;
 }
 
-/// What makes the safety stage take the force away, or less of it than one would notice.
+/// Actions of the safety stage that are reported.
 constexpr SafetyAction worth_telling[] = {SafetyAction::not_finite, SafetyAction::too_fast, SafetyAction::waiting,
                                           SafetyAction::no_axes, SafetyAction::clamped};
 } // namespace
@@ -147,7 +148,7 @@ public:
         close_tick(requested.force, given);
     }
 
-    /// What the device can render of those that were asked for.
+    /// Replaces requested materials by those that the device can render.
     void choose_materials(std::vector<Touch> &touches)
     {
         bool less = false;
@@ -167,7 +168,7 @@ public:
         }
     }
 
-    /// @return what was written, in the scene's frame.
+    /// @return the written wrench, in the scene's frame.
     Wrench write(const Wrench &requested, double dt)
     {
         watchdog->device_answered(link.answers());
@@ -191,7 +192,7 @@ public:
             at_device.force = passivity->control(tick.state, at_device.force, dt);
         }
         Vector3 velocity = tick.state.linear_velocity;
-        if (link.speed() > safety.limits().max_speed) // whatever the device tells
+        if (link.speed() > safety.limits().max_speed) // the measured speed counts
             velocity = link.speed() * Vector3::UnitX();
         Wrench safe = safety.limit(at_device, velocity, tick.time, watchdog->factor());
         tell_of_safety();
@@ -221,12 +222,12 @@ public:
         }
     }
 
-    // A device that does not answer has been told of.
+    // DeviceLink reports a device that does not answer.
     void tell_of_watchdog()
     {
         const WatchdogReason reason = watchdog->reason();
         const bool worth = reason == WatchdogReason::physics_stale || reason == WatchdogReason::servo_late;
-        if (worth && watchdog->has_new_reason() && !link.guard_acted()) // of that, the guard has told
+        if (worth && watchdog->has_new_reason() && !link.guard_acted()) // the guard has reported that
         {
             notices.tell_once_a_second(topic_watchdog + static_cast<std::size_t>(reason), NoticeKind::watchdog,
                                        explanation_of(reason));
@@ -252,7 +253,7 @@ public:
         stability_told = verdict.reason;
     }
 
-    /// @param stiffness,damping of the scene.
+    /// @param stiffness,damping in the scene.
     Rendering rendering(double stiffness, double damping) const
     {
         Rendering rendering;
@@ -276,20 +277,20 @@ public:
         return result;
     }
 
-    RenderSettings settings; ///< its law is 0 as long as that is the default, its sink of notices is in the desk
+    RenderSettings settings; ///< law is 0 for the default law
     NoticeDesk notices;
     DeviceLink link;
     HandWorkspace workspace;
     std::shared_ptr<ForceLaw> law;
     SafetyStage safety;
-    std::optional<Watchdog> watchdog; ///< replaced when the rates change; never empty after construction
+    std::optional<Watchdog> watchdog; ///< replaced with the rates; has a value after construction
     std::optional<PassivityController> passivity;
     std::function<void(const RenderedTick &)> recorder;
     FeltTouches touched;
     RenderedTick tick;
     double clock_time = 0;
-    bool relaxed = false;       ///< and has not been read since
-    std::string stability_told; ///< why the law is rendered softer; empty when it is not
+    bool relaxed = false;       ///< without a read() since
+    std::string stability_told; ///< the reported reason for a softer law
 };
 
 Renderer::Renderer(Device &device, RenderSettings settings)
@@ -332,7 +333,7 @@ void Renderer::set_placement(const WorkspacePlacement &placement)
     parts_->workspace.place(placement);
     parts_->renew_usual_law();
     parts_->check_law();
-    parts_->restart(); // the tool jumps, perhaps into something
+    parts_->restart(); // the tool jumps
     ++parts_->tick.tool_jumps;
 }
 
@@ -405,7 +406,7 @@ Wrench Renderer::render(const CouplingProperties &coupling, const ToolState &bod
     softened.stiffness = rendered({coupling.stiffness, coupling.damping}).stiffness;
     const Wrench requested = wrench_on_device(softened, tool(), body);
     if (parts_->workspace.take_release())
-        parts_->safety.restart_ramp(); // the body may have been held off the tool meanwhile
+        parts_->safety.restart_ramp(); // the body may be far from the tool
     Wrench given = parts_->write(requested, dt);
     if (parts_->link.capabilities().force_axes < 6 && parts_->link.answers())
         given.torque = parts_->watchdog->factor() * requested.torque;

@@ -12,12 +12,12 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double ahead = 1.5;     // times the tool's way: how far ahead surfaces are looked for
-constexpr double catching_up = 2; // times the tool's way: how far the proxy may go in a tick
-constexpr double gentle = 0.09; // N; by how much the force may change in a tick beyond what the tool's way makes of it
-constexpr double around = 1.5;  // times the proxy's way: the ball that holds all that it may reach, and more
-constexpr double steps_ahead = 2;    // times the tool's way: how far it may go until geoms come from another thread
-constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the sphere more have passed each other
+constexpr double ahead = 1.5;     // of the tool's travel; distance of the search for surfaces
+constexpr double catching_up = 2; // of the tool's travel; maximum travel of the proxy in a tick
+constexpr double gentle = 0.09;   // N; maximum change of the force in a tick beyond the tool's travel
+constexpr double around = 1.5;    // of the proxy's travel; radius of the ball that holds all places that it may reach
+constexpr double steps_ahead = 2; // of the tool's travel; until another thread delivers geoms
+constexpr double farthest_apart = 4; // radii; geoms that squeeze the sphere more have passed each other
 constexpr double in_contact = 1e-6;  // of the radius
 } // namespace
 
@@ -88,14 +88,13 @@ void ContactTracker::Course::aim(const Vector3 &to)
     start = proxy;
 }
 
-/// m; how far the proxy may go in this tick.
+/// m; maximum travel of the proxy in this tick.
 double ContactTracker::longest_way() const
 {
     return std::max(radius_, catching_up * course_.travel.norm());
 }
 
-// All that the proxy may reach lies between two balls: one about where it is, and one about the tool that goes through
-// there.
+// The proxy stays between two balls: one about its place, and one about the tool whose surface contains this place.
 ContactTracker::Region ContactTracker::region() const
 {
     const Vector3 way = course_.tool - course_.start;
@@ -104,7 +103,7 @@ ContactTracker::Region ContactTracker::region() const
     Region region;
     region.centre = step < length ? Vector3(course_.start + way * (step / length)) : course_.tool;
     double drift = 0;
-    double farthest = 0; // of the places that differ from the proxy
+    double farthest = 0;
     for (const ContactMemory::Place &place : near_.places_before())
     {
         drift = std::max(drift, place.drift);
@@ -155,7 +154,7 @@ void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
     geoms.time = time;
 }
 
-/// m; how far the place to which the force draws the tool may go in this tick.
+/// m; maximum displacement of the proxy in this tick that explains a change of the force.
 double ContactTracker::way_of_force() const
 {
     double drift = 0;
@@ -164,7 +163,8 @@ double ContactTracker::way_of_force() const
     return course_.travel.norm() + drift + catch_up_;
 }
 
-/// m; the same where bodies give way. A body that bounces off a spring changes the force by more than the spring times its own travel.
+/// m; as above, where bodies yield. A body that bounces off a spring changes the force by more than the stiffness times
+/// its travel.
 double ContactTracker::way_of_bodies() const
 {
     double farthest = 0;
@@ -195,7 +195,7 @@ SphereSlide::Task ContactTracker::task() const
     task.margin = margin_;
     const auto carries = [](const TouchOfGeom &told) { return told.touch.carry.carries(); };
     if (find_in(told_.before(), carries) != nullptr && !held_by_body() && !released_ &&
-        !near_.adopts()) // a force is rendered, which is not to jump, and goes by the proxy
+        !near_.adopts()) // the rendered force follows the proxy, and must not jump
     {
         task.reach_centre = course_.start + course_.travel;
         task.reach = way_of_force();
@@ -203,15 +203,15 @@ SphereSlide::Task ContactTracker::task() const
     return task;
 }
 
-/// Whether a body that a push moves held the tool in the tick before.
+/// Whether a movable body held the tool in the tick before.
 bool ContactTracker::held_by_body() const
 {
     const auto holds = [](const TouchOfGeom &told) { return told.touch.carry.carries() && told.touch.mobility > 0; };
     return find_in(told_.before(), holds) != nullptr;
 }
 
-/// Whether the near callback should have told the geom: the place that was touched is within the region. One that the proxy has left
-/// behind may be outside of it.
+/// Whether a missing geom has ended: its touched point is inside the region, so the near callback should have reported
+/// it. A surface that the proxy has left may be outside.
 bool ContactTracker::is_gone(const TouchOfGeom &told) const
 {
     const Region searched = region();
@@ -235,8 +235,8 @@ void ContactTracker::follow()
     settle();
 }
 
-/// While geoms squeeze the sphere, the place that is farthest from the tool is the one that is behind nothing. Then one that is too
-/// far from the proxy to be that of the same sphere is given up: the region() holds all places.
+/// While geoms squeeze the sphere, the place farthest from the tool is behind no surface. A place too far from it is
+/// dropped, because the region() contains all places.
 void ContactTracker::settle()
 {
     if (near_.list().empty())
@@ -284,7 +284,7 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
     return touches.size() == most;
 }
 
-/// m; from where the planes of the last slide let the sphere go, to the place to which it came.
+/// m; from the place that the planes of the last slide allow to the place that the sphere reached.
 Vector3 ContactTracker::lag_at(const Vector3 &place) const
 {
     Vector3 lag = place - course_.tool;
@@ -293,11 +293,11 @@ Vector3 ContactTracker::lag_at(const Vector3 &place) const
     return lag.norm() <= in_contact * radius_ ? Vector3(Vector3::Zero()) : lag;
 }
 
-/// Bodies that a push moves come and go faster than a proxy whose place is the force could follow: one that lags would see each body from
-/// another place, and push it aside. So the proxy goes where it can, and the force goes by where the touches of the tick before held the tool:
-/// from there the lift changes no faster than tool and bodies explain.
+/// Movable bodies come and go faster than a bounded proxy could follow: a proxy that lags would see each body from
+/// another place, and push it aside. So the proxy is not bounded there. The lift of the tick before is, so that it
+/// changes no faster than tool and bodies explain.
 ///
-/// @return m; what is left of the former lift.
+/// @return m; the remaining part of the former lift.
 Vector3 ContactTracker::remaining_lift() const
 {
     Vector3 before = -course_.travel;
@@ -320,7 +320,6 @@ void ContactTracker::tell_together(TouchView view)
         told_.add_carriers_of_before(lag);
 }
 
-/// To the force of a tick, or of a step of the scene if it does not move before.
 double ContactTracker::yield_at(const SlidePlane &plane) const
 {
     const NearbyGeom &geom = *places_[plane.place].geom;
@@ -329,9 +328,9 @@ double ContactTracker::yield_at(const SlidePlane &plane) const
     return yield_of(stiffness, mobility, std::max(tick_length_, geom.step()));
 }
 
-/// The shares of what the last slide found. Where all objects hold the proxy together, and a push moves one of them, all give way: shares of
-/// the exact solution grow without bounds where normals are nearly dependent, and would throw light bodies about. A body that answers
-/// only with the next step of the scene gives way in each case.
+/// Computes the shares of the last slide's planes. Where all objects hold the proxy together and one is movable, all
+/// yield: exact shares grow without bound where normals are close to dependent, and would throw light bodies. A body
+/// that responds only in the next step of the scene always yields.
 bool ContactTracker::share_out(TouchView view)
 {
     bool yields = false;
@@ -347,7 +346,7 @@ bool ContactTracker::share_out(TouchView view)
     return yields;
 }
 
-/// What the last slide found. @return m; what the planes carry together.
+/// @return m; the sum of the shares.
 double ContactTracker::tell_planes(const Vector3 &lag)
 {
     double carried = 0;
@@ -380,7 +379,7 @@ double ContactTracker::tell_planes(const Vector3 &lag)
     return carried;
 }
 
-/// Each object holds off the tool as if there were no other; on which side of it the tool is, all of them have said.
+/// Each object holds off the tool alone. The common slide has determined the side of entry.
 void ContactTracker::tell_each_object()
 {
     for (const HeldGeom &first : near_.list())

@@ -6,16 +6,16 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double depth_still_outside = 0.01; // of the radius: a probe that begins no deeper is outside
-constexpr double shallow = 1e-4;             // m; the same for a probe without a radius
+constexpr double depth_still_outside = 0.01; // of the radius; a probe that begins at a smaller depth is outside
+constexpr double shallow = 1e-4;             // m; as above for a probe without a radius
 
-/// Of a solid the whole probe, of a mesh its middle: then no part of it tells by which side it came.
+/// Whether the whole probe is in a solid, or its centre in a mesh: then the side of entry is unknown.
 bool is_deep_in(const NearbyGeom &geom, const ProbePlace &probe)
 {
     return geom.is_solid() ? geom.distance(probe.centre, 0) <= -probe.radius : geom.contains(probe.centre);
 }
 
-/// @param allowed m; how deep it may be and yet be outside.
+/// @param allowed m; the depth that still counts as outside.
 bool is_in(const NearbyGeom &geom, const ProbePlace &probe, double allowed)
 {
     return geom.distance(probe.centre, probe.radius) < probe.radius - allowed || geom.contains(probe.centre);
@@ -49,7 +49,7 @@ bool ExcludedGeoms::excludes(const NearbyGeom &geom, const ProbePlace &probe)
 bool ExcludedGeoms::must_exclude(const NearbyGeom &geom, const ProbePlace &probe) const
 {
     if (geom.is_solid() && !is_in(geom, probe, 0))
-        return false; // as most are; no need to look for it
+        return false; // the usual case
     const Told *last = before(geom.identity());
     if (probe.begins || (last != nullptr && last->excluded))
         return is_in(geom, probe, probe.begins ? depth_still_outside * probe.radius : 0);

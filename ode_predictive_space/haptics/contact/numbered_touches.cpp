@@ -16,7 +16,7 @@ bool has_feature(const std::vector<TouchOfGeom> &touches, std::uintptr_t object,
            }) != nullptr;
 }
 
-/// Gives a touch of an object that has no number the number that it had in the tick before: the pair that agrees best.
+/// Numbers one touch of an object as in the tick before: the pair whose normals agree best.
 bool recognise_one(const std::vector<TouchOfGeom> &before, std::uintptr_t object, std::vector<TouchOfGeom> &now)
 {
     double best = same_surface;
@@ -42,7 +42,6 @@ bool recognise_one(const std::vector<TouchOfGeom> &before, std::uintptr_t object
     return chosen != nullptr;
 }
 
-/// m; how far a touch carries the proxy.
 double way_of(const Touch &touch)
 {
     return (touch.carry.share * touch.normal + touch.carry.lag).norm();
@@ -83,7 +82,7 @@ void NumberedTouches::add_carriers_of_before(const Vector3 &lag)
     }
 }
 
-/// 0 is for those that have no number yet.
+/// A touch without a number has 0.
 void NumberedTouches::number()
 {
     for (const TouchOfGeom &told : now_)

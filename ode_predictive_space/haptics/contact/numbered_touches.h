@@ -1,4 +1,4 @@
-// The touches of a tick, and which of them is which of those of the tick before.
+// The touches of a tick, matched with those of the tick before.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_NUMBERED_TOUCHES_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NUMBERED_TOUCHES_H
@@ -9,40 +9,37 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A touch, and which of the object's geoms it is of.
+/// A touch, and its geom.
 struct TouchOfGeom
 {
     dGeomID geom;
     Touch touch;
 };
 
-/// Each tick: renew(), then add() for each touch, number().
+/// Call order in each tick: renew(), add() for each touch, number().
 class NumberedTouches
 {
 public:
     NumberedTouches();
 
-    /// A tick begins: the touches are those of the tick before.
+    /// Begins a tick.
     void renew();
 
-    /// Forgets both.
     void forget();
 
     void clear() { now_.clear(); }
     void add(dGeomID geom, const Touch &touch) { now_.push_back({geom, touch}); }
 
-    /// Adds the touches that carried the proxy in the last tick. The proxy has left all surfaces and moves to the tool; the force of these touches
-    /// fades on the way.
+    /// Adds the former carriers. The proxy has left all surfaces, and their force fades while it moves to the tool.
     ///
     /// @param lag m; from the tool to the proxy.
     void add_carriers_of_before(const Vector3 &lag);
 
-    /// Numbers the planes of objects (Touch::feature): a plane keeps its number from tick to tick, however many triangles it goes over.
+    /// Sets Touch::feature: a plane keeps its number from tick to tick, across triangles.
     void number();
 
     std::vector<TouchOfGeom> &now() { return now_; }
 
-    /// The touches of the last tick, with the numbers of their planes.
     const std::vector<TouchOfGeom> &before() const { return before_; }
 
 private:

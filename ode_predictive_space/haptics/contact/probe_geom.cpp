@@ -62,7 +62,7 @@ ProbeGeom::ProbeGeom(dGeomID geom) : geom_(checked(geom)), tool_(geom)
     }
 }
 
-/// In a locked space body and world are left to the geom for good: to destroy them would move it.
+/// In a locked space the body and its world are leaked, because destroying them would move the geom.
 ProbeGeom::~ProbeGeom()
 {
     if (watched_ != nullptr && may_be_touched())

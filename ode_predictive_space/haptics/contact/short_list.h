@@ -1,4 +1,4 @@
-// Lists of what there is in a tick: short enough to be looked through.
+// Linear search in the short lists of a tick.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SHORT_LIST_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SHORT_LIST_H
@@ -8,7 +8,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The first element that satisfies the predicate; null when there is none.
+/// Returns the first element that satisfies the predicate, or null.
 template <typename List, typename Predicate> auto find_in(List &list, const Predicate &is_it)
 {
     const auto found = std::find_if(std::begin(list), std::end(list), is_it);

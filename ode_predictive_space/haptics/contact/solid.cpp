@@ -7,7 +7,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Of a ball about a centre. In its very middle any way out is as good.
+/// The feature of a ball; at its centre, the normal is arbitrary.
 SurfaceFeature nearest_of_ball(const Vector3 &point, const Vector3 &centre, double radius)
 {
     SurfaceFeature feature;

@@ -23,7 +23,6 @@ constexpr std::size_t steps_of_tick = 16000; // of reading meshes
 class TouchSensor::Parts
 {
 public:
-    /// As a ProbeGeom is made.
     template <typename... Arguments> explicit Parts(Arguments... arguments) : geom(arguments...)
     {
         touches.reserve(touch_capacity);
@@ -51,8 +50,8 @@ public:
         tracker->add_if_near(std::move(*nearby));
     }
 
-    /// A geom whose surface dCollide() alone knows: by the contact of a sphere that covers the region of the search, about the proxy, or
-    /// about the tool where each object is felt alone.
+    /// A geom whose surface dCollide() alone knows. The contact is that of a sphere that covers the region of the
+    /// search, about the proxy, or about the tool where each object is felt alone.
     std::optional<NearbyGeom> behind_plane(dGeomID other)
     {
         const bool alone = wanted.view == TouchView::each_object_alone;
@@ -68,7 +67,7 @@ public:
         return point.allFinite() ? std::optional(NearbyGeom::behind_plane(other, point, normal)) : std::nullopt;
     }
 
-    /// The tools of other probes. Both feel the softer one's stiffness, so that both feel the same force.
+    /// Adds the tools of other probes. Both use the lower stiffness, so that both feel the same force.
     void hold_other_probes()
     {
         others.update();
@@ -107,7 +106,7 @@ public:
             add(*contact, other, motion);
     }
 
-    // ODE's normal is the way out for the first of the two geoms, which is the probe.
+    // ODE's normal points out of the second geom, towards the probe.
     void add(const dContactGeom &contact, dGeomID other, const Motion &motion)
     {
         Touch touch;
@@ -166,12 +165,12 @@ public:
         exceeds_capacity = keep_within_capacity(touches) || exceeds_capacity;
     }
 
-    /// By the force law and the program.
+    /// Settings of the force law and the program.
     struct Wanted
     {
         MaterialOf materials;
         TouchView view = TouchView::each_object_alone;
-        double stiffness = 0; ///< N/m; of what has no material of its own
+        double stiffness = 0; ///< N/m; for objects without a material
     };
 
     ProbeGeom geom;
@@ -184,10 +183,10 @@ public:
     Wanted wanted;
     std::vector<Touch> touches;
     std::vector<Touch> collided; ///< by dCollide()
-    ProbePlace place;            ///< begins by forget_sides(), until touches are asked for
+    ProbePlace place;            ///< `begins` is set from forget_sides() to the next touches()
     bool nonsense = false;
     bool exceeds_capacity = false;
-    bool resolved = true; ///< whether touches has all
+    bool resolved = true; ///< touches is complete
 };
 
 TouchSensor::TouchSensor(dSpaceID space, double radius) : parts_(std::make_unique<Parts>(space, radius))
@@ -299,7 +298,7 @@ void TouchSensor::clear()
     parts_->nonsense = false;
     if (parts_->tracker)
     {
-        parts_->resolve(); // a tick whose touches were not asked for counts all the same
+        parts_->resolve(); // also for a tick whose touches were not queried
         parts_->tracker->begin();
         parts_->touches.clear();
     }
@@ -320,7 +319,7 @@ void TouchSensor::pose(const ToolState &tool)
     parts_->tracker->aim(tool.position);
     parts_->place.centre = parts_->tracker->start();
     const ContactTracker::Region region = parts_->tracker->region();
-    const double reach = PoseWatch::fastest * parts_->place.tick; // m; from there geoms may come in a tick
+    const double reach = PoseWatch::fastest * parts_->place.tick; // m; the distance that a geom may travel in a tick
     geom.look_around(tool.position, region.centre, region.radius + std::max(0.0, reach - geom.margin()));
     parts_->resolved = false;
 }
@@ -338,7 +337,7 @@ bool TouchSensor::touch(dGeomID first, dGeomID second)
     {
         if (!parts_->tracker)
             parts_->collide(probe->sphere);
-        return true; // a sphere finds it by itself
+        return true; // OtherProbes has it
     }
     if (parts_->tracker)
         parts_->hold(other);

@@ -19,8 +19,7 @@ double least_jerk_slope(double u)
     return 30 * u * u * (1 - u) * (1 - u);
 }
 
-// Drawn again until it lies in the workspace: from any point of a cube, reaches of up to its side have room in some
-// direction.
+// Draws until the target is in the workspace; a reach of up to its side fits in some direction.
 Vector3 draw_target(const HandPathSettings &settings, const Vector3 &from, Random &random)
 {
     while (true)

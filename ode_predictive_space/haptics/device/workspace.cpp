@@ -8,7 +8,7 @@ namespace ode_predictive_space::haptics
 {
 Quaternion WorkspacePlacement::z_up()
 {
-    // Exactly: a quarter turn about x, and no other digits.
+    // An exact quarter turn about x.
     const double half = std::sqrt(0.5);
     return Quaternion(half, half, 0, 0);
 }
@@ -25,7 +25,7 @@ WorkspacePlacement WorkspacePlacement::covering(const Eigen::AlignedBox3d &scene
     if (scene.sizes().maxCoeff() <= 0)
         throw std::invalid_argument("the scene must be more than a point");
 
-    // What the device must reach, in its own axes, for each of the scene's corners to be within.
+    // The extent of the scene along the axes of the device.
     const Vector3 half = scene.sizes() / 2;
     const Vector3 reach = rotation.conjugate().toRotationMatrix().cwiseAbs() * half;
 

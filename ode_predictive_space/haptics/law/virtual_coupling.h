@@ -19,12 +19,12 @@ inline void check(const CouplingProperties &coupling)
     check_not_negative(coupling.angular_damping, "angular damping of a virtual coupling");
 }
 
-/// Holds a dynamic body (the tool) to the device by a spring and a damper, for position and for orientation
-/// (Colgate, Stanley and Brown, "Issues in the haptic display of tool use", 1995). The body collides as any other; the hand feels
-/// only the coupling, which therefore bounds what stiffness the device has to render, whatever the tool hits.
+/// Holds a dynamic body (the tool) to the device by a spring and a damper, in position and orientation (Colgate,
+/// Stanley and Brown, "Issues in the haptic display of tool use", 1995). The hand feels only the coupling, which bounds
+/// the stiffness that the device has to render.
 ///
-/// @param device the device's handle, @param tool the body that is held; both in the scene's frame.
-/// The orientations are joined by the shorter way round.
+/// @param device the device's handle, @param tool the body that is held; both in the scene's frame. Orientations are
+///         joined by the shorter rotation.
 /// @return the wrench on the device; the tool body gets exactly the opposite, force and torque, at its position.
 inline Wrench wrench_on_device(const CouplingProperties &coupling, const ToolState &device, const ToolState &tool)
 {

@@ -1,5 +1,4 @@
-// The loop of two threads: the scene at its own rate, and the servo, which feels a local model of the scene around the
-// probe.
+// The loop of two threads: the scene at its own rate, and the servo, which renders a local model of the scene.
 //
 //     scene's thread, at t                     servo's thread
 //     --------------------                     --------------
@@ -9,8 +8,8 @@
 //     collide
 //     roll out         ---- Surroundings ---->  proxy, touches, law, safety, write
 //
-// The scene steps the interval that has just passed, in which it knows what the hand did. Then it tries out how the touched bodies
-// will go on and how they answer a push, through all joints and contacts, and the servo moves them by that.
+// The scene steps the interval that has just passed, for which the hand's impulses are known. Then it predicts the
+// motion of the touched bodies, and their response to a push through all joints and contacts, for the servo.
 
 #include "ode_predictive_space/haptics/loop/decoupled_servo.h"
 #include "ode_predictive_space/haptics/loop/scene_motion.h"
@@ -25,7 +24,6 @@ namespace
 {
 constexpr double rounding_of_ticks = 1e-9; // of a number of ticks
 
-/// The scene's side.
 class SceneLoop
 {
 public:
@@ -58,7 +56,7 @@ public:
         parts_.guard->end_steps();
     }
 
-    /// All that the hand got and the bodies have not got yet.
+    /// Applies all impulses that the bodies have not got yet.
     void push_rest()
     {
         receive();
@@ -71,7 +69,7 @@ private:
         return parts_.time.simulated < parts_.settings.duration && !parts_.must_end() && !servo_.ended();
     }
 
-    /// s; of the step that comes next.
+    /// s; of the next step.
     double step_length()
     {
         if (motion_.steps_per_period() != steps_per_period_)
@@ -84,7 +82,7 @@ private:
         return dt_ / steps_per_period_;
     }
 
-    /// The interval that ends now, with what the hand got in it.
+    /// Steps the interval that ends now, with its impulses.
     void advance(double due, double length)
     {
         receive();
@@ -152,7 +150,8 @@ private:
                 motion_.push_rest(geom);
     }
 
-    /// Per period. Steps shorter than the servo's ticks would get the impulse of a tick as a pulse, which gives energy to bodies in contact.
+    /// Maximum number of steps per period. A step shorter than a tick would get the impulse of a tick as a pulse, which
+    /// adds energy to bodies in contact.
     int affordable_steps() const
     {
         return std::min(budget_.affordable(dt_),
@@ -194,12 +193,12 @@ private:
     double dt_; ///< s; of the program's rate
     SceneMotion motion_;
     int steps_per_period_ = 1; ///< in a time dt_
-    double changed_ = 0;       ///< s, simulated; when that became so
-    std::uint64_t steps_ = 0;  ///< since then
+    double changed_ = 0;       ///< s, simulated; of the last change
+    std::uint64_t steps_ = 0;  ///< since the last change
     StepBudget budget_;
     bool told_of_reading_ = false;
     bool told_of_capacity_ = false;
-    bool surprised_ = false; ///< and it has been told
+    bool surprised_ = false; ///< the notice was sent
 };
 } // namespace
 

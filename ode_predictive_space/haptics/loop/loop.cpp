@@ -13,15 +13,15 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double shortest_stall = 0.005; // s; after the last tick
-constexpr double overdue = 0.004;        // s; after the next one should have begun
+constexpr double shortest_stall = 0.005;
+constexpr double overdue = 0.004; // s; after the due time of the next tick
 
 double stall_after(double rate)
 {
     return std::max(shortest_stall, 1 / rate + overdue);
 }
 
-/// The guard, the notices' way, and what the system grants: from the beginning of a run to its end, whichever that is.
+/// Guard, delivery of notices and scheduling, from the beginning of a run to its end.
 class Watch
 {
 public:
@@ -70,7 +70,7 @@ private:
     AtEnd memory_locked_;
 };
 
-/// The single-threaded loop: read, collide, force, step.
+/// The single-threaded loop: read, collide, render, step.
 void run_coupled(LoopParts &parts, const SceneWork &work)
 {
     parts.ask_for_priority(false);
@@ -95,7 +95,7 @@ void run_coupled(LoopParts &parts, const SceneWork &work)
     }
 }
 
-/// So that no tick has to wait for what the spaces around the probe would build when it is first needed.
+/// Builds the data of predictive spaces now, so that no tick has to wait for it.
 void prepare_spaces_of(dGeomID probe)
 {
     for (dSpaceID space = dGeomGetSpace(probe); space; space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
@@ -105,7 +105,7 @@ void prepare_spaces_of(dGeomID probe)
 
 void run_watched(LoopParts &parts, const SceneWork &work)
 {
-    const StopRequest instead_of_dying; // by a signal, with the force left on
+    const StopRequest instead_of_dying; // a signal must not leave a force
     Renderer &renderer = parts.probe.renderer();
     parts.time.first = parts.probe.last_tick().time;
     const Watch watch(parts);
@@ -134,7 +134,7 @@ HapticLoop::HapticLoop(HapticProbe &probe, LoopSettings settings)
 
 HapticLoop::~HapticLoop() = default;
 
-/// What it returns is the last that it touches: the loop may be destroyed then, by another thread.
+/// The report is read last, because another thread may destroy the loop after that.
 LoopReport HapticLoop::run(const SceneWork &work)
 {
     LoopParts &parts = *parts_;

@@ -95,14 +95,13 @@ void LoopParts::note_rendered(const RenderedTick &tick)
     counts.saturated += tick.saturated ? 1 : 0;
 }
 
-/// By which the scene is found. @return may be 0.
+/// A geom of the scene, or 0.
 dGeomID LoopParts::scene_geom() const
 {
     const dBodyID tool = probe.tool_body();
     return tool != nullptr ? dBodyGetFirstGeom(tool) : probe.geom();
 }
 
-// Before ODE does anything with them, and before the world is stepped.
 void LoopParts::check_bodies()
 {
     const std::string broken = bodies_->broken_state(probe.tool_body(), scene_geom());
@@ -110,7 +109,8 @@ void LoopParts::check_bodies()
         throw std::runtime_error(broken);
 }
 
-/// An exception that comes through ODE's own dSpaceCollide() leaves the space locked: then nothing in it may be moved or destroyed.
+/// An exception through ODE's own dSpaceCollide() leaves the space locked, so that its geoms must not be moved or
+/// destroyed.
 void LoopParts::collide(const SceneWork &work)
 {
     check_bodies();

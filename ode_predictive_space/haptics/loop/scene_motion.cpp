@@ -11,22 +11,23 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr std::size_t nodes = MotionForecast::nodes;
-constexpr double least_test = 1e-3; // N s; the response to less is noise
+constexpr double least_test = 1e-3; // N s; the response to a smaller push is noise
 
-/// Angular frequency times step. ODE itself is unstable from 2 on.
+/// Angular frequency times step; ODE is unstable from 2 on.
 constexpr double most_swing = 1.2;
 
-/// The same of a body in contact, on the spring between it and the hand. Contact joints are those of one step, so that what is tried
-/// with them holds as long as the hand moves the body little in a step: else the hand feels up to 1.7 times the friction of a box
-/// on a floor, and 0.7 times that of a stack, in which contacts act through each other.
+/// As above for a body in contact, on the spring between it and the hand. Contact joints belong to one step, so a
+/// roll-out is valid while the hand moves the body little in a step. With longer steps the rendered friction is up to
+/// 1.7 times that of a box on a floor, and 0.7 times that of a stack.
 constexpr double most_spring = 0.5;
 constexpr double most_spring_of_stack = 0.25;
 
-/// s; by QuickStep, a body in contact jumps by up to 1.75 g times the square of a step: at 4 ms, with 500 N/m, 5 % of 2.8 N.
+/// s; with QuickStep, a body in contact jumps by up to 1.75 g times the squared step: at 4 ms and 500 N/m, 5 % of 2.8
+/// N.
 constexpr double longest_quick_step = 0.004;
 
 constexpr int most_steps = 16; // per period
-constexpr double fall = 9.81;  // m/s^2; a surprise of less than a quarter of what falls is none
+constexpr double fall = 9.81;  // m/s^2; a deviation below a quarter of free fall is ignored
 
 double norm_of(const BodyMotion &motion, const Eigen::Matrix<double, 6, 6> &inertia)
 {
@@ -114,7 +115,7 @@ void SceneMotion::note_step(bool drew_numbers)
     surprises_ = std::any_of(touched.begin(), touched.end(), surprises) ? surprises_ + 1 : 0;
 }
 
-/// Than was foreseen.
+/// Whether a body moved differently from its prediction.
 bool SceneMotion::moved_otherwise(const Touched &touched) const
 {
     if (sensor_.body_of(touched.touch.object) != touched.body)
@@ -126,7 +127,7 @@ bool SceneMotion::moved_otherwise(const Touched &touched) const
            error > 0.5 * std::max(moved.norm(), foreseen.norm());
 }
 
-/// While all touched bodies sleep, a step has no constraints, and does not show by which stepper it was made.
+/// Whether a touched body is enabled: otherwise a step has no constraints and does not reveal the stepper.
 bool SceneMotion::is_one_awake() const
 {
     return std::any_of(touched_.begin(), touched_.end(), [&](const Touched &touched) {
@@ -134,7 +135,7 @@ bool SceneMotion::is_one_awake() const
     });
 }
 
-/// The deepest ones whose bodies can move, all of one world.
+/// Selects the deepest touches of movable bodies of one world.
 void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forecast)
 {
     touched_.clear();
@@ -158,8 +159,8 @@ void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forec
     }
 }
 
-/// Never back to longer ones: the forces of the joints come and go. One look alone may be that of a blow. What is unstable otherwise
-/// is stepped as often as it has to be, what is felt better by that as often as there is time for.
+/// The number of steps never decreases, because joint forces come and go. It needs two measurements, because a single
+/// one may be that of a blow. Stability has priority; accuracy gets as many steps as there is time for.
 void SceneMotion::choose_steps(IslandRollOut &island, double period, int affordable)
 {
     double steps = std::ceil(island.fastest_swing(period / steps_per_period_) * period / most_swing);
@@ -175,7 +176,7 @@ void SceneMotion::choose_steps(IslandRollOut &island, double period, int afforda
     steps_needed_ = needed;
 }
 
-/// rad/s; of a touched body between the hand and the spring of its contact.
+/// rad/s; of a touched body on the spring of its contact.
 double SceneMotion::fastest_spring() const
 {
     double square = 0;
@@ -188,7 +189,7 @@ double SceneMotion::fastest_spring() const
     return std::sqrt(square);
 }
 
-/// What the bodies will get in the next step for what the hand got already.
+/// The impulses of earlier ticks that belong to the next step.
 std::vector<BodyImpulse> SceneMotion::rest_of_impulses() const
 {
     std::vector<BodyImpulse> impulses;
@@ -226,7 +227,8 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     return touched;
 }
 
-/// Along the normal; sideways, where friction acts; and sideways without a moment, as the normal of a round body turns.
+/// Pushes along the normal, sideways for friction, and sideways without a moment for the turning normal of a round
+/// body.
 SceneMotion::Pushes SceneMotion::pushes_on(const Touched &touched)
 {
     const dBodyID body = touched.body;
@@ -238,7 +240,7 @@ SceneMotion::Pushes SceneMotion::pushes_on(const Touched &touched)
         {{body, arm, along}, {body, arm, aside}, {body, arm, across}, {body, centre, aside}, {body, centre, across}}};
 }
 
-/// Since the scene was looked at.
+/// Motion since the last collision.
 BodyMotion SceneMotion::motion_of(const Touched &touched)
 {
     const Eigen::AngleAxisd turn(tool_state_of(touched.body).orientation * touched.orientation.conjugate());
@@ -260,7 +262,8 @@ SceneMotion::Courses SceneMotion::try_out(IslandRollOut &island, const std::vect
     return courses;
 }
 
-/// The first push is as strong as the last one of the hand; the others are tried beside it, which friction needs.
+/// The first push is as strong as the last one of the hand. The others are added to it, because friction depends on the
+/// normal force.
 void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, const std::vector<BodyImpulse> &rest,
                                 double h, MotionForecast &forecast)
 {
@@ -293,8 +296,8 @@ void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, const
     }
 }
 
-/// Constraints take motion away and never add any: all that they leave of a free body's motion lies in the ball whose diameter that
-/// motion is, by the measure of kinetic energy. What QuickStep finds can lie far outside.
+/// Constraints only reduce motion: measured by kinetic energy, the motion of a constrained body lies in the ball whose
+/// diameter is the free motion. QuickStep's results can lie far outside.
 BodyMotion SceneMotion::limited(const BodyMotion &found, const BodyMotion &free, std::size_t seen,
                                 std::size_t pushed) const
 {

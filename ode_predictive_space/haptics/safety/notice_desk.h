@@ -1,4 +1,4 @@
-// Gives notices to the program, and no topic too often.
+// Notices to the program, with a limited rate for each topic.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_DESK_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_DESK_H
@@ -7,10 +7,10 @@
 
 namespace ode_predictive_space::haptics
 {
-/// In a catch block: the sentence, which has no end yet, with what the exception says, if that is a std::exception.
+/// For a catch block: appends the text of a std::exception to the sentence, which has no full stop.
 std::string with_reason(const std::string &sentence);
 
-/// One notice a second on each topic.
+/// Limits each topic to one notice a second.
 class NoticeDesk
 {
 public:
@@ -21,7 +21,7 @@ public:
     void set_sink(NoticeSink sink) { sink_ = std::move(sink); }
     const NoticeSink &sink() const { return sink_; }
 
-    /// A tick begins. @param time s, simulated.
+    /// Begins a tick. @param time s, simulated.
     void set_time(double time) { time_ = time; }
 
     void tell(NoticeKind kind, std::string_view sentence) const;

@@ -22,10 +22,10 @@ double peak_speed_of_reach(const Eigen::AlignedBox3d &workspace)
     return std::isfinite(speed) && speed > 0 ? speed : unknown;
 }
 
-/// The vector itself, or one of the same direction that is as long as allowed, and not longer by rounding.
+/// The vector, shortened to the allowed length, also after rounding.
 Vector3 shortened(const Vector3 &vector, double most)
 {
-    // In units of the largest component: squares of huge numbers overflow, those of tiny ones vanish.
+    // Scaled by the largest component, because squares overflow or underflow.
     const double largest = vector.cwiseAbs().maxCoeff();
     if (largest == 0)
         return vector;
@@ -36,7 +36,7 @@ Vector3 shortened(const Vector3 &vector, double most)
     return scaled * (most / length * (1 - 1e-15));
 }
 
-/// From one vector towards another, by no more than a step.
+/// Moves from one vector towards another by at most a step.
 Vector3 stepped(const Vector3 &from, const Vector3 &to, double step)
 {
     const Vector3 change = to - from;
