@@ -60,7 +60,7 @@ public:
             add_wrench(body, renderer.render(possible, as_held(tool_state_of(body)), dt));
             return;
         }
-        tell_of_loss("No force: the tool's body was destroyed.");
+        notify_of_loss("No force: the tool's body was destroyed.");
         renderer.render({}, true, dt);
     }
 
@@ -74,7 +74,7 @@ public:
         const CouplingProperties possible =
             bounded(coupling, static_cast<double>(mass.mass), smallest_inertia(mass), dt);
         const NoticeSink &sink = renderer.notice_sink();
-        if (!is_same(possible, coupling) && !std::exchange(told_of_light_tool, true) && sink)
+        if (!is_same(possible, coupling) && !std::exchange(notified_of_light_tool, true) && sink)
         {
             sink(Notice(NoticeKind::stability, renderer.last_tick().time,
                         "The coupling is softer or less damped than asked for: the tool's body is too light for it."));
@@ -94,26 +94,26 @@ public:
         return body;
     }
 
-    void tell_if_gone()
+    void notify_if_gone()
     {
         if (sensor && sensor->is_gone())
-            tell_of_loss("No force: the probe's geom was destroyed with its space. The probe has to go first.");
+            notify_of_loss("No force: the probe's geom was destroyed with its space. The probe has to go first.");
     }
 
-    void tell_of_loss(std::string_view sentence) { tell_once(told_of_loss, sentence); }
+    void notify_of_loss(std::string_view sentence) { notify_once(notified_of_loss, sentence); }
 
-    void tell_of_contact()
+    void notify_of_contact()
     {
         if (sensor->is_reading())
-            tell_once(told_of_reading, reading_notice);
+            notify_once(notified_of_reading, reading_notice);
         if (sensor->exceeds_capacity())
-            tell_once(told_of_capacity, capacity_notice);
+            notify_once(notified_of_capacity, capacity_notice);
     }
 
-    void tell_once(bool &told, std::string_view sentence)
+    void notify_once(bool &notified, std::string_view sentence)
     {
         const NoticeSink &sink = renderer.notice_sink();
-        if (!std::exchange(told, true) && sink)
+        if (!std::exchange(notified, true) && sink)
             sink(Notice(NoticeKind::contact, renderer.last_tick().time, sentence));
     }
 
@@ -125,12 +125,12 @@ public:
     BodyWatch tool_watch;
     CouplingProperties coupling;
     std::optional<Quaternion> grip; ///< the body's orientation in the handle's frame
-    bool told_of_light_tool = false;
+    bool notified_of_light_tool = false;
     double tick_length = 0; ///< s
     int tool_jumps = 0;     ///< of RenderedTick
-    bool told_of_loss = false;
-    bool told_of_reading = false;
-    bool told_of_capacity = false;
+    bool notified_of_loss = false;
+    bool notified_of_reading = false;
+    bool notified_of_capacity = false;
     std::vector<Encounter> encounters;
 };
 
@@ -165,7 +165,7 @@ HapticProbe::~HapticProbe()
         run->end_and_wait("a haptic probe");
     try
     {
-        parts_->tell_if_gone();
+        parts_->notify_if_gone();
     }
     catch (...)
     {
@@ -198,7 +198,7 @@ void HapticProbe::begin(double time, double clock_time)
 {
     Renderer &renderer = parts_->renderer;
     renderer.read(time, clock_time);
-    parts_->tell_if_gone();
+    parts_->notify_if_gone();
     if (TouchSensor *sensor = parts_->sensor.get())
     {
         sensor->set_view(renderer.law().view());
@@ -240,7 +240,7 @@ void HapticProbe::render(double dt)
     {
         renderer.render(sensor->touches(), !sensor->saw_nonsense(), dt);
         sensor->push(renderer.shares());
-        parts_->tell_of_contact();
+        parts_->notify_of_contact();
     }
     else
     {

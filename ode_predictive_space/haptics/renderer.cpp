@@ -76,8 +76,8 @@ bool is_held(const std::optional<unsigned> &button, const DeviceState &state)
 }
 
 /// Actions of the safety stage that are reported.
-constexpr SafetyAction worth_telling[] = {SafetyAction::not_finite, SafetyAction::too_fast, SafetyAction::waiting,
-                                          SafetyAction::no_axes, SafetyAction::clamped};
+constexpr SafetyAction worth_a_notice[] = {SafetyAction::not_finite, SafetyAction::too_fast, SafetyAction::waiting,
+                                           SafetyAction::no_axes, SafetyAction::clamped};
 } // namespace
 
 class Renderer::Parts
@@ -115,13 +115,14 @@ public:
         {
             ++tick.tool_jumps;
             restart();
-            notices.tell_once_a_second(topic_jump, NoticeKind::device,
-                                       "No force until the probe is free: the device's position has jumped.");
+            notices.notify_once_a_second(topic_jump, NoticeKind::device,
+                                         "No force until the probe is free: the device's position has jumped.");
         }
         if (news.came_back)
             news.only_doubted ? safety.restart_ramp() : restart();
         if (news.had_failed)
-            notices.tell(NoticeKind::device, link.capabilities().name + " answers again; the force comes back slowly.");
+            notices.notify(NoticeKind::device,
+                           link.capabilities().name + " answers again; the force comes back slowly.");
         if (news.was_away)
             ++tick.tool_jumps;
         workspace.move_clutch(is_held(settings.clutch_button, tick.state), tick.state);
@@ -139,7 +140,7 @@ public:
         if (!all_known)
         {
             requested.force.setConstant(std::numeric_limits<double>::quiet_NaN());
-            notices.tell_once_a_second(
+            notices.notify_once_a_second(
                 topic_contact, NoticeKind::contact,
                 "No force: a contact of the probe, or the velocity of what it touches, is not a number.");
         }
@@ -162,7 +163,7 @@ public:
         }
         if (less)
         {
-            notices.tell_once_a_second(
+            notices.notify_once_a_second(
                 topic_material, NoticeKind::stability,
                 "A material is softer or less damped than asked for: the device cannot render more.");
         }
@@ -174,7 +175,7 @@ public:
         watchdog->device_answered(link.answers());
         watchdog->servo_ticked(clock_time);
         tick.wrench = link.answers() ? link.write(limited(requested, dt)) : Wrench();
-        tell_of_watchdog();
+        notify_of_watchdog();
         if (passivity)
             passivity->written(tick.wrench.force);
         const WorkspacePlacement &placement = workspace.mapping.placement();
@@ -195,13 +196,13 @@ public:
         if (link.speed() > safety.limits().max_speed) // the measured speed counts
             velocity = link.speed() * Vector3::UnitX();
         Wrench safe = safety.limit(at_device, velocity, tick.time, watchdog->factor());
-        tell_of_safety();
+        notify_of_safety();
         return safe;
     }
 
     void close_tick(const Vector3 &requested, const Vector3 &force)
     {
-        tick.wished = requested;
+        tick.requested = requested;
         tick.force = force;
         tick.allowance = watchdog->factor();
         tick.device_answers = link.answers();
@@ -210,27 +211,27 @@ public:
             recorder(tick);
     }
 
-    void tell_of_safety()
+    void notify_of_safety()
     {
-        for (const SafetyAction action : worth_telling)
+        for (const SafetyAction action : worth_a_notice)
         {
             if (safety.report().began(action))
             {
-                notices.tell_once_a_second(topic_safety + static_cast<std::size_t>(action), NoticeKind::safety,
-                                           explanation_of(action));
+                notices.notify_once_a_second(topic_safety + static_cast<std::size_t>(action), NoticeKind::safety,
+                                             explanation_of(action));
             }
         }
     }
 
     // DeviceLink reports a device that does not answer.
-    void tell_of_watchdog()
+    void notify_of_watchdog()
     {
         const WatchdogReason reason = watchdog->reason();
         const bool worth = reason == WatchdogReason::physics_stale || reason == WatchdogReason::servo_late;
         if (worth && watchdog->has_new_reason() && !link.guard_acted()) // the guard has reported that
         {
-            notices.tell_once_a_second(topic_watchdog + static_cast<std::size_t>(reason), NoticeKind::watchdog,
-                                       explanation_of(reason));
+            notices.notify_once_a_second(topic_watchdog + static_cast<std::size_t>(reason), NoticeKind::watchdog,
+                                         explanation_of(reason));
         }
     }
 
@@ -248,9 +249,9 @@ public:
         const StabilityVerdict verdict = check_stability(link.capabilities(), wanted);
         if (verdict.outcome == StabilityOutcome::refused || verdict.damping < wanted.damping)
             throw std::invalid_argument(verdict.reason);
-        if (verdict.outcome == StabilityOutcome::clamped && verdict.reason != stability_told)
-            notices.tell(NoticeKind::stability, verdict.reason);
-        stability_told = verdict.reason;
+        if (verdict.outcome == StabilityOutcome::clamped && verdict.reason != reported_reason)
+            notices.notify(NoticeKind::stability, verdict.reason);
+        reported_reason = verdict.reason;
     }
 
     /// @param stiffness,damping in the scene.
@@ -289,8 +290,8 @@ public:
     FeltTouches touched;
     RenderedTick tick;
     double clock_time = 0;
-    bool relaxed = false;       ///< without a read() since
-    std::string stability_told; ///< the reported reason for a softer law
+    bool relaxed = false;        ///< without a read() since
+    std::string reported_reason; ///< the reported reason for a softer law
 };
 
 Renderer::Renderer(Device &device, RenderSettings settings)

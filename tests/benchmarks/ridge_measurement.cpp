@@ -99,7 +99,7 @@ RidgeResult run_ridges(const RidgeSettings &settings)
     probe.set_recorder([&](const haptics::RenderedTick &tick) {
         if (samples.size() < samples.capacity())
         {
-            samples.push_back({tick.tool.position, tick.wished});
+            samples.push_back({tick.tool.position, tick.requested});
         }
     });
     haptics::LoopSettings loop_settings;

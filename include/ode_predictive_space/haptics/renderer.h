@@ -34,16 +34,16 @@ struct RenderSettings
 /// The result of a tick, for recordings and displays.
 struct RenderedTick
 {
-    double time = 0;                  ///< s; as given
-    ToolState tool;                   ///< the scene's frame
-    DeviceState state;                ///< device's frame; last valid read
-    Wrench wrench;                    ///< device's frame; as written
-    Vector3 wished = Vector3::Zero(); ///< N, scene's frame; of the law
-    Vector3 force = Vector3::Zero();  ///< N, scene's frame; the written part of it
-    double allowance = 0;             ///< 0 to 1; the watchdog's
-    bool device_answers = false;      ///< its state is plausible and not too old
-    bool saturated = false;           ///< the safety stage clamped the force
-    int tool_jumps = 0;               ///< number of jumps of the tool beyond the hand's motion
+    double time = 0;                     ///< s; as given
+    ToolState tool;                      ///< the scene's frame
+    DeviceState state;                   ///< device's frame; last valid read
+    Wrench wrench;                       ///< device's frame; as written
+    Vector3 requested = Vector3::Zero(); ///< N, scene's frame; of the law
+    Vector3 force = Vector3::Zero();     ///< N, scene's frame; the written part of it
+    double allowance = 0;                ///< 0 to 1; the watchdog's
+    bool device_answers = false;         ///< its state is plausible and not too old
+    bool saturated = false;              ///< the safety stage clamped the force
+    int tool_jumps = 0;                  ///< number of jumps of the tool beyond the hand's motion
 };
 
 /// Device, workspace, law, safety and watchdog: the parts without a scene. For one thread, the servo's; neither

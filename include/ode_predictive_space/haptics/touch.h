@@ -48,7 +48,6 @@ struct Touch
     double response_time = 0;
     Vector3 arm = Vector3::Zero(); ///< m; from the body's centre of mass to the point
     std::uintptr_t object = 0;     ///< identity of the object from tick to tick: object_of()
-    unsigned feature = 0;          ///< identity of the plane within the object, from tick to tick
     bool from_entry_side = false;  ///< the normal is that of the side of entry, at any depth
     bool is_solved = false;        ///< whether `carry` is valid, as it is for laws
     Carry carry;                   ///< solution of the constraint
@@ -93,7 +92,7 @@ struct ForceShare
     std::uintptr_t object = free_space; ///< Touch::object
     Vector3 point = Vector3::Zero();    ///< m, the scene's frame; last touched point
     Vector3 force = Vector3::Zero();    ///< N, the scene's frame; on the hand
-    unsigned feature = 0;               ///< Touch::feature; in free space, the index of the entry
+    std::uint32_t touch = 0;            ///< Touch::id; in free space, the index of the entry
     Vector3 arm = Vector3::Zero();      ///< Touch::arm, at the present pose of the body
 };
 

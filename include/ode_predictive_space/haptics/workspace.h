@@ -68,9 +68,6 @@ public:
     /// The tool in the scene for a state of the device; constant while the clutch is held.
     ToolState to_scene(const DeviceState &device) const;
 
-    /// The inverse of to_scene() without a held clutch; buttons and time are zero.
-    DeviceState to_device(const ToolState &tool) const;
-
     /// The wrench in the device's frame; zero while the clutch is held.
     Wrench to_device(const Wrench &scene) const;
 

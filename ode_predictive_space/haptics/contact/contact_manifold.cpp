@@ -25,11 +25,13 @@ ContactManifold::ContactManifold()
 {
     before_.reserve(touch_capacity);
     planes_.reserve(touch_capacity);
+    matched_.reserve(touch_capacity);
 }
 
 void ContactManifold::follow(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
                              std::vector<Touch> &touches)
 {
+    matched_.assign(before_.size(), false);
     for (Touch &touch : touches)
         recognise(tool.position, view, dt, touch);
     note_lift(touches);
@@ -48,8 +50,7 @@ void ContactManifold::follow(const ToolState &tool, TouchView view, double dt, s
 
 void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, Touch &touch)
 {
-    const Touch *known = find_in(
-        before_, [&](const Touch &before) { return before.object == touch.object && before.feature == touch.feature; });
+    const Touch *known = known_before(touch);
     const Touch *carrier = known != nullptr && known->carry.carries() ? known : carrier_before(touch, view);
     touch.id = known != nullptr ? known->id : ++last_id_;
     touch.takes_over = carrier != nullptr ? carrier->id : 0;
@@ -65,6 +66,27 @@ void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, 
         touch.normal = front;
         touch.depth = depth;
     }
+}
+
+/// Of the object's touches in the tick before that no other touch has matched, the one whose normal agrees best. A touch without a side of entry may
+/// have changed the side, and is the only one of its object.
+const Touch *ContactManifold::known_before(const Touch &touch)
+{
+    std::size_t best = before_.size();
+    double agreement = touch.from_entry_side ? same_surface : -2;
+    for (std::size_t i = 0; i < before_.size(); ++i)
+    {
+        const double cosine = before_[i].normal.dot(touch.normal);
+        if (before_[i].object == touch.object && !matched_[i] && cosine > agreement)
+        {
+            best = i;
+            agreement = cosine;
+        }
+    }
+    if (best == before_.size())
+        return nullptr;
+    matched_[best] = true;
+    return &before_[best];
 }
 
 /// The touch of the tick before that carried the tool and whose normal agrees best. Objects that are felt alone take

@@ -55,6 +55,7 @@ public:
     }
 
 private:
+    const Touch *known_before(const Touch &touch);
     const Touch *carrier_before(const Touch &touch, TouchView view) const;
     const Touch *taken_over_by(const Touch &touch) const;
     void recognise(const Vector3 &tool, TouchView view, double dt, Touch &touch);
@@ -68,6 +69,7 @@ private:
     void solve(TouchView view, double dt, std::vector<Touch> &touches);
 
     std::vector<Touch> before_;             ///< of the tick before, as rendered
+    std::vector<bool> matched_;             ///< of before_: a touch of this tick continues it
     Vector3 tool_before_ = Vector3::Zero(); ///< m
     Vector3 lift_ = Vector3::Zero();        ///< m; from the tool to the proxy of this tick, without parts
     double jump_ = 0;                       ///< m; the change of the lift since the tick before

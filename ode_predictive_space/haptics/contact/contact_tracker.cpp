@@ -45,19 +45,23 @@ ContactTracker::ContactTracker(double radius) : radius_(radius)
 {
     yielding_.reserve(SphereSlide::usual_planes);
     places_.reserve(touch_capacity);
+    reported_.now.reserve(touch_capacity);
+    reported_.before.reserve(touch_capacity);
 }
 
 void ContactTracker::begin()
 {
     near_.renew();
-    told_.renew();
+    reported_.now.swap(reported_.before);
+    reported_.now.clear();
 }
 
 void ContactTracker::forget()
 {
     course_.has_proxy = false;
     near_.forget();
-    told_.forget();
+    reported_.now.clear();
+    reported_.before.clear();
     released_ = false;
     carries_on_ = false;
 }
@@ -89,7 +93,7 @@ void ContactTracker::Course::aim(const Vector3 &to)
 }
 
 /// m; maximum travel of the proxy in this tick.
-double ContactTracker::longest_way() const
+double ContactTracker::longest_travel() const
 {
     return std::max(radius_, catching_up * course_.travel.norm());
 }
@@ -99,7 +103,7 @@ ContactTracker::Region ContactTracker::region() const
 {
     const Vector3 way = course_.tool - course_.start;
     const double length = way.norm();
-    const double step = std::min(length, longest_way());
+    const double step = std::min(length, longest_travel());
     Region region;
     region.centre = step < length ? Vector3(course_.start + way * (step / length)) : course_.tool;
     double drift = 0;
@@ -155,7 +159,7 @@ void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
 }
 
 /// m; maximum displacement of the proxy in this tick that explains a change of the force.
-double ContactTracker::way_of_force() const
+double ContactTracker::travel_of_force() const
 {
     double drift = 0;
     for (const HeldGeom &held : near_.list())
@@ -165,7 +169,7 @@ double ContactTracker::way_of_force() const
 
 /// m; as above, where bodies yield. A body that bounces off a spring changes the force by more than the stiffness times
 /// its travel.
-double ContactTracker::way_of_bodies() const
+double ContactTracker::travel_of_bodies() const
 {
     double farthest = 0;
     const auto note = [&](const Vector3 &velocity, double mobility, double step) {
@@ -179,8 +183,8 @@ double ContactTracker::way_of_bodies() const
         note(geom.velocity_at(plane.feature.point), geom.mobility_at(plane.feature.point, plane.feature.normal),
              geom.step());
     }
-    for (const TouchOfGeom &told : told_.before())
-        note(told.touch.surface_velocity, told.touch.mobility, told.touch.response_time);
+    for (const TouchOfGeom &reported : reported_.before)
+        note(reported.touch.surface_velocity, reported.touch.mobility, reported.touch.response_time);
     return course_.travel.norm() + farthest + catch_up_;
 }
 
@@ -191,14 +195,14 @@ SphereSlide::Task ContactTracker::task() const
     task.goal = course_.tool;
     task.start = course_.start;
     task.look = ahead * course_.travel.norm();
-    task.longest = longest_way();
+    task.longest = longest_travel();
     task.margin = margin_;
-    const auto carries = [](const TouchOfGeom &told) { return told.touch.carry.carries(); };
-    if (find_in(told_.before(), carries) != nullptr && !held_by_body() && !released_ &&
+    const auto carries = [](const TouchOfGeom &reported) { return reported.touch.carry.carries(); };
+    if (find_in(reported_.before, carries) != nullptr && !held_by_body() && !released_ &&
         !near_.adopts()) // the rendered force follows the proxy, and must not jump
     {
         task.reach_centre = course_.start + course_.travel;
-        task.reach = way_of_force();
+        task.reach = travel_of_force();
     }
     return task;
 }
@@ -206,17 +210,19 @@ SphereSlide::Task ContactTracker::task() const
 /// Whether a movable body held the tool in the tick before.
 bool ContactTracker::held_by_body() const
 {
-    const auto holds = [](const TouchOfGeom &told) { return told.touch.carry.carries() && told.touch.mobility > 0; };
-    return find_in(told_.before(), holds) != nullptr;
+    const auto holds = [](const TouchOfGeom &reported) {
+        return reported.touch.carry.carries() && reported.touch.mobility > 0;
+    };
+    return find_in(reported_.before, holds) != nullptr;
 }
 
 /// Whether a missing geom has ended: its touched point is inside the region, so the near callback should have reported
 /// it. A surface that the proxy has left may be outside.
-bool ContactTracker::is_gone(const TouchOfGeom &told) const
+bool ContactTracker::is_gone(const TouchOfGeom &reported) const
 {
     const Region searched = region();
-    return told.touch.carry.carries() && !carries_on_ && !near_.has(told.geom) &&
-           (told.touch.point - searched.centre).norm() < searched.radius;
+    return reported.touch.carry.carries() && !carries_on_ && !near_.has(reported.geom) &&
+           (reported.touch.point - searched.centre).norm() < searched.radius;
 }
 
 void ContactTracker::follow()
@@ -226,8 +232,8 @@ void ContactTracker::follow()
         places_.push_back({&held.geom, held.place.at, 0});
     common_ = slide_.run(task(), places_);
     visited_ = SphereSlide::most_triangles - slide_.left();
-    const auto has_gone = [this](const TouchOfGeom &told) { return is_gone(told); };
-    released_ = released_ || find_in(told_.before(), has_gone) != nullptr;
+    const auto has_gone = [this](const TouchOfGeom &reported) { return is_gone(reported); };
+    released_ = released_ || find_in(reported_.before, has_gone) != nullptr;
     double stiffest = stiffness_;
     for (const HeldGeom &held : near_.list())
         stiffest = held.geom.material() ? std::max(stiffest, held.geom.material()->stiffness) : stiffest;
@@ -269,18 +275,17 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
     const auto is_other = [&](const HeldGeom &held) {
         return held.geom.object() != near_.list().front().geom.object();
     };
-    told_.clear();
+    reported_.now.clear();
     carries_on_ = false;
     if (near_.list().empty() || view == TouchView::all_together || find_in(near_.list(), is_other) == nullptr ||
         course_.proxy == course_.tool)
-        tell_together(view);
+        report_together(view);
     else
-        tell_each_object();
-    told_.number();
-    const std::size_t most = touches.size() + told_.now().size();
-    for (const TouchOfGeom &told : told_.now())
-        if (is_finite(told.touch))
-            touches.push_back(told.touch);
+        report_each_object();
+    const std::size_t most = touches.size() + reported_.now.size();
+    for (const TouchOfGeom &reported : reported_.now)
+        if (is_finite(reported.touch))
+            touches.push_back(reported.touch);
     return touches.size() == most;
 }
 
@@ -301,23 +306,45 @@ Vector3 ContactTracker::lag_at(const Vector3 &place) const
 Vector3 ContactTracker::remaining_lift() const
 {
     Vector3 before = -course_.travel;
-    for (const TouchOfGeom &told : told_.before())
-        before += told.touch.carry.share * told.touch.normal + told.touch.carry.lag;
+    for (const TouchOfGeom &reported : reported_.before)
+        before += reported.touch.carry.share * reported.touch.normal + reported.touch.carry.lag;
     const Vector3 fading = before - lift_of(yielding_);
-    const double length = fading.norm(), way = way_of_bodies();
+    const double length = fading.norm(), way = travel_of_bodies();
     return length > way ? Vector3((1 - way / length) * fading) : Vector3(Vector3::Zero());
 }
 
-void ContactTracker::tell_together(TouchView view)
+/// The proxy has left all surfaces, and the force of the touches that carried it fades while it moves to the tool.
+///
+/// @param lag m; from the tool to the proxy.
+void ContactTracker::report_former_carriers(const Vector3 &lag)
+{
+    const auto lift_of_touch = [](const TouchOfGeom &carrier) {
+        return (carrier.touch.carry.share * carrier.touch.normal + carrier.touch.carry.lag).norm();
+    };
+    double sum = 0;
+    for (const TouchOfGeom &carrier : reported_.before)
+        sum += lift_of_touch(carrier);
+    for (TouchOfGeom carrier : reported_.before)
+    {
+        if (!carrier.touch.carry.carries())
+            continue;
+        const double part = lift_of_touch(carrier) / sum;
+        carrier.touch.carry = {0, part * lag};
+        carrier.touch.depth = std::max(0.0, part * lag.dot(carrier.touch.normal));
+        reported_.now.push_back(carrier);
+    }
+}
+
+void ContactTracker::report_together(TouchView view)
 {
     const bool yields = share_out(view) || held_by_body();
     Vector3 lag = yields ? remaining_lift() : common_ ? lag_at(course_.proxy) : Vector3(Vector3::Zero());
     released_ = released_ && !lag.isZero(0);
     if (released_)
         lag.setZero();
-    carries_on_ = tell_planes(lag) == 0 && !lag.isZero(0);
+    carries_on_ = report_planes(lag) == 0 && !lag.isZero(0);
     if (carries_on_)
-        told_.add_carriers_of_before(lag);
+        report_former_carriers(lag);
 }
 
 double ContactTracker::yield_at(const SlidePlane &plane) const
@@ -347,7 +374,7 @@ bool ContactTracker::share_out(TouchView view)
 }
 
 /// @return m; the sum of the shares.
-double ContactTracker::tell_planes(const Vector3 &lag)
+double ContactTracker::report_planes(const Vector3 &lag)
 {
     double carried = 0;
     for (const ConstraintPlane &plane : yielding_)
@@ -374,13 +401,13 @@ double ContactTracker::tell_planes(const Vector3 &lag)
         touch.carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
         touch.is_solved = true;
         touch.material = geom.material();
-        told_.add(geom.id(), touch);
+        reported_.now.push_back({geom.id(), touch});
     }
     return carried;
 }
 
 /// Each object holds off the tool alone. The common slide has determined the side of entry.
-void ContactTracker::tell_each_object()
+void ContactTracker::report_each_object()
 {
     for (const HeldGeom &first : near_.list())
     {
@@ -399,7 +426,7 @@ void ContactTracker::tell_each_object()
         const bool common = slide_.run(alone, places_);
         visited_ += alone.triangles - slide_.left();
         share_out(TouchView::each_object_alone);
-        tell_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
+        report_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
     }
 }
 

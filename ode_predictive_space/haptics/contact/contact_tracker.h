@@ -4,7 +4,6 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 
 #include "ode_predictive_space/haptics/contact/held_geoms.h"
-#include "ode_predictive_space/haptics/contact/numbered_touches.h"
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 #include "ode_predictive_space/haptics/contact/yielding_place.h"
 
@@ -21,6 +20,20 @@ bool keep_within_capacity(std::vector<Touch> &touches);
 constexpr std::string_view capacity_notice = "More than 256 surfaces are touched or near at once. Those that are "
                                              "farthest away, or hold off least, give no force.";
 static_assert(touch_capacity == 256);
+
+/// A touch, and its geom.
+struct TouchOfGeom
+{
+    dGeomID geom;
+    Touch touch;
+};
+
+/// The touches of a tick, and those of the tick before.
+struct TouchesOfTick
+{
+    std::vector<TouchOfGeom> now;
+    std::vector<TouchOfGeom> before;
+};
 
 /// Keeps a proxy of the tool, which never passes a surface: in each tick it moves towards the tool. Its place is stored
 /// in the frame of each geom, so that moving geoms carry it. The surfaces that hold the proxy off the tool are touched.
@@ -119,20 +132,21 @@ private:
     };
 
     void insert(NearbyGeom geom, double distance);
-    bool is_gone(const TouchOfGeom &told) const;
-    double longest_way() const;
-    double way_of_force() const;
-    double way_of_bodies() const;
+    bool is_gone(const TouchOfGeom &reported) const;
+    double longest_travel() const;
+    double travel_of_force() const;
+    double travel_of_bodies() const;
     SphereSlide::Task task() const;
     bool held_by_body() const;
     void settle();
     Vector3 lag_at(const Vector3 &place) const;
     Vector3 remaining_lift() const;
-    void tell_together(TouchView view);
-    double tell_planes(const Vector3 &lag);
+    void report_together(TouchView view);
+    void report_former_carriers(const Vector3 &lag);
+    double report_planes(const Vector3 &lag);
     double yield_at(const SlidePlane &plane) const;
     bool share_out(TouchView view);
-    void tell_each_object();
+    void report_each_object();
 
     double radius_;
     double margin_ = 0;
@@ -150,7 +164,7 @@ private:
     bool common_ = true;                    ///< all geoms have the same place of the proxy
     std::size_t visited_ = 0;               ///< triangles
     std::vector<ConstraintPlane> yielding_; ///< the planes of the slide, with shares
-    NumberedTouches told_;
+    TouchesOfTick reported_;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -24,25 +24,25 @@ bool is_in(const NearbyGeom &geom, const ProbePlace &probe, double allowed)
 
 ExcludedGeoms::ExcludedGeoms()
 {
-    told_.reserve(touch_capacity);
+    reported_.reserve(touch_capacity);
     before_.reserve(touch_capacity);
 }
 
 void ExcludedGeoms::begin()
 {
-    told_.swap(before_);
-    told_.clear();
+    reported_.swap(before_);
+    reported_.clear();
 }
 
-const ExcludedGeoms::Told *ExcludedGeoms::before(const GeomIdentity &geom) const
+const ExcludedGeoms::Reported *ExcludedGeoms::before(const GeomIdentity &geom) const
 {
-    return find_in(before_, [&](const Told &told) { return told.geom == geom; });
+    return find_in(before_, [&](const Reported &reported) { return reported.geom == geom; });
 }
 
 bool ExcludedGeoms::excludes(const NearbyGeom &geom, const ProbePlace &probe)
 {
     const bool excluded = must_exclude(geom, probe);
-    told_.push_back({geom.identity(), probe.centre, geom.to_local(probe.centre), excluded});
+    reported_.push_back({geom.identity(), probe.centre, geom.to_local(probe.centre), excluded});
     return excluded;
 }
 
@@ -50,7 +50,7 @@ bool ExcludedGeoms::must_exclude(const NearbyGeom &geom, const ProbePlace &probe
 {
     if (geom.is_solid() && !is_in(geom, probe, 0))
         return false; // the usual case
-    const Told *last = before(geom.identity());
+    const Reported *last = before(geom.identity());
     if (probe.begins || (last != nullptr && last->excluded))
         return is_in(geom, probe, probe.begins ? depth_still_outside * probe.radius : 0);
     const bool was_there =
@@ -60,12 +60,12 @@ bool ExcludedGeoms::must_exclude(const NearbyGeom &geom, const ProbePlace &probe
 
 bool ExcludedGeoms::excludes(dGeomID geom, double depth, const ProbePlace &probe)
 {
-    Told told;
-    told.geom.id = geom;
-    const Told *last = before(told.geom);
+    Reported reported;
+    reported.geom.id = geom;
+    const Reported *last = before(reported.geom);
     const bool began_in = probe.begins && depth > std::max(shallow, depth_still_outside * probe.radius);
-    told.excluded = began_in || (last != nullptr && last->excluded && depth > 0);
-    told_.push_back(told);
-    return told.excluded;
+    reported.excluded = began_in || (last != nullptr && last->excluded && depth > 0);
+    reported_.push_back(reported);
+    return reported.excluded;
 }
 } // namespace ode_predictive_space::haptics

@@ -40,7 +40,7 @@ public:
 
 private:
     /// A reported geom, and the probe in its frame.
-    struct Told
+    struct Reported
     {
         GeomIdentity geom;
         Vector3 centre = Vector3::Zero(); ///< m; the scene's frame
@@ -48,11 +48,11 @@ private:
         bool excluded = false;
     };
 
-    const Told *before(const GeomIdentity &geom) const;
+    const Reported *before(const GeomIdentity &geom) const;
     bool must_exclude(const NearbyGeom &geom, const ProbePlace &probe) const;
 
-    std::vector<Told> told_;
-    std::vector<Told> before_;
+    std::vector<Reported> reported_;
+    std::vector<Reported> before_;
 };
 } // namespace ode_predictive_space::haptics
 

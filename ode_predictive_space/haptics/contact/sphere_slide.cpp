@@ -170,7 +170,6 @@ double SphereSlide::go(bool common, double look, double most, const Task &task, 
     }
     for (std::size_t i = 0; i < places.size(); ++i)
         places[i].at = part == 1 ? targets_[i] : places[i].at + part * (targets_[i] - places[i].at);
-    arrives_ = part == 1;
     return part * longest;
 }
 

@@ -94,7 +94,6 @@ private:
     std::vector<Vector3> targets_;
     Vector3 target_ = Vector3::Zero();
     std::size_t left_ = 0; ///< remaining budget of triangles
-    bool arrives_ = false; ///< the last step reached the targets
 };
 } // namespace ode_predictive_space::haptics
 

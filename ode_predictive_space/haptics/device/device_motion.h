@@ -22,7 +22,7 @@ public:
     /// Takes the next state, and fills in its velocity (smoothed over some 2 ms) if the device reports none.
     void follow(DeviceState &state)
     {
-        tells_velocity_ = tells_velocity_ || !state.linear_velocity.isZero(0);
+        reports_velocity_ = reports_velocity_ || !state.linear_velocity.isZero(0);
         if (!last_)
             last_ = measured_ = state;
         // A device moves for at least its period, whatever the times of two reads.
@@ -35,7 +35,7 @@ public:
             velocity_ += (1 - std::exp(-elapsed / smoothing)) * (mean - velocity_);
             measured_ = state;
         }
-        if (!tells_velocity_)
+        if (!reports_velocity_)
             state.linear_velocity = velocity_;
     }
 
@@ -55,7 +55,7 @@ private:
     static constexpr double whole_period = 0.99; ///< tolerance for rounded times
 
     double period_; ///< s
-    bool tells_velocity_ = false;
+    bool reports_velocity_ = false;
     double speed_ = 0;
     std::optional<DeviceState> last_;
     DeviceState measured_; ///< beginning of the present measurement

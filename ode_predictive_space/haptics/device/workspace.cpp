@@ -115,19 +115,6 @@ ToolState WorkspaceMapping::to_scene(const DeviceState &device) const
     return moved_with_base(tool);
 }
 
-DeviceState WorkspaceMapping::to_device(const ToolState &tool) const
-{
-    const WorkspacePlacement &p = placement_;
-    const Quaternion back = p.rotation.conjugate();
-    DeviceState device;
-    device.position = back * (tool.position - p.offset) / p.scale;
-    device.orientation = back * tool.orientation * grip_.conjugate();
-    const Vector3 base_velocity = motion_.velocity + motion_.spin.cross(tool.position - base_.offset);
-    device.linear_velocity = back * (tool.linear_velocity - base_velocity) / p.scale;
-    device.angular_velocity = back * (tool.angular_velocity - motion_.spin);
-    return device;
-}
-
 Wrench WorkspaceMapping::to_device(const Wrench &scene) const
 {
     Wrench wrench;

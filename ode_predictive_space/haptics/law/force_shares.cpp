@@ -54,23 +54,22 @@ void ForceSplit::split(const std::vector<Touch> &touches, const TouchForces &req
     shares_.clear();
     const Eigen::Vector2d mix = find_mix(given, sum_of(requested), sum(before_));
     for (std::size_t i = 0; i < touches.size(); ++i)
-        shares_.push_back(
-            {touches[i].object, touches[i].point, mix[0] * requested[i], touches[i].feature, touches[i].arm});
+        shares_.push_back({touches[i].object, touches[i].point, mix[0] * requested[i], touches[i].id, touches[i].arm});
     for (std::size_t i = touches.size(); i < requested.size(); ++i)
     {
-        const auto entry = static_cast<unsigned>(i - touches.size());
+        const auto entry = static_cast<std::uint32_t>(i - touches.size());
         shares_.push_back({free_space, Vector3::Zero(), mix[0] * requested[i], entry, Vector3::Zero()});
     }
     for (const ForceShare &share : before_)
     {
         const Vector3 force = mix[1] * share.force;
         const auto is_same = [&](const ForceShare &now) {
-            return now.object == share.object && now.feature == share.feature;
+            return now.object == share.object && now.touch == share.touch;
         };
         if (ForceShare *known = find_in(shares_, is_same))
             known->force += force;
         else if (!force.isZero(0))
-            shares_.push_back({share.object, share.point, force, share.feature, share.arm});
+            shares_.push_back({share.object, share.point, force, share.touch, share.arm});
     }
     add_rest(given);
 }

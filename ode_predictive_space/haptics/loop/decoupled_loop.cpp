@@ -90,8 +90,8 @@ private:
         const unsigned long seed = dRandGetSeed();
         work_.advance(length);
         motion_.note_step(dRandGetSeed() != seed);
-        if (!motion_.repeats() && !surprised_)
-            tell_of_surprise();
+        if (!motion_.repeats() && !deviated_)
+            notify_of_deviation();
         ++steps_;
         parts_.time.simulated = changed_ + static_cast<double>(steps_) * length;
     }
@@ -114,10 +114,10 @@ private:
         }
         parts_.probe.place(parts_.rendered.latest());
         parts_.collide(work_);
-        if (sensor_.is_reading() && !std::exchange(told_of_reading_, true))
-            parts_.tell(NoticeKind::contact, reading_notice, LoopGuard::Side::scene);
-        if (sensor_.exceeds_capacity() && !std::exchange(told_of_capacity_, true))
-            parts_.tell(NoticeKind::contact, capacity_notice, LoopGuard::Side::scene);
+        if (sensor_.is_reading() && !std::exchange(notified_of_reading_, true))
+            parts_.notify(NoticeKind::contact, reading_notice, LoopGuard::Side::scene);
+        if (sensor_.exceeds_capacity() && !std::exchange(notified_of_capacity_, true))
+            parts_.notify(NoticeKind::contact, capacity_notice, LoopGuard::Side::scene);
     }
 
     void look(double due)
@@ -130,11 +130,11 @@ private:
         const int steps = motion_.steps_per_period();
         {
             const TrialMessages messages;
-            motion_.foresee(surroundings.planes, due, dt_, affordable_steps(), surroundings.forecast);
+            motion_.predict(surroundings.planes, due, dt_, affordable_steps(), surroundings.forecast);
             note_messages(messages.count());
         }
         if (motion_.steps_per_period() != steps)
-            tell_of_shorter_steps();
+            notify_of_shorter_steps();
         hand_over_geoms(due, surroundings);
         servo_.surroundings.publish();
         parts_.probe.renderer().physics_fresh(parts_.clock.now());
@@ -146,7 +146,7 @@ private:
             return;
         sensor_.tracker()->hand_over(surroundings.geoms, due);
         for (NearbyGeom &geom : surroundings.geoms.geoms)
-            if (!geom.is_in_contact() && !surroundings.forecast.foresees(geom.object()))
+            if (!geom.is_in_contact() && !surroundings.forecast.predicts(geom.object()))
                 motion_.push_rest(geom);
     }
 
@@ -161,12 +161,13 @@ private:
     void note_messages(std::uint64_t count)
     {
         if (count > 0 && parts_.counts.trial_messages == 0)
-            tell("ODE has messages about steps that are only tried, to foresee what is touched. They are counted, and "
-                 "not passed on.");
+            notify(
+                "ODE has messages about steps that are only tried, to predict what is touched. They are counted, and "
+                "not passed on.");
         parts_.counts.trial_messages += count;
     }
 
-    void tell_of_shorter_steps()
+    void notify_of_shorter_steps()
     {
         std::array<char, std::tuple_size_v<decltype(Notice::text)>> text;
         std::snprintf(
@@ -174,17 +175,17 @@ private:
             "The scene is stepped %d times as often, at %.0f Hz: what the probe is near to has joints or contacts "
             "that are too stiff and light for steps of %.1f ms.",
             motion_.steps_per_period(), motion_.steps_per_period() / dt_, 1000 * dt_);
-        tell(text.data());
+        notify(text.data());
     }
 
-    void tell_of_surprise()
+    void notify_of_deviation()
     {
-        surprised_ = true;
-        tell("The program's step does more than ODE's, or less: what is touched is taken to go on with its velocity. "
-             "Step such a scene at 200 Hz or more, or in one thread.");
+        deviated_ = true;
+        notify("The program's step does more than ODE's, or less: what is touched is taken to go on with its velocity. "
+               "Step such a scene at 200 Hz or more, or in one thread.");
     }
 
-    void tell(std::string_view sentence) { parts_.tell(NoticeKind::coupling, sentence, LoopGuard::Side::scene); }
+    void notify(std::string_view sentence) { parts_.notify(NoticeKind::coupling, sentence, LoopGuard::Side::scene); }
 
     LoopParts &parts_;
     DecoupledServo &servo_;
@@ -196,9 +197,9 @@ private:
     double changed_ = 0;       ///< s, simulated; of the last change
     std::uint64_t steps_ = 0;  ///< since the last change
     StepBudget budget_;
-    bool told_of_reading_ = false;
-    bool told_of_capacity_ = false;
-    bool surprised_ = false; ///< the notice was sent
+    bool notified_of_reading_ = false;
+    bool notified_of_capacity_ = false;
+    bool deviated_ = false; ///< the notice was sent
 };
 } // namespace
 

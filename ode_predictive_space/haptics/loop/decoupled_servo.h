@@ -48,7 +48,7 @@ public:
     /// than a tick.
     ///
     /// @param due s, on the clock; when the present tick was due.
-    Shifts foresee(const MotionForecast &forecast, double due)
+    Shifts predict(const MotionForecast &forecast, double due)
     {
         const auto is_new = [&](const Impulse &impulse) { return impulse.number > forecast.last_included; };
         given_.erase(given_.begin(), std::find_if(given_.begin(), given_.end(), is_new));
@@ -187,7 +187,7 @@ private:
     {
         surroundings.take();
         const Surroundings &scene = surroundings.latest();
-        shifts_ = impulses.foresee(scene.forecast, due);
+        shifts_ = impulses.predict(scene.forecast, due);
         renderer_.read(parts_.time.first + (due - parts_.time.start), parts_.clock.now());
         const bool all_known = feel(scene, due);
         renderer_.render(touches_, all_known, 1 / parts_.settings.rate);
@@ -201,8 +201,8 @@ private:
         if (scene.tool_jumps == renderer_.last_tick().tool_jumps)
             scene.planes.evaluate(renderer_.tool().position, due, shifts_, touches_);
         const bool all_known = !tracker_ || feel_geoms(scene, due);
-        if (keep_within_capacity(touches_) && !std::exchange(told_of_capacity_, true))
-            parts_.tell(NoticeKind::contact, capacity_notice);
+        if (keep_within_capacity(touches_) && !std::exchange(notified_of_capacity_, true))
+            parts_.notify(NoticeKind::contact, capacity_notice);
         return all_known && scene.planes.all_known();
     }
 
@@ -235,7 +235,7 @@ private:
     /// its displacement in a step; other bodies move freely by their impulses.
     void move_on(NearbyGeom &geom, const MotionForecast &forecast, double due) const
     {
-        if (forecast.foresees(geom.object()))
+        if (forecast.predicts(geom.object()))
         {
             const Shift shift = shift_of(geom.object(), shifts_);
             geom.shift(shift.moved, shift.turned, shift.velocity, shift.spin);
@@ -259,7 +259,7 @@ private:
     int tool_jumps_ = 0;                    ///< of RenderedTick
     Shifts shifts_;
     std::vector<Touch> touches_;
-    bool told_of_capacity_ = false;
+    bool notified_of_capacity_ = false;
     std::exception_ptr error_;
     std::atomic<bool> ended_{false};
 };

@@ -22,10 +22,10 @@ double stall_after(double rate)
 }
 
 /// Guard, delivery of notices and scheduling, from the beginning of a run to its end.
-class Watch
+class RunSupervision
 {
 public:
-    explicit Watch(LoopParts &parts) : parts_(parts), sink_(parts.probe.renderer().notice_sink())
+    explicit RunSupervision(LoopParts &parts) : parts_(parts), sink_(parts.probe.renderer().notice_sink())
     {
         if (parts.settings.ask_for_priority)
         {
@@ -36,7 +36,7 @@ public:
         GuardDuties duties;
         duties.stall_after = stall_after(parts.settings.rate);
         duties.scene_stall_after = stall_after(parts.settings.physics_rate);
-        duties.must_end = [&parts] { return parts.is_told_to_stop(); };
+        duties.must_end = [&parts] { return parts.stop_requested(); };
         duties.sink = [&parts, sink = parts.settings.notice ? parts.settings.notice : sink_](const Notice &notice) {
             ++parts.counts.notices;
             if (sink)
@@ -48,20 +48,20 @@ public:
         parts.probe.renderer().set_notice_sink([&parts](const Notice &notice) { parts.guard->post(notice); });
     }
 
-    ~Watch()
+    ~RunSupervision()
     {
         parts_.probe.renderer().relax();
         parts_.time.end = parts_.clock.now();
         if (parts_.probe.sensor() != nullptr)
             parts_.probe.sensor()->set_margin(0);
         if (parts_.scheduling.refused())
-            parts_.tell(NoticeKind::scheduling, parts_.scheduling.text());
+            parts_.notify(NoticeKind::scheduling, parts_.scheduling.text());
         parts_.guard->end();
         parts_.probe.renderer().set_notice_sink(sink_);
     }
 
-    Watch(const Watch &) = delete;
-    Watch &operator=(const Watch &) = delete;
+    RunSupervision(const RunSupervision &) = delete;
+    RunSupervision &operator=(const RunSupervision &) = delete;
 
 private:
     LoopParts &parts_;
@@ -108,7 +108,7 @@ void run_watched(LoopParts &parts, const SceneWork &work)
     const StopRequest instead_of_dying; // a signal must not leave a force
     Renderer &renderer = parts.probe.renderer();
     parts.time.first = parts.probe.last_tick().time;
-    const Watch watch(parts);
+    const RunSupervision supervision(parts);
     parts.time.start = parts.clock.now();
     try
     {
@@ -117,13 +117,13 @@ void run_watched(LoopParts &parts, const SceneWork &work)
     catch (...)
     {
         renderer.relax();
-        parts.tell(NoticeKind::exception, with_reason("No force: the program's part of the loop failed"));
+        parts.notify(NoticeKind::exception, with_reason("No force: the program's part of the loop failed"));
         throw;
     }
     if (parts.must_end())
     {
         renderer.relax();
-        parts.tell(NoticeKind::stop, "No force: the loop was asked to end.");
+        parts.notify(NoticeKind::stop, "No force: the loop was asked to end.");
     }
 }
 } // namespace

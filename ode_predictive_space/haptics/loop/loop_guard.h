@@ -58,7 +58,7 @@ private:
     void look();
     void look_at_clock();
     void stop_force(double now, double beat);
-    void tell(std::string_view sentence, Side side = Side::watch);
+    void notify(std::string_view sentence, Side side = Side::watch);
     bool take_force(double now);
 
     static constexpr double never = std::numeric_limits<double>::infinity();

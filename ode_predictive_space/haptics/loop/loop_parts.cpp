@@ -71,14 +71,14 @@ LoopParts::~LoopParts()
         run->end_and_wait("a haptic loop");
 }
 
-bool LoopParts::is_told_to_stop() const
+bool LoopParts::stop_requested() const
 {
-    return stopped.load(std::memory_order_relaxed) || run_->is_told_to_stop() || StopRequest::requested();
+    return stopped.load(std::memory_order_relaxed) || run_->stop_requested() || StopRequest::requested();
 }
 
 bool LoopParts::must_end() const
 {
-    return is_told_to_stop() || guard->sink_failed();
+    return stop_requested() || guard->sink_failed();
 }
 
 void LoopParts::ask_for_priority(bool above_servo)

@@ -126,7 +126,7 @@ public:
     void collide(const SceneWork &work);
 
     /// Whether a stop was requested. From any thread.
-    bool is_told_to_stop() const;
+    bool stop_requested() const;
 
     /// Whether the loop has to end: by request, or because the sink of notices failed. From the threads of the scene
     /// and the servo.
@@ -142,7 +142,7 @@ public:
     void ask_for_priority(bool above_servo);
 
     /// Sends a notice by the guard. For the thread of the given side.
-    void tell(NoticeKind kind, std::string_view sentence, LoopGuard::Side side = LoopGuard::Side::servo)
+    void notify(NoticeKind kind, std::string_view sentence, LoopGuard::Side side = LoopGuard::Side::servo)
     {
         guard->post(Notice(kind, now(), sentence), side);
     }

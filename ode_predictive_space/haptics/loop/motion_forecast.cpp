@@ -39,7 +39,7 @@ ImpulseWrench wrench_of(const Impulse &impulse)
 }
 } // namespace
 
-bool MotionForecast::foresees(std::uintptr_t object) const
+bool MotionForecast::predicts(std::uintptr_t object) const
 {
     const auto is_it = [object](const Place &place) { return place.touch.object == object; };
     return std::any_of(places.begin(), places.begin() + count, is_it);

@@ -60,7 +60,7 @@ struct MotionForecast
     std::array<std::array<Course<Response>, most_touches>, most_touches> response; ///< by pushed place
 
     /// Whether the forecast includes an object.
-    bool foresees(std::uintptr_t object) const;
+    bool predicts(std::uintptr_t object) const;
 
     /// The motion of the touched bodies beyond that by their constant velocities.
     ///

@@ -73,7 +73,7 @@ void SceneMotion::push_all(double h)
     waiting_.clear();
 }
 
-void SceneMotion::foresee(const ContactModel &planes, double time, double period, int affordable,
+void SceneMotion::predict(const ContactModel &planes, double time, double period, int affordable,
                           MotionForecast &forecast)
 {
     forecast.time = time;
@@ -89,13 +89,13 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
     has_joints_ = island.has_joints();
     choose_steps(island, period, affordable);
     const double h = period / steps_per_period_;
-    foreseen_step_ = h;
+    predicted_step_ = h;
     forecast.node_length = h;
     const std::vector<BodyImpulse> rest = rest_of_impulses();
     const Courses free = try_out(island, rest, h);
     for (std::size_t i = 0; i < touched_.size(); ++i)
     {
-        touched_[i].foreseen = free[i][1];
+        touched_[i].predicted = free[i][1];
         MotionForecast::Place &place = forecast.places[i];
         place.free = free[i];
         for (std::size_t node = 0; node <= nodes && !repeats(); ++node)
@@ -112,7 +112,7 @@ void SceneMotion::note_step(bool drew_numbers)
     if (!last_.empty() || touched.empty())
         return;
     const auto surprises = [this](const Touched &each) { return moved_otherwise(each); };
-    surprises_ = std::any_of(touched.begin(), touched.end(), surprises) ? surprises_ + 1 : 0;
+    deviations_ = std::any_of(touched.begin(), touched.end(), surprises) ? deviations_ + 1 : 0;
 }
 
 /// Whether a body moved differently from its prediction.
@@ -121,10 +121,10 @@ bool SceneMotion::moved_otherwise(const Touched &touched) const
     if (sensor_.body_of(touched.touch.object) != touched.body)
         return false;
     const Vector3 moved = motion_of(touched).head<3>();
-    const Vector3 foreseen = touched.foreseen.head<3>();
-    const double error = (moved - foreseen).norm();
-    return error > 0.25 * fall * foreseen_step_ * foreseen_step_ &&
-           error > 0.5 * std::max(moved.norm(), foreseen.norm());
+    const Vector3 predicted = touched.predicted.head<3>();
+    const double error = (moved - predicted).norm();
+    return error > 0.25 * fall * predicted_step_ * predicted_step_ &&
+           error > 0.5 * std::max(moved.norm(), predicted.norm());
 }
 
 /// Whether a touched body is enabled: otherwise a step has no constraints and does not reveal the stepper.

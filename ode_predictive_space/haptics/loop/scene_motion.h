@@ -34,7 +34,7 @@ public:
 
     /// Whether the program's steps agree with the predictions. After several deviations in a row, constant velocities
     /// are predicted.
-    bool repeats() const { return surprises_ < most_surprises; }
+    bool repeats() const { return deviations_ < most_deviations; }
 
     /// Adds all remaining impulses for a step of length h.
     void push_all(double h);
@@ -42,7 +42,7 @@ public:
     /// Predicts the motion of the touched surfaces. After the program's collide(), before its advance().
     ///
     /// @param period s; of the program's rate. @param affordable maximum number of steps in a period.
-    void foresee(const ContactModel &planes, double time, double period, int affordable, MotionForecast &forecast);
+    void predict(const ContactModel &planes, double time, double period, int affordable, MotionForecast &forecast);
 
     /// Moves a body without a forecast by its remaining impulses of the next step.
     void push_rest(NearbyGeom &geom) const;
@@ -64,13 +64,13 @@ private:
         Eigen::Matrix<double, 6, 6> inverse_inertia; ///< of it
         Pushes pushes;                               ///< of 1 N s
         Eigen::Matrix<double, 6, MotionForecast::tried_pushes> wrenches; ///< of the pushes
-        BodyMotion foreseen;                                             ///< in the next step, without the hand
+        BodyMotion predicted;                                            ///< in the next step, without the hand
     };
 
     using Course = MotionForecast::Course<BodyMotion>;
     using Courses = std::array<Course, MotionForecast::most_touches>;
 
-    static constexpr int most_surprises = 5; ///< in a row
+    static constexpr int most_deviations = 5; ///< in a row
 
     void push_now(const std::vector<Impulse> &impulses, double h);
     void find_touched(const ContactModel &planes, MotionForecast &forecast);
@@ -97,11 +97,11 @@ private:
     std::vector<Touched> touched_;
     std::uint64_t received_ = 0;
     int steps_per_period_ = 1;
-    double foreseen_step_ = 0; ///< s
-    int surprises_ = 0;        ///< consecutive steps that deviated
-    int steps_needed_ = 1;     ///< by the last measurement
-    bool has_joints_ = false;  ///< of the last roll-out
-    bool quick_ = true;        ///< the program seems to use dWorldQuickStep()
+    double predicted_step_ = 0; ///< s
+    int deviations_ = 0;        ///< consecutive steps that deviated
+    int steps_needed_ = 1;      ///< by the last measurement
+    bool has_joints_ = false;   ///< of the last roll-out
+    bool quick_ = true;         ///< the program seems to use dWorldQuickStep()
 };
 } // namespace ode_predictive_space::haptics
 

@@ -14,7 +14,7 @@ class ActiveRun
 {
 public:
     /// Whether the loop has to end. From any thread.
-    bool is_told_to_stop() const { return stop_.load(std::memory_order_relaxed); }
+    bool stop_requested() const { return stop_.load(std::memory_order_relaxed); }
 
     /// For the loop: it has ended, and uses neither itself nor the probe any more.
     void end() { end_.set_value(); }

@@ -138,7 +138,7 @@ void DeviceLink::fail(std::string_view why)
     if (!failed_)
     {
         failed_ = true;
-        notices_.tell(NoticeKind::device, "No force: " + std::string(why));
+        notices_.notify(NoticeKind::device, "No force: " + std::string(why));
     }
 }
 

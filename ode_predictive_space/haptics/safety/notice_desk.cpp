@@ -34,17 +34,17 @@ NoticeDesk::NoticeDesk(NoticeSink sink) : sink_(std::move(sink))
     last_.fill(-std::numeric_limits<double>::infinity());
 }
 
-void NoticeDesk::tell(NoticeKind kind, std::string_view sentence) const
+void NoticeDesk::notify(NoticeKind kind, std::string_view sentence) const
 {
     if (sink_)
         sink_(Notice(kind, time_, sentence));
 }
 
-void NoticeDesk::tell_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence)
+void NoticeDesk::notify_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence)
 {
-    if (time_ - last_[topic] < tell_again_after)
+    if (time_ - last_[topic] < notify_again_after)
         return;
     last_[topic] = time_;
-    tell(kind, sentence);
+    notify(kind, sentence);
 }
 } // namespace ode_predictive_space::haptics

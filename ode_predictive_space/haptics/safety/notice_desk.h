@@ -24,13 +24,13 @@ public:
     /// Begins a tick. @param time s, simulated.
     void set_time(double time) { time_ = time; }
 
-    void tell(NoticeKind kind, std::string_view sentence) const;
+    void notify(NoticeKind kind, std::string_view sentence) const;
 
     /// @param topic below most_topics.
-    void tell_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence);
+    void notify_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence);
 
 private:
-    static constexpr double tell_again_after = 1; ///< s
+    static constexpr double notify_again_after = 1; ///< s
 
     NoticeSink sink_;
     double time_ = 0;                      ///< s, simulated

@@ -77,7 +77,7 @@ std::terminate_handler earlier_terminate_handler = nullptr;
 struct sigaction earlier_abort_action;
 
 /// For signal handlers.
-void tell(std::string_view sentence) noexcept
+void notify(std::string_view sentence) noexcept
 {
     if (write(STDERR_FILENO, sentence.data(), sentence.size()) < 0)
         return; // nothing else can be done
@@ -85,8 +85,8 @@ void tell(std::string_view sentence) noexcept
 
 extern "C" void kill_hanging_program(int number)
 {
-    tell("ode_predictive_space: The program hangs in the device's driver at its end, and is killed: "
-         "only the device itself can remove its force.\n");
+    notify("ode_predictive_space: The program hangs in the device's driver at its end, and is killed: "
+           "only the device itself can remove its force.\n");
     raise(number); // which has its default action now
 }
 
@@ -126,7 +126,7 @@ extern "C" void end_forces_and_abort(int number)
     if (!is_empty())
     {
         end_all_forces();
-        tell("ode_predictive_space: The program ends: no force any more.\n");
+        notify("ode_predictive_space: The program ends: no force any more.\n");
     }
     sigaction(SIGABRT, &earlier_abort_action, nullptr);
     raise(number);

@@ -39,8 +39,8 @@ TEST_P(FlushTest, TwoTilesAreOneFloor)
     {
         if (sample.time > 0.45)
         {
-            ASSERT_LE((sample.wished - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
-                << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+            ASSERT_LE((sample.requested - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
+                << sample.time << ": " << sample.requested.transpose() << " at " << sample.tool.transpose();
         }
     }
 }
@@ -53,8 +53,8 @@ TEST_P(FlushTest, OverTheSeamFrictionGoesOn)
     {
         if (sample.time > 0.6 && sample.time < 1.1)
         {
-            ASSERT_NEAR(sample.wished.z(), k * depth_on_tiles, 0.01) << sample.time;
-            ASSERT_NEAR(sample.wished.x(), -0.4 * k * depth_on_tiles, 0.01) << sample.time;
+            ASSERT_NEAR(sample.requested.z(), k * depth_on_tiles, 0.01) << sample.time;
+            ASSERT_NEAR(sample.requested.x(), -0.4 * k * depth_on_tiles, 0.01) << sample.time;
         }
     }
 }
@@ -77,8 +77,8 @@ TEST_P(FlushTest, ATableOfSixteenTilesIsOne)
     {
         if (sample.time > 0.45)
         {
-            ASSERT_LE((sample.wished - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
-                << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+            ASSERT_LE((sample.requested - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
+                << sample.time << ": " << sample.requested.transpose() << " at " << sample.tool.transpose();
         }
     }
 }

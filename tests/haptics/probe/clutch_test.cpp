@@ -141,7 +141,7 @@ TEST_F(ClutchTest, TwoFlushTilesRiseAsOneFloor)
     settings.clutch_button = 0;
     HapticProbe probe(device, world.space, 0.005, settings);
     world.run(probe, 1500);
-    EXPECT_NEAR(probe.last_tick().wished.z(), 500 * depth, 0.01);
+    EXPECT_NEAR(probe.last_tick().requested.z(), 500 * depth, 0.01);
     device.buttons = 1;
     world.run(probe, 100);
     device.buttons = 0;
@@ -149,9 +149,9 @@ TEST_F(ClutchTest, TwoFlushTilesRiseAsOneFloor)
     for (int tick = 0; tick < 800; ++tick)
     {
         world.run(probe, 1);
-        const double wished = probe.last_tick().wished.z();
-        ASSERT_NEAR(wished, before, 500 * depth * 0.001 / 0.5 + 1e-9) << tick;
-        before = wished;
+        const double requested = probe.last_tick().requested.z();
+        ASSERT_NEAR(requested, before, 500 * depth * 0.001 / 0.5 + 1e-9) << tick;
+        before = requested;
     }
     EXPECT_NEAR(before, 500 * depth, 0.01);
 }
