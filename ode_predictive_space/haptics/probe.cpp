@@ -32,7 +32,6 @@ void add_wrench(dBodyID body, const Wrench &wrench)
     call_ode(&dBodyAddTorque, body, wrench.torque);
 }
 
-/// kg m^2; smallest principal moment of inertia.
 double smallest_inertia(const dMass &mass)
 {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia_of(mass), Eigen::EigenvaluesOnly)
@@ -64,7 +63,6 @@ public:
         renderer.render({}, true, dt);
     }
 
-    /// The coupling, limited by the mass of the body.
     CouplingProperties coupling_of(dBodyID body, double dt)
     {
         if (dBodyIsKinematic(body) != 0)

@@ -75,7 +75,6 @@ bool is_held(const std::optional<unsigned> &button, const DeviceState &state)
     return button && *button < 32 && ((state.buttons >> *button) & 1U) != 0;
 }
 
-/// Actions of the safety stage that are reported.
 constexpr SafetyAction worth_a_notice[] = {SafetyAction::not_finite, SafetyAction::too_fast, SafetyAction::waiting,
                                            SafetyAction::no_axes, SafetyAction::clamped};
 } // namespace
@@ -149,7 +148,6 @@ public:
         close_tick(requested.force, given);
     }
 
-    /// Replaces requested materials by those that the device can render.
     void choose_materials(std::vector<Touch> &touches)
     {
         bool less = false;
@@ -169,7 +167,6 @@ public:
         }
     }
 
-    /// @return the written wrench, in the scene's frame.
     Wrench write(const Wrench &requested, double dt)
     {
         watchdog->device_answered(link.answers());
@@ -254,7 +251,6 @@ public:
         reported_reason = verdict.reason;
     }
 
-    /// @param stiffness,damping in the scene.
     Rendering rendering(double stiffness, double damping) const
     {
         Rendering rendering;

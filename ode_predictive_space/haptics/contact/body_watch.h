@@ -11,8 +11,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Recently touched bodies, which are pushed if they still exist.
-///
 /// ODE does not report that a body is destroyed, but it detaches the body's joints. So each body gets a null joint,
 /// which adds no constraint; when the joint has no body, the body is gone.
 class BodyWatch
@@ -24,14 +22,12 @@ public:
     /// Notes that the body is touched now. Must not be called while its world is stepped.
     void keep(dBodyID body);
 
-    /// @param object the body's address, as Touch::object has it.
     /// @return 0 for a body that is gone or unknown.
     dBodyID find(std::uintptr_t object) const;
 
     /// Adds a force, and enables a disabled body.
     ///
     /// @param arm m; from the body's centre of mass to where the force acts. The world's frame, as the force's.
-    /// @return false when find() finds nothing.
     bool push(std::uintptr_t object, const Vector3 &force, const Vector3 &arm);
 
 private:

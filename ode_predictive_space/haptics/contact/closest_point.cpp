@@ -15,7 +15,6 @@ constexpr double smallest_squared_sine = 1e-10; // of two normals' angle; below,
 constexpr double smallest_volume = 1e-9;        // of three normals
 constexpr int most_rounds = 64;                 // rounding could make the search cycle
 
-/// Up to three planes that carry the proxy, and what each contributes.
 struct Carriers
 {
     std::array<std::size_t, 3> planes{};
@@ -107,8 +106,6 @@ bool exchange(const Planes &planes, Carriers &carriers, std::size_t added, doubl
 
 /// Each round adds the plane that is violated most, which lifts the point: an LP-type problem of dimension three
 /// (Sharir and Welzl 1992).
-///
-/// @param tolerance of the deepest plane.
 std::optional<Carriers> find_carriers(const Planes &planes, double deepest, double tolerance)
 {
     const double allowed = tolerance * deepest;

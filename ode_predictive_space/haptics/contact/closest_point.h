@@ -24,10 +24,8 @@ struct ConstraintPlane
 
 bool are_finite(const std::vector<ConstraintPlane> &planes);
 
-/// m; the largest depth, at least 0.
 double deepest_of(const std::vector<ConstraintPlane> &planes);
 
-/// m; from the tool to the proxy.
 Vector3 lift_of(const std::vector<ConstraintPlane> &planes);
 
 /// Finds the shortest x, from the tool, with normal . x >= depth for all planes, and writes it as the sum of share * normal:

@@ -14,7 +14,6 @@ constexpr double rise_time = 0.5;     // s; until an object that appeared around
 constexpr double unnoticed = 1e-4;    // m; the depth at which a contact may begin,
 constexpr double of_the_motion = 3.0; // or this multiple of the motion of tool and surface
 
-/// The rendered part of a depth after a time dt: 0 to 1.
 double risen(double part, double dt)
 {
     return std::min(1.0, part + dt / rise_time);

@@ -37,7 +37,6 @@ public:
     /// - A contact that begins deeper than the motion of tool and surface explains belongs to an object that appeared
     ///   around the probe: its force rises within half a second, and touches that take over from it continue the rise.
     ///
-    /// @param dt s; since the tick before.
     /// @param gap s; how long a contact may have gone unnoticed; without a value, new touches are rendered in full at
     ///         once.
     void follow(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
@@ -47,7 +46,6 @@ public:
     /// force before. Objects that are touched later are rendered in full.
     void release() { released_ = true; }
 
-    /// Forgets all touches.
     void reset()
     {
         before_.clear();

@@ -92,7 +92,6 @@ void ContactTracker::Course::aim(const Vector3 &to)
     start = proxy;
 }
 
-/// m; maximum travel of the proxy in this tick.
 double ContactTracker::longest_travel() const
 {
     return std::max(radius_, catching_up * course_.travel.norm());
@@ -207,7 +206,6 @@ SphereSlide::Task ContactTracker::task() const
     return task;
 }
 
-/// Whether a movable body held the tool in the tick before.
 bool ContactTracker::held_by_body() const
 {
     const auto holds = [](const TouchOfGeom &reported) {
@@ -301,8 +299,6 @@ Vector3 ContactTracker::lag_at(const Vector3 &place) const
 /// Movable bodies come and go faster than a bounded proxy could follow: a proxy that lags would see each body from
 /// another place, and push it aside. So the proxy is not bounded there. The lift of the tick before is, so that it
 /// changes no faster than tool and bodies explain.
-///
-/// @return m; the remaining part of the former lift.
 Vector3 ContactTracker::remaining_lift() const
 {
     Vector3 before = -course_.travel;
@@ -314,8 +310,6 @@ Vector3 ContactTracker::remaining_lift() const
 }
 
 /// The proxy has left all surfaces, and the force of the touches that carried it fades while it moves to the tool.
-///
-/// @param lag m; from the tool to the proxy.
 void ContactTracker::report_former_carriers(const Vector3 &lag)
 {
     const auto lift_of_touch = [](const TouchOfGeom &carrier) {

@@ -16,19 +16,16 @@ bool is_finite(const Touch &touch);
 /// Drops the touches beyond the capacity. @return whether any was dropped.
 bool keep_within_capacity(std::vector<Touch> &touches);
 
-/// One notice for all touches and geoms beyond the capacity.
 constexpr std::string_view capacity_notice = "More than 256 surfaces are touched or near at once. Those that are "
                                              "farthest away, or hold off least, give no force.";
 static_assert(touch_capacity == 256);
 
-/// A touch, and its geom.
 struct TouchOfGeom
 {
     dGeomID geom;
     Touch touch;
 };
 
-/// The touches of a tick, and those of the tick before.
 struct TouchesOfTick
 {
     std::vector<TouchOfGeom> now;
@@ -60,7 +57,6 @@ public:
     /// N/m; for objects without a material. It bounds how fast the proxy may catch up.
     void set_stiffness(double stiffness) { stiffness_ = stiffness; }
 
-    /// s; from a tick to the next.
     void set_tick_length(double seconds) { tick_length_ = seconds; }
 
     /// Forgets the geoms, but not the sides of entry.
@@ -79,13 +75,11 @@ public:
     /// m; the proxy before follow(), in the scene's frame.
     const Vector3 &start() const { return course_.start; }
 
-    /// The ball in which geoms are searched.
     Region region() const;
 
     /// m; start(), carried by the motion of a geom since the tick before.
     Vector3 start_beside(dGeomID geom) const;
 
-    /// The touched triangles of a mesh in the tick before.
     TriangleList touched_triangles(dGeomID geom) const;
 
     void add(NearbyGeom geom) { insert(std::move(geom), 0); }
@@ -94,18 +88,12 @@ public:
     /// the space.
     void add_if_near(NearbyGeom geom);
 
-    /// Whether geoms were left out, the farthest ones.
     bool exceeds_capacity() const { return near_.exceeds_capacity(); }
 
-    /// Copies the geoms for the servo's tracker.
-    ///
-    /// @param time s; of these poses.
     void hand_over(NearbyGeoms &geoms, double time) const;
 
-    /// Moves the proxy towards the tool.
     void follow();
 
-    /// The number of visited triangles in this tick.
     std::size_t visited() const { return visited_; }
 
     const Vector3 &proxy() const { return course_.proxy; }
@@ -119,7 +107,6 @@ public:
     void remember_in(ContactMemory &memory) const;
 
 private:
-    /// The tool, and the proxy that follows it; m, the scene's frame.
     struct Course
     {
         bool has_proxy = false;

@@ -10,7 +10,6 @@ namespace ode_predictive_space::haptics
 /// radii; a geom that carries the proxy farther in a tick was put elsewhere.
 constexpr double farthest_carried = 10;
 
-/// The probe's place in a tick.
 struct ProbePlace
 {
     Vector3 centre = Vector3::Zero(); ///< m
@@ -34,8 +33,6 @@ public:
     bool excludes(const NearbyGeom &geom, const ProbePlace &probe);
 
     /// For a geom that only dCollide() knows: excluded only when the probe begins in it.
-    ///
-    /// @param depth m; largest depth of a contact.
     bool excludes(dGeomID geom, double depth, const ProbePlace &probe);
 
 private:

@@ -9,7 +9,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The geoms that the scene's tracker gives to the servo's. It keeps their meshes alive.
 struct NearbyGeoms
 {
     std::vector<NearbyGeom> geoms;
@@ -37,7 +36,6 @@ struct ContactMemory
     std::vector<Place> places;
 };
 
-/// A geom with the place of the proxy beside it.
 struct HeldGeom
 {
     NearbyGeom geom;
@@ -75,13 +73,11 @@ public:
     std::vector<HeldGeom> &list() { return list_; }
     const std::vector<HeldGeom> &list() const { return list_; }
 
-    /// The places of the last tick, one for each of its geoms.
     const std::vector<ContactMemory::Place> &places_before() const { return before_; }
 
     /// The former place beside one geom; 0 for a geom that was not near.
     const ContactMemory::Place *place_before(dGeomID geom) const;
 
-    /// Whether geoms were left out, the farthest ones.
     bool exceeds_capacity() const { return exceeds_; }
 
 private:

@@ -15,8 +15,6 @@ bool is_valid(const Material &material);
 
 /// A step from one material towards another, so that the force does not jump between surfaces. Each property changes by
 /// at most its larger value in 20 ms.
-///
-/// @param dt s.
 Material blended(const Material &from, const Material &to, double dt);
 } // namespace ode_predictive_space::haptics
 

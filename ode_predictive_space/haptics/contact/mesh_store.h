@@ -14,7 +14,6 @@ namespace ode_predictive_space::haptics
 {
 struct HeightfieldSamples;
 
-/// One notice for all meshes.
 constexpr std::string_view reading_notice =
     "A mesh is being read, a part of it in each tick. Until then it is touched as dCollide() finds it.";
 
@@ -45,14 +44,11 @@ public:
     /// Begins a tick with a budget of steps of MeshTree::build().
     void begin(std::size_t steps);
 
-    /// Whether a tree was not ready in this tick.
     bool is_reading() const { return is_reading_; }
 
-    /// @param touched triangles of it to compare now.
     /// @return 0 while it is being read.
     std::shared_ptr<const MeshTree> tree_of(dGeomID geom, const TriangleList &touched);
 
-    /// Reads all of it now.
     void prepare(dGeomID mesh);
 
     /// @throws std::invalid_argument when the samples make no field.

@@ -27,7 +27,6 @@ public:
     public:
         explicit Budget(std::size_t triangles) : left_(triangles) {}
 
-        /// @return false when none is left, and from then on.
         bool take()
         {
             is_exceeded_ = is_exceeded_ || left_ == 0;
@@ -48,7 +47,6 @@ public:
     struct Unread
     {};
 
-    /// @param count number of triangles that will be added.
     MeshTree(Unread, std::size_t count);
 
     void add(const TriangleCorners &corners);
@@ -68,11 +66,8 @@ public:
     ///
     /// @return the distance to the mesh, at most the radius. When the budget is exceeded, distance and features are
     ///         those of the visited triangles.
-    ///
-    /// @param budget 0: unlimited.
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features, Budget *budget = nullptr) const;
 
-    /// The distance from a point to the mesh, or `most` if that is less.
     double distance(const Vector3 &point, double most) const;
 
     /// The winding number at a point: 1 inside of a closed mesh whose triangles face outwards, -1 where they face

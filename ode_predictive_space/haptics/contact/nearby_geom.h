@@ -45,25 +45,20 @@ public:
     /// @param point m; on the surface. @param normal of length 1, towards the proxy; both in the scene's frame.
     static NearbyGeom behind_plane(dGeomID geom, const Vector3 &point, const Vector3 &normal);
 
-    /// The tool of another probe.
     static NearbyGeom of(const ProbeTool &tool);
 
     dGeomID id() const { return id_; } ///< for comparisons only
     std::uintptr_t object() const { return object_; }
 
-    /// Whether its pose is finite.
     bool is_finite() const { return pose_.rotation.allFinite() && pose_.position.allFinite(); }
 
     GeomIdentity identity() const { return {id_, object_, mesh_.get()}; }
 
-    /// Motion about the centre of its body.
     void set_motion(const Motion &motion) { motion_ = motion; }
 
     /// The geom after a time at its present velocity.
     ///
     /// Real-time: the copy shares the mesh without owning it, and must not outlive this one.
-    ///
-    /// @param dt s.
     NearbyGeom later(double dt) const;
 
     /// Adds displacement (m), rotation about the body's centre (rad), velocity (m/s) and spin (rad/s).
@@ -105,8 +100,6 @@ public:
     Vector3 to_scene(const Vector3 &point) const { return pose_.rotation * point + pose_.position; }
 
     /// Appends the features within a radius of a point, in the scene's frame; see MeshTree::collect().
-    ///
-    /// @return the distance to the surface, or the radius if that is less.
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features,
                    MeshTree::Budget *budget = nullptr) const;
 
@@ -124,7 +117,6 @@ public:
     bool is_solid() const { return solid_.is_known(); }
 
 private:
-    /// Without its surface.
     explicit NearbyGeom(dGeomID geom);
 
     void move_to_scene(SurfaceFeature &feature) const;

@@ -43,16 +43,13 @@ public:
     /// Publishes the probe's tool, and fills in its owner.
     void announce(ProbeTool tool);
 
-    /// Removes the probe's tool.
     void leave();
 
-    /// Copies the latest list.
     void update();
 
     /// The tools that this probe may touch, by spaces and bits.
     const std::vector<ProbeTool> &near() const { return near_; }
 
-    /// The tool with this region; 0 for other geoms.
     const ProbeTool *find(dGeomID region);
 
 private:

@@ -15,7 +15,6 @@ namespace
 constexpr double explained = 1.05;
 constexpr double rounding = sizeof(dReal) == sizeof(double) ? 1e-6 : 1e-2; // m/s
 
-/// The motion about the centre from one pose to another.
 Motion between(const Pose &before, const Pose &now, const Vector3 &centre, double seconds)
 {
     const Eigen::Matrix3d turn = now.rotation * before.rotation.transpose();

@@ -44,12 +44,10 @@ public:
 
     PoseWatch();
 
-    /// Begins a tick.
     void begin();
 
     /// The motion of the body, or that of the poses if it is faster than the body is now and was a tick ago.
     ///
-    /// @param where m; the point whose velocities are compared.
     /// @param tick s; since the tick before; 0 if that is not known.
     Motion motion_of(dGeomID geom, const Pose &pose, const Vector3 &where, double tick);
 

@@ -36,13 +36,11 @@ public:
     /// For comparisons only: the geom may be gone.
     dGeomID id() const { return geom_; }
 
-    /// The geom with the tool's place and size.
     dGeomID tool() const { return tool_; }
 
     double radius() const { return radius_; } ///< m; of the library's sphere
     double margin() const { return margin_; } ///< m; see TouchSensor::set_margin()
 
-    /// For the library's sphere.
     void set_margin(double margin);
 
     /// The deepest contact of a geom with the tool, or with a sphere (m); nothing if they do not touch.

@@ -8,14 +8,12 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Returns the first element that satisfies the predicate, or null.
 template <typename List, typename Predicate> auto find_in(List &list, const Predicate &is_it)
 {
     const auto found = std::find_if(std::begin(list), std::end(list), is_it);
     return found != std::end(list) ? &*found : nullptr;
 }
 
-/// Removes the elements that satisfy the predicate. The others keep their order.
 template <typename List, typename Predicate> void remove_from(List &list, const Predicate &is_it)
 {
     list.erase(std::remove_if(std::begin(list), std::end(list), is_it), std::end(list));

@@ -19,7 +19,6 @@ SurfaceFeature nearest_of_ball(const Vector3 &point, const Vector3 &centre, doub
     return feature;
 }
 
-/// @param half m; of the sides.
 SurfaceFeature nearest_of_box(const Vector3 &point, const Vector3 &half)
 {
     SurfaceFeature feature = nearest_of_ball(point, point.cwiseMax(-half).cwiseMin(half), 0);

@@ -21,17 +21,14 @@ struct SurfaceFeature
 
 using SurfaceFeatures = std::vector<SurfaceFeature>;
 
-/// A box, sphere, capsule, cylinder or half-space, in its own frame.
 class Solid
 {
 public:
     /// Reads a geom; unknown for other classes.
     static Solid of(dGeomID geom);
 
-    /// @param radius m.
     static Solid sphere(double radius);
 
-    /// Everything behind a plane through a point.
     static Solid half_space(const Vector3 &point, const Vector3 &normal);
 
     bool is_known() const { return class_ != unknown; }

@@ -152,8 +152,6 @@ bool SphereSlide::enters(const Task &task, const std::vector<SlidePlace> &places
 }
 
 /// Moves all places to their targets, or towards them as far as is safe.
-///
-/// @return m; the largest displacement.
 double SphereSlide::go(bool common, double look, double most, const Task &task, std::vector<SlidePlace> &places)
 {
     double part = 1;
@@ -174,8 +172,6 @@ double SphereSlide::go(bool common, double look, double most, const Task &task, 
 }
 
 /// Gathers surfaces within the search distance, which is reduced if there are too many.
-///
-/// @return false when the budget of triangles is used up.
 bool SphereSlide::search(const Task &task, double &look, std::vector<SlidePlace> &places)
 {
     const std::size_t at_once = std::max<std::size_t>(1, task.triangles / searches);

@@ -19,7 +19,6 @@ struct SlidePlace
     double clearance = 0;         ///< m; from the centre to the surface
 };
 
-/// A surface feature as a plane through its point of contact.
 struct SlidePlane
 {
     std::size_t place = 0; ///< index of the geom's place
@@ -63,13 +62,10 @@ public:
     /// @return whether all geoms allow a common place; otherwise each has its own.
     bool run(const Task &task, std::vector<SlidePlace> &places);
 
-    /// The target when no geom is near.
     static Vector3 unhindered(const Task &task);
 
-    /// The unused budget of the last run().
     std::size_t left() const { return left_; }
 
-    /// The planes near the final place.
     const std::vector<SlidePlane> &planes() const { return planes_; }
 
 private:

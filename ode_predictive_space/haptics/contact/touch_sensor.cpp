@@ -165,7 +165,6 @@ public:
         exceeds_capacity = keep_within_capacity(touches) || exceeds_capacity;
     }
 
-    /// Settings of the force law and the program.
     struct Wanted
     {
         MaterialOf materials;

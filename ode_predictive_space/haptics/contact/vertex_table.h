@@ -16,7 +16,6 @@ namespace ode_predictive_space::haptics
 class VertexTable
 {
 public:
-    /// @param vertices all vertices that this function has appended so far.
     /// @return the number of the vertex with exactly these coordinates. A new one is appended.
     std::uint32_t number_of(const Vector3 &place, std::vector<Vector3> &vertices)
     {
@@ -62,7 +61,6 @@ private:
         return hash;
     }
 
-    /// The slot with the place, or the free slot for it.
     std::uint32_t &slot_of(const Vector3 &place, std::uint64_t hash, Part &part, const std::vector<Vector3> &vertices)
     {
         std::size_t slot = hash / parts_.size() % part.slots.size();

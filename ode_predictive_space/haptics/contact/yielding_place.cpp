@@ -42,8 +42,6 @@ double remaining_depth(const ConstraintPlane &plane, const Vector3 &place)
 }
 
 /// m; the bound of the depth behind a plane; infinite for a surface that no push moves.
-///
-/// @param place solution of the first pass. @param deepest m; of all planes.
 double most_behind(const ConstraintPlane &plane, const Vector3 &place, double deepest)
 {
     if (plane.yield <= rigid_yield)
@@ -77,7 +75,6 @@ public:
     const Vector3 &place() const { return place_; }
 
 private:
-    /// @return false after the last step.
     bool go()
     {
         Vector3 gradient = place_;

@@ -28,8 +28,6 @@ public:
     }
 
     /// For the servo: moves the base in a tick.
-    ///
-    /// @param elapsed s; since the tick before. @param step s; of the scene.
     void follow(double elapsed, double step, WorkspaceMapping &mapping)
     {
         if (aims_.take())
@@ -58,7 +56,6 @@ public:
 private:
     static constexpr double rounding = 1e-6; // of a period that is a sum of ticks
 
-    /// The target at the end of a step.
     struct Aim
     {
         WorkspacePlacement placement;

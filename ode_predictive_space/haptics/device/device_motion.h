@@ -16,7 +16,6 @@ namespace ode_predictive_space::haptics
 class DeviceMotion
 {
 public:
-    /// @param rate Hz, > 0; of new positions.
     explicit DeviceMotion(double rate) : period_(1 / rate) {}
 
     /// Takes the next state, and fills in its velocity (smoothed over some 2 ms) if the device reports none.
@@ -42,7 +41,6 @@ public:
     /// m/s; between the last two positions, 0 after the first.
     double speed() const { return speed_; }
 
-    /// Starts again with the next state.
     void forget()
     {
         last_.reset();

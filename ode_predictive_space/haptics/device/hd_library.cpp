@@ -48,7 +48,6 @@ KnownError known_error(std::uint32_t code)
     return found != std::end(known_errors) ? *found : KnownError{code, "unknown error", HdConsequence::failed};
 }
 
-/// @throws DeviceError missing_library.
 void *load_first_of(const std::vector<std::string> &files)
 {
     std::string reasons;

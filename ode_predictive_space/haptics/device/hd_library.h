@@ -18,7 +18,6 @@ using Boolean = std::uint8_t;
 using SchedulerHandle = unsigned long;
 using Callback = std::uint32_t (*)(void *);
 
-/// Returned by value.
 struct ErrorInfo
 {
     std::uint32_t code;
@@ -48,12 +47,10 @@ constexpr Enum nominal_max_stiffness = 0x2602;
 constexpr Enum nominal_max_force = 0x2603;
 constexpr Enum nominal_max_damping = 0x2609;
 
-// For enable() and disable().
 constexpr Enum force_output = 0x4000;
 constexpr Enum max_force_clamping = 0x4001;
 constexpr Enum force_ramping = 0x4002;
 
-// Answers of check_calibration().
 constexpr Enum calibration_ok = 0x5000;
 constexpr Enum calibration_needs_update = 0x5001;
 
@@ -68,10 +65,8 @@ struct Symbol
     template <typename Function> operator Function *() const { return reinterpret_cast<Function *>(address); }
 };
 
-/// @throws DeviceError missing_symbol.
 Symbol symbol_of(void *library, const char *name);
 
-/// The functions of the library.
 struct Functions
 {
     explicit Functions(void *loaded) : library(loaded) {}
@@ -102,7 +97,6 @@ struct Functions
 
 namespace ode_predictive_space::haptics
 {
-/// Consequence of an error in the servo thread.
 enum class HdConsequence
 {
     pause, ///< no force for a while
@@ -128,22 +122,17 @@ struct alignas(8) HdFault
 class HdLibrary
 {
 public:
-    /// Loads the first available file.
-    ///
     /// @throws DeviceError missing_library with the linker's words for each of the files; missing_symbol.
     explicit HdLibrary(const std::vector<std::string> &files);
 
     const hd::Functions *operator->() const { return &functions_; }
 
-    /// Clears the library's stack of errors.
-    ///
     /// @return the oldest error that is more than a pause, otherwise the oldest error, if any.
     HdFault take_errors() const;
 
     /// A text such as "HD_WARM_MOTORS (0x200, internal code 5): ", with the library's explanation.
     std::string describe(const HdFault &fault) const;
 
-    /// The exception of a fault for read() and write().
     DeviceError error(const std::string &doing, const HdFault &fault) const;
 
 private:

@@ -32,7 +32,6 @@ public:
         : library_(library), device_(device), longest_age_(longest_age), pause_(pause), age_(longest_age)
     {}
 
-    /// Callback of the library. @param servo an HdServo.
     static std::uint32_t callback(void *servo)
     {
         static_cast<HdServo *>(servo)->run_frame();
@@ -54,21 +53,17 @@ public:
         return samples_.latest();
     }
 
-    /// Ends the force.
     void rest() { resting_.store(true, std::memory_order_release); }
 
     // --- For any thread
 
-    /// Frames with zero force since rest().
     std::uint64_t frames_at_rest() const { return frames_at_rest_.load(std::memory_order_acquire); }
 
     /// The error that began a pause, reported once.
     HdFault take_pause() { return begun_pause_.exchange({}, std::memory_order_acq_rel); }
 
-    /// The error of the present pause.
     HdFault pause() const { return pause_fault_.load(std::memory_order_acquire); }
 
-    /// The error that ended the servo.
     HdFault end() const { return end_.load(std::memory_order_acquire); }
 
 private:

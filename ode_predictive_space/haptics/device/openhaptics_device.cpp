@@ -40,7 +40,6 @@ DeviceError hd_error(DeviceFault fault, const std::string &sentence)
     return {fault, "OpenHaptics: " + sentence};
 }
 
-/// Stopping the library's single scheduler stops all devices.
 AtEnd take_scheduler()
 {
     static std::atomic<bool> is_taken{false};
@@ -50,7 +49,6 @@ AtEnd take_scheduler()
     return AtEnd([] { is_taken.store(false); });
 }
 
-/// @return whether the condition became true in time.
 template <typename Condition> bool wait_for(Condition is_true, std::chrono::milliseconds longest)
 {
     const auto end = std::chrono::steady_clock::now() + longest;
@@ -106,11 +104,9 @@ public:
             throw hd_error(DeviceFault::failed, "a force was written that is not finite; none is rendered");
     }
 
-    /// The reason for the absent force.
     std::optional<DeviceError> fault() const { return fault_with(servo_.pause()); }
 
 private:
-    /// @throws DeviceError for an error of the library.
     void check(const std::string &doing) const
     {
         if (const HdFault fault = library_.take_errors())
@@ -212,7 +208,6 @@ private:
         }
     }
 
-    /// The fault of an end, of silence or of a pause.
     std::optional<DeviceError> fault_with(const HdFault &pause) const
     {
         if (const HdFault end = servo_.end())

@@ -24,10 +24,8 @@ inline std::uint64_t mix_bits(std::uint64_t x)
 class Random
 {
 public:
-    /// Equal seeds give equal streams.
     explicit Random(std::uint64_t seed) : state_(mix_bits(seed)) {}
 
-    /// Continues a stream from its state.
     static Random from(std::uint64_t state)
     {
         Random random(0);
@@ -37,19 +35,14 @@ public:
 
     std::uint64_t state() const { return state_; }
 
-    /// 64 random bits.
     std::uint64_t bits() { return mix_bits(state_ += 0x9e3779b97f4a7c15u); }
 
-    /// Uniform in [0, 1).
     double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
 
-    /// Uniform in [low, high).
     double uniform(double low, double high) { return low + (high - low) * unit(); }
 
-    /// Uniform in 0 … count - 1.
     std::size_t index(std::size_t count) { return static_cast<std::size_t>(unit() * static_cast<double>(count)); }
 
-    /// Uniform in the box [-half, half].
     Vector3 in_box(const Vector3 &half)
     {
         const double x = uniform(-half.x(), half.x());
@@ -58,7 +51,6 @@ public:
         return {x, y, z};
     }
 
-    /// Uniform on the unit sphere.
     Vector3 direction()
     {
         const double z = uniform(-1, 1);

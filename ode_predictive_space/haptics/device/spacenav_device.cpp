@@ -37,7 +37,6 @@ Vector3 velocity_of(const Vector3 &counts, double dead_zone, double full)
     return counts.unaryExpr(rate_of);
 }
 
-/// Walls at a distance from the origin stop the motion.
 void move(DeviceState &state, const Vector3 &velocity, double step, double wall)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -50,7 +49,6 @@ void move(DeviceState &state, const Vector3 &velocity, double step, double wall)
 }
 } // namespace
 
-/// An open connection.
 struct SpacenavDevice::Session
 {
     SpnavConnection connection;

@@ -67,7 +67,6 @@ DeviceError server_error(const std::string &path, int error)
             "3D mouse: no connection to spacenavd at " + path + ": " + reason};
 }
 
-/// The value of SPNAV_SOCKET, or an empty string.
 /// @throws DeviceError in a set-user-ID program, whose environment is not trusted: libspnav would use it.
 std::string named_socket()
 {
@@ -80,7 +79,6 @@ std::string named_socket()
     return named != nullptr ? named : "";
 }
 
-/// @throws DeviceError without a server.
 void open_library()
 {
     if (spnav_fd() != -1)
@@ -129,7 +127,6 @@ void ensure_server()
         throw lost("spacenavd has hung up");
 }
 
-/// @return the mouse's name.
 /// @throws DeviceError not_found for a server without a mouse; lost.
 std::string find_mouse()
 {

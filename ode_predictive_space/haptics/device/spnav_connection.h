@@ -18,7 +18,6 @@ struct SpnavInput
     std::uint32_t buttons = 0;
 };
 
-/// libspnav's single connection while it is open.
 class SpnavConnection
 {
 public:
@@ -27,11 +26,8 @@ public:
     /// @throws DeviceError as SpacenavDevice::open() does.
     SpnavConnection();
 
-    /// The mouse's name, for people.
     const std::string &mouse() const { return mouse_; }
 
-    /// Reads pending events without waiting.
-    ///
     /// @throws DeviceError lost, for a lost server or an unplugged mouse.
     void receive(SpnavInput &input);
 

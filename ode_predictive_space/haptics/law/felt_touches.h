@@ -20,18 +20,15 @@ public:
         forces_.reserve(touch_capacity);
     }
 
-    /// Forgets all touches.
     void reset()
     {
         manifold_.reset();
         split_.clear();
     }
 
-    /// @return the touches; the caller sets their materials.
     std::vector<Touch> &take(const std::vector<Touch> &touches) { return felt_ = touches; }
 
     /// @param gap see ContactManifold::follow(). @param released whether the clutch was released in this tick.
-    /// @return N; the law's force.
     Vector3 force(ForceLaw &law, const ToolState &tool, double dt, std::optional<double> gap, bool released)
     {
         if (released)
@@ -52,7 +49,6 @@ public:
 
     void give_nothing() { split_.clear(); }
 
-    /// The last written force, as a share for each touched object.
     const std::vector<ForceShare> &shares() const { return split_.shares(); }
 
 private:

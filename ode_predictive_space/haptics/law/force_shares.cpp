@@ -8,7 +8,6 @@ namespace
 {
 constexpr double parallel = 1e-9; ///< square of the sine between vectors below which they count as parallel
 
-/// The coefficient of b in a.
 double part_along(const Vector3 &a, const Vector3 &b)
 {
     const double square = b.squaredNorm();

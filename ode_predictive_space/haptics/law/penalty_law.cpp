@@ -36,7 +36,6 @@ Vector3 PenaltyLaw::friction_force(const Touch &touch, const Material &material,
 {
     const auto tangent = [&](const Vector3 &v) -> Vector3 { return v - v.dot(touch.normal) * touch.normal; };
 
-    // A new touch has no stretch.
     Vector3 stretch = Vector3::Zero();
     bool slides = false;
     const auto took_hold = [&](const Hold &hold) { return touch.takes_over != 0 && hold.touch == touch.takes_over; };

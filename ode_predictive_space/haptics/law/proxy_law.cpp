@@ -40,8 +40,6 @@ double entry_of(const Vector3 &along, const Vector3 &lift, const Touch &touch)
 
 /// Pushes friction out of planes along their normals, so that a plane that differs from the carrying one by rounding
 /// does not reduce it. In a corner where that does not converge, friction is shortened.
-///
-/// @param lift m; from the tool to the place above it.
 Vector3 kept_out(const std::vector<Touch> &touches, const Vector3 &lift, Vector3 along)
 {
     for (int sweep = 0; sweep < most_sweeps; ++sweep)

@@ -10,7 +10,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// @throws std::invalid_argument when a property is negative or not finite.
 inline void check(const CouplingProperties &coupling)
 {
     check_not_negative(coupling.stiffness, "stiffness of a virtual coupling");

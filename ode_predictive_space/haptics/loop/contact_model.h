@@ -26,7 +26,6 @@ struct Shift
     Vector3 velocity_at(const Vector3 &point) const { return velocity + spin.cross(point - centre); }
 };
 
-/// One for each predicted touch, the deepest first.
 using Shifts = std::array<Shift, 8>;
 
 /// The shift of an object, by its deepest touch; zero for an object without a prediction.
@@ -44,10 +43,6 @@ inline Shift shift_of(std::uintptr_t object, const Shifts &shifts)
 class ContactModel
 {
 public:
-    /// @param touches of TouchSensor, also with a negative depth.
-    /// @param all_known whether the list is complete.
-    /// @param tool m, the scene's frame; the probe.
-    /// @param time s; of the collision.
     void set(const std::vector<Touch> &touches, bool all_known, const Vector3 &tool, double time)
     {
         const auto end = std::partial_sort_copy(touches.begin(), touches.end(), touches_.begin(), touches_.end(),

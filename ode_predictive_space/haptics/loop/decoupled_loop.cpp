@@ -56,7 +56,6 @@ public:
         parts_.guard->end_steps();
     }
 
-    /// Applies all impulses that the bodies have not got yet.
     void push_rest()
     {
         receive();
@@ -69,7 +68,6 @@ private:
         return parts_.time.simulated < parts_.settings.duration && !parts_.must_end() && !servo_.ended();
     }
 
-    /// s; of the next step.
     double step_length()
     {
         if (motion_.steps_per_period() != steps_per_period_)
@@ -82,7 +80,6 @@ private:
         return dt_ / steps_per_period_;
     }
 
-    /// Steps the interval that ends now, with its impulses.
     void advance(double due, double length)
     {
         receive();

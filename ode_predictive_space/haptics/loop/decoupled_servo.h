@@ -16,7 +16,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The servo's copy of the scene at the last step.
 struct Surroundings
 {
     ContactModel planes; ///< of a geom of the program
@@ -46,8 +45,6 @@ public:
 
     /// The motion of touched bodies by impulses that the forecast does not include, and by a force that is held longer
     /// than a tick.
-    ///
-    /// @param due s, on the clock; when the present tick was due.
     Shifts predict(const MotionForecast &forecast, double due)
     {
         const auto is_new = [&](const Impulse &impulse) { return impulse.number > forecast.last_included; };
@@ -194,7 +191,6 @@ private:
         parts_.note_rendered(renderer_.last_tick());
     }
 
-    /// @return whether the touches are complete.
     bool feel(const Surroundings &scene, double due)
     {
         touches_.clear();

@@ -12,7 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Whether ODE counts idle steps of the body.
 bool is_falling_asleep(dBodyID body)
 {
     const double speed = from_ode(dBodyGetLinearVel(body)).norm();
@@ -37,13 +36,11 @@ void enable_again(dBodyID body)
     dBodySetAutoDisableFlag(body, 1);
 }
 
-/// The other body of a joint; 0 for the world.
 dBodyID other_body(dJointID joint, dBodyID body)
 {
     return dJointGetBody(joint, dJointGetBody(joint, 0) == body ? 1 : 0);
 }
 
-/// The anchor of a joint through a point.
 std::optional<Vector3> anchor_of(dJointID joint)
 {
     dVector3 place = {};

@@ -31,7 +31,6 @@ struct BodyImpulse
 class IslandRollOut
 {
 public:
-    /// @param touched dynamic bodies of one world, at least one.
     /// @param quick whether to step by dWorldQuickStep(), else by dWorldStep().
     IslandRollOut(const std::vector<dBodyID> &touched, bool quick);
 
@@ -54,13 +53,10 @@ public:
     /// with the cube of the number of joints.
     static constexpr int most_ends = 60, most_ends_by_quick_step = 150;
 
-    /// Whether a joint or contact holds one of the bodies.
     bool has_joints() const { return has_joints_; }
 
-    /// Whether one of the bodies is in contact with something.
     bool has_contacts() const { return has_contacts_; }
 
-    /// Whether two of the bodies are in contact with each other.
     bool is_stacked() const { return is_stacked_; }
 
 private:

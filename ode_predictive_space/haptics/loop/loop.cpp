@@ -70,7 +70,6 @@ private:
     AtEnd memory_locked_;
 };
 
-/// The single-threaded loop: read, collide, render, step.
 void run_coupled(LoopParts &parts, const SceneWork &work)
 {
     parts.ask_for_priority(false);

@@ -15,7 +15,6 @@ namespace
 {
 constexpr double nanoseconds_per_second = 1e9;
 
-/// The first time after `now` that is a multiple of the period after `due`.
 double next_time(double due, double period, double now)
 {
     return due + period * std::max(1.0, std::floor((now - due) / period) + 1);

@@ -42,7 +42,6 @@ public:
     /// program runs in this thread.
     void begin_step(double now);
 
-    /// For the scene's thread: steps have ended.
     void end_steps() { scene_.last.store(never, std::memory_order_relaxed); }
 
     using Side = NoticePost::Side;
@@ -63,7 +62,6 @@ private:
 
     static constexpr double never = std::numeric_limits<double>::infinity();
 
-    /// Steps of the scene's thread.
     struct SceneSteps
     {
         std::atomic<double> last{never};

@@ -95,7 +95,6 @@ void LoopParts::note_rendered(const RenderedTick &tick)
     counts.saturated += tick.saturated ? 1 : 0;
 }
 
-/// A geom of the scene, or 0.
 dGeomID LoopParts::scene_geom() const
 {
     const dBodyID tool = probe.tool_body();

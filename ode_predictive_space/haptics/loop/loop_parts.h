@@ -29,7 +29,6 @@ public:
         begin_ = now;
     }
 
-    /// @param next_due s; due time of the next tick.
     void end(double now, double next_due)
     {
         computes_.add(now - begin_);
@@ -67,7 +66,6 @@ class StepBudget
 public:
     void note(double took) { longest_ = std::max(took, forgetting * longest_.value_or(0)); }
 
-    /// At least one, and one before the first measurement.
     int affordable(double period) const
     {
         return longest_ ? static_cast<int>(std::clamp(0.5 * period / std::max(*longest_, shortest), 1.0, enough)) : 1;
@@ -90,7 +88,6 @@ struct LoopTimes
     std::atomic<double> simulated{0}; ///< since the start
 };
 
-/// Counts of LoopReport, from any thread.
 struct LoopCounts
 {
     std::atomic<std::uint64_t> dropped{0};
@@ -135,7 +132,6 @@ public:
     /// s; simulated device time, for notices. From any thread.
     double now() const { return time.first + time.simulated; }
 
-    /// For the servo's thread.
     void note_rendered(const RenderedTick &tick);
 
     /// Requests real-time priority for the calling thread, if the settings ask for it.

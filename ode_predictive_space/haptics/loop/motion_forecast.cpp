@@ -4,7 +4,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A time as a position between two nodes.
 struct Moment
 {
     Moment(double elapsed, double node_length)

@@ -59,12 +59,9 @@ struct MotionForecast
     std::array<Place, most_touches> places;
     std::array<std::array<Course<Response>, most_touches>, most_touches> response; ///< by pushed place
 
-    /// Whether the forecast includes an object.
     bool predicts(std::uintptr_t object) const;
 
     /// The motion of the touched bodies beyond that by their constant velocities.
-    ///
-    /// @param impulses applied ones are ignored.
     Shifts shifts(const std::vector<Impulse> &impulses, double now) const;
 };
 } // namespace ode_predictive_space::haptics

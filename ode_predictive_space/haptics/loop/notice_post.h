@@ -15,7 +15,6 @@ namespace ode_predictive_space::haptics
 class NoticePost
 {
 public:
-    /// The posting threads.
     enum class Side
     {
         servo,
@@ -24,13 +23,11 @@ public:
         clock
     };
 
-    /// @param sink may be empty.
     explicit NoticePost(NoticeSink sink) : sink_(std::move(sink)) {}
 
     /// Neither allocates nor waits. Drops the notice when a hundred of this side are queued.
     void post(const Notice &notice, Side side) { posted_[static_cast<std::size_t>(side)].give(notice); }
 
-    /// From one thread at a time.
     void deliver_all()
     {
         for (Queue<Notice> &queue : posted_)

@@ -20,11 +20,9 @@ std::string broken_state_of(dBodyID body);
 
 /// The newest body of a world; next_body_of_world() leads to the others. ODE has no function for that.
 ///
-/// @return 0 for a world without bodies.
 /// @throws std::runtime_error when the layout differs from that of ODE 0.15 to 0.16.6.
 dBodyID first_body_of(dWorldID world);
 
-/// @return 0 after the last one.
 dBodyID next_body_of_world(dBodyID body);
 
 /// All bodies of the worlds of a scene (see HapticLoop). Worlds are searched by geoms at first, when a world was
@@ -35,9 +33,6 @@ public:
     /// @param geom the probe's or the tool's; may be 0.
     explicit SceneBodies(dGeomID geom) { find_worlds(outermost_space_of(geom)); }
 
-    /// Checks all bodies, also of the tool's world.
-    ///
-    /// @param tool may be 0. @param geom as the constructor's.
     /// @return broken_state_of() the first body that is not finite; otherwise empty.
     std::string broken_state(dBodyID tool, dGeomID geom);
 

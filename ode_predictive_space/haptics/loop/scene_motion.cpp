@@ -115,7 +115,6 @@ void SceneMotion::note_step(bool drew_numbers)
     deviations_ = std::any_of(touched.begin(), touched.end(), surprises) ? deviations_ + 1 : 0;
 }
 
-/// Whether a body moved differently from its prediction.
 bool SceneMotion::moved_otherwise(const Touched &touched) const
 {
     if (sensor_.body_of(touched.touch.object) != touched.body)
@@ -135,7 +134,6 @@ bool SceneMotion::is_one_awake() const
     });
 }
 
-/// Selects the deepest touches of movable bodies of one world.
 void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forecast)
 {
     touched_.clear();
@@ -176,7 +174,6 @@ void SceneMotion::choose_steps(IslandRollOut &island, double period, int afforda
     steps_needed_ = needed;
 }
 
-/// rad/s; of a touched body on the spring of its contact.
 double SceneMotion::fastest_spring() const
 {
     double square = 0;
@@ -189,7 +186,6 @@ double SceneMotion::fastest_spring() const
     return std::sqrt(square);
 }
 
-/// The impulses of earlier ticks that belong to the next step.
 std::vector<BodyImpulse> SceneMotion::rest_of_impulses() const
 {
     std::vector<BodyImpulse> impulses;
@@ -240,7 +236,6 @@ SceneMotion::Pushes SceneMotion::pushes_on(const Touched &touched)
         {{body, arm, along}, {body, arm, aside}, {body, arm, across}, {body, centre, aside}, {body, centre, across}}};
 }
 
-/// Motion since the last collision.
 BodyMotion SceneMotion::motion_of(const Touched &touched)
 {
     const Eigen::AngleAxisd turn(tool_state_of(touched.body).orientation * touched.orientation.conjugate());

@@ -13,15 +13,11 @@ namespace ode_predictive_space::haptics
 /// An impulse of a tick at tau in the step from a to a + h goes to this step with the weight 1 - (tau - a) / h, and to
 /// the next one with the rest. So a free body is exact at the ends of steps, and no impulse is lost. A late impulse,
 /// from before a, gets a weight above 1 and a negative rest.
-///
-/// For the scene's thread.
 class SceneMotion
 {
 public:
-    /// @param stiffness N/m; of the force law, for objects without a material.
     SceneMotion(TouchSensor &sensor, double stiffness);
 
-    /// Stores an impulse for its steps.
     void receive(const Impulse &impulse) { waiting_.push_back(impulse); }
 
     /// Adds forces to the bodies for the step of length h that begins at a, both in s.
@@ -36,7 +32,6 @@ public:
     /// are predicted.
     bool repeats() const { return deviations_ < most_deviations; }
 
-    /// Adds all remaining impulses for a step of length h.
     void push_all(double h);
 
     /// Predicts the motion of the touched surfaces. After the program's collide(), before its advance().
@@ -53,7 +48,6 @@ public:
 private:
     using Pushes = std::array<BodyImpulse, MotionForecast::tried_pushes>;
 
-    /// A touched body at the last collision.
     struct Touched
     {
         dBodyID body;

@@ -13,7 +13,6 @@ namespace
 constexpr int servo_priority = 70; // of 1 to 99; below the kernel's own threads for interrupts that need it
 constexpr int guard_priority = 71;
 
-/// Whether the process has locked memory.
 bool is_memory_locked()
 {
     std::ifstream status("/proc/self/status");

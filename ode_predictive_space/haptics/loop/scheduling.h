@@ -25,9 +25,6 @@ public:
 };
 
 /// Requests SCHED_FIFO for the calling thread.
-///
-/// @param above_servo for a guard, which precedes the servo.
-/// @return 0 or errno.
 int ask_for_real_time(bool above_servo);
 
 /// Returns a guard object that restores the present scheduling in the same thread.
@@ -35,8 +32,6 @@ AtEnd keep_scheduling();
 
 /// Locks the process's memory against paging, as far as the system permits, until the result is destroyed. Memory that
 /// the program has locked before stays locked.
-///
-/// @param error result: 0 or errno.
 AtEnd lock_memory(std::atomic<int> &error);
 } // namespace ode_predictive_space::haptics
 

@@ -34,7 +34,6 @@ template <class Number> void read(std::string_view word, Number &number)
         throw std::invalid_argument("\"" + std::string(word) + "\" is not a number that can be there, or not finite");
 }
 
-/// The rest of a line that begins with the mark.
 std::optional<std::string_view> after(std::string_view mark, std::string_view line)
 {
     return line.substr(0, mark.size()) == mark ? std::optional(line.substr(mark.size())) : std::nullopt;

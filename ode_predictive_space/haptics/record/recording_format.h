@@ -38,7 +38,6 @@ template <class Device, class Visit> void visit_device(Device &device, Visit vis
     visit_each(device.workspace.max(), visit);
 }
 
-/// Calls `visit` with each number of a tick's line, in order.
 template <class Tick, class Visit> void visit_tick(Tick &tick, Visit visit)
 {
     visit(tick.state.time);

@@ -10,7 +10,6 @@ constexpr double same_time = 1e-9;     // s
 constexpr double longest_curve = 0.25; // s; between two ticks
 constexpr double margin = 0.001;       // m; around the positions of a recording without a workspace
 
-/// The motion from one tick to the next.
 struct Leg
 {
     Leg(const DeviceState &from, const DeviceState &to) : seconds(to.time - from.time)
@@ -48,7 +47,6 @@ void derive_velocities(std::vector<RecordedTick> &ticks)
     }
 }
 
-/// Minimum capabilities for a file that names no device.
 Capabilities capabilities_without_device(const std::vector<RecordedTick> &ticks)
 {
     Capabilities capabilities;

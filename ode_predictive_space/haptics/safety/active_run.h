@@ -13,7 +13,6 @@ namespace ode_predictive_space::haptics
 class ActiveRun
 {
 public:
-    /// Whether the loop has to end. From any thread.
     bool stop_requested() const { return stop_.load(std::memory_order_relaxed); }
 
     /// For the loop: it has ended, and uses neither itself nor the probe any more.
@@ -21,8 +20,6 @@ public:
 
     /// For destructors: ends the loop, and waits for it. In the loop's own thread, or after 5 s, terminates the program
     /// without force and with a message.
-    ///
-    /// @param what name of the destroyed object, for the message.
     void end_and_wait(const char *what) noexcept;
 
 private:

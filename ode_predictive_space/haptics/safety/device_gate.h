@@ -19,7 +19,6 @@ namespace ode_predictive_space::haptics
 class DeviceGate
 {
 public:
-    /// @param device must outlive the gate.
     explicit DeviceGate(Device &device) : device_(device) {}
 
     /// The device, for calls that need no gate.
@@ -41,7 +40,6 @@ public:
 
     /// For the guard: sets zero force, and closes the gate until notice_closing().
     ///
-    /// @param now s; on any clock.
     /// @return false when the servo is in the device; if that persists, the driver hangs.
     /// @throws DeviceError of a device that refused and was closed.
     bool close_with_zero(double now);
@@ -50,17 +48,14 @@ public:
     /// the device, and not for this thread; then writes zero in any case.
     void shut() noexcept;
 
-    /// Whether a guard supervises this device.
     void set_guarded(bool guarded) { guarded_.store(guarded, std::memory_order_relaxed); }
     bool is_guarded() const { return guarded_.load(std::memory_order_relaxed); }
 
     /// The thread that read last: the servo's.
     std::thread::id reader() const { return reader_.load(std::memory_order_relaxed); }
 
-    /// The number of times that the guard took the force away.
     std::uint64_t zeros() const { return zeros_.load(std::memory_order_acquire); }
 
-    /// s; the time of the last close_with_zero().
     double last_zero() const { return last_zero_.load(std::memory_order_relaxed); }
 
 private:

@@ -22,7 +22,6 @@ double rate_of(const Capabilities &capabilities)
     return capabilities.rate > 0 ? capabilities.rate : usual_rate;
 }
 
-/// @return closes the device, unless it was open before.
 AtEnd opened(Device &device)
 {
     if (device.status().open)

@@ -18,7 +18,6 @@ namespace ode_predictive_space::haptics
 class DeviceLink
 {
 public:
-    /// Events of a read().
     struct News
     {
         bool came_back = false;    ///< it answers, but not in the tick before
@@ -42,12 +41,10 @@ public:
     /// @param time s, simulated. @param rate Hz; of reads. @param top_speed m/s; a higher speed counts as a jump.
     News read(double time, double rate, double top_speed);
 
-    /// @return the written wrench; zero if it could not be written.
     Wrench write(const Wrench &wrench);
 
     bool answers() const { return answers_; }
 
-    /// The last result of notice_guard().
     bool guard_acted() const { return guard_acted_; }
 
     /// The last valid state with a velocity, in the device's frame.

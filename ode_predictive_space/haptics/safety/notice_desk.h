@@ -21,12 +21,10 @@ public:
     void set_sink(NoticeSink sink) { sink_ = std::move(sink); }
     const NoticeSink &sink() const { return sink_; }
 
-    /// Begins a tick. @param time s, simulated.
     void set_time(double time) { time_ = time; }
 
     void notify(NoticeKind kind, std::string_view sentence) const;
 
-    /// @param topic below most_topics.
     void notify_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence);
 
 private:

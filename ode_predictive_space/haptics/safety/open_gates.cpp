@@ -76,7 +76,6 @@ std::atomic<bool> is_installed{false};
 std::terminate_handler earlier_terminate_handler = nullptr;
 struct sigaction earlier_abort_action;
 
-/// For signal handlers.
 void notify(std::string_view sentence) noexcept
 {
     if (write(STDERR_FILENO, sentence.data(), sentence.size()) < 0)
@@ -132,7 +131,6 @@ extern "C" void end_forces_and_abort(int number)
     raise(number);
 }
 
-/// Installs the handlers for all ends of the program.
 void guard_program_end() noexcept
 {
     if (is_installed.exchange(true))

@@ -13,10 +13,8 @@ namespace ode_predictive_space::haptics
 /// The gates are read without a lock, so that the program may end anywhere, even while a gate is added.
 namespace open_gates
 {
-/// @throws std::logic_error for a second gate to a device.
 void add(DeviceGate &gate);
 
-/// Returns when no other thread uses the gate.
 void remove(DeviceGate &gate) noexcept;
 
 /// Sets zero force on unguarded devices that a hung thread reads: probes that a program runs in a loop's callbacks.

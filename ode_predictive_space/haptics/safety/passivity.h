@@ -27,7 +27,6 @@ class PassivityController
 {
 public:
     /// @param max_damping N s/m, finite, >= 0; usually Capabilities::max_damping; 0 makes it an observer.
-    /// @throws std::invalid_argument
     explicit PassivityController(double max_damping) : max_damping_(max_damping)
     {
         check_not_negative(max_damping, "damping of a passivity controller");

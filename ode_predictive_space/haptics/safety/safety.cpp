@@ -36,7 +36,6 @@ Vector3 shortened(const Vector3 &vector, double most)
     return scaled * (most / length * (1 - 1e-15));
 }
 
-/// Moves from one vector towards another by at most a step.
 Vector3 stepped(const Vector3 &from, const Vector3 &to, double step)
 {
     const Vector3 change = to - from;

@@ -20,13 +20,10 @@ enum class SafetyAction
     held_back     ///< the allowance was below 1: scaled down
 };
 
-/// Number of SafetyAction values.
 constexpr int safety_action_count = 8;
 
-/// One sentence: what the stage does and why.
 const char *explanation_of(SafetyAction action);
 
-/// Actions of the last call.
 struct SafetyReport
 {
     std::uint32_t now = 0;   ///< bit i: action i
@@ -50,16 +47,12 @@ struct SafetyReport
 class SafetyStage
 {
 public:
-    /// @throws std::invalid_argument when a limit is negative or not finite.
     explicit SafetyStage(const SafetyLimits &limits);
 
-    /// Limits the wrench of a tick.
-    ///
     /// @param requested in the device's frame.
     /// @param velocity m/s; of the hand, in the device's frame.
     /// @param time s, on the loop's clock; a step back counts as no time.
     /// @param allowance 0 to 1; allowed part of the force (see Watchdog).
-    /// @return the wrench to write to the device.
     Wrench limit(const Wrench &requested, const Vector3 &velocity, double time, double allowance = 1);
 
     /// Returns to the start: zero until the request was small once.
@@ -68,7 +61,6 @@ public:
     /// Restarts the ramp from zero, after another part has taken the force away.
     void restart_ramp();
 
-    /// Whether the request was small once since the start.
     bool engaged() const { return engaged_; }
 
     const SafetyReport &report() const { return report_; }

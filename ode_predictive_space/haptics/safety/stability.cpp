@@ -23,7 +23,6 @@ template <typename... Parts> std::string sentence(const Parts &...parts)
     return text.str();
 }
 
-/// The error in the arguments, or an empty string.
 std::string nonsense(const Rendering &rendering)
 {
     if (!is_amount(rendering.stiffness))

@@ -16,10 +16,8 @@ enum class WatchdogReason
     servo_late     ///< the servo missed a deadline by much, or many in a row
 };
 
-/// Number of WatchdogReason values.
 constexpr int watchdog_reason_count = 4;
 
-/// One sentence for people.
 const char *explanation_of(WatchdogReason reason);
 
 /// Limits of a watchdog. All finite and > 0, except ramp_time, which may be 0.
@@ -47,10 +45,8 @@ struct WatchdogLimits
 class Watchdog
 {
 public:
-    /// @throws std::invalid_argument when a limit is out of its range.
     explicit Watchdog(const WatchdogLimits &limits = {});
 
-    /// The scene's state is as of this time.
     void physics_fresh(double time) { physics_time_.store(time, std::memory_order_relaxed); }
 
     /// Whether the device answered in this tick; it counts as lost before the first call.
@@ -59,7 +55,6 @@ public:
     /// Updates factor() and reason() in a tick, after the two above.
     void servo_ticked(double time);
 
-    /// 0 to 1; factor of the force.
     double factor() const { return factor_; }
 
     /// The reason for which factor() falls or stays at 0; none while it rises.
