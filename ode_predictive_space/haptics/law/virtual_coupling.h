@@ -34,9 +34,9 @@ inline Wrench wrench_on_device(const CouplingProperties &coupling, const ToolSta
                 coupling.angular_damping * (tool.angular_velocity - device.angular_velocity)};
 }
 
-/// A body is stepped with the force of the tick before. A spring k and a damper b on a mass m diverge from h^2 k + 2 h b = 4 m on; these
-/// bounds give at most half of that, so that contacts of the tool have a share of their own. For rotations, the inertia about the axis
-/// about which the body turns most easily stands for the mass.
+/// A body is stepped with the force of the tick before, so a spring k and a damper b on a mass m diverge from h^2 k + 2
+/// h b = 4 m on. These bounds allow half of that, which leaves the rest to contacts of the tool. Rotations use the
+/// smallest moment of inertia.
 ///
 /// @param mass kg, @param inertia kg m^2; of the tool's body. @param dt s, > 0.
 /// @return the coupling, with no more stiffness and damping than the body can be stepped with.

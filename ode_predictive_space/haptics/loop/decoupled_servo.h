@@ -69,8 +69,8 @@ public:
 
     /// After each write.
     ///
-    /// @param now s, on the clock. @param due s, on the clock; when the tick was due. The tick began then: so the scene's semi-implicit steps
-    ///        and the forecast are of one kind, and create no energy.
+    /// @param now s, on the clock. @param due s, on the clock; the due time of the tick, which counts as its beginning:
+    ///         so the impulses agree with the scene's semi-implicit steps, and create no energy.
     void settle(double now, double due, const DeviceGate &gate, const std::vector<ForceShare> &shares)
     {
         const std::uint64_t zeros = gate.zeros();

@@ -164,8 +164,8 @@ private:
     std::shared_ptr<ActiveRun> run_;    ///< shared by std::atomic_load() and std::atomic_store()
 };
 
-/// The loop of two threads: the caller's steps the scene, another one is the servo. Until the duration is over or the loop must end.
-/// @throws what the law throws in the servo's thread, too.
+/// Runs the loop of two threads until its end: the caller's thread steps the scene, another one is the servo.
+/// @throws exceptions of the law in the servo's thread, too.
 void run_decoupled(LoopParts &parts, const SceneWork &work);
 } // namespace ode_predictive_space::haptics
 
